@@ -1,0 +1,164 @@
+# One command per task; `make help` lists them. Needed beforehand: python3 (3.11 or newer), make and
+# git. Everything else is installed into .venv, in the versions that constraints.txt names.
+
+PYTHON ?= python3
+WORKERS ?= 2
+MARKS ?= not slow
+
+BIN := .venv/bin
+STAMP := .venv/.installed
+EXTRAS := bench,dev
+CHECKS := lint types layers tests tests-nojit
+
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.SUFFIXES:
+MAKEFLAGS += --no-builtin-rules
+
+# The same result from any shell: what another environment, a user's pip settings or a debugging
+# session has exported must reach neither the installation nor the checks.
+unexport VIRTUAL_ENV CONDA_PREFIX PYTHONHOME PYTHONPATH PYTHONSTARTUP PYTHONWARNINGS PYTHONOPTIMIZE
+unexport PIP_TARGET PIP_PREFIX PIP_ROOT PIP_CONSTRAINT PIP_REQUIREMENT PIP_NO_DEPS PIP_DRY_RUN
+unexport MYPYPATH NUMBA_DISABLE_JIT
+export PIP_USER := 0
+export PIP_NO_INPUT := 1
+export PIP_DISABLE_PIP_VERSION_CHECK := 1
+export PYTHONNOUSERSITE := 1
+export PYTHONUTF8 := 1
+export MPLBACKEND := Agg
+
+##@ Start here
+
+.PHONY: help
+help: ## list the commands
+	@awk 'BEGIN { FS = ":.*## " } \
+		/^##@ / { printf "\n%s\n", substr($$0, 5) } \
+		/^[.a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+.PHONY: demo
+demo: .venv ## rock one block: its steady states and a time history, plots in out/
+	@mkdir -p out
+	$(BIN)/rocksteady steady -A 2 -W 4 -r 0.8 --plot out/steady.png --force
+	$(BIN)/rocksteady simulate -A 2 -W 1.9 -r 0.8 --start steady --cycles 40 --plot out/simulate.png --force
+
+.PHONY: test
+test: .venv ## run every check, the tests marked slow excepted
+	@$(call run-in-turn,$(CHECKS),$(MAKE))
+
+.PHONY: test-all
+test-all: .venv ## run every check, the tests marked slow included
+	@$(call run-in-turn,$(CHECKS),$(MAKE) MARKS=)
+
+##@ One check at a time
+
+.PHONY: lint
+lint: .venv ## ruff: rules and format
+	$(BIN)/python -m ruff check
+	$(BIN)/python -m ruff format --check
+
+.PHONY: types
+types: .venv ## mypy --strict over src and tests
+	$(BIN)/python -m mypy
+
+.PHONY: layers
+layers: .venv ## import-linter: who may import whom
+	$(BIN)/lint-imports --no-logo
+
+.PHONY: tests
+tests: .venv ## pytest, kernels compiled (MARKS= runs the slow ones too)
+	@# Once, so that the workers load the compiled kernels instead of each compiling its own.
+	$(BIN)/python -m rocksteady.kernels.warm
+	$(BIN)/python -m pytest -n $(WORKERS) -m "$(MARKS)"
+
+.PHONY: tests-nojit
+tests-nojit: .venv ## the kernels' tests once more as plain Python
+	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest tests/kernels -n $(WORKERS)
+
+##@ Upkeep
+
+.PHONY: .venv
+.venv: $(STAMP) ## create the environment and install the package; again only where pins changed
+
+.PHONY: install
+install: .venv ## the same
+
+.PHONY: format
+format: .venv ## let ruff mend and format what it can
+	$(BIN)/python -m ruff check --fix
+	$(BIN)/python -m ruff format
+
+.PHONY: bench
+bench: .venv ## time the package; writes docs/benchmarks.md
+	@mkdir -p out docs
+	$(BIN)/python -m rocksteady.kernels.warm
+	$(BIN)/python -m pytest bench --benchmark-only --benchmark-json=out/bench.json
+	$(BIN)/python bench/report.py
+
+.PHONY: constraints
+constraints: ## renew constraints.txt with the newest versions that fit together
+	@rm -rf build/constraints
+	@$(call create-environment,build/constraints)
+	build/constraints/bin/python -m pip install --quiet hatchling editables '.[$(EXTRAS)]'
+	@{ \
+		echo "# The exact version of everything that the package and its extras ($(EXTRAS)) install, under the"; \
+		echo "# oldest supported Python: what .venv holds and what every check runs with. Renewed as a whole"; \
+		echo "# by 'make constraints', never by hand; pyproject.toml holds the lower bounds."; \
+		build/constraints/bin/python -m pip freeze --exclude rocksteady; \
+	} > build/constraints.txt
+	@mv build/constraints.txt constraints.txt
+	@rm -rf build/constraints
+	@echo "constraints.txt is renewed: run 'make test', then commit it."
+
+.PHONY: clean
+clean: ## remove .venv, caches and build folders; out/ stays
+	rm -rf .venv .bootstrap .benchmarks .hypothesis .import_linter_cache .mypy_cache .pytest_cache .ruff_cache build dist
+	find src tests bench docs examples -name __pycache__ -type d -prune -exec rm -rf {} + 2>/dev/null || true
+
+# The stamp holds the folder it was made in. A checkout that has moved gets a new environment, because
+# the old one knows its scripts and the package by their paths; so does one whose Python is gone.
+ifneq ($(shell test -x $(BIN)/python && cat $(STAMP) 2>/dev/null),$(CURDIR))
+.PHONY: $(STAMP)
+endif
+
+$(STAMP): pyproject.toml constraints.txt
+	@{ test "$$(cat $@ 2>/dev/null || echo "$(CURDIR)")" = "$(CURDIR)" && $(BIN)/python -m pip --version >/dev/null 2>&1; } || \
+		{ rm -rf .venv; $(call create-environment,.venv); }
+	@echo "Installing rocksteady and its tools into .venv (about a minute)"
+	@# The build back end first, pinned like the rest: an isolated build would fetch its own.
+	$(BIN)/python -m pip install --quiet --constraint constraints.txt hatchling editables
+	$(BIN)/python -m pip install --quiet --constraint constraints.txt --no-build-isolation --editable '.[$(EXTRAS)]'
+	@echo "$(CURDIR)" > $@
+
+# $(call create-environment,FOLDER): a virtual environment with pip. Some systems ship python3
+# without the part of venv that brings pip (ensurepip); virtualenv, fetched by pip into a folder of
+# its own, does without it.
+define create-environment
+$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || { \
+	echo "rocksteady needs Python 3.11 or newer, and '$(PYTHON)' is not: name one, as in make PYTHON=python3.12" >&2; \
+	exit 1; \
+}; \
+said=$$($(PYTHON) -m venv $(1) 2>&1) || { \
+	rm -rf $(1); \
+	$(PYTHON) -m pip install --quiet --target .bootstrap virtualenv >/dev/null 2>&1 && \
+	PYTHONPATH=.bootstrap $(PYTHON) -m virtualenv --quiet $(1) && \
+	rm -rf .bootstrap; \
+} || { \
+	rm -rf .bootstrap $(1); \
+	echo "$$said" >&2; \
+	echo "$(PYTHON) cannot create a virtual environment (above): install its venv package (Debian, Ubuntu: apt install python3-venv)" >&2; \
+	exit 1; \
+}
+endef
+
+# $(call run-in-turn,TARGETS,MAKE): one after the other, with their names and how long each took;
+# the first that fails ends the run.
+define run-in-turn
+summary=""; began=$$(date +%s); \
+for check in $(1); do \
+	printf '\n== %s\n' "$$check"; \
+	start=$$(date +%s); \
+	$(2) --no-print-directory $$check || { printf '\n== %s failed\n' "$$check" >&2; exit 1; }; \
+	summary="$$summary$$(printf '\n   %-12s %4d s' "$$check" $$(($$(date +%s) - start)))"; \
+done; \
+printf '\n== all passed%s\n   %-12s %4d s\n' "$$summary" total $$(($$(date +%s) - began))
+endef

@@ -1,0 +1,174 @@
+"""The errors the package raises and the status codes its computations end with.
+
+A single call that cannot be answered raises one of the exceptions below; a batch of many cases
+never raises for one of them and returns a `Status` for each instead. Both say what to do next.
+
+The tree::
+
+    RocksteadyError
+    ├── InputError      an argument is outside its valid range (also a ValueError)
+    ├── ModelError      arguments valid alone are refused together (also a ValueError)
+    └── OutputError     a file or a folder cannot be written
+
+This module is the lowest layer: it imports nothing from the package, and nothing heavy.
+"""
+
+from enum import IntEnum
+from numbers import Number
+from os import PathLike, fspath
+
+__all__ = ["InputError", "ModelError", "OutputError", "RocksteadyError", "Status"]
+
+_LONGEST_VALUE = 100
+"""Characters of a value that an error line shows; of a longer one its middle is left out."""
+
+
+class RocksteadyError(Exception):
+    """The base of every error that the package raises on purpose.
+
+    Catch it to catch them all. The errors derived from it carry the same four parts, and their
+    message is one line made of them.
+
+    Parameters
+    ----------
+    name
+        The argument, as the caller wrote it (``restitution``).
+    value
+        What was given.
+    valid
+        What is valid, as a clause that reads on from "it is not valid:" (``it must lie in
+        (0, 1]``).
+    hint
+        What to do next, as a clause (``give a ratio of angular velocities``).
+
+    Attributes
+    ----------
+    name, value, valid, hint
+        The parameters, unchanged, for a caller that words its own message.
+    """
+
+    _verdict = "is not accepted"
+
+    def __init__(self, *, name: str, value: object, valid: str, hint: str) -> None:
+        self.name = name
+        self.value = value
+        self.valid = valid
+        self.hint = hint
+        super().__init__(f"{name} = {_shown(value)} {self._verdict}: {valid}; {hint}")
+
+    def __reduce__(self) -> tuple[object, ...]:
+        # An exception is rebuilt from its positional arguments unless told otherwise; ours has
+        # none, and it has to come back whole from a worker process.
+        return _rebuilt, (type(self), self.name, self.value, self.valid, self.hint)
+
+
+class InputError(RocksteadyError, ValueError):
+    """An argument is outside its valid range.
+
+    The message reads ``NAME = VALUE is not valid: VALID; HINT``.
+
+    Examples
+    --------
+    >>> raise InputError(
+    ...     name="restitution",
+    ...     value=1.2,
+    ...     valid="it must lie in (0, 1]",
+    ...     hint="give the ratio of the angular velocities after and before an impact",
+    ... )
+    Traceback (most recent call last):
+    ...
+    rocksteady.errors.InputError: restitution = 1.2 is not valid: it must lie in (0, 1]; give the \
+ratio of the angular velocities after and before an impact
+    """
+
+    _verdict = "is not valid"
+
+
+class ModelError(RocksteadyError, ValueError):
+    """Arguments that are valid alone and that the model refuses together.
+
+    Vertical base motion with the linear equations of motion is one: the equations have no such
+    term. The message reads ``NAME = VALUE is refused by the model: VALID; HINT``.
+    """
+
+    _verdict = "is refused by the model"
+
+
+class OutputError(RocksteadyError):
+    """A file or a folder cannot be written.
+
+    It exists already, or its folder is missing or not writable. Raised before anything is
+    computed, so that nothing is left half written. The message reads ``NAME = VALUE cannot be
+    written: VALID; HINT``.
+    """
+
+    _verdict = "cannot be written"
+
+
+class Status(IntEnum):
+    """How a computation ended: an integer for kernels, a label for files, a sentence for people.
+
+    The codes are part of every stored result: a code never changes its meaning, and a new status
+    takes the next free integer.
+    """
+
+    ROCKING = 0
+    AT_REST = 1
+    OVERTURNED = 2
+    LOST_CONTACT = 3
+    UNDECIDED = 4
+
+    @property
+    def label(self) -> str:
+        """The word that stands in JSON output and in tables (``at-rest``)."""
+        return self.name.lower().replace("_", "-")
+
+    @property
+    def advice(self) -> str:
+        """One sentence: what the status means and what to try next."""
+        return _ADVICE[self]
+
+
+_ADVICE = {
+    Status.ROCKING: (
+        "The block was still rocking when the requested time ended; ask for more cycles to see "
+        "whether it settles, comes to rest or falls."
+    ),
+    Status.AT_REST: (
+        "The block stood still on its base when the requested time ended; to see it rock, raise "
+        "the base acceleration above the uplift limit or start it with a velocity."
+    ),
+    Status.OVERTURNED: (
+        "The block falls: it is proved that it cannot come back to its base; to keep it standing, "
+        "lower the amplitude, raise the frequency or take a larger or a stockier block."
+    ),
+    Status.LOST_CONTACT: (
+        "The base dropped away at g or faster, so the block left it and the rocking model ends "
+        "there; scale the vertical motion down or leave it out."
+    ),
+    Status.UNDECIDED: (
+        "The limit on the number of steps was reached before the outcome was certain; raise the "
+        "limit or ask for a shorter time."
+    ),
+}
+
+
+def _shown(value: object) -> str:
+    """Return `value` as one short line: numbers and paths without their type, the rest by repr."""
+    if isinstance(value, Number):
+        text = str(value)  # of a NumPy scalar the number alone, where repr is "np.float64(1.2)"
+    elif isinstance(value, PathLike):
+        text = repr(fspath(value))
+    else:
+        text = " ".join(repr(value).split())
+    if len(text) <= _LONGEST_VALUE:
+        return text
+    half = (_LONGEST_VALUE - len(" ... ")) // 2
+    return f"{text[:half]} ... {text[-half:]}"
+
+
+def _rebuilt(
+    kind: type[RocksteadyError], name: str, value: object, valid: str, hint: str
+) -> RocksteadyError:
+    """Make an error again from its parts, for pickle."""
+    return kind(name=name, value=value, valid=valid, hint=hint)

@@ -1,0 +1,20 @@
+"""Compiled scalar functions: flight, first zero, impact, rest, overturning, march.
+
+Everything here is dimensionless and works in the *side frame* of ``docs/theory/march.md``: the
+angle ``y = |theta|/alpha`` seen from the pivot on which the block stands, the pivot time
+``s = p t`` and the base acceleration in units of ``alpha g``.  From the rest of the package these
+modules import integer status codes only.
+
+==================  ==============================================================================
+`compilation`       the one decorator, and the cache folder that is keyed on these sources
+`forcing`           base acceleration of one segment seen from one side; where it changes sign
+`flight`            the closed-form motion between impacts (eqs 7, 8, 14, 15)
+`zeros`             the first zero of a flight, which cannot be missed; the proof of no return
+`extrema`           peaks and level crossings, by the same isolation argument
+`saltation`         exact derivatives of a flight through its impact
+`rest`              uplift from rest, and the bound that ends chatter
+`march`             flights strung together by impacts, uplifts and segment ends
+`symmetric`         Tso and Wong's closed forms for one symmetric steady state (eqs 12 to 25)
+`cells`             plain loops of `march` over many cases
+==================  ==============================================================================
+"""

@@ -1,0 +1,88 @@
+"""The plain loop of the march over many cases, each independent of the others.
+
+Threads may run disjoint slices side by side: each cell is written by one loop only, so the result
+does not depend on how the cells are dealt out.
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.kernels.compilation import compiled
+from rocksteady.kernels.march import (
+    AMPLITUDE,
+    CEILING,
+    DURATION,
+    FREQUENCY,
+    LEAN,
+    PHASE,
+    RATE,
+    RESTITUTION,
+    ROW_COLUMNS,
+    SEGMENT_COLUMNS,
+    Floats,
+    March,
+    clock,
+    march,
+)
+
+
+@compiled
+def harmonic_segment(segments: Floats, amplitude: float, frequency: float, phase: float) -> None:
+    """Fill row 0 with endless harmonic shaking; `amplitude` and `frequency` as for the model."""
+    segments[0, :] = 0.0
+    segments[0, DURATION] = math.inf
+    segments[0, AMPLITUDE] = amplitude
+    segments[0, FREQUENCY] = frequency
+    segments[0, PHASE] = phase
+    segments[0, CEILING] = amplitude
+
+
+@compiled
+def harmonic_fates(
+    amplitude: Floats,
+    frequency_ratio: Floats,
+    restitution: Floats,
+    angle: Floats,
+    velocity: Floats,
+    phase: Floats,
+    cycles: int,
+    status: NDArray[np.int64],
+    impacts: NDArray[np.int64],
+    final: Floats,
+) -> None:
+    """March symmetric blocks under harmonic shaking and note how each ends.
+
+    Parameters
+    ----------
+    amplitude, frequency_ratio, restitution, angle, velocity, phase
+        One value a cell, shape (cells,); `velocity` is d(theta/alpha)/ds.
+    cycles
+        Forcing periods to run.
+    status, impacts, final
+        Receive the status code, the number of impacts and, in shape (cells, 3), the final angle,
+        velocity and phase.
+    """
+    segments = np.zeros((1, SEGMENT_COLUMNS))
+    sides = np.zeros((2, 3))
+    rows = np.zeros((0, ROW_COLUMNS))
+    sides[:, LEAN] = 1.0
+    sides[:, RATE] = 1.0
+    for i in range(len(amplitude)):
+        harmonic_segment(segments, amplitude[i], frequency_ratio[i], phase[i])
+        sides[:, RESTITUTION] = restitution[i]
+        half, start_phase = clock(phase[i])
+        side = 1
+        if angle[i] < 0.0 or (angle[i] == 0.0 and velocity[i] < 0.0):
+            side = -1
+        elif angle[i] == 0.0 and velocity[i] == 0.0:
+            side = 0
+        start = March(side, angle[i], velocity[i], 0, half, start_phase, 0)
+        status[i], end, _ = march(
+            segments, sides, start, half + 2 * cycles, start_phase, math.inf, rows
+        )
+        impacts[i] = end.impacts
+        final[i, 0] = end.angle
+        final[i, 1] = end.velocity
+        final[i, 2] = end.phase

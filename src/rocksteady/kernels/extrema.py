@@ -1,0 +1,87 @@
+"""Peaks and level crossings of a flight, found without sampling.
+
+The velocity obeys ``w'' = w + dr/dt`` and ``y - level`` obeys ``z'' = z + (r + level)``: both are
+flights, so that `rocksteady.kernels.zeros` isolates their zeros too.
+"""
+
+import math
+
+from rocksteady.kernels.compilation import compiled
+from rocksteady.kernels.flight import (
+    Flight,
+    flight_state,
+    rebased,
+    shifted_flight,
+    velocity_flight,
+    wrapped,
+)
+from rocksteady.kernels.forcing import Forcing
+from rocksteady.kernels.zeros import FOUND, NO_RETURN, next_zero
+
+
+@compiled
+def highest_angle(flight: Flight, forcing: Forcing, span: float) -> tuple[float, int]:
+    """Return the largest angle over [0, span] and the number of extrema inside it.
+
+    A touch of the velocity at zero (an inflection) does not count as an extremum.
+    """
+    phase = flight.phase + forcing.frequency * span
+    angle, _ = flight_state(flight, forcing, span, math.sin(phase), math.cos(phase))
+    highest = max(flight.angle, angle)
+    speed, rate = velocity_flight(flight, forcing)
+    passed, extrema = 0.0, 0
+    while passed < span:
+        zero = next_zero(speed, rate, span - passed, False, False, -1.0)
+        if zero.event != FOUND:
+            break
+        passed += zero.time
+        if passed >= span:
+            break
+        phase = flight.phase + forcing.frequency * passed
+        angle, _ = flight_state(flight, forcing, passed, math.sin(phase), math.cos(phase))
+        highest = max(highest, angle)
+        if zero.velocity != 0.0:
+            extrema += 1
+        speed, rate = rebased(
+            speed,
+            rate,
+            zero.time,
+            0.0,
+            zero.velocity,
+            wrapped(zero.phase),
+            zero.sine,
+            zero.cosine,
+        )
+        if zero.velocity == 0.0:
+            break
+    return highest, extrema
+
+
+@compiled
+def last_rise(flight: Flight, forcing: Forcing, level: float, span: float, endless: bool) -> float:
+    """Return the last time in [0, span] at which the angle rises through `level`, or -1.
+
+    On an `endless` forcing `span` may be infinite where the angle grows for ever.
+    """
+    above, lowered = shifted_flight(flight, forcing, level)
+    passed, last = 0.0, -1.0
+    while passed < span:
+        zero = next_zero(above, lowered, span - passed, endless, False, -1.0)
+        if zero.event != FOUND or zero.event == NO_RETURN:
+            break
+        passed += zero.time
+        if zero.velocity > 0.0:
+            last = passed
+        if zero.velocity == 0.0:
+            break
+        above, lowered = rebased(
+            above,
+            lowered,
+            zero.time,
+            0.0,
+            zero.velocity,
+            wrapped(zero.phase),
+            zero.sine,
+            zero.cosine,
+        )
+    return last

@@ -1,0 +1,408 @@
+"""The march: flights strung together by impacts, uplifts and segment ends.
+
+A motion is a table of segments (columns below), the block two rows of side parameters.  Time is
+kept as (segment, half cycles, phase): whole half periods of the segment's sinusoid as an integer
+and the phase within the current one, so that a change of side adds exactly pi and nothing drifts
+over millions of cycles.  A segment without sinusoid counts plain time in place of the phase.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.errors import Status
+from rocksteady.kernels.compilation import compiled, inlined
+from rocksteady.kernels.flight import make_flight
+from rocksteady.kernels.forcing import SINE, Forcing, make_forcing
+from rocksteady.kernels.rest import settles, uplift_time
+from rocksteady.kernels.zeros import FOUND, NO_RETURN, SPAN_END, next_zero
+
+Floats = NDArray[np.float64]
+
+# Columns of a table of segments: c0 + c1 s + A sin(Omega s + phi) for `DURATION` of pivot time.
+DURATION = 0
+JUMP = 1  # of the block's velocity at the segment's start, by an impulse of the base
+CONSTANT = 2
+SLOPE = 3
+AMPLITUDE = 4
+FREQUENCY = 5
+PHASE = 6
+CEILING = 7  # max |a| from this segment's start on; infinite while a jump is still to come
+SEGMENT_COLUMNS = 8
+
+# Columns of the side table; row 0 is the positive side, row 1 the negative one.
+RESTITUTION = 0  # of the impact that ends a flight on this side
+LEAN = 1  # this side's alpha over the reference alpha
+RATE = 2  # this side's p over the reference p
+
+# Columns of a recorded flight, in reference units.
+ROW_SEGMENT = 0
+ROW_HALF_CYCLES = 1
+ROW_PHASE = 2
+ROW_SIDE = 3  # +1, -1, or 0 at rest
+ROW_ANGLE = 4
+ROW_VELOCITY = 5
+ROW_DURATION = 6
+ROW_EVENT = 7
+ROW_COLUMNS = 8
+
+# What ended a recorded flight or rest.
+ENDED_BY_SPAN = SPAN_END  # the segment or the run ended
+ENDED_BY_IMPACT = FOUND
+ENDED_BY_NO_RETURN = NO_RETURN
+ENDED_BY_UPLIFT = 3
+
+ROCKING = int(Status.ROCKING)
+AT_REST = int(Status.AT_REST)
+OVERTURNED = int(Status.OVERTURNED)
+ROWS_FULL = -1  # the caller empties the rows and calls again
+
+PI_HIGH = math.pi
+PI_LOW = 1.2246467991473532e-16  # pi - PI_HIGH
+HALF_PI = 0.5 * math.pi
+# A bounce this slow lasts less than any clock resolves, and its square underflows.
+STILL = 1e-100
+
+
+class March(NamedTuple):
+    """State of a march between two flights; the start of one is also the state to resume from."""
+
+    side: int  # +1, -1, or 0 at rest
+    angle: float  # theta / alpha
+    velocity: float  # d(theta / alpha) / ds
+    segment: int
+    half_cycles: int
+    phase: float  # within the half cycle, or time within a segment without sinusoid
+    impacts: int
+
+
+@compiled
+def side_forcing(segments: Floats, index: int, sides: Floats, side: int, elapsed: float) -> Forcing:
+    """Return the forcing of a segment seen from one side, its slope counted from `elapsed`."""
+    row = 0 if side > 0 else 1
+    lean, rate = sides[row, LEAN], sides[row, RATE]
+    constant = segments[index, CONSTANT] + segments[index, SLOPE] * elapsed
+    return make_forcing(
+        side * constant / lean - 1.0,
+        side * segments[index, SLOPE] / (lean * rate),
+        segments[index, AMPLITUDE] / lean,
+        segments[index, FREQUENCY] / rate,
+    )
+
+
+@inlined
+def clock(phase: float) -> tuple[int, float]:
+    """Split an unbounded phase into whole half cycles and a rest in [0, pi)."""
+    half = math.floor(phase / math.pi)
+    rest = (phase - half * PI_HIGH) - half * PI_LOW
+    if rest < 0.0:
+        rest = 0.0
+    elif rest >= math.pi:
+        half += 1
+        rest = 0.0
+    return int(half), rest
+
+
+@inlined
+def side_phase(half: int, phase: float, side: int, frequency: float) -> tuple[float, int]:
+    """Return the phase seen from a side, in [-pi/2, 3 pi/2), and its half cycle less `half`."""
+    if frequency == 0.0:
+        return 0.0, 0
+    if (half % 2 == 0) == (side > 0):
+        return phase, 0
+    if phase < HALF_PI:
+        return phase + math.pi, 1
+    return phase - math.pi, -1
+
+
+@compiled
+def segment_start(segments: Floats, index: int) -> tuple[int, float]:
+    """Return half cycles and phase (or time) at the start of a segment."""
+    if segments[index, FREQUENCY] == 0.0:
+        return 0, 0.0
+    return clock(segments[index, PHASE])
+
+
+@compiled
+def segment_end(segments: Floats, index: int) -> tuple[int, float]:
+    """Return half cycles and phase (or time) at the end of a segment of finite duration."""
+    duration, frequency = segments[index, DURATION], segments[index, FREQUENCY]
+    if frequency == 0.0:
+        return 0, duration
+    return clock(segments[index, PHASE] + frequency * duration)
+
+
+@inlined
+def elapsed_time(
+    half_cycles: int, phase: float, from_half: int, from_phase: float, frequency: float
+) -> float:
+    """Return the pivot time between two clock readings on one segment."""
+    if frequency == 0.0:
+        return phase - from_phase
+    return ((half_cycles - from_half) * math.pi + (phase - from_phase)) / frequency
+
+
+@compiled
+def march(
+    segments: Floats,
+    sides: Floats,
+    start: March,
+    stop_half_cycles: int,
+    stop_phase: float,
+    rest_velocity: float,
+    rows: Floats,
+) -> tuple[int, March, int]:
+    """March from `start` to the stop, to overturning, or until `rows` is full.
+
+    Parameters
+    ----------
+    segments, sides
+        Tables of shape (segments, 8) and (2, 3) with the columns above.
+    start
+        Where to begin.  At rest `side` is 0; a side with angle and velocity 0 is just lifting off.
+    stop_half_cycles, stop_phase
+        The clock reading on the last segment at which the run ends, where that is endless.
+    rest_velocity
+        Chatter slower than this comes to rest as soon as the bound of
+        `rocksteady.kernels.rest` proves that it will.
+    rows
+        Array of shape (flights, 8) that receives the flights; with shape (0, 8) none is kept.
+
+    Returns
+    -------
+    tuple
+        Status (ROCKING, AT_REST, OVERTURNED or ROWS_FULL), final state, number of rows written.
+    """
+    side, angle, velocity = start.side, start.angle, start.velocity
+    segment, half, phase = start.segment, start.half_cycles, start.phase
+    impacts = start.impacts
+    record = len(rows) > 0
+    written = 0
+    last = len(segments) - 1
+
+    loaded = -1  # the segment that the following belong to
+    positive = side_forcing(segments, segment, sides, 1, 0.0)
+    negative = positive
+    frequency, sloped, endless = 0.0, False, False
+    first_half, first_phase, end_half, end_phase = 0, 0.0, 0, 0.0
+    sine, cosine, turned_side = 0.0, 1.0, False  # of the phase, known after an impact
+    guess = -1.0
+    bounced = False  # off an impact so slow that the block may be coming to rest
+
+    while True:
+        if record and written == len(rows):
+            state = March(side, angle, velocity, segment, half, phase, impacts)
+            return ROWS_FULL, state, written
+        if segment != loaded:
+            loaded = segment
+            frequency = segments[segment, FREQUENCY]
+            sloped = segments[segment, SLOPE] != 0.0
+            endless = segments[segment, DURATION] == math.inf
+            first_half, first_phase = segment_start(segments, segment)
+            end_half, end_phase = stop_half_cycles, stop_phase
+            if not endless:
+                end_half, end_phase = segment_end(segments, segment)
+            positive = side_forcing(segments, segment, sides, 1, 0.0)
+            negative = side_forcing(segments, segment, sides, -1, 0.0)
+        elif sloped:  # a slope is counted from the start of the flight
+            since = elapsed_time(half, phase, first_half, first_phase, frequency)
+            positive = side_forcing(segments, segment, sides, 1, since)
+            negative = side_forcing(segments, segment, sides, -1, since)
+        span = elapsed_time(end_half, end_phase, half, phase, frequency)
+
+        # 1. At rest: wait for uplift, for the next segment, or for the end of the run.
+        if side == 0:
+            side, wait = next_uplift(positive, negative, sides, half, phase, frequency, span)
+            if side != 0 and wait == 0.0:
+                continue  # into flight, with angle and velocity 0
+            if record:
+                write_row(rows, written, segment, half, phase, 0, 0.0, 0.0, wait)
+                rows[written, ROW_EVENT] = ENDED_BY_SPAN if side == 0 else ENDED_BY_UPLIFT
+                written += 1
+            if side != 0:
+                half, phase = uplift_clock(
+                    half, phase, frequency, wait, side, positive if side > 0 else negative
+                )
+                continue
+            half, phase = end_half, end_phase
+            if segment == last:
+                return AT_REST, March(0, 0.0, 0.0, segment, half, phase, impacts), written
+            segment += 1
+            half, phase = segment_start(segments, segment)
+            velocity = segments[segment, JUMP]
+            if velocity != 0.0:
+                side = 1 if velocity > 0.0 else -1
+            continue
+
+        # 2. A flight, in the units of its side.
+        row = 0 if side > 0 else 1
+        lean, rate = sides[row, LEAN], sides[row, RATE]
+        forcing = positive if side > 0 else negative
+        seen_phase, seen_half = side_phase(half, phase, side, frequency)
+        if not turned_side:
+            sine, cosine = math.sin(seen_phase), math.cos(seen_phase)
+        turned_side = False
+        if bounced:
+            bounced = False
+            if chatter_ends(
+                sides,
+                side,
+                abs(velocity),
+                math.inf if endless else span,
+                positive,
+                negative,
+                seen_phase,
+                sine,
+            ):
+                velocity = 0.0
+                side = 0
+                continue
+        lifting = angle == 0.0 and velocity == 0.0
+        flight = make_flight(
+            forcing, side * angle / lean, side * velocity / (lean * rate), seen_phase, sine, cosine
+        )
+        zero = next_zero(flight, forcing, span * rate, endless, lifting, guess)
+        if record:
+            duration = math.inf if zero.event == NO_RETURN else zero.time / rate
+            write_row(rows, written, segment, half, phase, side, angle, velocity, duration)
+            rows[written, ROW_EVENT] = zero.event
+            written += 1
+        if zero.event == NO_RETURN:
+            return OVERTURNED, March(side, angle, velocity, segment, half, phase, impacts), written
+
+        if zero.event == FOUND:
+            # 3. Impact: the velocity shrinks, the pivot changes.
+            impacts += 1
+            guess = zero.time
+            if frequency == 0.0:
+                phase += zero.time / rate
+            else:
+                turned, phase = clock(zero.phase)
+                half += turned - seen_half + 2 * zero.cycle
+                sine, cosine, turned_side = -zero.sine, -zero.cosine, True
+            velocity = sides[row, RESTITUTION] * side * zero.velocity * lean * rate
+            angle = 0.0
+            side = -side
+            bounced = abs(velocity) <= rest_velocity
+            continue
+
+        # 4. The segment or the run ended in mid flight.
+        angle = side * zero.angle * lean
+        velocity = side * zero.velocity * lean * rate
+        half, phase = end_half, end_phase
+        if segment == last:
+            state = March(side, angle, velocity, segment, half, phase, impacts)
+            return ROCKING, state, written
+        segment += 1
+        half, phase = segment_start(segments, segment)
+        if abs(angle) >= lean + segments[segment, CEILING] and velocity * side >= 0.0:
+            # Nothing that is still to come can bring it back.
+            return OVERTURNED, March(side, angle, velocity, segment, half, phase, impacts), written
+        velocity += segments[segment, JUMP]
+        guess = -1.0
+
+
+@compiled
+def next_uplift(
+    positive: Forcing,
+    negative: Forcing,
+    sides: Floats,
+    half: int,
+    phase: float,
+    frequency: float,
+    span: float,
+) -> tuple[int, float]:
+    """Return the side that lifts first and when; side 0 and `span` where none lifts before that."""
+    if span <= 0.0:
+        return 0, 0.0
+    plus_phase, _ = side_phase(half, phase, 1, frequency)
+    minus_phase, _ = side_phase(half, phase, -1, frequency)
+    plus = uplift_time(positive, plus_phase, span * sides[0, RATE]) / sides[0, RATE]
+    minus = uplift_time(negative, minus_phase, span * sides[1, RATE]) / sides[1, RATE]
+    if min(plus, minus) >= span:
+        return 0, span
+    return (1, plus) if plus <= minus else (-1, minus)
+
+
+@compiled
+def uplift_clock(
+    half: int, phase: float, frequency: float, wait: float, side: int, forcing: Forcing
+) -> tuple[int, float]:
+    """Return the clock reading after a wait for uplift; exact where the node has a closed form."""
+    if frequency == 0.0:
+        return half, phase + wait
+    if forcing.kind != SINE:
+        turned, phase = clock(phase + frequency * wait)
+        return half + turned, phase
+    seen_phase, seen_half = side_phase(half, phase, side, frequency)
+    turned, phase = clock(forcing.rising)
+    if forcing.rising < seen_phase:
+        turned += 2
+    return half + turned - seen_half, phase
+
+
+@inlined
+def chatter_ends(
+    sides: Floats,
+    side: int,
+    speed: float,
+    span: float,
+    positive: Forcing,
+    negative: Forcing,
+    seen_phase: float,
+    sine: float,
+) -> bool:
+    """Return whether the bounces that start now on `side` are proved to die out within `span`.
+
+    `seen_phase` and its `sine` are those of the forcing seen from `side`.
+    """
+    if speed < STILL:
+        return True
+    here, there = (0, 1) if side > 0 else (1, 0)
+    forcing_here = positive if side > 0 else negative
+    forcing_there = negative if side > 0 else positive
+    speed_here = speed / (sides[here, LEAN] * sides[here, RATE])
+    speed_there = speed / (sides[there, LEAN] * sides[there, RATE])
+    # Most impacts are told apart here: shaking above uplift, or too fast for the bound to hold.
+    if (
+        forcing_here.constant + forcing_here.amplitude * sine + speed_here >= 0.0
+        or forcing_there.constant - forcing_there.amplitude * sine + speed_there >= 0.0
+    ):
+        return False
+    phase_there = seen_phase + math.pi if seen_phase < HALF_PI else seen_phase - math.pi
+    return settles(
+        max(sides[0, RESTITUTION], sides[1, RESTITUTION]),
+        span,
+        forcing_here,
+        seen_phase,
+        speed_here,
+        sides[here, RATE],
+        forcing_there,
+        phase_there,
+        speed_there,
+        sides[there, RATE],
+    )
+
+
+@inlined
+def write_row(
+    rows: Floats,
+    index: int,
+    segment: int,
+    half: int,
+    phase: float,
+    side: int,
+    angle: float,
+    velocity: float,
+    duration: float,
+) -> None:
+    """Record one flight or rest; the caller fills in the event that ended it."""
+    rows[index, ROW_SEGMENT] = segment
+    rows[index, ROW_HALF_CYCLES] = half
+    rows[index, ROW_PHASE] = phase
+    rows[index, ROW_SIDE] = side
+    rows[index, ROW_ANGLE] = angle
+    rows[index, ROW_VELOCITY] = velocity
+    rows[index, ROW_DURATION] = duration

@@ -1,0 +1,105 @@
+"""Rest: when it ends in uplift, and when chatter may be said to have come to rest.
+
+A block at rest stays at rest while the base acceleration is below the uplift value of either side
+(|a| < 1 for a symmetric block); it lifts at the next node at which one side's forcing turns
+positive.
+
+**Chatter** is an infinite number of ever smaller bounces in finite time.  With velocity v after an
+impact, let c > 0 be the least of -r over both sides and a window of length T, and L the largest
+|dr/dt|.  While ``y'' <= y - c`` a bounce rises to ``Y = c - sqrt(c^2 - v^2)`` at most and lasts no
+longer than ``2 v / sqrt(c^2 - v^2)``.  Over it r varies by at most L times that, so that the block
+lands with a squared velocity at most ``1 + 4 L v / (c sqrt(c^2 - v^2))`` times v^2.  With
+``kappa^2 = restitution^2 (1 + ...) < 1`` the bounces shrink at least geometrically and all are over
+within ``2 v / (sqrt(c^2 - v^2) (1 - kappa))``.  If that is less than T, no uplift can come first (c
+is positive throughout T), and the block is at rest at the end of it.  This is a bound, not an
+estimate: where it does not fit, the march goes on bouncing.  restitution = 1 gives kappa >= 1.
+"""
+
+import math
+
+from rocksteady.kernels.compilation import compiled
+from rocksteady.kernels.forcing import (
+    LINE,
+    MIXED,
+    SINE,
+    TWO_PI,
+    Forcing,
+    largest_forcing,
+    mixed_node,
+    starts_positive,
+    steepest_forcing,
+)
+
+
+@compiled
+def uplift_time(forcing: Forcing, phase: float, span: float) -> float:
+    """Return the first time in [0, span) at which the forcing is or turns positive, or infinity."""
+    if starts_positive(forcing, phase):
+        return 0.0
+    time = math.inf
+    if forcing.kind == SINE:
+        ahead = forcing.rising - phase
+        if ahead < 0.0:
+            ahead += TWO_PI
+        time = ahead / forcing.frequency
+    elif forcing.kind == LINE:
+        if forcing.slope > 0.0:
+            time = -forcing.constant / forcing.slope
+    elif forcing.kind == MIXED:
+        time = mixed_node(forcing, phase, 0.0, False, span)
+    return time if time < span else math.inf
+
+
+@compiled
+def settles(
+    restitution: float,
+    span: float,
+    here: Forcing,
+    phase_here: float,
+    velocity_here: float,
+    rate_here: float,
+    there: Forcing,
+    phase_there: float,
+    velocity_there: float,
+    rate_there: float,
+) -> bool:
+    """Return whether the coming bounces are proved to end before an uplift and within `span`.
+
+    `here` is the side of the first bounce.  Forcings and velocities are in the units of their own
+    side (one velocity of the base seen in both), `span` in reference time, in which a side's clock
+    runs `rate` times as fast; `restitution` is the larger of the two sides'.
+    """
+    if restitution >= 1.0:
+        return False
+    pull_here = -largest_forcing(here, phase_here, 0.0)
+    pull_there = -largest_forcing(there, phase_there, 0.0)
+    if pull_here <= velocity_here or pull_there <= velocity_there:
+        return False
+    window = (
+        4.0
+        * max(velocity_here / (pull_here * rate_here), velocity_there / (pull_there * rate_there))
+        / (1.0 - restitution)
+    )
+    if window > span:
+        return False
+    growth_here, duration_here = bounce_bounds(
+        here, phase_here, velocity_here, rate_here, window * rate_here
+    )
+    growth_there, duration_there = bounce_bounds(
+        there, phase_there, velocity_there, rate_there, window * rate_there
+    )
+    kappa = restitution * math.sqrt(max(growth_here, growth_there))
+    return kappa < 1.0 and max(duration_here, duration_there) <= (1.0 - kappa) * window
+
+
+@compiled
+def bounce_bounds(
+    forcing: Forcing, phase: float, velocity: float, rate: float, window: float
+) -> tuple[float, float]:
+    """Return upper bounds of a bounce's growth of velocity squared and of its duration."""
+    pull = -largest_forcing(forcing, phase, window)
+    if pull <= velocity:
+        return math.inf, math.inf
+    root = math.sqrt((pull - velocity) * (pull + velocity))
+    growth = 1.0 + 4.0 * steepest_forcing(forcing) * velocity / (pull * root)
+    return growth, 2.0 * velocity / (root * rate)

@@ -1,0 +1,259 @@
+"""Tso and Wong's symmetric steady states in closed form (eqs 12 to 25), free of cancellation.
+
+With ``D = (1 - restitution)/(1 + restitution)``, ``h = tanh(n pi / 2 Omega)``, ``beta = A/(1 +
+Omega^2)``, ``P = D h Omega`` and ``Q = D h^2/beta`` the phase f of a symmetric orbit solves
+``P cos f + sin f = Q`` (eq 20).  Written as printed (eqs 19, 21, 22) the velocity cancels at low
+and high frequency and is 0/0 at restitution 1.  Put ``sin f = D s``; eliminating cos f between eqs
+18 and 19 then gives the velocity after impact, du/dtau, for every restitution in (0, 1]::
+
+    v = 2 restitution beta s / ((1 + restitution) h Omega)
+    branch 1: s = (Q' + P' S)/(1 + P^2),                cos f = (Q^2 - 1)/(Q P + S)
+    branch 2: s = (Q'^2 - P'^2)/(Q' + P' S),            cos f = (Q P + S)/(1 + P^2)
+
+with ``P = D P'``, ``Q = D Q'`` and ``S = sqrt(1 + P^2 - Q^2)``; differences of squares come from
+the distances of A to the three boundaries, ``Q = A25/A``, ``Q/P = A24/A``, ``S^2 = (1 + P^2)
+(1 - (A23/A)^2)``.  In the same terms the trace of the half-cycle map is::
+
+    T = -2 restitution + (cosh(n pi/Omega) - 1) K
+    K = (1 + restitution)^2/(2 beta s) - (1 - restitution)^2 (1 + Omega^2)/2 - 2 restitution
+
+and its determinant restitution^2, so that T = -(1 + restitution^2) can be solved for A.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.kernels.compilation import compiled, inlined
+from rocksteady.kernels.extrema import highest_angle
+from rocksteady.kernels.flight import LARGEST_EXPONENT, Flight, wrapped
+from rocksteady.kernels.forcing import make_forcing
+from rocksteady.kernels.zeros import FOUND, next_zero
+
+Floats = NDArray[np.float64]
+EPSILON = 2.0**-52
+
+
+class Symmetric(NamedTuple):
+    """One symmetric orbit of the algebra, whether or not the floor allows it."""
+
+    phase: float  # f, in (-pi, pi]
+    sine: float
+    cosine: float
+    velocity: float  # du/dtau after impact
+    trace: float  # of the half-cycle map in (phase, velocity)
+
+
+@inlined
+def damping(restitution: float) -> float:
+    """Return D = (1 - restitution)/(1 + restitution), defined below eq 20."""
+    return (1.0 - restitution) / (1.0 + restitution)
+
+
+@inlined
+def half_cycle_tanh(frequency_ratio: float, order: int) -> float:
+    """Return h = tanh(n pi / 2 Omega), defined below eq 19."""
+    return math.tanh(order * math.pi / (2.0 * frequency_ratio))
+
+
+@compiled
+def existence_amplitude(frequency_ratio: float, restitution: float, h: float) -> float:
+    """Return the least amplitude with a symmetric orbit (eq 23); h = 1 gives the heteroclinic one."""
+    d, square = damping(restitution), 1.0 + frequency_ratio * frequency_ratio
+    return square * d * h * h / math.hypot(1.0, d * h * frequency_ratio)
+
+
+@compiled
+def sign_amplitude(frequency_ratio: float, h: float) -> float:
+    """Return the amplitude at which the phase of branch 2 changes sign, P = Q (eq 24)."""
+    return h * (1.0 + frequency_ratio * frequency_ratio) / frequency_ratio
+
+
+@compiled
+def kind_amplitude(frequency_ratio: float, restitution: float, h: float) -> float:
+    """Return the amplitude at which branch 1 passes from in-phase to out-of-phase, Q = 1 (eq 25)."""
+    return damping(restitution) * h * h * (1.0 + frequency_ratio * frequency_ratio)
+
+
+@compiled
+def region_of(amplitude: float, existence: float, sign: float, kind: float) -> int:
+    """Return Tso and Wong's region 1 to 5 (Figs 3, 4) from an amplitude and the three boundaries."""
+    if amplitude < existence or amplitude == 0.0:
+        return 4
+    if amplitude > kind:
+        return 1 if amplitude < sign else 2
+    return 3 if amplitude < sign else 5
+
+
+@compiled
+def symmetric_orbit(
+    amplitude: float, frequency_ratio: float, restitution: float, order: int, branch: int
+) -> Symmetric:
+    """Return branch 1 or 2 (upper or lower signs of eqs 21, 22); the amplitude must allow it."""
+    w = frequency_ratio
+    h = half_cycle_tanh(w, order)
+    d = damping(restitution)
+    beta = amplitude / (1.0 + w * w)
+    p, q = h * w, h * h / beta  # P' and Q'
+    existence = existence_amplitude(w, restitution, h)
+    length = 1.0 + d * d * p * p  # 1 + P^2
+    root = math.sqrt(length * (amplitude - existence) * (amplitude + existence)) / amplitude
+    if branch == 1:
+        kind = kind_amplitude(w, restitution, h)
+        s = (q + p * root) / length
+        cosine = (kind - amplitude) * (kind + amplitude) / (amplitude * amplitude)
+        cosine /= d * d * p * q + root
+    else:
+        sign = sign_amplitude(w, h)
+        s = p * p * (sign - amplitude) * (sign + amplitude) / (amplitude * amplitude)
+        s /= q + p * root
+        cosine = (d * d * p * q + root) / length
+    sine = d * s + 0.0  # never -0.0, whose phase would be -0.0 or -pi
+    velocity = 2.0 * restitution * beta * s / ((1.0 + restitution) * p)
+    return Symmetric(
+        math.atan2(sine, cosine),
+        sine,
+        cosine,
+        velocity,
+        half_cycle_trace(w, restitution, order, beta * s),
+    )
+
+
+@compiled
+def half_cycle_trace(
+    frequency_ratio: float, restitution: float, order: int, scaled_sine: float
+) -> float:
+    """Return the trace T of the half-cycle map; `scaled_sine` is beta sin(f)/D."""
+    length = order * math.pi / frequency_ratio
+    if scaled_sine == 0.0:
+        return math.inf
+    stretch = (
+        (1.0 + restitution) ** 2 / (2.0 * scaled_sine)
+        - (1.0 - restitution) ** 2 * (1.0 + frequency_ratio * frequency_ratio) / 2.0
+        - 2.0 * restitution
+    )
+    if length > LARGEST_EXPONENT:
+        return math.copysign(math.inf, stretch)
+    half = math.sinh(0.5 * length)
+    return -2.0 * restitution + 2.0 * half * half * stretch
+
+
+@compiled
+def symmetry_breaking(frequency_ratio: float, restitution: float, order: int) -> tuple[float, int]:
+    """Return the amplitude at which the half-cycle map has multiplier -1, and on which branch.
+
+    Solving T = -(1 + restitution^2) for beta s, and eq 20 for beta cos f, gives beta as the length
+    of a vector.  Returns (nan, 0) where no orbit that leaves the floor has that multiplier.
+    """
+    w = frequency_ratio
+    h = half_cycle_tanh(w, order)
+    d = damping(restitution)
+    length = order * math.pi / w
+    loss = (1.0 - restitution) ** 2
+    part = 0.5 * loss * (1.0 + w * w) + 2.0 * restitution
+    if length < LARGEST_EXPONENT:
+        half = math.sinh(0.5 * length)
+        part -= loss / (2.0 * half * half)
+    if part <= 0.0:
+        return math.nan, 0
+    scaled_sine = (1.0 + restitution) ** 2 / (2.0 * part)  # beta s
+    beta_cosine = (h * h - scaled_sine) / (h * w)
+    beta_sine = d * scaled_sine
+    branch = 1 if beta_cosine < d * h * w * beta_sine else 2
+    return math.hypot(beta_sine, beta_cosine) * (1.0 + w * w), branch
+
+
+@compiled
+def half_cycle_flight(
+    amplitude: float, frequency_ratio: float, order: int, orbit: Symmetric
+) -> Flight:
+    """Return the half cycle as a flight whose growing part is known from both of its ends.
+
+    From the initial velocity alone the growing part would be lost to rounding in long half cycles.
+    """
+    w = frequency_ratio
+    beta = amplitude / (1.0 + w * w)
+    length = order * math.pi / w
+    h = half_cycle_tanh(w, order)
+    first, last = beta * orbit.sine - 1.0, -beta * orbit.sine - 1.0
+    decay = math.exp(-length)
+    span = -math.expm1(-2.0 * length)
+    return Flight(
+        0.0,
+        w * orbit.velocity,
+        wrapped(orbit.phase),
+        orbit.sine,
+        orbit.cosine,
+        h - beta * orbit.sine / h,
+        first,
+        (last - first * decay) / span,
+        length,
+        (first - last * decay) / span,
+    )
+
+
+@compiled
+def half_cycle_shape(
+    amplitude: float, frequency_ratio: float, restitution: float, order: int, orbit: Symmetric
+) -> tuple[float, int, bool]:
+    """Return peak and number of extrema of the half cycle, and whether the floor allows it.
+
+    It is admissible when it leaves the floor upwards and meets it again at its end, no earlier.
+    """
+    w = frequency_ratio
+    length = order * math.pi / w
+    forcing = make_forcing(-1.0, 0.0, amplitude, w)
+    flight = half_cycle_flight(amplitude, w, order, orbit)
+    peak, extrema = highest_angle(flight, forcing, length)
+    if not orbit.velocity > 0.0:
+        return peak, extrema, False
+    zero = next_zero(flight, forcing, length, False, False, -1.0)
+    # The zero at the end itself may be found, displaced by the rounding of y over its slope there.
+    blur = 64.0 * EPSILON * (1.0 + forcing.beta) * restitution / (w * orbit.velocity)
+    earlier = zero.event == FOUND and zero.time < length * (1.0 - 64.0 * EPSILON) - blur
+    return peak, extrema, not earlier
+
+
+@compiled
+def fill_steady(
+    amplitude: Floats,
+    frequency_ratio: Floats,
+    restitution: Floats,
+    order: NDArray[np.int64],
+    shapes: bool,
+    region: NDArray[np.int64],
+    boundaries: Floats,
+    phase: Floats,
+    velocity: Floats,
+    trace: Floats,
+    peak: Floats,
+    extrema: NDArray[np.int64],
+    admissible: NDArray[np.bool_],
+) -> None:
+    """Fill both branches at every point; where there is no orbit the numbers are nan.
+
+    Inputs have shape (points,), `boundaries` (3, points): existence, sign, kind; the results of the
+    branches (2, points).  Without `shapes` the last three are left as they are.
+    """
+    for i in range(len(amplitude)):
+        a, w, r, n = amplitude[i], frequency_ratio[i], restitution[i], order[i]
+        h = half_cycle_tanh(w, n)
+        existence = existence_amplitude(w, r, h)
+        sign = sign_amplitude(w, h)
+        kind = kind_amplitude(w, r, h)
+        boundaries[0, i] = existence
+        boundaries[1, i] = sign
+        boundaries[2, i] = kind
+        region[i] = region_of(a, existence, sign, kind)
+        for b in range(2):
+            if region[i] == 4:
+                phase[b, i] = velocity[b, i] = trace[b, i] = math.nan
+                if shapes:
+                    peak[b, i], extrema[b, i], admissible[b, i] = math.nan, 0, False
+                continue
+            orbit = symmetric_orbit(a, w, r, n, b + 1)
+            phase[b, i], velocity[b, i], trace[b, i] = orbit.phase, orbit.velocity, orbit.trace
+            if shapes:
+                peak[b, i], extrema[b, i], admissible[b, i] = half_cycle_shape(a, w, r, n, orbit)

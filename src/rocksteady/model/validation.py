@@ -1,0 +1,184 @@
+"""Validators of single arguments: what every constructor and every function calls first.
+
+Each takes the argument's name, its value and a hint, and returns a plain ``float`` (or ``int``),
+so that what is stored never depends on the type that came in. Each raises
+`~rocksteady.errors.InputError`, whose one line shows the value, what is valid and the hint.
+
+A number is an ``int``, a ``float``, a fraction, a NumPy scalar or an array of shape ``()``. NaN,
+infinity, ``bool``, strings, complex numbers and arrays of any other shape are refused: a silent
+conversion of one of them is a wrong result later.
+"""
+
+import math
+from numbers import Integral, Real
+from typing import Final, Literal
+
+from rocksteady.errors import InputError
+
+__all__ = ["finite", "in_range", "non_negative", "odd_order", "positive", "whole_number"]
+
+_ODD_ORDER_HINT: Final = "use 1, 3, 5, ..."
+
+Ends = Literal["[]", "(]", "[)", "()"]
+"""Which ends belong to an interval: a square bracket for one that does."""
+
+
+def finite(name: str, value: object, *, hint: str) -> float:
+    """Return `value` as a float where it is a finite real number.
+
+    Parameters
+    ----------
+    name
+        The argument's name, for the message.
+    value
+        What the caller gave.
+    hint
+        What to do next, as a clause ("give the angle in radians").
+
+    Returns
+    -------
+    float
+        The number, in the unit it came in.
+
+    Raises
+    ------
+    InputError
+        If `value` is not a real number, or is NaN or infinite.
+    """
+    return _finite(name, value, "it must be a finite number", hint)
+
+
+def positive(name: str, value: object, *, hint: str) -> float:
+    """Return `value` as a float where it is a finite number above 0.
+
+    Parameters and errors are those of `finite`; zero and negative numbers are refused too.
+    """
+    valid = "it must be a finite number above 0"
+    number = _finite(name, value, valid, hint)
+    if number <= 0.0:
+        raise InputError(name=name, value=value, valid=valid, hint=hint)
+    return number
+
+
+def non_negative(name: str, value: object, *, hint: str) -> float:
+    """Return `value` as a float where it is a finite number, 0 or above; -0.0 becomes 0.0.
+
+    Parameters and errors are those of `finite`; negative numbers are refused too.
+    """
+    valid = "it must be a finite number, 0 or above"
+    number = _finite(name, value, valid, hint)
+    if number < 0.0:
+        raise InputError(name=name, value=value, valid=valid, hint=hint)
+    return abs(number)
+
+
+def in_range(
+    name: str, value: object, low: float, high: float, ends: Ends = "(]", *, hint: str
+) -> float:
+    """Return `value` as a float where it lies in an interval.
+
+    Parameters
+    ----------
+    name, value, hint
+        As for `finite`.
+    low, high
+        The ends of the interval; ``high`` may be infinite, and the value is still finite.
+    ends
+        Which ends belong to it; by default the upper one, as for a restitution in (0, 1].
+
+    Returns
+    -------
+    float
+        The number, in the unit it came in.
+
+    Raises
+    ------
+    InputError
+        If `value` is not a finite real number of the interval.
+    """
+    valid = f"it must lie in {ends[0]}{low:.15g}, {high:.15g}{ends[1]}"
+    number = _finite(name, value, valid, hint)
+    above = number >= low if ends[0] == "[" else number > low
+    below = number <= high if ends[1] == "]" else number < high
+    if not (above and below):
+        raise InputError(name=name, value=value, valid=valid, hint=hint)
+    return number
+
+
+def whole_number(name: str, value: object, *, at_least: int, hint: str) -> int:
+    """Return `value` as an int where it is a whole number of at least `at_least`.
+
+    Floats are refused, 3.0 included: a count that comes out of a division is worth a look.
+
+    Parameters
+    ----------
+    name, value, hint
+        As for `finite`.
+    at_least
+        The smallest valid value.
+
+    Returns
+    -------
+    int
+        The number.
+
+    Raises
+    ------
+    InputError
+        If `value` is not an integer, or is below `at_least`.
+    """
+    number = _plain(value)
+    if isinstance(number, bool) or not isinstance(number, Integral) or number < at_least:
+        valid = f"it must be a whole number of {at_least} or above"
+        raise InputError(name=name, value=value, valid=valid, hint=hint)
+    return int(number)
+
+
+def odd_order(value: object, *, name: str = "order") -> int:
+    """Return `value` as an int where it can be the order n of a symmetric orbit: 1, 3, 5, ...
+
+    The order counts the half periods of the forcing in one half cycle of the rocking. After its
+    half cycle a symmetric orbit repeats itself on the other side, which asks the forcing to have
+    changed its sign: that is so after an odd number of half periods only.
+
+    Parameters
+    ----------
+    value
+        What the caller gave.
+    name
+        The argument's name, for the message.
+
+    Returns
+    -------
+    int
+        The order.
+
+    Raises
+    ------
+    InputError
+        If `value` is not an integer, is below 1 or is even.
+    """
+    number = whole_number(name, value, at_least=1, hint=_ODD_ORDER_HINT)
+    if number % 2 == 0:
+        valid = "a symmetric orbit needs an odd number of half periods in its half cycle"
+        raise InputError(name=name, value=value, valid=valid, hint=_ODD_ORDER_HINT)
+    return number
+
+
+def _finite(name: str, value: object, valid: str, hint: str) -> float:
+    """Return `value` as a finite float, or raise with the caller's account of what is valid."""
+    number = _plain(value)
+    if not isinstance(number, bool) and isinstance(number, Real):
+        try:
+            result = float(number)
+        except OverflowError:  # an integer or a fraction beyond the largest float
+            result = math.inf
+        if math.isfinite(result):
+            return result
+    raise InputError(name=name, value=value, valid=valid, hint=hint)
+
+
+def _plain(value: object) -> object:
+    """Return the Python scalar that a NumPy scalar or an array of shape () holds, else `value`."""
+    # By their shape, not by their type: this module does not import NumPy, and it has no need to.
+    return value.item() if getattr(value, "shape", None) == () and hasattr(value, "item") else value

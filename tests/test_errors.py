@@ -1,0 +1,140 @@
+"""The error tree and the status codes."""
+
+import pickle
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rocksteady.errors import InputError, ModelError, OutputError, RocksteadyError, Status
+
+KINDS = (InputError, ModelError, OutputError)
+
+
+def restitution_error(value: object = 1.2) -> InputError:
+    return InputError(
+        name="restitution",
+        value=value,
+        valid="it must lie in (0, 1]",
+        hint="give a ratio of angular velocities",
+    )
+
+
+def test_the_line_of_an_input_error() -> None:
+    assert str(restitution_error()) == (
+        "restitution = 1.2 is not valid: it must lie in (0, 1]; give a ratio of angular velocities"
+    )
+
+
+def test_the_line_of_a_model_error() -> None:
+    error = ModelError(
+        name="model",
+        value="linear",
+        valid="the linear equations have no vertical motion",
+        hint="take model='nonlinear'",
+    )
+    assert str(error) == (
+        "model = 'linear' is refused by the model: the linear equations have no vertical motion; "
+        "take model='nonlinear'"
+    )
+
+
+def test_the_line_of_an_output_error() -> None:
+    error = OutputError(
+        name="--plot", value=Path("a.png"), valid="the file exists", hint="add --force"
+    )
+    assert str(error) == "--plot = 'a.png' cannot be written: the file exists; add --force"
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_error_is_caught_as_a_rocksteady_error(kind: type[RocksteadyError]) -> None:
+    with pytest.raises(RocksteadyError):
+        raise kind(name="a", value=0, valid="b", hint="c")
+
+
+@pytest.mark.parametrize(("kind", "is_one"), [*zip(KINDS, (True, True, False), strict=True)])
+def test_what_is_wrong_with_arguments_is_a_value_error(
+    kind: type[RocksteadyError], is_one: bool
+) -> None:
+    assert issubclass(kind, ValueError) is is_one
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_an_error_comes_back_whole_from_another_process(kind: type[RocksteadyError]) -> None:
+    error = kind(name="width", value=-1.0, valid="it must be above 0", hint="give metres")
+    back = pickle.loads(pickle.dumps(error))
+    assert type(back) is kind
+    assert str(back) == str(error)
+    assert vars(back) == vars(error)
+
+
+def test_an_error_carries_its_parts() -> None:
+    error = restitution_error()
+    assert (error.name, error.value) == ("restitution", 1.2)
+    assert (error.valid, error.hint) == (
+        "it must lie in (0, 1]",
+        "give a ratio of angular velocities",
+    )
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [
+        (np.float64(1.2), "1.2"),
+        (np.int64(2), "2"),
+        (float("nan"), "nan"),
+        (2j, "2j"),
+        ("housner", "'housner'"),
+        (None, "None"),
+        (np.array([[1.0, 2.0], [3.0, 4.0]]), "array([[1., 2.], [3., 4.]])"),
+    ],
+)
+def test_how_a_value_is_shown(value: object, shown: str) -> None:
+    assert str(restitution_error(value)).startswith(f"restitution = {shown} is not valid")
+
+
+@given(st.one_of(st.text(), st.binary(), st.lists(st.floats()), st.integers()))
+def test_the_message_is_one_line_of_bounded_length_whatever_the_value(value: object) -> None:
+    message = str(restitution_error(value))
+    assert message.splitlines() == [message]
+    assert len(message) <= len(str(restitution_error(""))) + 100
+
+
+def test_a_long_value_keeps_its_beginning_and_its_end() -> None:
+    path = Path("results") / ("x" * 300) / "steady.png"
+    message = str(restitution_error(path))
+    assert message.startswith("restitution = 'results")
+    assert "steady.png' is not valid" in message
+
+
+def test_status_codes_never_change() -> None:
+    assert {status.label: int(status) for status in Status} == {
+        "rocking": 0,
+        "at-rest": 1,
+        "overturned": 2,
+        "lost-contact": 3,
+        "undecided": 4,
+    }
+
+
+@pytest.mark.parametrize("status", Status)
+def test_a_status_is_named_as_its_label_says(status: Status) -> None:
+    assert status.name == status.label.upper().replace("-", "_")
+    assert Status(int(status)) is status
+
+
+@pytest.mark.parametrize("status", Status)
+def test_advice_is_one_sentence_that_also_says_what_to_try(status: Status) -> None:
+    assert status.advice.endswith(".")
+    assert status.advice.count(".") == 1
+    assert ";" in status.advice, "what it means; what to try"
+
+
+def test_each_status_has_its_own_advice() -> None:
+    assert len({status.advice for status in Status}) == len(Status)
+
+
+def test_a_status_survives_pickle_as_itself() -> None:
+    assert all(pickle.loads(pickle.dumps(status)) is status for status in Status)
