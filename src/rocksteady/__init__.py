@@ -8,11 +8,22 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from rocksteady.dynamics.regions import (
+        Boundaries,
+        boundaries,
+        heteroclinic_amplitude,
+        melnikov_amplitude,
+        symmetry_breaking_amplitude,
+        symmetry_breaking_frequency,
+    )
+    from rocksteady.dynamics.response import ResponseCurve, response_curve
     from rocksteady.dynamics.simulate import simulate
+    from rocksteady.dynamics.start import Rest, State, Steady
     from rocksteady.dynamics.steady import SteadyStates, steady_states
-    from rocksteady.dynamics.trajectory import Trajectory
+    from rocksteady.dynamics.trajectory import Impacts, Motions, Trajectory
     from rocksteady.errors import InputError, ModelError, OutputError, RocksteadyError, Status
-    from rocksteady.model.block import Block, DimensionlessBlock
+    from rocksteady.model.block import Block, DimensionlessBlock, Side, housner_restitution
+    from rocksteady.model.examples import example_block
     from rocksteady.model.motions import Harmonic, Piecewise, Segment, Still
 else:
     # Out of the sight of type checkers, which would take every misspelt name to be of type object.
@@ -32,39 +43,71 @@ __version__ = "0.1.0"
 # the three agree is what tests/test_namespace.py checks.
 __all__ = [
     "Block",
+    "Boundaries",
     "DimensionlessBlock",
     "Harmonic",
+    "Impacts",
     "InputError",
     "ModelError",
+    "Motions",
     "OutputError",
     "Piecewise",
+    "ResponseCurve",
+    "Rest",
     "RocksteadyError",
     "Segment",
+    "Side",
+    "State",
     "Status",
+    "Steady",
     "SteadyStates",
     "Still",
     "Trajectory",
     "__version__",
+    "boundaries",
+    "example_block",
+    "heteroclinic_amplitude",
+    "housner_restitution",
+    "melnikov_amplitude",
+    "response_curve",
     "simulate",
     "steady_states",
+    "symmetry_breaking_amplitude",
+    "symmetry_breaking_frequency",
 ]
 
 _DEFINED_IN = {
     "Block": "rocksteady.model.block",
+    "Boundaries": "rocksteady.dynamics.regions",
     "DimensionlessBlock": "rocksteady.model.block",
     "Harmonic": "rocksteady.model.motions",
+    "Impacts": "rocksteady.dynamics.trajectory",
     "InputError": "rocksteady.errors",
     "ModelError": "rocksteady.errors",
+    "Motions": "rocksteady.dynamics.trajectory",
     "OutputError": "rocksteady.errors",
     "Piecewise": "rocksteady.model.motions",
+    "ResponseCurve": "rocksteady.dynamics.response",
+    "Rest": "rocksteady.dynamics.start",
     "RocksteadyError": "rocksteady.errors",
     "Segment": "rocksteady.model.motions",
+    "Side": "rocksteady.model.block",
+    "State": "rocksteady.dynamics.start",
     "Status": "rocksteady.errors",
+    "Steady": "rocksteady.dynamics.start",
     "SteadyStates": "rocksteady.dynamics.steady",
     "Still": "rocksteady.model.motions",
     "Trajectory": "rocksteady.dynamics.trajectory",
+    "boundaries": "rocksteady.dynamics.regions",
+    "example_block": "rocksteady.model.examples",
+    "heteroclinic_amplitude": "rocksteady.dynamics.regions",
+    "housner_restitution": "rocksteady.model.block",
+    "melnikov_amplitude": "rocksteady.dynamics.regions",
+    "response_curve": "rocksteady.dynamics.response",
     "simulate": "rocksteady.dynamics.simulate",
     "steady_states": "rocksteady.dynamics.steady",
+    "symmetry_breaking_amplitude": "rocksteady.dynamics.regions",
+    "symmetry_breaking_frequency": "rocksteady.dynamics.regions",
 }
 
 

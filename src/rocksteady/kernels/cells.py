@@ -27,6 +27,8 @@ from rocksteady.kernels.march import (
     march,
 )
 
+NO_LIMIT = 2**62
+
 
 @compiled
 def harmonic_segment(segments: Floats, amplitude: float, frequency: float, phase: float) -> None:
@@ -78,9 +80,9 @@ def harmonic_fates(
             side = -1
         elif angle[i] == 0.0 and velocity[i] == 0.0:
             side = 0
-        start = March(side, angle[i], velocity[i], 0, half, start_phase, 0)
-        status[i], end, _ = march(
-            segments, sides, start, half + 2 * cycles, start_phase, math.inf, rows
+        start = March(side, angle[i], velocity[i], 0, half, start_phase, 0, 0)
+        status[i], end = march(
+            segments, sides, start, half + 2 * cycles, start_phase, math.inf, NO_LIMIT, rows
         )
         impacts[i] = end.impacts
         final[i, 0] = end.angle

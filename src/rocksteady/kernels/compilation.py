@@ -11,13 +11,15 @@ import tempfile
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numba
+import numba.core.config
 import platformdirs
-from numba.core import config
 
 FunctionT = TypeVar("FunctionT", bound=Callable[..., object])
+
+config: Any = numba.core.config  # its settings are made at import: no type checker sees them
 
 
 @cache
@@ -63,7 +65,7 @@ def _compile(function: FunctionT, *, inline: bool) -> FunctionT:
     before = config.CACHE_DIR
     config.CACHE_DIR = str(cache_folder())
     try:
-        jit = numba.njit(
+        jit: Any = numba.njit(
             cache=True, nogil=True, error_model="numpy", fastmath=False, forceinline=inline
         )
         result: FunctionT = jit(function)

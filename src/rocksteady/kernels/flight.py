@@ -49,9 +49,7 @@ def make_flight(
     """Return the flight that starts with `angle` and `velocity` at `phase`."""
     a = velocity + forcing.slope + forcing.beta * forcing.frequency * cosine
     b = angle + forcing.constant + forcing.beta * sine
-    return Flight(
-        angle, velocity, phase, sine, cosine, a, b, 0.5 * (a + b), 0.0, 0.5 * (b - a)
-    )
+    return Flight(angle, velocity, phase, sine, cosine, a, b, 0.5 * (a + b), 0.0, 0.5 * (b - a))
 
 
 @compiled
@@ -189,7 +187,9 @@ def velocity_flight(flight: Flight, forcing: Forcing) -> tuple[Flight, Forcing]:
 
     Its zeros are the extrema of the angle, and they are isolated by the same argument.
     """
-    rate = make_forcing(forcing.slope, 0.0, forcing.amplitude * forcing.frequency, forcing.frequency)
+    rate = make_forcing(
+        forcing.slope, 0.0, forcing.amplitude * forcing.frequency, forcing.frequency
+    )
     acceleration = flight_acceleration(forcing, 0.0, flight.angle, flight.sine)
     phase = wrapped(flight.phase + HALF_PI)
     return (

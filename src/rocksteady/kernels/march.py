@@ -57,7 +57,7 @@ ENDED_BY_UPLIFT = 3
 ROCKING = int(Status.ROCKING)
 AT_REST = int(Status.AT_REST)
 OVERTURNED = int(Status.OVERTURNED)
-ROWS_FULL = -1  # the caller empties the rows and calls again
+UNDECIDED = int(Status.UNDECIDED)
 
 PI_HIGH = math.pi
 PI_LOW = 1.2246467991473532e-16  # pi - PI_HIGH
@@ -67,7 +67,7 @@ STILL = 1e-100
 
 
 class March(NamedTuple):
-    """State of a march between two flights; the start of one is also the state to resume from."""
+    """State of a march between two flights."""
 
     side: int  # +1, -1, or 0 at rest
     angle: float  # theta / alpha
@@ -76,6 +76,7 @@ class March(NamedTuple):
     half_cycles: int
     phase: float  # within the half cycle, or time within a segment without sinusoid
     impacts: int
+    flights: int  # flights and rests: the rows that a record of the march has
 
 
 @compiled
@@ -152,9 +153,10 @@ def march(
     stop_half_cycles: int,
     stop_phase: float,
     rest_velocity: float,
+    limit: int,
     rows: Floats,
-) -> tuple[int, March, int]:
-    """March from `start` to the stop, to overturning, or until `rows` is full.
+) -> tuple[int, March]:
+    """March from `start` to the stop, to overturning, or to the limit.
 
     Parameters
     ----------
@@ -167,19 +169,21 @@ def march(
     rest_velocity
         Chatter slower than this comes to rest as soon as the bound of
         `rocksteady.kernels.rest` proves that it will.
+    limit
+        Flights and rests after which the march gives up as UNDECIDED.
     rows
-        Array of shape (flights, 8) that receives the flights; with shape (0, 8) none is kept.
+        Array of shape (flights, 8) that receives the flights, as many as a first march without
+        rows (0, 8) has counted: a march does not depend on whether it is recorded.
 
     Returns
     -------
     tuple
-        Status (ROCKING, AT_REST, OVERTURNED or ROWS_FULL), final state, number of rows written.
+        Status (ROCKING, AT_REST, OVERTURNED or UNDECIDED) and final state.
     """
     side, angle, velocity = start.side, start.angle, start.velocity
     segment, half, phase = start.segment, start.half_cycles, start.phase
-    impacts = start.impacts
+    impacts, flights = start.impacts, start.flights
     record = len(rows) > 0
-    written = 0
     last = len(segments) - 1
 
     loaded = -1  # the segment that the following belong to
@@ -192,9 +196,8 @@ def march(
     bounced = False  # off an impact so slow that the block may be coming to rest
 
     while True:
-        if record and written == len(rows):
-            state = March(side, angle, velocity, segment, half, phase, impacts)
-            return ROWS_FULL, state, written
+        if flights >= limit:
+            return UNDECIDED, March(side, angle, velocity, segment, half, phase, impacts, flights)
         if segment != loaded:
             loaded = segment
             frequency = segments[segment, FREQUENCY]
@@ -218,9 +221,9 @@ def march(
             if side != 0 and wait == 0.0:
                 continue  # into flight, with angle and velocity 0
             if record:
-                write_row(rows, written, segment, half, phase, 0, 0.0, 0.0, wait)
-                rows[written, ROW_EVENT] = ENDED_BY_SPAN if side == 0 else ENDED_BY_UPLIFT
-                written += 1
+                event = ENDED_BY_SPAN if side == 0 else ENDED_BY_UPLIFT
+                write_row(rows, flights, segment, half, phase, 0, 0.0, 0.0, wait, event)
+            flights += 1
             if side != 0:
                 half, phase = uplift_clock(
                     half, phase, frequency, wait, side, positive if side > 0 else negative
@@ -228,7 +231,7 @@ def march(
                 continue
             half, phase = end_half, end_phase
             if segment == last:
-                return AT_REST, March(0, 0.0, 0.0, segment, half, phase, impacts), written
+                return AT_REST, March(0, 0.0, 0.0, segment, half, phase, impacts, flights)
             segment += 1
             half, phase = segment_start(segments, segment)
             velocity = segments[segment, JUMP]
@@ -266,11 +269,12 @@ def march(
         zero = next_zero(flight, forcing, span * rate, endless, lifting, guess)
         if record:
             duration = math.inf if zero.event == NO_RETURN else zero.time / rate
-            write_row(rows, written, segment, half, phase, side, angle, velocity, duration)
-            rows[written, ROW_EVENT] = zero.event
-            written += 1
+            write_row(
+                rows, flights, segment, half, phase, side, angle, velocity, duration, zero.event
+            )
+        flights += 1
         if zero.event == NO_RETURN:
-            return OVERTURNED, March(side, angle, velocity, segment, half, phase, impacts), written
+            return OVERTURNED, March(side, angle, velocity, segment, half, phase, impacts, flights)
 
         if zero.event == FOUND:
             # 3. Impact: the velocity shrinks, the pivot changes.
@@ -293,13 +297,12 @@ def march(
         velocity = side * zero.velocity * lean * rate
         half, phase = end_half, end_phase
         if segment == last:
-            state = March(side, angle, velocity, segment, half, phase, impacts)
-            return ROCKING, state, written
+            return ROCKING, March(side, angle, velocity, segment, half, phase, impacts, flights)
         segment += 1
         half, phase = segment_start(segments, segment)
         if abs(angle) >= lean + segments[segment, CEILING] and velocity * side >= 0.0:
             # Nothing that is still to come can bring it back.
-            return OVERTURNED, March(side, angle, velocity, segment, half, phase, impacts), written
+            return OVERTURNED, March(side, angle, velocity, segment, half, phase, impacts, flights)
         velocity += segments[segment, JUMP]
         guess = -1.0
 
@@ -397,8 +400,9 @@ def write_row(
     angle: float,
     velocity: float,
     duration: float,
+    event: int,
 ) -> None:
-    """Record one flight or rest; the caller fills in the event that ended it."""
+    """Record one flight or rest."""
     rows[index, ROW_SEGMENT] = segment
     rows[index, ROW_HALF_CYCLES] = half
     rows[index, ROW_PHASE] = phase
@@ -406,3 +410,4 @@ def write_row(
     rows[index, ROW_ANGLE] = angle
     rows[index, ROW_VELOCITY] = velocity
     rows[index, ROW_DURATION] = duration
+    rows[index, ROW_EVENT] = event

@@ -19,7 +19,7 @@ def impact_jacobian(
     velocity: float,
     time: float,
 ) -> tuple[float, float, float, float]:
-    """Return d(psi', v') / d(psi, v) row by row, for a flight of length `time` on forcing -1 + A sin.
+    """Return d(psi', v') / d(psi, v) row by row, for a flight of length `time` under -1 + A sin.
 
     The new phase is counted in the old side's frame; a change of side adds pi, which changes no
     derivative.

@@ -28,7 +28,7 @@ from numpy.typing import NDArray
 
 from rocksteady.kernels.compilation import compiled, inlined
 from rocksteady.kernels.extrema import highest_angle
-from rocksteady.kernels.flight import LARGEST_EXPONENT, Flight, wrapped
+from rocksteady.kernels.flight import LARGEST_EXPONENT, Flight, flight_state, wrapped
 from rocksteady.kernels.forcing import make_forcing
 from rocksteady.kernels.zeros import FOUND, next_zero
 
@@ -60,7 +60,7 @@ def half_cycle_tanh(frequency_ratio: float, order: int) -> float:
 
 @compiled
 def existence_amplitude(frequency_ratio: float, restitution: float, h: float) -> float:
-    """Return the least amplitude with a symmetric orbit (eq 23); h = 1 gives the heteroclinic one."""
+    """Return the least amplitude with a symmetric orbit (eq 23); h = 1: the heteroclinic one."""
     d, square = damping(restitution), 1.0 + frequency_ratio * frequency_ratio
     return square * d * h * h / math.hypot(1.0, d * h * frequency_ratio)
 
@@ -73,13 +73,13 @@ def sign_amplitude(frequency_ratio: float, h: float) -> float:
 
 @compiled
 def kind_amplitude(frequency_ratio: float, restitution: float, h: float) -> float:
-    """Return the amplitude at which branch 1 passes from in-phase to out-of-phase, Q = 1 (eq 25)."""
+    """Return the amplitude at which branch 1 turns from in-phase to out-of-phase, Q = 1 (eq 25)."""
     return damping(restitution) * h * h * (1.0 + frequency_ratio * frequency_ratio)
 
 
 @compiled
 def region_of(amplitude: float, existence: float, sign: float, kind: float) -> int:
-    """Return Tso and Wong's region 1 to 5 (Figs 3, 4) from an amplitude and the three boundaries."""
+    """Return Tso and Wong's region 1 to 5 (Figs 3, 4) of an amplitude among three boundaries."""
     if amplitude < existence or amplitude == 0.0:
         return 4
     if amplitude > kind:
@@ -214,6 +214,25 @@ def half_cycle_shape(
     blur = 64.0 * EPSILON * (1.0 + forcing.beta) * restitution / (w * orbit.velocity)
     earlier = zero.event == FOUND and zero.time < length * (1.0 - 64.0 * EPSILON) - blur
     return peak, extrema, not earlier
+
+
+@compiled
+def fill_half_cycle(
+    amplitude: float,
+    frequency_ratio: float,
+    order: int,
+    orbit: Symmetric,
+    time: Floats,
+    states: Floats,
+) -> None:
+    """Fill angle and velocity (per pivot time), shape (2, times), at times of the half cycle."""
+    forcing = make_forcing(-1.0, 0.0, amplitude, frequency_ratio)
+    flight = half_cycle_flight(amplitude, frequency_ratio, order, orbit)
+    for i in range(len(time)):
+        phase = orbit.phase + frequency_ratio * time[i]
+        states[0, i], states[1, i] = flight_state(
+            flight, forcing, time[i], math.sin(phase), math.cos(phase)
+        )
 
 
 @compiled

@@ -87,12 +87,15 @@ def next_zero(
             sign = -1.0
     growing = sign * flight.growing
 
+    if span <= 0.0:  # rounding put an impact on or past the end
+        return Zero(SPAN_END, 0.0, 0, phase, flight.sine, flight.cosine, angle, velocity)
     if endless and no_return(flight, forcing, sign, 0.0, angle, velocity):
         return Zero(NO_RETURN, 0.0, 0, phase, flight.sine, flight.cosine, angle, velocity)
 
     # The piece [start, end] between two nodes, and the state at its start.
     start, start_phase, cycle = 0.0, phase, 0
-    end_cycle = 0
+    end_phase, end_cycle = phase, 0
+    sine, cosine = flight.sine, flight.cosine
     while True:
         # 1. The end of this piece.
         to_span = settled = False

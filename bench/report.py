@@ -1,0 +1,151 @@
+"""Turn the results of a benchmark run into one table: on the terminal and in docs/benchmarks.md.
+
+``python bench/report.py [BENCH.JSON [REPORT.MD]]``; `make bench` calls it.
+"""
+
+import json
+import os
+import platform
+import sys
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from rich.console import Console
+from rich.table import Table
+
+ROOT = Path(__file__).resolve().parent.parent
+NEEDED_RATIO = 20.0
+PACKAGES = ("rocksteady", "numba", "numpy", "pytest-benchmark")
+
+INTRODUCTION = """\
+# Benchmarks
+
+Written by `make bench`; do not edit. Medians; CPU time of one core, compilation excluded, for the
+march and the steady states, elapsed time for the starts of a process.
+
+**B1**: 100 x 100 cells of (Omega from 1 to 12, A from 1 to 6), 200 forcing periods each, restitution
+0.8, phase 0, angle 0 and velocity d(theta/alpha)/d(pt) = 0.3 at the start. **B2**: the same from rest.
+**Sampling**: the closed form between impacts, {samples} samples per forcing period, bisection to the
+last bit where the sign changes, overturned above an angle of 10 alpha (`bench/sampling_march.py`).
+Its row and the one above it run every fourth cell of either axis: {thinned} cells, whose fate
+(overturned or not) is the same in {fates} of B1 and B2, and whose number of impacts in {counts}.
+**Steady**: Omega from 0.014 to 14, A from 0.006 to 6, restitution 0.8, n = 1; *shapes* adds peak,
+number of extrema and admissibility to phase, velocity and trace of both branches.
+"""
+
+
+class Line(NamedTuple):
+    """One row of the report."""
+
+    what: str
+    median: str
+    each: str
+    impact: str
+    against: str
+
+
+def main(source: Path, target: Path) -> int:
+    """Read the results, print the table and write the page; 1 where a required ratio is missed."""
+    data = json.loads(source.read_text(encoding="utf-8"))
+    results = {(b["group"], b["name"].removeprefix("test_")): b for b in data["benchmarks"]}
+    march = {name: b for (group, name), b in results.items() if group == "march"}
+    lines = []
+    ratios = []
+    for unit in ("B1", "B2"):
+        if f"march[{unit}]" not in march:
+            continue
+        lines.append(march_line(f"march {unit}", march[f"march[{unit}]"], guide(unit)))
+        ours, plain = march[f"march_thinned[{unit}]"], march[f"sampling_march[{unit}]"]
+        ratio = plain["stats"]["median"] / ours["stats"]["median"]
+        ratios.append(ratio)
+        lines.append(march_line(f"march {unit}, every fourth cell", ours, ""))
+        lines.append(
+            march_line(f"sampling {unit}, every fourth cell", plain, f"{ratio:.1f} x slower")
+        )
+    for (group, name), b in results.items():
+        if group == "steady":
+            points = b["extra_info"]["points"]
+            label = name.removeprefix("steady[").removesuffix("]")
+            seconds = b["stats"]["median"]
+            goal = "guide 3 s" if "shapes" in label else "guide 0.1 s"
+            each = f"{1e6 * seconds / points:.3f} µs a point"
+            lines.append(Line(f"steady 1000 x 1000, {label}", duration(seconds), each, "", goal))
+        elif group == "start":
+            label = name.removeprefix("start[").removesuffix("]")
+            goal = "guide 0.3 s" if "--help" in label else ""
+            lines.append(Line(label, duration(b["stats"]["median"]), "", "", goal))
+    machine = machine_line(data["machine_info"])
+    show(lines, machine)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    target.write_text(page(lines, machine, march), encoding="utf-8")
+    if ratios and min(ratios) < NEEDED_RATIO:
+        print(
+            f"the sampling march is only {min(ratios):.1f} x slower, {NEEDED_RATIO:.0f} x is asked"
+        )
+    return 0
+
+
+def guide(unit: str) -> str:
+    """Return the target of a work unit, where there is one."""
+    return "guide 20 µs" if unit == "B1" else ""
+
+
+def march_line(what: str, result: dict[str, Any], against: str) -> Line:
+    """Return the row of one run of a march."""
+    info = result["extra_info"]
+    return Line(
+        what,
+        duration(result["stats"]["median"]),
+        f"{info['us_per_trajectory']:.1f} µs a trajectory",
+        f"{info['ns_per_impact']:.0f} ns",
+        against,
+    )
+
+
+def duration(seconds: float) -> str:
+    """Return a time in the unit that suits it."""
+    return f"{seconds:.2f} s" if seconds >= 1.0 else f"{1e3 * seconds:.1f} ms"
+
+
+def machine_line(info: dict[str, Any]) -> str:
+    """Return what the figures depend on: processor, cores, versions; no names of hosts."""
+    cpu = info["cpu"]
+    model = cpu.get("brand_raw", "unknown processor")
+    kind = f"family {cpu.get('family', '?')} model {cpu.get('model', '?')}"
+    speed = cpu.get("hz_actual_friendly", "unknown clock")
+    packages = ", ".join(f"{name} {version(name)}" for name in PACKAGES)
+    return (
+        f"{model} ({kind}, {speed}), {cpu.get('count', os.cpu_count())} cores; "
+        f"{info['system']} {info['machine']}; Python {platform.python_version()}, {packages}"
+    )
+
+
+def show(lines: list[Line], machine: str) -> None:
+    """Print the table."""
+    table = Table(title="rocksteady benchmarks", caption=machine, title_justify="left")
+    for heading in ("what", "median", "each", "an impact", "against"):
+        table.add_column(heading, justify="left" if heading in {"what", "against"} else "right")
+    for line in lines:
+        table.add_row(*(part.replace("[", r"\[") for part in line))
+    Console(width=None if sys.stdout.isatty() else 110).print(table)
+
+
+def page(lines: list[Line], machine: str, march: dict[str, dict[str, Any]]) -> str:
+    """Return the page in Markdown."""
+    sampled = [b["extra_info"] for name, b in march.items() if name.startswith("sampling")]
+    introduction = INTRODUCTION.format(
+        samples=" and ".join({str(info["samples_per_period"]) for info in sampled}) or "no",
+        thinned=" and ".join({str(info["trajectories"]) for info in sampled}) or "no",
+        fates=" and ".join(f"{100 * info['same_fate']:.1f} %" for info in sampled) or "none",
+        counts=" and ".join(f"{100 * info['same_impacts']:.1f} %" for info in sampled) or "none",
+    )
+    rows = ["| what | median | each | an impact | against |", "|---|--:|--:|--:|---|"]
+    rows += ["| " + " | ".join(line) + " |" for line in lines]
+    return "\n".join([introduction, machine + ".", "", *rows, ""])
+
+
+if __name__ == "__main__":
+    given = [Path(argument) for argument in sys.argv[1:]]
+    defaults = [ROOT / "out" / "bench.json", ROOT / "docs" / "benchmarks.md"]
+    sys.exit(main(*(given + defaults[len(given) :])))

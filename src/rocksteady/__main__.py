@@ -1,0 +1,5 @@
+"""`python -m rocksteady`."""
+
+from rocksteady.cli.app import main
+
+main()

@@ -1,0 +1,1 @@
+"""The command line: parse, call, print.  No physics, and no heavy import before a command runs."""

@@ -1,0 +1,99 @@
+"""The program `rocksteady`: its commands, and how every error ends in one line and an exit code.
+
+Exit codes: 0 done, 1 negative verdict with --check, 2 usage or input, 3 incomplete or undecided,
+101 internal error, 130 interrupted.
+"""
+
+import sys
+import traceback
+from typing import Annotated
+
+import typer
+from typer.exceptions import TyperException
+
+from rocksteady import __version__
+from rocksteady.cli import simulate, steady
+from rocksteady.cli.flags import FLAG_OF_ARGUMENT
+from rocksteady.errors import RocksteadyError
+
+HELP = (
+    "Rocking of free-standing rigid blocks on a shaking base: exact, complete and fast.\n\n"
+    "Results go to standard output, messages to standard error. Every command has --json, --plot "
+    "and --csv; rocksteady COMMAND --help shows its flags, their units and examples."
+)
+USAGE, INTERNAL, INTERRUPTED = 2, 101, 130
+
+app = typer.Typer(
+    name="rocksteady",
+    no_args_is_help=True,
+    add_completion=True,
+    rich_markup_mode="rich",
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+for command in (steady, simulate):
+    name = command.__name__.rpartition(".")[2]
+    function = getattr(command, name)
+    app.command(name, help=command.HELP, epilog=command.EXAMPLES)(function)
+
+
+def _version(asked: bool) -> None:
+    if asked:
+        print(f"rocksteady {__version__}")
+        raise typer.Exit
+
+
+@app.callback(help=HELP)
+def rocksteady(
+    version: Annotated[
+        bool, typer.Option("--version", help="Print the version.", callback=_version, is_eager=True)
+    ] = False,
+) -> None:
+    """Run the program; `HELP` is what its users read."""
+
+
+def main() -> None:
+    """Run the program and leave with its exit code."""
+    sys.exit(run(sys.argv[1:]))
+
+
+def run(arguments: list[str]) -> int:
+    """Run the program on a list of arguments and return its exit code."""
+    command = typer.main.get_command(app)
+    try:
+        code = command.main(arguments, prog_name="rocksteady", standalone_mode=False)
+    except TyperException as error:
+        return _usage_error(error)
+    except RocksteadyError as error:
+        flag = FLAG_OF_ARGUMENT.get(error.name, error.name)
+        return _complain(str(error).replace(f"{error.name} = ", f"{flag} = ", 1))
+    except (KeyboardInterrupt, typer.Abort):
+        print("rocksteady: interrupted", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:  # the reader of a pipe has left, as `head` does
+        sys.stderr.close()
+        return 0
+    except Exception as error:  # noqa: BLE001 -- the last line of defence: say so, with its code
+        traceback.print_exc()
+        print(
+            f"rocksteady: internal error: {type(error).__name__}: {error}; "
+            "this is a bug: please report it with the command and the lines above",
+            file=sys.stderr,
+        )
+        return INTERNAL
+    return code if isinstance(code, int) else 0
+
+
+def _usage_error(error: TyperException) -> int:
+    """Report what typer found wrong with the command line, with where to look next."""
+    if not error.format_message():  # help was asked for and has been shown
+        return 0
+    context = getattr(error, "ctx", None)
+    path = context.command_path if context is not None else "rocksteady"
+    message = " ".join(error.format_message().split()).rstrip(".")
+    return _complain(f"{message}; see {path} --help")
+
+
+def _complain(message: str) -> int:
+    print(f"rocksteady: {message}", file=sys.stderr)
+    return USAGE

@@ -1,0 +1,162 @@
+"""The flags that commands share: one spelling, one help text, one unit each."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+BLOCK = "Block"
+MOTION = "Base motion"
+OUTPUT = "Output"
+
+FLAG_OF_ARGUMENT = {
+    "amplitude": "--amplitude/-A",
+    "frequency_ratio": "--frequency-ratio/-W",
+    "restitution": "--restitution/-r",
+    "order": "--order/-n",
+    "width": "--width-m",
+    "height": "--height-m",
+    "alpha": "--alpha-rad",
+    "radius": "--radius-m",
+    "p": "--p-rad-s",
+    "gravity": "--gravity-m-s2",
+    "acceleration_m_s2": "--accel-g",
+    "frequency_hz": "--freq-hz",
+    "phase": "--phase",
+    "cycles": "--cycles",
+    "start": "--start",
+    "side": "--side",
+    "name": "--block",
+    "per_unit": "--samples",
+}
+"""Which flag an argument of the library is, for error lines."""
+
+Amplitude = Annotated[
+    str | None,
+    typer.Option(
+        "--amplitude",
+        "-A",
+        metavar="A",
+        help="Peak base acceleration over alpha g; 1 just lifts a block at rest.",
+        rich_help_panel=MOTION,
+    ),
+]
+FrequencyRatio = Annotated[
+    str | None,
+    typer.Option(
+        "--frequency-ratio",
+        "-W",
+        metavar="W",
+        help="Omega = omega/p, circular frequency of the shaking over the block's p.",
+        rich_help_panel=MOTION,
+    ),
+]
+AccelG = Annotated[
+    float | None,
+    typer.Option(
+        "--accel-g",
+        metavar="G",
+        help="Peak base acceleration in g; needs a block, instead of -A.",
+        rich_help_panel=MOTION,
+    ),
+]
+FreqHz = Annotated[
+    float | None,
+    typer.Option(
+        "--freq-hz",
+        metavar="F",
+        help="Frequency of the shaking in Hz; needs a block, instead of -W.",
+        rich_help_panel=MOTION,
+    ),
+]
+Restitution = Annotated[
+    str | None,
+    typer.Option(
+        "--restitution",
+        "-r",
+        metavar="R",
+        help="Ratio of angular velocities after and before an impact, in (0, 1], or 'housner' "
+        "(default where a block is given).",
+        rich_help_panel=BLOCK,
+    ),
+]
+Order = Annotated[
+    int,
+    typer.Option(
+        "--order",
+        "-n",
+        metavar="N",
+        help="Half periods of the shaking in one half cycle, odd: 1 harmonic, 3 the 1/3 "
+        "subharmonic.",
+        rich_help_panel=MOTION,
+    ),
+]
+NamedBlock = Annotated[
+    str | None,
+    typer.Option(
+        "--block",
+        metavar="NAME",
+        help="A block of the literature: tso-wong-1989, makris-roussos-2000, zhang-makris-2001, "
+        "fema-p58-cabinet.",
+        rich_help_panel=BLOCK,
+    ),
+]
+WidthM = Annotated[
+    float | None,
+    typer.Option("--width-m", metavar="M", help="Full width \\[m].", rich_help_panel=BLOCK),
+]
+HeightM = Annotated[
+    float | None,
+    typer.Option("--height-m", metavar="M", help="Full height \\[m].", rich_help_panel=BLOCK),
+]
+AlphaRad = Annotated[
+    float | None,
+    typer.Option(
+        "--alpha-rad",
+        metavar="RAD",
+        help="Slenderness: tilt at which the block balances \\[rad].",
+        rich_help_panel=BLOCK,
+    ),
+]
+RadiusM = Annotated[
+    float | None,
+    typer.Option(
+        "--radius-m",
+        metavar="M",
+        help="Distance from pivot to mass centre \\[m], of a homogeneous rectangle.",
+        rich_help_panel=BLOCK,
+    ),
+]
+PRadS = Annotated[
+    float | None,
+    typer.Option(
+        "--p-rad-s",
+        metavar="P",
+        help="Frequency parameter sqrt(M g R/I_0) \\[rad/s], instead of --radius-m.",
+        rich_help_panel=BLOCK,
+    ),
+]
+GravityMS2 = Annotated[
+    float,
+    typer.Option("--gravity-m-s2", metavar="G", help="Gravity \\[m/s^2].", rich_help_panel=BLOCK),
+]
+Json = Annotated[
+    bool,
+    typer.Option(
+        "--json", help="One JSON object on standard output, nothing else.", rich_help_panel=OUTPUT
+    ),
+]
+Plot = Annotated[
+    Path | None,
+    typer.Option(
+        "--plot", metavar="FILE", help="Save a figure: .png, .svg or .pdf.", rich_help_panel=OUTPUT
+    ),
+]
+Csv = Annotated[
+    Path | None,
+    typer.Option("--csv", metavar="FILE", help="Save the data as CSV.", rich_help_panel=OUTPUT),
+]
+Force = Annotated[
+    bool,
+    typer.Option("--force", help="Overwrite files that exist.", rich_help_panel=OUTPUT),
+]

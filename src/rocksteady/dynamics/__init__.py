@@ -1,0 +1,1 @@
+"""Motions of the block: time histories and steady states, built from the kernels."""

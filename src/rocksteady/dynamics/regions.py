@@ -1,0 +1,286 @@
+"""Curves in the plane of frequency and amplitude: where symmetric steady states exist, change
+kind, lose symmetry; and where the stable and unstable manifolds of the upright saddles touch.
+"""  # noqa: D205 -- one sentence
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.errors import InputError
+from rocksteady.kernels.symmetric import (
+    existence_amplitude,
+    kind_amplitude,
+    sign_amplitude,
+    symmetry_breaking,
+)
+from rocksteady.model.block import restitution_value
+from rocksteady.model.validation import non_negative, odd_order, positive
+
+Floats = NDArray[np.float64]
+
+REGIONS = {
+    1: "one out-of-phase and one in-phase solution, both with positive phase",
+    2: "one out-of-phase solution; the in-phase one has negative phase and is inadmissible",
+    3: "two in-phase solutions, both with positive phase",
+    4: "no symmetric solution",
+    5: "two in-phase solutions; the one with negative phase is inadmissible",
+}
+"""What Tso and Wong's regions hold (Figs 3 and 4), as the computation finds it."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Boundaries:
+    """Amplitudes that bound the regions, arrays of the broadcast shape of the inputs.
+
+    Attributes
+    ----------
+    existence
+        Eq 23: the least amplitude with a symmetric solution.
+    sign
+        Eq 24, P = Q: above it the phase of branch 2 is negative.
+    kind
+        Eq 25, Q = 1: above it branch 1 is out of phase.
+    """
+
+    existence: Floats
+    sign: Floats
+    kind: Floats
+
+
+def boundaries(
+    frequency_ratio: ArrayLike, restitution: ArrayLike, *, order: ArrayLike = 1
+) -> Boundaries:
+    """Return the three boundary curves of the regions (eqs 23, 24, 25).
+
+    Parameters
+    ----------
+    frequency_ratio, restitution, order
+        Arrays that broadcast: Omega above 0, (0, 1], odd.
+
+    Raises
+    ------
+    InputError
+        If a value is outside its range.
+
+    Examples
+    --------
+    >>> curves = boundaries(4.0, 0.5)
+    >>> print(f"{curves.existence:.5f} {curves.kind:.5f} {curves.sign:.5f}")
+    0.70825 0.79129 1.58816
+    """
+    _, ratios, restitutions, orders = validated_grid(0.0, frequency_ratio, restitution, order)
+    tanh = np.tanh(orders * math.pi / (2.0 * ratios))
+    return Boundaries(
+        existence=_each(existence_amplitude, ratios, restitutions, tanh),
+        sign=_each(sign_amplitude, ratios, tanh),
+        kind=_each(kind_amplitude, ratios, restitutions, tanh),
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class RegionMap:
+    """Every curve of the plane of frequency and amplitude, for one restitution and order.
+
+    Attributes
+    ----------
+    frequency_ratio
+        Shape (frequencies,); the curves below have the same.
+    restitution, order
+        One number each.
+    existence, sign, kind
+        The boundaries of the regions (eqs 23, 24, 25).
+    symmetry_breaking
+        Where branch 1 loses its symmetry; nan where it does not.
+    heteroclinic
+        The heteroclinic curve.
+    """
+
+    frequency_ratio: Floats
+    restitution: float
+    order: int
+    existence: Floats
+    sign: Floats
+    kind: Floats
+    symmetry_breaking: Floats
+    heteroclinic: Floats
+
+
+def region_map(frequency_ratio: ArrayLike, restitution: float, *, order: int = 1) -> RegionMap:
+    """Return every curve of the plane at given frequency ratios (Figs 3 and 4, and more).
+
+    Raises
+    ------
+    InputError
+        If a value is outside its range.
+    """
+    ratios = np.atleast_1d(np.asarray(frequency_ratio, dtype=np.float64))
+    curves = boundaries(ratios, restitution, order=order)
+    return RegionMap(
+        frequency_ratio=ratios,
+        restitution=float(restitution),
+        order=int(order),
+        existence=curves.existence,
+        sign=curves.sign,
+        kind=curves.kind,
+        symmetry_breaking=symmetry_breaking_amplitude(ratios, restitution, order=order),
+        heteroclinic=heteroclinic_amplitude(ratios, restitution),
+    )
+
+
+def heteroclinic_amplitude(frequency_ratio: ArrayLike, restitution: ArrayLike) -> Floats:
+    """Return the amplitude at which the manifolds of the two upright saddles first touch.
+
+    ``A = D (1 + Omega^2) / sqrt(1 + D^2 Omega^2)``, which is eq 23 with tanh -> 1: the limit of
+    the existence boundary for long half cycles.  Above it basins are fractal near their borders.
+
+    Examples
+    --------
+    >>> heteroclinic_amplitude([1.0, 2.0, 5.0], 0.9).round(6)
+    array([0.105118, 0.261712, 1.323365])
+    """
+    _, ratios, restitutions, _ = validated_grid(0.0, frequency_ratio, restitution, 1)
+    return _each(existence_amplitude, ratios, restitutions, np.ones(ratios.shape))
+
+
+def melnikov_amplitude(frequency_ratio: ArrayLike, restitution: ArrayLike) -> Floats:
+    """Return Melnikov's first-order estimate of `heteroclinic_amplitude`,
+    ``(1 - restitution)(1 + Omega^2)/2``, good for restitution near 1.
+    """  # noqa: D205 -- one sentence
+    _, ratios, restitutions, _ = validated_grid(0.0, frequency_ratio, restitution, 1)
+    result: Floats = 0.5 * (1.0 - restitutions) * (1.0 + ratios**2)
+    return result
+
+
+def symmetry_breaking_amplitude(
+    frequency_ratio: ArrayLike, restitution: ArrayLike, *, order: ArrayLike = 1
+) -> Floats:
+    """Return the amplitude at which branch 1 loses its symmetry: a half-cycle multiplier of -1.
+
+    Closed form, from trace = -(1 + restitution^2); stable symmetric motion lies between the
+    existence boundary and this curve.  nan where branch 1 has no such point.
+
+    Examples
+    --------
+    >>> symmetry_breaking_amplitude([1.448324, 1.948378], 0.8).round(5)
+    array([1., 2.])
+    """
+    _, ratios, restitutions, orders = validated_grid(0.0, frequency_ratio, restitution, order)
+    result = np.empty(ratios.shape)
+    flat = result.reshape(-1)
+    inputs = zip(ratios.flat, restitutions.flat, orders.flat, strict=True)
+    for i, (ratio, ratio_of_velocities, n) in enumerate(inputs):
+        amplitude, branch = symmetry_breaking(ratio, ratio_of_velocities, int(n))
+        flat[i] = amplitude if branch == 1 else math.nan
+    return result
+
+
+def symmetry_breaking_frequency(amplitude: float, restitution: float, *, order: int = 1) -> Floats:
+    """Return every frequency ratio in [0.01, 1000] at which branch 1 loses its symmetry.
+
+    Roots of `symmetry_breaking_amplitude`, isolated on a fine logarithmic grid and found by Brent's
+    method, in ascending order; empty where there is none.
+
+    Examples
+    --------
+    >>> symmetry_breaking_frequency(2.0, 0.8).round(6)
+    array([1.948378])
+    """
+    from scipy.optimize import brentq
+
+    a = positive("amplitude", amplitude, hint="give a_max/(alpha g)")
+    ratio_of_velocities = restitution_value(restitution)
+    n = odd_order(order)
+
+    def excess(log_ratio: float) -> float:
+        found, branch = symmetry_breaking(math.exp(log_ratio), ratio_of_velocities, n)
+        return math.log(found / a) if branch == 1 else math.nan
+
+    grid = np.linspace(math.log(0.01), math.log(1000.0), 4001)
+    values = np.array([excess(x) for x in grid])
+    roots = [
+        math.exp(brentq(excess, grid[i], grid[i + 1], xtol=1e-15, rtol=1e-14))
+        for i in range(len(grid) - 1)
+        if values[i] * values[i + 1] <= 0.0 and values[i] != 0.0
+    ]
+    return np.array(roots)
+
+
+def validated_grid(
+    amplitude: ArrayLike, frequency_ratio: ArrayLike, restitution: ArrayLike, order: ArrayLike
+) -> tuple[Floats, Floats, Floats, NDArray[np.int64]]:
+    """Return the four arguments of the steady states as contiguous arrays of one shape.
+
+    Raises
+    ------
+    InputError
+        If a value is outside its range, or the shapes do not broadcast.
+    """
+    amplitudes = _checked(
+        "amplitude", amplitude, lambda v: v >= 0.0, non_negative, "a_max/(alpha g)"
+    )
+    ratios = _checked("frequency_ratio", frequency_ratio, lambda v: v > 0.0, positive, "omega/p")
+    restitutions = _real("restitution", restitution)
+    valid = (restitutions > 0.0) & (restitutions <= 1.0)
+    if not valid.all():
+        restitution_value(restitutions[~valid].flat[0].item())
+    orders = np.asarray(order)
+    if orders.dtype.kind not in "iu":
+        for value in orders.flat:
+            odd_order(value)
+    odd = (orders >= 1) & (orders % 2 == 1)
+    if not odd.all():
+        odd_order(orders[~odd].flat[0].item())
+    try:
+        shape = np.broadcast_shapes(
+            amplitudes.shape, ratios.shape, restitutions.shape, orders.shape
+        )
+    except ValueError:
+        raise InputError(
+            name="shapes",
+            value=(amplitudes.shape, ratios.shape, restitutions.shape, orders.shape),
+            valid="the arguments must broadcast against each other",
+            hint="give arrays of one shape, or add axes with [:, np.newaxis]",
+        ) from None
+    floats = (
+        np.ascontiguousarray(np.broadcast_to(array, shape))
+        for array in (amplitudes, ratios, restitutions)
+    )
+    a, w, r = floats
+    n = np.ascontiguousarray(np.broadcast_to(orders.astype(np.int64), shape))
+    return a.reshape(shape), w.reshape(shape), r.reshape(shape), n.reshape(shape)
+
+
+def _real(name: str, values: ArrayLike) -> Floats:
+    array = np.asarray(values)
+    if array.dtype.kind not in "iuf":
+        raise InputError(
+            name=name,
+            value=values,
+            valid="it must be a real number or an array of them",
+            hint="give floats",
+        )
+    return array.astype(np.float64)
+
+
+def _checked(
+    name: str,
+    values: ArrayLike,
+    test: Callable[[Floats], NDArray[np.bool_]],
+    validate: Callable[..., float],
+    meaning: str,
+) -> Floats:
+    """Return a float array all of whose values pass the test; the first that fails is reported."""
+    array = _real(name, values)
+    valid = np.isfinite(array) & test(array)
+    if not valid.all():
+        validate(name, array[~valid].flat[0].item(), hint=f"give {meaning}")
+    return array
+
+
+def _each(function: Callable[..., float], *arrays: Floats) -> Floats:
+    """Return a kernel's value for each element of arrays of one shape."""
+    values = [function(*element) for element in zip(*(a.flat for a in arrays), strict=True)]
+    return np.array(values).reshape(arrays[0].shape)

@@ -1,0 +1,187 @@
+"""Initial states: at rest, anywhere, or on a symmetric steady state."""
+
+import math
+from dataclasses import dataclass
+
+from rocksteady.dynamics.steady import BRANCHES, steady_states
+from rocksteady.errors import InputError, ModelError
+from rocksteady.kernels.march import March, clock
+from rocksteady.kernels.saltation import impact_jacobian
+from rocksteady.model.block import DimensionlessBlock
+from rocksteady.model.motions import Harmonic, Motion
+from rocksteady.model.validation import finite, odd_order, whole_number
+
+KICK = 1e-6
+"""How far from an unstable orbit, relative to phase 1 and its velocity, a block is set off."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rest:
+    """At rest on its base."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class State:
+    """Any angle and velocity.
+
+    Parameters
+    ----------
+    angle
+        u = theta/alpha.
+    velocity
+        du/ds, per pivot time s = p t.  `per_tau` takes du/dtau, the paper's.
+
+    Raises
+    ------
+    InputError
+        If a number is not finite.
+    """
+
+    angle: float
+    velocity: float
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        angle = finite("angle", self.angle, hint="give theta/alpha")
+        velocity = finite("velocity", self.velocity, hint="give d(theta/alpha)/d(p t)")
+        object.__setattr__(self, "angle", angle)
+        object.__setattr__(self, "velocity", velocity)
+
+    @classmethod
+    def per_tau(cls, *, angle: float, velocity: float, frequency_ratio: float) -> "State":
+        """Return the state whose velocity is given as du/dtau, tau = omega t."""
+        rate = finite("velocity", velocity, hint="give d(theta/alpha)/d(omega t)")
+        return cls(angle=angle, velocity=rate * frequency_ratio)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Steady:
+    """On a symmetric steady state of harmonic shaking, at the impact that begins its positive half.
+
+    A stable one is started on exactly.  An unstable one would be left by round-off; it is left
+    instead along its unstable direction, on a named side, from a distance of `KICK`.
+
+    Parameters
+    ----------
+    branch
+        1 or 2 (upper or lower signs of eqs 21, 22).
+    order
+        n = 1, 3, 5, ...
+    """
+
+    branch: int = 1
+    order: int = 1
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        branch = whole_number("branch", self.branch, at_least=1, hint="give 1 or 2")
+        if branch not in BRANCHES:
+            raise InputError(
+                name="branch", value=branch, valid="there are two branches", hint="give 1 or 2"
+            )
+        object.__setattr__(self, "order", odd_order(self.order))
+
+
+Start = Rest | State | Steady
+
+
+def initial_march(
+    start: Start, block: DimensionlessBlock, motion: Motion, side: int
+) -> tuple[Motion, March]:
+    """Return the motion, given its phase where the start decides on that, and the initial state.
+
+    Parameters
+    ----------
+    start
+        Where the block begins.
+    block, motion
+        What moves.
+    side
+        +1 or -1: the side on which an unstable state is left.
+
+    Raises
+    ------
+    ModelError
+        If a steady start has no harmonic shaking, or there is no admissible steady state.
+    """
+    if isinstance(start, Steady):
+        motion, state = _steady_state(start, block, motion, side)
+    elif isinstance(start, State):
+        state = start
+    else:
+        state = State(angle=0.0, velocity=0.0)
+    standing = state.angle == 0.0 and state.velocity == 0.0
+    leans = 0 if standing else (1 if (state.angle or state.velocity) > 0.0 else -1)
+    half, phase = 0, 0.0
+    if isinstance(motion, Harmonic):
+        half, phase = clock(motion.phase)
+    return motion, March(leans, state.angle, state.velocity, 0, half, phase, 0, 0)
+
+
+def _steady_state(
+    start: Steady, block: DimensionlessBlock, motion: Motion, side: int
+) -> tuple[Harmonic, State]:
+    """Return the shaking with the orbit's phase, and the state on the orbit."""
+    if not isinstance(motion, Harmonic):
+        raise ModelError(
+            name="start",
+            value=start,
+            valid="a steady state needs harmonic shaking",
+            hint="give a Harmonic motion, or start from a State",
+        )
+    a, w, r = motion.amplitude, motion.frequency_ratio, block.restitution
+    states = steady_states(a, w, r, order=start.order)
+    which = start.branch - 1
+    if states.region == 4:
+        raise ModelError(
+            name="start",
+            value=start,
+            valid=f"at A = {a:.6g}, Omega = {w:.6g}, restitution {r:.6g} there is none of order "
+            f"{start.order}",
+            hint=f"raise the amplitude to {float(states.existence):.6g} or above (eq 23)",
+        )
+    if states.admissible is None or not states.admissible[which]:
+        raise ModelError(
+            name="start",
+            value=start,
+            valid="that solution of the algebra passes through the floor and is no motion",
+            hint="take the other branch or another order",
+        )
+    phase, velocity = float(states.phase[which]), float(states.velocity[which]) * w
+    if not (states.stable[which] or states.neutral[which]):
+        shift_phase, shift_velocity = unstable_direction(
+            a, w, r, phase, velocity, start.order * math.pi / w
+        )
+        phase += side * KICK * shift_phase
+        velocity += side * KICK * shift_velocity
+    shaken = Harmonic(amplitude=a, frequency_ratio=w, phase=phase)
+    return shaken, State(angle=0.0, velocity=velocity)
+
+
+def unstable_direction(
+    amplitude: float,
+    frequency_ratio: float,
+    restitution: float,
+    phase: float,
+    velocity: float,
+    length: float,
+) -> tuple[float, float]:
+    """Return the unit eigenvector of the half cycle's larger multiplier, velocity part positive.
+
+    Its measure is (phase, velocity / velocity of the orbit), so that "the positive side" means:
+    with more velocity than the orbit has.
+    """
+    j11, j12, j21, j22 = impact_jacobian(
+        amplitude, frequency_ratio, restitution, phase, velocity, length
+    )
+    j12, j21 = j12 * velocity, j21 / velocity
+    half = 0.5 * (j11 + j22)
+    root = math.sqrt(max(0.25 * (j11 - j22) ** 2 + j12 * j21, 0.0))
+    multiplier = half + math.copysign(root, half)
+    # The longer of the two rows of J - multiplier gives the direction.
+    if math.hypot(j11 - multiplier, j12) > math.hypot(j21, j22 - multiplier):
+        x, y = -j12, j11 - multiplier
+    else:
+        x, y = multiplier - j22, j21
+    size = math.copysign(math.hypot(x, y), y)
+    return x / size, y / size * velocity

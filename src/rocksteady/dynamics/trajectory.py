@@ -1,0 +1,356 @@
+"""A time history: the list of flights under one callable."""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.errors import InputError, ModelError, Status
+from rocksteady.kernels import march as columns
+from rocksteady.kernels.history import fill_states, highest, last_crossing
+from rocksteady.model.block import Block
+from rocksteady.model.motions import Harmonic, Motion
+from rocksteady.model.validation import whole_number
+
+Floats = NDArray[np.float64]
+
+OVERTURNED_SHOWN_TO = 2.0
+"""|theta|/alpha up to which a fall is followed; the linear model means nothing much further on."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Motions:
+    """The block's motion at given times, arrays of the shape of the times.
+
+    Attributes
+    ----------
+    s
+        Pivot time p t since the start.
+    angle
+        u = theta/alpha.
+    velocity, acceleration
+        du/ds and d2u/ds2; at an impact the value just after it.
+    base_acceleration
+        In units of alpha g.
+    energy
+        Kinetic and potential energy above rest, in units of I_0 (p alpha)^2:
+        ``velocity^2/2 + |angle| - angle^2/2``.  The upright position has 1/2.
+    """
+
+    s: Floats
+    angle: Floats
+    velocity: Floats
+    acceleration: Floats
+    base_acceleration: Floats
+    energy: Floats
+
+
+@dataclass(frozen=True, kw_only=True)
+class Impacts:
+    """All impacts in order, as arrays of shape (impacts,).
+
+    Attributes
+    ----------
+    s
+        Pivot time since the start.
+    half_cycles, phase
+        Harmonic motion: whole half periods of the shaking and the phase within the next [rad],
+        which lose no digits however long the run; otherwise the segment's index and the time in it.
+    side
+        The side the block falls from, +1 or -1.
+    velocity_before, velocity_after
+        du/ds.
+    """
+
+    s: Floats
+    half_cycles: NDArray[np.int64]
+    phase: Floats
+    side: NDArray[np.int64]
+    velocity_before: Floats
+    velocity_after: Floats
+
+    def __len__(self) -> int:
+        """Return the number of impacts."""
+        return len(self.s)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Trajectory:
+    """What `rocksteady.simulate` returns: flights, impacts, and the motion at any time.
+
+    Call it with pivot times, ``trajectory(s)``; `at_time` takes seconds and `at_tau` the paper's
+    tau = omega t.
+
+    Attributes
+    ----------
+    block
+        The block, or None for a dimensionless one.
+    motion
+        The base motion, with the phase that the start has given it.
+    status
+        How it ended: rocking (a flight or its end was in progress), at rest, overturned, or
+        undecided (the flight limit was reached).
+    segments, sides
+        The tables that the kernels saw.
+    rows
+        The flights and rests, shape (flights, 8), with the columns of `rocksteady.kernels.march`.
+    """
+
+    block: Block | None
+    motion: Motion
+    status: Status
+    segments: Floats
+    sides: Floats
+    rows: Floats
+
+    @cached_property
+    def flight_starts(self) -> Floats:
+        """Pivot time at which each flight or rest begins, shape (flights,)."""
+        starts, halves, phases = self._clock
+        index = self.rows[:, columns.ROW_SEGMENT].astype(np.int64)
+        frequency = self.segments[index, columns.FREQUENCY]
+        local = phases - self._first_phase[index]
+        turned = halves * math.pi + local
+        result: Floats = starts[index] + np.where(
+            frequency > 0.0, turned / np.where(frequency > 0.0, frequency, 1.0), local
+        )
+        return result
+
+    @cached_property
+    def flight_sides(self) -> NDArray[np.int64]:
+        """Side of each flight, +1 or -1, or 0 at rest, shape (flights,)."""
+        return self.rows[:, columns.ROW_SIDE].astype(np.int64)
+
+    @cached_property
+    def _first_phase(self) -> Floats:
+        return np.array(
+            [columns.segment_start(self.segments, i)[1] for i in range(len(self.segments))]
+        )
+
+    @cached_property
+    def _clock(self) -> tuple[Floats, Floats, Floats]:
+        """Start time of each segment; half cycles and phase of each row since its segment's."""
+        durations = self.segments[:, columns.DURATION]
+        starts = np.concatenate([[0.0], np.cumsum(durations[:-1])])
+        first_half = np.array(
+            [columns.segment_start(self.segments, i)[0] for i in range(len(self.segments))]
+        )
+        index = self.rows[:, columns.ROW_SEGMENT].astype(np.int64)
+        halves = self.rows[:, columns.ROW_HALF_CYCLES] - first_half[index]
+        return starts, halves, self.rows[:, columns.ROW_PHASE]
+
+    @cached_property
+    def _last_duration(self) -> float:
+        """Duration of the last row; of an endless fall, until |u| = `OVERTURNED_SHOWN_TO`."""
+        duration = float(self.rows[-1, columns.ROW_DURATION])
+        if self.status is not Status.OVERTURNED or math.isfinite(duration):
+            return duration
+        level = max(OVERTURNED_SHOWN_TO, 1.0 + abs(float(self.rows[-1, columns.ROW_ANGLE])))
+        row, since = last_crossing(self.segments, self.sides, self.rows, level)
+        return since if row == len(self.rows) - 1 else 0.0
+
+    @cached_property
+    def end_s(self) -> float:
+        """Pivot time up to which the trajectory reaches.
+
+        Of a block that overturns it is when it passes twice its slenderness (or, if it began
+        further out, one slenderness more than that).
+        """
+        return float(self.flight_starts[-1]) + self._last_duration
+
+    @cached_property
+    def rest_s(self) -> float | None:
+        """Pivot time at which the block came to rest where it stayed; None if it did not."""
+        return float(self.flight_starts[-1]) if self.status is Status.AT_REST else None
+
+    @cached_property
+    def overturn_s(self) -> float | None:
+        """Pivot time at which the block passes |theta| = alpha for the last time, if it overturns.
+
+        A block that is tilted further from its start on overturns at time 0.
+        """
+        if self.status is not Status.OVERTURNED:
+            return None
+        row, since = last_crossing(self.segments, self.sides, self.rows, 1.0)
+        return float(self.flight_starts[row]) + since
+
+    @property
+    def overturn_time_s(self) -> float | None:
+        """Time of overturning [s]; None without a block, or if it does not overturn."""
+        if self.block is None or self.overturn_s is None:
+            return None
+        return self.overturn_s / self.block.p
+
+    @property
+    def overturn_tau(self) -> float | None:
+        """Time of overturning in tau = omega t; None unless the shaking is harmonic."""
+        if self.overturn_s is None or not isinstance(self.motion, Harmonic):
+            return None
+        return self.overturn_s * self.motion.frequency_ratio
+
+    @cached_property
+    def peak(self) -> float:
+        """Largest |theta|/alpha, exact, up to the end; of a block that overturns, up to then."""
+        duration = self._last_duration
+        if self.overturn_s is not None:
+            duration = max(0.0, self.overturn_s - float(self.flight_starts[-1]))
+        highest_angle, _, _ = highest(self.segments, self.sides, self.rows, duration)
+        return highest_angle
+
+    @cached_property
+    def impacts(self) -> Impacts:
+        """All impacts."""
+        index = np.flatnonzero(self.rows[:, columns.ROW_EVENT] == columns.ENDED_BY_IMPACT)
+        side = self.flight_sides[index]
+        landing = np.empty((3, len(index)))
+        durations = self.rows[index, columns.ROW_DURATION]
+        fill_states(self.segments, self.sides, self.rows, index, durations, landing)
+        restitution = self.sides[np.where(side > 0, 0, 1), columns.RESTITUTION]
+        # The clock reading of an impact is that of the flight or rest which it begins; only at the
+        # flight limit does none follow.
+        after = np.minimum(index + 1, len(self.rows) - 1)
+        lone = after == index
+        s = np.where(lone, self.flight_starts[index] + durations, self.flight_starts[after])
+        return Impacts(
+            s=s,
+            half_cycles=self.rows[after, columns.ROW_HALF_CYCLES].astype(np.int64),
+            phase=self.rows[after, columns.ROW_PHASE],
+            side=side,
+            velocity_before=landing[1],
+            velocity_after=restitution * landing[1],
+        )
+
+    def times(self, per_unit: int = 100) -> Floats:
+        """Return pivot times that draw the motion well: evenly spaced, and every impact.
+
+        A run that came to rest is drawn a little into its rest.
+
+        Parameters
+        ----------
+        per_unit
+            Samples per unit of time: per forcing period of harmonic shaking, else per p t = 1.
+
+        Raises
+        ------
+        InputError
+            If `per_unit` is not a whole number of 1 or above.
+        """
+        count = whole_number("per_unit", per_unit, at_least=1, hint="give samples per unit of time")
+        unit = 1.0
+        end = self.end_s
+        if isinstance(self.motion, Harmonic):
+            unit = 2.0 * math.pi / self.motion.frequency_ratio
+        elif self.rest_s is not None:
+            end = min(end, 1.05 * self.rest_s + 0.1)
+        even = np.linspace(0.0, end, max(2, math.ceil(count * end / unit) + 1))
+        starts = self.flight_starts[self.flight_starts <= end]
+        return np.unique(np.concatenate([even, starts]))
+
+    def __call__(self, s: ArrayLike) -> Motions:
+        """Return the motion at pivot times `s`, from 0 to `end_s`.
+
+        Raises
+        ------
+        InputError
+            If a time is outside the trajectory.
+        """
+        times = np.asarray(s, dtype=np.float64)
+        flat = np.atleast_1d(times).ravel()
+        outside = ~((flat >= 0.0) & (flat <= self.end_s * (1.0 + 1e-15)))
+        if outside.any():
+            raise InputError(
+                name="s",
+                value=flat[outside][0].item(),
+                valid=f"the trajectory reaches from 0 to {self.end_s:.10g}",
+                hint="ask within it, or simulate more cycles",
+            )
+        index = np.searchsorted(self.flight_starts, flat, side="right") - 1
+        since = np.maximum(flat - self.flight_starts[index], 0.0)
+        states = np.empty((3, len(flat)))
+        fill_states(self.segments, self.sides, self.rows, index, since, states)
+        angle, velocity, acceleration = states.reshape(3, *times.shape)
+        return Motions(
+            s=times,
+            angle=angle,
+            velocity=velocity,
+            acceleration=acceleration,
+            base_acceleration=self.base_acceleration(times),
+            energy=0.5 * velocity**2 + np.abs(angle) - 0.5 * angle**2,
+        )
+
+    def phase_path(self, per_unit: int = 100) -> tuple[Floats, Floats]:
+        """Return angle and velocity in the order of time, both states of each impact included.
+
+        Parameters
+        ----------
+        per_unit
+            As for `times`.
+        """
+        motion, impacts = self(self.times(per_unit)), self.impacts
+        kept = impacts.s <= motion.s[-1]
+        before = np.searchsorted(motion.s, impacts.s[kept], side="left")
+        angle = np.insert(motion.angle, before, 0.0)
+        velocity = np.insert(motion.velocity, before, impacts.velocity_before[kept])
+        return angle, velocity
+
+    def at_time(self, t_s: ArrayLike) -> Motions:
+        """Return the motion at times in seconds.
+
+        Raises
+        ------
+        ModelError
+            If the block is dimensionless.
+        """
+        if self.block is None:
+            raise ModelError(
+                name="block",
+                value=None,
+                valid="seconds need a block with a frequency parameter p",
+                hint="simulate a Block, or ask in pivot time: trajectory(s)",
+            )
+        return self(np.asarray(t_s, dtype=np.float64) * self.block.p)
+
+    def at_tau(self, tau: ArrayLike) -> Motions:
+        """Return the motion at tau = omega t of harmonic shaking.
+
+        Raises
+        ------
+        ModelError
+            If the shaking is not harmonic.
+        """
+        return self(np.asarray(tau, dtype=np.float64) / self.frequency_ratio)
+
+    @property
+    def frequency_ratio(self) -> float:
+        """Omega of harmonic shaking.
+
+        Raises
+        ------
+        ModelError
+            If the shaking is not harmonic.
+        """
+        if not isinstance(self.motion, Harmonic):
+            raise ModelError(
+                name="motion",
+                value=self.motion,
+                valid="tau = omega t needs harmonic shaking",
+                hint="ask in pivot time: trajectory(s)",
+            )
+        return self.motion.frequency_ratio
+
+    def base_acceleration(self, s: ArrayLike) -> Floats:
+        """Return the base acceleration at pivot times, in units of alpha g."""
+        times = np.asarray(s, dtype=np.float64)
+        starts = self._clock[0]
+        index = np.clip(np.searchsorted(starts, times, side="right") - 1, 0, None)
+        row = self.segments[index]
+        since = times - starts[index]
+        result: Floats = (
+            row[..., columns.CONSTANT]
+            + row[..., columns.SLOPE] * since
+            + row[..., columns.AMPLITUDE]
+            * np.sin(row[..., columns.FREQUENCY] * since + row[..., columns.PHASE])
+        )
+        return result

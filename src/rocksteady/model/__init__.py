@@ -1,0 +1,1 @@
+"""The nouns: blocks and base motions, frozen and validated where they are made."""

@@ -1,0 +1,1 @@
+"""Pictures: they take results, accept and return axes, and never compute."""

@@ -1,0 +1,110 @@
+"""Whole figures, as the command line saves them."""
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from rocksteady.dynamics.regions import RegionMap
+from rocksteady.dynamics.response import ResponseCurve
+from rocksteady.dynamics.steady import SteadyOrbit
+from rocksteady.dynamics.trajectory import Trajectory
+from rocksteady.show import palette
+from rocksteady.show.plots import (
+    plot_base,
+    plot_orbit,
+    plot_phase_portrait,
+    plot_regions,
+    plot_response,
+    plot_trajectory,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def simulation_figure(trajectory: Trajectory, title: str = "") -> "Figure":
+    """Return a figure of a time history, its base motion and its phase portrait."""
+    from matplotlib.figure import Figure
+
+    with palette.style():
+        figure = Figure(figsize=(9.6, 4.4))
+        grid = figure.add_gridspec(2, 2, width_ratios=(2.3, 1.0), height_ratios=(3.0, 1.0))
+        history = figure.add_subplot(grid[0, 0])
+        base = figure.add_subplot(grid[1, 0], sharex=history)
+        portrait = figure.add_subplot(grid[:, 1])
+        plot_trajectory(trajectory, history)
+        history.set_xlabel("")
+        history.tick_params(labelbottom=False)
+        plot_base(trajectory, base)
+        plot_phase_portrait(trajectory, portrait)
+        if title:
+            figure.suptitle(title, x=0.01, ha="left", fontsize=10)
+    return figure
+
+
+def steady_figure(
+    orbits: Sequence[tuple[str, SteadyOrbit]],
+    curves: RegionMap,
+    *,
+    point: tuple[float, float],
+    title: str = "",
+) -> "Figure":
+    """Return a figure of the steady states at a point beside the map in which it lies.
+
+    Parameters
+    ----------
+    orbits
+        Legend entry and period of each solution; may be empty.
+    curves
+        The map.
+    point
+        (frequency_ratio, amplitude).
+    title
+        Above both panels.
+    """
+    from matplotlib.figure import Figure
+
+    with palette.style():
+        figure = Figure(figsize=(9.6, 4.4))
+        grid = figure.add_gridspec(2, 2, height_ratios=(3.0, 1.0))
+        motion = figure.add_subplot(grid[0, 0])
+        base = figure.add_subplot(grid[1, 0], sharex=motion)
+        plane = figure.add_subplot(grid[:, 1])
+        motion.axhline(0.0, color=palette.INK, lw=0.7)
+        for number, (label, orbit) in enumerate(orbits):
+            plot_orbit(orbit, motion, label=label, series=number)
+            base.plot(
+                orbit.tau / (2.0 * math.pi),
+                orbit.excitation,
+                color=palette.LINES[number],
+                ls=palette.DASHES[number],
+                lw=1.0,
+            )
+        if orbits:
+            motion.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.2)
+        else:
+            motion.text(
+                0.5, 0.5, "no symmetric steady state here", transform=motion.transAxes, ha="center"
+            )
+            motion.set_ylabel(palette.LABELS["angle"])
+        motion.set_xlabel("")
+        motion.tick_params(labelbottom=False)
+        base.set(xlabel=palette.LABELS["half_cycle"], ylabel=palette.LABELS["base"])
+        plot_regions(curves, plane, point=point, top=max(6.0, 1.3 * point[1]))
+        if title:
+            figure.suptitle(title, x=0.01, ha="left", fontsize=10)
+    return figure
+
+
+def response_figure(
+    curves: Sequence[ResponseCurve], *, hertz: bool = False, title: str = ""
+) -> "Figure":
+    """Return a figure of response curves."""
+    from matplotlib.figure import Figure
+
+    with palette.style():
+        figure = Figure(figsize=(7.2, 4.4))
+        plot_response(curves, figure.add_subplot(), hertz=hertz)
+        if title:
+            figure.suptitle(title, x=0.01, ha="left", fontsize=10)
+    return figure
