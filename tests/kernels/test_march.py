@@ -29,7 +29,7 @@ from rocksteady.kernels.march import (
 )
 from rocksteady.kernels.symmetric import (
     existence_amplitude,
-    half_cycle_tanh,
+    
     symmetric_orbit,
     symmetry_breaking,
 )

@@ -51,7 +51,8 @@ class SteadyStates:
     trace
         Trace of the half-cycle map of (phase, velocity); its determinant is restitution^2.
     peak, extrema
-        Largest u of the half cycle and the number of its extrema; None without `shapes`.
+        Largest u among the extrema of the positive half cycle, and their number; None without
+        `shapes`.  Of an inadmissible orbit that begins downwards it may be negative.
     admissible
         Whether the half cycle stays above the floor; None without `shapes`.
     """

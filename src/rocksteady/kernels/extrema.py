@@ -16,45 +16,40 @@ from rocksteady.kernels.flight import (
     wrapped,
 )
 from rocksteady.kernels.forcing import Forcing
-from rocksteady.kernels.zeros import FOUND, NO_RETURN, next_zero
+from rocksteady.kernels.zeros import FOUND, Zero, next_zero
 
 
 @compiled
-def highest_angle(flight: Flight, forcing: Forcing, span: float) -> tuple[float, int]:
-    """Return the largest angle over [0, span] and the number of extrema inside it.
+def largest_extremum(flight: Flight, forcing: Forcing, span: float) -> tuple[float, int]:
+    """Return the largest of the extrema inside (0, span), and their number.
 
-    A touch of the velocity at zero (an inflection) does not count as an extremum.
+    Where there is none it is -inf.  A touch of the velocity at zero (an inflection) does not count
+    as an extremum.
     """
-    phase = flight.phase + forcing.frequency * span
-    angle, _ = flight_state(flight, forcing, span, math.sin(phase), math.cos(phase))
-    highest = max(flight.angle, angle)
+    largest = -math.inf
     speed, rate = velocity_flight(flight, forcing)
     passed, extrema = 0.0, 0
     while passed < span:
         zero = next_zero(speed, rate, span - passed, False, False, -1.0)
-        if zero.event != FOUND:
-            break
         passed += zero.time
-        if passed >= span:
+        if zero.event != FOUND or passed >= span:
             break
-        phase = flight.phase + forcing.frequency * passed
-        angle, _ = flight_state(flight, forcing, passed, math.sin(phase), math.cos(phase))
-        highest = max(highest, angle)
         if zero.velocity != 0.0:
+            phase = flight.phase + forcing.frequency * passed
+            angle, _ = flight_state(flight, forcing, passed, math.sin(phase), math.cos(phase))
+            largest = max(largest, angle)
             extrema += 1
-        speed, rate = rebased(
-            speed,
-            rate,
-            zero.time,
-            0.0,
-            zero.velocity,
-            wrapped(zero.phase),
-            zero.sine,
-            zero.cosine,
-        )
-        if zero.velocity == 0.0:
-            break
-    return highest, extrema
+        speed, rate = restarted(speed, rate, zero)
+    return largest, extrema
+
+
+@compiled
+def highest_angle(flight: Flight, forcing: Forcing, span: float) -> tuple[float, int]:
+    """Return the largest angle over [0, span], ends included, and the number of extrema inside."""
+    phase = flight.phase + forcing.frequency * span
+    angle, _ = flight_state(flight, forcing, span, math.sin(phase), math.cos(phase))
+    largest, extrema = largest_extremum(flight, forcing, span)
+    return max(flight.angle, angle, largest), extrema
 
 
 @compiled
@@ -67,21 +62,17 @@ def last_rise(flight: Flight, forcing: Forcing, level: float, span: float, endle
     passed, last = 0.0, -1.0
     while passed < span:
         zero = next_zero(above, lowered, span - passed, endless, False, -1.0)
-        if zero.event != FOUND or zero.event == NO_RETURN:
+        if zero.event != FOUND:
             break
         passed += zero.time
         if zero.velocity > 0.0:
             last = passed
-        if zero.velocity == 0.0:
-            break
-        above, lowered = rebased(
-            above,
-            lowered,
-            zero.time,
-            0.0,
-            zero.velocity,
-            wrapped(zero.phase),
-            zero.sine,
-            zero.cosine,
-        )
+        above, lowered = restarted(above, lowered, zero)
     return last
+
+
+@compiled
+def restarted(flight: Flight, forcing: Forcing, zero: Zero) -> tuple[Flight, Forcing]:
+    """Return a flight that goes on from one of its zeros, to look for the next."""
+    phase = wrapped(zero.phase)
+    return rebased(flight, forcing, zero.time, 0.0, zero.velocity, phase, zero.sine, zero.cosine)

@@ -193,6 +193,7 @@ def march(
     first_half, first_phase, end_half, end_phase = 0, 0.0, 0, 0.0
     sine, cosine, turned_side = 0.0, 1.0, False  # of the phase, known after an impact
     guess = -1.0
+    rest_velocity = max(rest_velocity, STILL)
     bounced = False  # off an impact so slow that the block may be coming to rest
 
     while True:

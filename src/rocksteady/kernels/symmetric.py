@@ -27,7 +27,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.kernels.compilation import compiled, inlined
-from rocksteady.kernels.extrema import highest_angle
+from rocksteady.kernels.extrema import largest_extremum
 from rocksteady.kernels.flight import LARGEST_EXPONENT, Flight, flight_state, wrapped
 from rocksteady.kernels.forcing import make_forcing
 from rocksteady.kernels.zeros import FOUND, next_zero
@@ -53,31 +53,26 @@ def damping(restitution: float) -> float:
 
 
 @inlined
-def half_cycle_tanh(frequency_ratio: float, order: int) -> float:
-    """Return h = tanh(n pi / 2 Omega), defined below eq 19."""
-    return math.tanh(order * math.pi / (2.0 * frequency_ratio))
-
-
-@compiled
 def existence_amplitude(frequency_ratio: float, restitution: float, h: float) -> float:
     """Return the least amplitude with a symmetric orbit (eq 23); h = 1: the heteroclinic one."""
     d, square = damping(restitution), 1.0 + frequency_ratio * frequency_ratio
-    return square * d * h * h / math.hypot(1.0, d * h * frequency_ratio)
+    p = d * h * frequency_ratio
+    return square * d * h * h / math.sqrt(1.0 + p * p)
 
 
-@compiled
+@inlined
 def sign_amplitude(frequency_ratio: float, h: float) -> float:
     """Return the amplitude at which the phase of branch 2 changes sign, P = Q (eq 24)."""
     return h * (1.0 + frequency_ratio * frequency_ratio) / frequency_ratio
 
 
-@compiled
+@inlined
 def kind_amplitude(frequency_ratio: float, restitution: float, h: float) -> float:
     """Return the amplitude at which branch 1 turns from in-phase to out-of-phase, Q = 1 (eq 25)."""
     return damping(restitution) * h * h * (1.0 + frequency_ratio * frequency_ratio)
 
 
-@compiled
+@inlined
 def region_of(amplitude: float, existence: float, sign: float, kind: float) -> int:
     """Return Tso and Wong's region 1 to 5 (Figs 3, 4) of an amplitude among three boundaries."""
     if amplitude < existence or amplitude == 0.0:
@@ -87,57 +82,82 @@ def region_of(amplitude: float, existence: float, sign: float, kind: float) -> i
     return 3 if amplitude < sign else 5
 
 
+class HalfCycle(NamedTuple):
+    """What depends on frequency, restitution and order alone, whatever the amplitude."""
+
+    tanh: float  # h
+    growth: float  # cosh(n pi/Omega) - 1, infinite where it overflows
+    existence: float  # amplitudes of eqs 23, 24 and 25
+    sign: float
+    kind: float
+
+
+@inlined
+def half_cycle(frequency_ratio: float, restitution: float, order: int) -> HalfCycle:
+    """Return h and cosh(n pi/Omega) - 1, from one exponential, and the three boundaries."""
+    length = order * math.pi / frequency_ratio
+    if length < LARGEST_EXPONENT:
+        grown = math.expm1(length)
+        h = grown / (grown + 2.0)
+        growth = 0.5 * grown * (grown / (1.0 + grown))
+    else:
+        h, growth = 1.0, math.inf
+    return HalfCycle(
+        h,
+        growth,
+        existence_amplitude(frequency_ratio, restitution, h),
+        sign_amplitude(frequency_ratio, h),
+        kind_amplitude(frequency_ratio, restitution, h),
+    )
+
+
 @compiled
 def symmetric_orbit(
     amplitude: float, frequency_ratio: float, restitution: float, order: int, branch: int
 ) -> Symmetric:
     """Return branch 1 or 2 (upper or lower signs of eqs 21, 22); the amplitude must allow it."""
-    w = frequency_ratio
-    h = half_cycle_tanh(w, order)
+    half = half_cycle(frequency_ratio, restitution, order)
+    return orbit_of(amplitude, frequency_ratio, restitution, half, branch)
+
+
+@inlined
+def orbit_of(
+    amplitude: float, frequency_ratio: float, restitution: float, half: HalfCycle, branch: int
+) -> Symmetric:
+    """Return phase (eqs 21, 22), velocity (eqs 18, 19) and trace of one branch."""
     d = damping(restitution)
-    beta = amplitude / (1.0 + w * w)
-    p, q = h * w, h * h / beta  # P' and Q'
-    existence = existence_amplitude(w, restitution, h)
+    beta = amplitude / (1.0 + frequency_ratio * frequency_ratio)
+    p, q = half.tanh * frequency_ratio, half.tanh * half.tanh / beta  # P' and Q'
     length = 1.0 + d * d * p * p  # 1 + P^2
-    root = math.sqrt(length * (amplitude - existence) * (amplitude + existence)) / amplitude
+    root = math.sqrt(length * (amplitude - half.existence) * (amplitude + half.existence))
+    root /= amplitude
     if branch == 1:
-        kind = kind_amplitude(w, restitution, h)
         s = (q + p * root) / length
-        cosine = (kind - amplitude) * (kind + amplitude) / (amplitude * amplitude)
+        cosine = (half.kind - amplitude) * (half.kind + amplitude) / (amplitude * amplitude)
         cosine /= d * d * p * q + root
     else:
-        sign = sign_amplitude(w, h)
-        s = p * p * (sign - amplitude) * (sign + amplitude) / (amplitude * amplitude)
+        s = p * p * (half.sign - amplitude) * (half.sign + amplitude) / (amplitude * amplitude)
         s /= q + p * root
         cosine = (d * d * p * q + root) / length
     sine = d * s + 0.0  # never -0.0, whose phase would be -0.0 or -pi
     velocity = 2.0 * restitution * beta * s / ((1.0 + restitution) * p)
-    return Symmetric(
-        math.atan2(sine, cosine),
-        sine,
-        cosine,
-        velocity,
-        half_cycle_trace(w, restitution, order, beta * s),
-    )
+    trace = half_cycle_trace(frequency_ratio, restitution, half.growth, beta * s)
+    return Symmetric(math.atan2(sine, cosine), sine, cosine, velocity, trace)
 
 
-@compiled
+@inlined
 def half_cycle_trace(
-    frequency_ratio: float, restitution: float, order: int, scaled_sine: float
+    frequency_ratio: float, restitution: float, growth: float, scaled_sine: float
 ) -> float:
     """Return the trace T of the half-cycle map; `scaled_sine` is beta sin(f)/D."""
-    length = order * math.pi / frequency_ratio
     if scaled_sine == 0.0:
         return math.inf
     stretch = (
         (1.0 + restitution) ** 2 / (2.0 * scaled_sine)
-        - (1.0 - restitution) ** 2 * (1.0 + frequency_ratio * frequency_ratio) / 2.0
+        - (1.0 - restitution) ** 2 * (1.0 + frequency_ratio * frequency_ratio) * 0.5
         - 2.0 * restitution
     )
-    if length > LARGEST_EXPONENT:
-        return math.copysign(math.inf, stretch)
-    half = math.sinh(0.5 * length)
-    return -2.0 * restitution + 2.0 * half * half * stretch
+    return -2.0 * restitution + growth * stretch
 
 
 @compiled
@@ -148,14 +168,11 @@ def symmetry_breaking(frequency_ratio: float, restitution: float, order: int) ->
     of a vector.  Returns (nan, 0) where no orbit that leaves the floor has that multiplier.
     """
     w = frequency_ratio
-    h = half_cycle_tanh(w, order)
+    half = half_cycle(w, restitution, order)
+    h = half.tanh
     d = damping(restitution)
-    length = order * math.pi / w
     loss = (1.0 - restitution) ** 2
-    part = 0.5 * loss * (1.0 + w * w) + 2.0 * restitution
-    if length < LARGEST_EXPONENT:
-        half = math.sinh(0.5 * length)
-        part -= loss / (2.0 * half * half)
+    part = 0.5 * loss * (1.0 + w * w) + 2.0 * restitution - loss / half.growth
     if part <= 0.0:
         return math.nan, 0
     scaled_sine = (1.0 + restitution) ** 2 / (2.0 * part)  # beta s
@@ -176,7 +193,7 @@ def half_cycle_flight(
     w = frequency_ratio
     beta = amplitude / (1.0 + w * w)
     length = order * math.pi / w
-    h = half_cycle_tanh(w, order)
+    h = math.tanh(0.5 * length)
     first, last = beta * orbit.sine - 1.0, -beta * orbit.sine - 1.0
     decay = math.exp(-length)
     span = -math.expm1(-2.0 * length)
@@ -198,7 +215,7 @@ def half_cycle_flight(
 def half_cycle_shape(
     amplitude: float, frequency_ratio: float, restitution: float, order: int, orbit: Symmetric
 ) -> tuple[float, int, bool]:
-    """Return peak and number of extrema of the half cycle, and whether the floor allows it.
+    """Return largest extremum, number of extrema, and whether the floor allows the half cycle.
 
     It is admissible when it leaves the floor upwards and meets it again at its end, no earlier.
     """
@@ -206,7 +223,7 @@ def half_cycle_shape(
     length = order * math.pi / w
     forcing = make_forcing(-1.0, 0.0, amplitude, w)
     flight = half_cycle_flight(amplitude, w, order, orbit)
-    peak, extrema = highest_angle(flight, forcing, length)
+    peak, extrema = largest_extremum(flight, forcing, length)
     if not orbit.velocity > 0.0:
         return peak, extrema, False
     zero = next_zero(flight, forcing, length, False, False, -1.0)
@@ -258,21 +275,18 @@ def fill_steady(
     """
     for i in range(len(amplitude)):
         a, w, r, n = amplitude[i], frequency_ratio[i], restitution[i], order[i]
-        h = half_cycle_tanh(w, n)
-        existence = existence_amplitude(w, r, h)
-        sign = sign_amplitude(w, h)
-        kind = kind_amplitude(w, r, h)
-        boundaries[0, i] = existence
-        boundaries[1, i] = sign
-        boundaries[2, i] = kind
-        region[i] = region_of(a, existence, sign, kind)
+        half = half_cycle(w, r, n)
+        boundaries[0, i] = half.existence
+        boundaries[1, i] = half.sign
+        boundaries[2, i] = half.kind
+        region[i] = region_of(a, half.existence, half.sign, half.kind)
         for b in range(2):
             if region[i] == 4:
                 phase[b, i] = velocity[b, i] = trace[b, i] = math.nan
                 if shapes:
                     peak[b, i], extrema[b, i], admissible[b, i] = math.nan, 0, False
                 continue
-            orbit = symmetric_orbit(a, w, r, n, b + 1)
+            orbit = orbit_of(a, w, r, half, b + 1)
             phase[b, i], velocity[b, i], trace[b, i] = orbit.phase, orbit.velocity, orbit.trace
             if shapes:
                 peak[b, i], extrema[b, i], admissible[b, i] = half_cycle_shape(a, w, r, n, orbit)
