@@ -10,21 +10,31 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from rocksteady.dynamics.regions import (
         Boundaries,
+        RegionMap,
         boundaries,
         heteroclinic_amplitude,
         melnikov_amplitude,
+        region_map,
         symmetry_breaking_amplitude,
         symmetry_breaking_frequency,
     )
     from rocksteady.dynamics.response import ResponseCurve, response_curve
     from rocksteady.dynamics.simulate import simulate
     from rocksteady.dynamics.start import Rest, State, Steady
-    from rocksteady.dynamics.steady import SteadyStates, steady_states
-    from rocksteady.dynamics.trajectory import Impacts, Motions, Trajectory
+    from rocksteady.dynamics.steady import SteadyOrbit, SteadyStates, steady_orbit, steady_states
+    from rocksteady.dynamics.trajectory import Flights, Impacts, Motions, Trajectory
     from rocksteady.errors import InputError, ModelError, OutputError, RocksteadyError, Status
     from rocksteady.model.block import Block, DimensionlessBlock, Side, housner_restitution
     from rocksteady.model.examples import example_block
     from rocksteady.model.motions import Harmonic, Piecewise, Segment, Still
+    from rocksteady.show.plots import (
+        plot_base,
+        plot_orbit,
+        plot_phase_portrait,
+        plot_regions,
+        plot_response,
+        plot_trajectory,
+    )
 else:
     # Out of the sight of type checkers, which would take every misspelt name to be of type object.
     def __getattr__(name: str) -> object:
@@ -45,6 +55,7 @@ __all__ = [
     "Block",
     "Boundaries",
     "DimensionlessBlock",
+    "Flights",
     "Harmonic",
     "Impacts",
     "InputError",
@@ -52,6 +63,7 @@ __all__ = [
     "Motions",
     "OutputError",
     "Piecewise",
+    "RegionMap",
     "ResponseCurve",
     "Rest",
     "RocksteadyError",
@@ -60,6 +72,7 @@ __all__ = [
     "State",
     "Status",
     "Steady",
+    "SteadyOrbit",
     "SteadyStates",
     "Still",
     "Trajectory",
@@ -69,8 +82,16 @@ __all__ = [
     "heteroclinic_amplitude",
     "housner_restitution",
     "melnikov_amplitude",
+    "plot_base",
+    "plot_orbit",
+    "plot_phase_portrait",
+    "plot_regions",
+    "plot_response",
+    "plot_trajectory",
+    "region_map",
     "response_curve",
     "simulate",
+    "steady_orbit",
     "steady_states",
     "symmetry_breaking_amplitude",
     "symmetry_breaking_frequency",
@@ -80,6 +101,7 @@ _DEFINED_IN = {
     "Block": "rocksteady.model.block",
     "Boundaries": "rocksteady.dynamics.regions",
     "DimensionlessBlock": "rocksteady.model.block",
+    "Flights": "rocksteady.dynamics.trajectory",
     "Harmonic": "rocksteady.model.motions",
     "Impacts": "rocksteady.dynamics.trajectory",
     "InputError": "rocksteady.errors",
@@ -87,6 +109,7 @@ _DEFINED_IN = {
     "Motions": "rocksteady.dynamics.trajectory",
     "OutputError": "rocksteady.errors",
     "Piecewise": "rocksteady.model.motions",
+    "RegionMap": "rocksteady.dynamics.regions",
     "ResponseCurve": "rocksteady.dynamics.response",
     "Rest": "rocksteady.dynamics.start",
     "RocksteadyError": "rocksteady.errors",
@@ -95,6 +118,7 @@ _DEFINED_IN = {
     "State": "rocksteady.dynamics.start",
     "Status": "rocksteady.errors",
     "Steady": "rocksteady.dynamics.start",
+    "SteadyOrbit": "rocksteady.dynamics.steady",
     "SteadyStates": "rocksteady.dynamics.steady",
     "Still": "rocksteady.model.motions",
     "Trajectory": "rocksteady.dynamics.trajectory",
@@ -103,8 +127,16 @@ _DEFINED_IN = {
     "heteroclinic_amplitude": "rocksteady.dynamics.regions",
     "housner_restitution": "rocksteady.model.block",
     "melnikov_amplitude": "rocksteady.dynamics.regions",
+    "plot_base": "rocksteady.show.plots",
+    "plot_orbit": "rocksteady.show.plots",
+    "plot_phase_portrait": "rocksteady.show.plots",
+    "plot_regions": "rocksteady.show.plots",
+    "plot_response": "rocksteady.show.plots",
+    "plot_trajectory": "rocksteady.show.plots",
+    "region_map": "rocksteady.dynamics.regions",
     "response_curve": "rocksteady.dynamics.response",
     "simulate": "rocksteady.dynamics.simulate",
+    "steady_orbit": "rocksteady.dynamics.steady",
     "steady_states": "rocksteady.dynamics.steady",
     "symmetry_breaking_amplitude": "rocksteady.dynamics.regions",
     "symmetry_breaking_frequency": "rocksteady.dynamics.regions",

@@ -63,7 +63,7 @@ def run(arguments: list[str]) -> int:
     try:
         code = command.main(arguments, prog_name="rocksteady", standalone_mode=False)
     except TyperException as error:
-        return _usage_error(error)
+        return _usage_error(error, arguments)
     except RocksteadyError as error:
         flag = FLAG_OF_ARGUMENT.get(error.name, error.name)
         return _complain(str(error).replace(f"{error.name} = ", f"{flag} = ", 1))
@@ -84,14 +84,28 @@ def run(arguments: list[str]) -> int:
     return code if isinstance(code, int) else 0
 
 
-def _usage_error(error: TyperException) -> int:
+def _usage_error(error: TyperException, arguments: list[str]) -> int:
     """Report what typer found wrong with the command line, with where to look next."""
     if not error.format_message():  # help was asked for and has been shown
         return 0
     context = getattr(error, "ctx", None)
     path = context.command_path if context is not None else "rocksteady"
     message = " ".join(error.format_message().split()).rstrip(".")
+    given = _given(getattr(getattr(error, "param", None), "opts", []), arguments)
+    if given is not None:
+        message = f"{message} (given: {given!r})"
     return _complain(f"{message}; see {path} --help")
+
+
+def _given(options: list[str], arguments: list[str]) -> str | None:
+    """Return the value that followed one of the options, which typer's messages leave out."""
+    for position, argument in enumerate(arguments):
+        option, equals, value = argument.partition("=")
+        if option in options and equals:
+            return value
+        if option in options and position + 1 < len(arguments):
+            return arguments[position + 1]
+    return None
 
 
 def _complain(message: str) -> int:

@@ -48,6 +48,39 @@ class Motions:
 
 
 @dataclass(frozen=True, kw_only=True)
+class Flights:
+    """All flights and rests in order, as arrays of shape (flights,).
+
+    A flight that crosses from one segment of the base motion into the next is two of them.
+
+    Attributes
+    ----------
+    s
+        Pivot time at the start.
+    duration
+        In pivot time; infinite for the last flight of a block that overturns.
+    side
+        +1, -1, or 0 at rest.
+    angle, velocity
+        u and du/ds at the start.
+    ended_by
+        0 the end of the segment or of the run, 1 an impact, 2 proof that the block never comes
+        back, 3 uplift from rest.
+    """
+
+    s: Floats
+    duration: Floats
+    side: NDArray[np.int64]
+    angle: Floats
+    velocity: Floats
+    ended_by: NDArray[np.int64]
+
+    def __len__(self) -> int:
+        """Return the number of flights and rests."""
+        return len(self.s)
+
+
+@dataclass(frozen=True, kw_only=True)
 class Impacts:
     """All impacts in order, as arrays of shape (impacts,).
 
@@ -106,40 +139,26 @@ class Trajectory:
     rows: Floats
 
     @cached_property
-    def flight_starts(self) -> Floats:
-        """Pivot time at which each flight or rest begins, shape (flights,)."""
-        starts, halves, phases = self._clock
+    def flights(self) -> Flights:
+        """All flights and rests in order."""
+        durations = self.segments[:-1, columns.DURATION]
+        segment_starts = np.concatenate([[0.0], np.cumsum(durations)])
+        first = [columns.segment_start(self.segments, i) for i in range(len(self.segments))]
+        first_half, first_phase = (np.array(clock) for clock in zip(*first, strict=True))
         index = self.rows[:, columns.ROW_SEGMENT].astype(np.int64)
         frequency = self.segments[index, columns.FREQUENCY]
-        local = phases - self._first_phase[index]
-        turned = halves * math.pi + local
-        result: Floats = starts[index] + np.where(
-            frequency > 0.0, turned / np.where(frequency > 0.0, frequency, 1.0), local
-        )
-        return result
-
-    @cached_property
-    def flight_sides(self) -> NDArray[np.int64]:
-        """Side of each flight, +1 or -1, or 0 at rest, shape (flights,)."""
-        return self.rows[:, columns.ROW_SIDE].astype(np.int64)
-
-    @cached_property
-    def _first_phase(self) -> Floats:
-        return np.array(
-            [columns.segment_start(self.segments, i)[1] for i in range(len(self.segments))]
-        )
-
-    @cached_property
-    def _clock(self) -> tuple[Floats, Floats, Floats]:
-        """Start time of each segment; half cycles and phase of each row since its segment's."""
-        durations = self.segments[:, columns.DURATION]
-        starts = np.concatenate([[0.0], np.cumsum(durations[:-1])])
-        first_half = np.array(
-            [columns.segment_start(self.segments, i)[0] for i in range(len(self.segments))]
-        )
-        index = self.rows[:, columns.ROW_SEGMENT].astype(np.int64)
+        # Half cycles are counted as integers, so that a long run loses no digits before the end.
         halves = self.rows[:, columns.ROW_HALF_CYCLES] - first_half[index]
-        return starts, halves, self.rows[:, columns.ROW_PHASE]
+        local = self.rows[:, columns.ROW_PHASE] - first_phase[index]
+        turned = (halves * math.pi + local) / np.where(frequency > 0.0, frequency, 1.0)
+        return Flights(
+            s=segment_starts[index] + np.where(frequency > 0.0, turned, local),
+            duration=self.rows[:, columns.ROW_DURATION],
+            side=self.rows[:, columns.ROW_SIDE].astype(np.int64),
+            angle=self.rows[:, columns.ROW_ANGLE],
+            velocity=self.rows[:, columns.ROW_VELOCITY],
+            ended_by=self.rows[:, columns.ROW_EVENT].astype(np.int64),
+        )
 
     @cached_property
     def _last_duration(self) -> float:
@@ -158,12 +177,19 @@ class Trajectory:
         Of a block that overturns it is when it passes twice its slenderness (or, if it began
         further out, one slenderness more than that).
         """
-        return float(self.flight_starts[-1]) + self._last_duration
+        return float(self.flights.s[-1]) + self._last_duration
 
     @cached_property
     def rest_s(self) -> float | None:
         """Pivot time at which the block came to rest where it stayed; None if it did not."""
-        return float(self.flight_starts[-1]) if self.status is Status.AT_REST else None
+        return float(self.flights.s[-1]) if self.status is Status.AT_REST else None
+
+    @cached_property
+    def _overturning(self) -> tuple[int, float] | None:
+        """Row in which the block passes |theta| = alpha for the last time, and when since."""
+        if self.status is not Status.OVERTURNED:
+            return None
+        return last_crossing(self.segments, self.sides, self.rows, 1.0)
 
     @cached_property
     def overturn_s(self) -> float | None:
@@ -171,10 +197,10 @@ class Trajectory:
 
         A block that is tilted further from its start on overturns at time 0.
         """
-        if self.status is not Status.OVERTURNED:
+        if self._overturning is None:
             return None
-        row, since = last_crossing(self.segments, self.sides, self.rows, 1.0)
-        return float(self.flight_starts[row]) + since
+        row, since = self._overturning
+        return float(self.flights.s[row]) + since
 
     @property
     def overturn_time_s(self) -> float | None:
@@ -193,17 +219,17 @@ class Trajectory:
     @cached_property
     def peak(self) -> float:
         """Largest |theta|/alpha, exact, up to the end; of a block that overturns, up to then."""
-        duration = self._last_duration
-        if self.overturn_s is not None:
-            duration = max(0.0, self.overturn_s - float(self.flight_starts[-1]))
-        highest_angle, _, _ = highest(self.segments, self.sides, self.rows, duration)
+        row, duration = len(self.rows) - 1, self._last_duration
+        if self._overturning is not None:
+            row, duration = self._overturning
+        highest_angle, _, _ = highest(self.segments, self.sides, self.rows[: row + 1], duration)
         return highest_angle
 
     @cached_property
     def impacts(self) -> Impacts:
         """All impacts."""
         index = np.flatnonzero(self.rows[:, columns.ROW_EVENT] == columns.ENDED_BY_IMPACT)
-        side = self.flight_sides[index]
+        side = self.flights.side[index]
         landing = np.empty((3, len(index)))
         durations = self.rows[index, columns.ROW_DURATION]
         fill_states(self.segments, self.sides, self.rows, index, durations, landing)
@@ -212,7 +238,7 @@ class Trajectory:
         # flight limit does none follow.
         after = np.minimum(index + 1, len(self.rows) - 1)
         lone = after == index
-        s = np.where(lone, self.flight_starts[index] + durations, self.flight_starts[after])
+        s = np.where(lone, self.flights.s[index] + durations, self.flights.s[after])
         return Impacts(
             s=s,
             half_cycles=self.rows[after, columns.ROW_HALF_CYCLES].astype(np.int64),
@@ -245,7 +271,7 @@ class Trajectory:
         elif self.rest_s is not None:
             end = min(end, 1.05 * self.rest_s + 0.1)
         even = np.linspace(0.0, end, max(2, math.ceil(count * end / unit) + 1))
-        starts = self.flight_starts[self.flight_starts <= end]
+        starts = self.flights.s[self.flights.s <= end]
         return np.unique(np.concatenate([even, starts]))
 
     def __call__(self, s: ArrayLike) -> Motions:
@@ -266,8 +292,8 @@ class Trajectory:
                 valid=f"the trajectory reaches from 0 to {self.end_s:.10g}",
                 hint="ask within it, or simulate more cycles",
             )
-        index = np.searchsorted(self.flight_starts, flat, side="right") - 1
-        since = np.maximum(flat - self.flight_starts[index], 0.0)
+        index = np.searchsorted(self.flights.s, flat, side="right") - 1
+        since = np.maximum(flat - self.flights.s[index], 0.0)
         states = np.empty((3, len(flat)))
         fill_states(self.segments, self.sides, self.rows, index, since, states)
         angle, velocity, acceleration = states.reshape(3, *times.shape)
@@ -343,7 +369,7 @@ class Trajectory:
     def base_acceleration(self, s: ArrayLike) -> Floats:
         """Return the base acceleration at pivot times, in units of alpha g."""
         times = np.asarray(s, dtype=np.float64)
-        starts = self._clock[0]
+        starts = np.concatenate([[0.0], np.cumsum(self.segments[:-1, columns.DURATION])])
         index = np.clip(np.searchsorted(starts, times, side="right") - 1, 0, None)
         row = self.segments[index]
         since = times - starts[index]
@@ -354,3 +380,16 @@ class Trajectory:
             * np.sin(row[..., columns.FREQUENCY] * since + row[..., columns.PHASE])
         )
         return result
+
+    def _repr_html_(self) -> str:
+        """Return a small table for notebooks."""
+        rows = [
+            ("status", self.status.label),
+            ("peak", f"{self.peak:.6g} alpha"),
+            ("impacts", str(len(self.impacts))),
+            ("followed to", f"pt = {self.end_s:.6g}"),
+        ]
+        if self.overturn_s is not None:
+            rows.append(("overturns at", f"pt = {self.overturn_s:.6g}"))
+        cells = "".join(f"<tr><th>{name}</th><td>{value}</td></tr>" for name, value in rows)
+        return f"<table><caption>Trajectory</caption>{cells}</table>"
