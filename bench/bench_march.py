@@ -1,8 +1,8 @@
 """The march: work units B1 and B2, with the package's kernel and with a plain sampling march.
 
 Each unit is 100 x 100 cells (Omega from 1 to 12, A from 1 to 6) of 200 forcing periods, restitution
-0.8, angle 0 and phase 0 at the start: B1 with velocity d(theta/alpha)/d(pt) = 0.3, B2 from rest. Both
-marches run on one core and are timed in CPU time, which a busy machine disturbs least.
+0.8, angle 0 and phase 0 at the start: B1 with velocity d(theta/alpha)/d(pt) = 0.3, B2 from rest.
+Both marches run on one core and are timed in CPU time, which a busy machine disturbs least.
 """
 
 import time
@@ -100,7 +100,7 @@ def test_march(benchmark: Any, name: str) -> None:
 @pytest.mark.parametrize("name", UNITS)
 @pytest.mark.benchmark(group="march", timer=time.process_time)
 def test_march_thinned(benchmark: Any, name: str) -> None:
-    """The package's kernel on the cells of the sampling march: the numerator of their ratio."""
+    """The package's kernel on the cells of the sampling march, for the ratio of the two."""
     unit = cells(name, THINNED)
     benchmark.pedantic(run_kernel, args=(unit,), rounds=15, warmup_rounds=1)
     note(benchmark, unit)
@@ -113,7 +113,7 @@ def test_sampling_march(benchmark: Any, name: str) -> None:
     run_kernel(exact)
     benchmark.pedantic(run_sampling, args=(unit,), rounds=5, warmup_rounds=1)
     note(benchmark, unit)
-    # Of a run that ends between two impacts it is chance whether it ends in flight or at rest.
+    # Overturned or not; whether a bounce still counts as rocking is a matter of the rest rule.
     fell, falls = unit.status == Status.OVERTURNED, exact.status == Status.OVERTURNED
     benchmark.extra_info["samples_per_period"] = SAMPLES
     benchmark.extra_info["same_fate"] = float(np.mean(fell == falls))

@@ -58,28 +58,14 @@ def sampled_fate(
     resting = velocity == 0.0
     while True:
         if resting:
-            # Sample until the base pulls harder than gravity; bisect the moment of uplift.
-            time = 0.0
-            while amplitude * abs(math.sin(phase + frequency * time)) <= 1.0:
-                time += step
-                if time >= left:
-                    return AT_REST, impacts
-            if time > 0.0:
-                low, high = time - step, time
-                for _ in range(BISECTIONS):
-                    middle = 0.5 * (low + high)
-                    if amplitude * abs(math.sin(phase + frequency * middle)) > 1.0:
-                        high = middle
-                    else:
-                        low = middle
-                time = high
+            time = sampled_uplift(amplitude, frequency, phase, step, left)
+            if time >= left:
+                return AT_REST, impacts
             left -= time
-            phase += frequency * time
+            phase = (phase + frequency * time) % (2.0 * math.pi)
             if math.sin(phase) < 0.0:
-                phase += math.pi
-            phase %= 2.0 * math.pi
+                phase = (phase + math.pi) % (2.0 * math.pi)
             velocity = 0.0
-            resting = False
 
         growing = 0.5 * (velocity + beta * frequency * math.cos(phase) + beta * math.sin(phase) - 1)
         decaying = growing - (velocity + beta * frequency * math.cos(phase))
@@ -94,17 +80,7 @@ def sampled_fate(
                 break
             if y > TOPPLED:
                 return OVERTURNED, impacts
-        low, high = time - step, time
-        for _ in range(BISECTIONS):
-            middle = 0.5 * (low + high)
-            if middle in (low, high):  # to the last bit
-                break
-            e = math.exp(middle)
-            y = growing * e + decaying / e + 1.0 - beta * math.sin(phase + frequency * middle)
-            if y > 0.0:
-                low = middle
-            else:
-                high = middle
+        high = bisected_zero(growing, decaying, beta, frequency, phase, time - step, time)
         e = math.exp(high)
         landing = phase + frequency * high
         velocity = -restitution * (
@@ -114,4 +90,48 @@ def sampled_fate(
         phase = (landing + math.pi) % (2.0 * math.pi)
         impacts += 1
         resting = velocity < SLOW and amplitude * abs(math.sin(phase)) < 1.0
-        velocity = max(velocity, 0.0)
+
+
+@numba.njit(error_model="numpy")
+def sampled_uplift(
+    amplitude: float, frequency: float, phase: float, step: float, left: float
+) -> float:
+    """Sample until the base pulls harder than gravity and bisect the moment; `left` if never."""
+    time = 0.0
+    while amplitude * abs(math.sin(phase + frequency * time)) <= 1.0:
+        time += step
+        if time >= left:
+            return left
+    low, high = max(time - step, 0.0), time
+    for _ in range(BISECTIONS):
+        middle = 0.5 * (low + high)
+        if middle in (low, high):  # to the last bit
+            break
+        if amplitude * abs(math.sin(phase + frequency * middle)) > 1.0:
+            high = middle
+        else:
+            low = middle
+    return high
+
+
+@numba.njit(error_model="numpy")
+def bisected_zero(
+    growing: float,
+    decaying: float,
+    beta: float,
+    frequency: float,
+    phase: float,
+    low: float,
+    high: float,
+) -> float:
+    """Bisect the change of sign of the angle between `low` and `high` to the last bit."""
+    for _ in range(BISECTIONS):
+        middle = 0.5 * (low + high)
+        if middle in (low, high):
+            break
+        e = math.exp(middle)
+        if growing * e + decaying / e + 1.0 - beta * math.sin(phase + frequency * middle) > 0.0:
+            low = middle
+        else:
+            high = middle
+    return high

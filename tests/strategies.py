@@ -2,19 +2,21 @@
 
 import math
 import os
+from typing import TypeVar
 
 import numpy as np
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
+SizeT = TypeVar("SizeT")
 
 PLAIN = os.environ.get("NUMBA_DISABLE_JIT") == "1"
 """Whether the kernels run as plain Python, some hundred times slower."""
 
 
-def sample_size(compiled: int, plain: int) -> int:
-    """Return how many cases to draw: as many as compiled code can do, or fewer without it."""
+def sample_size(compiled: SizeT, plain: SizeT) -> SizeT:
+    """Return how much to test: as much as compiled code can do, or less without it."""
     return plain if PLAIN else compiled
 
 

@@ -187,9 +187,7 @@ def run(
     else:
         stop_phase = until - float(segments[:-1, DURATION].sum())
     none = np.zeros((0, ROW_COLUMNS))
-    status, end = march(
-        segments, sides, start, stop_half, stop_phase, rest_velocity, limit, none
-    )
+    status, end = march(segments, sides, start, stop_half, stop_phase, rest_velocity, limit, none)
     rows = np.zeros((end.flights, ROW_COLUMNS))
     again, same = march(segments, sides, start, stop_half, stop_phase, rest_velocity, limit, rows)
     assert (again, same) == (status, end), "recording changes nothing"

@@ -85,7 +85,7 @@ def blur(flight: Floats, time: float) -> float:
         + abs(flight[SLOPE])
         + beta * (1.0 + w)
     )
-    return 8.0 * 2.0**-52 * (start * math.exp(min(time, 700.0)) + beta * w * time)
+    return float(8.0 * 2.0**-52 * (start * math.exp(min(time, 700.0)) + beta * w * time))
 
 
 def verdict(flight: Floats, event: float, time: float) -> str:
@@ -125,7 +125,8 @@ def disagreements(flights: Floats) -> tuple[int, list[tuple[int, str]]]:
         ~hit & np.isinf(truth[:, 0])
     )
     cases = [
-        (int(i), verdict(flights[i], found[i, EVENT], found[i, TIME])) for i in np.flatnonzero(~same)
+        (i, verdict(flights[i], found[i, EVENT], found[i, TIME]))
+        for i in np.flatnonzero(~same).tolist()
     ]
     return int(np.isfinite(truth[:, 0]).sum()), cases
 
@@ -296,7 +297,7 @@ def test_a_guess_never_changes_which_zero_is_found() -> None:
         moved = np.abs(plain[:, TIME] - guided[:, TIME])
         allowed = 1e-14 * plain[:, TIME]
         steep = np.abs(plain[:, END_VELOCITY])
-        for i in np.flatnonzero(moved > allowed):
+        for i in np.flatnonzero(moved > allowed).tolist():
             # Where the block lands so gently that rounding hides the zero, within that blur.
             assert hits[i]
             assert moved[i] * steep[i] <= blur(flights[i], plain[i, TIME]), flights[i].tolist()
@@ -317,7 +318,7 @@ def test_a_flight_and_its_mirror_image_end_alike() -> None:
     search_all(mirrored, False, np.full(count, -1.0), other)
     assert np.array_equal(one[:, EVENT], other[:, EVENT])
     spread = np.abs(one[:, TIME] - other[:, TIME])
-    for i in np.flatnonzero(spread > 1e-14 * one[:, TIME]):
+    for i in np.flatnonzero(spread > 1e-14 * one[:, TIME]).tolist():
         steep = max(abs(one[i, END_VELOCITY]), 1e-300)
         assert spread[i] * steep <= blur(flights[i], one[i, TIME]), flights[i].tolist()
 
@@ -353,7 +354,7 @@ def grazing_flight(rng: np.random.Generator) -> tuple[Floats, mpmath.mpf, float]
     time, velocity = mp.findroot(contact, (start.time, -start.velocity), tol=1e-60, verify=False)
     assert max(map(abs, contact(time, velocity))) < 1e-30
     flight[VELOCITY] = float(velocity) * (1.0 + 1e-9)
-    early, _ = first_zero_in_double(*flight[:7], float(time) * 1.01, 1.0)
+    early, _ = first_zero_in_double(*flight[:7], float(time) * 1.01, 1.0)  # type: ignore[call-arg]
     assert math.isinf(early), "nothing comes before the touch"
     return flight, velocity, float(time)
 

@@ -68,11 +68,10 @@ def run(arguments: list[str]) -> int:
         flag = FLAG_OF_ARGUMENT.get(error.name, error.name)
         return _complain(str(error).replace(f"{error.name} = ", f"{flag} = ", 1))
     except (KeyboardInterrupt, typer.Abort):
-        print("rocksteady: interrupted", file=sys.stderr)
-        return INTERRUPTED
-    except BrokenPipeError:  # the reader of a pipe has left, as `head` does
-        sys.stderr.close()
-        return 0
+        code = INTERRUPTED
+    except SystemExit as leaving:
+        # typer leaves with 1 where the reader of a pipe has left, as `head` does: no failure.
+        return 0 if isinstance(leaving.__context__, BrokenPipeError) else _code(leaving.code)
     except Exception as error:  # noqa: BLE001 -- the last line of defence: say so, with its code
         traceback.print_exc()
         print(
@@ -81,7 +80,14 @@ def run(arguments: list[str]) -> int:
             file=sys.stderr,
         )
         return INTERNAL
-    return code if isinstance(code, int) else 0
+    if code == INTERRUPTED:
+        print("rocksteady: interrupted", file=sys.stderr)
+    return _code(code)
+
+
+def _code(result: object) -> int:
+    """Return the exit code that a command's result means: commands that return none have done."""
+    return result if isinstance(result, int) else 0
 
 
 def _usage_error(error: TyperException, arguments: list[str]) -> int:

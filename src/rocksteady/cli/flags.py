@@ -25,6 +25,8 @@ FLAG_OF_ARGUMENT = {
     "phase": "--phase",
     "cycles": "--cycles",
     "start": "--start",
+    "angle": "--start",
+    "velocity": "--start",
     "side": "--side",
     "name": "--block",
     "per_unit": "--samples",

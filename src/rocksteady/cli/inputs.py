@@ -7,6 +7,7 @@ from rocksteady.errors import InputError, ModelError
 from rocksteady.model.block import Block, DimensionlessBlock, Restitution
 from rocksteady.model.examples import example_block
 from rocksteady.model.motions import Harmonic
+from rocksteady.model.validation import non_negative, odd_order
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.start import Start
@@ -75,8 +76,8 @@ def restitution_from(text: str | None, *, default: Restitution | None) -> Restit
         if default is None:
             raise InputError(
                 name="restitution",
-                value=None,
-                valid="without a block it must be given",
+                value="not given",
+                valid="without a block it is needed",
                 hint="add -r 0.8, or describe a block to take Housner's value",
             )
         return default
@@ -193,6 +194,8 @@ def shaking_from(
             )
     amplitudes = axis("amplitude", amplitude) if amplitude is not None else []
     ratios = axis("frequency_ratio", frequency_ratio) if frequency_ratio is not None else []
+    if accel_g is not None:
+        non_negative("--accel-g", accel_g, hint="give the peak in g; 0.3 is usual")
     if isinstance(block, Block) and not (amplitudes and ratios):
         # What was given dimensionless is left out of this shaking, and what it says of the rest
         # is kept.
@@ -234,19 +237,22 @@ def start_from(text: str, *, order: int, frequency_ratio: float | None) -> "Star
     """
     from rocksteady.dynamics.start import Rest, State, Steady
 
+    odd_order(order)
     if text == "rest":
         return Rest()
-    if text == "steady":
-        return Steady(order=order)
-    if text.startswith("steady:") and text[7:].isdigit():
-        return Steady(branch=int(text[7:]), order=order)
+    if text in ("steady", "steady:1", "steady:2"):
+        return Steady(branch=2 if text.endswith("2") else 1, order=order)
     parts = text.split(",")
     hint = "write rest, steady, steady:2, U,DU (du/dtau) or U,w=V (du/d(pt)), as 0.4,0 or 0.4,w=0"
     if len(parts) != 2:
         raise InputError(name="start", value=text, valid="it is no known start", hint=hint)
     angle = number("start", parts[0])
-    if parts[1].startswith("w="):
-        return State(angle=angle, velocity=number("start", parts[1][2:]))
+    with_rate = parts[1].startswith("w=")
+    velocity = number("start", parts[1].removeprefix("w="))
+    if not (math.isfinite(angle) and math.isfinite(velocity)):
+        raise InputError(name="start", value=text, valid="its numbers must be finite", hint=hint)
+    if with_rate:
+        return State(angle=angle, velocity=velocity)
     if frequency_ratio is None:
         raise InputError(
             name="start",
@@ -254,6 +260,4 @@ def start_from(text: str, *, order: int, frequency_ratio: float | None) -> "Star
             valid="du/dtau needs harmonic shaking",
             hint="give du/d(pt) as U,w=V",
         )
-    return State.per_tau(
-        angle=angle, velocity=number("start", parts[1]), frequency_ratio=frequency_ratio
-    )
+    return State.per_tau(angle=angle, velocity=velocity, frequency_ratio=frequency_ratio)

@@ -12,6 +12,7 @@ from rocksteady.cli.outputs import check_outputs, print_json, write_csv, write_f
 from rocksteady.errors import InputError, ModelError, Status
 from rocksteady.model.block import STANDARD_GRAVITY
 from rocksteady.model.motions import Harmonic, Motion, Still
+from rocksteady.model.validation import whole_number
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.trajectory import Trajectory
@@ -135,16 +136,24 @@ def simulate(
             phase=0.0 if phase is None else phase,
         )
     check_start(start, shaken=ratio is not None, phase=phase, cycles=cycles)
+    whole_number("per_unit", samples, at_least=1, hint="give rows per period")
 
     from rocksteady.dynamics.simulate import simulate as run
 
-    trajectory = run(
-        body,
-        motion,
-        start=start_from(start, order=order, frequency_ratio=ratio),
-        cycles=50.0 if cycles is None else cycles,
-        side=1 if side == "+" else -1,
-    )
+    begin = start_from(start, order=order, frequency_ratio=ratio)
+    try:
+        trajectory = run(
+            body,
+            motion,
+            start=begin,
+            cycles=50.0 if cycles is None else cycles,
+            side=1 if side == "+" else -1,
+        )
+    except ModelError as error:
+        if error.name != "start":
+            raise
+        # What was typed, in place of the object that it has become.
+        raise ModelError(name="start", value=start, valid=error.valid, hint=error.hint) from error
     values = trajectory_values(trajectory)
     if csv is not None:
         write_csv(csv, csv_header(trajectory), csv_rows(trajectory, samples))
@@ -177,6 +186,13 @@ def check_start(start: str, *, shaken: bool, phase: float | None, cycles: float 
         )
     if shaken:
         return
+    if start.startswith("steady"):
+        raise ModelError(
+            name="--start",
+            value=start,
+            valid="a steady state needs shaking",
+            hint="give shaking with -A and -W, or another start as 0.5,w=0",
+        )
     if start == "rest":
         raise ModelError(
             name="--start",

@@ -5,8 +5,9 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli import flags
-from rocksteady.cli.inputs import block_from, shaking_from, single
+from rocksteady.cli.inputs import block_from, shaking_from
 from rocksteady.cli.outputs import check_outputs, print_json, write_csv, write_figure
+from rocksteady.errors import ModelError
 from rocksteady.model.block import STANDARD_GRAVITY, Block, DimensionlessBlock
 
 if TYPE_CHECKING:
@@ -82,6 +83,13 @@ def steady(
         accel_g=accel_g,
         freq_hz=freq_hz,
     )
+    if plot is not None and len(amplitudes) > 1 and len(ratios) == 1:
+        raise ModelError(
+            name="--plot",
+            value=plot,
+            valid="response curves are drawn over frequency ratios, and there is one",
+            hint="give -W as an axis start:stop:count, or take --csv",
+        )
     import numpy as np
 
     from rocksteady.dynamics.steady import steady_states
@@ -308,8 +316,6 @@ def curves_figure(
     from rocksteady.dynamics.response import response_curve
     from rocksteady.show.figures import response_figure
 
-    if len(ratios) == 1:
-        single("--plot with --frequency-ratio/-W", amplitudes)
     curves = [response_curve(body, a, frequency_ratio=ratios, order=order) for a in amplitudes]
     title = f"Symmetric steady states: restitution {body.restitution:g}, n = {order}, branch 1"
     return response_figure(curves, hertz=isinstance(body, Block), title=title)

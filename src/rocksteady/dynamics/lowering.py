@@ -41,15 +41,13 @@ def segment_table(motion: Motion) -> Floats:
 def _ceilings(table: Floats) -> Floats:
     """Return an upper bound of |a| from each segment's start on; infinite before a jump to come."""
     start = table[:, columns.CONSTANT]
-    with np.errstate(invalid="ignore"):  # an endless segment has no slope: 0 * inf
-        end = np.where(
-            np.isfinite(table[:, columns.DURATION]),
-            start + table[:, columns.SLOPE] * table[:, columns.DURATION],
-            start,
-        )
-    largest = np.maximum(np.abs(start), np.abs(end)) + table[:, columns.AMPLITUDE]
-    largest[table[:, columns.JUMP] != 0.0] = math.inf
+    endless = np.isinf(table[:, columns.DURATION])  # without a slope, whose product would be nan
+    rise = table[:, columns.SLOPE] * np.where(endless, 0.0, table[:, columns.DURATION])
+    largest = np.maximum(np.abs(start), np.abs(start + rise)) + table[:, columns.AMPLITUDE]
     ceilings: Floats = np.maximum.accumulate(largest[::-1])[::-1]
+    jumps = np.flatnonzero(table[:, columns.JUMP])
+    if len(jumps):
+        ceilings[: jumps[-1]] = math.inf
     return ceilings
 
 

@@ -5,6 +5,7 @@ kind, lose symmetry; and where the stable and unstable manifolds of the upright 
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,9 +18,15 @@ from rocksteady.kernels.symmetric import (
     symmetry_breaking,
 )
 from rocksteady.model.block import restitution_value
-from rocksteady.model.validation import non_negative, odd_order, positive
+from rocksteady.model.validation import LARGEST, in_range, odd_order
 
 Floats = NDArray[np.float64]
+
+LOWEST_RATIO, HIGHEST_RATIO = 1.0e-12, 1.0e12
+"""Frequency ratios between which the closed forms neither overflow nor lose their digits."""
+
+HIGHEST_ORDER = 999_999
+"""The longest half cycle, in half periods of the shaking."""
 
 REGIONS = {
     1: "one out-of-phase and one in-phase solution, both with positive phase",
@@ -58,7 +65,7 @@ def boundaries(
     Parameters
     ----------
     frequency_ratio, restitution, order
-        Arrays that broadcast: Omega above 0, (0, 1], odd.
+        Arrays that broadcast: Omega in [1e-12, 1e12], (0, 1], odd.
 
     Raises
     ------
@@ -93,7 +100,7 @@ class RegionMap:
     existence, sign, kind
         The boundaries of the regions (eqs 23, 24, 25).
     symmetry_breaking
-        Where branch 1 loses its symmetry; nan where it does not.
+        Where branch 1 loses its symmetry.
     heteroclinic
         The heteroclinic curve.
     """
@@ -160,7 +167,7 @@ def symmetry_breaking_amplitude(
     """Return the amplitude at which branch 1 loses its symmetry: a half-cycle multiplier of -1.
 
     Closed form, from trace = -(1 + restitution^2); stable symmetric motion lies between the
-    existence boundary and this curve.  nan where branch 1 has no such point.
+    existence boundary and this curve.
 
     Examples
     --------
@@ -168,13 +175,7 @@ def symmetry_breaking_amplitude(
     array([1., 2.])
     """
     _, ratios, restitutions, orders = validated_grid(0.0, frequency_ratio, restitution, order)
-    result = np.empty(ratios.shape)
-    flat = result.reshape(-1)
-    inputs = zip(ratios.flat, restitutions.flat, orders.flat, strict=True)
-    for i, (ratio, ratio_of_velocities, n) in enumerate(inputs):
-        amplitude, branch = symmetry_breaking(ratio, ratio_of_velocities, int(n))
-        flat[i] = amplitude if branch == 1 else math.nan
-    return result
+    return _each(symmetry_breaking, ratios, restitutions, orders)
 
 
 def symmetry_breaking_frequency(amplitude: float, restitution: float, *, order: int = 1) -> Floats:
@@ -190,13 +191,12 @@ def symmetry_breaking_frequency(amplitude: float, restitution: float, *, order: 
     """
     from scipy.optimize import brentq
 
-    a = positive("amplitude", amplitude, hint="give a_max/(alpha g)")
+    a = in_range("amplitude", amplitude, 0.0, LARGEST, hint="give a_max/(alpha g)")
     ratio_of_velocities = restitution_value(restitution)
-    n = odd_order(order)
+    n = _order(order)
 
     def excess(log_ratio: float) -> float:
-        found, branch = symmetry_breaking(math.exp(log_ratio), ratio_of_velocities, n)
-        return math.log(found / a) if branch == 1 else math.nan
+        return symmetry_breaking(math.exp(log_ratio), ratio_of_velocities, n) - a
 
     grid = np.linspace(math.log(0.01), math.log(1000.0), 4001)
     values = np.array([excess(x) for x in grid])
@@ -218,21 +218,19 @@ def validated_grid(
     InputError
         If a value is outside its range, or the shapes do not broadcast.
     """
-    amplitudes = _checked(
-        "amplitude", amplitude, lambda v: v >= 0.0, non_negative, "a_max/(alpha g)"
-    )
-    ratios = _checked("frequency_ratio", frequency_ratio, lambda v: v > 0.0, positive, "omega/p")
-    restitutions = _real("restitution", restitution)
+    amplitudes = _checked("amplitude", amplitude, 0.0, LARGEST, "a_max/(alpha g)")
+    ratios = _checked("frequency_ratio", frequency_ratio, LOWEST_RATIO, HIGHEST_RATIO, "omega/p")
+    restitutions = real_array("restitution", restitution)
     valid = (restitutions > 0.0) & (restitutions <= 1.0)
     if not valid.all():
         restitution_value(restitutions[~valid].flat[0].item())
     orders = np.asarray(order)
     if orders.dtype.kind not in "iu":
         for value in orders.flat:
-            odd_order(value)
-    odd = (orders >= 1) & (orders % 2 == 1)
+            _order(value)
+    odd = (orders >= 1) & (orders % 2 == 1) & (orders <= HIGHEST_ORDER)
     if not odd.all():
-        odd_order(orders[~odd].flat[0].item())
+        _order(orders[~odd].flat[0].item())
     try:
         shape = np.broadcast_shapes(
             amplitudes.shape, ratios.shape, restitutions.shape, orders.shape
@@ -253,7 +251,14 @@ def validated_grid(
     return a.reshape(shape), w.reshape(shape), r.reshape(shape), n.reshape(shape)
 
 
-def _real(name: str, values: ArrayLike) -> Floats:
+def real_array(name: str, values: ArrayLike) -> Floats:
+    """Return real numbers as an array of floats.
+
+    Raises
+    ------
+    InputError
+        If they are anything else: text and booleans are not converted.
+    """
     array = np.asarray(values)
     if array.dtype.kind not in "iuf":
         raise InputError(
@@ -265,22 +270,25 @@ def _real(name: str, values: ArrayLike) -> Floats:
     return array.astype(np.float64)
 
 
-def _checked(
-    name: str,
-    values: ArrayLike,
-    test: Callable[[Floats], NDArray[np.bool_]],
-    validate: Callable[..., float],
-    meaning: str,
-) -> Floats:
-    """Return a float array all of whose values pass the test; the first that fails is reported."""
-    array = _real(name, values)
-    valid = np.isfinite(array) & test(array)
+def _checked(name: str, values: ArrayLike, low: float, high: float, meaning: str) -> Floats:
+    """Return a float array whose values lie in an interval; the first that does not is reported."""
+    array = real_array(name, values)
+    valid = (array >= low) & (array <= high)
     if not valid.all():
-        validate(name, array[~valid].flat[0].item(), hint=f"give {meaning}")
+        in_range(name, array[~valid].flat[0].item(), low, high, "[]", hint=f"give {meaning}")
     return array
 
 
-def _each(function: Callable[..., float], *arrays: Floats) -> Floats:
+def _order(value: object) -> int:
+    """Return an order that the closed forms can follow."""
+    order = odd_order(value)
+    if order > HIGHEST_ORDER:
+        valid = f"it must be at most {HIGHEST_ORDER}"
+        raise InputError(name="order", value=value, valid=valid, hint="use 1, 3, 5, ...")
+    return order
+
+
+def _each(function: Callable[..., float], *arrays: NDArray[Any]) -> Floats:
     """Return a kernel's value for each element of arrays of one shape."""
     values = [function(*element) for element in zip(*(a.flat for a in arrays), strict=True)]
     return np.array(values).reshape(arrays[0].shape)

@@ -7,9 +7,11 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.dynamics.regions import real_array
 from rocksteady.dynamics.steady import BRANCHES, SteadyStates, steady_states
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.block import Block, DimensionlessBlock
+from rocksteady.model.validation import positive
 
 Floats = NDArray[np.float64]
 
@@ -99,10 +101,14 @@ def response_curve(
                 valid="hertz need a block with a frequency parameter p",
                 hint="give a Block, or frequency_ratio",
             )
-        ratios = 2.0 * math.pi * np.atleast_1d(np.asarray(frequency_hz, dtype=float)) / block.p
+        hertz = np.atleast_1d(real_array("frequency_hz", frequency_hz))
+        for value in hertz[~(np.isfinite(hertz) & (hertz > 0.0))][:1]:
+            positive("frequency_hz", value, hint="give the frequency in Hz")
+        ratios = 2.0 * math.pi * hertz / block.p
     else:
-        ratios = np.atleast_1d(np.asarray(frequency_ratio, dtype=float))
-    states = steady_states(amplitude, ratios, block.restitution, order=order)
+        assert frequency_ratio is not None
+        ratios = np.atleast_1d(real_array("frequency_ratio", frequency_ratio))
+    states = steady_states(amplitude, ratios, block.dimensionless().restitution, order=order)
     assert states.peak is not None
     assert states.admissible is not None
     which = branch - 1

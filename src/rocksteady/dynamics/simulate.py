@@ -11,13 +11,16 @@ from rocksteady.errors import InputError, Status
 from rocksteady.kernels.march import FREQUENCY, ROW_COLUMNS, march
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Motion
-from rocksteady.model.validation import positive, whole_number
+from rocksteady.model.validation import in_range, whole_number
 
 SMALLEST_BOUNCE = 1e-8
 """Chatter slower than this (du/ds) may come to rest: its bounces are below 1e-16 of alpha."""
 
 FREE_ROCKING_TIME = 1.0e4
 """Pivot time p t that a still base is given, after the motion's end, to bring the block to rest."""
+
+LONGEST_RUN = 1.0e15
+"""Most forcing periods of a run; their half periods are still counted exactly."""
 
 FLIGHT_LIMIT = 4_000_000
 """Flights after which a run gives up as undecided; they would fill 256 MB."""
@@ -46,8 +49,8 @@ def simulate(
     start
         `Rest` (default), `State` or `Steady`.
     cycles
-        Periods of endless harmonic shaking to follow.  Motions that end are followed on a still
-        base to rest or proven overturning.
+        Periods of endless harmonic shaking to follow, up to 1e15.  Motions that end are followed
+        on a still base to rest or proven overturning.
     side
         +1 or -1, the side on which an unstable steady state is left.
     flight_limit
@@ -78,7 +81,9 @@ def simulate(
     >>> print(run.status.label, len(run.impacts), f"{run.peak:.6f}")
     rocking 20 0.185499
     """
-    periods = positive("cycles", cycles, hint="give the number of forcing periods to follow")
+    periods = in_range(
+        "cycles", cycles, 0.0, LONGEST_RUN, hint="give the number of forcing periods to follow"
+    )
     limit = whole_number("flight_limit", flight_limit, at_least=1, hint="give a number of flights")
     if side not in (1, -1):
         raise InputError(name="side", value=side, valid="it must be 1 or -1", hint="give 1 or -1")

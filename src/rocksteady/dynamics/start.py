@@ -9,7 +9,7 @@ from rocksteady.kernels.march import March, clock
 from rocksteady.kernels.saltation import impact_jacobian
 from rocksteady.model.block import DimensionlessBlock
 from rocksteady.model.motions import Harmonic, Motion
-from rocksteady.model.validation import finite, odd_order, whole_number
+from rocksteady.model.validation import LARGEST, in_range, odd_order, positive, whole_number
 
 KICK = 1e-6
 """How far from an unstable orbit, relative to phase 1 and its velocity, a block is set off."""
@@ -34,7 +34,7 @@ class State:
     Raises
     ------
     InputError
-        If a number is not finite.
+        If a number is not finite, or beyond 1e50.
     """
 
     angle: float
@@ -42,16 +42,21 @@ class State:
 
     def __post_init__(self) -> None:
         """Validate."""
-        angle = finite("angle", self.angle, hint="give theta/alpha")
-        velocity = finite("velocity", self.velocity, hint="give d(theta/alpha)/d(p t)")
+        angle = in_range("angle", self.angle, -LARGEST, LARGEST, "[]", hint="give theta/alpha")
+        velocity = in_range(
+            "velocity", self.velocity, -LARGEST, LARGEST, "[]", hint="give d(theta/alpha)/d(p t)"
+        )
         object.__setattr__(self, "angle", angle)
         object.__setattr__(self, "velocity", velocity)
 
     @classmethod
     def per_tau(cls, *, angle: float, velocity: float, frequency_ratio: float) -> "State":
         """Return the state whose velocity is given as du/dtau, tau = omega t."""
-        rate = finite("velocity", velocity, hint="give d(theta/alpha)/d(omega t)")
-        return cls(angle=angle, velocity=rate * frequency_ratio)
+        rate = in_range(
+            "velocity", velocity, -LARGEST, LARGEST, "[]", hint="give d(theta/alpha)/d(omega t)"
+        )
+        ratio = positive("frequency_ratio", frequency_ratio, hint="give omega/p")
+        return cls(angle=angle, velocity=rate * ratio)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -110,12 +115,14 @@ def initial_march(
         state = start
     else:
         state = State(angle=0.0, velocity=0.0)
-    standing = state.angle == 0.0 and state.velocity == 0.0
-    leans = 0 if standing else (1 if (state.angle or state.velocity) > 0.0 else -1)
-    half, phase = 0, 0.0
-    if isinstance(motion, Harmonic):
-        half, phase = clock(motion.phase)
-    return motion, March(leans, state.angle, state.velocity, 0, half, phase, 0, 0)
+    half, phase, velocity = 0, 0.0, state.velocity
+    for first in motion.segments()[:1]:  # the march reads clock and jump of the later ones itself
+        velocity += first.jump
+        if first.frequency:
+            half, phase = clock(first.phase)
+    standing = state.angle == 0.0 and velocity == 0.0
+    leans = 0 if standing else (1 if (state.angle or velocity) > 0.0 else -1)
+    return motion, March(leans, state.angle, velocity, 0, half, phase, 0, 0)
 
 
 def _steady_state(

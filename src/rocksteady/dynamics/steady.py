@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.regions import validated_grid
+from rocksteady.dynamics.regions import REGIONS, validated_grid
 from rocksteady.errors import InputError
 from rocksteady.kernels.symmetric import fill_half_cycle, fill_steady, symmetric_orbit
+from rocksteady.model.validation import whole_number
 
 if TYPE_CHECKING:
     import xarray
@@ -132,7 +133,10 @@ class SteadyStates:
         variables: dict[str, Any] = {}
         for name in ("amplitude", "frequency_ratio", "restitution", "order"):
             variables[name] = (dims, getattr(self, name), {"units": "1"})
-        variables["region"] = (dims, self.region, {"flag_values": [1, 2, 3, 4, 5], "units": "1"})
+        meanings = " ".join(f"region_{number}" for number in REGIONS)
+        flags = {"flag_values": list(REGIONS), "flag_meanings": meanings, "units": "1"}
+        descriptions = "; ".join(f"{number}: {text}" for number, text in REGIONS.items())
+        variables["region"] = (dims, self.region, {**flags, "description": descriptions})
         for name in ("existence", "sign", "kind"):
             variables[f"{name}_amplitude"] = (dims, getattr(self, name), {"units": "1"})
         names = ["phase", "velocity", "trace", "in_phase"]
@@ -157,9 +161,9 @@ def steady_states(
     Parameters
     ----------
     amplitude
-        A = a_max / (alpha g), 0 or above.
+        A = a_max / (alpha g), from 0 to 1e50.
     frequency_ratio
-        Omega = omega / p, above 0.
+        Omega = omega / p, from 1e-12 to 1e12.
     restitution
         Ratio of angular velocities, in (0, 1].
     order
@@ -186,9 +190,9 @@ def steady_states(
     --------
     >>> states = steady_states(2.0, 4.0, 0.8)
     >>> print(states.region, states.phase.round(6), states.velocity.round(6))
-    1 [2.846543 0.254119] [0.183097 0.158283]
-    >>> print(states.stable, states.peak.round(6))
-    [ True False] [0.185499 0.053377]
+    2 [ 2.846543 -0.03411 ] [ 0.183097 -0.021473]
+    >>> print(states.admissible, states.stable, states.peak[0].round(6))
+    [ True False] [ True False] 0.185499
     """
     amplitudes, ratios, restitutions, orders = validated_grid(
         amplitude, frequency_ratio, restitution, order
@@ -283,9 +287,21 @@ def steady_orbit(
     Examples
     --------
     >>> orbit = steady_orbit(2.0, 4.0, 0.8)
-    >>> print(f"{orbit.angle.max():.6f} {orbit.angle.min():.6f}")
-    0.185499 -0.185499
+    >>> print(f"{orbit.angle.max():.5f} {orbit.angle.min():.5f}")
+    0.18550 -0.18550
     """
+    if branch not in BRANCHES:
+        raise InputError(
+            name="branch", value=branch, valid="there are two branches", hint="give 1 or 2"
+        )
+    count = whole_number("samples", samples, at_least=3, hint="give an odd number, as 801")
+    if count % 2 == 0:
+        raise InputError(
+            name="samples",
+            value=samples,
+            valid="it must be odd, so that the impact in the middle is a sample",
+            hint="give an odd number, as 801",
+        )
     a, w, r, n = validated_grid(amplitude, frequency_ratio, restitution, order)
     states = steady_states(a, w, r, order=n, shapes=False)
     if states.region == 4:
@@ -296,7 +312,7 @@ def steady_orbit(
             hint="raise the amplitude, or lower the frequency ratio",
         )
     orbit = symmetric_orbit(float(a), float(w), float(r), int(n), branch)
-    half = (samples + 1) // 2
+    half = (count + 1) // 2
     length = int(n) * math.pi
     tau = np.linspace(0.0, length, half)
     motion = np.empty((2, half))

@@ -7,6 +7,7 @@ modules import integer status codes only.
 
 ==================  ==============================================================================
 `compilation`       the one decorator, and the cache folder that is keyed on these sources
+`circular`          sine and cosine of a phase together
 `forcing`           base acceleration of one segment seen from one side; where it changes sign
 `flight`            the closed-form motion between impacts (eqs 7, 8, 14, 15)
 `zeros`             the first zero of a flight, which cannot be missed; the proof of no return

@@ -11,7 +11,8 @@ Three ways of writing it share the work, since none is accurate everywhere:
 
 * short (``t`` and ``Omega t`` below 1/4): a Taylor polynomial, without cancellation however small
   the velocity;
-* medium (``t < 1``): ``angle + a sinh t + b (cosh t - 1) - slope t + beta (sin(phase) - sin psi)``;
+* medium (``t`` below 1/4 under fast shaking): ``angle + a sinh t + b (cosh t - 1) - slope t +
+  beta (sin(phase) - sin psi)``;
 * long: ``growing e^(t - reference) + decaying e^-t - constant - slope t - beta sin psi``, in which
   a tiny growing part keeps its own relative precision.
 """
@@ -114,7 +115,7 @@ def short_flight_state(flight: Flight, forcing: Forcing, time: float) -> tuple[f
     odd = flight.velocity + forcing.slope + swing_odd  # d_3
     # term_n = t^(n-1)/n!, so that the angle is angle_0 + t (v + sum of d_n term_n).
     half = 0.5 * time
-    third = time * time / 6.0
+    third = time * time * (1.0 / 6.0)
     rise = even * half + odd * third
     speed = even * time + odd * half * time
     for n in range(4, 14, 2):
@@ -122,8 +123,8 @@ def short_flight_state(flight: Flight, forcing: Forcing, time: float) -> tuple[f
         swing_odd *= -w * w
         even += swing_even  # d_n
         odd += swing_odd  # d_(n+1)
-        half = third * time / n
-        third = half * time / (n + 1)
+        half = third * (time * (1.0 / n))
+        third = half * (time * (1.0 / (n + 1)))
         rise += even * half + odd * third
         speed += even * half * n + odd * third * (n + 1)
     return flight.angle + time * (flight.velocity + rise), flight.velocity + speed

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from rocksteady.errors import Status
 from rocksteady.kernels.compilation import compiled, inlined
 from rocksteady.kernels.flight import make_flight
-from rocksteady.kernels.forcing import SINE, Forcing, make_forcing
+from rocksteady.kernels.forcing import SINE, Forcing, make_forcing, steepest_forcing
 from rocksteady.kernels.rest import settles, uplift_time
 from rocksteady.kernels.zeros import FOUND, NO_RETURN, SPAN_END, next_zero
 
@@ -29,7 +29,7 @@ SLOPE = 3
 AMPLITUDE = 4
 FREQUENCY = 5
 PHASE = 6
-CEILING = 7  # max |a| from this segment's start on; infinite while a jump is still to come
+CEILING = 7  # max |a| from this segment's start on; infinite while a later one has a jump
 SEGMENT_COLUMNS = 8
 
 # Columns of the side table; row 0 is the positive side, row 1 the negative one.
@@ -96,12 +96,13 @@ def side_forcing(segments: Floats, index: int, sides: Floats, side: int, elapsed
 @inlined
 def clock(phase: float) -> tuple[int, float]:
     """Split an unbounded phase into whole half cycles and a rest in [0, pi)."""
-    half = math.floor(phase / math.pi)
+    # np.floor stays a float; math.floor would go through an integer and back.
+    half = float(np.floor(phase * (1.0 / math.pi)))
     rest = (phase - half * PI_HIGH) - half * PI_LOW
     if rest < 0.0:
         rest = 0.0
     elif rest >= math.pi:
-        half += 1
+        half += 1.0
         rest = 0.0
     return int(half), rest
 
@@ -251,12 +252,14 @@ def march(
         if bounced:
             bounced = False
             if chatter_ends(
-                sides,
-                side,
-                abs(velocity),
-                math.inf if endless else span,
-                positive,
-                negative,
+                max(sides[0, RESTITUTION], sides[1, RESTITUTION]),
+                abs(velocity) / (lean * rate),
+                abs(velocity) / (sides[1 - row, LEAN] * sides[1 - row, RATE]),
+                rate,
+                sides[1 - row, RATE],
+                span,
+                forcing,
+                negative if side > 0 else positive,
                 seen_phase,
                 sine,
             ):
@@ -296,15 +299,19 @@ def march(
         # 4. The segment or the run ended in mid flight.
         angle = side * zero.angle * lean
         velocity = side * zero.velocity * lean * rate
+        if zero.angle <= 0.0:  # it has only just lifted off, and rounding put it into the floor
+            angle, velocity = 0.0, side * max(zero.velocity, 0.0) * lean * rate
         half, phase = end_half, end_phase
         if segment == last:
             return ROCKING, March(side, angle, velocity, segment, half, phase, impacts, flights)
         segment += 1
         half, phase = segment_start(segments, segment)
-        if abs(angle) >= lean + segments[segment, CEILING] and velocity * side >= 0.0:
+        velocity += segments[segment, JUMP]
+        if angle == 0.0:  # the velocity alone says where it goes
+            side = int(np.sign(velocity))
+        if abs(angle) > lean + segments[segment, CEILING] and velocity * side >= 0.0:
             # Nothing that is still to come can bring it back.
             return OVERTURNED, March(side, angle, velocity, segment, half, phase, impacts, flights)
-        velocity += segments[segment, JUMP]
         guess = -1.0
 
 
@@ -349,44 +356,49 @@ def uplift_clock(
 
 @inlined
 def chatter_ends(
-    sides: Floats,
-    side: int,
-    speed: float,
+    restitution: float,
+    speed_here: float,
+    speed_there: float,
+    rate_here: float,
+    rate_there: float,
     span: float,
-    positive: Forcing,
-    negative: Forcing,
+    forcing_here: Forcing,
+    forcing_there: Forcing,
     seen_phase: float,
     sine: float,
 ) -> bool:
-    """Return whether the bounces that start now on `side` are proved to die out within `span`.
+    """Return whether the bounces that start now are proved to die out within `span`.
 
-    `seen_phase` and its `sine` are those of the forcing seen from `side`.
+    `seen_phase` and its `sine` are those of the forcing seen from the side of the first bounce.
     """
-    if speed < STILL:
+    if speed_here < STILL:
         return True
-    here, there = (0, 1) if side > 0 else (1, 0)
-    forcing_here = positive if side > 0 else negative
-    forcing_there = negative if side > 0 else positive
-    speed_here = speed / (sides[here, LEAN] * sides[here, RATE])
-    speed_there = speed / (sides[there, LEAN] * sides[there, RATE])
-    # Most impacts are told apart here: shaking above uplift, or too fast for the bound to hold.
+    # Most impacts are told apart here.  The bound needs shaking below uplift and, with the pull of
+    # now in place of the least one to come, bounces that shrink.
+    pull_here = -(forcing_here.constant + forcing_here.amplitude * sine)
+    pull_there = -(forcing_there.constant - forcing_there.amplitude * sine)
+    if pull_here <= speed_here or pull_there <= speed_there:
+        return False
+    shrunk = restitution * restitution
+    drift_here = 4.0 * steepest_forcing(forcing_here) * speed_here
+    drift_there = 4.0 * steepest_forcing(forcing_there) * speed_there
     if (
-        forcing_here.constant + forcing_here.amplitude * sine + speed_here >= 0.0
-        or forcing_there.constant - forcing_there.amplitude * sine + speed_there >= 0.0
+        shrunk * (pull_here * pull_here + drift_here) >= pull_here * pull_here
+        or shrunk * (pull_there * pull_there + drift_there) >= pull_there * pull_there
     ):
         return False
     phase_there = seen_phase + math.pi if seen_phase < HALF_PI else seen_phase - math.pi
     return settles(
-        max(sides[0, RESTITUTION], sides[1, RESTITUTION]),
+        restitution,
         span,
         forcing_here,
         seen_phase,
         speed_here,
-        sides[here, RATE],
+        rate_here,
         forcing_there,
         phase_there,
         speed_there,
-        sides[there, RATE],
+        rate_there,
     )
 
 

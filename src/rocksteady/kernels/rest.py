@@ -7,8 +7,9 @@ positive.
 **Chatter** is an infinite number of ever smaller bounces in finite time.  With velocity v after an
 impact, let c > 0 be the least of -r over both sides and a window of length T, and L the largest
 |dr/dt|.  While ``y'' <= y - c`` a bounce rises to ``Y = c - sqrt(c^2 - v^2)`` at most and lasts no
-longer than ``2 v / sqrt(c^2 - v^2)``.  Over it r varies by at most L times that, so that the block
-lands with a squared velocity at most ``1 + 4 L v / (c sqrt(c^2 - v^2))`` times v^2.  With
+longer than ``2 v / sqrt(c^2 - v^2)``.  The square of its landing velocity exceeds v^2 by twice the
+integral of ``r y'``, that is of ``-r' y``, so by no more than 2 L Y times that duration: it is at
+most ``1 + 4 L v / (c sqrt(c^2 - v^2))`` times v^2, since ``Y <= v^2/c``.  With
 ``kappa^2 = restitution^2 (1 + ...) < 1`` the bounces shrink at least geometrically and all are over
 within ``2 v / (sqrt(c^2 - v^2) (1 - kappa))``.  If that is less than T, no uplift can come first (c
 is positive throughout T), and the block is at rest at the end of it.  This is a bound, not an

@@ -161,25 +161,22 @@ def half_cycle_trace(
 
 
 @compiled
-def symmetry_breaking(frequency_ratio: float, restitution: float, order: int) -> tuple[float, int]:
-    """Return the amplitude at which the half-cycle map has multiplier -1, and on which branch.
+def symmetry_breaking(frequency_ratio: float, restitution: float, order: int) -> float:
+    """Return the amplitude at which the half-cycle map of branch 1 has multiplier -1.
 
     Solving T = -(1 + restitution^2) for beta s, and eq 20 for beta cos f, gives beta as the length
-    of a vector.  Returns (nan, 0) where no orbit that leaves the floor has that multiplier.
+    of a vector.  There is exactly one such amplitude, above the existence boundary.
     """
     w = frequency_ratio
     half = half_cycle(w, restitution, order)
     h = half.tanh
-    d = damping(restitution)
     loss = (1.0 - restitution) ** 2
-    part = 0.5 * loss * (1.0 + w * w) + 2.0 * restitution - loss / half.growth
-    if part <= 0.0:
-        return math.nan, 0
+    part = 0.5 * loss * (1.0 + w * w) + 2.0 * restitution - loss / half.growth  # > 0 always
     scaled_sine = (1.0 + restitution) ** 2 / (2.0 * part)  # beta s
-    beta_cosine = (h * h - scaled_sine) / (h * w)
-    beta_sine = d * scaled_sine
-    branch = 1 if beta_cosine < d * h * w * beta_sine else 2
-    return math.hypot(beta_sine, beta_cosine) * (1.0 + w * w), branch
+    rest = h * h - scaled_sine
+    if half.growth > 2.0:  # at low frequency both are nearly 1: what each lacks to 1 instead
+        rest = loss * (w * w - 2.0 / half.growth) / (2.0 * part) - 2.0 / (half.growth + 2.0)
+    return math.hypot(damping(restitution) * scaled_sine, rest / (h * w)) * (1.0 + w * w)
 
 
 @compiled

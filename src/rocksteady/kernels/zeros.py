@@ -23,6 +23,7 @@ the parabola F'' >= -1 - max |a|.
 import math
 from typing import NamedTuple
 
+from rocksteady.kernels.circular import sine_and_cosine
 from rocksteady.kernels.compilation import compiled, inlined
 from rocksteady.kernels.flight import (
     LARGEST_EXPONENT,
@@ -45,10 +46,13 @@ SPAN_END = 0
 NO_RETURN = 2
 
 # A step of the reverted series is final once each of its terms is this much smaller than the one
-# before: the first term left out is then below 1e-15 of a step that is itself below 1e-3.
+# before, and the forcing turns little on the way.  The first term left out has coefficient 42: it
+# is 4e-14 of a step that is itself 2e-3 of |F'/F''| at most.
 SERIES_RATIO = 1e-3
+LARGEST_TURN = 0.03
 ROTATION = 1e-3  # largest angle through which a sine and cosine are turned by polynomial
 ITERATIONS = 200
+GUESSES = 3  # steps from a guess before the end of the piece is asked
 
 
 class Zero(NamedTuple):
@@ -64,7 +68,7 @@ class Zero(NamedTuple):
     velocity: float
 
 
-@compiled
+@inlined
 def next_zero(
     flight: Flight, forcing: Forcing, span: float, endless: bool, lifting: bool, guess: float
 ) -> Zero:
@@ -113,17 +117,6 @@ def next_zero(
                 to_span = True
         elif forcing.kind == ONE_SIGN:
             end, to_span = span, True
-            if endless:
-                # A single piece without end: look until the growing part outweighs all the rest,
-                # from where on F keeps its sign.
-                rest = abs(flight.decaying) + abs(forcing.constant) + forcing.beta + forcing.swing
-                if growing == 0.0:
-                    late = 50.0 + math.log1p(rest)
-                else:
-                    late = flight.reference + math.log1p(rest / abs(growing))
-                late = max(late, 0.0) + 1e-3
-                if late < span:
-                    end, settled = late, True
         elif forcing.kind == LINE:
             root = -forcing.constant / forcing.slope
             end, to_span = root, False
@@ -134,19 +127,35 @@ def next_zero(
             to_span = end >= span
         if to_span:
             end = min(end, span)
-        if to_span or forcing.kind != SINE:
-            end_cycle = cycle
-            end_phase = start_phase + forcing.frequency * (end - start)
-            sine, cosine = sine_cosine(forcing, end_phase)
 
         # 2. Is there a zero in it?  A guess that leads to one settles the matter where q < 0.
         up = positive == (sign > 0.0)  # q > 0
         if not up and start < guess < end:
-            step = series_step(flight, forcing, sign, start, start_phase, guess)
-            if step.final and start < step.time <= end:
-                return Zero(
-                    FOUND, step.time, cycle, step.phase, step.sine, step.cosine, 0.0, step.velocity
-                )
+            near = guess
+            for _ in range(GUESSES):
+                step = series_step(flight, forcing, sign, start, start_phase, near)
+                if not (start < step.time <= end):
+                    break
+                if step.final:
+                    return Zero(
+                        FOUND,
+                        step.time,
+                        cycle,
+                        step.phase,
+                        step.sine,
+                        step.cosine,
+                        0.0,
+                        step.velocity,
+                    )
+                near = step.time
+        if forcing.kind == ONE_SIGN and endless:
+            late = settling_time(flight, forcing)
+            if late < span:
+                end, settled = late, True
+        if to_span or forcing.kind != SINE:
+            end_cycle = cycle
+            end_phase = start_phase + forcing.frequency * (end - start)
+            sine, cosine = sine_cosine(forcing, end_phase)
         end_angle, end_velocity = flight_state(flight, forcing, end, sine, cosine)
         bracketed = sign * end_angle <= 0.0
         if not up:
@@ -183,6 +192,21 @@ def next_zero(
         positive = not positive
 
 
+@compiled
+def settling_time(flight: Flight, forcing: Forcing) -> float:
+    """Return a time from which the growing part outweighs all the rest, for a single endless piece.
+
+    From there on F keeps its sign.
+    """
+    growing = abs(flight.growing)
+    rest = abs(flight.decaying) + abs(forcing.constant) + forcing.beta + forcing.swing
+    if growing == 0.0:
+        late = 50.0 + math.log1p(rest)
+    else:
+        late = flight.reference + math.log1p(rest / growing)
+    return max(late, 0.0) + 1e-3
+
+
 @inlined
 def no_return(
     flight: Flight, forcing: Forcing, sign: float, time: float, angle: float, velocity: float
@@ -201,9 +225,10 @@ def no_return(
 def tangents_meet_below(
     left: float, left_slope: float, right: float, right_slope: float, width: float
 ) -> bool:
-    """Return whether the end tangents of a convex function cross at or below zero.
+    """Return whether the end tangents of a dipping F cross at or below zero.
 
-    The function lies above both, so that where they cross above zero it has no zero.
+    Up to its first zero F is convex and lies above its left tangent, from its last zero on above
+    the right one: were there zeros, the tangents would cross below.  `docs/theory` has the proof.
     """
     crossing = (right - left - right_slope * width) / (left_slope - right_slope)
     return left + left_slope * crossing <= 0.0
@@ -244,7 +269,7 @@ def dip_contact(
     return Zero(SPAN_END, time, cycle, phase, sine, cosine, sign * angle, sign * velocity)
 
 
-@compiled
+@inlined
 def polished(
     flight: Flight,
     forcing: Forcing,
@@ -325,15 +350,17 @@ def series_step(
     d5 = d3 - w2 * swing_rate
     inverse = 1.0 / v
     z = -y * inverse
-    a2 = d2 * inverse * z * (1.0 / 2.0)
-    a3 = d3 * inverse * z * z * (1.0 / 6.0)
-    a4 = d4 * inverse * z * z * z * (1.0 / 24.0)
-    a5 = d5 * inverse * z * z * z * z * (1.0 / 120.0)
+    z2 = z * z
+    a2 = d2 * inverse * (z * (1.0 / 2.0))
+    a3 = d3 * inverse * (z2 * (1.0 / 6.0))
+    a4 = d4 * inverse * (z * z2 * (1.0 / 24.0))
+    a5 = d5 * inverse * (z2 * z2 * (1.0 / 120.0))
     if abs(a2) > 0.1 or abs(a3) > 0.01:
         return Step(False, time + z, phase, sine, cosine, v, y)
     step = z * reversion(a2, a3, a4, a5)
     final = (
-        abs(a2) < SERIES_RATIO
+        abs(forcing.frequency * z) < LARGEST_TURN
+        and abs(a2) < SERIES_RATIO
         and abs(a3) < SERIES_RATIO**2
         and abs(a4) < SERIES_RATIO**3
         and abs(a5) < SERIES_RATIO**4
@@ -341,7 +368,8 @@ def series_step(
     if not final:
         return Step(False, time + step, phase, sine, cosine, v, y)
     v += step * (
-        d2 + step * (d3 * (1.0 / 2.0) + step * (d4 * (1.0 / 6.0) + step * d5 * (1.0 / 24.0)))
+        (d2 + step * (d3 * (1.0 / 2.0)))
+        + step * step * (d4 * (1.0 / 6.0) + step * (d5 * (1.0 / 24.0)))
     )
     turn = forcing.frequency * step
     phase += turn
@@ -363,7 +391,7 @@ def sine_cosine(forcing: Forcing, phase: float) -> tuple[float, float]:
     """Return sine and cosine of the phase, of which a forcing without sinusoid needs none."""
     if forcing.amplitude == 0.0:
         return 0.0, 1.0
-    return math.sin(phase), math.cos(phase)
+    return sine_and_cosine(phase)
 
 
 @inlined

@@ -52,12 +52,25 @@ class Side:
     restitution
         Ratio of the angular velocities after and before the impact that ends rocking on this side
         (eq 9).
+
+    Raises
+    ------
+    InputError
+        If alpha lies outside (0, pi/2), a restitution outside (0, 1], or another number is not
+        positive.
     """
 
     alpha: float
     radius: float
     p: float
     restitution: float
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        object.__setattr__(self, "alpha", _alpha(self.alpha))
+        object.__setattr__(self, "radius", _radius(self.radius))
+        object.__setattr__(self, "p", _rate(self.p))
+        object.__setattr__(self, "restitution", restitution_value(self.restitution))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -120,6 +133,11 @@ class Block:
     gravity
         Acceleration of gravity [m/s^2].
 
+    Raises
+    ------
+    InputError
+        If the gravity is not positive.
+
     Examples
     --------
     >>> block = Block.rectangle(width=0.4, height=1.2)
@@ -132,6 +150,10 @@ class Block:
     positive: Side
     negative: Side
     gravity: float = STANDARD_GRAVITY
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        object.__setattr__(self, "gravity", _gravity(self.gravity))
 
     @classmethod
     def rectangle(
@@ -161,11 +183,18 @@ class Block:
         """
         b = positive("width", width, hint="give the full width in metres")
         h = positive("height", height, hint="give the full height in metres")
+        alpha = math.atan2(b, h)
+        if restitution == "housner" and housner_ratio(alpha) <= 0.0:
+            # Not left to the check of alpha, which the caller has not given.
+            raise InputError(
+                name="width",
+                value=width,
+                valid=f"with a height of {h:.6g} m Housner's restitution is "
+                f"{housner_ratio(alpha):.4g}, and rocking needs one above 0",
+                hint="give a measured restitution in (0, 1], or a more slender block",
+            )
         return cls.from_radius(
-            alpha=math.atan2(b, h),
-            radius=0.5 * math.hypot(b, h),
-            restitution=restitution,
-            gravity=gravity,
+            alpha=alpha, radius=0.5 * math.hypot(b, h), restitution=restitution, gravity=gravity
         )
 
     @classmethod
@@ -184,7 +213,7 @@ class Block:
         InputError
             As for `rectangle`; `alpha` must lie in (0, pi/2).
         """
-        r = positive("radius", radius, hint="give the distance from pivot to mass centre in metres")
+        r = _radius(radius)
         g = _gravity(gravity)
         return cls._symmetric(alpha, r, math.sqrt(0.75 * g / r), restitution, g)
 
@@ -204,7 +233,7 @@ class Block:
         InputError
             As for `from_radius`; `p` must be a positive number.
         """
-        rate = positive("p", p, hint="give the frequency parameter sqrt(M g R / I_0) in rad/s")
+        rate = _rate(p)
         g = _gravity(gravity)
         return cls._symmetric(alpha, 0.75 * g / (rate * rate), rate, restitution, g)
 
@@ -246,7 +275,7 @@ class Block:
         """
         m = positive("mass", mass, hint="give the mass in kg")
         i = positive("inertia", inertia, hint="give the moment of inertia about a pivot in kg m^2")
-        r = positive("radius", radius, hint="give the distance from pivot to mass centre in metres")
+        r = _radius(radius)
         if i < m * r * r * (1.0 - 1e-12):
             raise ModelError(
                 name="inertia",
@@ -262,8 +291,7 @@ class Block:
         cls, alpha: float, radius: float, p: float, restitution: Restitution, gravity: float
     ) -> "Block":
         """Return the block whose sides are both made of these."""
-        hint = "give the angle in radians at which the mass centre stands above the pivot"
-        angle = in_range("alpha", alpha, 0.0, 0.5 * math.pi, "()", hint=hint)
+        angle = _alpha(alpha)
         if restitution == "housner":
             ratio = housner_restitution(angle, p=p, radius=radius, gravity=gravity)
         else:
@@ -309,7 +337,20 @@ class Block:
         return self.positive.alpha * self.gravity
 
     def dimensionless(self) -> DimensionlessBlock:
-        """Return what the equation of motion sees of the block in its own units."""
+        """Return what the equation of motion sees of the block in its own units.
+
+        Raises
+        ------
+        ModelError
+            If its sides differ, which the equations of motion do not know yet.
+        """
+        if self.positive != self.negative:
+            raise ModelError(
+                name="block",
+                value=self,
+                valid="blocks whose sides differ are not computed yet",
+                hint="give both sides the same alpha, radius, p and restitution",
+            )
         return DimensionlessBlock(restitution=self.restitution)
 
     def _repr_html_(self) -> str:
@@ -359,7 +400,7 @@ def housner_restitution(
     >>> round(housner_restitution(0.17453292519943295), 6)
     0.954769
     """
-    ratio = 1.0 - 2.0 * (p * p * radius / gravity) * math.sin(alpha) ** 2
+    ratio = housner_ratio(alpha, p=p, radius=radius, gravity=gravity)
     if ratio <= 0.0:
         raise InputError(
             name="alpha",
@@ -368,6 +409,26 @@ def housner_restitution(
             hint="give a measured restitution in (0, 1], or a more slender block",
         )
     return ratio
+
+
+def housner_ratio(
+    alpha: float, *, p: float = 1.0, radius: float = 0.75, gravity: float = 1.0
+) -> float:
+    """Return the value of `housner_restitution`, positive or not."""
+    return 1.0 - 2.0 * (p * p * radius / gravity) * math.sin(alpha) ** 2
+
+
+def _alpha(value: float) -> float:
+    hint = "give the angle in radians at which the mass centre stands above the pivot"
+    return in_range("alpha", value, 0.0, 0.5 * math.pi, "()", hint=hint)
+
+
+def _radius(value: float) -> float:
+    return positive("radius", value, hint="give the distance from pivot to mass centre in metres")
+
+
+def _rate(value: float) -> float:
+    return positive("p", value, hint="give the frequency parameter sqrt(M g R / I_0) in rad/s")
 
 
 def _gravity(value: float) -> float:

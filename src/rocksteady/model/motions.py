@@ -10,7 +10,7 @@ from typing import Protocol
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.block import Block
-from rocksteady.model.validation import finite, in_range, non_negative, positive
+from rocksteady.model.validation import LARGEST, finite, in_range, non_negative, positive
 
 LOWEST_FREQUENCY_RATIO = 0.01
 HIGHEST_FREQUENCY_RATIO = 1.0e4
@@ -35,7 +35,8 @@ class Segment:
     Raises
     ------
     InputError
-        If a number is not finite or the duration is not positive.
+        If a number is not finite or above 1e50, the duration is not positive, or the frequency is
+        negative or above 10 000.
     ModelError
         If an endless segment has a slope, or a sinusoid has no frequency.
     """
@@ -55,8 +56,11 @@ class Segment:
             object.__setattr__(self, "duration", positive("duration", self.duration, hint=hint))
         for name in ("constant", "slope", "amplitude", "phase", "jump"):
             hint = "give a number in units of alpha g, of p, or in radians"
-            object.__setattr__(self, name, finite(name, getattr(self, name), hint=hint))
-        frequency = non_negative("frequency", self.frequency, hint="give omega/p")
+            value = in_range(name, getattr(self, name), -LARGEST, LARGEST, "[]", hint=hint)
+            object.__setattr__(self, name, value)
+        frequency = in_range(
+            "frequency", self.frequency, 0.0, HIGHEST_FREQUENCY_RATIO, "[]", hint="give omega/p"
+        )
         object.__setattr__(self, "frequency", frequency)
         if self.duration == math.inf and self.slope != 0.0:
             raise ModelError(
@@ -92,7 +96,7 @@ class Harmonic:
     Parameters
     ----------
     amplitude
-        A = a_max / (alpha g), 0 or above; 1 just lifts a block at rest.
+        A = a_max / (alpha g), from 0 to 1e50; 1 just lifts a block at rest.
     frequency_ratio
         Omega = omega / p, from 0.01 to 10 000.
     phase
@@ -115,8 +119,13 @@ class Harmonic:
 
     def __post_init__(self) -> None:
         """Validate."""
-        a = non_negative(
-            "amplitude", self.amplitude, hint="give a_max/(alpha g); 1 just lifts a block"
+        a = in_range(
+            "amplitude",
+            self.amplitude,
+            0.0,
+            LARGEST,
+            "[]",
+            hint="give a_max/(alpha g); 1 just lifts a block",
         )
         w = in_range(
             "frequency_ratio",

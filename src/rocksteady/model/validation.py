@@ -15,7 +15,18 @@ from typing import Final, Literal
 
 from rocksteady.errors import InputError
 
-__all__ = ["finite", "in_range", "non_negative", "odd_order", "positive", "whole_number"]
+__all__ = [
+    "LARGEST",
+    "finite",
+    "in_range",
+    "non_negative",
+    "odd_order",
+    "positive",
+    "whole_number",
+]
+
+LARGEST: Final = 1.0e50
+"""The largest dimensionless number that the kernels are asked for: its powers do not overflow."""
 
 _ODD_ORDER_HINT: Final = "use 1, 3, 5, ..."
 

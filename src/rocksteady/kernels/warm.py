@@ -1,0 +1,83 @@
+"""Compile every kernel that the package calls, so that later processes load it from disk.
+
+``python -m rocksteady.kernels.warm`` takes some ten seconds once for each version of the
+sources, and next to nothing from then on.  Test workers started before it would each compile their
+own.  A kernel new to the package's callers belongs into `warm`.
+"""
+
+import logging
+import math
+import time
+
+import numpy as np
+
+from rocksteady.kernels.cells import harmonic_fates, harmonic_segment
+from rocksteady.kernels.compilation import cache_folder
+from rocksteady.kernels.history import fill_states, highest, last_crossing
+from rocksteady.kernels.march import ROW_COLUMNS, SEGMENT_COLUMNS, March, clock, march
+from rocksteady.kernels.saltation import impact_jacobian
+from rocksteady.kernels.symmetric import (
+    fill_half_cycle,
+    fill_steady,
+    symmetric_orbit,
+    symmetry_breaking,
+)
+
+logger = logging.getLogger(__name__)
+
+
+def warm() -> None:
+    """Call each entry point once, with the types that the rest of the package passes."""
+    one = np.ones(1)
+    whole = np.ones(1, dtype=np.int64)
+    fill_steady(
+        2.0 * one,
+        4.0 * one,
+        0.8 * one,
+        whole,
+        True,
+        np.zeros(1, dtype=np.int64),
+        np.zeros((3, 1)),
+        np.zeros((2, 1)),
+        np.zeros((2, 1)),
+        np.zeros((2, 1)),
+        np.zeros((2, 1)),
+        np.zeros((2, 1), dtype=np.int64),
+        np.zeros((2, 1), dtype=np.bool_),
+    )
+    orbit = symmetric_orbit(2.0, 4.0, 0.8, 1, 1)
+    symmetry_breaking(4.0, 0.8, 1)
+    fill_half_cycle(2.0, 4.0, 1, orbit, np.zeros(1), np.zeros((2, 1)))
+    impact_jacobian(2.0, 4.0, 0.8, orbit.phase, 4.0 * orbit.velocity, math.pi / 4.0)
+
+    segments = np.zeros((1, SEGMENT_COLUMNS))
+    harmonic_segment(segments, 2.0, 4.0, orbit.phase)
+    sides = np.array([(0.8, 1.0, 1.0), (0.8, 1.0, 1.0)])
+    half, phase = clock(orbit.phase)
+    start = March(1, 0.0, 4.0 * orbit.velocity, 0, half, phase, 0, 0)
+    rows = np.zeros((0, ROW_COLUMNS))
+    _, end = march(segments, sides, start, half + 2, phase, math.inf, 100, rows)
+    rows = np.zeros((end.flights, ROW_COLUMNS))
+    march(segments, sides, start, half + 2, phase, math.inf, 100, rows)
+    fill_states(segments, sides, rows, np.zeros(1, dtype=np.int64), np.zeros(1), np.zeros((3, 1)))
+    highest(segments, sides, rows, 0.1)
+    last_crossing(segments, sides, rows, 0.1)
+    harmonic_fates(
+        2.0 * one,
+        4.0 * one,
+        0.8 * one,
+        0.0 * one,
+        0.3 * one,
+        0.0 * one,
+        2,
+        np.zeros(1, dtype=np.int64),
+        np.zeros(1, dtype=np.int64),
+        np.zeros((1, 3)),
+    )
+
+
+if __name__ == "__main__":
+    logging.basicConfig(level=logging.INFO, format="%(message)s")
+    began = time.perf_counter()
+    warm()
+    logger.info("kernels ready in %s (%.1f s)", cache_folder(), time.perf_counter() - began)

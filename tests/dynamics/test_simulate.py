@@ -1,0 +1,632 @@
+"""Time histories against an integrator, against published numbers and under symmetries."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rocksteady import (
+    Block,
+    DimensionlessBlock,
+    Harmonic,
+    InputError,
+    ModelError,
+    Piecewise,
+    Rest,
+    Segment,
+    State,
+    Status,
+    Steady,
+    Still,
+    Trajectory,
+    simulate,
+    steady_states,
+)
+from tests.dynamics.integrator import integrate
+
+BARE = DimensionlessBlock(restitution=0.8)
+HOUSNER = Block.from_radius(alpha=0.2, radius=1.0, gravity=9.81)  # R = 1 m, as in results.md
+
+
+def rocked(
+    a: float, w: float, r: float, angle: float, velocity: float, phase: float = 0.0, **more: Any
+) -> Trajectory:
+    return simulate(
+        DimensionlessBlock(restitution=r),
+        Harmonic(amplitude=a, frequency_ratio=w, phase=phase),
+        start=State(angle=angle, velocity=velocity),
+        **more,
+    )
+
+
+# ------------------------------------------------------------------- against an integrator
+
+
+@pytest.mark.parametrize(
+    ("a", "w", "r", "angle", "velocity", "phase"),
+    [
+        (2.0, 4.0, 0.8, 0.0, 0.3, 0.0),
+        (2.0, 6.0, 0.8, 0.3, 0.0, 1.0),
+        (3.0, 2.3, 0.9, -0.2, 0.1, 2.5),
+        (0.4, 1.0, 0.95, -0.5, 0.0, -1.0),
+        (6.0, 12.0, 0.5, 0.0, -0.2, 1.0),
+        (1.0, 12.0, 1.0, 0.05, 0.0, 0.3),
+    ],
+)
+def test_impacts_and_angles_are_those_of_an_adaptive_integrator(
+    a: float, w: float, r: float, angle: float, velocity: float, phase: float
+) -> None:
+    run = rocked(a, w, r, angle, velocity, phase, cycles=4)
+    oracle = integrate(
+        lambda s: a * math.sin(w * s + phase),
+        4.0 * 2.0 * math.pi / w,
+        alpha=1.0,
+        p=1.0,
+        restitution=r,
+        angle=angle,
+        velocity=velocity,
+        longest_step=0.05 / w,
+    )
+    assert len(run.impacts) == len(oracle.impacts) > 0
+    np.testing.assert_allclose(run.impacts.s, oracle.impacts, rtol=0.0, atol=2e-8)
+    np.testing.assert_allclose(run.impacts.velocity_before, oracle.before, rtol=0.0, atol=2e-7)
+    np.testing.assert_allclose(run.impacts.velocity_after, oracle.after, rtol=0.0, atol=2e-7)
+    inside = oracle.times <= run.end_s
+    angles = run(oracle.times[inside]).angle
+    np.testing.assert_allclose(angles, oracle.angles[inside], rtol=0.0, atol=2e-7)
+
+
+def test_a_real_block_in_seconds_metres_and_g() -> None:
+    block = Block.rectangle(width=0.5, height=1.6, restitution=0.9)
+    g, accel_g, hertz, phase = block.gravity, 0.4, 2.3, 0.7
+    run = simulate(
+        block,
+        Harmonic.from_si(block, acceleration_m_s2=accel_g * g, frequency_hz=hertz, phase=phase),
+        start=State(angle=0.1, velocity=-0.2),
+        cycles=5,
+    )
+    alpha, p = math.atan2(0.5, 1.6), math.sqrt(0.75 * g / (0.5 * math.hypot(0.5, 1.6)))
+    oracle = integrate(
+        lambda t: accel_g * math.sin(2.0 * math.pi * hertz * t + phase),
+        5.0 / hertz,
+        alpha=alpha,
+        p=p,
+        restitution=0.9,
+        angle=0.1 * alpha,
+        velocity=-0.2 * alpha * p,
+        longest_step=0.01,
+    )
+    assert len(run.impacts) == len(oracle.impacts) > 3
+    np.testing.assert_allclose(run.impacts.s / p, oracle.impacts, rtol=0.0, atol=1e-8)
+    np.testing.assert_allclose(
+        run.impacts.velocity_after * alpha * p, oracle.after, rtol=0.0, atol=1e-7
+    )
+    inside = oracle.times <= run.end_s / p
+    np.testing.assert_allclose(
+        run.at_time(oracle.times[inside]).angle * alpha,
+        oracle.angles[inside],
+        rtol=0.0,
+        atol=1e-8,
+    )
+
+
+def test_the_time_of_overturning_is_the_last_upward_crossing_of_alpha() -> None:
+    run = rocked(2.0, 1.7, 0.8, 0.0, 0.5, cycles=100)
+    assert run.status is Status.OVERTURNED
+    assert run.overturn_s is not None
+    s = np.linspace(0.0, run.end_s, 400_001)
+    beyond = np.abs(run(s).angle) >= 1.0
+    last_inside = int(np.flatnonzero(~beyond)[-1])
+    assert s[last_inside] <= run.overturn_s <= s[last_inside + 1]
+    assert abs(float(run(run.overturn_s).angle)) == pytest.approx(1.0, abs=1e-12)
+    inside = np.abs(run(s[s <= run.overturn_s]).angle).max()
+    assert run.peak >= inside - 1e-12
+    assert run.peak == pytest.approx(max(1.0, inside), abs=1e-6)
+    assert run.overturn_tau == pytest.approx(1.7 * run.overturn_s)
+    assert run.overturn_time_s is None, "there is no block"
+
+
+def test_a_swing_beyond_alpha_that_comes_back_does_not_overturn() -> None:  # TW7
+    run = simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=1.85), start=Steady(), cycles=400)
+    assert run.status is Status.ROCKING
+    s = run.end_s - np.linspace(0.0, 20.0 * math.pi / 1.85, 40_001)
+    settled = run(s).angle
+    assert sorted([settled.max(), -settled.min()]) == pytest.approx([0.36025, 1.01036], abs=2e-5)
+    assert run.overturn_s is None
+
+
+# ---------------------------------------------------------------------- published numbers
+
+
+@pytest.mark.parametrize(
+    ("angle", "expected"), [(0.1, 0.1722212971), (0.5, 0.4855195874), (0.9, 1.1035040108)]
+)
+def test_h1_quarter_period_of_free_rocking(angle: float, expected: float) -> None:
+    run = simulate(HOUSNER, Still(), start=State(angle=angle, velocity=0.0))
+    assert run.impacts.s[0] / HOUSNER.p == pytest.approx(expected, abs=5.1e-11)
+    assert run.status is Status.AT_REST
+
+
+def test_h3_amplitudes_and_half_periods_of_the_housner_block() -> None:
+    run = simulate(HOUSNER, Still(), start=State(angle=0.8, velocity=0.0))
+    impacts = run.impacts.s
+    half_periods = np.diff(impacts) / HOUSNER.p
+    np.testing.assert_allclose(half_periods[:3], (1.180321, 0.974559, 0.843764), atol=5.1e-7)
+    for i, expected in enumerate((0.612305, 0.502064, 0.421766)):
+        swing = run(np.linspace(impacts[i], impacts[i + 1], 20_001)).angle
+        assert np.abs(swing).max() == pytest.approx(expected, abs=6e-7)
+        assert run(0.5 * (impacts[i] + impacts[i + 1])).angle == pytest.approx(
+            math.copysign(expected, swing[100]), abs=6e-7
+        )
+
+
+def test_h3_amplitudes_with_a_ratio_of_energies_of_seven_tenths() -> None:
+    block = DimensionlessBlock(restitution=math.sqrt(0.7))
+    run = simulate(block, Still(), start=State(angle=1.0 - 1e-12, velocity=0.0))
+    peaks = [
+        np.abs(run(np.linspace(first, last, 4001)).angle).max()
+        for first, last in zip(run.impacts.s[:5], run.impacts.s[1:6], strict=True)
+    ]
+    np.testing.assert_allclose(peaks, (0.4523, 0.2859, 0.1894, 0.1283, 0.0879), atol=5.1e-5)
+
+
+@given(st.floats(0.05, 0.99), st.floats(0.3, 0.99))
+@settings(max_examples=25)
+def test_h3_free_rocking_by_its_formulae(angle: float, r: float) -> None:
+    run = simulate(
+        DimensionlessBlock(restitution=r), Still(), start=State(angle=angle, velocity=0.0)
+    )
+    first = math.acosh(1.0 / (1.0 - angle))
+    assert run.impacts.s[0] == pytest.approx(first, rel=1e-12)
+    energy = 1.0 - (1.0 - angle) ** 2
+    for i in range(1, 6):
+        left = math.sqrt(r ** (2 * i) * energy)
+        assert np.diff(run.impacts.s)[i - 1] == pytest.approx(2.0 * math.atanh(left), rel=1e-11)
+        assert abs(run.impacts.velocity_after[i - 1]) == pytest.approx(left, rel=1e-12)
+
+
+def pulse(*pieces: Segment) -> Piecewise:
+    return Piecewise(pieces=pieces)
+
+
+def rectangle(a: float, duration: float) -> Piecewise:
+    return pulse(Segment(duration=duration, constant=a))
+
+
+def half_sine(a: float, w: float) -> Piecewise:
+    return pulse(Segment(duration=math.pi / w, amplitude=a, frequency=w))
+
+
+def one_sine(a: float, w: float) -> Piecewise:
+    return pulse(Segment(duration=2.0 * math.pi / w, amplitude=a, frequency=w))
+
+
+def versed_sine(a: float, duration: float) -> Piecewise:
+    w = 2.0 * math.pi / duration
+    return pulse(
+        Segment(
+            duration=duration,
+            constant=0.5 * a,
+            amplitude=0.5 * a,
+            frequency=w,
+            phase=-0.5 * math.pi,
+        )
+    )
+
+
+def triangle(a: float, duration: float) -> Piecewise:
+    half = 0.5 * duration
+    return pulse(
+        Segment(duration=half, slope=a / half),
+        Segment(duration=half, constant=a, slope=-a / half),
+    )
+
+
+def fate(motion: Piecewise, restitution: float = 0.8) -> Status:
+    return simulate(DimensionlessBlock(restitution=restitution), motion).status
+
+
+def critical(a: float, digits: int) -> tuple[float, float]:
+    """The amplitudes between which the printed number says that the block begins to topple."""
+    return a - 0.6 * 10.0**-digits, a + 0.6 * 10.0**-digits
+
+
+@pytest.mark.parametrize(
+    ("a", "duration"), [(1.2, 1.7917595), (1.5, 1.0986123), (2.0, 0.6931472), (3.0, 0.4054651)]
+)
+def test_h4_rectangular_pulse(a: float, duration: float) -> None:
+    low, high = critical(duration, 7)
+    assert fate(rectangle(a, low)) is Status.AT_REST
+    assert fate(rectangle(a, high)) is Status.OVERTURNED
+
+
+@pytest.mark.parametrize(
+    ("w", "a"),
+    [*enumerate((1.322397, 1.800724, 2.293872, 2.790798, 3.289147, 3.788155), start=1)],
+)
+def test_h7_half_sine(w: float, a: float) -> None:
+    low, high = critical(a, 6)
+    assert fate(half_sine(low, w)) is Status.AT_REST
+    assert fate(half_sine(high, w)) is Status.OVERTURNED
+
+
+def test_h7_half_sine_on_a_block_in_metres_and_g() -> None:
+    block = Block.rectangle(width=0.4, height=1.2, gravity=9.81)
+    duration = 0.5 * block.p
+    for accel_g, expected in ((0.554585, Status.AT_REST), (0.554587, Status.OVERTURNED)):
+        a = accel_g / block.alpha
+        assert simulate(block, half_sine(a, math.pi / duration)).status is expected
+
+
+@pytest.mark.parametrize(
+    ("shape", "duration", "a", "digits"),
+    [
+        (lambda a, d: half_sine(a, math.pi / d), 1.0, 2.36409069, 8),
+        (versed_sine, 1.0, 2.84992425, 8),
+        (triangle, 1.0, 2.97259, 5),
+        (rectangle, 1.0, 1.58197671, 8),
+        (lambda a, d: half_sine(a, math.pi / d), 2.0, 1.59204939, 8),
+        (versed_sine, 2.0, 1.83885220, 8),
+        (triangle, 2.0, 1.96032, 5),
+    ],
+)
+def test_g1_single_pulses(shape: Any, duration: float, a: float, digits: int) -> None:
+    low, high = critical(a, digits)
+    assert fate(shape(low, duration)) is Status.AT_REST
+    run = simulate(BARE, shape(high, duration))
+    assert run.status is Status.OVERTURNED
+    assert len(run.impacts) == 0
+
+
+@pytest.mark.parametrize(
+    ("w", "a"),
+    [*enumerate((1.418315, 2.349903, 3.631150, 5.238964, 7.168129, 9.416966), start=1)],
+)
+def test_z1_one_sine_without_an_impact(w: float, a: float) -> None:
+    # The first is 1.41831534 by the formula of results.md, which prints 1.418316.
+    low, high = critical(a, 6)
+    above = simulate(BARE, one_sine(high, w))
+    assert above.status is Status.OVERTURNED
+    assert len(above.impacts) == 0
+    assert len(simulate(BARE, one_sine(low, w)).impacts) > 0
+
+
+def test_z2_one_sine_with_impacts() -> None:
+    for a, expected in (
+        (3.018599, Status.AT_REST),
+        (3.018601, Status.OVERTURNED),
+        (6.318070, Status.OVERTURNED),
+        (6.318072, Status.AT_REST),
+        (7.168128, Status.AT_REST),
+        (7.168130, Status.OVERTURNED),
+    ):
+        assert fate(one_sine(a, 5.0), 0.9) is expected, a
+
+
+@pytest.mark.parametrize(
+    ("w", "low", "high"),
+    [
+        (2.0, 1.225179, 2.314403),
+        (3.0, 1.403565, 3.484663),
+        (4.0, 1.795442, 4.850111),
+        (6.0, 5.164159, 7.669873),
+    ],
+)
+def test_z3_window_of_overturning_with_one_impact(w: float, low: float, high: float) -> None:
+    for a, expected in (
+        (critical(low, 6)[0], Status.AT_REST),
+        (critical(low, 6)[1], Status.OVERTURNED),
+        (critical(high, 6)[0], Status.OVERTURNED),
+        (critical(high, 6)[1], Status.AT_REST),
+    ):
+        assert fate(one_sine(a, w), 0.9) is expected, a
+
+
+def test_a_jump_is_an_impulse_that_changes_the_velocity_alone() -> None:
+    for jump, expected in ((0.999, Status.AT_REST), (1.001, Status.OVERTURNED)):
+        # energy 1/2 balances upright: v^2/2 = 1/2
+        motion = pulse(Segment(duration=0.5), Segment(duration=1.0, jump=jump))
+        run = simulate(BARE, motion)
+        assert run.status is expected
+        assert run(0.5).velocity == jump
+        assert run(0.5 - 1e-9).velocity == 0.0
+        # and at the very start it acts as well
+        at_once = simulate(BARE, pulse(Segment(duration=1.0, jump=jump)))
+        assert at_once.status is expected
+        assert at_once(0.0).velocity == jump
+        moved = simulate(
+            BARE, pulse(Segment(duration=1.0, jump=jump)), start=State(angle=0.0, velocity=-0.25)
+        )
+        assert moved(0.0).velocity == jump - 0.25
+
+
+# -------------------------------------------------------------------- starts and boundaries
+
+
+@pytest.mark.parametrize("a", [0.0, 0.3, 0.999, 1.0])
+@pytest.mark.parametrize("w", [0.05, 3.0, 400.0])
+def test_a_block_at_rest_stays_below_uplift(a: float, w: float) -> None:
+    run = simulate(BARE, Harmonic(amplitude=a, frequency_ratio=w, phase=0.4), cycles=30)
+    assert run.status is Status.AT_REST
+    assert (run.peak, len(run.impacts), run.rest_s) == (0.0, 0, 0.0)
+    assert run.end_s == pytest.approx(30.0 * 2.0 * math.pi / w, rel=1e-14)
+    assert not run(np.linspace(0.0, run.end_s, 50)).angle.any()
+
+
+@given(st.floats(1.001, 6.0), st.floats(0.1, 30.0), st.sampled_from([0.0, math.pi]))
+@settings(max_examples=30)
+def test_a_block_at_rest_lifts_when_the_base_reaches_alpha_g(
+    a: float, w: float, phase: float
+) -> None:
+    run = simulate(BARE, Harmonic(amplitude=a, frequency_ratio=w, phase=phase), cycles=1)
+    lifting = math.asin(1.0 / a) / w
+    assert run.flights.side[:2].tolist() == [0, 1 if phase == 0.0 else -1]
+    assert run.flights.s[1] == pytest.approx(lifting, rel=1e-12)
+    begin = run(run.flights.s[1])
+    assert [float(begin.angle), float(begin.velocity)] == [0.0, 0.0]
+
+
+def test_a_start_with_the_base_beyond_uplift_picks_the_lifting_side() -> None:
+    for phase, side in ((0.5 * math.pi, 1), (-0.5 * math.pi, -1)):
+        run = simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=4.0, phase=phase), cycles=1)
+        assert run.flights.side[0] == side
+        assert run.flights.s[0] == 0.0
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_start_beyond_alpha_overturns_at_once_unless_it_is_thrown_back(side: int) -> None:
+    out = simulate(BARE, Still(), start=State(angle=1.2 * side, velocity=0.0))
+    assert (out.status, out.overturn_s, out.peak) == (Status.OVERTURNED, 0.0, 1.2)
+    # growing part (u - 1 + v)/2: thrown back faster than 0.2 it returns, slower it does not
+    back = simulate(BARE, Still(), start=State(angle=1.2 * side, velocity=-0.2001 * side))
+    assert back.status is Status.AT_REST
+    assert back.peak == pytest.approx(1.2)
+    slow = simulate(BARE, Still(), start=State(angle=1.2 * side, velocity=-0.1999 * side))
+    assert slow.status is Status.OVERTURNED
+    assert slow.overturn_s == 0.0, "it never came below alpha"
+
+
+def test_a_start_beyond_alpha_that_dips_below_it_overturns_when_it_rises_again() -> None:
+    # u - 1 = 0.2 cosh s - v sinh s with shaking that pushes it out again
+    run = simulate(
+        BARE,
+        pulse(Segment(duration=1.0), Segment(duration=1.0, constant=3.0)),
+        start=State(angle=1.2, velocity=-0.3),
+    )
+    assert run.status is Status.OVERTURNED
+    assert run.overturn_s is not None
+    s = np.linspace(0.0, min(run.end_s, 2.0), 20_001)
+    below = s[np.abs(run(s).angle) < 1.0]
+    assert below[-1] == pytest.approx(run.overturn_s, abs=2e-4)
+    assert len(run.impacts) == 0
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_a_block_balanced_on_its_edge_neither_falls_nor_returns(side: float) -> None:
+    run = simulate(BARE, Still(), start=State(angle=side, velocity=0.0))
+    assert run.status is Status.ROCKING
+    assert run.peak == 1.0
+    np.testing.assert_array_equal(run([0.0, 10.0, 1000.0]).angle, side)
+    nudged = simulate(BARE, Still(), start=State(angle=side * (1.0 + 1e-14), velocity=0.0))
+    assert nudged.status is Status.OVERTURNED
+    held = simulate(BARE, Still(), start=State(angle=side * (1.0 - 1e-14), velocity=0.0))
+    assert held.status is Status.AT_REST
+
+
+@pytest.mark.parametrize("velocity", [1.0 + 1e-12, 2.0, 1e8, 1e20])
+def test_a_fast_start_overturns_however_fast(velocity: float) -> None:
+    run = simulate(BARE, Still(), start=State(angle=0.0, velocity=velocity))
+    assert run.status is Status.OVERTURNED
+    if velocity > 1.5:  # u = 1 - cosh s + v sinh s reaches 1 where tanh s = 1/v
+        assert run.overturn_s == pytest.approx(math.atanh(1.0 / velocity), rel=1e-3)
+
+
+def test_free_rocking_comes_to_rest_in_the_sum_of_its_half_periods() -> None:
+    run = simulate(
+        DimensionlessBlock(restitution=0.5), Still(), start=State(angle=0.5, velocity=0.0)
+    )
+    energy = 1.0 - 0.25
+    total = math.acosh(2.0) + sum(
+        2.0 * math.atanh(math.sqrt(0.25**i * energy)) for i in range(1, 60)
+    )
+    assert run.rest_s == pytest.approx(total, abs=1e-7)
+    assert run.status is Status.AT_REST
+
+
+def test_a_rested_block_is_lifted_again_and_again_by_the_next_cycles() -> None:
+    run = simulate(
+        DimensionlessBlock(restitution=0.3), Harmonic(amplitude=1.1, frequency_ratio=8.0), cycles=20
+    )
+    rests = np.flatnonzero(run.flights.side == 0)
+    assert len(rests) > 10
+    lifts = run.flights.s[rests + 1][run.flights.ended_by[rests] == 3]
+    phases = (8.0 * lifts) % math.pi
+    np.testing.assert_allclose(phases, math.asin(1.0 / 1.1), atol=1e-11)
+
+
+# ------------------------------------------------------------------------------- symmetries
+
+
+@pytest.mark.parametrize("start", [(0.0, 0.3), (0.4, -0.2), (-0.6, 0.0), (0.0, -1e-9)])
+@pytest.mark.parametrize("a", [0.5, 2.0, 5.0])
+def test_a_mirrored_start_under_mirrored_shaking_gives_the_mirrored_motion(
+    start: tuple[float, float], a: float
+) -> None:
+    one = rocked(a, 4.0, 0.8, *start, phase=0.7, cycles=20)
+    other = rocked(a, 4.0, 0.8, -start[0], -start[1], phase=0.7 + math.pi, cycles=20)
+    assert one.status is other.status
+    assert len(one.impacts) == len(other.impacts)
+    # Chaotic cases multiply the rounding of 0.7 + pi: compare what it cannot reach.
+    n = min(len(one.impacts), 8)
+    np.testing.assert_allclose(one.impacts.s[:n], other.impacts.s[:n], rtol=1e-8, atol=1e-15)
+    np.testing.assert_array_equal(one.impacts.side[:n], -other.impacts.side[:n])
+    until = float(one.impacts.s[n - 1]) if n else min(one.end_s, other.end_s)
+    s = np.linspace(0.0, 0.999 * until, 200)
+    np.testing.assert_allclose(one(s).angle, -other(s).angle, atol=1e-8)
+
+
+def test_phases_that_differ_by_a_full_turn_are_the_same() -> None:
+    one, other = (
+        rocked(2.0, 4.0, 0.8, 0.1, 0.2, phase, cycles=5) for phase in (0.5, 0.5 - 2 * math.pi)
+    )
+    np.testing.assert_allclose(one.impacts.s, other.impacts.s, rtol=1e-11)
+
+
+def test_a_run_taken_up_where_another_ended_goes_on_as_if_it_had_not() -> None:
+    whole = rocked(2.0, 4.0, 0.8, 0.1, 0.2, cycles=6.5)
+    first = rocked(2.0, 4.0, 0.8, 0.1, 0.2, cycles=2.25)
+    middle = first(first.end_s)
+    assert first.end_s == pytest.approx(2.25 * 2.0 * math.pi / 4.0, rel=1e-14)
+    second = rocked(
+        2.0,
+        4.0,
+        0.8,
+        float(middle.angle),
+        float(middle.velocity),
+        phase=2.25 * 2.0 * math.pi,
+        cycles=4.25,
+    )
+    s = np.linspace(0.0, second.end_s * 0.999, 300)
+    np.testing.assert_allclose(second(s).angle, whole(first.end_s + s).angle, atol=1e-9)
+    assert len(first.impacts) + len(second.impacts) == len(whole.impacts)
+
+
+def test_the_same_motion_as_one_segment_or_several() -> None:
+    a, w = 2.0, 4.0
+    cut = 0.37
+    pieces = (
+        Segment(duration=cut, amplitude=a, frequency=w),
+        Segment(duration=3.0 - cut, amplitude=a, frequency=w, phase=w * cut),
+    )
+    whole = pulse(Segment(duration=3.0, amplitude=a, frequency=w))
+    one = simulate(BARE, whole, start=State(angle=0.1, velocity=0.1))
+    two = simulate(BARE, pulse(*pieces), start=State(angle=0.1, velocity=0.1))
+    assert one.status is two.status
+    n = min(len(one.impacts), len(two.impacts), 12)
+    np.testing.assert_allclose(one.impacts.s[:n], two.impacts.s[:n], rtol=1e-11)
+    assert len(two.flights) > len(one.flights)
+
+
+# ------------------------------------------------------------------------------- long runs
+
+
+def test_a_million_cycles_do_not_drift() -> None:
+    states = steady_states(2.0, 4.0, 0.8)
+    run = simulate(
+        BARE, Harmonic(amplitude=2.0, frequency_ratio=4.0), start=Steady(), cycles=1_000_000.25
+    )
+    impacts = run.impacts
+    assert len(impacts) == 2_000_000
+    # The clock counts half cycles as integers, and the phase within them never moves.
+    assert (np.diff(impacts.half_cycles) == 1).all()
+    assert np.abs(impacts.phase - float(states.phase[0])).max() < 1e-13
+    assert np.abs(np.abs(impacts.velocity_after) / (4.0 * states.velocity[0]) - 1.0).max() < 1e-12
+    assert states.peak is not None
+    assert run.peak == pytest.approx(states.peak[0], abs=1e-12)
+
+
+def test_half_cycles_and_phase_say_the_time_of_each_impact() -> None:
+    run = rocked(2.0, 4.0, 0.8, 0.1, 0.2, phase=1.0, cycles=30)
+    impacts = run.impacts
+    assert ((impacts.phase >= 0.0) & (impacts.phase < math.pi)).all()
+    clock = (impacts.half_cycles * math.pi + impacts.phase - 1.0) / 4.0
+    np.testing.assert_allclose(clock, impacts.s, rtol=1e-14)
+
+
+def test_the_flight_limit_ends_a_run_as_undecided() -> None:
+    run = rocked(2.0, 4.0, 0.8, 0.0, 0.3, cycles=50, flight_limit=7)
+    whole = rocked(2.0, 4.0, 0.8, 0.0, 0.3, cycles=50)
+    assert run.status is Status.UNDECIDED
+    assert len(run.flights) == 7
+    np.testing.assert_allclose(run.impacts.s, whole.impacts.s[: len(run.impacts)], rtol=1e-14)
+    assert run.end_s < whole.end_s
+    assert run.overturn_s is run.rest_s is None
+    assert np.isfinite(run(np.linspace(0.0, run.end_s, 100)).angle).all()
+
+
+def test_a_run_that_is_repeated_is_the_same_to_the_last_bit() -> None:
+    runs = [rocked(5.0, 12.0, 0.9, 0.0, 0.3, cycles=200) for _ in range(2)]
+    np.testing.assert_array_equal(runs[0].rows, runs[1].rows)
+
+
+# ---------------------------------------------------------------------------- bad arguments
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("cycles", 0.0),
+        ("cycles", -1.0),
+        ("cycles", math.nan),
+        ("cycles", math.inf),
+        ("cycles", 1e300),
+        ("cycles", "10"),
+        ("side", 0),
+        ("side", 2),
+        ("side", "+"),
+        ("flight_limit", 0),
+        ("flight_limit", 1.5),
+    ],
+)
+def test_a_bad_number_is_refused(name: str, value: Any) -> None:
+    with pytest.raises(InputError, match=f"^{name} = "):
+        simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=4.0), **{name: value})
+
+
+@pytest.mark.parametrize("value", [math.nan, math.inf, 1e60, "0", None, True])
+def test_a_bad_state_is_refused(value: Any) -> None:
+    with pytest.raises(InputError, match=r"^angle = "):
+        State(angle=value, velocity=0.0)
+    with pytest.raises(InputError, match=r"^velocity = "):
+        State(angle=0.0, velocity=value)
+    with pytest.raises(InputError, match=r"^velocity = "):
+        State.per_tau(angle=0.0, velocity=value, frequency_ratio=4.0)
+
+
+def test_a_state_per_tau_is_the_papers() -> None:
+    assert State.per_tau(angle=0.1, velocity=0.2, frequency_ratio=4.0) == State(
+        angle=0.1, velocity=0.8
+    )
+
+
+@pytest.mark.parametrize(
+    ("arguments", "name"),
+    [({"branch": 3}, "branch"), ({"branch": 0}, "branch"), ({"order": 2}, "order")],
+)
+def test_a_bad_steady_start_is_refused(arguments: dict[str, int], name: str) -> None:
+    with pytest.raises(InputError, match=f"^{name} = "):
+        Steady(**arguments)
+
+
+def test_a_steady_start_needs_harmonic_shaking() -> None:
+    with pytest.raises(ModelError, match="needs harmonic shaking"):
+        simulate(BARE, Still(), start=Steady())
+    with pytest.raises(ModelError, match="needs harmonic shaking"):
+        simulate(BARE, half_sine(2.0, 1.0), start=Steady())
+
+
+def test_a_steady_start_where_none_exists_says_from_which_amplitude_one_does() -> None:
+    with pytest.raises(ModelError, match=r"0\.260201 or above"):
+        simulate(BARE, Harmonic(amplitude=0.2, frequency_ratio=4.0), start=Steady())
+
+
+def test_a_steady_start_through_the_floor_is_refused() -> None:
+    with pytest.raises(ModelError, match="through the floor"):
+        simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=4.0), start=Steady(branch=2))
+
+
+def test_a_steady_start_overrides_the_phase_and_says_so_in_the_motion() -> None:
+    run = simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=4.0, phase=1.0), start=Steady())
+    assert isinstance(run.motion, Harmonic)
+    assert run.motion.phase == pytest.approx(2.8465425429)
+
+
+def test_rest_is_the_default_start() -> None:
+    motion = Harmonic(amplitude=2.0, frequency_ratio=4.0)
+    one, other = simulate(BARE, motion), simulate(BARE, motion, start=Rest())
+    zero = simulate(BARE, motion, start=State(angle=0.0, velocity=0.0))
+    np.testing.assert_array_equal(one.rows, other.rows)
+    np.testing.assert_array_equal(one.rows, zero.rows)
