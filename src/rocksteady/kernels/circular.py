@@ -2,8 +2,8 @@
 
 The nearest multiple of pi/2 is subtracted in two parts, the first of which has so few digits that
 its multiples up to 2^20 are exact; polynomials do the rest, with the coefficients of Sun's fdlibm
-(1993).  Up to angles of 10^6 both results are within 1.5e-16 of the truth, less than the rounding of
-a phase; beyond, within the rounding of the angle.
+(1993).  Up to angles of 10^6 both results are within 1.5e-16 of the truth, less than the rounding
+of a phase; beyond, within the rounding of the angle.
 """
 
 import numpy as np
