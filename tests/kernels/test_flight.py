@@ -67,7 +67,7 @@ def test_angle_and_velocity_agree_with_fifty_digits(
     constant, slope, _, frequency, start, speed, _ = case
     # The coefficients are rounded once, and so is the phase, which has turned that far.
     beta, turned = forcing.beta, frequency * time + 5.0
-    size = abs(constant) + abs(start) + beta
+    size = abs(constant) + abs(start) + beta + 1e-290  # above the subnormal numbers
     lift = abs(speed) + abs(slope) + beta * frequency
     grown = math.sinh(time)
     blur = size * math.cosh(time) + lift * grown + abs(slope) * time + beta * turned

@@ -615,6 +615,70 @@ def test_a_cut_at_an_impact_or_at_uplift_changes_nothing(event: str, offset: flo
     assert two.end.velocity == pytest.approx(one.end.velocity, abs=1e-9)
 
 
+def lifts(ran: Run) -> list[tuple[float, float]]:
+    """Return time and side of each start from rest."""
+    times, found = ran.times(), []
+    for i in range(1, len(ran.rows)):
+        row, before = ran.rows[i], ran.rows[i - 1]
+        still = row[ROW_SIDE] != 0.0 and row[ROW_ANGLE] == 0.0 and row[ROW_VELOCITY] == 0.0
+        if still and before[ROW_SIDE] == 0.0:
+            found.append((float(times[i]), float(row[ROW_SIDE])))
+    return found
+
+
+def test_cuts_within_rounding_of_any_event_change_nothing() -> None:
+    # A flight of some 1e-17 may be rounded into the floor: it must neither fall through it nor be
+    # said to overturn there.
+    rng = np.random.default_rng(17)
+    compared = 0
+    for _ in range(sample_size(2500, 60)):
+        amplitude = rng.choice([rng.uniform(1.0, 1.01), rng.uniform(1.0, 6.0)])
+        frequency, phase = 10.0 ** rng.uniform(-1.0, 2.5), rng.uniform(0.0, 3.1)
+        sides = both_sides(float(rng.uniform(0.1, 0.95)))
+        side = int(rng.integers(-1, 2))
+        velocity = side * rng.uniform(0.01, 0.5)
+        whole = harmonic(amplitude, frequency, phase)
+        limit = sample_size(3000, 300)
+        one = run(whole, sides, side=side, velocity=velocity, half_cycles=12, limit=limit)
+        if len(one.rows) < 2:
+            continue
+        event = float(one.times()[int(rng.integers(1, min(len(one.rows), 6)))])
+        at = event * (1.0 + rng.choice([-1.0, 0.0, 1.0]) * 10.0 ** rng.uniform(-19.0, -12.0))
+        if at <= 0.0:
+            continue
+        cut = table(
+            Piece(at, 0.0, 0.0, amplitude, frequency, phase),
+            Piece(math.inf, 0.0, 0.0, amplitude, frequency, phase + frequency * at),
+        )
+        until = 12 * math.pi / frequency
+        two = run(cut, sides, side=side, velocity=velocity, until=until, limit=limit)
+        assert signs_hold(two.rows), (amplitude, frequency, phase, at)
+        # The impacts before the first weak one, from which on either may have come to rest.
+        for (time, before, after), (other, same, speed) in list(
+            zip(one.impacts(), two.impacts(), strict=False)
+        )[:4]:
+            if min(abs(after), abs(speed)) < 1e-3:
+                break
+            assert before == same
+            assert abs(time - other) <= 1e-9 * (1 + time) / abs(after)
+            compared += 1
+        for lift, again in list(zip(lifts(one), lifts(two), strict=False))[:1]:
+            if again[0] != pytest.approx(at, rel=1e-9):
+                assert again == pytest.approx(lift, rel=1e-9)
+    assert compared > sample_size(1000, 20)
+
+
+def test_a_jump_that_meets_an_impact_decides_the_side() -> None:
+    # The block lies on its base as the impulse comes: where the sum of velocities points, it goes.
+    first = run(table(Piece()), both_sides(0.5), side=1, velocity=0.3, limit=1)
+    lands = float(first.rows[0, ROW_DURATION])
+    for offset in (0.0, 1e-16, -1e-16):
+        pieces = Piece(lands * (1.0 + offset)), Piece(jump=0.8)
+        ran = run(table(*pieces), both_sides(0.5), side=1, velocity=0.3, limit=100_000)
+        assert signs_hold(ran.rows)
+        assert ran.status == AT_REST
+
+
 def test_a_run_that_ends_on_an_impact_counts_it_once_at_most() -> None:
     rng = np.random.default_rng(3)
     ends = set()
@@ -713,6 +777,23 @@ def test_uplift_happens_at_the_node_itself(
     assert lifted[ROW_HALF_CYCLES] == (0.0 if phase < node else 1.0)
     assert lifted[ROW_SIDE] == (1.0 if phase < node else -1.0)
     assert (lifted[ROW_ANGLE], lifted[ROW_VELOCITY]) == (0.0, 0.0)
+
+
+@pytest.mark.parametrize("side", [1, -1])
+@pytest.mark.parametrize("phase", [0.0, 0.3, 1.0, 2.7, 3.1])
+def test_a_side_that_alone_can_lift_waits_for_its_own_node(side: int, phase: float) -> None:
+    # The other side is five times as broad: it never lifts, and half of all nodes do nothing.
+    lean = (1.0, 5.0) if side > 0 else (5.0, 1.0)
+    ran = run(harmonic(2.0, 4.0, phase), both_sides(0.3, lean), half_cycles=4, limit=2)
+    node, start = math.asin(0.5), phase if side > 0 else phase - math.pi
+    if node <= start < math.pi - node:
+        assert ran.rows[0, ROW_SIDE] == side
+        return
+    ahead = node - start if start < node else node - start + TWO_PI
+    assert ran.rows[0, ROW_DURATION] == pytest.approx(ahead / 4.0, rel=1e-14)
+    lifted = ran.phases()[1]
+    assert float(lifted) == pytest.approx(phase + ahead, rel=1e-14)
+    assert ran.rows[1, ROW_SIDE] == side
 
 
 def test_a_start_exactly_at_uplift_lifts_at_once() -> None:

@@ -207,6 +207,56 @@ def test_a_bounce_is_no_longer_and_lands_no_faster_than_bounded() -> None:
     assert checked > sample_size(500, 30)
 
 
+def test_the_bounces_of_chatter_that_settles_fit_into_a_window_without_uplift() -> None:
+    # The proof itself: some window, no longer than the span, holds the sum of the bounds.
+    rng = np.random.default_rng(6)
+    said, refused = 0, 0
+    for _ in range(sample_size(20_000, 1000)):
+        amplitude, frequency = rng.uniform(0.0, 3.0), 10.0 ** rng.uniform(-1.0, 2.0)
+        phase = float(rng.uniform(-0.5 * math.pi, 1.5 * math.pi))
+        other = phase + math.pi if phase < 0.5 * math.pi else phase - math.pi
+        velocity, loss = 10.0 ** rng.uniform(-6.0, -0.5), 10.0 ** rng.uniform(-3.0, -0.1)
+        span = 10.0 ** rng.uniform(-3.0, 1.0)
+        forcing = make_forcing(-1.0, 0.0, amplitude, frequency)
+        ends = settles(
+            1.0 - loss, span, forcing, phase, velocity, 1.0, forcing, other, velocity, 1.0
+        )
+
+        def fits(window: float) -> bool:
+            growths, durations = zip(
+                *(
+                    bounce_bounds(forcing, seen, velocity, 1.0, window)  # noqa: B023
+                    for seen in (phase, other)  # noqa: B023
+                ),
+                strict=True,
+            )
+            kappa = (1.0 - loss) * math.sqrt(max(growths))  # noqa: B023
+            return kappa < 1.0 and max(durations) / (1.0 - kappa) <= window
+
+        if ends:
+            assert any(fits(window) for window in np.geomspace(1e-9, 1.0, 400) * span)
+        said += ends
+        refused += not ends
+    assert min(said, refused) > sample_size(1000, 50)
+
+
+def test_chatter_cut_off_by_the_next_segment_goes_on_in_it() -> None:
+    # Whoever bounces at the end of a segment is not at rest there, however slow.
+    for velocity, restitution in ((0.1, 0.5), (0.3, 0.8), (0.02, 0.3)):
+        sides = both_sides(restitution)
+        alone = run(table(Piece()), sides, side=1, velocity=velocity, rest_velocity=0.0, limit=9)
+        for bounces in range(1, 9):
+            at = float(sum(alone.durations()[:bounces])) * (1.0 + 1e-6)
+            segments = table(Piece(at), Piece(1.0, constant=1.2))
+            truth = run(
+                segments, sides, side=1, velocity=velocity, until=at + 0.1, rest_velocity=0.0
+            )
+            ran = run(segments, sides, side=1, velocity=velocity, until=at + 0.1)
+            assert abs(truth.end.velocity) > 0.0
+            assert ran.end.angle == pytest.approx(truth.end.angle, rel=1e-12)
+            assert ran.end.velocity == pytest.approx(truth.end.velocity, rel=1e-12)
+
+
 def test_without_loss_chatter_never_ends() -> None:
     ran = run(harmonic(0.5, 3.0), both_sides(1.0), side=1, velocity=1e-3, limit=2000)
     assert ran.status == UNDECIDED

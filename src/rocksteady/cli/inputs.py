@@ -176,13 +176,14 @@ def shaking_from(
     InputError, ModelError
         If a value is missing, given twice, or needs a block.
     """
-    if isinstance(block, DimensionlessBlock) and (accel_g is not None or freq_hz is not None):
-        raise ModelError(
-            name="--accel-g, --freq-hz",
-            value=(accel_g, freq_hz),
-            valid="g and Hz need a block with a slenderness and a p",
-            hint="describe a block, or give -A and -W",
-        )
+    for flag, value in (("--accel-g", accel_g), ("--freq-hz", freq_hz)):
+        if value is not None and isinstance(block, DimensionlessBlock):
+            raise ModelError(
+                name=flag,
+                value=value,
+                valid="g and Hz need a block with a slenderness and a p",
+                hint="describe a block, or give -A and -W",
+            )
     for flag, one, other in (
         ("--amplitude/-A and --accel-g", amplitude, accel_g),
         ("--frequency-ratio/-W and --freq-hz", frequency_ratio, freq_hz),

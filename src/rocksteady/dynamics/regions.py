@@ -3,20 +3,13 @@ kind, lose symmetry; and where the stable and unstable manifolds of the upright 
 """  # noqa: D205 -- one sentence
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.errors import InputError
-from rocksteady.kernels.symmetric import (
-    existence_amplitude,
-    kind_amplitude,
-    sign_amplitude,
-    symmetry_breaking,
-)
+from rocksteady.kernels.symmetric import fill_curves, symmetry_breaking
 from rocksteady.model.block import restitution_value
 from rocksteady.model.validation import LARGEST, in_range, odd_order
 
@@ -78,13 +71,8 @@ def boundaries(
     >>> print(f"{curves.existence:.5f} {curves.kind:.5f} {curves.sign:.5f}")
     0.70825 0.79129 1.58816
     """
-    _, ratios, restitutions, orders = validated_grid(0.0, frequency_ratio, restitution, order)
-    tanh = np.tanh(orders * math.pi / (2.0 * ratios))
-    return Boundaries(
-        existence=_each(existence_amplitude, ratios, restitutions, tanh),
-        sign=_each(sign_amplitude, ratios, tanh),
-        kind=_each(kind_amplitude, ratios, restitutions, tanh),
-    )
+    existence, sign, kind, _, _ = _curves(frequency_ratio, restitution, order)
+    return Boundaries(existence=existence, sign=sign, kind=kind)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -124,16 +112,16 @@ def region_map(frequency_ratio: ArrayLike, restitution: float, *, order: int = 1
         If a value is outside its range.
     """
     ratios = np.atleast_1d(np.asarray(frequency_ratio, dtype=np.float64))
-    curves = boundaries(ratios, restitution, order=order)
+    existence, sign, kind, breaking, heteroclinic = _curves(ratios, restitution, order)
     return RegionMap(
         frequency_ratio=ratios,
         restitution=float(restitution),
         order=int(order),
-        existence=curves.existence,
-        sign=curves.sign,
-        kind=curves.kind,
-        symmetry_breaking=symmetry_breaking_amplitude(ratios, restitution, order=order),
-        heteroclinic=heteroclinic_amplitude(ratios, restitution),
+        existence=existence,
+        sign=sign,
+        kind=kind,
+        symmetry_breaking=breaking,
+        heteroclinic=heteroclinic,
     )
 
 
@@ -148,8 +136,7 @@ def heteroclinic_amplitude(frequency_ratio: ArrayLike, restitution: ArrayLike) -
     >>> heteroclinic_amplitude([1.0, 2.0, 5.0], 0.9).round(6)
     array([0.105118, 0.261712, 1.323365])
     """
-    _, ratios, restitutions, _ = validated_grid(0.0, frequency_ratio, restitution, 1)
-    return _each(existence_amplitude, ratios, restitutions, np.ones(ratios.shape))
+    return _curves(frequency_ratio, restitution, 1)[4]
 
 
 def melnikov_amplitude(frequency_ratio: ArrayLike, restitution: ArrayLike) -> Floats:
@@ -174,8 +161,7 @@ def symmetry_breaking_amplitude(
     >>> symmetry_breaking_amplitude([1.448324, 1.948378], 0.8).round(5)
     array([1., 2.])
     """
-    _, ratios, restitutions, orders = validated_grid(0.0, frequency_ratio, restitution, order)
-    return _each(symmetry_breaking, ratios, restitutions, orders)
+    return _curves(frequency_ratio, restitution, order)[3]
 
 
 def symmetry_breaking_frequency(amplitude: float, restitution: float, *, order: int = 1) -> Floats:
@@ -288,7 +274,11 @@ def _order(value: object) -> int:
     return order
 
 
-def _each(function: Callable[..., float], *arrays: NDArray[Any]) -> Floats:
-    """Return a kernel's value for each element of arrays of one shape."""
-    values = [function(*element) for element in zip(*(a.flat for a in arrays), strict=True)]
-    return np.array(values).reshape(arrays[0].shape)
+def _curves(
+    frequency_ratio: ArrayLike, restitution: ArrayLike, order: ArrayLike
+) -> tuple[Floats, ...]:
+    """Return existence, sign, kind, symmetry breaking and the heteroclinic curve."""
+    _, ratios, restitutions, orders = validated_grid(0.0, frequency_ratio, restitution, order)
+    curves = np.empty((5, ratios.size))
+    fill_curves(ratios.ravel(), restitutions.ravel(), orders.ravel(), curves)
+    return tuple(curves.reshape(5, *ratios.shape))

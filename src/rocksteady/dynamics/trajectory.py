@@ -174,8 +174,9 @@ class Trajectory:
     def end_s(self) -> float:
         """Pivot time up to which the trajectory reaches.
 
-        Of a block that overturns it is when it passes twice its slenderness (or, if it began
-        further out, one slenderness more than that).
+        Of a block that overturns it is when it passes twice its slenderness (or, if its last flight
+        began further out, one slenderness more than that); where the proof came at the end of a
+        segment of the base motion, it is that end.
         """
         return float(self.flights.s[-1]) + self._last_duration
 

@@ -287,3 +287,19 @@ def fill_steady(
             phase[b, i], velocity[b, i], trace[b, i] = orbit.phase, orbit.velocity, orbit.trace
             if shapes:
                 peak[b, i], extrema[b, i], admissible[b, i] = half_cycle_shape(a, w, r, n, orbit)
+
+
+@compiled
+def fill_curves(
+    frequency_ratio: Floats, restitution: Floats, order: NDArray[np.int64], curves: Floats
+) -> None:
+    """Fill the five curves of the plane, shape (5, points), at each frequency ratio.
+
+    Existence, sign and kind (eqs 23, 24, 25), symmetry breaking, and the heteroclinic curve.
+    """
+    for i in range(len(frequency_ratio)):
+        w, r = frequency_ratio[i], restitution[i]
+        half = half_cycle(w, r, order[i])
+        curves[0, i], curves[1, i], curves[2, i] = half.existence, half.sign, half.kind
+        curves[3, i] = symmetry_breaking(w, r, order[i])
+        curves[4, i] = existence_amplitude(w, r, 1.0)

@@ -17,6 +17,7 @@ from rocksteady.kernels.history import fill_states, highest, last_crossing
 from rocksteady.kernels.march import ROW_COLUMNS, SEGMENT_COLUMNS, March, clock, march
 from rocksteady.kernels.saltation import impact_jacobian
 from rocksteady.kernels.symmetric import (
+    fill_curves,
     fill_half_cycle,
     fill_steady,
     symmetric_orbit,
@@ -47,6 +48,7 @@ def warm() -> None:
     )
     orbit = symmetric_orbit(2.0, 4.0, 0.8, 1, 1)
     symmetry_breaking(4.0, 0.8, 1)
+    fill_curves(4.0 * one, 0.8 * one, whole, np.zeros((5, 1)))
     fill_half_cycle(2.0, 4.0, 1, orbit, np.zeros(1), np.zeros((2, 1)))
     impact_jacobian(2.0, 4.0, 0.8, orbit.phase, 4.0 * orbit.velocity, math.pi / 4.0)
 

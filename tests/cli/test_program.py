@@ -1,0 +1,347 @@
+"""What every command shares: errors, exit codes, files, help, and how it behaves in a shell."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from rocksteady import __version__
+from rocksteady.cli import app, flags, simulate, steady
+from tests.cli.program import refused, rocksteady
+
+COMMANDS = ("steady", "simulate")
+commands = pytest.mark.parametrize("command", COMMANDS)
+SHAKING = "-A 2 -W 4"
+HEAVY = ("matplotlib", "numba", "numpy", "scipy", "xarray")
+
+
+def process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "rocksteady", *arguments],
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, **environment},
+    )
+
+
+# ------------------------------------------------------------------------------- bad input
+
+
+@commands
+@pytest.mark.parametrize(
+    ("given", "needles"),
+    [
+        ("-A -1 -W 4 -r 0.8", ["--amplitude/-A", "-1.0", "0, 1e+50"]),
+        ("-A nan -W 4 -r 0.8", ["--amplitude/-A", "nan"]),
+        ("-A inf -W 4 -r 0.8", ["--amplitude/-A", "inf"]),
+        ("-A 1e308 -W 4 -r 0.8", ["--amplitude/-A", "1e+308"]),
+        ("-A two -W 4 -r 0.8", ["--amplitude/-A", "'two'"]),
+        ("-A 2 -W 0 -r 0.8", ["--frequency-ratio/-W", "0.0"]),
+        ("-A 2 -W -4 -r 0.8", ["--frequency-ratio/-W", "-4.0"]),
+        ("-A 2 -W nan -r 0.8", ["--frequency-ratio/-W", "nan"]),
+        ("-A 2 -W inf -r 0.8", ["--frequency-ratio/-W", "inf"]),
+        ("-A 2 -W 4 -r 0", ["--restitution/-r", "0.0", "(0, 1]"]),
+        ("-A 2 -W 4 -r 1.2", ["--restitution/-r", "1.2", "(0, 1]"]),
+        ("-A 2 -W 4 -r -0.8", ["--restitution/-r", "-0.8", "(0, 1]"]),
+        ("-A 2 -W 4 -r nan", ["--restitution/-r", "nan", "(0, 1]"]),
+        ("-A 2 -W 4 -r bouncy", ["--restitution/-r", "'bouncy'", "housner"]),
+        ("-A 2 -W 4 -r housner", ["--restitution/-r", "'housner'", "block"]),
+        ("-A 2 -W 4", ["--restitution/-r", "not given", "-r 0.8"]),
+        ("-A 2 -W 4 -r 0.8 -n 2", ["--order/-n", "2", "odd"]),
+        ("-A 2 -W 4 -r 0.8 -n 0", ["--order/-n", "0"]),
+        ("-A 2 -W 4 -r 0.8 -n -1", ["--order/-n", "-1"]),
+        ("-A 2 -W 4 -r 0.8 -n 1.5", ["--order", "'1.5'"]),
+        ("-A 2 -r 0.8", ["--frequency-ratio/-W and --freq-hz", "neither"]),
+        ("-W 4 -r 0.8", ["--amplitude/-A and --accel-g", "neither"]),
+        ("-A 2 -W 4 -r 0.8 --accel-g 0.3", ["--accel-g", "0.3", "block"]),
+        ("-A 2 -W 4 -r 0.8 --freq-hz 2", ["--freq-hz", "2.0", "block"]),
+        ("-A 2 --accel-g 1 -W 4 --block tso-wong-1989", ["--accel-g", "both"]),
+        ("-A 2 -W 4 --freq-hz 1 --block tso-wong-1989", ["--freq-hz", "both"]),
+        ("--accel-g -0.4 -W 4 --block tso-wong-1989", ["--accel-g", "-0.4"]),
+        ("--accel-g nan -W 4 --block tso-wong-1989", ["--accel-g", "nan"]),
+        ("-A 2 --freq-hz 0 --block tso-wong-1989", ["--freq-hz", "0.0"]),
+        ("-A 2 --freq-hz 1e9 --block tso-wong-1989", ["--freq-hz", "1000000000.0", "p = 6.28"]),
+        ("-A 2 -W 4 --block pyramid", ["--block", "'pyramid'", "tso-wong-1989"]),
+        ("-A 2 -W 4 --width-m 1", ["--width-m", "pair"]),
+        ("-A 2 -W 4 --alpha-rad 0.2", ["--alpha-rad", "pair"]),
+        ("-A 2 -W 4 --width-m 1 --radius-m 1", ["--width-m --radius-m", "pair"]),
+        (
+            "-A 2 -W 4 --width-m 1 --height-m 2 --alpha-rad 0.2",
+            ["--width-m --height-m --alpha-rad", "pair"],
+        ),
+        ("-A 2 -W 4 --block tso-wong-1989 --width-m 1", ["--block --width-m"]),
+        ("-A 2 -W 4 --width-m -1 --height-m 2", ["--width-m", "-1.0"]),
+        ("-A 2 -W 4 --width-m 1 --height-m 0", ["--height-m", "0.0"]),
+        ("-A 2 -W 4 --width-m nan --height-m 1", ["--width-m", "nan"]),
+        ("-A 2 -W 4 --width-m wide --height-m 1", ["--width-m", "'wide'"]),
+        ("-A 2 -W 4 --width-m 3 --height-m 1", ["--width-m", "3.0", "Housner"]),
+        ("-A 2 -W 4 --alpha-rad 1.6 --radius-m 1", ["--alpha-rad", "1.6"]),
+        ("-A 2 -W 4 --alpha-rad 0 --radius-m 1", ["--alpha-rad", "0.0"]),
+        ("-A 2 -W 4 --alpha-rad 0.2 --radius-m inf", ["--radius-m", "inf"]),
+        ("-A 2 -W 4 --alpha-rad 0.2 --p-rad-s 0", ["--p-rad-s", "0.0"]),
+        ("-A 2 -W 4 --alpha-rad 0.2 --p-rad-s 2 --gravity-m-s2 0", ["--gravity-m-s2", "0.0"]),
+        ("-A 2 -W 4 -r 0.8 --plto a.png", ["--plto", "--help"]),
+        ("-A 2 -W 4 -r 0.8 extra", ["extra", "--help"]),
+        ("-A", ["-A", "--help"]),
+    ],
+)
+def test_bad_input_is_one_line_with_the_value(command: str, given: str, needles: list[str]) -> None:
+    line = refused(f"{command} {given}")
+    for needle in needles:
+        assert needle in line, line
+
+
+def test_an_unknown_command_is_one_line() -> None:
+    assert "'stedy'" in refused("stedy -A 2")
+
+
+@commands
+def test_a_value_is_never_shown_in_another_unit(command: str) -> None:
+    line = refused(f"{command} --width-m 0.4 --height-m 1 --accel-g -0.4 --freq-hz 1")
+    assert "--accel-g = -0.4 " in line
+
+
+# ----------------------------------------------------------------------------------- files
+
+
+@commands
+@pytest.mark.parametrize("flag", ["--plot", "--csv"])
+def test_an_existing_file_is_left_alone_without_force(
+    command: str, flag: str, tmp_path: Path
+) -> None:
+    file = tmp_path / "out.png"
+    file.write_text("precious")
+    line = refused(f"{command} {SHAKING} -r 0.8 {flag}", file)
+    assert str(file) in line
+    assert "--force" in line
+    assert file.read_text() == "precious"
+    other = tmp_path / ("new.csv" if flag == "--plot" else "new.png")
+    refused(
+        f"{command} {SHAKING} -r 0.8 {flag}", file, "--csv" if flag == "--plot" else "--plot", other
+    )
+    assert not other.exists(), "nothing is written where one output is refused"
+    assert rocksteady(f"{command} {SHAKING} -r 0.8 --force {flag}", file).code == 0
+    assert file.read_bytes() != b"precious"
+    assert [path.name for path in tmp_path.iterdir()] == ["out.png"]
+
+
+@commands
+@pytest.mark.parametrize("flag", ["--plot", "--csv"])
+def test_a_missing_folder_and_a_folder_for_a_file_are_refused(
+    command: str, flag: str, tmp_path: Path
+) -> None:
+    missing = tmp_path / "no" / "out.png"
+    line = refused(f"{command} {SHAKING} -r 0.8 {flag}", missing)
+    assert str(missing) in line
+    assert "does not exist" in line
+    assert not missing.parent.exists()
+    folder = tmp_path / "folder.png"
+    folder.mkdir()
+    assert "it is a folder" in refused(f"{command} {SHAKING} -r 0.8 --force {flag}", folder)
+
+
+@commands
+@pytest.mark.parametrize("flag", ["--plot", "--csv"])
+def test_an_unwritable_folder_is_refused_before_anything_is_computed(
+    command: str, flag: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Not by chmod: the tests may run as root, for whom every folder is writable.
+    monkeypatch.setattr(os, "access", lambda *_: False)
+    line = refused(f"{command} {SHAKING} -r 0.8 {flag}", tmp_path / "out.png")
+    assert "not writable" in line
+    assert list(tmp_path.iterdir()) == []
+
+
+@commands
+def test_an_unknown_figure_format_is_refused_with_the_known_ones(
+    command: str, tmp_path: Path
+) -> None:
+    line = refused(f"{command} {SHAKING} -r 0.8 --plot", tmp_path / "out.gif")
+    for ending in (".png", ".svg", ".pdf"):
+        assert ending in line
+    refused(f"{command} {SHAKING} -r 0.8 --plot", tmp_path / "out")
+
+
+@commands
+def test_two_outputs_in_one_file_are_refused(command: str, tmp_path: Path) -> None:
+    file = tmp_path / "out.png"
+    assert "same file" in refused(f"{command} {SHAKING} -r 0.8 --plot", file, "--csv", file)
+
+
+@commands
+def test_a_disk_that_fills_leaves_nothing_behind(
+    command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(_self: Path, _target: Path) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(Path, "replace", full)
+    line = refused(f"{command} {SHAKING} -r 0.8 --csv", tmp_path / "out.csv")
+    assert "No space left on device" in line
+    assert list(tmp_path.iterdir()) == []
+
+
+@commands
+def test_bad_input_leaves_no_file(command: str, tmp_path: Path) -> None:
+    refused(f"{command} {SHAKING} -r 1.2 --plot", tmp_path / "a.png", "--csv", tmp_path / "a.csv")
+    assert list(tmp_path.iterdir()) == []
+
+
+# ------------------------------------------------------------------------- help and version
+
+
+@commands
+def test_help_names_every_flag_with_its_meaning(
+    command: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "100")
+    ran = rocksteady(f"{command} --help")
+    assert (ran.code, ran.err) == (0, "")
+    import typer
+
+    for parameter in typer.main.get_command(app.app).commands[command].params:  # type: ignore[attr-defined]
+        for flag in parameter.opts:
+            assert flag in ran.out, flag
+        assert parameter.help, parameter.name
+    assert "rocksteady" in ran.out
+    assert "Examples:" in ran.out
+    for unit in ("[m]", "[rad]", "[rad/s]", "[m/s^2]", " Hz", " in g"):
+        assert unit in ran.out, unit
+
+
+@commands
+def test_the_examples_in_the_help_run(
+    command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    text = {"steady": steady.EXAMPLES, "simulate": simulate.EXAMPLES}[command]
+    examples = re.findall(r"^rocksteady (.*)$", text, flags=re.MULTILINE)
+    assert len(examples) >= 3
+    for example in examples:
+        assert rocksteady(example).code == 0, example
+
+
+def test_every_flag_that_errors_name_exists() -> None:
+    text = "".join(rocksteady(f"{command} --help").out for command in COMMANDS)
+    for flag in flags.FLAG_OF_ARGUMENT.values():
+        assert flag.partition("/")[0] in text
+
+
+def test_the_program_alone_shows_its_help() -> None:
+    ran = rocksteady("")
+    assert ran.code in (0, 2)
+    for command in COMMANDS:
+        assert command in ran.out + ran.err
+        assert command in rocksteady("--help").out
+
+
+def test_version() -> None:
+    assert rocksteady("--version").out == f"rocksteady {__version__}\n"
+
+
+@pytest.mark.parametrize(
+    "arguments", [["--help"], ["steady", "--help"], ["simulate", "-h"], ["--version"]]
+)
+def test_help_loads_nothing_heavy(arguments: list[str]) -> None:
+    code = (
+        "import sys, rocksteady.cli.app as app\n"
+        f"assert app.run({arguments!r}) == 0\n"
+        "print(*{name.partition('.')[0] for name in sys.modules}, file=sys.stderr)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert set(done.stderr.split()) & set(HEAVY) == set()
+    assert "rich" in done.stderr or arguments == ["--version"]
+
+
+def test_a_refusal_of_flags_loads_nothing_heavy() -> None:
+    code = (
+        "import sys, rocksteady.cli.app as app\n"
+        "assert app.run(['simulate', '-A', '2', '-W', '4', '-r', '1.2']) == 2\n"
+        "print(*{name.partition('.')[0] for name in sys.modules})"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert set(done.stdout.split()) & set(HEAVY) == set()
+
+
+# -------------------------------------------------------------------------- as a subprocess
+
+
+def test_python_m_rocksteady_is_the_program() -> None:
+    done = process("steady", "-A", "2", "-W", "4", "-r", "0.8", "--json")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout == rocksteady("steady -A 2 -W 4 -r 0.8 --json").out
+    done = process("steady", "-A", "2", "-W", "4", "-r", "1.2")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.startswith("rocksteady: --restitution/-r = 1.2 ")
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_shell_completion(shell: str) -> None:
+    done = process("--show-completion", shell)
+    if done.returncode != 0:  # some versions of typer look at the running shell instead
+        done = process("--show-completion", SHELL=f"/bin/{shell}")
+    assert done.returncode == 0
+    assert "ROCKSTEADY_COMPLETE" in done.stdout
+
+
+def test_completion_knows_commands_and_flags() -> None:
+    done = process(_ROCKSTEADY_COMPLETE="complete_bash", COMP_WORDS="rocksteady si", COMP_CWORD="1")
+    assert done.stdout.split() == ["simulate"]
+    words = "rocksteady steady --freq"
+    done = process(_ROCKSTEADY_COMPLETE="complete_bash", COMP_WORDS=words, COMP_CWORD="2")
+    assert set(done.stdout.split()) == {"--frequency-ratio", "--freq-hz"}
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    ["--help", "steady -A 2 -W 4 -r 0.8", "steady -A 1:6:300 -W 1:4:30 -r 0.8 --json"],
+)
+def test_a_closed_pipe_is_no_error(arguments: str) -> None:
+    read, write = os.pipe()
+    os.close(read)
+    try:
+        done = subprocess.run(
+            [sys.executable, "-m", "rocksteady", *arguments.split()],
+            stdout=write,
+            stderr=subprocess.PIPE,
+            text=True,
+            check=False,
+        )
+    finally:
+        os.close(write)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+# --------------------------------------------------------------------------- what goes wrong
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_an_internal_error_says_so_and_ends_with_101(
+    command: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def broken(**_: object) -> None:
+        raise ZeroDivisionError("by nought")
+
+    monkeypatch.setattr(f"rocksteady.cli.{command}.block_from", broken)
+    ran = rocksteady(f"{command} {SHAKING} -r 0.8")
+    assert ran.code == 101
+    assert ran.out == ""
+    assert "Traceback" in ran.err
+    last = ran.err.splitlines()[-1]
+    assert last.startswith("rocksteady: internal error: ZeroDivisionError: by nought")
+    assert "report" in last
+
+
+@commands
+def test_an_interruption_ends_with_130(command: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    def stopped(**_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(f"rocksteady.cli.{command}.block_from", stopped)
+    ran = rocksteady(f"{command} {SHAKING} -r 0.8")
+    assert (ran.code, ran.out) == (130, "")
+    assert ran.err == "rocksteady: interrupted\n"

@@ -1,0 +1,335 @@
+"""Pictures: what each draws, its labels, its files, and that it leaves matplotlib as it was."""
+
+import contextlib
+import itertools
+import math
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+
+mpl.use("Agg")
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
+
+from rocksteady import (
+    Block,
+    DimensionlessBlock,
+    Harmonic,
+    RegionMap,
+    ResponseCurve,
+    State,
+    Status,
+    Steady,
+    SteadyOrbit,
+    Still,
+    Trajectory,
+    plot_base,
+    plot_orbit,
+    plot_phase_portrait,
+    plot_regions,
+    plot_response,
+    plot_trajectory,
+    region_map,
+    response_curve,
+    simulate,
+    steady_orbit,
+    steady_states,
+)
+from rocksteady.show import palette
+from rocksteady.show.figures import response_figure, simulation_figure, steady_figure
+from rocksteady.show.plots import region_centres
+
+BARE = DimensionlessBlock(restitution=0.8)
+BLOCK = Block.from_p(alpha=0.2, p=2.0 * math.pi, restitution=0.8)
+
+
+def rocking() -> Trajectory:
+    return simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=4.0), cycles=10)
+
+
+def overturning() -> Trajectory:
+    return simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=1.7), start=Steady(), cycles=40)
+
+
+def coming_to_rest() -> Trajectory:
+    return simulate(BLOCK, Still(), start=State(angle=0.6, velocity=0.0))
+
+
+def curves() -> RegionMap:
+    return region_map(np.linspace(0.1, 14.0, 200), 0.5, order=3)
+
+
+def responses() -> list[ResponseCurve]:
+    hertz = np.linspace(1.0, 8.0, 60)
+    return [response_curve(BLOCK, a, frequency_hz=hertz) for a in (1.0, 2.0, 3.0)]
+
+
+def orbit() -> SteadyOrbit:
+    return steady_orbit(2.0, 6.0, 0.8, order=3)
+
+
+PLOTS: dict[str, Callable[[Axes | None], Axes]] = {
+    "trajectory": lambda ax: plot_trajectory(rocking(), ax),
+    "overturning": lambda ax: plot_trajectory(overturning(), ax),
+    "rest": lambda ax: plot_trajectory(coming_to_rest(), ax),
+    "base": lambda ax: plot_base(rocking(), ax),
+    "portrait": lambda ax: plot_phase_portrait(rocking(), ax),
+    "orbit": lambda ax: plot_orbit(orbit(), ax),
+    "regions": lambda ax: plot_regions(curves(), ax, point=(6.0, 2.0)),
+    "response": lambda ax: plot_response(responses(), ax),
+    "hertz": lambda ax: plot_response(responses(), ax, hertz=True),
+}
+FIGURES: dict[str, Callable[[], Figure]] = {
+    "simulation": lambda: simulation_figure(rocking(), "title"),
+    "fall": lambda: simulation_figure(overturning()),
+    "rest": lambda: simulation_figure(coming_to_rest()),
+    "steady": lambda: steady_figure([("branch 1", orbit())], curves(), point=(6.0, 2.0)),
+    "nothing": lambda: steady_figure([], curves(), point=(6.0, 0.1), title="title"),
+    "response": lambda: response_figure(responses(), hertz=True, title="title"),
+}
+plots = pytest.mark.parametrize("draw", PLOTS.values(), ids=PLOTS)
+figures = pytest.mark.parametrize("make", FIGURES.values(), ids=FIGURES)
+
+
+@pytest.fixture(autouse=True)
+def matplotlib_left_as_it_was() -> Iterator[None]:
+    """No picture may change a setting of its user, nor leave a figure in pyplot behind."""
+    settings = dict(mpl.rcParams)
+    open_figures = plt.get_fignums()
+    yield
+    assert dict(mpl.rcParams) == settings
+    assert plt.get_fignums() == open_figures
+
+
+@plots
+def test_a_plot_draws_on_the_axes_it_is_given_and_returns_them(
+    draw: Callable[[Axes | None], Axes],
+) -> None:
+    axes = Figure().add_subplot()
+    assert draw(axes) is axes
+    assert axes.lines
+    assert any(len(np.asarray(line.get_xdata())) > 2 for line in axes.lines)
+    limits = [*axes.get_xlim(), *axes.get_ylim()]
+    assert np.isfinite(limits).all()
+    assert limits[0] < limits[1]
+    assert limits[2] < limits[3]
+
+
+@plots
+def test_a_plot_makes_axes_of_its_own_where_none_are_given(
+    draw: Callable[[Axes | None], Axes],
+) -> None:
+    axes = draw(None)
+    try:
+        assert plt.gcf() is axes.figure
+        assert not axes.spines["top"].get_visible(), "in the house style"
+    finally:
+        plt.close("all")
+
+
+@plots
+def test_both_axes_say_quantity_and_unit(draw: Callable[[Axes | None], Axes]) -> None:
+    axes = draw(Figure().add_subplot())
+    for label in (axes.get_xlabel(), axes.get_ylabel()):
+        # a unit in brackets, or the ratio or dimensionless group in symbols
+        assert re.search(r"\[[^\]]+\]|\$.*\$", label), label
+        assert label in palette.LABELS.values()
+
+
+def test_the_time_axis_has_the_unit_of_the_run() -> None:
+    free = simulate(BARE, Still(), start=State(angle=0.5, velocity=0.0))
+    for run, label, scale in (
+        (rocking(), "periods", 4.0 / (2.0 * math.pi)),
+        (coming_to_rest(), "seconds", 1.0 / BLOCK.p),
+        (free, "pivot_time", 1.0),
+    ):
+        axes = plot_trajectory(run, Figure().add_subplot())
+        assert axes.get_xlabel() == palette.LABELS[label]
+        assert axes.get_xlim()[1] == pytest.approx(run.times()[-1] * scale)
+
+
+def test_the_time_history_is_the_trajectory_with_all_its_impacts() -> None:
+    run = rocking()
+    axes = plot_trajectory(run, Figure().add_subplot())
+    drawn = {len(np.asarray(line.get_xdata())): line for line in axes.lines}
+    times = run.times()
+    np.testing.assert_array_equal(drawn[len(times)].get_ydata(), run(times).angle)
+    impacts = drawn[len(run.impacts)]
+    np.testing.assert_allclose(
+        np.asarray(impacts.get_xdata(), dtype=float), run.impacts.s * 4.0 / (2.0 * math.pi)
+    )
+    assert f"{len(run.impacts)} impacts" in legend_of(axes)
+
+
+def legend_of(axes: Axes) -> list[str]:
+    legend = axes.get_legend()
+    assert legend is not None
+    return [text.get_text() for text in legend.get_texts()]
+
+
+def test_the_end_is_marked() -> None:
+    fall = overturning()
+    assert fall.status is Status.OVERTURNED
+    axes = plot_trajectory(fall, Figure().add_subplot())
+    assert "overturns" in legend_of(axes)
+    assert axes.get_ylim()[1] > 1.5
+    assert "at rest" in legend_of(plot_trajectory(coming_to_rest(), Figure().add_subplot()))
+    assert len(legend_of(plot_trajectory(rocking(), Figure().add_subplot()))) == 1
+
+
+def test_small_rocking_fills_the_picture() -> None:
+    run = simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=8.0), start=Steady(), cycles=5)
+    top = plot_trajectory(run, Figure().add_subplot()).get_ylim()[1]
+    assert run.peak < top < 1.5 * run.peak
+
+
+def test_stable_parts_are_solid_and_unstable_ones_dashed() -> None:
+    curve = response_curve(BARE, 2.0, frequency_ratio=np.linspace(1.0, 8.0, 141))
+    axes = plot_response([curve], Figure().add_subplot())
+    solid, dashed = axes.lines
+    finite = [np.isfinite(np.asarray(line.get_ydata(), dtype=float)) for line in (solid, dashed)]
+    np.testing.assert_array_equal(finite[0], curve.stable)
+    np.testing.assert_array_equal(finite[1], ~curve.stable & np.isfinite(curve.peak))
+    assert finite[0].any()
+    assert finite[1].any()
+    assert solid.get_linestyle() == "-"
+    assert dashed.get_linestyle() != "-"
+
+
+def test_curves_of_several_orders_and_branches_are_told_apart() -> None:
+    w = np.linspace(3.0, 8.0, 20)
+    mixed = [
+        response_curve(BARE, 2.0, frequency_ratio=w),
+        response_curve(BARE, 2.0, frequency_ratio=w, branch=2),
+        response_curve(BARE, 2.0, frequency_ratio=w, order=3),
+    ]
+    labels = legend_of(plot_response(mixed, Figure().add_subplot()))
+    assert len(set(labels)) == 3
+    assert "A = 2, n = 3, branch 1" in labels
+
+
+def test_the_numbers_of_the_regions_stand_in_their_regions() -> None:
+    drawn = curves()
+    centres = region_centres(drawn, 12.0)
+    assert set(centres) == {1, 2, 3, 4, 5}
+    for region, (w, a) in centres.items():
+        assert steady_states(a, w, 0.5, order=3).region == region
+
+
+@figures
+@pytest.mark.parametrize(
+    ("ending", "magic"), [("png", b"\x89PNG\r\n"), ("svg", b"<?xml"), ("pdf", b"%PDF")]
+)
+def test_figures_can_be_saved(
+    make: Callable[[], Figure], ending: str, magic: bytes, tmp_path: Path
+) -> None:
+    file = tmp_path / f"figure.{ending}"
+    figure = make()
+    with palette.style():
+        figure.savefig(file)
+    data = file.read_bytes()
+    assert data.startswith(magic)
+    assert len(data) > 5_000
+
+
+@figures
+def test_every_panel_of_a_figure_has_labels(make: Callable[[], Figure]) -> None:
+    figure = make()
+    for axes in figure.axes:
+        assert axes.get_ylabel()
+        assert axes.get_xlabel() or not axes.xaxis.get_tick_params()["labelbottom"]
+
+
+def test_a_figure_has_the_title_it_is_given() -> None:
+    assert FIGURES["simulation"]().get_suptitle() == "title"
+    assert FIGURES["steady"]().get_suptitle() == ""
+    assert FIGURES["nothing"]().get_suptitle() == "title"
+
+
+def test_the_style_ends_with_its_block_even_after_an_error() -> None:
+    before = mpl.rcParams["axes.spines.top"]
+    with contextlib.suppress(ZeroDivisionError), palette.style():
+        assert mpl.rcParams["axes.spines.top"] is False
+        _ = 1 / 0
+    assert mpl.rcParams["axes.spines.top"] == before
+
+
+# --------------------------------------------------------------------------------- colours
+
+
+def linear(colour: str) -> Any:
+    c = np.array(to_rgb(colour))
+    return np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)
+
+
+def lab(rgb: Any) -> Any:
+    """CIE L*a*b* of linear sRGB, white D65."""
+    matrix = np.array(
+        [[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]]
+    )
+    xyz = matrix @ np.clip(rgb, 0.0, 1.0) / np.array([0.9505, 1.0, 1.089])
+    f = np.where(xyz > (6 / 29) ** 3, np.cbrt(xyz), xyz * (29 / 6) ** 2 / 3 + 4 / 29)
+    return np.array([116 * f[1] - 16, 500 * (f[0] - f[1]), 200 * (f[1] - f[2])])
+
+
+# Machado, Oliveira and Fernandes (2009), severity 1, on linear sRGB
+SIGHTS = {
+    "normal": np.eye(3),
+    "protanopia": np.array(
+        [
+            [0.152286, 1.052583, -0.204868],
+            [0.114503, 0.786281, 0.099216],
+            [-0.003882, -0.048116, 1.051998],
+        ]
+    ),
+    "deuteranopia": np.array(
+        [
+            [0.367322, 0.860646, -0.227968],
+            [0.280085, 0.672501, 0.047413],
+            [-0.011820, 0.042940, 0.968881],
+        ]
+    ),
+}
+ATTRACTORS = (
+    palette.REST,
+    palette.SYMMETRIC,
+    palette.UNSYMMETRIC,
+    palette.SUBHARMONIC,
+    palette.APERIODIC,
+    palette.OVERTURNED,
+)
+
+
+@pytest.mark.parametrize("sight", SIGHTS)
+def test_attractors_are_told_apart_by_any_sight(sight: str) -> None:
+    seen = {colour: lab(SIGHTS[sight] @ linear(colour)) for colour in ATTRACTORS}
+    for one, other in itertools.combinations(ATTRACTORS, 2):
+        assert np.linalg.norm(seen[one] - seen[other]) > 15.0, (one, other)
+
+
+def test_undecided_is_told_apart_from_every_attractor() -> None:
+    for colour in ATTRACTORS:
+        distance = np.linalg.norm(lab(linear(colour)) - lab(linear(palette.UNDECIDED)))
+        assert distance > 15.0, colour
+
+
+def test_lines_differ_in_colour_or_dash_and_stand_out_from_white() -> None:
+    pairs = list(zip(palette.LINES, map(str, palette.DASHES), strict=True))
+    assert len(set(pairs)) == len(set(palette.LINES)) == len(palette.LINES)
+    for colour in palette.LINES:
+        luminance = float(np.array([0.2126, 0.7152, 0.0722]) @ linear(colour))
+        assert 1.05 / (luminance + 0.05) > 3.0, "the contrast that WCAG asks of graphics"
+
+
+def test_the_fills_of_the_regions_differ() -> None:
+    assert set(palette.REGION_FILLS) == {1, 2, 3, 4, 5}
+    for one, other in itertools.combinations(palette.REGION_FILLS.values(), 2):
+        assert np.linalg.norm(lab(linear(one)) - lab(linear(other))) > 5.0
