@@ -7,7 +7,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.regions import real_array
+from rocksteady.dynamics.grids import real_array
 from rocksteady.dynamics.steady import BRANCHES, SteadyStates, steady_states
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.block import Block, DimensionlessBlock

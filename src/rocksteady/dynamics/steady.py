@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.regions import REGIONS, validated_grid
+from rocksteady.dynamics.grids import validated_grid
+from rocksteady.dynamics.regions import REGIONS
 from rocksteady.errors import InputError
 from rocksteady.kernels.symmetric import fill_half_cycle, fill_steady, symmetric_orbit
 from rocksteady.model.validation import whole_number

@@ -133,7 +133,10 @@ def orbit_of(
     root /= amplitude
     if branch == 1:
         s = (q + p * root) / length
-        cosine = (half.kind - amplitude) * (half.kind + amplitude) / (amplitude * amplitude)
+        # Q^2 - 1 is P^2 - S^2 too: where P is small, near the fold, the distance from A25 is lost.
+        cosine = (d * p - root) * (d * p + root)
+        if d * p > 1.0:
+            cosine = (half.kind - amplitude) * (half.kind + amplitude) / (amplitude * amplitude)
         cosine /= d * d * p * q + root
     else:
         s = p * p * (half.sign - amplitude) * (half.sign + amplitude) / (amplitude * amplitude)
