@@ -5,7 +5,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.errors import InputError
 from rocksteady.model.block import restitution_value
-from rocksteady.model.validation import LARGEST, in_range
+from rocksteady.model.validation import LARGEST, in_range, odd_order
 
 Floats = NDArray[np.float64]
 
