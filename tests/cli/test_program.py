@@ -323,10 +323,10 @@ def test_a_closed_pipe_is_no_error(arguments: str) -> None:
 def test_an_internal_error_says_so_and_ends_with_101(
     command: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def broken(**_: object) -> None:
+    def broken(_: object) -> None:
         raise ZeroDivisionError("by nought")
 
-    monkeypatch.setattr(f"rocksteady.cli.{command}.block_from", broken)
+    monkeypatch.setattr("rocksteady.cli.groups.BlockFlags.described", broken)
     ran = rocksteady(f"{command} {SHAKING} -r 0.8")
     assert ran.code == 101
     assert ran.out == ""
@@ -338,10 +338,10 @@ def test_an_internal_error_says_so_and_ends_with_101(
 
 @commands
 def test_an_interruption_ends_with_130(command: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    def stopped(**_: object) -> None:
+    def stopped(_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(f"rocksteady.cli.{command}.block_from", stopped)
+    monkeypatch.setattr("rocksteady.cli.groups.BlockFlags.described", stopped)
     ran = rocksteady(f"{command} {SHAKING} -r 0.8")
     assert (ran.code, ran.out) == (130, "")
     assert ran.err == "rocksteady: interrupted\n"

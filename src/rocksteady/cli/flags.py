@@ -139,8 +139,13 @@ PRadS = Annotated[
     ),
 ]
 GravityMS2 = Annotated[
-    float,
-    typer.Option("--gravity-m-s2", metavar="G", help="Gravity \\[m/s^2].", rich_help_panel=BLOCK),
+    float | None,
+    typer.Option(
+        "--gravity-m-s2",
+        metavar="G",
+        help="Gravity \\[m/s^2], default 9.80665.",
+        rich_help_panel=BLOCK,
+    ),
 ]
 Json = Annotated[
     bool,

@@ -1,13 +1,11 @@
-"""From the strings and numbers of the command line to the nouns of the model."""
+"""From the strings of the command line to numbers, axes and starts."""
 
 import math
 from typing import TYPE_CHECKING
 
-from rocksteady.errors import InputError, ModelError
-from rocksteady.model.block import Block, DimensionlessBlock, Restitution
-from rocksteady.model.examples import example_block
-from rocksteady.model.motions import Harmonic
-from rocksteady.model.validation import non_negative, odd_order
+from rocksteady.errors import InputError
+from rocksteady.model.block import Restitution
+from rocksteady.model.validation import odd_order
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.start import Start
@@ -99,115 +97,6 @@ def restitution_from(text: str | None, *, default: Restitution | None) -> Restit
             valid="it must be a number in (0, 1] or 'housner'",
             hint="write it as -r 0.8",
         ) from None
-
-
-def block_from(
-    *,
-    named: str | None,
-    width_m: float | None,
-    height_m: float | None,
-    alpha_rad: float | None,
-    radius_m: float | None,
-    p_rad_s: float | None,
-    gravity_m_s2: float,
-    restitution: str | None,
-) -> Block | DimensionlessBlock:
-    """Return the block that the flags describe; a dimensionless one where none does.
-
-    Raises
-    ------
-    InputError
-        If a number is outside its range.
-    ModelError
-        If the flags describe a block in two ways, or half of one.
-    """
-    sizes = {
-        "--width-m": width_m,
-        "--height-m": height_m,
-        "--alpha-rad": alpha_rad,
-        "--radius-m": radius_m,
-        "--p-rad-s": p_rad_s,
-    }
-    given = [flag for flag, value in sizes.items() if value is not None]
-    if named is not None:
-        if given:
-            raise _two_blocks(["--block", *given])
-        own = None if restitution is None else restitution_from(restitution, default="housner")
-        return example_block(named, restitution=own, gravity=gravity_m_s2)
-    if not given:
-        ratio = restitution_from(restitution, default=None)
-        return DimensionlessBlock(restitution=float(ratio))
-    ratio = restitution_from(restitution, default="housner")
-    if width_m is not None and height_m is not None and len(given) == 2:
-        return Block.rectangle(
-            width=width_m, height=height_m, restitution=ratio, gravity=gravity_m_s2
-        )
-    if alpha_rad is not None and radius_m is not None and len(given) == 2:
-        return Block.from_radius(
-            alpha=alpha_rad, radius=radius_m, restitution=ratio, gravity=gravity_m_s2
-        )
-    if alpha_rad is not None and p_rad_s is not None and len(given) == 2:
-        return Block.from_p(alpha=alpha_rad, p=p_rad_s, restitution=ratio, gravity=gravity_m_s2)
-    raise _two_blocks(given)
-
-
-def _two_blocks(given: list[str]) -> ModelError:
-    return ModelError(
-        name="the block",
-        value=" ".join(given),
-        valid="it is described by --width-m with --height-m, by --alpha-rad with --radius-m, by "
-        "--alpha-rad with --p-rad-s, or by --block alone",
-        hint="give one of these pairs",
-    )
-
-
-def shaking_from(
-    block: Block | DimensionlessBlock,
-    *,
-    amplitude: str | None,
-    frequency_ratio: str | None,
-    accel_g: float | None,
-    freq_hz: float | None,
-) -> tuple[list[float], list[float]]:
-    """Return amplitudes A and frequency ratios of harmonic shaking, each an axis or one value.
-
-    Raises
-    ------
-    InputError, ModelError
-        If a value is missing, given twice, or needs a block.
-    """
-    for flag, value in (("--accel-g", accel_g), ("--freq-hz", freq_hz)):
-        if value is not None and isinstance(block, DimensionlessBlock):
-            raise ModelError(
-                name=flag,
-                value=value,
-                valid="g and Hz need a block with a slenderness and a p",
-                hint="describe a block, or give -A and -W",
-            )
-    for flag, one, other in (
-        ("--amplitude/-A and --accel-g", amplitude, accel_g),
-        ("--frequency-ratio/-W and --freq-hz", frequency_ratio, freq_hz),
-    ):
-        if (one is None) == (other is None):
-            state = "both given" if one is not None else "neither given"
-            raise ModelError(
-                name=flag, value=state, valid="exactly one of the two is needed", hint="give one"
-            )
-    amplitudes = axis("amplitude", amplitude) if amplitude is not None else []
-    ratios = axis("frequency_ratio", frequency_ratio) if frequency_ratio is not None else []
-    if accel_g is not None:
-        non_negative("--accel-g", accel_g, hint="give the peak in g; 0.3 is usual")
-    if isinstance(block, Block) and not (amplitudes and ratios):
-        # What was given dimensionless is left out of this shaking, and what it says of the rest
-        # is kept.
-        shaking = Harmonic.from_si(
-            block,
-            acceleration_m_s2=1.0 if accel_g is None else accel_g * block.gravity,
-            frequency_hz=block.p / (2.0 * math.pi) if freq_hz is None else freq_hz,
-        )
-        amplitudes = amplitudes or [shaking.amplitude]
-        ratios = ratios or [shaking.frequency_ratio]
-    return amplitudes, ratios
 
 
 def single(flag: str, values: list[float]) -> float:

@@ -15,50 +15,27 @@ from rocksteady.errors import OutputError
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-FIGURE_FORMATS = (".png", ".svg", ".pdf")
 
-
-def check_outputs(*, plot: Path | None, csv_file: Path | None, force: bool) -> None:
-    """Refuse, before anything is computed, what could not be written afterwards.
+def check_writable(flag: str, file: Path, *, force: bool) -> None:
+    """Refuse a file that could not be written.
 
     Raises
     ------
     OutputError
-        If a file exists and `force` is off, its folder is missing or not writable, a figure's
-        format is unknown, or one file is asked for twice.
+        If it exists and `force` is off, or its folder is missing or not writable.
     """
-    if plot is not None and plot.suffix.lower() not in FIGURE_FORMATS:
-        raise OutputError(
-            name="--plot",
-            value=plot,
-            valid="the ending says the format: " + ", ".join(FIGURE_FORMATS),
-            hint="rename it",
-        )
-    if plot is not None and csv_file is not None and plot.absolute() == csv_file.absolute():
-        raise OutputError(
-            name="--csv", value=csv_file, valid="--plot writes the same file", hint="rename one"
-        )
-    for flag, file in (("--plot", plot), ("--csv", csv_file)):
-        if file is None:
-            continue
-        folder = file.absolute().parent
-        if not folder.is_dir():
-            raise OutputError(
-                name=flag, value=file, valid="its folder does not exist", hint="create the folder"
-            )
-        if file.is_dir():
-            raise OutputError(name=flag, value=file, valid="it is a folder", hint="name a file")
-        if not os.access(folder, os.W_OK):
-            raise OutputError(
-                name=flag,
-                value=file,
-                valid="its folder is not writable",
-                hint="choose another folder",
-            )
-        if file.exists() and not force:
-            raise OutputError(
-                name=flag, value=file, valid="it exists", hint="add --force to overwrite it"
-            )
+    folder = file.absolute().parent
+    if not folder.is_dir():
+        valid, hint = "its folder does not exist", "create the folder"
+    elif file.is_dir():
+        valid, hint = "it is a folder", "name a file"
+    elif not os.access(folder, os.W_OK):
+        valid, hint = "its folder is not writable", "choose another folder"
+    elif file.exists() and not force:
+        valid, hint = "it exists", "add --force to overwrite it"
+    else:
+        return
+    raise OutputError(name=flag, value=file, valid=valid, hint=hint)
 
 
 def write_whole(flag: str, file: Path, write: Callable[[Path], None]) -> None:

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from rocksteady.cli import flags
-from rocksteady.cli.inputs import block_from, shaking_from, single, start_from
-from rocksteady.cli.outputs import check_outputs, print_json, write_csv, write_figure
+from rocksteady.cli.groups import BlockFlags, OutputFlags, ShakingFlags, grouped
+from rocksteady.cli.inputs import single, start_from
+from rocksteady.cli.outputs import print_json, write_csv, write_figure
 from rocksteady.errors import InputError, ModelError, Status
-from rocksteady.model.block import STANDARD_GRAVITY
 from rocksteady.model.motions import Harmonic, Motion, Still
 from rocksteady.model.validation import whole_number
 
@@ -81,54 +81,27 @@ SamplesFlag = Annotated[
 ]
 
 
+@grouped
 def simulate(
-    amplitude: flags.Amplitude = None,
-    frequency_ratio: flags.FrequencyRatio = None,
-    restitution: flags.Restitution = None,
-    accel_g: flags.AccelG = None,
-    freq_hz: flags.FreqHz = None,
+    shaking: ShakingFlags,
+    block: BlockFlags,
+    output: OutputFlags,
     start: StartFlag = "rest",
     order: flags.Order = 1,
     phase: PhaseFlag = None,
     side: SideFlag = "+",
     cycles: CyclesFlag = None,
-    block: flags.NamedBlock = None,
-    width_m: flags.WidthM = None,
-    height_m: flags.HeightM = None,
-    alpha_rad: flags.AlphaRad = None,
-    radius_m: flags.RadiusM = None,
-    p_rad_s: flags.PRadS = None,
-    gravity_m_s2: flags.GravityMS2 = STANDARD_GRAVITY,
-    as_json: flags.Json = False,
-    plot: flags.Plot = None,
-    csv: flags.Csv = None,
     samples: SamplesFlag = 100,
-    force: flags.Force = False,
 ) -> None:
     """Run `rocksteady simulate`; `HELP` is what its users read."""
-    check_outputs(plot=plot, csv_file=csv, force=force)
-    body = block_from(
-        named=block,
-        width_m=width_m,
-        height_m=height_m,
-        alpha_rad=alpha_rad,
-        radius_m=radius_m,
-        p_rad_s=p_rad_s,
-        gravity_m_s2=gravity_m_s2,
-        restitution=restitution,
-    )
+    output.check()
+    body = block.described()
     if side not in ("+", "-"):
         raise InputError(name="side", value=side, valid="it must be + or -", hint="give + or -")
     motion: Motion = Still()
     ratio = None
-    if any(value is not None for value in (amplitude, frequency_ratio, accel_g, freq_hz)):
-        amplitudes, ratios = shaking_from(
-            body,
-            amplitude=amplitude,
-            frequency_ratio=frequency_ratio,
-            accel_g=accel_g,
-            freq_hz=freq_hz,
-        )
+    if shaking.given:
+        amplitudes, ratios = shaking.of(body)
         ratio = single("frequency_ratio", ratios)
         motion = Harmonic(
             amplitude=single("amplitude", amplitudes),
@@ -155,13 +128,13 @@ def simulate(
         # What was typed, in place of the object that it has become.
         raise ModelError(name="start", value=start, valid=error.valid, hint=error.hint) from error
     values = trajectory_values(trajectory)
-    if csv is not None:
-        write_csv(csv, csv_header(trajectory), csv_rows(trajectory, samples))
-    if plot is not None:
+    if output.csv is not None:
+        write_csv(output.csv, csv_header(trajectory), csv_rows(trajectory, samples))
+    if output.plot is not None:
         from rocksteady.show.figures import simulation_figure
 
-        write_figure(plot, simulation_figure(trajectory, figure_title(values)))
-    if as_json:
+        write_figure(output.plot, simulation_figure(trajectory, figure_title(values)))
+    if output.as_json:
         print_json("simulate", values)
     else:
         print_summary(values, trajectory)

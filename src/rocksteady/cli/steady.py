@@ -5,10 +5,10 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli import flags
-from rocksteady.cli.inputs import block_from, shaking_from
-from rocksteady.cli.outputs import check_outputs, print_json, write_csv, write_figure
+from rocksteady.cli.groups import BlockFlags, OutputFlags, ShakingFlags, grouped
+from rocksteady.cli.outputs import print_json, write_csv, write_figure
 from rocksteady.errors import ModelError
-from rocksteady.model.block import STANDARD_GRAVITY, Block, DimensionlessBlock
+from rocksteady.model.block import Block, DimensionlessBlock
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.steady import SteadyStates
@@ -45,48 +45,18 @@ CSV_HEADER = (
 )
 
 
+@grouped
 def steady(
-    amplitude: flags.Amplitude = None,
-    frequency_ratio: flags.FrequencyRatio = None,
-    restitution: flags.Restitution = None,
-    order: flags.Order = 1,
-    accel_g: flags.AccelG = None,
-    freq_hz: flags.FreqHz = None,
-    block: flags.NamedBlock = None,
-    width_m: flags.WidthM = None,
-    height_m: flags.HeightM = None,
-    alpha_rad: flags.AlphaRad = None,
-    radius_m: flags.RadiusM = None,
-    p_rad_s: flags.PRadS = None,
-    gravity_m_s2: flags.GravityMS2 = STANDARD_GRAVITY,
-    as_json: flags.Json = False,
-    plot: flags.Plot = None,
-    csv: flags.Csv = None,
-    force: flags.Force = False,
+    shaking: ShakingFlags, block: BlockFlags, output: OutputFlags, order: flags.Order = 1
 ) -> None:
     """Run `rocksteady steady`; `HELP` is what its users read."""
-    check_outputs(plot=plot, csv_file=csv, force=force)
-    body = block_from(
-        named=block,
-        width_m=width_m,
-        height_m=height_m,
-        alpha_rad=alpha_rad,
-        radius_m=radius_m,
-        p_rad_s=p_rad_s,
-        gravity_m_s2=gravity_m_s2,
-        restitution=restitution,
-    )
-    amplitudes, ratios = shaking_from(
-        body,
-        amplitude=amplitude,
-        frequency_ratio=frequency_ratio,
-        accel_g=accel_g,
-        freq_hz=freq_hz,
-    )
-    if plot is not None and len(amplitudes) > 1 and len(ratios) == 1:
+    output.check()
+    body = block.described()
+    amplitudes, ratios = shaking.of(body)
+    if output.plot is not None and len(amplitudes) > 1 and len(ratios) == 1:
         raise ModelError(
             name="--plot",
-            value=plot,
+            value=output.plot,
             valid="response curves are drawn over frequency ratios, and there is one",
             hint="give -W as an axis start:stop:count, or take --csv",
         )
@@ -99,14 +69,14 @@ def steady(
     )
     at_point = states.region.size == 1
     points = [point_values(states, index, body) for index in np.ndindex(states.region.shape)]
-    if csv is not None:
-        write_csv(csv, CSV_HEADER, csv_rows(states))
-    if plot is not None:
+    if output.csv is not None:
+        write_csv(output.csv, CSV_HEADER, csv_rows(states))
+    if output.plot is not None:
         if at_point:
-            write_figure(plot, point_figure(points[0]))
+            write_figure(output.plot, point_figure(points[0]))
         else:
-            write_figure(plot, curves_figure(body, amplitudes, ratios, order))
-    if as_json:
+            write_figure(output.plot, curves_figure(body, amplitudes, ratios, order))
+    if output.as_json:
         print_json("steady", points[0] if at_point else {"points": points})
     elif at_point:
         print_point(points[0])
