@@ -38,8 +38,8 @@ help: ## list the commands
 .PHONY: demo
 demo: .venv ## rock one block: its steady states and a time history, plots in out/
 	@mkdir -p out
-	$(BIN)/rocksteady steady -A 2 -W 4 -r 0.8 --plot out/steady.png --force
-	$(BIN)/rocksteady simulate -A 2 -W 1.7 -r 0.8 --start steady --cycles 40 --plot out/simulate.png --force
+	$(BIN)/rocksteady steady --block tso-wong-1989 -A 2 -W 4 --plot out/steady.png --force
+	$(BIN)/rocksteady simulate --block tso-wong-1989 -A 2 -W 1.7 --start steady --cycles 40 --plot out/simulate.png --force
 
 .PHONY: test
 test: .venv ## run every check, the tests marked slow excepted
