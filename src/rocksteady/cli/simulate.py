@@ -280,13 +280,13 @@ def csv_rows(trajectory: "Trajectory", samples: int) -> Iterator[list[float]]:
     """Yield the time history row by row, the motion just after each impact included."""
     motion = trajectory(trajectory.times(samples))
     columns = [motion.s]
-    if isinstance(trajectory.motion, Harmonic):
-        columns.append(motion.s * trajectory.motion.frequency_ratio)
+    if motion.tau is not None:
+        columns.append(motion.tau)
     columns += [motion.angle, motion.velocity, motion.acceleration]
     columns += [motion.base_acceleration, motion.energy]
-    if trajectory.block is not None:
+    if trajectory.block is not None and motion.t_s is not None:
         block = trajectory.block
-        columns += [motion.s / block.p, motion.angle * block.alpha]
+        columns += [motion.t_s, motion.angle * block.alpha]
         columns.append(motion.base_acceleration * block.uplift_acceleration)
     for row in zip(*columns, strict=True):
         yield [float(value) for value in row]

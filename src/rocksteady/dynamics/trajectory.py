@@ -28,6 +28,10 @@ class Motions:
     ----------
     s
         Pivot time p t since the start.
+    tau
+        omega t of harmonic shaking; None for other motions.
+    t_s
+        Time [s]; None without a block.
     angle
         u = theta/alpha.
     velocity, acceleration
@@ -40,6 +44,8 @@ class Motions:
     """
 
     s: Floats
+    tau: Floats | None
+    t_s: Floats | None
     angle: Floats
     velocity: Floats
     acceleration: Floats
@@ -298,8 +304,11 @@ class Trajectory:
         states = np.empty((3, len(flat)))
         fill_states(self.segments, self.sides, self.rows, index, since, states)
         angle, velocity, acceleration = states.reshape(3, *times.shape)
+        harmonic = isinstance(self.motion, Harmonic)
         return Motions(
             s=times,
+            tau=times * self.frequency_ratio if harmonic else None,
+            t_s=None if self.block is None else times / self.block.p,
             angle=angle,
             velocity=velocity,
             acceleration=acceleration,
