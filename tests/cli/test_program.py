@@ -280,12 +280,11 @@ def test_python_m_rocksteady_is_the_program() -> None:
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
-def test_shell_completion(shell: str) -> None:
-    done = process("--show-completion", shell)
-    if done.returncode != 0:  # some versions of typer look at the running shell instead
-        done = process("--show-completion", SHELL=f"/bin/{shell}")
+def test_the_completion_script_of_each_shell_calls_the_program_back(shell: str) -> None:
+    # Asked for by name: --show-completion looks at the shell that runs, which under make is none.
+    done = process(_ROCKSTEADY_COMPLETE=f"source_{shell}")
     assert done.returncode == 0
-    assert "ROCKSTEADY_COMPLETE" in done.stdout
+    assert f"_ROCKSTEADY_COMPLETE=complete_{shell}" in done.stdout
 
 
 def test_completion_knows_commands_and_flags() -> None:
