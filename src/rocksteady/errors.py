@@ -131,16 +131,16 @@ class Status(IntEnum):
 
 _ADVICE = {
     Status.ROCKING: (
-        "The block was still rocking when the requested time ended; ask for more cycles to see "
-        "whether it settles, comes to rest or falls."
+        "The block was still rocking when the run ended; where the shaking goes on, a longer run "
+        "shows whether it settles, comes to rest or falls."
     ),
     Status.AT_REST: (
-        "The block stood still on its base when the requested time ended; to see it rock, raise "
-        "the base acceleration above the uplift limit or start it with a velocity."
+        "The block stands still on its base at the end; it lifts only where the base acceleration "
+        "exceeds the uplift limit."
     ),
     Status.OVERTURNED: (
-        "The block falls: it is proved that it cannot come back to its base; to keep it standing, "
-        "lower the amplitude, raise the frequency or take a larger or a stockier block."
+        "The block falls: it is proved that it cannot come back to its base; a larger or stockier "
+        "block, weaker or faster shaking, or a smaller tilt at the start keeps it standing."
     ),
     Status.LOST_CONTACT: (
         "The base dropped away at g or faster, so the block left it and the rocking model ends "

@@ -58,7 +58,7 @@ def process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[
         ("-A 2 -r 0.8", ["--frequency-ratio/-W and --freq-hz", "neither"]),
         ("-W 4 -r 0.8", ["--amplitude/-A and --accel-g", "neither"]),
         ("-A 2 -W 4 -r 0.8 --accel-g 0.3", ["--accel-g", "0.3", "block"]),
-        ("-A 2 -W 4 -r 0.8 --freq-hz 2", ["--freq-hz", "2.0", "block"]),
+        ("-A 2 -W 4 -r 0.8 --freq-hz 2", ["--freq-hz", "'2'", "block"]),
         ("-A 2 --accel-g 1 -W 4 --block tso-wong-1989", ["--accel-g", "both"]),
         ("-A 2 -W 4 --freq-hz 1 --block tso-wong-1989", ["--freq-hz", "both"]),
         ("--accel-g -0.4 -W 4 --block tso-wong-1989", ["--accel-g", "-0.4"]),

@@ -1,6 +1,7 @@
 """`rocksteady steady`: its contract, its text and its files."""
 
 import csv
+import json
 import math
 from pathlib import Path
 from typing import Any
@@ -90,7 +91,7 @@ def test_a_neutral_solution_is_not_stable() -> None:
 
 
 def test_what_is_infinite_is_null() -> None:
-    first, _ = solutions("steady -A 2 -W 0.001 -r 0.8")
+    first, _ = solutions("steady -A 2 -W 0.01 -n 3 -r 0.8")
     assert first["half_cycle_multipliers"][0][0] is None
     assert first["half_cycle_trace"] is None
 
@@ -272,3 +273,20 @@ def test_a_plot_of_amplitudes_at_one_frequency_is_refused_before_anything_is_wri
     line = refused("steady -A 1:2:3 -W 4 -r 0.8 --csv", table, "--plot", figure)
     assert "--plot" in line
     assert list(tmp_path.iterdir()) == []
+
+
+def test_axes_in_g_and_hertz_are_the_dimensionless_ones_of_the_block() -> None:
+    in_si = rocksteady("steady --block tso-wong-1989 --accel-g 0.2:0.6:3 --freq-hz 2:8:4 --json")
+    plain = rocksteady("steady --block tso-wong-1989 -A 1:3:3 -W 2:8:4 --json")
+    pairs = zip(json.loads(in_si.out)["points"], json.loads(plain.out)["points"], strict=True)
+    for one, other in pairs:
+        assert one["amplitude"] == pytest.approx(other["amplitude"], rel=1e-12)
+        assert one["frequency_ratio"] == pytest.approx(other["frequency_ratio"], rel=1e-12)
+        assert one["region"] == other["region"]
+
+
+def test_axes_too_long_together_are_refused_before_anything_is_computed() -> None:
+    ran = rocksteady("steady -A 1:2:200000 -W 1:2:1000000 -r 0.8")
+    assert (ran.code, ran.out) == (2, "")
+    assert "200000 amplitudes x 1000000 frequencies" in ran.err
+    assert len(ran.err.splitlines()) == 1

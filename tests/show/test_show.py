@@ -185,6 +185,49 @@ def test_the_end_is_marked() -> None:
     assert len(legend_of(plot_trajectory(rocking(), Figure().add_subplot()))) == 1
 
 
+def test_a_block_that_falls_from_one_side_does_not_leave_half_the_picture_empty() -> None:
+    for sign in (1.0, -1.0):
+        start = State(angle=1.2 * sign, velocity=0.0)
+        axes = plot_trajectory(simulate(BARE, Still(), start=start), Figure().add_subplot())
+        near, far = sorted(sign * np.array(axes.get_ylim()))
+        assert near == -1.15
+        assert far > 2.0
+        assert axes.get_xlim()[0] < 0.0, "the mark of the fall at time 0 is whole"
+        assert legend_of(axes) == ["overturns"], "and no impacts are counted"
+
+
+def test_one_impact_is_singular() -> None:
+    axes = plot_trajectory(
+        simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=4.0), cycles=1.2),
+        Figure().add_subplot(),
+    )
+    assert legend_of(axes) == ["1 impact"]
+
+
+@pytest.mark.parametrize("draw", [PLOTS[name] for name in ("trajectory", "portrait", "regions")])
+def test_a_legend_stays_inside_its_axes(draw: Callable[[Axes | None], Axes]) -> None:
+    figure = Figure(figsize=(10.0, 8.0))
+    axes = draw(figure.subplots(2, 2)[1, 0])
+    figure.canvas.draw()
+    legend = axes.get_legend()
+    assert legend is not None
+    frame, box = legend.get_window_extent(), axes.get_window_extent()
+    assert box.x0 <= frame.x0 < frame.x1 <= box.x1
+    assert box.y0 <= frame.y0 < frame.y1 <= box.y1
+
+
+def test_the_legend_of_the_regions_leaves_point_and_numbers_free() -> None:
+    for point in ((2.0, 5.5), (13.0, 5.5), (1.0, 0.2), (13.0, 0.2)):
+        axes = plot_regions(curves(), Figure(figsize=(5.0, 4.4)).add_subplot(), point=point)
+        axes.figure.canvas.draw()
+        legend = axes.get_legend()
+        assert legend is not None
+        frame = legend.get_window_extent()
+        assert not frame.contains(*axes.transData.transform(point))
+        for number in axes.texts:
+            assert not frame.overlaps(number.get_window_extent()), number.get_text()
+
+
 def test_small_rocking_fills_the_picture() -> None:
     run = simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=8.0), start=Steady(), cycles=5)
     top = plot_trajectory(run, Figure().add_subplot()).get_ylim()[1]
@@ -194,14 +237,39 @@ def test_small_rocking_fills_the_picture() -> None:
 def test_stable_parts_are_solid_and_unstable_ones_dashed() -> None:
     curve = response_curve(BARE, 2.0, frequency_ratio=np.linspace(1.0, 8.0, 141))
     axes = plot_response([curve], Figure().add_subplot())
-    solid, dashed = axes.lines
+    solid, dashed, _upright = axes.lines
     finite = [np.isfinite(np.asarray(line.get_ydata(), dtype=float)) for line in (solid, dashed)]
     np.testing.assert_array_equal(finite[0], curve.stable)
-    np.testing.assert_array_equal(finite[1], ~curve.stable & np.isfinite(curve.peak))
+    unstable = ~curve.stable & np.isfinite(curve.peak)
+    assert (finite[1] >= unstable).all()
+    # They meet: where stability changes, the dashes reach to the first sample beyond.
+    changes = int(np.abs(np.diff(unstable.astype(int))).sum())
+    assert changes > 0
+    assert int((finite[1] & ~unstable).sum()) == changes
     assert finite[0].any()
     assert finite[1].any()
     assert solid.get_linestyle() == "-"
     assert dashed.get_linestyle() != "-"
+
+
+def test_peaks_of_very_different_size_are_drawn_over_a_logarithmic_axis() -> None:
+    wide, narrow = (
+        plot_response(
+            [response_curve(BARE, 2.0, frequency_ratio=np.linspace(low, high, 80))],
+            Figure().add_subplot(),
+        )
+        for low, high in ((0.5, 12.0), (5.0, 8.0))
+    )
+    assert (wide.get_yscale(), narrow.get_yscale()) == ("log", "linear")
+    assert [text.get_text() for text in wide.texts] == [r"$|\theta| = \alpha$"]
+    assert not narrow.texts, "peaks far below the balance do not make room for it"
+
+
+def test_frequencies_spaced_by_ratio_are_drawn_so() -> None:
+    for w, scale in ((np.linspace(0.1, 14.0, 90), "linear"), (np.geomspace(0.1, 14.0, 90), "log")):
+        assert plot_regions(region_map(w, 0.8), Figure().add_subplot()).get_xscale() == scale
+        curve = response_curve(BARE, 2.0, frequency_ratio=w)
+        assert plot_response([curve], Figure().add_subplot()).get_xscale() == scale
 
 
 def test_curves_of_several_orders_and_branches_are_told_apart() -> None:

@@ -54,7 +54,7 @@ FrequencyRatio = Annotated[
     ),
 ]
 AccelG = Annotated[
-    float | None,
+    str | None,
     typer.Option(
         "--accel-g",
         metavar="G",
@@ -63,7 +63,7 @@ AccelG = Annotated[
     ),
 ]
 FreqHz = Annotated[
-    float | None,
+    str | None,
     typer.Option(
         "--freq-hz",
         metavar="F",

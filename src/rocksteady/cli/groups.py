@@ -6,7 +6,6 @@ collects them again when the command is called.
 """
 
 import inspect
-import math
 from collections.abc import Callable
 from dataclasses import dataclass, fields, is_dataclass
 from functools import wraps
@@ -14,13 +13,13 @@ from pathlib import Path
 from typing import Any
 
 from rocksteady.cli import flags
-from rocksteady.cli.inputs import axis, restitution_from
+from rocksteady.cli.inputs import MOST_AXIS_POINTS, axis, restitution_from
 from rocksteady.cli.outputs import check_writable
-from rocksteady.errors import ModelError, OutputError
+from rocksteady.errors import InputError, ModelError, OutputError
 from rocksteady.model.block import STANDARD_GRAVITY, Block, DimensionlessBlock
 from rocksteady.model.examples import example_block
 from rocksteady.model.motions import Harmonic
-from rocksteady.model.validation import non_negative
+from rocksteady.model.validation import LARGEST, non_negative
 
 FIGURE_FORMATS = (".png", ".svg", ".pdf")
 
@@ -66,23 +65,36 @@ class ShakingFlags:
                     valid="exactly one of the two is needed",
                     hint="give one",
                 )
-        amplitudes = [] if self.amplitude is None else axis("amplitude", self.amplitude)
-        ratios = []
+        if self.amplitude is not None:
+            amplitudes = axis("amplitude", self.amplitude)
+        else:
+            amplitudes = [self._amplitude(block, g) for g in axis("--accel-g", self.accel_g or "")]
         if self.frequency_ratio is not None:
             ratios = axis("frequency_ratio", self.frequency_ratio)
-        if self.accel_g is not None:
-            non_negative("--accel-g", self.accel_g, hint="give the peak in g; 0.3 is usual")
-        if isinstance(block, Block) and not (amplitudes and ratios):
-            # Of this shaking only what was given in SI is used; p / 2 pi stands for the rest.
-            gravity = block.gravity
-            shaking = Harmonic.from_si(
-                block,
-                acceleration_m_s2=0.0 if self.accel_g is None else self.accel_g * gravity,
-                frequency_hz=block.p / (2.0 * math.pi) if self.freq_hz is None else self.freq_hz,
+        else:
+            ratios = [self._ratio(block, hertz) for hertz in axis("--freq-hz", self.freq_hz or "")]
+        if len(amplitudes) * len(ratios) > MOST_AXIS_POINTS:
+            raise InputError(
+                name="the axes",
+                value=f"{len(amplitudes)} amplitudes x {len(ratios)} frequencies",
+                valid=f"they may have {MOST_AXIS_POINTS} points together",
+                hint="take fewer points",
             )
-            amplitudes = amplitudes or [shaking.amplitude]
-            ratios = ratios or [shaking.frequency_ratio]
         return amplitudes, ratios
+
+    @staticmethod
+    def _amplitude(block: Block | DimensionlessBlock, accel_g: float) -> float:
+        """Return A of a peak in g."""
+        assert isinstance(block, Block)
+        g = non_negative("--accel-g", accel_g, hint="give the peak in g; 0.3 is usual")
+        return min(g, LARGEST) * block.gravity / block.uplift_acceleration
+
+    @staticmethod
+    def _ratio(block: Block | DimensionlessBlock, hertz: float) -> float:
+        """Return Omega of a frequency in Hz."""
+        assert isinstance(block, Block)
+        shaking = Harmonic.from_si(block, acceleration_m_s2=0.0, frequency_hz=hertz)
+        return shaking.frequency_ratio
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -3,7 +3,7 @@
 import math
 from typing import TYPE_CHECKING
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, ModelError
 from rocksteady.model.block import Restitution
 from rocksteady.model.validation import odd_order
 
@@ -128,17 +128,25 @@ def start_from(text: str, *, order: int, frequency_ratio: float | None) -> "Star
     from rocksteady.dynamics.start import Rest, State, Steady
 
     odd_order(order)
-    if text == "rest":
-        return Rest()
     if text in ("steady", "steady:1", "steady:2"):
         return Steady(branch=2 if text.endswith("2") else 1, order=order)
-    parts = text.split(",")
+    if order != 1:
+        raise ModelError(
+            name="order",
+            value=order,
+            valid="only a steady start has an order",
+            hint="add --start steady, or leave it out",
+        )
+    if text == "rest":
+        return Rest()
     hint = "write rest, steady, steady:2, U,DU (du/dtau) or U,w=V (du/d(pt)), as 0.4,0 or 0.4,w=0"
-    if len(parts) != 2:
-        raise InputError(name="start", value=text, valid="it is no known start", hint=hint)
-    angle = number("start", parts[0])
-    with_rate = parts[1].startswith("w=")
-    velocity = number("start", parts[1].removeprefix("w="))
+    first, comma, second = text.partition(",")
+    with_rate = second.startswith("w=")
+    try:
+        angle, velocity = float(first), float(second.removeprefix("w="))
+    except ValueError:
+        valid = "it is no known start" if not comma else "it is not two numbers"
+        raise InputError(name="start", value=text, valid=valid, hint=hint) from None
     if not (math.isfinite(angle) and math.isfinite(velocity)):
         raise InputError(name="start", value=text, valid="its numbers must be finite", hint=hint)
     if with_rate:

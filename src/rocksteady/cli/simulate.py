@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 START = "Start and length"
 INCOMPLETE = 3
+STEADY = ("steady", "steady:1", "steady:2")
 
 HELP = (
     "One time history: every flight in closed form, every impact, overturning proved.\n\n"
@@ -150,7 +151,7 @@ def check_start(start: str, *, shaken: bool, phase: float | None, cycles: float 
     ModelError
         If they do.
     """
-    if start.startswith("steady") and phase is not None:
+    if start in STEADY and phase is not None:
         raise ModelError(
             name="--phase",
             value=phase,
@@ -159,7 +160,7 @@ def check_start(start: str, *, shaken: bool, phase: float | None, cycles: float 
         )
     if shaken:
         return
-    if start.startswith("steady"):
+    if start in STEADY:
         raise ModelError(
             name="--start",
             value=start,
@@ -200,8 +201,8 @@ def trajectory_values(trajectory: "Trajectory") -> dict[str, Any]:
         values["phase"] = motion.phase
     if block is None:
         values["overturn_time_tau"] = trajectory.overturn_tau
-        values["overturn_time_s_times_p"] = trajectory.overturn_s
-        values["rest_time_s_times_p"] = trajectory.rest_s
+        values["overturn_time_pt"] = trajectory.overturn_s
+        values["rest_time_pt"] = trajectory.rest_s
     else:
         values["overturn_time_s"] = trajectory.overturn_time_s
         values["rest_time_s"] = None if trajectory.rest_s is None else trajectory.rest_s / block.p

@@ -5,12 +5,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.errors import InputError
 from rocksteady.model.block import restitution_value
+from rocksteady.model.motions import HIGHEST_FREQUENCY_RATIO, LOWEST_FREQUENCY_RATIO
 from rocksteady.model.validation import LARGEST, in_range, odd_order
 
 Floats = NDArray[np.float64]
-
-LOWEST_RATIO, HIGHEST_RATIO = 1.0e-12, 1.0e12
-"""Frequency ratios between which the closed forms neither overflow nor lose their digits."""
 
 HIGHEST_ORDER = 999_999
 """The longest half cycle, in half periods of the shaking."""
@@ -27,7 +25,13 @@ def validated_grid(
         If a value is outside its range, or the shapes do not broadcast.
     """
     amplitudes = _checked("amplitude", amplitude, 0.0, LARGEST, "a_max/(alpha g)")
-    ratios = _checked("frequency_ratio", frequency_ratio, LOWEST_RATIO, HIGHEST_RATIO, "omega/p")
+    ratios = _checked(
+        "frequency_ratio",
+        frequency_ratio,
+        LOWEST_FREQUENCY_RATIO,
+        HIGHEST_FREQUENCY_RATIO,
+        "omega/p",
+    )
     restitutions = real_array("restitution", restitution)
     valid = (restitutions > 0.0) & (restitutions <= 1.0)
     if not valid.all():

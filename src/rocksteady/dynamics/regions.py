@@ -52,7 +52,7 @@ def boundaries(
     Parameters
     ----------
     frequency_ratio, restitution, order
-        Arrays that broadcast: Omega in [1e-12, 1e12], (0, 1], odd.
+        Arrays that broadcast: Omega in [0.01, 10 000], (0, 1], odd.
 
     Raises
     ------
@@ -100,10 +100,30 @@ class RegionMap:
 def region_map(frequency_ratio: ArrayLike, restitution: float, *, order: int = 1) -> RegionMap:
     """Return every curve of the plane at given frequency ratios (Figs 3 and 4, and more).
 
+    Parameters
+    ----------
+    frequency_ratio
+        Omega = omega/p, shape (frequencies,), or one number.
+    restitution
+        Ratio of angular velocities, in (0, 1].
+    order
+        n = 1, 3, 5, ...
+
+    Returns
+    -------
+    RegionMap
+        Amplitudes A = a_max/(alpha g), arrays of shape (frequencies,).
+
     Raises
     ------
     InputError
-        If a value is outside its range.
+        If a value is outside its range, or the order is even.
+
+    Examples
+    --------
+    >>> curves = region_map([2.0, 4.0], 0.5)
+    >>> print(curves.existence.round(5), curves.symmetry_breaking.round(5))
+    [0.65675 0.70825] [1.82727 4.70266]
     """
     ratios = np.atleast_1d(np.asarray(frequency_ratio, dtype=np.float64))
     existence, sign, kind, breaking, heteroclinic = _curves(ratios, restitution, order)
@@ -125,6 +145,21 @@ def heteroclinic_amplitude(frequency_ratio: ArrayLike, restitution: ArrayLike) -
     ``A = D (1 + Omega^2) / sqrt(1 + D^2 Omega^2)``, which is eq 23 with tanh -> 1: the limit of
     the existence boundary for long half cycles.  Above it basins are fractal near their borders.
 
+    Parameters
+    ----------
+    frequency_ratio, restitution
+        As for `steady_states`; arrays that broadcast against each other.
+
+    Returns
+    -------
+    numpy.ndarray
+        A = a_max/(alpha g), of the broadcast shape.
+
+    Raises
+    ------
+    InputError
+        If a value is outside its range, or the shapes do not broadcast.
+
     Examples
     --------
     >>> heteroclinic_amplitude([1.0, 2.0, 5.0], 0.9).round(6)
@@ -134,9 +169,30 @@ def heteroclinic_amplitude(frequency_ratio: ArrayLike, restitution: ArrayLike) -
 
 
 def melnikov_amplitude(frequency_ratio: ArrayLike, restitution: ArrayLike) -> Floats:
-    """Return Melnikov's first-order estimate of `heteroclinic_amplitude`,
-    ``(1 - restitution)(1 + Omega^2)/2``, good for restitution near 1.
-    """  # noqa: D205 -- one sentence
+    """Return Melnikov's first-order estimate of `heteroclinic_amplitude`.
+
+    ``A = (1 - restitution)(1 + Omega^2)/2``, good for restitution near 1.
+
+    Parameters
+    ----------
+    frequency_ratio, restitution
+        As for `steady_states`; arrays that broadcast against each other.
+
+    Returns
+    -------
+    numpy.ndarray
+        A = a_max/(alpha g), of the broadcast shape.
+
+    Raises
+    ------
+    InputError
+        If a value is outside its range, or the shapes do not broadcast.
+
+    Examples
+    --------
+    >>> melnikov_amplitude([1.0, 2.0, 5.0], 0.9)
+    array([0.1 , 0.25, 1.3 ])
+    """
     _, ratios, restitutions, _ = validated_grid(0.0, frequency_ratio, restitution, 1)
     result: Floats = 0.5 * (1.0 - restitutions) * (1.0 + ratios**2)
     return result
@@ -149,6 +205,21 @@ def symmetry_breaking_amplitude(
 
     Closed form, from trace = -(1 + restitution^2); stable symmetric motion lies between the
     existence boundary and this curve.
+
+    Parameters
+    ----------
+    frequency_ratio, restitution, order
+        As for `steady_states`; arrays that broadcast against each other.
+
+    Returns
+    -------
+    numpy.ndarray
+        A = a_max/(alpha g), of the broadcast shape.
+
+    Raises
+    ------
+    InputError
+        If a value is outside its range, an order is even, or the shapes do not broadcast.
 
     Examples
     --------
@@ -163,6 +234,25 @@ def symmetry_breaking_frequency(amplitude: float, restitution: float, *, order: 
 
     Roots of `symmetry_breaking_amplitude`, isolated on a fine logarithmic grid and found by Brent's
     method, in ascending order; empty where there is none.
+
+    Parameters
+    ----------
+    amplitude
+        A = a_max/(alpha g), from 0 to 1e50.
+    restitution
+        Ratio of angular velocities, in (0, 1].
+    order
+        n = 1, 3, 5, ...
+
+    Returns
+    -------
+    numpy.ndarray
+        Omega = omega/p, shape (roots,).
+
+    Raises
+    ------
+    InputError
+        If a value is outside its range, or the order is even.
 
     Examples
     --------

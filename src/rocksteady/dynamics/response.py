@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.grids import real_array
-from rocksteady.dynamics.steady import BRANCHES, SteadyStates, steady_states
-from rocksteady.errors import InputError, ModelError
+from rocksteady.dynamics.steady import SteadyStates, steady_states, validated_branch
+from rocksteady.errors import ModelError
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.validation import positive
 
@@ -68,6 +68,11 @@ def response_curve(
     branch
         1 or 2.
 
+    Returns
+    -------
+    ResponseCurve
+        Peaks, stability and both abscissas, arrays of shape (frequencies,).
+
     Raises
     ------
     InputError
@@ -89,10 +94,7 @@ def response_curve(
             valid="exactly one of the two says at which frequencies",
             hint="give frequency_ratio (omega/p), or frequency_hz for a Block",
         )
-    if branch not in BRANCHES:
-        raise InputError(
-            name="branch", value=branch, valid="there are two branches", hint="give 1 or 2"
-        )
+    branch = validated_branch(branch)
     if frequency_hz is not None:
         if not isinstance(block, Block):
             raise ModelError(

@@ -8,7 +8,7 @@ from rocksteady.dynamics.lowering import segment_table, side_table
 from rocksteady.dynamics.start import Rest, Start, initial_march
 from rocksteady.dynamics.trajectory import Trajectory
 from rocksteady.errors import InputError, Status
-from rocksteady.kernels.march import FREQUENCY, ROW_COLUMNS, march
+from rocksteady.kernels.march import FREQUENCY, ROW_COLUMNS, march, segment_start
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Motion
 from rocksteady.model.validation import in_range, whole_number
@@ -16,8 +16,11 @@ from rocksteady.model.validation import in_range, whole_number
 SMALLEST_BOUNCE = 1e-8
 """Chatter slower than this (du/ds) may come to rest: its bounces are below 1e-16 of alpha."""
 
-FREE_ROCKING_TIME = 1.0e4
-"""Pivot time p t that a still base is given, after the motion's end, to bring the block to rest."""
+ELASTIC_TIME = 1.0e4
+"""Pivot time p t that a block without loss is followed on a still base, on which it never rests."""
+
+LONGEST_REST = 1.0e15
+"""Pivot time that any other block is given to come to rest on a still base: no end, in effect."""
 
 LONGEST_RUN = 1.0e15
 """Most forcing periods of a run; their half periods are still counted exactly."""
@@ -50,7 +53,7 @@ def simulate(
         `Rest` (default), `State` or `Steady`.
     cycles
         Periods of endless harmonic shaking to follow, up to 1e15.  Motions that end are followed
-        on a still base to rest or proven overturning.
+        on a still base to rest or proven overturning; without loss (restitution 1) for p t = 1e4.
     side
         +1 or -1, the side on which an unstable steady state is left.
     flight_limit
@@ -87,24 +90,38 @@ def simulate(
     limit = whole_number("flight_limit", flight_limit, at_least=1, hint="give a number of flights")
     if side not in (1, -1):
         raise InputError(name="side", value=side, valid="it must be 1 or -1", hint="give 1 or -1")
+    if not isinstance(block, Block | DimensionlessBlock):
+        raise InputError(
+            name="block",
+            value=block,
+            valid="it must be a Block or a DimensionlessBlock",
+            hint="the block comes first, then the motion",
+        )
+    if not hasattr(motion, "segments"):
+        raise InputError(
+            name="motion",
+            value=motion,
+            valid="it must be a base motion",
+            hint="give a Harmonic, a Piecewise or a Still",
+        )
     bare = block.dimensionless()
     shaken, begin = initial_march(Rest() if start is None else start, bare, motion, side)
     segments, sides = segment_table(shaken), side_table(bare)
-    stop_half, stop_phase = 0, FREE_ROCKING_TIME
-    if segments[-1, FREQUENCY] != 0.0 and len(segments) == 1:
+    if segments[-1, FREQUENCY] != 0.0:
         # Whole half cycles are counted as an integer, so that the run ends in the exact phase.
+        first_half, first_phase = segment_start(segments, len(segments) - 1)
         halves = math.floor(2.0 * periods)
-        stop_half = begin.half_cycles + halves
-        stop_phase = begin.phase + (2.0 * periods - halves) * math.pi
+        stop_half = first_half + halves
+        stop_phase = first_phase + (2.0 * periods - halves) * math.pi
         if stop_phase >= math.pi:
             stop_half, stop_phase = stop_half + 1, stop_phase - math.pi
+    else:
+        stop_half = 0
+        stop_phase = ELASTIC_TIME if bare.restitution == 1.0 else LONGEST_REST
     arguments = (segments, sides, begin, stop_half, stop_phase, SMALLEST_BOUNCE, limit)
     _, end = march(*arguments, np.zeros((0, ROW_COLUMNS)))
     rows = np.zeros((end.flights, ROW_COLUMNS))
-    if end.flights:
-        status, end = march(*arguments, rows)
-    else:
-        status = int(Status.ROCKING)
+    status, _ = march(*arguments, rows)
     return Trajectory(
         block=block if isinstance(block, Block) else None,
         motion=shaken,

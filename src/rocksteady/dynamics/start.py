@@ -106,9 +106,18 @@ def initial_march(
 
     Raises
     ------
+    InputError
+        If it is no start.
     ModelError
         If a steady start has no harmonic shaking, or there is no admissible steady state.
     """
+    if not isinstance(start, Rest | State | Steady):
+        raise InputError(
+            name="start",
+            value=start,
+            valid="it must be a Rest, a State or a Steady",
+            hint="give Rest(), State(angle=..., velocity=...) or Steady(branch=..., order=...)",
+        )
     if isinstance(start, Steady):
         motion, state = _steady_state(start, block, motion, side)
     elif isinstance(start, State):

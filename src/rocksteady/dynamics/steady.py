@@ -9,7 +9,8 @@ whether the block would pass through the floor on the way, and whether the motio
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from numbers import Integral
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -26,6 +27,37 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 BRANCHES = (1, 2)
+
+
+def validated_branch(branch: object) -> Literal[1, 2]:
+    """Return the number of a branch, 1 or 2, as an int.
+
+    Parameters
+    ----------
+    branch
+        1 or 2: the upper or the lower signs of eqs 21 and 22.
+
+    Returns
+    -------
+    int
+        The same.
+
+    Raises
+    ------
+    InputError
+        If it is neither; 1.0 and True are refused.
+
+    Examples
+    --------
+    >>> validated_branch(2)
+    2
+    """
+    whole = isinstance(branch, Integral) and not isinstance(branch, bool)
+    if not whole or branch not in BRANCHES:
+        raise InputError(
+            name="branch", value=branch, valid="there are two branches", hint="give 1 or 2"
+        )
+    return 1 if branch == 1 else 2
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -126,7 +158,20 @@ class SteadyStates:
         return self.admissible
 
     def to_dataset(self) -> "xarray.Dataset":
-        """Return everything as an xarray Dataset with dimensions branch and grid_0, grid_1, ..."""
+        """Return everything as an xarray Dataset with dimensions branch and grid_0, grid_1, ...
+
+        Returns
+        -------
+        xarray.Dataset
+            Inputs, region and boundaries over the grid; phase [rad], velocity and the rest over
+            branch and grid, those that need shapes only where there are any.
+
+        Examples
+        --------
+        >>> data = steady_states([1.0, 2.0], 4.0, 0.8).to_dataset()
+        >>> print(data.phase.dims, data.phase.attrs["units"])
+        ('branch', 'grid_0') rad
+        """
         import xarray
 
         dims = tuple(f"grid_{axis}" for axis in range(self.region.ndim))
@@ -164,7 +209,7 @@ def steady_states(
     amplitude
         A = a_max / (alpha g), from 0 to 1e50.
     frequency_ratio
-        Omega = omega / p, from 1e-12 to 1e12.
+        Omega = omega / p, from 0.01 to 10 000.
     restitution
         Ratio of angular velocities, in (0, 1].
     order
@@ -278,7 +323,13 @@ def steady_orbit(
     branch
         1 or 2.
     samples
-        Number of equally spaced times, odd so that the impact in the middle is one of them.
+        Number of equally spaced times, odd so that the impact in the middle is one of them; 3 or
+        more.
+
+    Returns
+    -------
+    SteadyOrbit
+        Arrays of shape (samples,) over tau = omega t from 0 to 2 n pi.
 
     Raises
     ------
@@ -291,10 +342,7 @@ def steady_orbit(
     >>> print(f"{orbit.angle.max():.5f} {orbit.angle.min():.5f}")
     0.18550 -0.18550
     """
-    if branch not in BRANCHES:
-        raise InputError(
-            name="branch", value=branch, valid="there are two branches", hint="give 1 or 2"
-        )
+    which = validated_branch(branch)
     count = whole_number("samples", samples, at_least=3, hint="give an odd number, as 801")
     if count % 2 == 0:
         raise InputError(
@@ -312,7 +360,7 @@ def steady_orbit(
             valid=f"a symmetric steady state needs {float(states.existence):.6g} or above (eq 23)",
             hint="raise the amplitude, or lower the frequency ratio",
         )
-    orbit = symmetric_orbit(float(a), float(w), float(r), int(n), branch)
+    orbit = symmetric_orbit(float(a), float(w), float(r), int(n), which)
     half = (count + 1) // 2
     length = int(n) * math.pi
     tau = np.linspace(0.0, length, half)

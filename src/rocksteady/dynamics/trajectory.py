@@ -158,7 +158,10 @@ class Trajectory:
         local = self.rows[:, columns.ROW_PHASE] - first_phase[index]
         turned = (halves * math.pi + local) / np.where(frequency > 0.0, frequency, 1.0)
         return Flights(
-            s=segment_starts[index] + np.where(frequency > 0.0, turned, local),
+            # A flight shorter than a clock's last digit may not seem to begin before the last.
+            s=np.maximum.accumulate(
+                segment_starts[index] + np.where(frequency > 0.0, turned, local)
+            ),
             duration=self.rows[:, columns.ROW_DURATION],
             side=self.rows[:, columns.ROW_SIDE].astype(np.int64),
             angle=self.rows[:, columns.ROW_ANGLE],
@@ -188,8 +191,25 @@ class Trajectory:
 
     @cached_property
     def rest_s(self) -> float | None:
-        """Pivot time at which the block came to rest where it stayed; None if it did not."""
-        return float(self.flights.s[-1]) if self.status is Status.AT_REST else None
+        """Pivot time at which the block came to rest where it stayed; None if it did not.
+
+        The recorded bounces end when they are proved to die out and rise below 1e-16 of alpha.
+        Those still to come last ``2 v (1/(1 - a) + r/(1 + a))/(1 - r^2)``, with the velocity v
+        after the last recorded impact and the base acceleration a towards the side of the next
+        bounce; what this leaves out is of the order of v times that.
+        """
+        if self.status is not Status.AT_REST:
+            return None
+        resting = self.flights.side == 0
+        first = int(np.flatnonzero(~resting)[-1]) + 1 if (~resting).any() else 0
+        start = float(self.flights.s[first])
+        if first == 0 or self.flights.ended_by[first - 1] != columns.ENDED_BY_IMPACT:
+            return start
+        restitution = float(self.sides[0, columns.RESTITUTION])
+        velocity = abs(float(self.impacts.velocity_after[-1]))
+        towards = -float(self.flights.side[first - 1]) * float(self.base_acceleration(start))
+        bounces = 1.0 / (1.0 - towards) + restitution / (1.0 + towards)
+        return start + 2.0 * velocity * bounces / ((1.0 - restitution) * (1.0 + restitution))
 
     @cached_property
     def _overturning(self) -> tuple[int, float] | None:
@@ -229,8 +249,8 @@ class Trajectory:
         row, duration = len(self.rows) - 1, self._last_duration
         if self._overturning is not None:
             row, duration = self._overturning
-        highest_angle, _, _ = highest(self.segments, self.sides, self.rows[: row + 1], duration)
-        return highest_angle
+        found, _, _ = highest(self.segments, self.sides, self.rows[: row + 1], duration)
+        return found if self._overturning is None else max(found, 1.0)  # it passes 1, to rounding
 
     @cached_property
     def impacts(self) -> Impacts:
@@ -277,6 +297,8 @@ class Trajectory:
             unit = 2.0 * math.pi / self.motion.frequency_ratio
         elif self.rest_s is not None:
             end = min(end, 1.05 * self.rest_s + 0.1)
+        elif self.status is Status.ROCKING:  # without loss, or balanced for ever
+            end = min(end, float(self.flights.s[-1]) + 10.0)
         even = np.linspace(0.0, end, max(2, math.ceil(count * end / unit) + 1))
         starts = self.flights.s[self.flights.s <= end]
         return np.unique(np.concatenate([even, starts]))

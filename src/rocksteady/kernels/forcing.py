@@ -16,6 +16,7 @@ from rocksteady.kernels.compilation import compiled, inlined
 
 HALF_PI = 0.5 * math.pi
 TWO_PI = 2.0 * math.pi
+EPSILON = 2.0**-52
 
 # How the sign of r is found.
 ONE_SIGN = 0  # r never changes sign
@@ -84,7 +85,8 @@ def starts_positive(forcing: Forcing, phase: float) -> bool:
     if forcing.kind == MIXED:
         sine, cosine = math.sin(phase), math.cos(phase)
         r = forcing.constant + forcing.amplitude * sine
-        if r == 0.0:
+        if abs(r) <= 4.0 * EPSILON * (abs(forcing.constant) + forcing.amplitude):
+            # Zero but for rounding: where it is going decides.
             r = forcing.slope + forcing.amplitude * forcing.frequency * cosine
         return r > 0.0
     if forcing.constant == 0.0:

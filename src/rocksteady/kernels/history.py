@@ -12,6 +12,7 @@ from rocksteady.kernels.forcing import Forcing
 from rocksteady.kernels.march import (
     ENDED_BY_IMPACT,
     ENDED_BY_NO_RETURN,
+    ENDED_BY_SPAN,
     FREQUENCY,
     LEAN,
     RATE,
@@ -101,7 +102,7 @@ def last_crossing(segments: Floats, sides: Floats, rows: Floats, level: float) -
         if time >= 0.0:
             return index, time / rate
         before = rows[index - 1, ROW_EVENT] if index > 0 else ENDED_BY_IMPACT
-        same_flight = before == 0 and rows[index - 1, ROW_SIDE] == rows[index, ROW_SIDE]
+        same_flight = before == ENDED_BY_SPAN and rows[index - 1, ROW_SIDE] == rows[index, ROW_SIDE]
         if not same_flight:
             return index, 0.0
         index -= 1

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from rocksteady.errors import Status
 from rocksteady.kernels.compilation import compiled, inlined
 from rocksteady.kernels.flight import make_flight
-from rocksteady.kernels.forcing import SINE, Forcing, make_forcing, steepest_forcing
+from rocksteady.kernels.forcing import HALF_PI, SINE, Forcing, make_forcing, steepest_forcing
 from rocksteady.kernels.rest import settles, uplift_time
 from rocksteady.kernels.zeros import FOUND, NO_RETURN, SPAN_END, next_zero
 
@@ -61,7 +61,6 @@ UNDECIDED = int(Status.UNDECIDED)
 
 PI_HIGH = math.pi
 PI_LOW = 1.2246467991473532e-16  # pi - PI_HIGH
-HALF_PI = 0.5 * math.pi
 # A bounce this slow lasts less than any clock resolves, and its square underflows.
 STILL = 1e-100
 
@@ -94,11 +93,15 @@ def side_forcing(segments: Floats, index: int, sides: Floats, side: int, elapsed
 
 
 @inlined
-def clock(phase: float) -> tuple[int, float]:
-    """Split an unbounded phase into whole half cycles and a rest in [0, pi)."""
+def clock(phase: float, moved: int = 0) -> tuple[int, float]:
+    """Split an unbounded phase into whole half cycles and a rest in [0, pi).
+
+    `moved` is the number of half cycles by which `side_phase` had moved it: it added as many times
+    the double next to pi, and as much is taken away again.
+    """
     # np.floor stays a float; math.floor would go through an integer and back.
     half = float(np.floor(phase * (1.0 / math.pi)))
-    rest = (phase - half * PI_HIGH) - half * PI_LOW
+    rest = (phase - half * PI_HIGH) - (half - moved) * PI_LOW
     if rest < 0.0:
         rest = 0.0
     elif rest >= math.pi:
@@ -287,7 +290,7 @@ def march(
             if frequency == 0.0:
                 phase += zero.time / rate
             else:
-                turned, phase = clock(zero.phase)
+                turned, phase = clock(zero.phase, seen_half)
                 half += turned - seen_half + 2 * zero.cycle
                 sine, cosine, turned_side = -zero.sine, -zero.cosine, True
             velocity = sides[row, RESTITUTION] * side * zero.velocity * lean * rate

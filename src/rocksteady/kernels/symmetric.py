@@ -29,11 +29,10 @@ from numpy.typing import NDArray
 from rocksteady.kernels.compilation import compiled, inlined
 from rocksteady.kernels.extrema import largest_extremum
 from rocksteady.kernels.flight import LARGEST_EXPONENT, Flight, flight_state, wrapped
-from rocksteady.kernels.forcing import make_forcing
+from rocksteady.kernels.forcing import EPSILON, make_forcing
 from rocksteady.kernels.zeros import FOUND, next_zero
 
 Floats = NDArray[np.float64]
-EPSILON = 2.0**-52
 
 
 class Symmetric(NamedTuple):
@@ -160,6 +159,8 @@ def half_cycle_trace(
         - (1.0 - restitution) ** 2 * (1.0 + frequency_ratio * frequency_ratio) * 0.5
         - 2.0 * restitution
     )
+    if stretch == 0.0:  # however long the half cycle is
+        return -2.0 * restitution
     return -2.0 * restitution + growth * stretch
 
 

@@ -51,7 +51,11 @@ NO_RETURN = 2
 SERIES_RATIO = 1e-3
 LARGEST_TURN = 0.03
 ROTATION = 1e-3  # largest angle through which a sine and cosine are turned by polynomial
-ITERATIONS = 200
+# Every fourth step halves the bracket, so that a long piece is crossed too: F grows like e^t over
+# it, and Newton's method advances by one unit of time a step.
+ITERATIONS = 400
+# Newton from the left advances by at least about one unit of time a step where F decays like e^-t.
+DIP_ITERATIONS = 10_000_000
 GUESSES = 3  # steps from a guess before the end of the piece is asked
 
 
@@ -250,7 +254,7 @@ def dip_contact(
     time, phase = start, start_phase
     sine, cosine = flight.sine, flight.cosine
     angle, velocity = sign * angle, sign * velocity
-    for _ in range(ITERATIONS):
+    for _ in range(DIP_ITERATIONS):
         if velocity >= 0.0:
             break
         later = time - angle / velocity
@@ -292,8 +296,8 @@ def polished(
             bounce = -2.0 * flight.velocity / pull
             if bounce < 0.1 and forcing.frequency * bounce < 0.5:
                 time = bounce
-    for _ in range(ITERATIONS):
-        if not (low < time < high):
+    for iteration in range(ITERATIONS):
+        if iteration % 4 == 3 or not (low < time < high):
             time = 0.5 * (low + high)
             if time <= low or time >= high:
                 break  # no number lies between them

@@ -400,7 +400,7 @@ def housner_restitution(
     >>> round(housner_restitution(0.17453292519943295), 6)
     0.954769
     """
-    ratio = housner_ratio(alpha, p=p, radius=radius, gravity=gravity)
+    ratio = housner_ratio(_alpha(alpha), p=p, radius=radius, gravity=gravity)
     if ratio <= 0.0:
         raise InputError(
             name="alpha",
@@ -428,7 +428,8 @@ def _radius(value: float) -> float:
 
 
 def _rate(value: float) -> float:
-    return positive("p", value, hint="give the frequency parameter sqrt(M g R / I_0) in rad/s")
+    hint = "give the frequency parameter sqrt(M g R / I_0) in rad/s"
+    return in_range("p", value, 1e-6, 1e6, "[]", hint=hint)
 
 
 def _gravity(value: float) -> float:

@@ -10,10 +10,21 @@ from typing import Protocol
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.block import Block
-from rocksteady.model.validation import LARGEST, finite, in_range, non_negative, positive
+from rocksteady.model.validation import LARGEST, in_range, non_negative, positive
 
 LOWEST_FREQUENCY_RATIO = 0.01
 HIGHEST_FREQUENCY_RATIO = 1.0e4
+
+LONGEST_DURATION = 1.0e6
+"""Pivot time of the longest segment that is not endless."""
+
+LARGEST_PHASE = 1.0e6
+"""Phases beyond it [rad] have lost the digits that would tell them apart."""
+
+
+def _phase(value: object) -> float:
+    hint = "give radians, less whole turns"
+    return in_range("phase", value, -LARGEST_PHASE, LARGEST_PHASE, "[]", hint=hint)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,8 +46,8 @@ class Segment:
     Raises
     ------
     InputError
-        If a number is not finite or above 1e50, the duration is not positive, or the frequency is
-        negative or above 10 000.
+        If a number is not finite or above 1e50, the duration is not positive or above 1e6 and
+        finite, the frequency negative or above 10 000, or the phase beyond 1e6.
     ModelError
         If an endless segment has a slope, or a sinusoid has no frequency.
     """
@@ -53,9 +64,11 @@ class Segment:
         """Validate, and turn a negative amplitude into a positive one half a cycle on."""
         hint = "give the pivot time p t that the segment lasts"
         if self.duration != math.inf:
-            object.__setattr__(self, "duration", positive("duration", self.duration, hint=hint))
-        for name in ("constant", "slope", "amplitude", "phase", "jump"):
-            hint = "give a number in units of alpha g, of p, or in radians"
+            duration = in_range("duration", self.duration, 0.0, LONGEST_DURATION, hint=hint)
+            object.__setattr__(self, "duration", duration)
+        object.__setattr__(self, "phase", _phase(self.phase))
+        for name in ("constant", "slope", "amplitude", "jump"):
+            hint = "give a number in units of alpha g and of p"
             value = in_range(name, getattr(self, name), -LARGEST, LARGEST, "[]", hint=hint)
             object.__setattr__(self, name, value)
         frequency = in_range(
@@ -137,7 +150,7 @@ class Harmonic:
         )
         object.__setattr__(self, "amplitude", a)
         object.__setattr__(self, "frequency_ratio", w)
-        object.__setattr__(self, "phase", finite("phase", self.phase, hint="give radians"))
+        object.__setattr__(self, "phase", _phase(self.phase))
 
     @classmethod
     def from_si(
@@ -244,7 +257,15 @@ class Piecewise:
 
     def __post_init__(self) -> None:
         """Validate."""
-        object.__setattr__(self, "pieces", tuple(self.pieces))
+        given: object = self.pieces
+        if not isinstance(given, tuple | list) or not all(isinstance(p, Segment) for p in given):
+            raise InputError(
+                name="pieces",
+                value=self.pieces,
+                valid="it must be a sequence of Segments",
+                hint="give pieces=(Segment(...), Segment(...))",
+            )
+        object.__setattr__(self, "pieces", tuple(given))
         for piece in self.pieces[:-1]:
             if piece.duration == math.inf:
                 raise ModelError(

@@ -4,6 +4,8 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from rocksteady.dynamics.regions import RegionMap
 from rocksteady.dynamics.response import ResponseCurve
 from rocksteady.dynamics.steady import SteadyOrbit
@@ -37,6 +39,7 @@ def simulation_figure(trajectory: Trajectory, title: str = "") -> "Figure":
         history.tick_params(labelbottom=False)
         plot_base(trajectory, base)
         plot_phase_portrait(trajectory, portrait)
+        portrait.locator_params(axis="x", nbins=5)
         if title:
             figure.suptitle(title, x=0.01, ha="left", fontsize=10)
     return figure
@@ -81,7 +84,8 @@ def steady_figure(
                 lw=1.0,
             )
         if orbits:
-            motion.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.2)
+            # Above the axes, and clear of the tick labels' common power of ten at their left end.
+            motion.legend(loc="lower left", bbox_to_anchor=(0.1, 1.0), borderaxespad=0.2)
         else:
             motion.text(
                 0.5, 0.5, "no symmetric steady state here", transform=motion.transAxes, ha="center"
@@ -90,7 +94,9 @@ def steady_figure(
         motion.set_xlabel("")
         motion.tick_params(labelbottom=False)
         base.set(xlabel=palette.LABELS["half_cycle"], ylabel=palette.LABELS["base"])
-        plot_regions(curves, plane, point=point, top=max(6.0, 1.3 * point[1]))
+        # The curves level out; above twice the sign boundary's level there is only region 2.
+        top = max(2.2 * float(np.median(curves.sign)), 1.4 * point[1])
+        plot_regions(curves, plane, point=point, top=top)
         if title:
             figure.suptitle(title, x=0.01, ha="left", fontsize=10)
     return figure

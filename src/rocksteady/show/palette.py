@@ -18,6 +18,8 @@ UNDECIDED = "#9a9a9a"
 
 INK = OVERTURNED
 FAINT = "#8b8b8b"
+NUMBER = "#5b5b5c"
+"""Numbers and labels on the fills."""
 GRID = "#dedede"
 LINES = ("#1273b8", "#b0531b", "#477f68", "#87439e", "#8a7906", "#5b5b5c")
 """Line colours in the order of their use; with the dashes below they differ in grey too."""

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.regions import RegionMap
 from rocksteady.dynamics.response import ResponseCurve
@@ -20,6 +21,21 @@ from rocksteady.show import palette
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.legend import Legend
+
+CORNERS = {
+    "upper left": (0, 1),
+    "upper right": (1, 1),
+    "lower left": (0, 0),
+    "lower right": (1, 0),
+}
+"""Places of a legend, in the order of preference, with the corner in fractions of the axes."""
+HEADROOM = 0.15
+"""Part of the height of a time history that is left free above it for the legend."""
+LOGARITHMIC_SPAN = 30.0
+"""Factor between the ends of an amplitude or peak axis from which on it is logarithmic."""
+CROWD = 150
+"""Number of impacts from which on their marks shrink."""
 
 
 def axes_or_new(ax: "Axes | None") -> "Axes":
@@ -41,8 +57,95 @@ def time_axis(trajectory: Trajectory) -> tuple[float, str]:
     return 1.0, palette.LABELS["pivot_time"]
 
 
+def emptiest_corner(axes: "Axes", points: Sequence[ArrayLike], size: tuple[float, float]) -> str:
+    """Return the corner in which a legend hides fewest points, the upper left one if several do.
+
+    Parameters
+    ----------
+    axes
+        With their final limits and scales.
+    points
+        Abscissas and ordinates, two arrays of one shape.
+    size
+        Width and height of the legend in fractions of the axes.
+    """
+    x, y = (np.asarray(values, dtype=np.float64).ravel() for values in points)
+    places = axes.transAxes.inverted().transform(axes.transData.transform(np.column_stack([x, y])))
+
+    def hidden(corner: tuple[int, int]) -> int:
+        near = [
+            (places[:, k] > 1.0 - size[k] if corner[k] else places[:, k] < size[k])
+            & (places[:, k] >= 0.0)
+            & (places[:, k] <= 1.0)
+            for k in (0, 1)
+        ]
+        return int((near[0] & near[1]).sum())
+
+    return min(CORNERS, key=lambda name: hidden(CORNERS[name]))
+
+
+def legend_inside(axes: "Axes", corner: str, *, columns: int = 1) -> "Legend":
+    """Place a legend inside the axes, where it cannot meet anything else of a user's figure."""
+    legend: Legend = axes.legend(
+        loc=corner,
+        ncols=columns,
+        fontsize=8.0,
+        frameon=True,
+        framealpha=0.85,
+        facecolor="white",
+        edgecolor="none",
+        borderaxespad=0.3,
+        columnspacing=1.4,
+    )
+    legend.set_zorder(6.0)
+    return legend
+
+
+def extent(axes: "Axes", *, width: float, height: float) -> tuple[float, float]:
+    """Return a size in points as fractions of the axes, at most the whole of them."""
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    box = axes.get_position()
+    inches = figure.get_size_inches()
+    wide, high = 72.0 * box.width * inches[0], 72.0 * box.height * inches[1]
+    return min(1.0, width / wide), min(1.0, height / high)
+
+
+def spaced_by_ratio(values: ArrayLike) -> bool:
+    """Return whether positive numbers are spread like powers, and belong on a logarithmic axis."""
+    array = np.asarray(values, dtype=np.float64)
+    low, high = float(array.min()), float(array.max())
+    return low > 0.0 and float(np.median(array)) < low + 0.25 * (high - low)
+
+
 def plot_trajectory(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
-    """Draw angle against time with every impact, and where the block comes to rest or overturns."""
+    """Draw angle against time with every impact, and where the block comes to rest or overturns.
+
+    Between the dashed lines, |theta| = alpha, a block left alone falls back onto its base.
+
+    Parameters
+    ----------
+    trajectory
+        From `rocksteady.simulate`.
+    ax
+        Axes to draw on; those of a new figure without.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: time in forcing periods of harmonic shaking, else in seconds or, without a block,
+        pivot time; the angle in units of alpha.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import DimensionlessBlock, Harmonic, simulate
+    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
+    >>> run = simulate(DimensionlessBlock(restitution=0.8), shaking, cycles=10)
+    >>> axes = plot_trajectory(run, Figure().add_subplot())
+    >>> axes.get_xlabel()
+    'time [excitation periods]'
+    """
     axes = axes_or_new(ax)
     scale, label = time_axis(trajectory)
     motion = trajectory(trajectory.times())
@@ -51,19 +154,16 @@ def plot_trajectory(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
         axes.axhline(level, color=palette.FAINT, lw=0.8, ls=(0, (4, 3)))
     axes.plot(motion.s * scale, motion.angle, color=palette.LINES[0])
     impacts = trajectory.impacts
-    crowded = len(impacts) > 150
-    axes.plot(
-        impacts.s * scale,
-        np.zeros(len(impacts)),
-        ls="none",
-        marker="o",
-        ms=1.6 if crowded else 3.0,
-        color=palette.IMPACT,
-        label=f"{len(impacts)} impacts",
-    )
-    limit = max(1.15, 1.1 * float(np.abs(motion.angle).max()))
-    if trajectory.peak < 0.6 and trajectory.status is not Status.OVERTURNED:
-        limit = 1.25 * max(trajectory.peak, 1e-3)
+    if len(impacts) > 0:
+        axes.plot(
+            impacts.s * scale,
+            np.zeros(len(impacts)),
+            ls="none",
+            marker="o",
+            ms=1.6 if len(impacts) > CROWD else 3.0,
+            color=palette.IMPACT,
+            label="1 impact" if len(impacts) == 1 else f"{len(impacts)} impacts",
+        )
     if trajectory.overturn_s is not None:
         fall = trajectory(trajectory.overturn_s)
         axes.plot(
@@ -71,6 +171,8 @@ def plot_trajectory(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
             fall.angle,
             marker="X",
             ms=8,
+            mec="white",
+            mew=0.8,
             color=palette.OVERTURNED,
             ls="none",
             label="overturns",
@@ -80,46 +182,148 @@ def plot_trajectory(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
     axes.set(
         xlabel=label,
         ylabel=palette.LABELS["angle"],
-        ylim=(-limit, limit),
-        xlim=(0.0, float(motion.s[-1]) * scale),
+        ylim=angle_limits(trajectory, motion.angle),
+        xlim=time_limits(trajectory, scale),
     )
-    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2, borderaxespad=0.2)
+    if axes.get_legend_handles_labels()[0]:
+        corner = "upper left"
+        if trajectory.status is Status.OVERTURNED:
+            size = extent(axes, width=160.0, height=22.0)
+            corner = emptiest_corner(axes, (motion.s * scale, motion.angle), size)
+        for entry in legend_inside(axes, corner, columns=2).get_lines():
+            if entry.get_marker() == "o":
+                entry.set_markersize(3.0)
     return axes
 
 
+def angle_limits(trajectory: Trajectory, angle: NDArray[np.float64]) -> tuple[float, float]:
+    """Return the ends of the angle axis: what is there, the band of balance, and headroom."""
+    lowest, highest = float(angle.min()), float(angle.max())
+    if trajectory.status is Status.OVERTURNED:
+        return min(-1.15, 1.1 * lowest), max(1.15, 1.1 * highest)
+    # A block that hardly rocks fills the picture.
+    least = 0.0 if trajectory.peak < 0.6 else 1.0
+    reach = 1.12 * max(-lowest, highest, least, 1e-300)
+    if trajectory.peak == 0.0:
+        reach = 1e-3
+    return -reach, reach * (1.0 + 2.0 * HEADROOM)
+
+
+def time_limits(trajectory: Trajectory, scale: float) -> tuple[float, float]:
+    """Return the ends of the time axis; a fall from the start on keeps clear of the left end."""
+    end = float(trajectory.times()[-1]) * scale
+    return (-0.02 * end if trajectory.overturn_s == 0.0 else 0.0), end
+
+
 def plot_base(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
-    """Draw the base acceleration against time, with the acceleration that lifts a block at rest."""
+    """Draw the base acceleration against time, with the acceleration that lifts a block at rest.
+
+    Parameters
+    ----------
+    trajectory
+        From `rocksteady.simulate`.
+    ax
+        Axes to draw on; those of a new figure without.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: time as in `plot_trajectory`, the acceleration in units of alpha g; dashed at -1
+        and 1, where a block at rest lifts off.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import DimensionlessBlock, Harmonic, simulate
+    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
+    >>> run = simulate(DimensionlessBlock(restitution=0.8), shaking, cycles=10)
+    >>> axes = plot_base(run, Figure().add_subplot())
+    >>> print(f"{axes.lines[0].get_ydata().max():.3f}")
+    2.000
+    """
     axes = axes_or_new(ax)
     scale, label = time_axis(trajectory)
     times = trajectory.times()
     axes.plot(times * scale, trajectory.base_acceleration(times), color=palette.BASE, lw=1.0)
     for level in (-1.0, 1.0):
         axes.axhline(level, color=palette.FAINT, lw=0.8, ls=(0, (4, 3)))
-    axes.set(xlabel=label, ylabel=palette.LABELS["base"], xlim=(0.0, float(times[-1]) * scale))
+    axes.set(xlabel=label, ylabel=palette.LABELS["base"], xlim=time_limits(trajectory, scale))
     return axes
 
 
 def plot_phase_portrait(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
-    """Draw velocity against angle; impacts are the steps at angle 0."""
+    """Draw velocity against angle; impacts are the steps at angle 0.
+
+    Parameters
+    ----------
+    trajectory
+        From `rocksteady.simulate`.
+    ax
+        Axes to draw on; those of a new figure without.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: u = theta/alpha, and du/ds over pivot time s = p t.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import DimensionlessBlock, State, Still, simulate
+    >>> start = State(angle=0.5, velocity=0.0)
+    >>> run = simulate(DimensionlessBlock(restitution=0.8), Still(), start=start)
+    >>> axes = plot_phase_portrait(run, Figure().add_subplot())
+    >>> [entry.get_text() for entry in axes.get_legend().get_texts()]
+    ['start']
+    """
     axes = axes_or_new(ax)
     angle, velocity = trajectory.phase_path()
     axes.plot(angle, velocity, color=palette.LINES[0], lw=0.8, alpha=0.8)
-    axes.plot(angle[0], velocity[0], "o", ms=4, color=palette.INK, label="start")
+    axes.plot(angle[0], velocity[0], "o", ms=4, color=palette.INK, ls="none", label="start")
     axes.set(xlabel=palette.LABELS["angle"], ylabel=palette.LABELS["velocity"])
-    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.2)
+    size = extent(axes, width=52.0, height=22.0)
+    legend_inside(axes, emptiest_corner(axes, (angle, velocity), size))
     return axes
 
 
 def plot_orbit(
     orbit: SteadyOrbit, ax: "Axes | None" = None, *, label: str = "", series: int = 0
 ) -> "Axes":
-    """Draw one period of a symmetric steady state."""
+    """Draw one period of a symmetric steady state.
+
+    Parameters
+    ----------
+    orbit
+        From `rocksteady.steady_orbit`.
+    ax
+        Axes to draw on; those of a new figure without.
+    label
+        For a legend, which the caller makes when every orbit is drawn.
+    series
+        0, 1, 2, ...: which colour and dash of the palette.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: time since impact in forcing periods, u = theta/alpha.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import steady_orbit
+    >>> axes = Figure().add_subplot()
+    >>> for branch in (1, 2):
+    ...     orbit = steady_orbit(0.75, 4.0, 0.5, branch=branch)
+    ...     axes = plot_orbit(orbit, axes, label=f"branch {branch}", series=branch - 1)
+    >>> print(len(axes.lines), axes.get_xlim()[1])
+    2 1.0
+    """
     axes = axes_or_new(ax)
     axes.plot(
         orbit.tau / (2.0 * math.pi),
         orbit.angle,
-        color=palette.LINES[series],
-        ls=palette.DASHES[series],
+        color=palette.LINES[series % len(palette.LINES)],
+        ls=palette.DASHES[series % len(palette.DASHES)],
         label=label,
     )
     axes.set(
@@ -139,24 +343,57 @@ def plot_regions(
 ) -> "Axes":
     """Draw the regions of symmetric steady states with their boundaries (Figs 3 and 4).
 
+    The frequency axis is logarithmic where the map's frequencies are spaced by ratio, as
+    `numpy.geomspace` does; the amplitude axis where `top` is above 30.
+
     Parameters
     ----------
     curves
         From `rocksteady.region_map`.
     ax
-        Axes to draw on.
+        Axes to draw on; those of a new figure without.
     point
         A (frequency_ratio, amplitude) to mark.
     top
-        Upper end of the amplitude axis.
+        Upper end of the amplitude axis, A = a_max/(alpha g); 6 without, or above the point.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: Omega = omega/p, A = a_max/(alpha g).
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import region_map
+    >>> curves = region_map(np.linspace(0.1, 14.0, 300), 0.5)
+    >>> axes = plot_regions(curves, Figure().add_subplot(), point=(4.0, 2.0))
+    >>> print(axes.get_ylim()[1], [number.get_text() for number in axes.texts])
+    6.0 ['1', '2', '4']
     """
     axes = axes_or_new(ax)
     w = curves.frequency_ratio
-    ceiling = top if top is not None else 6.0
+    ceiling = top if top is not None else max(6.0, 1.3 * point[1] if point is not None else 0.0)
+    floor = 0.0
+    if ceiling > LOGARITHMIC_SPAN:
+        axes.set_yscale("log")
+        floor = 0.3 * max(float(curves.existence.min()), 1e-6 * ceiling)
+    if spaced_by_ratio(w):
+        axes.set_xscale("log")
+    ends = [float(w[0]), float(w[-1])]
+    if point is not None:
+        ends = [min(ends[0], point[0]), max(ends[1], point[0])]
+    axes.set(
+        xlabel=palette.LABELS["frequency_ratio"],
+        ylabel=palette.LABELS["amplitude"],
+        xlim=ends,
+        ylim=(floor, ceiling),
+    )
     sky = np.full(w.shape, ceiling)
     low, high = np.minimum(curves.kind, curves.sign), np.maximum(curves.kind, curves.sign)
     fills = palette.REGION_FILLS
-    axes.fill_between(w, 0.0, curves.existence, color=fills[4], lw=0)
+    axes.fill_between(w, floor, curves.existence, color=fills[4], lw=0)
     axes.fill_between(w, curves.existence, low, color=fills[3], lw=0)
     axes.fill_between(w, low, high, where=curves.sign >= curves.kind, color=fills[1], lw=0)
     axes.fill_between(w, low, high, where=curves.sign < curves.kind, color=fills[5], lw=0)
@@ -170,41 +407,73 @@ def plot_regions(
     )
     for values, label, dash, colour in lines:
         axes.plot(w, values, color=colour, ls=dash, lw=1.2, label=label)
-    for region, where in region_centres(curves, ceiling).items():
-        axes.annotate(
-            str(region), where, ha="center", va="center", fontsize=11, color=palette.FAINT
-        )
+    seen = [np.tile(w, len(lines)), np.concatenate([values for values, *_ in lines])]
     if point is not None:
-        axes.plot(*point, "o", ms=7, color=palette.LINES[0], mec="white", mew=1.2, zorder=5)
-    axes.set(
-        xlabel=palette.LABELS["frequency_ratio"],
-        ylabel=palette.LABELS["amplitude"],
-        xlim=(float(w[0]), float(w[-1])),
-        ylim=(0.0, ceiling),
-    )
-    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=2, borderaxespad=0.2)
+        axes.plot(
+            *point, "o", ms=7, color=palette.LINES[0], mec="white", mew=1.2, zorder=5, clip_on=False
+        )
+        # The point outweighs every curve.
+        seen = [
+            np.append(values, np.full(seen[0].size, x))
+            for values, x in zip(seen, point, strict=True)
+        ]
+    size = extent(axes, width=125.0, height=72.0)
+    corner = emptiest_corner(axes, seen, size)
+    legend_inside(axes, corner)
+    for region, where in region_centres(curves, ceiling, floor, taken=(corner, size)).items():
+        axes.annotate(
+            str(region), where, ha="center", va="center", fontsize=11, color=palette.NUMBER
+        )
     return axes
 
 
-def region_centres(curves: RegionMap, ceiling: float) -> dict[int, tuple[float, float]]:
-    """Return where each region has most room for its number; too narrow ones are left out."""
+def region_centres(
+    curves: RegionMap,
+    ceiling: float,
+    floor: float = 0.0,
+    *,
+    taken: tuple[str, tuple[float, float]] | None = None,
+) -> dict[int, tuple[float, float]]:
+    """Return where each region has most room for its number; too narrow ones are left out.
+
+    Parameters
+    ----------
+    curves
+        The map, its frequencies in ascending order.
+    ceiling, floor
+        Ends of the amplitude axis; it is logarithmic where the floor is above 0.
+    taken
+        Corner that the legend takes, and the legend's size in fractions of the axes.
+    """
     from scipy.ndimage import distance_transform_edt
 
     rows = 160
-    height = np.linspace(0.0, ceiling, rows)[:, np.newaxis]
+    spread = np.geomspace if floor > 0.0 else np.linspace
+    height = spread(floor, ceiling, rows)[:, np.newaxis]
     above_kind, above_sign = height > curves.kind, height > curves.sign
     region = np.where(above_kind, np.where(above_sign, 2, 1), np.where(above_sign, 5, 3))
     region = np.where(height < curves.existence, 4, region)
-    columns = np.linspace(0, len(curves.frequency_ratio) - 1, rows).astype(int)
+    w = curves.frequency_ratio
+    spread = np.geomspace if spaced_by_ratio(w) else np.linspace
+    columns = np.searchsorted(w, spread(w[0], w[-1], rows)[:-1])
+    columns = np.append(columns, len(w) - 1)
+    free = np.ones((rows, rows), dtype=bool)
+    if taken is not None:
+        (right, upper), (wide, high) = CORNERS[taken[0]], taken[1]
+        across, up = math.ceil(wide * rows), math.ceil(high * rows)
+        free[
+            rows - up if upper else 0 : rows if upper else up,
+            rows - across if right else 0 : rows if right else across,
+        ] = False
     centres: dict[int, tuple[float, float]] = {}
     for number in range(1, 6):
-        inside = np.pad(region[:, columns] == number, 1)
+        inside = np.pad((region[:, columns] == number) & free, 1)
         room = distance_transform_edt(inside)[1:-1, 1:-1]
         if room.max() > 5.0:
             # Of the roomiest places that furthest right: the curves crowd together on the left.
             row, column = max(np.argwhere(room > 0.95 * room.max()), key=lambda place: place[1])
-            w = float(curves.frequency_ratio[columns[min(column, rows - 12)]])
-            centres[number] = (w, float(height[row, 0]))
+            place = float(w[columns[min(column, rows - 12)]])
+            centres[number] = (place, float(height[row, 0]))
     return centres
 
 
@@ -216,29 +485,87 @@ def plot_response(
 ) -> "Axes":
     """Draw peaks against frequency, stable parts solid and unstable ones dashed (Figs 5 to 7).
 
-    With `hertz` the abscissa is in Hz, for curves of a block.
+    The peak axis is logarithmic where peaks span more than a factor of 30, the frequency axis where
+    frequencies are spaced by ratio, as `numpy.geomspace` does.
+
+    Parameters
+    ----------
+    curves
+        From `rocksteady.response_curve`, at least one.
+    ax
+        Axes to draw on; those of a new figure without.
+    hertz
+        Whether the abscissa is in Hz, for curves of a `rocksteady.Block`.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: Omega = omega/p or Hz, and the peak of |theta|/alpha.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import DimensionlessBlock, response_curve
+    >>> block = DimensionlessBlock(restitution=0.8)
+    >>> w = np.linspace(1.0, 8.0, 100)
+    >>> curves = [response_curve(block, a, frequency_ratio=w) for a in (1.0, 2.0)]
+    >>> axes = plot_response(curves, Figure().add_subplot())
+    >>> print(axes.get_yscale(), [entry.get_text() for entry in axes.get_legend().get_texts()])
+    log ['A = 1', 'A = 2']
     """
     axes = axes_or_new(ax)
     mixed = len({(curve.branch, int(curve.states.order.flat[0])) for curve in curves}) > 1
+    peaks = np.concatenate([curve.peak for curve in curves])
+    peaks = peaks[peaks > 0.0]
+    highest = float(peaks.max()) if peaks.size else 1.0
+    abscissas = []
     for number, curve in enumerate(curves):
         x = (
             curve.frequency_hz
             if hertz and curve.frequency_hz is not None
             else curve.frequency_ratio
         )
+        abscissas.append(x)
         colour = palette.LINES[number % len(palette.LINES)]
         label = f"A = {float(curve.states.amplitude.flat[0]):g}"
         if mixed:
             order = int(curve.states.order.flat[0])
             label += f", n = {order}, branch {curve.branch}"
-        solid = np.where(curve.stable, curve.peak, math.nan)
-        dashed = np.where(curve.stable, math.nan, curve.peak)
-        axes.plot(x, solid, color=colour, label=label)
+        unstable = ~curve.stable
+        touching = unstable.copy()  # one sample beyond either end, so that no gap is left
+        touching[1:] |= unstable[:-1]
+        touching[:-1] |= unstable[1:]
+        axes.plot(x, np.where(curve.stable, curve.peak, math.nan), color=colour, label=label)
+        dashed = np.where(touching, curve.peak, math.nan)
         axes.plot(x, dashed, color=colour, ls=(0, (3, 2)), lw=1.0)
+    ends = np.concatenate(abscissas)
+    if spaced_by_ratio(ends):
+        axes.set_xscale("log")
+    if peaks.size and highest > LOGARITHMIC_SPAN * float(peaks.min()):
+        axes.set_yscale("log")
+    else:
+        axes.set_ylim(bottom=0.0)
+    if highest > 0.6:
+        axes.axhline(1.0, color=palette.FAINT, lw=0.8, zorder=1.0)
+        axes.annotate(
+            r"$|\theta| = \alpha$",
+            (1.0, 1.0),
+            (-2.0, 2.0),
+            xycoords=axes.get_yaxis_transform(),
+            textcoords="offset points",
+            ha="right",
+            va="bottom",
+            fontsize=8.0,
+            color=palette.NUMBER,
+        )
     axes.set(
         xlabel=palette.LABELS["frequency_hz" if hertz else "frequency_ratio"],
         ylabel=palette.LABELS["peak"],
     )
-    axes.set_ylim(bottom=0.0)
-    axes.legend(loc="best", title="solid: stable, dashed: unstable", title_fontsize=8.0)
+    if ends.min() < ends.max():
+        axes.set_xlim(float(ends.min()), float(ends.max()))
+    legend = legend_inside(axes, "upper right", columns=1 if len(curves) < 4 else 2)
+    legend.set_title("solid: stable, dashed: unstable")
+    legend.get_title().set_fontsize(8.0)
     return axes
