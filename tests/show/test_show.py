@@ -45,7 +45,7 @@ from rocksteady import (
 )
 from rocksteady.show import palette
 from rocksteady.show.figures import response_figure, simulation_figure, steady_figure
-from rocksteady.show.plots import region_centres
+from rocksteady.show.layout import region_centres
 
 BARE = DimensionlessBlock(restitution=0.8)
 BLOCK = Block.from_p(alpha=0.2, p=2.0 * math.pi, restitution=0.8)

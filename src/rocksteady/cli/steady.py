@@ -274,7 +274,10 @@ def point_figure(point: dict[str, Any]) -> Any:
         )
         for s in point["solutions"]
     ]
-    curves = region_map(np.linspace(0.1, max(14.0, 1.3 * w), 700), r, order=n)
+    ratios = np.linspace(0.1, 14.0, 700)
+    if not 0.3 <= w <= 10.0:  # a logarithmic axis, wide enough for the point
+        ratios = np.geomspace(max(0.01, min(0.1, w / 10.0)), min(1e4, max(14.0, 3.0 * w)), 700)
+    curves = region_map(ratios, r, order=n)
     title = f"Symmetric steady states: A = {a:g}, Ω = {w:g}, restitution {r:g}, n = {n}"
     return steady_figure(orbits, curves, point=(w, a), title=title)
 

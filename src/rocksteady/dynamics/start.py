@@ -3,13 +3,13 @@
 import math
 from dataclasses import dataclass
 
-from rocksteady.dynamics.steady import BRANCHES, steady_states
+from rocksteady.dynamics.steady import steady_states, validated_branch
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.march import March, clock
 from rocksteady.kernels.saltation import impact_jacobian
 from rocksteady.model.block import DimensionlessBlock
 from rocksteady.model.motions import Harmonic, Motion
-from rocksteady.model.validation import LARGEST, in_range, odd_order, positive, whole_number
+from rocksteady.model.validation import LARGEST, in_range, odd_order, positive
 
 KICK = 1e-6
 """How far from an unstable orbit, relative to phase 1 and its velocity, a block is set off."""
@@ -79,11 +79,7 @@ class Steady:
 
     def __post_init__(self) -> None:
         """Validate."""
-        branch = whole_number("branch", self.branch, at_least=1, hint="give 1 or 2")
-        if branch not in BRANCHES:
-            raise InputError(
-                name="branch", value=branch, valid="there are two branches", hint="give 1 or 2"
-            )
+        object.__setattr__(self, "branch", validated_branch(self.branch))
         object.__setattr__(self, "order", odd_order(self.order))
 
 

@@ -12,6 +12,7 @@ from rocksteady.dynamics.steady import SteadyOrbit
 from rocksteady.dynamics.trajectory import Trajectory
 from rocksteady.show import palette
 from rocksteady.show.plots import (
+    LOGARITHMIC_SPAN,
     plot_base,
     plot_orbit,
     plot_phase_portrait,
@@ -96,6 +97,8 @@ def steady_figure(
         base.set(xlabel=palette.LABELS["half_cycle"], ylabel=palette.LABELS["base"])
         # The curves level out; above twice the sign boundary's level there is only region 2.
         top = max(2.2 * float(np.median(curves.sign)), 1.4 * point[1])
+        if top > LOGARITHMIC_SPAN:
+            top *= 20.0
         plot_regions(curves, plane, point=point, top=top)
         if title:
             figure.suptitle(title, x=0.01, ha="left", fontsize=10)

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from rocksteady.dynamics.regions import RegionMap
 from rocksteady.dynamics.response import ResponseCurve
@@ -18,18 +18,18 @@ from rocksteady.dynamics.trajectory import Trajectory
 from rocksteady.errors import Status
 from rocksteady.model.motions import Harmonic
 from rocksteady.show import palette
+from rocksteady.show.layout import (
+    Corner,
+    emptiest_corner,
+    extent,
+    legend_inside,
+    region_centres,
+    spaced_by_ratio,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.legend import Legend
 
-CORNERS = {
-    "upper left": (0, 1),
-    "upper right": (1, 1),
-    "lower left": (0, 0),
-    "lower right": (1, 0),
-}
-"""Places of a legend, in the order of preference, with the corner in fractions of the axes."""
 HEADROOM = 0.15
 """Part of the height of a time history that is left free above it for the legend."""
 LOGARITHMIC_SPAN = 30.0
@@ -55,67 +55,6 @@ def time_axis(trajectory: Trajectory) -> tuple[float, str]:
     if trajectory.block is not None:
         return 1.0 / trajectory.block.p, palette.LABELS["seconds"]
     return 1.0, palette.LABELS["pivot_time"]
-
-
-def emptiest_corner(axes: "Axes", points: Sequence[ArrayLike], size: tuple[float, float]) -> str:
-    """Return the corner in which a legend hides fewest points, the upper left one if several do.
-
-    Parameters
-    ----------
-    axes
-        With their final limits and scales.
-    points
-        Abscissas and ordinates, two arrays of one shape.
-    size
-        Width and height of the legend in fractions of the axes.
-    """
-    x, y = (np.asarray(values, dtype=np.float64).ravel() for values in points)
-    places = axes.transAxes.inverted().transform(axes.transData.transform(np.column_stack([x, y])))
-
-    def hidden(corner: tuple[int, int]) -> int:
-        near = [
-            (places[:, k] > 1.0 - size[k] if corner[k] else places[:, k] < size[k])
-            & (places[:, k] >= 0.0)
-            & (places[:, k] <= 1.0)
-            for k in (0, 1)
-        ]
-        return int((near[0] & near[1]).sum())
-
-    return min(CORNERS, key=lambda name: hidden(CORNERS[name]))
-
-
-def legend_inside(axes: "Axes", corner: str, *, columns: int = 1) -> "Legend":
-    """Place a legend inside the axes, where it cannot meet anything else of a user's figure."""
-    legend: Legend = axes.legend(
-        loc=corner,
-        ncols=columns,
-        fontsize=8.0,
-        frameon=True,
-        framealpha=0.85,
-        facecolor="white",
-        edgecolor="none",
-        borderaxespad=0.3,
-        columnspacing=1.4,
-    )
-    legend.set_zorder(6.0)
-    return legend
-
-
-def extent(axes: "Axes", *, width: float, height: float) -> tuple[float, float]:
-    """Return a size in points as fractions of the axes, at most the whole of them."""
-    figure = axes.get_figure(root=True)
-    assert figure is not None
-    box = axes.get_position()
-    inches = figure.get_size_inches()
-    wide, high = 72.0 * box.width * inches[0], 72.0 * box.height * inches[1]
-    return min(1.0, width / wide), min(1.0, height / high)
-
-
-def spaced_by_ratio(values: ArrayLike) -> bool:
-    """Return whether positive numbers are spread like powers, and belong on a logarithmic axis."""
-    array = np.asarray(values, dtype=np.float64)
-    low, high = float(array.min()), float(array.max())
-    return low > 0.0 and float(np.median(array)) < low + 0.25 * (high - low)
 
 
 def plot_trajectory(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
@@ -186,7 +125,7 @@ def plot_trajectory(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
         xlim=time_limits(trajectory, scale),
     )
     if axes.get_legend_handles_labels()[0]:
-        corner = "upper left"
+        corner: Corner = "upper left"
         if trajectory.status is Status.OVERTURNED:
             size = extent(axes, width=160.0, height=22.0)
             corner = emptiest_corner(axes, (motion.s * scale, motion.angle), size)
@@ -420,61 +359,13 @@ def plot_regions(
     size = extent(axes, width=125.0, height=72.0)
     corner = emptiest_corner(axes, seen, size)
     legend_inside(axes, corner)
-    for region, where in region_centres(curves, ceiling, floor, taken=(corner, size)).items():
+    for region, where in region_centres(
+        curves, ceiling, floor, taken=(corner, size), point=point
+    ).items():
         axes.annotate(
-            str(region), where, ha="center", va="center", fontsize=11, color=palette.NUMBER
+            str(region), where, ha="center", va="center", fontsize=9.5, color=palette.NUMBER
         )
     return axes
-
-
-def region_centres(
-    curves: RegionMap,
-    ceiling: float,
-    floor: float = 0.0,
-    *,
-    taken: tuple[str, tuple[float, float]] | None = None,
-) -> dict[int, tuple[float, float]]:
-    """Return where each region has most room for its number; too narrow ones are left out.
-
-    Parameters
-    ----------
-    curves
-        The map, its frequencies in ascending order.
-    ceiling, floor
-        Ends of the amplitude axis; it is logarithmic where the floor is above 0.
-    taken
-        Corner that the legend takes, and the legend's size in fractions of the axes.
-    """
-    from scipy.ndimage import distance_transform_edt
-
-    rows = 160
-    spread = np.geomspace if floor > 0.0 else np.linspace
-    height = spread(floor, ceiling, rows)[:, np.newaxis]
-    above_kind, above_sign = height > curves.kind, height > curves.sign
-    region = np.where(above_kind, np.where(above_sign, 2, 1), np.where(above_sign, 5, 3))
-    region = np.where(height < curves.existence, 4, region)
-    w = curves.frequency_ratio
-    spread = np.geomspace if spaced_by_ratio(w) else np.linspace
-    columns = np.searchsorted(w, spread(w[0], w[-1], rows)[:-1])
-    columns = np.append(columns, len(w) - 1)
-    free = np.ones((rows, rows), dtype=bool)
-    if taken is not None:
-        (right, upper), (wide, high) = CORNERS[taken[0]], taken[1]
-        across, up = math.ceil(wide * rows), math.ceil(high * rows)
-        free[
-            rows - up if upper else 0 : rows if upper else up,
-            rows - across if right else 0 : rows if right else across,
-        ] = False
-    centres: dict[int, tuple[float, float]] = {}
-    for number in range(1, 6):
-        inside = np.pad((region[:, columns] == number) & free, 1)
-        room = distance_transform_edt(inside)[1:-1, 1:-1]
-        if room.max() > 5.0:
-            # Of the roomiest places that furthest right: the curves crowd together on the left.
-            row, column = max(np.argwhere(room > 0.95 * room.max()), key=lambda place: place[1])
-            place = float(w[columns[min(column, rows - 12)]])
-            centres[number] = (place, float(height[row, 0]))
-    return centres
 
 
 def plot_response(
@@ -542,11 +433,20 @@ def plot_response(
     ends = np.concatenate(abscissas)
     if spaced_by_ratio(ends):
         axes.set_xscale("log")
-    if peaks.size and highest > LOGARITHMIC_SPAN * float(peaks.min()):
+    balance = highest > 0.6
+    lowest = float(peaks.min()) if peaks.size else highest
+    highest = max(highest, 1.0) if balance else highest
+    # Above the curves and the line there is room for the legend.
+    columns = 1 if len(curves) < 4 else 2
+    rows = 1 + math.ceil(len(curves) / columns)
+    part = min(0.6, extent(axes, width=1.0, height=12.0 * rows + 18.0)[1])
+    if highest > LOGARITHMIC_SPAN * lowest:
+        span = highest / lowest
         axes.set_yscale("log")
+        axes.set_ylim(lowest / span**0.05, highest * span ** (part / (1.0 - part)))
     else:
-        axes.set_ylim(bottom=0.0)
-    if highest > 0.6:
+        axes.set_ylim(0.0, highest / (1.0 - part))
+    if balance:
         axes.axhline(1.0, color=palette.FAINT, lw=0.8, zorder=1.0)
         axes.annotate(
             r"$|\theta| = \alpha$",
@@ -565,7 +465,7 @@ def plot_response(
     )
     if ends.min() < ends.max():
         axes.set_xlim(float(ends.min()), float(ends.max()))
-    legend = legend_inside(axes, "upper right", columns=1 if len(curves) < 4 else 2)
+    legend = legend_inside(axes, "upper right", columns=columns)
     legend.set_title("solid: stable, dashed: unstable")
     legend.get_title().set_fontsize(8.0)
     return axes

@@ -1,0 +1,149 @@
+"""Where legends and numbers go, and which axes are logarithmic."""
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rocksteady.dynamics.regions import RegionMap
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.legend import Legend
+
+Corner = Literal["upper left", "upper right", "lower left", "lower right"]
+CORNERS: dict[Corner, tuple[int, int]] = {
+    "upper left": (0, 1),
+    "upper right": (1, 1),
+    "lower left": (0, 0),
+    "lower right": (1, 0),
+}
+"""Places of a legend, in the order of preference, with the corner in fractions of the axes."""
+
+
+def emptiest_corner(axes: "Axes", points: Sequence[ArrayLike], size: tuple[float, float]) -> Corner:
+    """Return the corner in which a legend hides fewest points, the upper left one if several do.
+
+    Parameters
+    ----------
+    axes
+        With their final limits and scales.
+    points
+        Abscissas and ordinates, two arrays of one shape.
+    size
+        Width and height of the legend in fractions of the axes.
+    """
+    x, y = (np.asarray(values, dtype=np.float64).ravel() for values in points)
+    places = axes.transAxes.inverted().transform(axes.transData.transform(np.column_stack([x, y])))
+
+    def hidden(corner: tuple[int, int]) -> int:
+        near = [
+            (places[:, k] > 1.0 - size[k] if corner[k] else places[:, k] < size[k])
+            & (places[:, k] >= 0.0)
+            & (places[:, k] <= 1.0)
+            for k in (0, 1)
+        ]
+        return int((near[0] & near[1]).sum())
+
+    return min(CORNERS, key=lambda name: hidden(CORNERS[name]))
+
+
+def legend_inside(axes: "Axes", corner: Corner, *, columns: int = 1) -> "Legend":
+    """Place a legend inside the axes, where it cannot meet anything else of a user's figure."""
+    legend: Legend = axes.legend(
+        loc=corner,
+        ncols=columns,
+        fontsize=8.0,
+        frameon=True,
+        framealpha=0.85,
+        facecolor="white",
+        edgecolor="none",
+        borderaxespad=0.3,
+        columnspacing=1.4,
+    )
+    legend.set_zorder(6.0)
+    return legend
+
+
+def extent(axes: "Axes", *, width: float, height: float) -> tuple[float, float]:
+    """Return a size in points as fractions of the axes, at most the whole of them."""
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    box = axes.get_position()
+    inches = figure.get_size_inches()
+    wide, high = 72.0 * box.width * inches[0], 72.0 * box.height * inches[1]
+    return min(1.0, width / wide), min(1.0, height / high)
+
+
+def spaced_by_ratio(values: ArrayLike) -> bool:
+    """Return whether positive numbers are spread like powers, and belong on a logarithmic axis."""
+    array = np.asarray(values, dtype=np.float64)
+    low, high = float(array.min()), float(array.max())
+    return low > 0.0 and float(np.median(array)) < low + 0.25 * (high - low)
+
+
+def region_centres(
+    curves: RegionMap,
+    ceiling: float,
+    floor: float = 0.0,
+    *,
+    taken: tuple[Corner, tuple[float, float]] | None = None,
+    point: tuple[float, float] | None = None,
+) -> dict[int, tuple[float, float]]:
+    """Return where each region has most room for its number; too narrow ones are left out.
+
+    Parameters
+    ----------
+    curves
+        The map, its frequencies in ascending order.
+    ceiling, floor
+        Ends of the amplitude axis; it is logarithmic where the floor is above 0.
+    taken
+        Corner that the legend takes, and the legend's size in fractions of the axes.
+    point
+        A marked (frequency_ratio, amplitude), from which the numbers keep away.
+    """
+    from scipy.ndimage import distance_transform_edt
+
+    rows = 160
+    spread = np.geomspace if floor > 0.0 else np.linspace
+    height = spread(floor, ceiling, rows)[:, np.newaxis]
+    above_kind, above_sign = height > curves.kind, height > curves.sign
+    region = np.where(above_kind, np.where(above_sign, 2, 1), np.where(above_sign, 5, 3))
+    region = np.where(height < curves.existence, 4, region)
+    w = curves.frequency_ratio
+    spread = np.geomspace if spaced_by_ratio(w) else np.linspace
+    columns = np.searchsorted(w, spread(w[0], w[-1], rows)[:-1])
+    columns = np.append(columns, len(w) - 1)
+    free = np.ones((rows, rows), dtype=bool)
+    if taken is not None:
+        (right, upper), (wide, high) = CORNERS[taken[0]], taken[1]
+        across, up = math.ceil(wide * rows), math.ceil(high * rows)
+        free[
+            rows - up if upper else 0 : rows if upper else up,
+            rows - across if right else 0 : rows if right else across,
+        ] = False
+    clear = free.copy()
+    for curve in (curves.symmetry_breaking, curves.heteroclinic):
+        above = np.pad(height > curve[columns], ((1, 0), (1, 0)), mode="edge")
+        clear &= (above[1:, 1:] == above[:-1, 1:]) & (above[1:, 1:] == above[1:, :-1])
+    if point is not None:
+        column = min(int(np.searchsorted(w[columns], point[0])), rows - 1)
+        clear[min(int(np.searchsorted(height[:, 0], point[1])), rows - 1), column] = False
+    centres: dict[int, tuple[float, float]] = {}
+    for number in range(1, 6):
+        room = np.zeros((rows, rows))
+        # Clear of the other curves and the point where that is possible.
+        for allowed in (clear, free):
+            inside = np.pad((region[:, columns] == number) & allowed, 1)
+            room = distance_transform_edt(inside)[1:-1, 1:-1]
+            if room.max() > 5.0:
+                break
+        if room.max() > 5.0:
+            # Of the roomiest places that furthest right: the curves crowd together on the left.
+            row, column = max(np.argwhere(room > 0.95 * room.max()), key=lambda place: place[1])
+            place = float(w[columns[min(column, rows - 12)]])
+            centres[number] = (place, float(height[row, 0]))
+    return centres
