@@ -249,7 +249,7 @@ class Trajectory:
         row, duration = len(self.rows) - 1, self._last_duration
         if self._overturning is not None:
             row, duration = self._overturning
-        found, _, _ = highest(self.segments, self.sides, self.rows[: row + 1], duration)
+        found = highest(self.segments, self.sides, self.rows[: row + 1], duration)
         return found if self._overturning is None else max(found, 1.0)  # it passes 1, to rounding
 
     @cached_property

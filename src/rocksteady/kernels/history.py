@@ -109,22 +109,17 @@ def last_crossing(segments: Floats, sides: Floats, rows: Floats, level: float) -
 
 
 @compiled
-def highest(
-    segments: Floats, sides: Floats, rows: Floats, last_duration: float
-) -> tuple[float, int, float]:
-    """Return the largest |theta|/alpha of all rows, with alpha the reference's, and its row.
+def highest(segments: Floats, sides: Floats, rows: Floats, last_duration: float) -> float:
+    """Return the largest |theta|/alpha of all rows, with alpha the reference's.
 
     `last_duration` replaces the duration of the last row, which is infinite where the block falls.
     """
-    peak, where = 0.0, 0
-    side_of_peak = 0.0
+    peak = 0.0
     for index in range(len(rows)):
-        side = rows[index, ROW_SIDE]
-        if side == 0.0:
+        if rows[index, ROW_SIDE] == 0.0:
             continue
         flight, forcing, lean, rate = row_flight(segments, sides, rows, index)
         duration = last_duration if index == len(rows) - 1 else rows[index, ROW_DURATION]
         angle, _ = highest_angle(flight, forcing, duration * rate)
-        if angle * lean > peak:
-            peak, where, side_of_peak = angle * lean, index, side
-    return peak, where, side_of_peak
+        peak = max(peak, angle * lean)
+    return peak
