@@ -295,7 +295,7 @@ class Block:
         if restitution == "housner":
             ratio = housner_restitution(angle, p=p, radius=radius, gravity=gravity)
         else:
-            ratio = restitution_value(restitution)
+            ratio = restitution
         side = Side(alpha=angle, radius=radius, p=p, restitution=ratio)
         return cls(positive=side, negative=side, gravity=gravity)
 
