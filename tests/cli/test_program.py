@@ -344,3 +344,15 @@ def test_an_interruption_ends_with_130(command: str, monkeypatch: pytest.MonkeyP
     ran = rocksteady(f"{command} {SHAKING} -r 0.8")
     assert (ran.code, ran.out) == (130, "")
     assert ran.err == "rocksteady: interrupted\n"
+
+
+@commands
+def test_a_first_run_says_that_it_compiles(
+    command: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr("rocksteady.kernels.compilation.cache_folder", lambda: tmp_path)
+    ran = rocksteady(f"{command} {SHAKING} -r 0.8 --json")
+    assert ran.code == 0
+    assert ran.err == "compiling the kernels, once for each version: some ten seconds\n"
+    (tmp_path / "kept.nbi").touch()
+    assert rocksteady(f"{command} {SHAKING} -r 0.8 --json").err == ""

@@ -38,6 +38,14 @@ def check_writable(flag: str, file: Path, *, force: bool) -> None:
     raise OutputError(name=flag, value=file, valid=valid, hint=hint)
 
 
+def announce_compilation() -> None:
+    """Say on standard error that a first run takes longer, where this is one."""
+    from rocksteady.kernels.compilation import must_compile
+
+    if must_compile():
+        print("compiling the kernels, once for each version: some ten seconds", file=sys.stderr)
+
+
 def write_whole(flag: str, file: Path, write: Callable[[Path], None]) -> None:
     """Write a file beside its place and move it there, so that it is never half there.
 

@@ -9,7 +9,7 @@ import typer
 from rocksteady.cli import flags
 from rocksteady.cli.groups import BlockFlags, OutputFlags, ShakingFlags, grouped
 from rocksteady.cli.inputs import single, start_from
-from rocksteady.cli.outputs import print_json, write_csv, write_figure
+from rocksteady.cli.outputs import announce_compilation, print_json, write_csv, write_figure
 from rocksteady.errors import InputError, ModelError, Status
 from rocksteady.model.motions import Harmonic, Motion, Still
 from rocksteady.model.validation import whole_number
@@ -112,6 +112,7 @@ def simulate(
     check_start(start, shaken=ratio is not None, phase=phase, cycles=cycles)
     whole_number("per_unit", samples, at_least=1, hint="give rows per period")
 
+    announce_compilation()
     from rocksteady.dynamics.simulate import simulate as run
 
     begin = start_from(start, order=order, frequency_ratio=ratio)

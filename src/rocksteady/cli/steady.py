@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli import flags
 from rocksteady.cli.groups import BlockFlags, OutputFlags, ShakingFlags, grouped
-from rocksteady.cli.outputs import print_json, write_csv, write_figure
+from rocksteady.cli.outputs import announce_compilation, print_json, write_csv, write_figure
 from rocksteady.errors import ModelError
 from rocksteady.model.block import Block, DimensionlessBlock
 
@@ -60,6 +60,7 @@ def steady(
             valid="response curves are drawn over frequency ratios, and there is one",
             hint="give -W as an axis start:stop:count, or take --csv",
         )
+    announce_compilation()
     import numpy as np
 
     from rocksteady.dynamics.steady import steady_states

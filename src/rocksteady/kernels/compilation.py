@@ -44,6 +44,11 @@ def cache_folder() -> Path:
         return fallback
 
 
+def must_compile() -> bool:
+    """Return whether no machine code of this version is kept yet: the first call compiles."""
+    return not config.DISABLE_JIT and not any(cache_folder().rglob("*.nbi"))
+
+
 def compiled(function: FunctionT) -> FunctionT:
     """Compile a module-level function; with ``NUMBA_DISABLE_JIT=1`` return it unchanged.
 
