@@ -17,6 +17,7 @@ from rocksteady.kernels.symmetric import (
     symmetry_breaking,
 )
 from tests.oracles import mp
+from tests.published import TW1
 from tests.strategies import frequency_ratios, restitutions, sample_size
 
 Floats = NDArray[np.float64]
@@ -169,15 +170,7 @@ def test_the_phase_is_in_its_range_and_never_a_negative_zero() -> None:
 # ------------------------------------------------------------------------------ printed numbers
 
 
-@pytest.mark.parametrize(
-    ("point", "phase", "velocity", "peak"),
-    [
-        ((2.0, 4.0, 0.8, 1), 2.8465425429, 0.1830972718, 0.1854991060),
-        ((2.0, 6.0, 0.8, 3), 1.7852919857, 0.1073819482, 0.2888312915),
-        ((3.0, 8.0, 0.95, 3), 2.8781538751, 0.1078741335, 0.1605680074),
-        ((1.0, 2.0, 0.5, 1), 2.0129317200, 0.2756474666, 0.3407162565),
-    ],
-)
+@pytest.mark.parametrize(("point", "phase", "velocity", "peak"), TW1)
 def test_table_1(
     point: tuple[float, float, float, int], phase: float, velocity: float, peak: float
 ) -> None:

@@ -30,8 +30,7 @@ def segment_table(motion: Motion) -> Floats:
         row[columns.CONSTANT] = segment.constant
         row[columns.SLOPE] = segment.slope
         row[columns.AMPLITUDE] = segment.amplitude
-        # A segment whose sinusoid is silent counts plain time, unless it is the shaking's own
-        # clock: cycles of harmonic shaking count at amplitude 0 too.
+        # Kept at amplitude 0 too: it is the clock by which harmonic shaking counts its cycles.
         row[columns.FREQUENCY] = segment.frequency
         row[columns.PHASE] = segment.phase if segment.frequency else 0.0
     table[:, columns.CEILING] = _ceilings(table)

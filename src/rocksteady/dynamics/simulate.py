@@ -67,14 +67,13 @@ def simulate(
     Raises
     ------
     InputError
-        If a number is outside its range.
+        If a number is outside its range, or an argument is not what its name says.
     ModelError
         If the start does not fit the motion.
 
     Examples
     --------
-    >>> from rocksteady import DimensionlessBlock, Harmonic, simulate
-    >>> from rocksteady.dynamics.start import Steady
+    >>> from rocksteady import DimensionlessBlock, Harmonic, Steady, simulate
     >>> run = simulate(
     ...     DimensionlessBlock(restitution=0.8),
     ...     Harmonic(amplitude=2.0, frequency_ratio=4.0),
