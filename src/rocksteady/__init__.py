@@ -27,14 +27,8 @@ if TYPE_CHECKING:
     from rocksteady.model.block import Block, DimensionlessBlock, Side, housner_restitution
     from rocksteady.model.examples import example_block
     from rocksteady.model.motions import Harmonic, Piecewise, Segment, Still
-    from rocksteady.show.plots import (
-        plot_base,
-        plot_orbit,
-        plot_phase_portrait,
-        plot_regions,
-        plot_response,
-        plot_trajectory,
-    )
+    from rocksteady.show.plots.motion import plot_base, plot_phase_portrait, plot_trajectory
+    from rocksteady.show.plots.steady import plot_orbit, plot_regions, plot_response
 else:
     # Out of the sight of type checkers, which would take every misspelt name to be of type object.
     def __getattr__(name: str) -> object:
@@ -127,12 +121,12 @@ _DEFINED_IN = {
     "heteroclinic_amplitude": "rocksteady.dynamics.regions",
     "housner_restitution": "rocksteady.model.block",
     "melnikov_amplitude": "rocksteady.dynamics.regions",
-    "plot_base": "rocksteady.show.plots",
-    "plot_orbit": "rocksteady.show.plots",
-    "plot_phase_portrait": "rocksteady.show.plots",
-    "plot_regions": "rocksteady.show.plots",
-    "plot_response": "rocksteady.show.plots",
-    "plot_trajectory": "rocksteady.show.plots",
+    "plot_base": "rocksteady.show.plots.motion",
+    "plot_orbit": "rocksteady.show.plots.steady",
+    "plot_phase_portrait": "rocksteady.show.plots.motion",
+    "plot_regions": "rocksteady.show.plots.steady",
+    "plot_response": "rocksteady.show.plots.steady",
+    "plot_trajectory": "rocksteady.show.plots.motion",
     "region_map": "rocksteady.dynamics.regions",
     "response_curve": "rocksteady.dynamics.response",
     "simulate": "rocksteady.dynamics.simulate",

@@ -28,6 +28,7 @@ FLAG_OF_ARGUMENT = {
     "angle": "--start",
     "velocity": "--start",
     "side": "--side",
+    "kick": "--kick",
     "name": "--block",
     "per_unit": "--samples",
 }

@@ -117,7 +117,9 @@ def single(flag: str, values: list[float]) -> float:
     return values[0]
 
 
-def start_from(text: str, *, order: int, frequency_ratio: float | None) -> "Start":
+def start_from(
+    text: str, *, order: int, kick: float | None, frequency_ratio: float | None
+) -> "Start":
     """Return the start that ``rest``, ``steady``, ``steady:2``, ``U,DU`` or ``U,w=V`` names.
 
     Raises
@@ -125,18 +127,20 @@ def start_from(text: str, *, order: int, frequency_ratio: float | None) -> "Star
     InputError
         If the text is none of these.
     """
-    from rocksteady.dynamics.start import Rest, State, Steady
+    from rocksteady.dynamics.start import KICK, Rest, State, Steady
 
     odd_order(order)
     if text in ("steady", "steady:1", "steady:2"):
-        return Steady(branch=2 if text.endswith("2") else 1, order=order)
-    if order != 1:
-        raise ModelError(
-            name="order",
-            value=order,
-            valid="only a steady start has an order",
-            hint="add --start steady, or leave it out",
-        )
+        branch = 2 if text.endswith("2") else 1
+        return Steady(branch=branch, order=order, kick=KICK if kick is None else kick)
+    for name, value, idle in (("order", order, order == 1), ("kick", kick, kick is None)):
+        if not idle:
+            raise ModelError(
+                name=name,
+                value=value,
+                valid=f"only a steady start has {'an order' if name == 'order' else 'a kick'}",
+                hint="add --start steady, or leave it out",
+            )
     if text == "rest":
         return Rest()
     hint = "write rest, steady, steady:2, U,DU (du/dtau) or U,w=V (du/d(pt)), as 0.4,0 or 0.4,w=0"

@@ -1,16 +1,13 @@
 """What a command leaves behind: JSON on standard output, and files that are whole or not there."""
 
-import csv
-import json
-import math
 import os
 import sys
-from collections.abc import Callable, Iterable, Sequence
-from contextlib import suppress
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.errors import OutputError
+from rocksteady.show.files import json_text, save_csv, save_figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -46,70 +43,23 @@ def announce_compilation() -> None:
         print("compiling the kernels, once for each version: some ten seconds", file=sys.stderr)
 
 
-def write_whole(flag: str, file: Path, write: Callable[[Path], None]) -> None:
-    """Write a file beside its place and move it there, so that it is never half there.
-
-    Raises
-    ------
-    OutputError
-        If it cannot be written.
-    """
-    partial = file.with_name(f".{file.stem}.partial-{os.getpid()}{file.suffix}")
-    try:
-        write(partial)
-        partial.replace(file)
-    except OSError as error:
-        raise OutputError(
-            name=flag,
-            value=file,
-            valid=error.strerror or str(error),
-            hint="check the folder and the space that is left",
-        ) from error
-    finally:
-        with suppress(OSError):
-            partial.unlink(missing_ok=True)
-    print(f"wrote {file}", file=sys.stderr)
-
-
 def write_figure(file: Path, figure: "Figure") -> None:
-    """Save a figure in the format of the file's ending."""
-    from rocksteady.show import palette
-
-    def save(target: Path) -> None:
-        metadata = {"Date": None} if file.suffix.lower() == ".svg" else None
-        with palette.style():
-            figure.savefig(target, format=file.suffix.lower()[1:], metadata=metadata)
-
-    write_whole("--plot", file, save)
+    """Save what --plot asks for."""
+    save_figure("--plot", file, figure)
+    announce_file(file)
 
 
 def write_csv(file: Path, header: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
-    """Save a table; floats are written so that reading them gives the same number."""
+    """Save what --csv asks for."""
+    save_csv("--csv", file, header, rows)
+    announce_file(file)
 
-    def save(target: Path) -> None:
-        with target.open("w", newline="", encoding="utf-8") as stream:
-            writer = csv.writer(stream, lineterminator="\n")
-            writer.writerow(header)
-            writer.writerows(rows)
 
-    write_whole("--csv", file, save)
+def announce_file(file: Path) -> None:
+    """Say on standard error that a file is there."""
+    print(f"wrote {file}", file=sys.stderr)
 
 
 def print_json(command: str, values: dict[str, Any]) -> None:
     """Print one object with its schema; NaN and infinity become null."""
-    print(json.dumps(_plain({"schema": f"rocksteady/{command}/1", **values}), allow_nan=False))
-
-
-def _plain(value: Any) -> Any:
-    """Return a value that JSON can say."""
-    if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain(item) for item in value]
-    if hasattr(value, "tolist"):
-        return _plain(value.tolist())
-    if isinstance(value, complex):
-        return [_plain(value.real), _plain(value.imag)]
-    if isinstance(value, float) and not math.isfinite(value):
-        return None
-    return value
+    print(json_text(f"rocksteady/{command}/1", values))

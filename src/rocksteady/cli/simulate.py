@@ -52,6 +52,16 @@ SideFlag = Annotated[
         rich_help_panel=START,
     ),
 ]
+KickFlag = Annotated[
+    float | None,
+    typer.Option(
+        "--kick",
+        metavar="K",
+        help="How far from an unstable steady state the block is set off, default 1e-6: length of "
+        "(phase \\[rad], velocity over the orbit's).",
+        rich_help_panel=START,
+    ),
+]
 PhaseFlag = Annotated[
     float | None,
     typer.Option(
@@ -91,6 +101,7 @@ def simulate(
     order: flags.Order = 1,
     phase: PhaseFlag = None,
     side: SideFlag = "+",
+    kick: KickFlag = None,
     cycles: CyclesFlag = None,
     samples: SamplesFlag = 100,
 ) -> None:
@@ -115,7 +126,7 @@ def simulate(
     announce_compilation()
     from rocksteady.dynamics.simulate import simulate as run
 
-    begin = start_from(start, order=order, frequency_ratio=ratio)
+    begin = start_from(start, order=order, kick=kick, frequency_ratio=ratio)
     try:
         trajectory = run(
             body,

@@ -12,7 +12,9 @@ from rocksteady.model.motions import Harmonic, Motion
 from rocksteady.model.validation import LARGEST, in_range, odd_order, positive
 
 KICK = 1e-6
-"""How far from an unstable orbit, relative to phase 1 and its velocity, a block is set off."""
+"""How far from an unstable orbit a block is set off, where nobody says."""
+LARGEST_KICK = 0.1
+"""Further from an orbit its unstable direction means nothing."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,7 +66,7 @@ class Steady:
     """On a symmetric steady state of harmonic shaking, at the impact that begins its positive half.
 
     A stable one is started on exactly.  An unstable one would be left by round-off; it is left
-    instead along its unstable direction, on a named side, from a distance of `KICK`.
+    instead along its unstable direction, on a named side, from a named distance.
 
     Parameters
     ----------
@@ -72,15 +74,28 @@ class Steady:
         1 or 2 (upper or lower signs of eqs 21, 22).
     order
         n = 1, 3, 5, ...
+    kick
+        How far from an unstable orbit the block is set off: the length of (phase shift [rad],
+        velocity shift / velocity of the orbit), above 0 and up to 0.1.
+
+    Raises
+    ------
+    InputError
+        If a value is outside its range, or the order is even.
     """
 
     branch: int = 1
     order: int = 1
+    kick: float = KICK
 
     def __post_init__(self) -> None:
         """Validate."""
         object.__setattr__(self, "branch", validated_branch(self.branch))
         object.__setattr__(self, "order", odd_order(self.order))
+        kick = in_range(
+            "kick", self.kick, 0.0, LARGEST_KICK, "(]", hint="give a small number, as 1e-6"
+        )
+        object.__setattr__(self, "kick", kick)
 
 
 Start = Rest | State | Steady
@@ -164,8 +179,8 @@ def _steady_state(
         shift_phase, shift_velocity = unstable_direction(
             a, w, r, phase, velocity, start.order * math.pi / w
         )
-        phase += side * KICK * shift_phase
-        velocity += side * KICK * shift_velocity
+        phase += side * start.kick * shift_phase
+        velocity += side * start.kick * shift_velocity
     shaken = Harmonic(amplitude=a, frequency_ratio=w, phase=phase)
     return shaken, State(angle=0.0, velocity=velocity)
 

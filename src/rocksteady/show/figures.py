@@ -11,14 +11,12 @@ from rocksteady.dynamics.response import ResponseCurve
 from rocksteady.dynamics.steady import SteadyOrbit
 from rocksteady.dynamics.trajectory import Trajectory
 from rocksteady.show import palette
-from rocksteady.show.plots import (
+from rocksteady.show.plots.motion import plot_base, plot_phase_portrait, plot_trajectory
+from rocksteady.show.plots.steady import (
     LOGARITHMIC_SPAN,
-    plot_base,
     plot_orbit,
-    plot_phase_portrait,
     plot_regions,
     plot_response,
-    plot_trajectory,
 )
 
 if TYPE_CHECKING:

@@ -1,4 +1,4 @@
-"""Where legends and numbers go, and which axes are logarithmic."""
+"""Which axes are drawn on, where legends and numbers go, and which scales are logarithmic."""
 
 import math
 from collections.abc import Sequence
@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rocksteady.dynamics.regions import RegionMap
+from rocksteady.show import palette
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,6 +22,16 @@ CORNERS: dict[Corner, tuple[int, int]] = {
     "lower right": (1, 0),
 }
 """Places of a legend, in the order of preference, with the corner in fractions of the axes."""
+
+
+def axes_or_new(ax: "Axes | None") -> "Axes":
+    """Return the given axes, or those of a new figure in the house style."""
+    if ax is not None:
+        return ax
+    import matplotlib.pyplot as plt
+
+    with palette.style():
+        return plt.subplots()[1]
 
 
 def emptiest_corner(axes: "Axes", points: Sequence[ArrayLike], size: tuple[float, float]) -> Corner:

@@ -1,25 +1,17 @@
-"""Plots of time histories and steady states.
-
-Each function takes a result and, optionally, axes; draws; and returns the axes.  The figures of
-`rocksteady.show.figures` put several together.
-"""
+"""Plots of steady states: orbits, regions and response curves."""
 
 import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rocksteady.dynamics.regions import RegionMap
 from rocksteady.dynamics.response import ResponseCurve
 from rocksteady.dynamics.steady import SteadyOrbit
-from rocksteady.dynamics.trajectory import Trajectory
-from rocksteady.errors import Status
-from rocksteady.model.motions import Harmonic
 from rocksteady.show import palette
 from rocksteady.show.layout import (
-    Corner,
+    axes_or_new,
     emptiest_corner,
     extent,
     legend_inside,
@@ -30,199 +22,8 @@ from rocksteady.show.layout import (
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-HEADROOM = 0.15
-"""Part of the height of a time history that is left free above it for the legend."""
 LOGARITHMIC_SPAN = 30.0
 """Factor between the ends of an amplitude or peak axis from which on it is logarithmic."""
-CROWD = 150
-"""Number of impacts from which on their marks shrink."""
-
-
-def axes_or_new(ax: "Axes | None") -> "Axes":
-    """Return the given axes, or those of a new figure in the house style."""
-    if ax is not None:
-        return ax
-    import matplotlib.pyplot as plt
-
-    with palette.style():
-        return plt.subplots()[1]
-
-
-def time_axis(trajectory: Trajectory) -> tuple[float, str]:
-    """Return by what pivot time is multiplied for the time axis, and the axis's label."""
-    if isinstance(trajectory.motion, Harmonic):
-        return trajectory.motion.frequency_ratio / (2.0 * math.pi), palette.LABELS["periods"]
-    if trajectory.block is not None:
-        return 1.0 / trajectory.block.p, palette.LABELS["seconds"]
-    return 1.0, palette.LABELS["pivot_time"]
-
-
-def plot_trajectory(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
-    """Draw angle against time with every impact, and where the block comes to rest or overturns.
-
-    Between the dashed lines, |theta| = alpha, a block left alone falls back onto its base.
-
-    Parameters
-    ----------
-    trajectory
-        From `rocksteady.simulate`.
-    ax
-        Axes to draw on; those of a new figure without.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        The axes: time in forcing periods of harmonic shaking, else in seconds or, without a block,
-        pivot time; the angle in units of alpha.
-
-    Examples
-    --------
-    >>> from matplotlib.figure import Figure
-    >>> from rocksteady import DimensionlessBlock, Harmonic, simulate
-    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
-    >>> run = simulate(DimensionlessBlock(restitution=0.8), shaking, cycles=10)
-    >>> axes = plot_trajectory(run, Figure().add_subplot())
-    >>> axes.get_xlabel()
-    'time [excitation periods]'
-    """
-    axes = axes_or_new(ax)
-    scale, label = time_axis(trajectory)
-    motion = trajectory(trajectory.times())
-    axes.axhspan(-1.0, 1.0, color=palette.SYMMETRIC, alpha=0.12, lw=0)
-    for level in (-1.0, 1.0):
-        axes.axhline(level, color=palette.FAINT, lw=0.8, ls=(0, (4, 3)))
-    axes.plot(motion.s * scale, motion.angle, color=palette.LINES[0])
-    impacts = trajectory.impacts
-    if len(impacts) > 0:
-        axes.plot(
-            impacts.s * scale,
-            np.zeros(len(impacts)),
-            ls="none",
-            marker="o",
-            ms=1.6 if len(impacts) > CROWD else 3.0,
-            color=palette.IMPACT,
-            label="1 impact" if len(impacts) == 1 else f"{len(impacts)} impacts",
-        )
-    if trajectory.overturn_s is not None:
-        fall = trajectory(trajectory.overturn_s)
-        axes.plot(
-            trajectory.overturn_s * scale,
-            fall.angle,
-            marker="X",
-            ms=8,
-            mec="white",
-            mew=0.8,
-            color=palette.OVERTURNED,
-            ls="none",
-            label="overturns",
-        )
-    elif trajectory.rest_s is not None and trajectory.rest_s > 0.0:
-        axes.axvline(trajectory.rest_s * scale, color=palette.FAINT, lw=0.8, label="at rest")
-    axes.set(
-        xlabel=label,
-        ylabel=palette.LABELS["angle"],
-        ylim=angle_limits(trajectory, motion.angle),
-        xlim=time_limits(trajectory, scale),
-    )
-    if axes.get_legend_handles_labels()[0]:
-        corner: Corner = "upper left"
-        if trajectory.status is Status.OVERTURNED:
-            size = extent(axes, width=160.0, height=22.0)
-            corner = emptiest_corner(axes, (motion.s * scale, motion.angle), size)
-        for entry in legend_inside(axes, corner, columns=2).get_lines():
-            if entry.get_marker() == "o":
-                entry.set_markersize(3.0)
-    return axes
-
-
-def angle_limits(trajectory: Trajectory, angle: NDArray[np.float64]) -> tuple[float, float]:
-    """Return the ends of the angle axis: what is there, the band of balance, and headroom."""
-    lowest, highest = float(angle.min()), float(angle.max())
-    if trajectory.status is Status.OVERTURNED:
-        return min(-1.15, 1.1 * lowest), max(1.15, 1.1 * highest)
-    # A block that hardly rocks fills the picture.
-    least = 0.0 if trajectory.peak < 0.6 else 1.0
-    reach = 1.12 * max(-lowest, highest, least, 1e-300)
-    if trajectory.peak == 0.0:
-        reach = 1e-3
-    return -reach, reach * (1.0 + 2.0 * HEADROOM)
-
-
-def time_limits(trajectory: Trajectory, scale: float) -> tuple[float, float]:
-    """Return the ends of the time axis; a fall from the start on keeps clear of the left end."""
-    end = float(trajectory.times()[-1]) * scale
-    return (-0.02 * end if trajectory.overturn_s == 0.0 else 0.0), end
-
-
-def plot_base(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
-    """Draw the base acceleration against time, with the acceleration that lifts a block at rest.
-
-    Parameters
-    ----------
-    trajectory
-        From `rocksteady.simulate`.
-    ax
-        Axes to draw on; those of a new figure without.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        The axes: time as in `plot_trajectory`, the acceleration in units of alpha g; dashed at -1
-        and 1, where a block at rest lifts off.
-
-    Examples
-    --------
-    >>> from matplotlib.figure import Figure
-    >>> from rocksteady import DimensionlessBlock, Harmonic, simulate
-    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
-    >>> run = simulate(DimensionlessBlock(restitution=0.8), shaking, cycles=10)
-    >>> axes = plot_base(run, Figure().add_subplot())
-    >>> print(f"{axes.lines[0].get_ydata().max():.3f}")
-    2.000
-    """
-    axes = axes_or_new(ax)
-    scale, label = time_axis(trajectory)
-    times = trajectory.times()
-    axes.plot(times * scale, trajectory.base_acceleration(times), color=palette.BASE, lw=1.0)
-    for level in (-1.0, 1.0):
-        axes.axhline(level, color=palette.FAINT, lw=0.8, ls=(0, (4, 3)))
-    axes.set(xlabel=label, ylabel=palette.LABELS["base"], xlim=time_limits(trajectory, scale))
-    return axes
-
-
-def plot_phase_portrait(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
-    """Draw velocity against angle; impacts are the steps at angle 0.
-
-    Parameters
-    ----------
-    trajectory
-        From `rocksteady.simulate`.
-    ax
-        Axes to draw on; those of a new figure without.
-
-    Returns
-    -------
-    matplotlib.axes.Axes
-        The axes: u = theta/alpha, and du/ds over pivot time s = p t.
-
-    Examples
-    --------
-    >>> from matplotlib.figure import Figure
-    >>> from rocksteady import DimensionlessBlock, State, Still, simulate
-    >>> start = State(angle=0.5, velocity=0.0)
-    >>> run = simulate(DimensionlessBlock(restitution=0.8), Still(), start=start)
-    >>> axes = plot_phase_portrait(run, Figure().add_subplot())
-    >>> [entry.get_text() for entry in axes.get_legend().get_texts()]
-    ['start']
-    """
-    axes = axes_or_new(ax)
-    angle, velocity = trajectory.phase_path()
-    axes.plot(angle, velocity, color=palette.LINES[0], lw=0.8, alpha=0.8)
-    axes.plot(angle[0], velocity[0], "o", ms=4, color=palette.INK, ls="none", label="start")
-    axes.set(xlabel=palette.LABELS["angle"], ylabel=palette.LABELS["velocity"])
-    size = extent(axes, width=52.0, height=22.0)
-    legend_inside(axes, emptiest_corner(axes, (angle, velocity), size))
-    return axes
 
 
 def plot_orbit(

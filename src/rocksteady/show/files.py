@@ -1,0 +1,110 @@
+"""Files that are whole or not there: figures, tables, text."""
+
+import csv
+import json
+import math
+import os
+from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from rocksteady.errors import OutputError
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def save_whole(name: str, file: Path, write: Callable[[Path], object]) -> None:
+    """Write a file beside its place and move it there, so that it is never half there.
+
+    Parameters
+    ----------
+    name
+        What asked for the file, for the error.
+    file
+        Where it goes.
+    write
+        Writes it to the path that it is given.
+
+    Raises
+    ------
+    OutputError
+        If it cannot be written.
+    """
+    partial = file.with_name(f".{file.stem}.partial-{os.getpid()}{file.suffix}")
+    try:
+        write(partial)
+        partial.replace(file)
+    except OSError as error:
+        raise OutputError(
+            name=name,
+            value=file,
+            valid=error.strerror or str(error),
+            hint="check the folder and the space that is left",
+        ) from error
+    finally:
+        with suppress(OSError):
+            partial.unlink(missing_ok=True)
+
+
+def save_figure(name: str, file: Path, figure: "Figure") -> None:
+    """Save a figure in the format of the file's ending, the same bytes each time."""
+    from rocksteady.show import palette
+
+    def save(target: Path) -> None:
+        metadata = {"Date": None} if file.suffix.lower() == ".svg" else None
+        with palette.style():
+            figure.savefig(target, format=file.suffix.lower()[1:], metadata=metadata)
+
+    save_whole(name, file, save)
+
+
+def save_csv(
+    name: str, file: Path, header: Sequence[str], rows: Iterable[Sequence[object]]
+) -> None:
+    """Save a table; floats are written so that reading them gives the same number."""
+
+    def save(target: Path) -> None:
+        with target.open("w", newline="", encoding="utf-8") as stream:
+            writer = csv.writer(stream, lineterminator="\n")
+            writer.writerow(header)
+            writer.writerows(rows)
+
+    save_whole(name, file, save)
+
+
+def save_text(name: str, file: Path, text: str) -> None:
+    """Save a text as UTF-8."""
+    save_whole(name, file, lambda target: target.write_text(text, encoding="utf-8"))
+
+
+def json_text(schema: str, values: dict[str, Any], *, indent: int | None = None) -> str:
+    """Return one JSON object with its schema; NaN and infinity become null.
+
+    Parameters
+    ----------
+    schema
+        What the object holds, as ``rocksteady/simulate/1``.
+    values
+        Numbers, texts, arrays, and lists and dicts of them; complex numbers become [re, im].
+    indent
+        Spaces of indentation; all in one line without.
+    """
+    plain = _plain({"schema": schema, **values})
+    return json.dumps(plain, allow_nan=False, indent=indent, ensure_ascii=indent is None)
+
+
+def _plain(value: Any) -> Any:
+    """Return a value that JSON can say."""
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    if hasattr(value, "tolist"):
+        return _plain(value.tolist())
+    if isinstance(value, complex):
+        return [_plain(value.real), _plain(value.imag)]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value

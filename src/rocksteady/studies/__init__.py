@@ -1,0 +1,1 @@
+"""Published papers, done again through the public interface of the package."""

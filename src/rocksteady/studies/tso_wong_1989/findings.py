@@ -1,0 +1,110 @@
+"""What the study finds: a verdict on each statement of the paper, and a panel for each figure."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from enum import StrEnum
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+class Verdict(StrEnum):
+    """What the computation says of a statement."""
+
+    REPRODUCED = "reproduced"
+    CORRECTED = "corrected"
+    NOT_CHECKABLE = "not-checkable"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Finding:
+    """The outcome of one check.
+
+    Attributes
+    ----------
+    holds
+        Whether the statement holds as it stands; None where it cannot be checked.
+    detail
+        What came out, with its numbers; for a statement that does not hold, what holds instead.
+    values
+        The numbers behind the detail, by name.
+    """
+
+    holds: bool | None
+    detail: str
+    values: dict[str, object] = field(default_factory=dict)
+
+    @property
+    def verdict(self) -> Verdict:
+        """The verdict that follows."""
+        if self.holds is None:
+            return Verdict.NOT_CHECKABLE
+        return Verdict.REPRODUCED if self.holds else Verdict.CORRECTED
+
+
+@dataclass(frozen=True, kw_only=True)
+class Claim:
+    """A statement of the paper with what the computation says of it.
+
+    Attributes
+    ----------
+    id
+        Short and lasting; E1 to E9 are those of the package's reference results.
+    statement
+        What the paper says, in our words.
+    page
+        Where it says so, in the journal's numbering.
+    figures
+        The panels that it is about, as "12b".
+    finding
+        The outcome.
+    """
+
+    id: str
+    statement: str
+    page: int
+    figures: tuple[str, ...]
+    finding: Finding
+
+    @property
+    def verdict(self) -> Verdict:
+        """Reproduced, corrected or not checkable."""
+        return self.finding.verdict
+
+
+@dataclass(frozen=True, kw_only=True)
+class Panel:
+    """One figure of the paper, computed again.
+
+    Attributes
+    ----------
+    id
+        As the paper numbers it: "3a".
+    title
+        What it shows, in one line.
+    says
+        What the paper shows and says of it, in our words.
+    computed
+        What came out, with its numbers.
+    choices
+        What the paper, or its scan, does not say, and what was taken.
+    header, rows
+        The data: names of the columns with their units, and the rows.
+    draw
+        Makes the figure.
+    """
+
+    id: str
+    title: str
+    says: str
+    computed: str
+    choices: tuple[str, ...]
+    header: tuple[str, ...]
+    rows: Sequence[Sequence[object]]
+    draw: Callable[[], "Figure"]
+
+    @property
+    def command(self) -> str:
+        """The command that makes this panel alone."""
+        return f"rocksteady paper --only {self.id} --out figure-{self.id}"
