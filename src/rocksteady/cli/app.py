@@ -12,14 +12,14 @@ import typer
 from typer.exceptions import TyperException
 
 from rocksteady import __version__
-from rocksteady.cli import simulate, steady
+from rocksteady.cli import paper, simulate, steady
 from rocksteady.cli.flags import FLAG_OF_ARGUMENT
 from rocksteady.errors import RocksteadyError
 
 HELP = (
     "Rocking of free-standing rigid blocks on a shaking base: exact, complete and fast.\n\n"
-    "Results go to standard output, messages to standard error. Every command has --json, --plot "
-    "and --csv; rocksteady COMMAND --help shows its flags, their units and examples."
+    "Results go to standard output, messages to standard error. Every command has --json; "
+    "rocksteady COMMAND --help shows its flags, their units and examples."
 )
 USAGE, INTERNAL, INTERRUPTED = 2, 101, 130
 
@@ -31,7 +31,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for command in (steady, simulate):
+for command in (steady, simulate, paper):
     name = command.__name__.rpartition(".")[2]
     function = getattr(command, name)
     app.command(name, help=command.HELP, epilog=command.EXAMPLES)(function)

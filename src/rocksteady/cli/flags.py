@@ -31,6 +31,9 @@ FLAG_OF_ARGUMENT = {
     "kick": "--kick",
     "name": "--block",
     "per_unit": "--samples",
+    "speed": "--speed",
+    "out": "--out",
+    "only": "--only",
 }
 """Which flag an argument of the library is, for error lines."""
 
@@ -163,6 +166,25 @@ Plot = Annotated[
 Csv = Annotated[
     Path | None,
     typer.Option("--csv", metavar="FILE", help="Save the data as CSV.", rich_help_panel=OUTPUT),
+]
+Animate = Annotated[
+    Path | None,
+    typer.Option(
+        "--animate",
+        metavar="FILE",
+        help="Save a film of the block on its moving ground, in true scale: .gif.",
+        rich_help_panel=OUTPUT,
+    ),
+]
+Speed = Annotated[
+    float | None,
+    typer.Option(
+        "--speed",
+        metavar="X",
+        help="What passes in a second of --animate: seconds of a block (1 is real time), else "
+        "periods of the shaking, else pt. Default 1, or what shows the run well.",
+        rich_help_panel=OUTPUT,
+    ),
 ]
 Force = Annotated[
     bool,

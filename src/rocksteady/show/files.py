@@ -48,16 +48,23 @@ def save_whole(name: str, file: Path, write: Callable[[Path], object]) -> None:
             partial.unlink(missing_ok=True)
 
 
-def save_figure(name: str, file: Path, figure: "Figure") -> None:
-    """Save a figure in the format of the file's ending, the same bytes each time."""
+def figure_bytes(figure: "Figure", kind: str) -> bytes:
+    """Return a figure as a file of a kind, "png", "svg" or "pdf": the same bytes each time."""
+    from io import BytesIO
+
     from rocksteady.show import palette
 
-    def save(target: Path) -> None:
-        metadata = {"Date": None} if file.suffix.lower() == ".svg" else None
-        with palette.style():
-            figure.savefig(target, format=file.suffix.lower()[1:], metadata=metadata)
+    stream = BytesIO()
+    metadata = {"svg": {"Date": None, "Creator": None}, "pdf": {"CreationDate": None}}.get(kind)
+    with palette.style():
+        figure.savefig(stream, format=kind, metadata=metadata)
+    return stream.getvalue()
 
-    save_whole(name, file, save)
+
+def save_figure(name: str, file: Path, figure: "Figure") -> None:
+    """Save a figure in the format of the file's ending."""
+    data = figure_bytes(figure, file.suffix.lower()[1:])
+    save_whole(name, file, lambda target: target.write_bytes(data))
 
 
 def save_csv(

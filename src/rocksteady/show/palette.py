@@ -26,6 +26,8 @@ LINES = ("#1273b8", "#b0531b", "#477f68", "#87439e", "#8a7906", "#5b5b5c")
 DASHES: tuple[Any, ...] = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (6, 2, 1.5, 2)), (0, (1, 1)), "-")
 IMPACT = "#b0531b"
 BASE = "#477f68"
+BLOCK = SYMMETRIC
+GROUND = "#e9e6dc"
 
 REGION_FILLS = {1: "#d5edff", 2: "#ffffff", 3: "#f0e7b0", 4: "#e9e6dc", 5: "#dcc8e4"}
 
@@ -38,10 +40,18 @@ LABELS = {
     "velocity_tau": r"velocity  d$(\theta/\alpha)$/d$(\omega t)$",
     "peak": r"peak  $|\theta|_{\max}/\alpha$",
     "periods": "time [excitation periods]",
+    "kick": "distance from the orbit, with its side",
+    "periods_short": "time [periods]",
     "half_cycle": r"time since impact  $\omega t/2\pi$ [excitation periods]",
     "pivot_time": "pivot time  $pt$",
     "seconds": "time [s]",
     "base": r"base  $a/(\alpha g)$",
+    "position_m": "position [m]",
+    "ground_m": "position on the ground [m]",
+    "ground_radius": "position on the ground  $x/R$",
+    "height_m": "height [m]",
+    "position_radius": "position  $x/R$",
+    "height_radius": "height  $y/R$",
 }
 """Axis labels with their units; angles, amplitudes and ratios have none."""
 

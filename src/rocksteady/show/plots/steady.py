@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -80,6 +80,7 @@ def plot_regions(
     *,
     point: tuple[float, float] | None = None,
     top: float | None = None,
+    key: Literal["inside", "beside"] = "inside",
 ) -> "Axes":
     """Draw the regions of symmetric steady states with their boundaries (Figs 3 and 4).
 
@@ -96,6 +97,8 @@ def plot_regions(
         A (frequency_ratio, amplitude) to mark.
     top
         Upper end of the amplitude axis, A = a_max/(alpha g); 6 without, or above the point.
+    key
+        Where the legend goes: inside the axes, in the emptiest corner, or to their right.
 
     Returns
     -------
@@ -157,12 +160,14 @@ def plot_regions(
             np.append(values, np.full(seen[0].size, x))
             for values, x in zip(seen, point, strict=True)
         ]
-    size = extent(axes, width=125.0, height=72.0)
-    corner = emptiest_corner(axes, seen, size)
-    legend_inside(axes, corner)
-    for region, where in region_centres(
-        curves, ceiling, floor, taken=(corner, size), point=point
-    ).items():
+    taken = None
+    if key == "beside":
+        axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
+    else:
+        size = extent(axes, width=125.0, height=72.0)
+        taken = (emptiest_corner(axes, seen, size), size)
+        legend_inside(axes, taken[0])
+    for region, where in region_centres(curves, ceiling, floor, taken=taken, point=point).items():
         axes.annotate(
             str(region), where, ha="center", va="center", fontsize=9.5, color=palette.NUMBER
         )
@@ -174,6 +179,8 @@ def plot_response(
     ax: "Axes | None" = None,
     *,
     hertz: bool = False,
+    labels: Sequence[str] | None = None,
+    top: float | None = None,
 ) -> "Axes":
     """Draw peaks against frequency, stable parts solid and unstable ones dashed (Figs 5 to 7).
 
@@ -188,6 +195,10 @@ def plot_response(
         Axes to draw on; those of a new figure without.
     hertz
         Whether the abscissa is in Hz, for curves of a `rocksteady.Block`.
+    labels
+        Legend entries, one a curve; without, amplitude and, where they differ, order and branch.
+    top
+        Upper end of a linear peak axis; without, everything is shown, with room for the legend.
 
     Returns
     -------
@@ -221,7 +232,9 @@ def plot_response(
         abscissas.append(x)
         colour = palette.LINES[number % len(palette.LINES)]
         label = f"A = {float(curve.states.amplitude.flat[0]):g}"
-        if mixed:
+        if labels is not None:
+            label = labels[number]
+        elif mixed:
             order = int(curve.states.order.flat[0])
             label += f", n = {order}, branch {curve.branch}"
         unstable = ~curve.stable
@@ -234,14 +247,16 @@ def plot_response(
     ends = np.concatenate(abscissas)
     if spaced_by_ratio(ends):
         axes.set_xscale("log")
-    balance = highest > 0.6
+    balance = highest > 0.6 and (top is None or top > 1.0)
     lowest = float(peaks.min()) if peaks.size else highest
     highest = max(highest, 1.0) if balance else highest
     # Above the curves and the line there is room for the legend.
     columns = 1 if len(curves) < 4 else 2
     rows = 1 + math.ceil(len(curves) / columns)
     part = min(0.6, extent(axes, width=1.0, height=12.0 * rows + 18.0)[1])
-    if highest > LOGARITHMIC_SPAN * lowest:
+    if top is not None:
+        axes.set_ylim(0.0, top)
+    elif highest > LOGARITHMIC_SPAN * lowest:
         span = highest / lowest
         axes.set_yscale("log")
         axes.set_ylim(lowest / span**0.05, highest * span ** (part / (1.0 - part)))

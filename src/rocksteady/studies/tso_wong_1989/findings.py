@@ -1,6 +1,6 @@
 """What the study finds: a verdict on each statement of the paper, and a panel for each figure."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import TYPE_CHECKING
@@ -33,7 +33,7 @@ class Finding:
 
     holds: bool | None
     detail: str
-    values: dict[str, object] = field(default_factory=dict)
+    values: Mapping[str, object] = field(default_factory=dict)
 
     @property
     def verdict(self) -> Verdict:
@@ -91,6 +91,8 @@ class Panel:
         What the paper, or its scan, does not say, and what was taken.
     header, rows
         The data: names of the columns with their units, and the rows.
+    more_tables
+        Further data, by a short name: header and rows of each.
     draw
         Makes the figure.
     """
@@ -103,6 +105,9 @@ class Panel:
     header: tuple[str, ...]
     rows: Sequence[Sequence[object]]
     draw: Callable[[], "Figure"]
+    more_tables: Mapping[str, tuple[Sequence[str], Sequence[Sequence[object]]]] = field(
+        default_factory=dict
+    )
 
     @property
     def command(self) -> str:

@@ -1,0 +1,91 @@
+"""`rocksteady paper`: every figure and statement of Tso and Wong (1989), computed again."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rocksteady.cli import flags
+from rocksteady.cli.outputs import announce_compilation, print_json
+from rocksteady.cli.progress import progress
+
+if TYPE_CHECKING:
+    from rocksteady.studies.tso_wong_1989 import Study
+
+HELP = (
+    "Every figure of Tso and Wong (1989) and every statement that can be checked, computed.\n\n"
+    "Writes figures as PNG and SVG with their data as CSV, claims.json with a verdict on each "
+    "statement, and report.html, which shows it all in one file."
+)
+EXAMPLES = (
+    "Examples:\n\n"
+    "rocksteady paper --out tso-wong-1989\n\n"
+    "rocksteady paper --only 12b --only 12c --out figures"
+)
+
+OutFlag = Annotated[
+    Path,
+    typer.Option(
+        "--out",
+        metavar="DIR",
+        help="Folder to write into; made if it is not there.",
+        rich_help_panel=flags.OUTPUT,
+    ),
+]
+OnlyFlag = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--only",
+        metavar="FIGURE",
+        help="Only this figure, as 12b, without statements and report; may be repeated.",
+        rich_help_panel=flags.OUTPUT,
+    ),
+]
+
+
+def paper(
+    out: OutFlag,
+    only: OnlyFlag = None,
+    force: flags.Force = False,
+    as_json: flags.Json = False,
+) -> None:
+    """Run `rocksteady paper`; `HELP` is what its users read."""
+    from rocksteady.studies.tso_wong_1989.study import check_folder, reproduce, steps
+
+    figures = only or []
+    check_folder(out, figures, force=force)
+    announce_compilation()
+    with progress("computing", steps(figures)) as done:
+        study = reproduce(only=figures, done=done)
+    with progress("drawing", study.steps) as done:
+        files = study.save(out, force=force, done=done)
+    if as_json:
+        names = [file.name for file in files]
+        print_json("paper", {**study.values(), "out": str(out), "files": names})
+    else:
+        print_summary(study, out, files)
+
+
+def print_summary(study: "Study", out: Path, files: list[Path]) -> None:
+    """Print what came out and where to look."""
+    from rich.console import Console
+    from rich.table import Table
+
+    console = Console(highlight=False, soft_wrap=True)
+    if study.claims:
+        counts = ", ".join(
+            f"{count} {verdict.replace('-', ' ')}" for verdict, count in study.counts().items()
+        )
+        console.print(f"{len(study.claims)} statements: {counts}")
+        table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
+        table.add_column(no_wrap=True)
+        table.add_column()
+        for claim in study.claims:
+            if claim.verdict.value == "corrected":
+                table.add_row(claim.id, claim.statement)
+        console.print("not as the paper says:", style="bold")
+        Console(highlight=False).print(table)
+    console.print(f"{len(files)} files in {out}")
+    for file in files:
+        if file.name == "report.html":
+            console.print(f"open {file}")

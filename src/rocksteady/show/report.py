@@ -1,0 +1,133 @@
+"""Reports: one HTML file each that needs nothing beside it, on screen and on paper."""
+
+import re
+from base64 import b64encode
+from typing import TYPE_CHECKING
+
+from rocksteady.show import palette
+from rocksteady.show.files import figure_bytes
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+    from matplotlib.figure import Figure
+
+COLOURS = {
+    "paper": palette.REGION_FILLS[2],
+    "wash": palette.REST,
+    "ink": palette.INK,
+    "quiet": palette.NUMBER,
+    "rule": palette.GRID,
+    "link": palette.LINES[0],
+    "agrees": palette.LINES[2],
+    "differs": palette.LINES[1],
+    "open": palette.LINES[5],
+}
+"""The page's colours by their part; the base template makes a CSS property of each."""
+
+
+def render(package: str, template: str, **values: object) -> str:
+    """Return a report as the text of one HTML file.
+
+    Parameters
+    ----------
+    package
+        The package whose folder holds the template.
+    template
+        Its file. It begins with ``{% extends "house/base.html.j2" %}`` and fills that page's
+        blocks; its neighbours are ``own/<file>``.
+    **values
+        What it shows. Text is escaped: none of it is read as markup.
+
+    Returns
+    -------
+    str
+        The same for the same values.
+
+    Raises
+    ------
+    jinja2.TemplateNotFound
+        If the package holds no such template.
+    jinja2.UndefinedError
+        If the template names a value that is not given.
+    """
+    text: str = _environment(package).get_template(f"own/{template}").render(values)
+    return text
+
+
+def figure_data_uri(figure: "Figure") -> str:
+    """Return a figure as the address of an ``<img>`` that carries the picture itself.
+
+    Parameters
+    ----------
+    figure
+        Any figure. Its first drawing settles its layout: drawn as something else before, it gives
+        other bytes for a picture that looks the same.
+
+    Returns
+    -------
+    str
+        A data URI of an SVG, without the date or the versions of the programs that made it.
+    """
+    return svg_data_uri(figure_bytes(figure, "svg"))
+
+
+def svg_data_uri(svg: bytes) -> str:
+    """Return an SVG as the address of an ``<img>`` that carries the picture itself.
+
+    Each picture is a document of its own that way, so that the names of the parts of one SVG never
+    meet those of another.
+    """
+    return f"data:image/svg+xml;base64,{b64encode(svg).decode('ascii')}"
+
+
+def anchor(text: str) -> str:
+    """Return a text as a part of an ``id`` and of the link to it.
+
+    Examples
+    --------
+    >>> anchor("figure 3a"), anchor("E1")
+    ('figure-3a', 'E1')
+    """
+    return re.sub(r"[^A-Za-z0-9.]+", "-", text).strip("-")
+
+
+def duration(seconds: float) -> str:
+    """Return a time as one says it.
+
+    Examples
+    --------
+    >>> duration(0.0123), duration(1.26), duration(42.4), duration(187.0)
+    ('12 ms', '1.3 s', '42 s', '3 min 7 s')
+    """
+    if seconds < 0.0005:
+        return "under 1 ms"
+    if seconds < 0.9995:
+        return f"{1000.0 * seconds:.0f} ms"
+    if seconds < 9.95:
+        return f"{seconds:.1f} s"
+    if seconds < 59.5:
+        return f"{seconds:.0f} s"
+    minutes, rest = divmod(round(seconds), 60)
+    return f"{minutes} min {rest} s" if rest else f"{minutes} min"
+
+
+def _environment(package: str) -> "Environment":
+    """Return the house's way of filling templates: all is escaped, and nothing may be missing."""
+    from jinja2 import Environment, PackageLoader, PrefixLoader, StrictUndefined
+
+    # Two prefixes instead of one search path: a report cannot hide the base template by accident.
+    loaders = {
+        "house": PackageLoader("rocksteady.show", "templates"),
+        "own": PackageLoader(package, "."),
+    }
+    environment = Environment(
+        loader=PrefixLoader(loaders),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.filters |= {"anchor": anchor, "duration": duration}
+    environment.globals["colours"] = COLOURS
+    return environment

@@ -1,0 +1,370 @@
+"""Statements on what follows as the frequency falls: Figs 12 and 13 (pages 89, 101 to 105)."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from rocksteady import (
+    DimensionlessBlock,
+    Harmonic,
+    State,
+    Steady,
+    Trajectory,
+    simulate,
+    steady_states,
+    symmetry_breaking_frequency,
+)
+from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
+from rocksteady.studies.tso_wong_1989.claims.stability import fate_finding, stable_finding
+from rocksteady.studies.tso_wong_1989.fates import Fate, Kind, fate_of, settle
+from rocksteady.studies.tso_wong_1989.findings import Finding
+from rocksteady.studies.tso_wong_1989.histories import RESTITUTION, History
+from rocksteady.studies.tso_wong_1989.words import multiplier_text, series, signed
+
+STATEMENTS = Statements()
+
+AMPLITUDE = 2.0
+"""Of Figs 12 and 13."""
+STEP = 0.005
+"""In Omega, of the way down from symmetry breaking."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Descent:
+    """What an unsymmetric motion becomes as the frequency falls in small steps.
+
+    Attributes
+    ----------
+    symmetric_from
+        Omega of symmetry breaking, above which the symmetric motion is stable.
+    doubled_from
+        First Omega at which the unsymmetric motion of the same period was found no more.
+    gone_from
+        First Omega at which the block had left for another motion, or overturned.
+    then
+        What it became there.
+    """
+
+    symmetric_from: float
+    doubled_from: float
+    gone_from: float
+    then: Fate
+
+
+def descent(order: int) -> Descent:
+    """Follow the unsymmetric motion down from symmetry breaking, each run from the last state."""
+    breaking = float(symmetry_breaking_frequency(AMPLITUDE, RESTITUTION, order=order)[-1])
+    ratio = math.floor(breaking / STEP) * STEP - STEP
+    fate = settle(
+        RESTITUTION,
+        Harmonic(amplitude=AMPLITUDE, frequency_ratio=ratio),
+        Steady(order=order, kick=0.01),
+    )
+    doubled = math.nan
+    while True:
+        ratio -= STEP
+        fate = fate_of(_next_run(fate.run, ratio))
+        same = fate.kind in (Kind.UNSYMMETRIC, Kind.SUBHARMONIC) and fate.period % order == 0
+        if fate.kind is Kind.UNSETTLED:
+            same = True  # the cascade beyond the doubling
+        if math.isnan(doubled) and not (same and fate.period == order):
+            doubled = ratio
+        if not same or fate.symmetric:
+            return Descent(
+                symmetric_from=breaking, doubled_from=doubled, gone_from=ratio, then=fate
+            )
+
+
+def _next_run(run: Trajectory, ratio: float) -> Trajectory:
+    """Go on from the end of a run with another frequency."""
+    assert isinstance(run.motion, Harmonic)
+    # The last impact but one: a state in the run, with the phase of the shaking there.
+    index = len(run.impacts) - 2
+    impacts = run.impacts
+    phase = float(impacts.half_cycles[index] % 2) * math.pi + float(impacts.phase[index])
+    shaking = Harmonic(amplitude=AMPLITUDE, frequency_ratio=ratio, phase=phase)
+    scale = ratio / run.frequency_ratio
+    velocity = float(impacts.velocity_after[index]) * scale
+    return simulate(
+        DimensionlessBlock(restitution=RESTITUTION),
+        shaking,
+        start=State(angle=0.0, velocity=velocity),
+        cycles=600,
+    )
+
+
+@STATEMENTS.add(
+    "fig-12a",
+    "At A = 2, Ω = 2.0 the symmetric harmonic motion is stable.",
+    page=101,
+    figures=("12a",),
+)
+def figure_12a(evidence: Evidence) -> Finding:
+    """Compare the run with the closed form."""
+    return stable_finding(evidence.histories["12a"])
+
+
+@STATEMENTS.add(
+    "fig-12b",
+    "At Ω = 1.9 it is unstable, and the block shifts to a stable unsymmetric harmonic motion.",
+    page=105,
+    figures=("12b",),
+)
+def figure_12b(evidence: Evidence) -> Finding:
+    """Compare the fates."""
+    return fate_finding(evidence.histories["12b"], Kind.UNSYMMETRIC)
+
+
+@STATEMENTS.add(
+    "fig-12c",
+    "At Ω = 1.8 the block shifts to a stable unsymmetric harmonic motion as well.",
+    page=105,
+    figures=("12c",),
+)
+def figure_12c(evidence: Evidence) -> Finding:
+    """Compare the fates."""
+    return fate_finding(evidence.histories["12c"], Kind.UNSYMMETRIC)
+
+
+@STATEMENTS.add(
+    "fig-12d",
+    "At Ω = 1.7 the block overturns.",
+    page=105,
+    figures=("12d",),
+)
+def figure_12d(evidence: Evidence) -> Finding:
+    """Compare the fates."""
+    return fate_finding(evidence.histories["12d"], Kind.OVERTURNED)
+
+
+@STATEMENTS.add(
+    "asymmetry-grows",
+    "The asymmetry increases as the frequency falls further.",
+    page=105,
+    figures=("12b", "12c"),
+)
+def asymmetry_grows(_: Evidence) -> Finding:
+    """Follow the mean of the extrema over the unsymmetric range."""
+    ratios = (1.94, 1.92, 1.9, 1.88, 1.86, 1.84, 1.82, 1.8)
+    fates = [
+        settle(
+            RESTITUTION,
+            Harmonic(amplitude=AMPLITUDE, frequency_ratio=ratio),
+            Steady(kick=1e-4),
+            side=-1,
+        )
+        for ratio in ratios
+    ]
+    offsets = [0.5 * abs(fate.highest + fate.lowest) for fate in fates]
+    rising = bool((np.diff(offsets) > 0.0).all())
+    return Finding(
+        holds=rising and all(fate.kind is Kind.UNSYMMETRIC for fate in fates),
+        detail="Middle between highest and lowest θ/α at Ω = "
+        f"{series(ratios)}: {series(offsets, '.4f')}.",
+        values={"frequency_ratio": ratios, "offset": offsets},
+    )
+
+
+@STATEMENTS.add(
+    "fig-13a",
+    "At Ω = 4.4 the symmetric 1/3 subharmonic is stable.",
+    page=105,
+    figures=("13a",),
+)
+def figure_13a(evidence: Evidence) -> Finding:
+    """Compare the run with the closed form."""
+    return stable_finding(evidence.histories["13a"])
+
+
+@STATEMENTS.add(
+    "fig-13b",
+    "At Ω = 4.2 it is unstable, and the block settles to an unsymmetric 1/3 subharmonic.",
+    page=105,
+    figures=("13b",),
+)
+def figure_13b(evidence: Evidence) -> Finding:
+    """Compare the fates."""
+    return fate_finding(evidence.histories["13b"], Kind.SUBHARMONIC, period=3)
+
+
+@STATEMENTS.add(
+    "fig-13c",
+    "At Ω = 3.6 no 1/3 subharmonic is stable, and the block settles to the harmonic motion.",
+    page=105,
+    figures=("13c",),
+)
+def figure_13c(evidence: Evidence) -> Finding:
+    """Compare the fates."""
+    return fate_finding(evidence.histories["13c"], Kind.SYMMETRIC)
+
+
+@STATEMENTS.add(
+    "no-subharmonic-at-3.6",
+    "At Ω = 3.6 no form of 1/3 subharmonic is stable.",
+    page=105,
+    figures=("13c",),
+)
+def no_subharmonic(_: Evidence) -> Finding:
+    """Start from many states and see whether any run settles to a subharmonic."""
+    ratio = 3.6
+    found: dict[str, int] = {}
+    velocities = np.linspace(-1.4, 1.4, 29)
+    phases = np.linspace(0.0, 2.0 * math.pi, 32, endpoint=False)
+    block = DimensionlessBlock(restitution=RESTITUTION)
+    for phase in phases:
+        for velocity in velocities:
+            run = simulate(
+                block,
+                Harmonic(amplitude=AMPLITUDE, frequency_ratio=ratio, phase=float(phase)),
+                start=State(angle=0.0, velocity=float(velocity)),
+                cycles=150,
+            )
+            kind = fate_of(run).kind.value
+            found[kind] = found.get(kind, 0) + 1
+    total = len(velocities) * len(phases)
+    words = ", ".join(f"{count} {kind}" for kind, count in sorted(found.items()))
+    return Finding(
+        holds=Kind.SUBHARMONIC.value not in found and Kind.UNSETTLED.value not in found,
+        detail=f"Of {total} runs from the floor with {len(phases)} phases and {len(velocities)} "
+        f"velocities (du/d(pt) to 1.4, δ = 0.8): {words}. A search, not a proof.",
+        values={"fates": found},
+    )
+
+
+@STATEMENTS.add(
+    "fig-13d",
+    "At Ω = 3.0 the block overturns after a few subharmonic cycles.",
+    page=105,
+    figures=("13d",),
+)
+def figure_13d(evidence: Evidence) -> Finding:
+    """Compare the fates."""
+    return fate_finding(evidence.histories["13d"], Kind.OVERTURNED)
+
+
+@STATEMENTS.add(
+    "symmetry-breaking",
+    "As the frequency falls past the boundary of stable symmetric motion, the motion becomes "
+    "unsymmetric.",
+    page=89,
+    figures=("12a", "12b", "13a", "13b"),
+)
+def symmetry_breaking(_: Evidence) -> Finding:
+    """Compute the boundary in closed form, the multiplier there, and runs on both sides of it."""
+    rows, holds = [], True
+    values = {}
+    for order in (1, 3):
+        boundary = float(symmetry_breaking_frequency(AMPLITUDE, RESTITUTION, order=order)[-1])
+        at = steady_states(AMPLITUDE, boundary, RESTITUTION, order=order)
+        multiplier = complex(at.multipliers[0, 0])
+        above, below = (
+            settle(
+                RESTITUTION,
+                Harmonic(amplitude=AMPLITUDE, frequency_ratio=boundary + shift),
+                Steady(order=order, kick=0.01),
+            )
+            for shift in (0.02, -0.02)
+        )
+        ok = above.symmetric and not below.symmetric and above.period == below.period == order
+        holds = holds and ok
+        values[f"n={order}"] = boundary
+        rows.append(
+            f"n = {order}: Ω = {boundary:.6f}, where a half-cycle multiplier is "
+            f"{multiplier_text(multiplier)}; 0.02 above it {above.label}, 0.02 below "
+            f"{below.label}"
+        )
+    return Finding(
+        holds=holds,
+        detail="The boundary at A = 2, δ = 0.8 in closed form. " + "; ".join(rows) + ".",
+        values=values,
+    )
+
+
+@STATEMENTS.add(
+    "beyond-unsymmetric",
+    "When the frequency falls past the boundary of stable unsymmetric motion, the block overturns.",
+    page=89,
+    figures=("12d", "13c", "13d"),
+)
+def beyond_unsymmetric(_: Evidence) -> Finding:
+    """Follow both unsymmetric motions down to their end."""
+    descents = {order: descent(order) for order in (1, 3)}
+    words = "; ".join(
+        f"n = {order}: found with {order} excitation period{'s' if order > 1 else ''} down to "
+        f"Ω = {found.doubled_from + STEP:.3f}, gone at {found.gone_from:.3f}, where the run "
+        f"{'becomes ' if found.then.kind is not Kind.OVERTURNED else ''}{found.then.label}"
+        for order, found in descents.items()
+    )
+    return Finding(
+        holds=all(found.then.kind is Kind.OVERTURNED for found in descents.values()),
+        detail="So it is for the harmonic motion, not for the 1/3 subharmonic, which gives way to "
+        "the stable harmonic one (as the paper's own Fig. 13c shows), and between the two the "
+        f"unsymmetric motion doubles its period. In steps of {STEP} in Ω at A = 2, δ = 0.8: "
+        f"{words}.",
+        values={
+            f"n={order}": {
+                "symmetric_above": found.symmetric_from,
+                "doubled_at": found.doubled_from,
+                "gone_at": found.gone_from,
+            }
+            for order, found in descents.items()
+        },
+    )
+
+
+@STATEMENTS.add(
+    "narrow-range",
+    "The frequency range of unsymmetric motions is very small against that of symmetric ones.",
+    page=105,
+    figures=("12b", "12c", "13b"),
+)
+def narrow_range(_: Evidence) -> Finding:
+    """Compare the widths of both ranges on the paper's axis of Fig 5."""
+    rows, holds = [], True
+    values = {}
+    axis_end = 16.0
+    for order in (1, 3):
+        found = descent(order)
+        ratios = np.linspace(found.symmetric_from, axis_end, 4001)[1:]
+        stable = steady_states(AMPLITUDE, ratios, RESTITUTION, order=order).stable[0]
+        end = float(ratios[stable][-1])
+        symmetric = end - found.symmetric_from
+        unsymmetric = found.symmetric_from - found.gone_from
+        holds = holds and unsymmetric < 0.1 * symmetric
+        values[f"n={order}"] = (unsymmetric, symmetric)
+        rows.append(
+            f"n = {order}: unsymmetric over {unsymmetric:.3f} below Ω = "
+            f"{found.symmetric_from:.4f}, symmetric from there to {end:.2f}"
+            + (" (end of the axis)" if end == axis_end else "")
+        )
+    return Finding(holds=holds, detail="At A = 2, δ = 0.8. " + "; ".join(rows) + ".", values=values)
+
+
+@STATEMENTS.add(
+    "peak-to-peak",
+    "The range from lowest to highest point of an unsymmetric motion is close to that of the "
+    "symmetric motion that has lost its stability.",
+    page=105,
+    figures=("12b", "12c", "13b"),
+)
+def peak_to_peak(evidence: Evidence) -> Finding:
+    """Compare both ranges where the figures have unsymmetric motions."""
+    rows = []
+    apart = []
+    for name in ("12b", "12c", "13b"):
+        history: History = evidence.histories[name]
+        assert history.states.peak is not None
+        fate = history.fates[-1]
+        symmetric = 2.0 * float(history.states.peak[0])
+        found = fate.highest - fate.lowest
+        apart.append(abs(found / symmetric - 1.0))
+        rows.append(
+            f"Fig. {name}: {found:.5f} (from {signed(fate.lowest, '.5f')} to {fate.highest:.5f}) "
+            f"against {symmetric:.5f}, {signed(found / symmetric - 1.0, '+.1%')}"
+        )
+    return Finding(
+        holds=max(apart) < 0.1,
+        detail="; ".join(rows) + ".",
+        values={"relative_difference": apart},
+    )

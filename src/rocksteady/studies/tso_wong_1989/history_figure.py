@@ -1,0 +1,142 @@
+"""The figure of a time history: each side's run, what it settles to, and the fates around it."""
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rocksteady import plot_trajectory
+from rocksteady.show import palette
+from rocksteady.studies.tso_wong_1989.fates import Fate, Kind
+from rocksteady.studies.tso_wong_1989.histories import KICK, KICKS, SIDES, History
+from rocksteady.studies.tso_wong_1989.words import sign
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+FILLS = {
+    Kind.REST: palette.REST,
+    Kind.SYMMETRIC: palette.SYMMETRIC,
+    Kind.UNSYMMETRIC: palette.UNSYMMETRIC,
+    Kind.SUBHARMONIC: palette.SUBHARMONIC,
+    Kind.OVERTURNED: palette.OVERTURNED,
+    Kind.UNSETTLED: palette.UNDECIDED,
+}
+
+
+def history_figure(history: History) -> "Figure":
+    """Return the figure: a row for each side and, of an unstable state, a strip of fates."""
+    from matplotlib.figure import Figure
+    from matplotlib.patches import Patch
+
+    rows = len(history.sides)
+    strips = 0 if history.stable else 1
+    heights = [2.0] * rows + [0.32] * strips
+    with palette.style():
+        figure = Figure(figsize=(7.2, 0.9 + sum(heights) + 0.35 * strips))
+        grid = figure.add_gridspec(rows + strips, 2, width_ratios=(4.6, 1.0), height_ratios=heights)
+        first = None
+        limits: list[tuple[float, float]] = []
+        for row, side in enumerate(history.sides):
+            motion = figure.add_subplot(grid[row, 0], sharey=first)
+            settled = figure.add_subplot(grid[row, 1], sharey=motion)
+            first = motion if first is None else first
+            fate = history.fates[side]
+            plot_trajectory(history.runs[side], motion)
+            limits.append(motion.get_ylim())
+            limits.append((1.12 * fate.lowest, 1.12 * fate.highest) if fate.period else limits[0])
+            motion.set_xlim(0.0, history.case.periods)
+            motion.set_title(_heading(history, side, fate))
+            plot_settled(fate, settled)
+            if row + 1 < rows:
+                motion.set_xlabel("")
+                settled.set_xlabel("")
+        assert first is not None
+        first.set_ylim(min(low for low, _ in limits), max(high for _, high in limits))
+        if strips:
+            strip = figure.add_subplot(grid[rows, 0])
+            plot_fates(history, strip)
+            key = figure.add_subplot(grid[rows, 1])
+            key.axis("off")
+            kinds = dict.fromkeys(fate.kind for s in SIDES for fate in history.fates_over_kicks[s])
+            patches = [
+                Patch(facecolor=FILLS[kind], edgecolor=palette.INK, lw=0.4, label=kind.value)
+                for kind in kinds
+            ]
+            key.legend(
+                handles=patches, loc="center left", bbox_to_anchor=(-0.15, 0.5), handlelength=1.2
+            )
+        figure.suptitle(f"Fig. {history.case.id}  {history.title}", x=0.01, ha="left", fontsize=9.5)
+    return figure
+
+
+def _heading(history: History, side: int, fate: Fate) -> str:
+    if history.stable:
+        return f"stable: {fate.label}"
+    later = KICK * history.growth < 0.1 and fate.kind is not Kind.OVERTURNED
+    return (
+        f"unstable, left on the {sign(side)} side: {fate.label}"
+        f"{', later than drawn here' if later else ''}"
+    )
+
+
+def plot_settled(fate: Fate, axes: "Axes") -> None:
+    """Draw the last period of the motion that a run has settled to, with its extrema."""
+    axes.tick_params(labelleft=False)
+    if fate.kind is Kind.OVERTURNED:
+        axes.axis("off")
+        words = f"overturned after\n{fate.overturned_after:.2f} periods"
+        axes.text(0.5, 0.5, words, transform=axes.transAxes, ha="center", va="center")
+        return
+    length = max(fate.period, 1)
+    unit = 2.0 * math.pi / fate.run.frequency_ratio
+    since = np.linspace(0.0, length, 200 * length + 1)
+    times = np.clip(fate.run.end_s + (since - length) * unit, 0.0, fate.run.end_s)
+    axes.axhline(0.0, color=palette.FAINT, lw=0.6)
+    axes.plot(since, fate.run(times).angle, color=palette.LINES[0])
+    axes.set(
+        xlabel=palette.LABELS["periods_short"],
+        xlim=(0.0, length),
+        title="settled" if fate.period else fate.kind.value,
+    )
+    if fate.period:
+        words = f"max {fate.highest:.4f}\nmin {fate.lowest:.4f}".replace("-", "−")
+        axes.text(0.97, 0.98, words, transform=axes.transAxes, ha="right", va="top", fontsize=7.0)
+
+
+def plot_fates(history: History, axes: "Axes") -> None:
+    """Draw a strip of fates over the distance from the orbit, logarithmic on either side of it."""
+    from matplotlib.colors import to_rgb
+
+    decades = math.log10(KICKS[-1] / KICKS[0])
+    gap = 0.5
+    half = 0.5 * decades / (len(KICKS) - 1)
+    for side in SIDES:
+        colours = [to_rgb(FILLS[fate.kind]) for fate in history.fates_over_kicks[side]]
+        ends = [gap - half, gap + decades + half]
+        axes.imshow(
+            [colours if side > 0 else colours[::-1]],
+            extent=(ends[0], ends[1], 0.0, 1.0) if side > 0 else (-ends[1], -ends[0], 0.0, 1.0),
+            aspect="auto",
+            interpolation="nearest",
+        )
+        place = side * (gap + math.log10(KICK / KICKS[0]))
+        axes.plot(place, 1.0, "v", ms=6, color=palette.IMPACT, mec="white", mew=0.6, clip_on=False)
+    powers = range(round(math.log10(KICKS[0])), round(math.log10(KICKS[-1])) + 1)
+    places = [gap + power - powers[0] for power in powers]
+    axes.set(
+        xlim=(-gap - decades - half, gap + decades + half),
+        ylim=(0.0, 1.0),
+        yticks=[],
+        xlabel=palette.LABELS["kick"],
+    )
+    signed = [
+        (side * place, power) for place, power in zip(places, powers, strict=True) for side in SIDES
+    ]
+    axes.set_xticks(
+        [place for place, _ in signed],
+        [f"${'-' if place < 0.0 else ''}10^{{{power}}}$" for place, power in signed],
+    )
+    axes.grid(visible=False)
+    axes.set_title("fates by distance (triangles: drawn above)", fontsize=8.0)

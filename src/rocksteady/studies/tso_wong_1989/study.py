@@ -1,0 +1,308 @@
+"""The whole study: every figure and every statement, and the folder that holds them."""
+
+import os
+import platform
+import shutil
+import time
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import mkdtemp
+from typing import Any
+
+from rocksteady import InputError, OutputError, __version__
+from rocksteady.show.files import figure_bytes, json_text, save_csv, save_text
+from rocksteady.show.report import svg_data_uri
+from rocksteady.studies.tso_wong_1989.claims import STATEMENTS, check
+from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
+from rocksteady.studies.tso_wong_1989.findings import Claim, Panel, Verdict
+from rocksteady.studies.tso_wong_1989.histories import History, histories
+from rocksteady.studies.tso_wong_1989.regions import Plane, planes
+from rocksteady.studies.tso_wong_1989.report import ReportedPanel, report_html
+from rocksteady.studies.tso_wong_1989.responses import Responses, responses
+
+SCHEMA = "rocksteady/paper/1"
+REFERENCE = (
+    "W. K. Tso and C. M. Wong, Steady state rocking response of rigid blocks part 1: Analysis, "
+    "Earthquake Engineering and Structural Dynamics 18, 89-106 (1989)"
+)
+
+FIGURES = (*planes(), *responses(), *histories())
+"""Every computed figure of the paper, in its order; Figs 1 and 2 are drawings."""
+
+
+def nothing(_: str) -> None:
+    """Ignore what has been done."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class TimedPanel:
+    """A panel and how long its computation took [s]."""
+
+    panel: Panel
+    seconds: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Study:
+    """The figures and statements of the paper as computed.
+
+    Attributes
+    ----------
+    panels
+        The figures, in the paper's order.
+    claims
+        The statements with their verdicts; empty where only some figures were asked for.
+    seconds
+        Run time of the computation [s].
+    """
+
+    panels: tuple[TimedPanel, ...]
+    claims: tuple[Claim, ...]
+    seconds: float
+
+    def counts(self) -> dict[str, int]:
+        """Return the number of statements for each verdict."""
+        return {
+            verdict.value: sum(claim.verdict is verdict for claim in self.claims)
+            for verdict in Verdict
+        }
+
+    def values(self) -> dict[str, Any]:
+        """Return the statements as plain values: what ``claims.json`` holds."""
+        return {
+            "reference": REFERENCE,
+            "version": __version__,
+            "counts": self.counts(),
+            "claims": [
+                {
+                    "id": claim.id,
+                    "statement": claim.statement,
+                    "page": claim.page,
+                    "figures": list(claim.figures),
+                    "verdict": claim.verdict.value,
+                    "detail": claim.finding.detail,
+                    "values": claim.finding.values,
+                }
+                for claim in self.claims
+            ],
+        }
+
+    @property
+    def steps(self) -> int:
+        """Number of times that `save` says that something is done."""
+        return len(self.panels) + (1 if self.claims else 0)
+
+    def save(
+        self, folder: Path | str, *, force: bool = False, done: Callable[[str], None] = nothing
+    ) -> list[Path]:
+        """Write the figures with their data and, for the whole study, statements and report.
+
+        Everything is drawn into a folder beside it first and moved there at the end.
+
+        Parameters
+        ----------
+        folder
+            Made if it does not exist, in an existing folder.
+        force
+            Whether files of these names in it are replaced; others stay.
+        done
+            Called with the name of each figure, and of the report, when it has been written.
+
+        Returns
+        -------
+        list of Path
+            What is there now.
+
+        Raises
+        ------
+        OutputError
+            If the folder cannot be made or written, or a file exists and `force` is off.
+        """
+        target = Path(folder)
+        only = () if self.claims else [timed.panel.id for timed in self.panels]
+        check_folder(target, only, force=force)
+        try:
+            stage = Path(mkdtemp(prefix=f".{target.name}.partial-", dir=target.absolute().parent))
+        except OSError as error:
+            raise _unwritable(target, error) from error
+        try:
+            self._write(stage, done)
+            target.mkdir(exist_ok=True)
+            return [file.replace(target / file.name) for file in sorted(stage.iterdir())]
+        except OSError as error:
+            raise _unwritable(target, error) from error
+        finally:
+            shutil.rmtree(stage, ignore_errors=True)
+
+    def _write(self, stage: Path, done: Callable[[str], None]) -> None:
+        """Write every file into a folder that nobody sees yet."""
+        began = time.perf_counter()
+        sections = []
+        for timed in self.panels:
+            start = time.perf_counter()
+            panel = timed.panel
+            figure = panel.draw()
+            svg = figure_bytes(figure, "svg")
+            names = dict(file_names(panel))
+            (stage / names["svg"]).write_bytes(svg)
+            (stage / names["png"]).write_bytes(figure_bytes(figure, "png"))
+            save_csv("out", stage / names["csv"], panel.header, panel.rows)
+            for name, (header, rows) in panel.more_tables.items():
+                save_csv("out", stage / names[name], header, rows)
+            seconds = timed.seconds + time.perf_counter() - start
+            sections.append(ReportedPanel(panel=panel, picture=svg_data_uri(svg), seconds=seconds))
+            done(f"figure {panel.id}")
+        if not self.claims:
+            return
+        save_text("out", stage / "claims.json", json_text(SCHEMA, self.values(), indent=1) + "\n")
+        page = report_html(
+            claims=self.claims,
+            sections=sections,
+            seconds=self.seconds + time.perf_counter() - began,
+            version=__version__,
+            environment=environment(),
+        )
+        save_text("out", stage / "report.html", page)
+        done("report")
+
+
+def reproduce(*, only: Sequence[str] = (), done: Callable[[str], None] = nothing) -> Study:
+    """Compute every figure and every statement of the paper.
+
+    Parameters
+    ----------
+    only
+        Figures, as "12b"; the statements are then left out.  All without.
+    done
+        Called with the name of each figure and statement when it is computed.
+
+    Returns
+    -------
+    Study
+        Nothing is drawn or written yet; see `Study.save`.
+
+    Raises
+    ------
+    InputError
+        If the paper has no such figure.
+
+    Examples
+    --------
+    >>> study = reproduce(only=["10"])
+    >>> print(study.panels[0].panel.computed)
+    Stable: the half cycle's largest multiplier is 0.8 in modulus (a complex pair). Peak 0.41873, \
+of the closed form 0.41873.
+    """
+    chosen = chosen_figures(only)
+    began = time.perf_counter()
+    evidence = Evidence()
+    sources: dict[str, Plane | Responses | History] = {
+        **evidence.planes,
+        **evidence.responses,
+        **evidence.histories,
+    }
+    panels = []
+    for name in chosen:
+        start = time.perf_counter()
+        panel = sources[name].panel()
+        panels.append(TimedPanel(panel=panel, seconds=time.perf_counter() - start))
+        done(f"figure {name}")
+    claims = () if only else check(evidence, done=done)
+    return Study(panels=tuple(panels), claims=claims, seconds=time.perf_counter() - began)
+
+
+def steps(only: Sequence[str] = ()) -> int:
+    """Return the number of times that `reproduce` says that something is done."""
+    return len(chosen_figures(only)) + (0 if only else len(STATEMENTS))
+
+
+def chosen_figures(only: Sequence[str]) -> tuple[str, ...]:
+    """Return figures in the paper's order; all of them where none is named.
+
+    Raises
+    ------
+    InputError
+        If the paper has no such figure.
+    """
+    for name in only:
+        if name not in FIGURES:
+            raise InputError(
+                name="only",
+                value=name,
+                valid="the computed figures are " + " ".join(FIGURES),
+                hint="name one of them",
+            )
+    return tuple(name for name in FIGURES if not only or name in only)
+
+
+def file_names(panel: Panel) -> Iterator[tuple[str, str]]:
+    """Yield kind and name of each file of a panel."""
+    for kind in ("png", "svg", "csv"):
+        yield kind, f"figure-{panel.id}.{kind}"
+    for name in panel.more_tables:
+        yield name, f"figure-{panel.id}-{name}.csv"
+
+
+def check_folder(folder: Path | str, only: Sequence[str] = (), *, force: bool = False) -> None:
+    """Refuse, before anything is computed, a folder into which the study could not be written.
+
+    Parameters
+    ----------
+    folder, force
+        As for `Study.save`.
+    only
+        As for `reproduce`.
+
+    Raises
+    ------
+    OutputError
+        If its parent is missing or not writable, it is a file, or it holds files of these names and
+        `force` is off.
+    """
+    target = Path(folder)
+    parent = target.absolute().parent
+    stems = [f"figure-{name}" for name in chosen_figures(only)]
+    stems += [] if only else ["claims", "report"]
+    if target.is_dir() and not force:
+        # figure-8a.png and figure-8a-fates.csv belong to figure 8a; figure-8ab.png does not.
+        held = sorted(
+            file.name
+            for file in target.iterdir()
+            if any(file.stem == stem or file.stem.startswith(f"{stem}-") for stem in stems)
+        )
+        if held:
+            raise OutputError(
+                name="out",
+                value=target,
+                valid=f"it holds {held[0]}" + (f" and {len(held) - 1} more" if held[1:] else ""),
+                hint="add --force to replace them, or name another folder",
+            )
+    if target.exists() and not target.is_dir():
+        valid, hint = "it is a file", "name a folder"
+    elif not parent.is_dir():
+        valid, hint = "the folder it would be in does not exist", "create that folder"
+    elif not os.access(target if target.is_dir() else parent, os.W_OK):
+        valid, hint = "it is not writable", "choose another folder"
+    else:
+        return
+    raise OutputError(name="out", value=target, valid=valid, hint=hint)
+
+
+def environment() -> str:
+    """Return what the study runs on, in one line."""
+    from importlib.metadata import version
+
+    parts = [f"Python {platform.python_version()}"]
+    parts += [f"{name} {version(name)}" for name in ("numpy", "numba", "matplotlib")]
+    parts.append(f"{platform.system()} on {platform.machine()}")
+    return ", ".join(parts)
+
+
+def _unwritable(target: Path, error: OSError) -> OutputError:
+    return OutputError(
+        name="out",
+        value=target,
+        valid=error.strerror or str(error),
+        hint="check the folder and the space that is left",
+    )
