@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from rocksteady.model.block import Block, DimensionlessBlock, Side, housner_restitution
     from rocksteady.model.examples import example_block
     from rocksteady.model.motions import Harmonic, Piecewise, Segment, Still
+    from rocksteady.show.animation import animate
+    from rocksteady.show.plots.block import plot_block
     from rocksteady.show.plots.motion import plot_base, plot_phase_portrait, plot_trajectory
     from rocksteady.show.plots.steady import plot_orbit, plot_regions, plot_response
 else:
@@ -71,12 +73,14 @@ __all__ = [
     "Still",
     "Trajectory",
     "__version__",
+    "animate",
     "boundaries",
     "example_block",
     "heteroclinic_amplitude",
     "housner_restitution",
     "melnikov_amplitude",
     "plot_base",
+    "plot_block",
     "plot_orbit",
     "plot_phase_portrait",
     "plot_regions",
@@ -116,12 +120,14 @@ _DEFINED_IN = {
     "SteadyStates": "rocksteady.dynamics.steady",
     "Still": "rocksteady.model.motions",
     "Trajectory": "rocksteady.dynamics.trajectory",
+    "animate": "rocksteady.show.animation",
     "boundaries": "rocksteady.dynamics.regions",
     "example_block": "rocksteady.model.examples",
     "heteroclinic_amplitude": "rocksteady.dynamics.regions",
     "housner_restitution": "rocksteady.model.block",
     "melnikov_amplitude": "rocksteady.dynamics.regions",
     "plot_base": "rocksteady.show.plots.motion",
+    "plot_block": "rocksteady.show.plots.block",
     "plot_orbit": "rocksteady.show.plots.steady",
     "plot_phase_portrait": "rocksteady.show.plots.motion",
     "plot_regions": "rocksteady.show.plots.steady",

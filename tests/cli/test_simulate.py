@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, State, Steady, Still, simulate
 from tests.cli.program import refused, rocksteady
@@ -250,3 +251,103 @@ def test_every_kind_of_run_can_be_drawn(command: str, tmp_path: Path) -> None:
     assert ran.json["schema"] == "rocksteady/simulate/1"
     assert file.read_bytes().startswith(b"\x89PNG")
     assert [path.name for path in tmp_path.iterdir()] == ["run.png"]
+
+
+# ------------------------------------------------------------------------------------ film
+
+FALL = "simulate --block tso-wong-1989 -A 4 -W 1.5"
+
+
+def test_a_film_is_written_beside_the_other_outputs(tmp_path: Path) -> None:
+    film, table = tmp_path / "fall.gif", tmp_path / "fall.csv"
+    ran = rocksteady(f"{FALL} --json --csv", table, "--animate", film)
+    assert ran.code == 0
+    assert ran.json["status"] == "overturned"
+    assert ran.err.splitlines() == [f"wrote {table}", f"wrote {film}"], (
+        "and no bar without a terminal"
+    )
+    assert film.read_bytes().startswith(b"GIF89a")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["fall.csv", "fall.gif"]
+
+
+def test_the_speed_of_a_film_changes_its_length(tmp_path: Path) -> None:
+    lengths = []
+    for speed in ("1", "0.5"):
+        file = tmp_path / f"{speed}.gif"
+        assert rocksteady(f"{FALL} --speed {speed} --animate", file).code == 0
+        with Image.open(file) as picture:
+            total = 0
+            for frame in range(getattr(picture, "n_frames", 1)):
+                picture.seek(frame)
+                total += picture.info["duration"]
+        lengths.append(total)
+    # What is left of a second is its last picture; frames come in steps of 40 ms.
+    assert lengths[1] - 1000 == pytest.approx(2 * (lengths[0] - 1000), abs=81)
+
+
+@pytest.mark.parametrize(
+    ("flags", "needles"),
+    [
+        ("--animate run.mp4", ["--animate", "'run.mp4'", ".gif"]),
+        ("--animate run", ["--animate", "'run'", ".gif"]),
+        ("--animate no/run.gif", ["--animate", "does not exist"]),
+        ("--animate run.gif --csv run.gif", ["--animate", "--csv writes the same file"]),
+        ("--speed 2", ["--speed", "2.0", "--animate"]),
+        ("--speed 0 --animate run.gif", ["--speed", "0.0"]),
+        ("--speed nan --animate run.gif", ["--speed", "nan"]),
+        ("--speed fast --animate run.gif", ["--speed", "'fast'"]),
+    ],
+)
+def test_a_film_that_cannot_be_is_refused_before_anything_is_computed(
+    flags: str, needles: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import rocksteady.dynamics.simulate as module
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(module, "simulate", None)
+    line = refused(f"{SHAKEN} {flags}")
+    for needle in needles:
+        assert needle in line
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_an_existing_film_is_left_alone_without_force(tmp_path: Path) -> None:
+    file = tmp_path / "fall.gif"
+    file.write_text("precious")
+    assert "--force" in refused(f"{FALL} --animate", file)
+    assert file.read_text() == "precious"
+    assert rocksteady(f"{FALL} --force --animate", file).code == 0
+    assert file.read_bytes().startswith(b"GIF89a")
+
+
+@pytest.mark.parametrize(
+    ("command", "hint"),
+    [
+        (f"{SHAKEN} --cycles 60", "--cycles"),
+        (f"{SHAKEN} --cycles 1e9 --start rest -A 0.5", "--cycles"),
+        ("simulate -r 1 --start 0.5,w=0", "--speed"),
+        (f"{SHAKEN} --speed 1000", "--speed = 1000.0 "),
+    ],
+)
+def test_a_run_too_long_for_a_film_leaves_no_file(
+    command: str, hint: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    line = refused(f"{command} --csv run.csv --plot run.png --animate run.gif")
+    assert "at least 8" in line
+    assert hint in line
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_disk_that_fills_leaves_no_film(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    import rocksteady.show.gif as module
+
+    def full(_film: object, target: Path, _progress: object) -> None:
+        target.write_bytes(b"GIF89a")
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(module, "save_gif", full)
+    line = refused(f"{FALL} --animate", tmp_path / "fall.gif")
+    assert "--animate = " in line
+    assert "No space left on device" in line
+    assert list(tmp_path.iterdir()) == []

@@ -19,7 +19,7 @@ from rocksteady.errors import InputError, ModelError, OutputError
 from rocksteady.model.block import STANDARD_GRAVITY, Block, DimensionlessBlock
 from rocksteady.model.examples import example_block
 from rocksteady.model.motions import Harmonic
-from rocksteady.model.validation import LARGEST, non_negative
+from rocksteady.model.validation import LARGEST, non_negative, positive
 
 FIGURE_FORMATS = (".png", ".svg", ".pdf")
 
@@ -201,6 +201,55 @@ class OutputFlags:
         for flag, file in (("--plot", self.plot), ("--csv", self.csv)):
             if file is not None:
                 check_writable(flag, file, force=self.force)
+
+
+@dataclass(frozen=True, kw_only=True)
+class AnimationFlags:
+    """A film, and how fast it plays."""
+
+    animate: flags.Animate = None
+    speed: flags.Speed = None
+
+    def check(self, output: OutputFlags) -> None:
+        """Refuse, before anything is computed, what could not be written afterwards.
+
+        Raises
+        ------
+        OutputError
+            If the file is no .gif, exists and --force is off, its folder is missing or not
+            writable, or it is asked for by another flag.
+        InputError
+            If the speed is not positive.
+        ModelError
+            If there is a speed and no film.
+        """
+        if self.speed is not None:
+            positive("speed", self.speed, hint="give 1 for real time or one period a second")
+        if self.animate is None:
+            if self.speed is not None:
+                raise ModelError(
+                    name="speed",
+                    value=self.speed,
+                    valid="without --animate it has no meaning",
+                    hint="add --animate run.gif, or leave it out",
+                )
+            return
+        if self.animate.suffix.lower() != ".gif":
+            raise OutputError(
+                name="--animate",
+                value=self.animate,
+                valid="the ending says the format: .gif",
+                hint="rename it",
+            )
+        for flag, file in (("--plot", output.plot), ("--csv", output.csv)):
+            if _same_file(self.animate, file):
+                raise OutputError(
+                    name="--animate",
+                    value=self.animate,
+                    valid=f"{flag} writes the same file",
+                    hint="rename one",
+                )
+        check_writable("--animate", self.animate, force=output.force)
 
 
 def _same_file(one: Path | None, other: Path | None) -> bool:

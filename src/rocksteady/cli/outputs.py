@@ -6,11 +6,14 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rocksteady.cli.progress import progress
 from rocksteady.errors import OutputError
-from rocksteady.show.files import json_text, save_csv, save_figure
+from rocksteady.show.files import json_text, save_csv, save_figure, save_whole
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+    from rocksteady.show.animation import Film
 
 
 def check_writable(flag: str, file: Path, *, force: bool) -> None:
@@ -52,6 +55,15 @@ def write_figure(file: Path, figure: "Figure") -> None:
 def write_csv(file: Path, header: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
     """Save what --csv asks for."""
     save_csv("--csv", file, header, rows)
+    announce_file(file)
+
+
+def write_film(file: Path, film: "Film") -> None:
+    """Save what --animate asks for."""
+    from rocksteady.show.gif import save_gif
+
+    with progress("drawing the film", film.frames, lines=False) as done:
+        save_whole("--animate", file, lambda target: save_gif(film, target, done))
     announce_file(file)
 
 

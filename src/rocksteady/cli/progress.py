@@ -12,7 +12,7 @@ LINE_AFTER = 30.0
 
 
 @contextmanager
-def progress(task: str, steps: int) -> Iterator[Callable[[str], None]]:
+def progress(task: str, steps: int, *, lines: bool = True) -> Iterator[Callable[[str], None]]:
     """Yield a function to call with the name of each step when it is done.
 
     Parameters
@@ -21,12 +21,17 @@ def progress(task: str, steps: int) -> Iterator[Callable[[str], None]]:
         What is being done.
     steps
         How many steps it has.
+    lines
+        Whether lines take the place of the bar where there is no terminal; not for what takes some
+        seconds only.
     """
     if sys.stderr.isatty():
         with _bar(task, steps) as done:
             yield done
-    else:
+    elif lines:
         yield _lines(task, steps)
+    else:
+        yield lambda _: None
 
 
 @contextmanager

@@ -7,15 +7,28 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from rocksteady.cli import flags
-from rocksteady.cli.groups import BlockFlags, OutputFlags, ShakingFlags, grouped
+from rocksteady.cli.groups import (
+    AnimationFlags,
+    BlockFlags,
+    OutputFlags,
+    ShakingFlags,
+    grouped,
+)
 from rocksteady.cli.inputs import single, start_from
-from rocksteady.cli.outputs import announce_compilation, print_json, write_csv, write_figure
+from rocksteady.cli.outputs import (
+    announce_compilation,
+    print_json,
+    write_csv,
+    write_figure,
+    write_film,
+)
 from rocksteady.errors import InputError, ModelError, Status
 from rocksteady.model.motions import Harmonic, Motion, Still
 from rocksteady.model.validation import whole_number
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.trajectory import Trajectory
+    from rocksteady.show.animation import Film
 
 START = "Start and length"
 INCOMPLETE = 3
@@ -30,7 +43,8 @@ EXAMPLES = (
     "Examples:\n\n"
     "rocksteady simulate -A 2 -W 1.9 -r 0.8 --start steady --cycles 40 --plot run.png\n\n"
     "rocksteady simulate --width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 1 --csv run.csv\n\n"
-    "rocksteady simulate --block zhang-makris-2001 --start 0.6,w=0 --json"
+    "rocksteady simulate --block zhang-makris-2001 --start 0.6,w=0 --json\n\n"
+    "rocksteady simulate --block tso-wong-1989 -A 4 -W 1.5 --animate fall.gif"
 )
 
 StartFlag = Annotated[
@@ -97,6 +111,7 @@ def simulate(
     shaking: ShakingFlags,
     block: BlockFlags,
     output: OutputFlags,
+    film: AnimationFlags,
     start: StartFlag = "rest",
     order: flags.Order = 1,
     phase: PhaseFlag = None,
@@ -107,6 +122,7 @@ def simulate(
 ) -> None:
     """Run `rocksteady simulate`; `HELP` is what its users read."""
     output.check()
+    film.check(output)
     body = block.described()
     if side not in ("+", "-"):
         raise InputError(name="side", value=side, valid="it must be + or -", hint="give + or -")
@@ -141,12 +157,16 @@ def simulate(
         # What was typed, in place of the object that it has become.
         raise ModelError(name="start", value=start, valid=error.valid, hint=error.hint) from error
     values = trajectory_values(trajectory)
+    # Made before any file is written: a run that is too long to be shown is refused here.
+    moving = None if film.animate is None else film_of_run(trajectory, film)
     if output.csv is not None:
         write_csv(output.csv, csv_header(trajectory), csv_rows(trajectory, samples))
     if output.plot is not None:
         from rocksteady.show.figures import simulation_figure
 
         write_figure(output.plot, simulation_figure(trajectory, figure_title(values)))
+    if moving is not None and film.animate is not None:
+        write_film(film.animate, moving)
     if output.as_json:
         print_json("simulate", values)
     else:
@@ -194,6 +214,31 @@ def check_start(start: str, *, shaken: bool, phase: float | None, cycles: float 
                 valid="without shaking it has no meaning",
                 hint="leave it out, or give shaking with -A and -W",
             )
+
+
+def film_of_run(trajectory: "Trajectory", flags_of_film: AnimationFlags) -> "Film":
+    """Return the film of a whole run.
+
+    Raises
+    ------
+    InputError
+        If it would have too many frames, or too few to show each period.
+    """
+    from rocksteady.show.animation import film_of
+
+    try:
+        return film_of(trajectory, speed=flags_of_film.speed)
+    except InputError as error:
+        if error.name != "span":
+            raise
+        # The command has no part of a run to offer, but the run can be made shorter.
+        shaken = isinstance(trajectory.motion, Harmonic)
+        raise InputError(
+            name="--animate",
+            value=flags_of_film.animate,
+            valid=error.valid,
+            hint="follow fewer periods with --cycles" if shaken else "give a --speed",
+        ) from error
 
 
 def trajectory_values(trajectory: "Trajectory") -> dict[str, Any]:

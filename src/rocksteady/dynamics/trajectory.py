@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.dynamics import ground
 from rocksteady.errors import InputError, ModelError, Status
 from rocksteady.kernels import march as columns
 from rocksteady.kernels.history import fill_states, highest, last_crossing
@@ -275,15 +276,25 @@ class Trajectory:
             velocity_after=restitution * landing[1],
         )
 
-    def times(self, per_unit: int = 100) -> Floats:
-        """Return pivot times that draw the motion well: evenly spaced, and every impact.
+    @cached_property
+    def shown_to_s(self) -> float:
+        """Pivot time up to which pictures follow the run: a little into a rest, not for ever."""
+        if not isinstance(self.motion, Harmonic):
+            if self.rest_s is not None:
+                return min(self.end_s, 1.05 * self.rest_s + 0.1)
+            if self.status is Status.ROCKING:  # without loss, or balanced for ever
+                return min(self.end_s, float(self.flights.s[-1]) + 10.0)
+        return self.end_s
 
-        A run that came to rest is drawn a little into its rest.
+    def times(self, per_unit: int = 100, *, span: tuple[float, float] | None = None) -> Floats:
+        """Return pivot times that draw the motion well: evenly spaced, and every impact.
 
         Parameters
         ----------
         per_unit
             Samples per unit of time: per forcing period of harmonic shaking, else per p t = 1.
+        span
+            Pivot times between which they lie; from 0 to `shown_to_s` without.
 
         Raises
         ------
@@ -292,16 +303,12 @@ class Trajectory:
         """
         count = whole_number("per_unit", per_unit, at_least=1, hint="give samples per unit of time")
         unit = 1.0
-        end = self.end_s
         if isinstance(self.motion, Harmonic):
             unit = 2.0 * math.pi / self.motion.frequency_ratio
-        elif self.rest_s is not None:
-            end = min(end, 1.05 * self.rest_s + 0.1)
-        elif self.status is Status.ROCKING:  # without loss, or balanced for ever
-            end = min(end, float(self.flights.s[-1]) + 10.0)
-        even = np.linspace(0.0, end, max(2, math.ceil(count * end / unit) + 1))
-        starts = self.flights.s[self.flights.s <= end]
-        return np.unique(np.concatenate([even, starts]))
+        start, end = (0.0, self.shown_to_s) if span is None else span
+        even = np.linspace(start, end, max(2, math.ceil(count * (end - start) / unit) + 1))
+        begun = self.flights.s
+        return np.unique(np.concatenate([even, begun[(begun >= start) & (begun <= end)]]))
 
     def __call__(self, s: ArrayLike) -> Motions:
         """Return the motion at pivot times `s`, from 0 to `end_s`.
@@ -400,18 +407,16 @@ class Trajectory:
 
     def base_acceleration(self, s: ArrayLike) -> Floats:
         """Return the base acceleration at pivot times, in units of alpha g."""
-        times = np.asarray(s, dtype=np.float64)
-        starts = np.concatenate([[0.0], np.cumsum(self.segments[:-1, columns.DURATION])])
-        index = np.clip(np.searchsorted(starts, times, side="right") - 1, 0, None)
-        row = self.segments[index]
-        since = times - starts[index]
-        result: Floats = (
-            row[..., columns.CONSTANT]
-            + row[..., columns.SLOPE] * since
-            + row[..., columns.AMPLITUDE]
-            * np.sin(row[..., columns.FREQUENCY] * since + row[..., columns.PHASE])
-        )
-        return result
+        return ground.base_acceleration(self.segments, s)
+
+    def base_displacement(self, s: ArrayLike) -> Floats:
+        """Return where the base is at pivot times, in units of alpha g/p^2.
+
+        Harmonic shaking goes to and fro about 0; any other motion starts from rest at 0.
+        """
+        if isinstance(self.motion, Harmonic):
+            return ground.swinging_displacement(self.segments, s)
+        return ground.displacement_from_rest(self.segments, s)
 
     def _repr_html_(self) -> str:
         """Return a small table for notebooks."""

@@ -24,6 +24,8 @@ COLOURS = {
 }
 """The page's colours by their part; the base template makes a CSS property of each."""
 
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
 
 def render(package: str, template: str, **values: object) -> str:
     """Return a report as the text of one HTML file.
@@ -80,6 +82,23 @@ def svg_data_uri(svg: bytes) -> str:
     return f"data:image/svg+xml;base64,{b64encode(svg).decode('ascii')}"
 
 
+def prose(text: str) -> str:
+    r"""Return a plain text as one would print it: powers of ten, minus signs, whole equations.
+
+    Examples
+    --------
+    >>> prose("from -0.5 to 3.2e-16, 10^28-fold")
+    'from −0.5 to 3.2·10⁻¹⁶, 10²⁸-fold'
+    >>> prose("at A = 2").split(" ")  # no line breaks inside the equation
+    ['at', 'A\xa0=\xa02']
+    """
+    text = re.sub(r"(?<=\d)e([+-]?\d+)\b", lambda found: f"·10^{int(found[1])}", text)
+    text = re.sub(r"(?<![\d.])1·10\^", "10^", text)
+    text = re.sub(r"\b10\^(-?\d+)", lambda found: "10" + found[1].translate(RAISED), text)
+    text = re.sub(r"(?<![\w.,)\]-])-(?=\.?\d)", "−", text)
+    return re.sub(r"(?<=\S) ([=<>≤≥≈]) (?=\S)", "\N{NO-BREAK SPACE}\\1\N{NO-BREAK SPACE}", text)
+
+
 def anchor(text: str) -> str:
     """Return a text as a part of an ``id`` and of the link to it.
 
@@ -128,6 +147,6 @@ def _environment(package: str) -> "Environment":
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
-    environment.filters |= {"anchor": anchor, "duration": duration}
+    environment.filters |= {"anchor": anchor, "duration": duration, "prose": prose}
     environment.globals["colours"] = COLOURS
     return environment

@@ -36,7 +36,13 @@ def time_axis(trajectory: Trajectory) -> tuple[float, str]:
     return 1.0, palette.LABELS["pivot_time"]
 
 
-def plot_trajectory(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
+def plot_trajectory(
+    trajectory: Trajectory,
+    ax: "Axes | None" = None,
+    *,
+    span: tuple[float, float] | None = None,
+    key: bool = True,
+) -> "Axes":
     """Draw angle against time with every impact, and where the block comes to rest or overturns.
 
     Between the dashed lines, |theta| = alpha, a block left alone falls back onto its base.
@@ -47,6 +53,10 @@ def plot_trajectory(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
         From `rocksteady.simulate`.
     ax
         Axes to draw on; those of a new figure without.
+    span
+        Pivot times p t between which to draw; the whole run without.
+    key
+        Whether there is a legend, and room for it.
 
     Returns
     -------
@@ -66,15 +76,17 @@ def plot_trajectory(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
     """
     axes = axes_or_new(ax)
     scale, label = time_axis(trajectory)
-    motion = trajectory(trajectory.times())
+    motion = trajectory(trajectory.times(span=span))
+    start, end = float(motion.s[0]), float(motion.s[-1])
     axes.axhspan(-1.0, 1.0, color=palette.SYMMETRIC, alpha=0.12, lw=0)
     for level in (-1.0, 1.0):
         axes.axhline(level, color=palette.FAINT, lw=0.8, ls=(0, (4, 3)))
     axes.plot(motion.s * scale, motion.angle, color=palette.LINES[0])
-    impacts = trajectory.impacts
+    impacts = trajectory.impacts.s
+    impacts = impacts[(impacts >= start) & (impacts <= end)]
     if len(impacts) > 0:
         axes.plot(
-            impacts.s * scale,
+            impacts * scale,
             np.zeros(len(impacts)),
             ls="none",
             marker="o",
@@ -82,11 +94,11 @@ def plot_trajectory(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
             color=palette.IMPACT,
             label="1 impact" if len(impacts) == 1 else f"{len(impacts)} impacts",
         )
-    if trajectory.overturn_s is not None:
-        fall = trajectory(trajectory.overturn_s)
+    overturn, rest = trajectory.overturn_s, trajectory.rest_s
+    if overturn is not None and start <= overturn <= end:
         axes.plot(
-            trajectory.overturn_s * scale,
-            fall.angle,
+            overturn * scale,
+            trajectory(overturn).angle,
             marker="X",
             ms=8,
             mec="white",
@@ -95,15 +107,15 @@ def plot_trajectory(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
             ls="none",
             label="overturns",
         )
-    elif trajectory.rest_s is not None and trajectory.rest_s > 0.0:
-        axes.axvline(trajectory.rest_s * scale, color=palette.FAINT, lw=0.8, label="at rest")
+    elif rest is not None and rest > 0.0 and start <= rest <= end:
+        axes.axvline(rest * scale, color=palette.FAINT, lw=0.8, label="at rest")
     axes.set(
         xlabel=label,
         ylabel=palette.LABELS["angle"],
-        ylim=angle_limits(trajectory, motion.angle),
-        xlim=time_limits(trajectory, scale),
+        ylim=angle_limits(trajectory, motion.angle, headroom=HEADROOM if key else 0.0),
+        xlim=time_limits(trajectory, start * scale, end * scale),
     )
-    if axes.get_legend_handles_labels()[0]:
+    if key and axes.get_legend_handles_labels()[0]:
         corner: Corner = "upper left"
         if trajectory.status is Status.OVERTURNED:
             size = extent(axes, width=160.0, height=22.0)
@@ -114,23 +126,26 @@ def plot_trajectory(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
     return axes
 
 
-def angle_limits(trajectory: Trajectory, angle: NDArray[np.float64]) -> tuple[float, float]:
+def angle_limits(
+    trajectory: Trajectory, angle: NDArray[np.float64], *, headroom: float = HEADROOM
+) -> tuple[float, float]:
     """Return the ends of the angle axis: what is there, the band of balance, and headroom."""
     lowest, highest = float(angle.min()), float(angle.max())
-    if trajectory.status is Status.OVERTURNED:
+    if max(-lowest, highest) > 1.0 and trajectory.status is Status.OVERTURNED:
         return min(-1.15, 1.1 * lowest), max(1.15, 1.1 * highest)
-    # A block that hardly rocks fills the picture.
-    least = 0.0 if trajectory.peak < 0.6 else 1.0
-    reach = 1.12 * max(-lowest, highest, least, 1e-300)
-    if trajectory.peak == 0.0:
-        reach = 1e-3
-    return -reach, reach * (1.0 + 2.0 * HEADROOM)
+    # A block that hardly rocks fills the picture; one that does not move has no scale of its own.
+    least = 0.0 if 0.0 < trajectory.peak < 0.6 else 1.0
+    reach = 1.12 * max(-lowest, highest, least)
+    if reach == 0.0:  # at rest in this part of the run
+        reach = 1.12 * trajectory.peak
+    return -reach, reach * (1.0 + 2.0 * headroom)
 
 
-def time_limits(trajectory: Trajectory, scale: float) -> tuple[float, float]:
+def time_limits(trajectory: Trajectory, start: float, end: float) -> tuple[float, float]:
     """Return the ends of the time axis; a fall from the start on keeps clear of the left end."""
-    end = float(trajectory.times()[-1]) * scale
-    return (-0.02 * end if trajectory.overturn_s == 0.0 else 0.0), end
+    if start == end:
+        return start - 0.5, end + 0.5
+    return (-0.02 * end if start == 0.0 and trajectory.overturn_s == 0.0 else start), end
 
 
 def plot_base(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
@@ -165,7 +180,11 @@ def plot_base(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
     axes.plot(times * scale, trajectory.base_acceleration(times), color=palette.BASE, lw=1.0)
     for level in (-1.0, 1.0):
         axes.axhline(level, color=palette.FAINT, lw=0.8, ls=(0, (4, 3)))
-    axes.set(xlabel=label, ylabel=palette.LABELS["base"], xlim=time_limits(trajectory, scale))
+    axes.set(
+        xlabel=label,
+        ylabel=palette.LABELS["base"],
+        xlim=time_limits(trajectory, times[0] * scale, times[-1] * scale),
+    )
     return axes
 
 

@@ -56,7 +56,9 @@ class Claim:
     page
         Where it says so, in the journal's numbering.
     figures
-        The panels that it is about, as "12b".
+        The panels that show it, as "12b"; they are right or wrong with it.
+    see
+        Further panels on which it bears.
     finding
         The outcome.
     """
@@ -65,6 +67,7 @@ class Claim:
     statement: str
     page: int
     figures: tuple[str, ...]
+    see: tuple[str, ...] = ()
     finding: Finding
 
     @property

@@ -38,13 +38,14 @@ class ReportedPanel:
 
 @dataclass(frozen=True, kw_only=True)
 class _Entry:
-    """What the page shows of a panel: the panel, its verdict, and the statements about it."""
+    """What the page shows of a panel: its verdict, the statements that it shows, and others."""
 
     panel: Panel
     picture: str
     seconds: float
     verdict: Verdict
     claims: tuple[Claim, ...]
+    see: tuple[Claim, ...]
 
     @property
     def files(self) -> list[str]:
@@ -90,7 +91,9 @@ def report_html(
         __package__,
         "report.html.j2",
         claims=claims,
-        corrected=[claim for claim in claims if claim.verdict is Verdict.CORRECTED],
+        corrected=sorted(
+            (claim for claim in claims if claim.verdict is Verdict.CORRECTED), key=_known_first
+        ),
         counts=Counter(claim.verdict for claim in claims),
         environment=environment,
         groups=[(number, list(members)) for number, members in groups],
@@ -104,7 +107,7 @@ def report_html(
 
 
 def panel_verdict(claims: Sequence[Claim]) -> Verdict:
-    """Return the verdict on a panel from those on the statements about it.
+    """Return the verdict on a panel from those on the statements that it shows.
 
     Corrected if one of them is; not checkable if there are some and none can be checked.
     """
@@ -127,14 +130,23 @@ def figure_number(panel: str) -> str:
     return re.split(r"\D", panel, maxsplit=1)[0]
 
 
+def _known_first(claim: Claim) -> tuple[int, str]:
+    """Return a key that puts the numbered corrections, E1 to E9, before the others."""
+    numbered = re.fullmatch(r"E\d", claim.id)
+    return (0, claim.id) if numbered else (1, "")
+
+
 def _entry(section: ReportedPanel, claims: Sequence[Claim]) -> _Entry:
-    """Return a panel with the statements about it, corrected ones first."""
-    about = [claim for claim in claims if section.panel.id in claim.figures]
-    about.sort(key=lambda claim: claim.verdict is not Verdict.CORRECTED)
+    """Return a panel with its statements, corrected ones first."""
+    panel = section.panel.id
+    ordered = sorted(claims, key=lambda claim: claim.verdict is not Verdict.CORRECTED)
+    shown = tuple(claim for claim in ordered if panel in claim.figures)
+    see = tuple(claim for claim in ordered if panel in claim.see and claim not in shown)
     return _Entry(
         panel=section.panel,
         picture=section.picture,
         seconds=section.seconds,
-        verdict=panel_verdict(about),
-        claims=tuple(about),
+        verdict=panel_verdict(shown),
+        claims=shown,
+        see=see,
     )

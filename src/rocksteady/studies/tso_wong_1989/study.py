@@ -80,6 +80,7 @@ class Study:
                     "statement": claim.statement,
                     "page": claim.page,
                     "figures": list(claim.figures),
+                    "see": list(claim.see),
                     "verdict": claim.verdict.value,
                     "detail": claim.finding.detail,
                     "values": claim.finding.values,

@@ -3,6 +3,8 @@
 import math
 from collections.abc import Iterable
 
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
 
 def motion_name(order: int) -> str:
     """Return what a symmetric motion of an order is called.
@@ -48,17 +50,33 @@ def percent(share: float) -> str:
     return f"{100.0 * share:.4g} %" if share >= 0.001 else f"{100.0 * share:.2g} %"
 
 
+def scientific(value: float) -> str:
+    """Return a number from 0 on with two figures, in powers of ten where it is small or large.
+
+    Examples
+    --------
+    >>> scientific(3.4e-16), scientific(0.4), scientific(0.0), scientific(2.3e12)
+    ('3.4·10⁻¹⁶', '0.40', '0', '2.3·10¹²')
+    """
+    if value == 0.0:
+        return "0"
+    if 0.01 <= value < 1000.0:
+        return f"{value:.2f}" if value < 1.0 else f"{value:.2g}"
+    digits, power = f"{value:.1e}".split("e")
+    return f"{digits}·10{str(int(power)).translate(SUPERSCRIPTS)}"
+
+
 def times(growth: float) -> str:
     """Return a factor of growth.
 
     Examples
     --------
     >>> times(35.6), times(3.2e12)
-    ('36-fold', '10^13-fold')
+    ('36-fold', '3.2·10¹²-fold')
     """
     if growth < 1e4:
         return f"{growth:.2g}-fold" if growth < 10.0 else f"{growth:.0f}-fold"
-    return f"10^{math.log10(growth):.0f}-fold"
+    return f"{scientific(growth)}-fold"
 
 
 def multiplier_text(value: complex) -> str:

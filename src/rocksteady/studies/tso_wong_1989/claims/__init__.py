@@ -47,6 +47,7 @@ def check(evidence: Evidence, *, done: Callable[[str], None] = lambda _: None) -
                 statement=statement.text,
                 page=statement.page,
                 figures=statement.figures,
+                see=statement.see,
                 finding=statement.check(evidence),
             )
         )

@@ -15,6 +15,7 @@ from rocksteady import (
 )
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
 from rocksteady.studies.tso_wong_1989.findings import Finding
+from rocksteady.studies.tso_wong_1989.words import scientific
 
 STATEMENTS = Statements()
 
@@ -75,8 +76,8 @@ def linear_equations(_: Evidence) -> Finding:
     return Finding(
         holds=worst < 1e-6,
         detail=f"In the middle of {len(s)} flights of a run (A = 2, Ω = 3, δ = 0.8), "
-        f"differentiated numerically, the equations are met within {worst:.1e}; the differences "
-        "are those of the differentiation.",
+        f"differentiated numerically, the equations are met within {scientific(worst)}; the "
+        "differences are those of the differentiation.",
         values={"flights": len(s), "largest_residual": worst},
     )
 
@@ -102,7 +103,7 @@ def impact_law(_: Evidence) -> Finding:
     return Finding(
         holds=worst < 1e-6,
         detail=f"Over {len(s)} impacts of a run (A = 2, Ω = 3, δ = {restitution}) the velocity "
-        f"just after over that just before differs from δ by at most {worst:.1e}.",
+        f"just after over that just before differs from δ by at most {scientific(worst)}.",
         values={"impacts": len(s), "largest_difference": worst},
     )
 
@@ -134,7 +135,7 @@ def odd_orders(_: Evidence) -> Finding:
             steady_states(a, w, r, order=n)
         except InputError:
             refused.append(n)
-    words = ", ".join(f"{defect:.1e} for n = {n}" for n, defect in defects.items())
+    words = ", ".join(f"{scientific(defect)} for n = {n}" for n, defect in defects.items())
     return Finding(
         holds=mirrored == list(defects),
         detail="After nπ the mirrored half cycle needs the mirrored shaking, sin(τ + nπ) = −sin τ: "
@@ -192,7 +193,7 @@ def steady_conditions(evidence: Evidence) -> Finding:
         holds=late < 1e-8 and fast < 1e-8,
         detail=f"From {len(admissible)} admissible solutions at random points (both branches, "
         f"n = 1, 3, 5, half cycles up to pt = {LONGEST:g}) the exact march lands at τ = nπ within "
-        f"{late:.1e} and with the velocity −v/δ within {fast:.1e} of it.",
+        f"{scientific(late)} and with the velocity −v/δ within {scientific(fast)} of it.",
         values={
             "solutions": len(admissible),
             "largest_delay": late,
@@ -221,8 +222,9 @@ def two_velocities(evidence: Evidence) -> Finding:
     return Finding(
         holds=apart < ROUNDING and package < ROUNDING,
         detail=f"At {int(there.sum())} random points, both branches, (18) and (19) differ by at "
-        f"most {apart:.1e} of their terms, and the velocity of the package from (19) by "
-        f"{package:.1e}. The scan of (18) is not legible; it is derived in docs/theory/steady.md.",
+        f"most {scientific(apart)} of their terms, and the velocity of the package from (19) by "
+        f"{scientific(package)}. The scan of (18) is not legible; it is derived in "
+        "docs/theory/steady.md.",
         values={"points": int(there.sum()), "difference": apart, "package": package},
     )
 
@@ -247,9 +249,10 @@ def paired_signs(evidence: Evidence) -> Finding:
     distinct = float(np.abs(phase[0] - phase[1]).min())
     return Finding(
         holds=worst < 1e-8 and wrong > 0.0 and distinct > 0.0,
-        detail=f"At {int(there.sum())} random points both phases meet (20) within {worst:.1e}. "
-        "With the signs of (21) and (22) paired the other way sin² φ + cos² φ differs from 1 by at "
-        f"least {wrong:.1e}. The two phases are never closer than {distinct:.1e}.",
+        detail=f"At {int(there.sum())} random points both phases meet (20) within "
+        f"{scientific(worst)}. With the signs of (21) and (22) paired the other way "
+        f"sin² φ + cos² φ differs from 1 by at least {scientific(wrong)}. The two phases are never "
+        f"closer than {scientific(distinct)}.",
         values={"residual": worst, "wrong_pairing": wrong, "closest_phases": distinct},
     )
 
@@ -309,8 +312,8 @@ def frequency_parameter(_: Evidence) -> Finding:
     power = math.log(scaled[-1] / scaled[0]) / math.log(sizes[-1])
     return Finding(
         holds=spread < 1e-12 and abs(power + 0.5) < 1e-12,
-        detail=f"A homogeneous block 0.4 m by 2 m has p = {eq27:.6f} rad/s by (26), by (27) and as "
-        f"built with masses of 1, 50 and 2000 kg (differences to {spread:.0e}). Scaled to 9 times "
-        f"its size, p goes with the power {power:.6f} of the size.",
+        detail=f"A homogeneous block 0.4 m by 2 m has p = {eq27:.6f} rad/s by (26), by (27) and "
+        f"as built with masses of 1, 50 and 2000 kg (differences to {scientific(spread)}). Scaled "
+        f"to 9 times its size, p goes with the power {power:.6f} of the size.",
         values={"p": by_mass, "eq26": eq26, "eq27": eq27, "power": power},
     )

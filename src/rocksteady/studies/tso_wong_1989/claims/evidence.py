@@ -105,6 +105,7 @@ class Statement:
     text: str
     page: int
     figures: tuple[str, ...]
+    see: tuple[str, ...]
     check: Check
 
 
@@ -112,12 +113,20 @@ class Statements(list[Statement]):
     """The statements of one module, in the paper's order."""
 
     def add(
-        self, name: str, text: str, *, page: int, figures: tuple[str, ...] = ()
+        self,
+        name: str,
+        text: str,
+        *,
+        page: int,
+        figures: tuple[str, ...] = (),
+        see: tuple[str, ...] = (),
     ) -> Callable[[Check], Check]:
         """Return a decorator that adds a check under its statement."""
 
         def register(check: Check) -> Check:
-            self.append(Statement(id=name, text=text, page=page, figures=figures, check=check))
+            self.append(
+                Statement(id=name, text=text, page=page, figures=figures, see=see, check=check)
+            )
             return check
 
         return register

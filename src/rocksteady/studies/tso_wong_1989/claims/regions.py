@@ -8,7 +8,7 @@ from rocksteady import region_map, steady_states
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
 from rocksteady.studies.tso_wong_1989.findings import Finding
 from rocksteady.studies.tso_wong_1989.regions import FREQUENCIES, region_shares
-from rocksteady.studies.tso_wong_1989.words import percent, series
+from rocksteady.studies.tso_wong_1989.words import percent, scientific, series
 
 STATEMENTS = Statements()
 
@@ -98,7 +98,7 @@ def boundaries_in_amplitude(evidence: Evidence) -> Finding:
     return Finding(
         holds=bool(agree.all()) and worst < 1e-12,
         detail=f"Both hold at {int(agree.sum())} of {len(agree)} random points; the package's "
-        f"boundaries equal the formulae within {worst:.0e}.",
+        f"boundaries equal the formulae within {scientific(worst)}.",
         values={"agree": int(agree.sum()), "points": len(agree), "difference": worst},
     )
 
@@ -186,7 +186,7 @@ def sign_of_phase(evidence: Evidence) -> Finding:
     "E7",
     "In region 3 one of the two in-phase solutions has a positive phase, the other a negative one.",
     page=94,
-    figures=("3a", "4a", "4b"),
+    see=("3a", "4a", "4b"),
 )
 def region_3_signs(evidence: Evidence) -> Finding:
     """Count the signs in regions 3 and 5."""
@@ -223,8 +223,8 @@ def region_4(evidence: Evidence) -> Finding:
     return Finding(
         holds=bool((missing > 0.0).all()) and none == int(empty.sum()),
         detail=f"At all {int(empty.sum())} random points of region 4 the largest value of "
-        f"P cos φ + sin φ falls short of Q, by {float(missing.min()):.1e} at least; no solution is "
-        "returned.",
+        f"P cos φ + sin φ falls short of Q, by {scientific(float(missing.min()))} at least; no "
+        "solution is returned.",
         values={"points": int(empty.sum()), "least_shortfall": float(missing.min())},
     )
 
@@ -250,7 +250,7 @@ def region_3_small(evidence: Evidence) -> Finding:
     "E8",
     "Region 3 disappears entirely for large δ.",
     page=95,
-    figures=("3b",),
+    see=("3b",),
 )
 def region_3_stays(_: Evidence) -> Finding:
     """Find the largest restitution at which it still has an area; take points inside it."""
@@ -265,7 +265,7 @@ def region_3_stays(_: Evidence) -> Finding:
         inside = steady_states(middle, FREQUENCIES[column], restitution)
         if inside.region == 3 and inside.in_phase.all():
             alive.append(restitution)
-    words = ", ".join(f"{width:.1e} at δ = {r:g}" for r, width in widths.items())
+    words = ", ".join(f"{scientific(width)} at δ = {r:g}" for r, width in widths.items())
     return Finding(
         holds=not alive,
         detail="It becomes narrow but never disappears: (23) over (25) is 1/√(1 + P²), below 1 for "
@@ -305,7 +305,7 @@ def region_4_shrinks(_: Evidence) -> Finding:
     "For the 1/3 subharmonic region 2 grows with δ at the expense of regions 3 and 4, and region 1 "
     "does not depend on δ.",
     page=95,
-    figures=("4a", "4b"),
+    see=("4a", "4b"),
 )
 def region_that_grows(evidence: Evidence) -> Finding:
     """Measure regions 1 and 2, and how far their common boundary moves."""
@@ -322,7 +322,7 @@ def region_that_grows(evidence: Evidence) -> Finding:
         f"window, downwards into regions 3 and 4. Region 2 goes from {percent(few.shares[2])} to "
         f"{percent(many.shares[2])}; its gain, {percent(gained)}, is what region 5 had "
         f"({percent(few.shares[5])}). Its lower boundary (24) does not depend on δ (it moves by "
-        f"{moved:.0e}).",
+        f"{scientific(moved)}).",
         values={"growth": growth, "boundary_moves": moved, "region_5": few.shares[5]},
     )
 
@@ -332,7 +332,7 @@ def region_that_grows(evidence: Evidence) -> Finding:
     "For a given frequency no steady motion is possible if the excitation is too large, nor if it "
     "is too small.",
     page=105,
-    figures=("3a", "3b", "4a", "4b"),
+    see=("3a", "3b", "4a", "4b"),
 )
 def too_large(_: Evidence) -> Finding:
     """Go to large amplitudes in region 2 and see what becomes of branch 1."""

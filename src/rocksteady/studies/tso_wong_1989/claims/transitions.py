@@ -285,7 +285,7 @@ def symmetry_breaking(_: Evidence) -> Finding:
     "beyond-unsymmetric",
     "When the frequency falls past the boundary of stable unsymmetric motion, the block overturns.",
     page=89,
-    figures=("12d", "13c", "13d"),
+    see=("12d", "13c", "13d"),
 )
 def beyond_unsymmetric(_: Evidence) -> Finding:
     """Follow both unsymmetric motions down to their end."""

@@ -1,0 +1,77 @@
+"""The base under the block, from its table of segments: acceleration and displacement.
+
+Times are pivot times s = p t since the start; accelerations are in units of alpha g and
+displacements in units of alpha g/p^2.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.kernels import march as columns
+
+Floats = NDArray[np.float64]
+
+
+def base_acceleration(segments: Floats, s: ArrayLike) -> Floats:
+    """Return the base acceleration at pivot times, in units of alpha g."""
+    index, since = _place(segments, s)
+    row = segments[index]
+    result: Floats = (
+        row[..., columns.CONSTANT]
+        + row[..., columns.SLOPE] * since
+        + row[..., columns.AMPLITUDE]
+        * np.sin(row[..., columns.FREQUENCY] * since + row[..., columns.PHASE])
+    )
+    return result
+
+
+def largest_acceleration(segments: Floats) -> float:
+    """Return an upper bound of |base acceleration| over all segments, in units of alpha g."""
+    lasting = np.where(segments[:, columns.SLOPE] == 0.0, 0.0, segments[:, columns.DURATION])
+    start = segments[:, columns.CONSTANT]
+    ends = np.maximum(np.abs(start), np.abs(start + segments[:, columns.SLOPE] * lasting))
+    return float((ends + segments[:, columns.AMPLITUDE]).max())
+
+
+def swinging_displacement(segments: Floats, s: ArrayLike) -> Floats:
+    """Return the displacement of a base in endless harmonic shaking, to and fro about 0."""
+    a, w, phase = segments[0, [columns.AMPLITUDE, columns.FREQUENCY, columns.PHASE]]
+    result: Floats = -a / w**2 * np.sin(w * np.asarray(s, dtype=np.float64) + phase)
+    return result
+
+
+def displacement_from_rest(segments: Floats, s: ArrayLike) -> Floats:
+    """Return the displacement of a base that starts from rest at 0.
+
+    It is the base acceleration, with the impulses that its jumps of velocity stand for, integrated
+    twice, in closed form on each segment.
+    """
+    lasting = segments[:-1, columns.DURATION]
+    faster, further = _gains(segments[:-1], lasting)
+    velocity = np.cumsum(segments[:, columns.JUMP]) + np.concatenate([[0.0], np.cumsum(faster)])
+    place = np.concatenate([[0.0], np.cumsum(velocity[:-1] * lasting + further)])
+    index, since = _place(segments, s)
+    result: Floats = place[index] + velocity[index] * since + _gains(segments[index], since)[1]
+    return result
+
+
+def _place(segments: Floats, s: ArrayLike) -> tuple[NDArray[np.intp], Floats]:
+    """Return in which segment each time lies, and how long after its start."""
+    times = np.asarray(s, dtype=np.float64)
+    starts = np.concatenate([[0.0], np.cumsum(segments[:-1, columns.DURATION])])
+    index = np.clip(np.searchsorted(starts, times, side="right") - 1, 0, None)
+    return index, times - starts[index]
+
+
+def _gains(rows: Floats, since: Floats) -> tuple[Floats, Floats]:
+    """Return velocity and displacement that segments starting from rest give in a time."""
+    constant, slope = rows[..., columns.CONSTANT], rows[..., columns.SLOPE]
+    phase, frequency = rows[..., columns.PHASE], rows[..., columns.FREQUENCY]
+    w = np.where(frequency > 0.0, frequency, 1.0)  # without one there is no amplitude
+    swing = rows[..., columns.AMPLITUDE] / w
+    turned = w * since + phase
+    velocity = since * (constant + since * slope / 2.0) + swing * (np.cos(phase) - np.cos(turned))
+    displacement = since**2 * (constant / 2.0 + since * slope / 6.0) + swing * (
+        since * np.cos(phase) - (np.sin(turned) - np.sin(phase)) / w
+    )
+    return velocity, displacement

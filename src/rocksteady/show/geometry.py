@@ -1,0 +1,98 @@
+"""True lengths: the block's corners at any tilt, and the unit of its ground's way."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.trajectory import Trajectory
+from rocksteady.errors import ModelError
+from rocksteady.model.validation import in_range
+
+Floats = NDArray[np.float64]
+
+ALPHA = 0.2
+"""Slenderness [rad] of the rectangle that stands for a dimensionless block."""
+LYING = 0.5 * math.pi
+"""|theta| at which a block lies on its side; it is not drawn further down."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shape:
+    """What is drawn of a block, in metres, or in units of R for a dimensionless one.
+
+    Attributes
+    ----------
+    alpha
+        Slenderness [rad].
+    radius
+        Half-diagonal.
+    travel
+        Length of alpha g/p^2, the unit of the ground's displacement.
+    unit
+        ``"m"`` or ``"radius"``, the end of the names of the axis labels.
+    """
+
+    alpha: float
+    radius: float
+    travel: float
+    unit: str
+
+    @property
+    def half_width(self) -> float:
+        """Half the distance between the pivots."""
+        return self.radius * math.sin(self.alpha)
+
+    @property
+    def height(self) -> float:
+        """Of the rectangle: twice that of the mass centre."""
+        return 2.0 * self.radius * math.cos(self.alpha)
+
+    def corners(self, theta: ArrayLike) -> Floats:
+        """Return the corners of the block at rotations [rad], seen from the ground.
+
+        Positive rotation is about the left corner, negative about the right one; x is 0 midway
+        between the two.
+
+        Returns
+        -------
+        ndarray, shape (..., 4, 2)
+            Bottom left, bottom right, top right, top left.
+        """
+        b, h = self.half_width, self.height
+        standing = np.array([[-b, 0.0], [b, 0.0], [b, h], [-b, h]])
+        angle = np.asarray(theta, dtype=np.float64)[..., np.newaxis]
+        pivot = np.where(angle < 0.0, b, -b)
+        x, y = standing[:, 0] - pivot, standing[:, 1]
+        cos, sin = np.cos(angle), np.sin(angle)
+        return np.stack([pivot + x * cos - y * sin, x * sin + y * cos], axis=-1)
+
+
+def shape_of(trajectory: Trajectory, alpha: float | None = None) -> Shape:
+    """Return the shape of a trajectory's block; `alpha` is for a dimensionless one.
+
+    Raises
+    ------
+    InputError
+        If alpha is outside (0, pi/2).
+    ModelError
+        If it is given for a block that has its own.
+    """
+    block = trajectory.block
+    if block is None:
+        hint = "give the slenderness in radians of the rectangle to draw"
+        slenderness = in_range(
+            "alpha", ALPHA if alpha is None else alpha, 0.0, LYING, "()", hint=hint
+        )
+        # g/(p^2 R) of a homogeneous rectangle is 4/3.
+        return Shape(alpha=slenderness, radius=1.0, travel=slenderness * 4.0 / 3.0, unit="radius")
+    if alpha is not None:
+        raise ModelError(
+            name="alpha",
+            value=alpha,
+            valid=f"the block has its own slenderness, {block.alpha:.6g} rad",
+            hint="leave alpha out; it is for a dimensionless block",
+        )
+    travel = block.uplift_acceleration / block.p**2
+    return Shape(alpha=block.alpha, radius=block.radius, travel=travel, unit="m")

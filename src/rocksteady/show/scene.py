@@ -1,0 +1,336 @@
+"""The block on its moving ground in true scale: artists that can be moved to any moment."""
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.ground import largest_acceleration
+from rocksteady.dynamics.trajectory import Trajectory
+from rocksteady.show import palette
+from rocksteady.show.geometry import LYING, shape_of
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+    from matplotlib.transforms import Transform
+
+Floats = NDArray[np.float64]
+
+GLOW = 0.5
+"""Pivot time for which an impact is seen at the corner that has struck."""
+FAR = 2.0
+"""Travel of the ground to either side, in half-diagonals, beyond which the camera goes with it."""
+FAR_OFF = 1e6
+"""Distance of the ground, in half-diagonals, at which its place has too many digits for an axis."""
+THICKNESS = 0.36
+"""Of the ground, in half-diagonals; the arrow of its acceleration has to fit in."""
+MARGIN = 1.1
+"""Ground to either side of the block's base, in half-diagonals."""
+
+
+class BlockScene:
+    """The block on its ground as artists that `show` moves to any moment.
+
+    Parameters
+    ----------
+    axes
+        Where it is drawn; its limits are set so that all `times` fit in, in true scale.
+    trajectory
+        What moves.
+    times
+        Pivot times that will be shown.
+    alpha
+        Slenderness [rad] to draw a dimensionless block with.
+    glow
+        Pivot time for which an impact is seen.
+
+    Attributes
+    ----------
+    moving
+        All artists that `show` may move; where the camera moves too, so do the axes' ticks.
+    camera
+        ``"fixed"``; ``"following"``: it goes with ground that travels far; ``"riding"``: as that,
+        but the ground is so far off, or so fast between two of the times, that no background is
+        drawn and positions count from the ground.
+    """
+
+    def __init__(
+        self,
+        axes: "Axes",
+        trajectory: Trajectory,
+        times: Floats,
+        *,
+        alpha: float | None = None,
+        glow: float = GLOW,
+    ) -> None:
+        self.axes, self.trajectory, self.glow = axes, trajectory, glow
+        self.shape = shape_of(trajectory, alpha)
+        self.strongest = float(np.abs(trajectory.impacts.velocity_before).max(initial=0.0))
+        self.largest = largest_acceleration(trajectory.segments)
+        self._view(times)
+        before = set(axes.get_children())
+        self._draw()
+        self.moving: list[Artist] = [a for a in axes.get_children() if a not in before]
+
+    def theta(self, s: ArrayLike) -> Floats:
+        """Return the rotation [rad] as it is drawn: no further than lying on the ground."""
+        # A flight begins and ends at 0 only to rounding; its side decides about the pivot.
+        times = np.asarray(s, dtype=np.float64)
+        turned = np.maximum(self.trajectory(times).angle * self.side(times), 0.0)
+        return np.minimum(turned * self.shape.alpha, LYING) * self.side(times)
+
+    def side(self, s: ArrayLike) -> Floats:
+        """Return 1 where the block stands on its left corner, -1 on its right one, 0 on both."""
+        flights = self.trajectory.flights
+        index = np.searchsorted(flights.s, np.asarray(s, dtype=np.float64), side="right") - 1
+        return flights.side[index].astype(np.float64)
+
+    def ground(self, s: ArrayLike) -> Floats:
+        """Return where the ground is, in the unit of the axes."""
+        return self.shape.travel * self.trajectory.base_displacement(s)
+
+    def _view(self, times: Floats) -> None:
+        """Set limits, ticks and labels, and decide what the camera does."""
+        from matplotlib.ticker import MaxNLocator
+
+        axes, radius = self.axes, self.shape.radius
+        corners, ground = self.shape.corners(self.theta(times)), self.ground(times)
+        low, high = float(ground.min()), float(ground.max())
+        self.travelled = high - low
+        still = high - low <= 2.0 * FAR * radius
+        self.margin = self.shape.half_width + MARGIN * radius
+        reach = max(float(np.abs(corners[..., 0]).max()), self.margin) + 0.15 * radius
+        reach += 0.5 * (high - low) if still else 0.0
+        floor = -(THICKNESS + 0.02) * radius
+        top = max(float(corners[..., 1].max()), self.shape.height) + 0.3 * radius
+        box = axes.get_window_extent()
+        # A wide picture shows more to the sides, a narrow one more above.
+        self.half = max(reach, 0.5 * (top - floor) * box.width / box.height)
+        top = floor + max(top - floor, 2.0 * reach * box.height / box.width)
+        axes.set_aspect("equal", adjustable="box")
+        axes.set_autoscale_on(False)
+        axes.set(
+            ylim=(floor, top),
+            xlim=(-self.half, self.half),
+            ylabel=palette.LABELS[f"height_{self.shape.unit}"],
+        )
+        axes.xaxis.set_major_locator(MaxNLocator(8, steps=[1, 2, 5, 10]))
+        axes.yaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 5, 10]))
+        axes.grid(visible=False, axis="y")
+        step = float(np.abs(np.diff(ground)).max(initial=0.0))
+        first, second = axes.get_xticks()[:2]
+        if max(-low, high) > FAR_OFF * radius or (not still and step > 0.45 * (second - first)):
+            self.camera = "riding"
+        elif still:
+            self.camera = "fixed"
+            centre = 0.5 * (low + high)
+            axes.set_xlim(centre - self.half, centre + self.half)
+        else:
+            self.camera = "following"
+        seen = "ground" if self.camera == "riding" else "position"
+        axes.set_xlabel(palette.LABELS[f"{seen}_{self.shape.unit}"])
+        if self.camera == "following":  # past these the ground moves
+            axes.grid(axis="x", color=palette.UNDECIDED, lw=0.8)
+
+    def _draw(self) -> None:
+        """Make the artists, the block standing and the ground at 0."""
+        from matplotlib.collections import LineCollection
+        from matplotlib.patches import Polygon, Rectangle
+        from matplotlib.transforms import Affine2D
+
+        axes, shape = self.axes, self.shape
+        r, b, h = shape.radius, shape.half_width, shape.height
+        wide = self.margin if self.camera == "fixed" else 3.0 * self.half
+        self._shift, self._turn = Affine2D(), Affine2D()
+        ground = self._shift + axes.transData
+        block = self._turn + ground
+        deep = THICKNESS * r
+        axes.add_patch(
+            Rectangle(
+                (-b, 0.0),
+                2.0 * b,
+                20.0 * r,
+                transform=ground,
+                color=palette.SYMMETRIC,
+                alpha=0.18,
+                lw=0,
+                zorder=1.0,
+            )
+        )
+        axes.add_patch(
+            Rectangle(
+                (-wide, -deep),
+                2.0 * wide,
+                deep,
+                transform=ground,
+                facecolor=palette.GROUND,
+                lw=0,
+                zorder=2.0,
+            )
+        )
+        surface = [((-wide, 0.0), (wide, 0.0))]
+        strokes = np.arange(-wide + 0.11 * r, wide, 0.11 * r)
+        hatching = [((x, 0.0), (x - 0.07 * r, -0.07 * r)) for x in strokes]
+        for lines, colour, width in ((hatching, palette.FAINT, 0.7), (surface, palette.INK, 1.2)):
+            drawn = LineCollection(
+                lines, colors=colour, linewidths=width, transform=ground, zorder=2.2
+            )
+            axes.add_collection(drawn, autolim=False)
+        self.body = Polygon(
+            [(-b, 0.0), (b, 0.0), (b, h), (-b, h)],
+            closed=True,
+            transform=block,
+            edgecolor=palette.INK,
+            lw=1.2,
+            joinstyle="round",
+            zorder=3.0,
+        )
+        axes.add_patch(self.body)
+        (self.lever,) = axes.plot([], [], color=palette.INK, lw=0.8, transform=block, zorder=3.5)
+        (self.mass,) = axes.plot(
+            [0.0],
+            [0.5 * h],
+            marker="o",
+            ms=6.5,
+            mfc="white",
+            mec=palette.INK,
+            mew=1.3,
+            ls="none",
+            transform=block,
+            zorder=4.0,
+        )
+        (self.pivots,) = axes.plot(
+            [],
+            [],
+            marker=[(0.0, 0.0), (-0.5, -0.9), (0.5, -0.9), (0.0, 0.0)],
+            ms=11,
+            mfc=palette.INK,
+            mec="white",
+            mew=0.6,
+            ls="none",
+            transform=ground,
+            zorder=4.0,
+        )
+        self.rings = {
+            side: axes.plot(
+                [side * b],
+                [0.0],
+                marker="o",
+                mfc="none",
+                mec=palette.IMPACT,
+                ls="none",
+                visible=False,
+                transform=ground,
+                zorder=5.0,
+            )[0]
+            for side in (-1, 1)
+        }
+        self._draw_base(ground)
+        page = {"facecolor": "white", "alpha": 0.8, "lw": 0.0, "pad": 1.0}
+        words: dict[str, Any] = {
+            "transform": axes.transAxes,
+            "va": "top",
+            "zorder": 6.0,
+            "bbox": page,
+        }
+        self.clock = axes.text(0.012, 0.97, "", **words)
+        self.tilt = axes.text(0.012, 0.89, "", color=palette.LINES[0], **words)
+        self.push = axes.text(0.012, 0.81, "", color=palette.BASE, **words)
+        self.verdict = axes.text(
+            0.988, 0.97, "", ha="right", fontsize=12.0, fontweight="bold", **words
+        )
+
+    def _draw_base(self, ground: "Transform") -> None:
+        """Make the arrow of the base acceleration and the marks at the ones that lift a block."""
+        from matplotlib.patches import Polygon
+
+        axes, r = self.axes, self.shape.radius
+        self.arrow_y, self.arrow_length = -0.21 * r, 0.75 * self.margin
+        self.arrow = Polygon(
+            np.zeros((7, 2)),
+            closed=True,
+            transform=ground,
+            facecolor=palette.BASE,
+            lw=0,
+            zorder=2.6,
+            visible=self.largest > 0.0,
+        )
+        axes.add_patch(self.arrow)
+        lifts = self.arrow_length / max(self.largest, 1.0)
+        for x, reach in ((-lifts, 0.055), (0.0, 0.09), (lifts, 0.055)):
+            axes.plot(
+                [x, x],
+                [self.arrow_y - reach * r, self.arrow_y + reach * r],
+                color=palette.FAINT,
+                lw=0.9,
+                transform=ground,
+                zorder=2.5,
+                visible=self.largest > 0.0,
+            )
+
+    def show(self, s: float) -> "list[Artist]":
+        """Move everything to a pivot time and return what may have moved."""
+        theta, side = float(self.theta(s)), int(self.side(s))
+        ground = float(self.ground(s))
+        b, h = self.shape.half_width, self.shape.height
+        self._shift.clear().translate(0.0 if self.camera == "riding" else ground, 0.0)
+        if self.camera == "following":
+            self.axes.set_xlim(ground - self.half, ground + self.half)
+        self._turn.clear().rotate_around(-b if side > 0 else b, 0.0, theta)
+        over = self.trajectory.overturn_s
+        fallen = over is not None and s >= over
+        self.body.set_facecolor(palette.OVERTURNED if fallen else palette.BLOCK)
+        self.lever.set_color("white" if fallen else palette.INK)
+        self.lever.set_data(([-side * b, 0.0], [0.0, 0.5 * h]) if side else ([], []))
+        corners = [-side * b] if side else [-b, b]
+        self.pivots.set_data(corners, [0.0] * len(corners))
+        self._flash(s)
+        self._push(float(self.trajectory.base_acceleration(s)))
+        angle = float(self.trajectory(s).angle)
+        self.clock.set_text(self._time(s))
+        degrees = math.degrees(angle * self.shape.alpha)
+        self.tilt.set_text(f"θ = {signed(angle, 2)} α = {signed(degrees, 1)}°")
+        self.verdict.set_text("overturned" if fallen else "" if side else "at rest")
+        return self.moving
+
+    def _time(self, s: float) -> str:
+        """Return a pivot time as it stands in the picture."""
+        if self.trajectory.block is not None:
+            return f"t = {s / self.trajectory.block.p:.2f} s"
+        return f"pt = {s:.2f}"
+
+    def _flash(self, s: float) -> None:
+        """Draw a ring at each corner that has struck, wider and fainter the longer ago."""
+        impacts = self.trajectory.impacts
+        first, last = np.searchsorted(impacts.s, [s - self.glow, s], side="right")
+        age = (s - impacts.s[first:last]) / self.glow
+        strength = np.sqrt(np.abs(impacts.velocity_before[first:last]) / self.strongest)
+        for side, ring in self.rings.items():
+            # A block that falls from its positive side stood on the left corner: the right strikes.
+            bright = np.where(impacts.side[first:last] == side, (1.0 - age**2) * strength, 0.0)
+            seen = bright.max(initial=0.0)
+            ring.set_visible(bool(seen > 0.01))
+            if ring.get_visible():
+                since = float(age[bright.argmax()])
+                ring.set(
+                    alpha=float(seen),
+                    markersize=7.0 + 24.0 * since,
+                    markeredgewidth=3.2 - 2.0 * since,
+                )
+
+    def _push(self, acceleration: float) -> None:
+        """Draw the arrow of the base acceleration, in units of alpha g."""
+        r, tip = self.shape.radius, self.arrow_length * acceleration / max(self.largest, 1.0)
+        head = math.copysign(min(abs(tip), 0.15 * r), tip)
+        x = np.array([0.0, tip - head, tip - head, tip, tip - head, tip - head, 0.0])
+        y = np.array([0.024, 0.024, 0.075, 0.0, -0.075, -0.024, -0.024]) * r
+        self.arrow.set_xy(np.column_stack([x, self.arrow_y + y]))
+        self.push.set_text(f"a = {signed(acceleration, 2)} αg" if self.largest > 0.0 else "")
+
+
+def signed(value: float, digits: int) -> str:
+    """Return a number with its sign, as the tick labels write it, and none where it shows 0."""
+    text = f"{value:+.{digits}f}" if abs(value) < 1e5 else f"{value:+.{digits}e}"
+    return text[1:] if float(text) == 0.0 else text.replace("-", "−")
