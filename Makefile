@@ -36,10 +36,10 @@ help: ## list the commands
 		/^[.a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 .PHONY: demo
-demo: .venv ## rock one block: its steady states and a time history, plots in out/
+demo: .venv ## do a whole paper again, and film a block that falls; pictures and a report in out/
 	@mkdir -p out
-	$(BIN)/rocksteady steady --block tso-wong-1989 -A 2 -W 4 --plot out/steady.png --force
-	$(BIN)/rocksteady simulate --block tso-wong-1989 -A 2 -W 1.7 --start steady --cycles 40 --plot out/simulate.png --force
+	$(BIN)/rocksteady simulate --block tso-wong-1989 -A 2 -W 1.7 --start steady --cycles 40 --plot out/simulate.png --animate out/simulate.gif --force
+	$(BIN)/rocksteady paper --out out/tso-wong-1989 --force
 
 .PHONY: test
 test: .venv ## run every check, the tests marked slow excepted

@@ -115,6 +115,8 @@ def plot_regions(
     >>> print(axes.get_ylim()[1], [number.get_text() for number in axes.texts])
     6.0 ['1', '2', '4']
     """
+    from matplotlib.patheffects import withStroke
+
     axes = axes_or_new(ax)
     w = curves.frequency_ratio
     ceiling = top if top is not None else max(6.0, 1.3 * point[1] if point is not None else 0.0)
@@ -169,7 +171,14 @@ def plot_regions(
         legend_inside(axes, taken[0])
     for region, where in region_centres(curves, ceiling, floor, taken=taken, point=point).items():
         axes.annotate(
-            str(region), where, ha="center", va="center", fontsize=9.5, color=palette.NUMBER
+            str(region),
+            where,
+            ha="center",
+            va="center",
+            fontsize=9.5,
+            color=palette.NUMBER,
+            path_effects=[withStroke(linewidth=2.5, foreground="white")],
+            zorder=4.0,
         )
     return axes
 
