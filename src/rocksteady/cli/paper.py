@@ -71,6 +71,8 @@ def print_summary(study: "Study", out: Path, files: list[Path]) -> None:
     from rich.console import Console
     from rich.table import Table
 
+    from rocksteady.studies.tso_wong_1989.findings import corrected
+
     console = Console(highlight=False, soft_wrap=True)
     if study.claims:
         counts = ", ".join(
@@ -80,9 +82,8 @@ def print_summary(study: "Study", out: Path, files: list[Path]) -> None:
         table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
         table.add_column(no_wrap=True)
         table.add_column()
-        for claim in study.claims:
-            if claim.verdict.value == "corrected":
-                table.add_row(claim.id, claim.statement)
+        for claim in corrected(study.claims):
+            table.add_row(claim.id, claim.statement)
         console.print("not as the paper says:", style="bold")
         Console(highlight=False).print(table)
     console.print(f"{len(files)} files in {out}")

@@ -1,5 +1,6 @@
 """What the study finds: a verdict on each statement of the paper, and a panel for each figure."""
 
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -74,6 +75,13 @@ class Claim:
     def verdict(self) -> Verdict:
         """Reproduced, corrected or not checkable."""
         return self.finding.verdict
+
+
+def corrected(claims: Sequence[Claim]) -> list[Claim]:
+    """Return the corrected statements: those numbered E1 to E9 first, the others in their order."""
+    found = [claim for claim in claims if claim.verdict is Verdict.CORRECTED]
+    numbered = [claim for claim in found if re.fullmatch(r"E\d", claim.id)]
+    return [*sorted(numbered, key=lambda claim: claim.id), *(c for c in found if c not in numbered)]
 
 
 @dataclass(frozen=True, kw_only=True)

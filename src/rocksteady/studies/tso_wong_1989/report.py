@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from rocksteady.show.report import render
-from rocksteady.studies.tso_wong_1989.findings import Claim, Panel, Verdict
+from rocksteady.studies.tso_wong_1989.findings import Claim, Panel, Verdict, corrected
 
 WORDS = {
     Verdict.REPRODUCED: ("reproduced", "agrees"),
@@ -91,9 +91,7 @@ def report_html(
         __package__,
         "report.html.j2",
         claims=claims,
-        corrected=sorted(
-            (claim for claim in claims if claim.verdict is Verdict.CORRECTED), key=_known_first
-        ),
+        corrected=corrected(claims),
         counts=Counter(claim.verdict for claim in claims),
         environment=environment,
         groups=[(number, list(members)) for number, members in groups],
@@ -128,12 +126,6 @@ def figure_number(panel: str) -> str:
     ('12', '10')
     """
     return re.split(r"\D", panel, maxsplit=1)[0]
-
-
-def _known_first(claim: Claim) -> tuple[int, str]:
-    """Return a key that puts the numbered corrections, E1 to E9, before the others."""
-    numbered = re.fullmatch(r"E\d", claim.id)
-    return (0, claim.id) if numbered else (1, "")
 
 
 def _entry(section: ReportedPanel, claims: Sequence[Claim]) -> _Entry:
