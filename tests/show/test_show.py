@@ -216,6 +216,21 @@ def test_a_legend_stays_inside_its_axes(draw: Callable[[Axes | None], Axes]) -> 
     assert box.y0 <= frame.y0 < frame.y1 <= box.y1
 
 
+def test_a_key_beside_the_regions_leaves_the_axes_to_the_curves() -> None:
+    figure = Figure(figsize=(7.0, 4.0), layout="constrained")
+    axes = plot_regions(curves(), figure.add_subplot(), key="beside")
+    figure.draw_without_rendering()
+    legend = axes.get_legend()
+    assert legend is not None
+    frame, box = legend.get_window_extent(), axes.get_window_extent()
+    assert box.x1 < frame.x0 < frame.x1 <= figure.bbox.x1
+    inside = plot_regions(curves(), Figure().add_subplot())
+    assert legend_of(axes) == legend_of(inside)
+    # region 5 is in the corner that a legend inside would take
+    numbers = {text.get_text() for text in axes.texts}
+    assert {text.get_text() for text in inside.texts} <= numbers == {"1", "2", "3", "4", "5"}
+
+
 def test_the_legend_of_the_regions_leaves_point_and_numbers_free() -> None:
     for point in ((2.0, 5.5), (13.0, 5.5), (1.0, 0.2), (13.0, 0.2)):
         axes = plot_regions(curves(), Figure(figsize=(5.0, 4.4)).add_subplot(), point=point)
@@ -282,6 +297,26 @@ def test_curves_of_several_orders_and_branches_are_told_apart() -> None:
     labels = legend_of(plot_response(mixed, Figure().add_subplot()))
     assert len(set(labels)) == 3
     assert "A = 2, n = 3, branch 1" in labels
+
+
+def test_curves_are_labelled_as_the_caller_says() -> None:
+    drawn = responses()
+    names = ["soft", "middling", "hard"]
+    axes = plot_response(drawn, Figure().add_subplot(), labels=names)
+    assert legend_of(axes) == names
+    for name, curve in zip(names, drawn, strict=True):
+        (line,) = (line for line in axes.lines if line.get_label() == name)
+        solid = np.where(curve.stable, curve.peak, math.nan)
+        np.testing.assert_array_equal(np.asarray(line.get_ydata(), dtype=float), solid)
+
+
+@pytest.mark.parametrize(("top", "balance"), [(0.4, False), (1.0, False), (1.5, True)])
+def test_the_peak_axis_ends_where_the_caller_says(top: float, balance: bool) -> None:
+    curve = response_curve(BARE, 2.0, frequency_ratio=np.linspace(0.5, 12.0, 80))
+    axes = plot_response([curve], Figure().add_subplot(), top=top)
+    assert axes.get_yscale() == "linear", "however much the peaks span"
+    assert axes.get_ylim() == (0.0, top)
+    assert ([text.get_text() for text in axes.texts] == [r"$|\theta| = \alpha$"]) == balance
 
 
 def test_the_numbers_of_the_regions_stand_in_their_regions() -> None:

@@ -1,4 +1,4 @@
-"""The whole study, computed once for every test of a process; and evidence that is tampered with."""
+"""The whole study, computed once for all tests of a process; and evidence tampered with."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -19,8 +19,10 @@ from rocksteady.studies.tso_wong_1989.study import Study, TimedPanel, reproduce
 
 UNSTABLE = ("8a", "8b", "8c", "9a", "9b", "9c", "11a", "12b", "12c", "12d", "13b", "13c", "13d")
 STABLE = ("10", "11b", "12a", "13a")
-HISTORIES = ("8a", "8b", "8c", "9a", "9b", "9c", "10", "11a", "11b")
-HISTORIES += ("12a", "12b", "12c", "12d", "13a", "13b", "13c", "13d")
+HISTORIES = (
+    *("8a", "8b", "8c", "9a", "9b", "9c", "10", "11a", "11b"),
+    *("12a", "12b", "12c", "12d", "13a", "13b", "13c", "13d"),
+)
 PANELS = ("3a", "3b", "4a", "4b", "5a", "5b", "6a", "6b", "7a", "7b", *HISTORIES)
 """Every figure of the paper that is computed, as the reference results list them."""
 
@@ -34,6 +36,11 @@ def evidence() -> Evidence:
 def finding(name: str) -> Finding:
     """The outcome of one statement on the true evidence."""
     return found(name, evidence())
+
+
+def values(name: str) -> dict[str, Any]:
+    """The numbers behind it."""
+    return dict(finding(name).values)
 
 
 def found(name: str, on: Evidence) -> Finding:
