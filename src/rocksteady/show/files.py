@@ -49,7 +49,11 @@ def save_whole(name: str, file: Path, write: Callable[[Path], object]) -> None:
 
 
 def figure_bytes(figure: "Figure", kind: str) -> bytes:
-    """Return a figure as a file of a kind, "png", "svg" or "pdf": the same bytes each time."""
+    """Return a figure as a file of a kind, "png", "svg" or "pdf".
+
+    A figure that has not been drawn before gives the same bytes each time; drawing it settles its
+    layout, which may move by a pixel when it is drawn again.
+    """
     from io import BytesIO
 
     from rocksteady.show import palette

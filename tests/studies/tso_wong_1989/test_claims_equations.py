@@ -72,6 +72,7 @@ FALSE: dict[str, Tamper] = {
     "eq-9": lambda patch: run_with(patch, restitution=0.999),
     "E4": mirrored_for_all_orders,
     "eq-10-13": lambda _: sampled(phase=states().phase + 1e-6),
+    "eq-14-17": lambda _: sampled(phase=states().phase + 1e-6),
     "eq-18-19": lambda _: sampled(velocity=states().velocity * (1.0 + 1e-6)),
     "eq-20-22": lambda _: sampled(phase=states().phase + 1e-5),
     "eq-23": lambda _: sampled(existence=states().existence * 1.001),

@@ -233,7 +233,7 @@ def test_a_run_that_seems_to_stay_does_not_make_an_unstable_motion_stable(
 
 def test_e6_sorts_every_unstable_motion_by_what_its_fate_depends_on() -> None:
     came = values("E6")
-    lists = {name: list(found_) for name, found_ in came.items()}
+    lists = {name: list(found_) for name, found_ in came.items() if name != "most_changes"}
     together = [figure for found_ in lists.values() for figure in found_]
     assert sorted(together) == sorted(UNSTABLE)
     for name in UNSTABLE:

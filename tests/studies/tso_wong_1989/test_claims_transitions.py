@@ -66,6 +66,17 @@ def another_boundary(monkeypatch: pytest.MonkeyPatch) -> Evidence:
     return evidence()
 
 
+def one_motion_each(monkeypatch: pytest.MonkeyPatch) -> Evidence:
+    """A world in which only the harmonic motion is ever stable."""
+
+    def states(*arguments: Any, order: int, **more: Any) -> Any:
+        made = steady_states(*arguments, order=order, **more)
+        return replace(made, trace=np.full_like(made.trace, 3.0)) if order > 1 else made
+
+    monkeypatch.setattr(transitions, "steady_states", states)
+    return evidence()
+
+
 def a_subharmonic_somewhere(monkeypatch: pytest.MonkeyPatch) -> Evidence:
     fates = [evidence().histories["9c"].fates[1]]
 
@@ -78,6 +89,8 @@ def a_subharmonic_somewhere(monkeypatch: pytest.MonkeyPatch) -> Evidence:
 
 
 FALSE: dict[str, Tamper] = {
+    "transitions": lambda _: with_histories(figure_12d="8b"),
+    "several-motions": one_motion_each,
     "fig-12a": lambda _: with_histories(figure_12a="12b"),
     "fig-12b": lambda _: with_histories(figure_12b="12d"),
     "fig-12c": lambda _: with_histories(figure_12c="12b"),

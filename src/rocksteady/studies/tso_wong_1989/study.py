@@ -2,12 +2,13 @@
 
 import os
 import platform
-import shutil
+import re
 import time
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from tempfile import mkdtemp
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from rocksteady import InputError, OutputError, __version__
@@ -99,7 +100,7 @@ class Study:
     ) -> list[Path]:
         """Write the figures with their data and, for the whole study, statements and report.
 
-        Everything is drawn into a folder beside it first and moved there at the end.
+        Everything is drawn into a hidden folder in it first and moved out of that at the end.
 
         Parameters
         ----------
@@ -123,18 +124,20 @@ class Study:
         target = Path(folder)
         only = () if self.claims else [timed.panel.id for timed in self.panels]
         check_folder(target, only, force=force)
+        made = not target.is_dir()
         try:
-            stage = Path(mkdtemp(prefix=f".{target.name}.partial-", dir=target.absolute().parent))
-        except OSError as error:
-            raise _unwritable(target, error) from error
-        try:
-            self._write(stage, done)
             target.mkdir(exist_ok=True)
-            return [file.replace(target / file.name) for file in sorted(stage.iterdir())]
+            # Inside the target, so that moving never crosses from one disk to another.
+            with TemporaryDirectory(prefix=".partial-", dir=target) as stage:
+                self._write(Path(stage), done)
+                made = False  # from here on it holds something
+                return [file.replace(target / file.name) for file in sorted(Path(stage).iterdir())]
         except OSError as error:
             raise _unwritable(target, error) from error
         finally:
-            shutil.rmtree(stage, ignore_errors=True)
+            if made:
+                with suppress(OSError):
+                    target.rmdir()
 
     def _write(self, stage: Path, done: Callable[[str], None]) -> None:
         """Write every file into a folder that nobody sees yet."""
@@ -263,15 +266,11 @@ def check_folder(folder: Path | str, only: Sequence[str] = (), *, force: bool = 
     """
     target = Path(folder)
     parent = target.absolute().parent
-    stems = [f"figure-{name}" for name in chosen_figures(only)]
-    stems += [] if only else ["claims", "report"]
+    names = "|".join(re.escape(name) for name in chosen_figures(only))
+    ours = rf"figure-({names})(\.png|\.svg|(-\w+)?\.csv)"
+    ours += "" if only else r"|claims\.json|report\.html"
     if target.is_dir() and not force:
-        # figure-8a.png and figure-8a-fates.csv belong to figure 8a; figure-8ab.png does not.
-        held = sorted(
-            file.name
-            for file in target.iterdir()
-            if any(file.stem == stem or file.stem.startswith(f"{stem}-") for stem in stems)
-        )
+        held = sorted(file.name for file in target.iterdir() if re.fullmatch(ours, file.name))
         if held:
             raise OutputError(
                 name="out",
@@ -279,7 +278,7 @@ def check_folder(folder: Path | str, only: Sequence[str] = (), *, force: bool = 
                 valid=f"it holds {held[0]}" + (f" and {len(held) - 1} more" if held[1:] else ""),
                 hint="add --force to replace them, or name another folder",
             )
-    if target.exists() and not target.is_dir():
+    if os.path.lexists(target) and not target.is_dir():
         valid, hint = "it is a file", "name a folder"
     elif not parent.is_dir():
         valid, hint = "the folder it would be in does not exist", "create that folder"

@@ -55,13 +55,15 @@ def scientific(value: float) -> str:
 
     Examples
     --------
-    >>> scientific(3.4e-16), scientific(0.4), scientific(0.0), scientific(2.3e12)
-    ('3.4·10⁻¹⁶', '0.40', '0', '2.3·10¹²')
+    >>> scientific(3.4e-16), scientific(0.4), scientific(123.4), scientific(2.3e12)
+    ('3.4·10⁻¹⁶', '0.40', '123', '2.3·10¹²')
     """
     if value == 0.0:
         return "0"
     if 0.01 <= value < 1000.0:
-        return f"{value:.2f}" if value < 1.0 else f"{value:.2g}"
+        return (
+            f"{value:.0f}" if value >= 10.0 else f"{value:.2f}" if value < 1.0 else f"{value:.1f}"
+        )
     digits, power = f"{value:.1e}".split("e")
     return f"{digits}·10{str(int(power)).translate(SUPERSCRIPTS)}"
 

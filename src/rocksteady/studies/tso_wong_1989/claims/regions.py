@@ -29,7 +29,7 @@ def first_phase(evidence: Evidence) -> Finding:
     right = int(((phase > 0.0) & (phase < 0.5 * math.pi))[above].sum())
     left = int(((phase > 0.5 * math.pi) & (phase < math.pi))[below].sum())
     return Finding(
-        holds=right == above.sum() and left == below.sum(),
+        holds=bool(right == above.sum() and left == below.sum()),
         detail=f"So it is at {right} of {int(above.sum())} random points with Q > 1 and at {left} "
         f"of {int(below.sum())} with Q < 1.",
         values={"q_above_1": right, "q_below_1": left},
@@ -50,7 +50,7 @@ def second_phase(evidence: Evidence) -> Finding:
     right = int(((phase > 0.0) & (phase < 0.5 * math.pi))[below].sum())
     negative = int(((phase > -0.5 * math.pi) & (phase < 0.0))[above].sum())
     return Finding(
-        holds=right == below.sum() and negative == above.sum(),
+        holds=bool(right == below.sum() and negative == above.sum()),
         detail=f"So it is at {right} of {int(below.sum())} random points with P < Q and at "
         f"{negative} of {int(above.sum())} with P > Q.",
         values={"p_below_q": right, "p_above_q": negative},
@@ -98,7 +98,8 @@ def boundaries_in_amplitude(evidence: Evidence) -> Finding:
     return Finding(
         holds=bool(agree.all()) and worst < 1e-12,
         detail=f"Both hold at {int(agree.sum())} of {len(agree)} random points; the package's "
-        f"boundaries equal the formulae within {scientific(worst)}.",
+        f"boundaries equal the formulae within {scientific(worst)}. (The scan does not tell ≥ from "
+        "≤ here; these are the directions that hold.)",
         values={"agree": int(agree.sum()), "points": len(agree), "difference": worst},
     )
 
@@ -321,8 +322,8 @@ def region_that_grows(evidence: Evidence) -> Finding:
         f"{growth[1]:.2f}-fold, from {percent(few.shares[1])} to {percent(many.shares[1])} of the "
         f"window, downwards into regions 3 and 4. Region 2 goes from {percent(few.shares[2])} to "
         f"{percent(many.shares[2])}; its gain, {percent(gained)}, is what region 5 had "
-        f"({percent(few.shares[5])}). Its lower boundary (24) does not depend on δ (it moves by "
-        f"{scientific(moved)}).",
+        f"({percent(few.shares[5])}). The boundary between the two, (24), does not depend on δ (it "
+        f"moves by {scientific(moved)}).",
         values={"growth": growth, "boundary_moves": moved, "region_5": few.shares[5]},
     )
 
@@ -353,9 +354,9 @@ def too_large(_: Evidence) -> Finding:
             int(states.stable[0].sum()),
         )
     return Finding(
-        holds=counts[1][0] == 0,
+        holds=counts[1][0] == counts[3][0] == 0,
         detail="Too small: yes, below (23). Too large: the algebra has no such bound, and the "
-        "out-of-phase solution exists at every amplitude above (23). At amplitudes up to 20 times "
+        "out-of-phase solution exists at every amplitude above (25). At amplitudes up to 20 times "
         f"that at which region 2 begins it is an admissible motion for n = 1 at {counts[1][0]} of "
         f"{points} random points. For n = 3 at {counts[3][0]}; the others all begin upwards "
         f"({counts[3][1]} do) and dip through the floor within their half cycle. What does end is "

@@ -107,7 +107,8 @@ def figure_12a(evidence: Evidence) -> Finding:
 
 @STATEMENTS.add(
     "fig-12b",
-    "At Ω = 1.9 it is unstable, and the block shifts to a stable unsymmetric harmonic motion.",
+    "At A = 2, Ω = 1.9 the symmetric harmonic motion is unstable, and the block shifts to a stable "
+    "unsymmetric one.",
     page=105,
     figures=("12b",),
 )
@@ -118,7 +119,8 @@ def figure_12b(evidence: Evidence) -> Finding:
 
 @STATEMENTS.add(
     "fig-12c",
-    "At Ω = 1.8 the block shifts to a stable unsymmetric harmonic motion as well.",
+    "At A = 2, Ω = 1.8 the block shifts from the symmetric harmonic motion to a stable unsymmetric "
+    "one.",
     page=105,
     figures=("12c",),
 )
@@ -129,7 +131,7 @@ def figure_12c(evidence: Evidence) -> Finding:
 
 @STATEMENTS.add(
     "fig-12d",
-    "At Ω = 1.7 the block overturns.",
+    "At A = 2, Ω = 1.7 the block leaves the symmetric harmonic motion and overturns.",
     page=105,
     figures=("12d",),
 )
@@ -140,7 +142,7 @@ def figure_12d(evidence: Evidence) -> Finding:
 
 @STATEMENTS.add(
     "asymmetry-grows",
-    "The asymmetry increases as the frequency falls further.",
+    "The asymmetry of the harmonic motion increases as the frequency falls further.",
     page=105,
     figures=("12b", "12c"),
 )
@@ -168,7 +170,7 @@ def asymmetry_grows(_: Evidence) -> Finding:
 
 @STATEMENTS.add(
     "fig-13a",
-    "At Ω = 4.4 the symmetric 1/3 subharmonic is stable.",
+    "At A = 2, Ω = 4.4 the symmetric 1/3 subharmonic is stable.",
     page=105,
     figures=("13a",),
 )
@@ -179,18 +181,19 @@ def figure_13a(evidence: Evidence) -> Finding:
 
 @STATEMENTS.add(
     "fig-13b",
-    "At Ω = 4.2 it is unstable, and the block settles to an unsymmetric 1/3 subharmonic.",
+    "At A = 2, Ω = 4.2 the symmetric 1/3 subharmonic is unstable, and the block settles to an "
+    "unsymmetric one.",
     page=105,
     figures=("13b",),
 )
 def figure_13b(evidence: Evidence) -> Finding:
     """Compare the fates."""
-    return fate_finding(evidence.histories["13b"], Kind.SUBHARMONIC, period=3)
+    return fate_finding(evidence.histories["13b"], Kind.SUBHARMONIC, period=3, symmetric=False)
 
 
 @STATEMENTS.add(
     "fig-13c",
-    "At Ω = 3.6 no 1/3 subharmonic is stable, and the block settles to the harmonic motion.",
+    "At A = 2, Ω = 3.6 the block leaves the symmetric 1/3 subharmonic for the harmonic motion.",
     page=105,
     figures=("13c",),
 )
@@ -201,7 +204,7 @@ def figure_13c(evidence: Evidence) -> Finding:
 
 @STATEMENTS.add(
     "no-subharmonic-at-3.6",
-    "At Ω = 3.6 no form of 1/3 subharmonic is stable.",
+    "At A = 2, Ω = 3.6 no form of 1/3 subharmonic is stable.",
     page=105,
     figures=("13c",),
 )
@@ -210,7 +213,8 @@ def no_subharmonic(_: Evidence) -> Finding:
     ratio = 3.6
     found: dict[str, int] = {}
     velocities = np.linspace(-1.4, 1.4, 29)
-    phases = np.linspace(0.0, 2.0 * math.pi, 32, endpoint=False)
+    # Half a period is enough: the other half starts from the mirror images of these states.
+    phases = np.linspace(0.0, math.pi, 32, endpoint=False)
     block = DimensionlessBlock(restitution=RESTITUTION)
     for phase in phases:
         for velocity in velocities:
@@ -234,13 +238,74 @@ def no_subharmonic(_: Evidence) -> Finding:
 
 @STATEMENTS.add(
     "fig-13d",
-    "At Ω = 3.0 the block overturns after a few subharmonic cycles.",
+    "At A = 2, Ω = 3.0 the block overturns after a few subharmonic cycles.",
     page=105,
     figures=("13d",),
 )
 def figure_13d(evidence: Evidence) -> Finding:
     """Compare the fates."""
     return fate_finding(evidence.histories["13d"], Kind.OVERTURNED)
+
+
+@STATEMENTS.add(
+    "transitions",
+    "Leaving a steady motion ends in overturning in some instances, and in another steady motion, "
+    "as from 1/3 subharmonic to harmonic, in others.",
+    page=90,
+    figures=("9b", "12d", "13c"),
+)
+def ways_out(evidence: Evidence) -> Finding:
+    """Count the motions that are always left for overturning, and always for another motion."""
+    always: dict[str, list[str]] = {}
+    for name, history in evidence.histories.items():
+        if history.stable:
+            continue
+        kinds = {fate.kind for fates in history.fates_over_kicks.values() for fate in fates}
+        if len(kinds) == 1:
+            always.setdefault(kinds.pop().value, []).append(name)
+    falls = always.get(Kind.OVERTURNED.value, [])
+    harmonic = always.get(Kind.SYMMETRIC.value, [])
+    down = [name for name in harmonic if evidence.histories[name].case.order > 1]
+    words = "; ".join(f"{kind} in Figs {', '.join(names)}" for kind, names in always.items())
+    return Finding(
+        holds=bool(falls) and bool(down),
+        detail=f"Left from every distance and on both sides, the fate is always {words}; from a "
+        f"1/3 subharmonic to a harmonic motion in {len(down)} of them.",
+        values={"always": always},
+    )
+
+
+@STATEMENTS.add(
+    "several-motions",
+    "For one amplitude and frequency of the excitation a block can respond in several ways.",
+    page=89,
+    figures=("9c",),
+)
+def several_motions(_: Evidence) -> Finding:
+    """Count stable symmetric motions of several orders at the points of the figures and others."""
+    amplitude = np.linspace(0.5, 6.0, 56)[:, np.newaxis]
+    ratio = np.linspace(1.0, 12.0, 111)
+    stable = np.sum(
+        [
+            steady_states(amplitude, ratio, RESTITUTION, order=order).stable.any(axis=0)
+            for order in (1, 3, 5)
+        ],
+        axis=0,
+    )
+    several = int((stable > 1).sum())
+    here = [
+        order
+        for order in (1, 3)
+        if steady_states(AMPLITUDE, 6.0, RESTITUTION, order=order).stable.any()
+    ]
+    return Finding(
+        holds=several > 0,
+        detail=f"On {several} of {stable.size} points (A 0.5 to 6, Ω 1 to 12, δ = 0.8) more than "
+        f"one symmetric motion of n = 1, 3, 5 is stable, on {int((stable > 2).sum())} three are; "
+        f"at A = 2, Ω = 6 those of n = {series(here)}. Up to A = 1 a block at rest stays there "
+        "as well.",
+        values={"several": several, "points": int(stable.size)},
+    )
 
 
 @STATEMENTS.add(
@@ -361,7 +426,7 @@ def peak_to_peak(evidence: Evidence) -> Finding:
         apart.append(abs(found / symmetric - 1.0))
         rows.append(
             f"Fig. {name}: {found:.5f} (from {signed(fate.lowest, '.5f')} to {fate.highest:.5f}) "
-            f"against {symmetric:.5f}, {signed(found / symmetric - 1.0, '+.1%')}"
+            f"against {symmetric:.5f}, {signed(found / symmetric - 1.0, '+.2%')}"
         )
     return Finding(
         holds=max(apart) < 0.1,
