@@ -131,7 +131,7 @@ def grows_with_p(evidence: Evidence) -> Finding:
     "Of two blocks of one shape and restitution under one excitation the larger always responds "
     "with the smaller amplitude.",
     page=89,
-    figures=("6a", "6b"),
+    see=("6a", "6b"),
 )
 def larger_block(_: Evidence) -> Finding:
     """Scale a block under one shaking in SI units, in one motion and across two stable ones."""

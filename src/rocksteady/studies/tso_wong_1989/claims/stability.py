@@ -121,8 +121,9 @@ def round_off(evidence: Evidence) -> Finding:
         f"|m|^(2N/n) over N periods. In double precision it reaches {SEEN} of the motion within "
         f"the paper's time axes in {len(left['double'])} of the {len(unstable)} unstable motions "
         f"(Figs {_names(left['double'])}) and not in Figs {_names(kept['double'])}; in single "
-        f"precision not in Figs {_names(kept['single'])}. Where the paper's run leaves one of the latter, "
-        "its starting values were coarser than rounding. The multipliers used here need no run.",
+        f"precision not in Figs {_names(kept['single'])}. Where the paper's run leaves one of the "
+        "latter, its starting values were coarser than rounding. The multipliers used here need no "
+        "run.",
         values={
             "growth": {name: history.growth for name, history in unstable.items()},
             "left": left,
