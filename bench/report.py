@@ -32,7 +32,9 @@ bisection to the last bit where the sign changes, overturned above an angle of 1
 {thinned} cells: their fate (overturned or not) agrees in {fates} (B1 and B2), their number of
 impacts in {counts}. **Steady**: Omega from 0.014 to 14, A from 0.006 to 6, restitution 0.8, n = 1;
 *with shapes* adds peak, number of extrema and admissibility to phase, velocity and the trace that
-decides on stability, for both branches.
+decides on stability, for both branches. **Attractors**: what a block settles to from rest, A from
+0.5 to 6, Omega from 0.5 to 10, restitution 0.8. **Orbits**: up to 3 forcing periods and 6 impacts
+at A = 1, Omega = 2, restitution 0.8, from 96 x 96 seeds.
 """
 
 
@@ -72,6 +74,8 @@ def main(source: Path, target: Path) -> None:
             goal = "guide 3 s" if "shapes" in label else "guide 0.1 s"
             each = f"{1e6 * seconds / points:.3f} µs a point"
             lines.append(Line(f"steady 1000 x 1000, {label}", duration(seconds), each, "", goal))
+        elif group == "orbits":
+            lines.append(orbits_line(name, b))
         elif group == "start":
             label = name.removeprefix("start[").removesuffix("]")
             goal = "guide 0.3 s" if "--help" in label else ""
@@ -82,6 +86,16 @@ def main(source: Path, target: Path) -> None:
     target.write_text(page(lines, machine, march), encoding="utf-8")
     if ratios and min(ratios) < NEEDED_RATIO:
         print(f"Sampling is {min(ratios):.1f} x slower where {NEEDED_RATIO:.0f} x is asked.")
+
+
+def orbits_line(name: str, result: dict[str, Any]) -> Line:
+    """Return the row of attractors over a grid, or of the orbits at a point."""
+    info, seconds = result["extra_info"], result["stats"]["median"]
+    if name == "attractors":
+        each = f"{1e6 * seconds / info['points']:.0f} µs a point"
+        return Line("attractors from rest, 50 x 50", duration(seconds), each, "", "")
+    each = f"{1e3 * seconds / info['orbits']:.1f} ms an orbit"
+    return Line(f"all {info['orbits']} orbits at a point", duration(seconds), each, "", "")
 
 
 def guide(unit: str) -> str:

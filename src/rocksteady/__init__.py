@@ -8,6 +8,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from rocksteady.dynamics.attractor import Attractor, AttractorKind, attractor
+    from rocksteady.dynamics.orbit import Orbit
+    from rocksteady.dynamics.orbits import orbits
     from rocksteady.dynamics.regions import (
         Boundaries,
         RegionMap,
@@ -19,6 +22,7 @@ if TYPE_CHECKING:
         symmetry_breaking_frequency,
     )
     from rocksteady.dynamics.response import ResponseCurve, response_curve
+    from rocksteady.dynamics.return_map import ImpactState, Passage, PassageKind, ReturnMap
     from rocksteady.dynamics.simulate import simulate
     from rocksteady.dynamics.start import Rest, State, Steady
     from rocksteady.dynamics.steady import SteadyOrbit, SteadyStates, steady_orbit, steady_states
@@ -30,6 +34,7 @@ if TYPE_CHECKING:
     from rocksteady.show.animation import animate
     from rocksteady.show.plots.block import plot_block
     from rocksteady.show.plots.motion import plot_base, plot_phase_portrait, plot_trajectory
+    from rocksteady.show.plots.orbits import plot_multipliers, plot_section
     from rocksteady.show.plots.steady import plot_orbit, plot_regions, plot_response
 else:
     # Out of the sight of type checkers, which would take every misspelt name to be of type object.
@@ -48,20 +53,27 @@ __version__ = "0.1.0"
 # Type checkers and editors read the imports above and the list below; Python reads the dict. That
 # the three agree is what tests/test_namespace.py checks.
 __all__ = [
+    "Attractor",
+    "AttractorKind",
     "Block",
     "Boundaries",
     "DimensionlessBlock",
     "Flights",
     "Harmonic",
+    "ImpactState",
     "Impacts",
     "InputError",
     "ModelError",
     "Motions",
+    "Orbit",
     "OutputError",
+    "Passage",
+    "PassageKind",
     "Piecewise",
     "RegionMap",
     "ResponseCurve",
     "Rest",
+    "ReturnMap",
     "RocksteadyError",
     "Segment",
     "Side",
@@ -74,17 +86,21 @@ __all__ = [
     "Trajectory",
     "__version__",
     "animate",
+    "attractor",
     "boundaries",
     "example_block",
     "heteroclinic_amplitude",
     "housner_restitution",
     "melnikov_amplitude",
+    "orbits",
     "plot_base",
     "plot_block",
+    "plot_multipliers",
     "plot_orbit",
     "plot_phase_portrait",
     "plot_regions",
     "plot_response",
+    "plot_section",
     "plot_trajectory",
     "region_map",
     "response_curve",
@@ -96,20 +112,27 @@ __all__ = [
 ]
 
 _DEFINED_IN = {
+    "Attractor": "rocksteady.dynamics.attractor",
+    "AttractorKind": "rocksteady.dynamics.attractor",
     "Block": "rocksteady.model.block",
     "Boundaries": "rocksteady.dynamics.regions",
     "DimensionlessBlock": "rocksteady.model.block",
     "Flights": "rocksteady.dynamics.trajectory",
     "Harmonic": "rocksteady.model.motions",
+    "ImpactState": "rocksteady.dynamics.return_map",
     "Impacts": "rocksteady.dynamics.trajectory",
     "InputError": "rocksteady.errors",
     "ModelError": "rocksteady.errors",
     "Motions": "rocksteady.dynamics.trajectory",
+    "Orbit": "rocksteady.dynamics.orbit",
     "OutputError": "rocksteady.errors",
+    "Passage": "rocksteady.dynamics.return_map",
+    "PassageKind": "rocksteady.dynamics.return_map",
     "Piecewise": "rocksteady.model.motions",
     "RegionMap": "rocksteady.dynamics.regions",
     "ResponseCurve": "rocksteady.dynamics.response",
     "Rest": "rocksteady.dynamics.start",
+    "ReturnMap": "rocksteady.dynamics.return_map",
     "RocksteadyError": "rocksteady.errors",
     "Segment": "rocksteady.model.motions",
     "Side": "rocksteady.model.block",
@@ -121,17 +144,21 @@ _DEFINED_IN = {
     "Still": "rocksteady.model.motions",
     "Trajectory": "rocksteady.dynamics.trajectory",
     "animate": "rocksteady.show.animation",
+    "attractor": "rocksteady.dynamics.attractor",
     "boundaries": "rocksteady.dynamics.regions",
     "example_block": "rocksteady.model.examples",
     "heteroclinic_amplitude": "rocksteady.dynamics.regions",
     "housner_restitution": "rocksteady.model.block",
     "melnikov_amplitude": "rocksteady.dynamics.regions",
+    "orbits": "rocksteady.dynamics.orbits",
     "plot_base": "rocksteady.show.plots.motion",
     "plot_block": "rocksteady.show.plots.block",
+    "plot_multipliers": "rocksteady.show.plots.orbits",
     "plot_orbit": "rocksteady.show.plots.steady",
     "plot_phase_portrait": "rocksteady.show.plots.motion",
     "plot_regions": "rocksteady.show.plots.steady",
     "plot_response": "rocksteady.show.plots.steady",
+    "plot_section": "rocksteady.show.plots.orbits",
     "plot_trajectory": "rocksteady.show.plots.motion",
     "region_map": "rocksteady.dynamics.regions",
     "response_curve": "rocksteady.dynamics.response",

@@ -9,11 +9,13 @@ from pathlib import Path
 import pytest
 
 from rocksteady import __version__
-from rocksteady.cli import app, flags, simulate, steady
+from rocksteady.cli import app, attractor, flags, orbits, simulate, steady
 from tests.cli.program import refused, rocksteady
 
-COMMANDS = ("steady", "simulate")
+COMMANDS = ("steady", "simulate", "attractor", "orbits")
 """Those that take shaking and a block."""
+ORDERED = ("steady", "simulate", "attractor")
+"""Those that take an order."""
 EVERY_COMMAND = (*COMMANDS, "paper")
 commands = pytest.mark.parametrize("command", COMMANDS)
 SHAKING = "-A 2 -W 4"
@@ -53,10 +55,6 @@ def process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[
         ("-A 2 -W 4 -r bouncy", ["--restitution/-r", "'bouncy'", "housner"]),
         ("-A 2 -W 4 -r housner", ["--restitution/-r", "'housner'", "block"]),
         ("-A 2 -W 4", ["--restitution/-r", "not given", "-r 0.8"]),
-        ("-A 2 -W 4 -r 0.8 -n 2", ["--order/-n", "2", "odd"]),
-        ("-A 2 -W 4 -r 0.8 -n 0", ["--order/-n", "0"]),
-        ("-A 2 -W 4 -r 0.8 -n -1", ["--order/-n", "-1"]),
-        ("-A 2 -W 4 -r 0.8 -n 1.5", ["--order", "'1.5'"]),
         ("-A 2 -r 0.8", ["--frequency-ratio/-W and --freq-hz", "neither"]),
         ("-W 4 -r 0.8", ["--amplitude/-A and --accel-g", "neither"]),
         ("-A 2 -W 4 -r 0.8 --accel-g 0.3", ["--accel-g", "0.3", "block"]),
@@ -93,6 +91,24 @@ def process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[
 )
 def test_bad_input_is_one_line_with_the_value(command: str, given: str, needles: list[str]) -> None:
     line = refused(f"{command} {given}")
+    for needle in needles:
+        assert needle in line, line
+
+
+@pytest.mark.parametrize("command", ORDERED)
+@pytest.mark.parametrize(
+    ("order", "needles"),
+    [
+        ("2", ["--order/-n = 2", "odd"]),
+        ("0", ["--order/-n = 0"]),
+        ("-1", ["--order/-n = -1"]),
+        ("1.5", ["--order", "'1.5'"]),
+    ],
+)
+def test_a_bad_order_is_one_line_with_the_value(
+    command: str, order: str, needles: list[str]
+) -> None:
+    line = refused(f"{command} {SHAKING} -r 0.8 -n {order}")
     for needle in needles:
         assert needle in line, line
 
@@ -220,8 +236,13 @@ def test_the_examples_in_the_help_run(
     command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    text = {"steady": steady.EXAMPLES, "simulate": simulate.EXAMPLES}[command]
-    examples = re.findall(r"^rocksteady (.*)$", text, flags=re.MULTILINE)
+    modules = {
+        "steady": steady,
+        "simulate": simulate,
+        "attractor": attractor,
+        "orbits": orbits,
+    }
+    examples = re.findall(r"^rocksteady (.*)$", modules[command].EXAMPLES, flags=re.MULTILINE)
     assert len(examples) >= 3
     for example in examples:
         assert rocksteady(example).code == 0, example
@@ -246,7 +267,15 @@ def test_version() -> None:
 
 
 @pytest.mark.parametrize(
-    "arguments", [["--help"], ["steady", "--help"], ["simulate", "-h"], ["--version"]]
+    "arguments",
+    [
+        ["--help"],
+        ["steady", "--help"],
+        ["simulate", "-h"],
+        ["attractor", "--help"],
+        ["orbits", "-h"],
+        ["--version"],
+    ],
 )
 def test_help_loads_nothing_heavy(arguments: list[str]) -> None:
     code = (

@@ -97,7 +97,7 @@ def test_it_is_the_direction_that_the_half_cycle_turns_into_its_multiple(
             abs(float(run.impacts.velocity_after[0])) / velocity - 1.0,
         )
 
-    x, y = unstable_direction(a, w, 0.8, phase, velocity, n * math.pi / w)
+    x, y = unstable_direction(a, w, 0.8, n, branch)
     direction = np.array([x, y / velocity])
     assert np.hypot(*direction) == pytest.approx(1.0)
     step = 1e-6

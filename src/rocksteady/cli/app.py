@@ -12,7 +12,7 @@ import typer
 from typer.exceptions import TyperException
 
 from rocksteady import __version__
-from rocksteady.cli import paper, simulate, steady
+from rocksteady.cli import attractor, orbits, paper, simulate, steady
 from rocksteady.cli.flags import FLAG_OF_ARGUMENT
 from rocksteady.errors import RocksteadyError
 
@@ -31,7 +31,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for command in (steady, simulate, paper):
+for command in (steady, simulate, attractor, orbits, paper):
     name = command.__name__.rpartition(".")[2]
     function = getattr(command, name)
     app.command(name, help=command.HELP, epilog=command.EXAMPLES)(function)

@@ -7,6 +7,7 @@ import typer
 
 BLOCK = "Block"
 MOTION = "Base motion"
+START = "Start and length"
 OUTPUT = "Output"
 
 FLAG_OF_ARGUMENT = {
@@ -29,6 +30,9 @@ FLAG_OF_ARGUMENT = {
     "velocity": "--start",
     "side": "--side",
     "kick": "--kick",
+    "max_period": "--max-period",
+    "max_impacts": "--max-impacts",
+    "seeds": "--seeds",
     "name": "--block",
     "per_unit": "--samples",
     "speed": "--speed",
@@ -95,6 +99,44 @@ Order = Annotated[
         help="Half periods of the shaking in one half cycle, odd: 1 harmonic, 3 the 1/3 "
         "subharmonic.",
         rich_help_panel=MOTION,
+    ),
+]
+Start = Annotated[
+    str,
+    typer.Option(
+        "--start",
+        metavar="START",
+        help="rest; steady or steady:2 (on branch 1 or 2 of order -n); U,DU (u and du/dtau); or "
+        "U,w=V (V = du/d(pt)).",
+        rich_help_panel=START,
+    ),
+]
+Side = Annotated[
+    str,
+    typer.Option(
+        "--side",
+        metavar="+|-",
+        help="Side of its unstable direction on which an unstable state is left.",
+        rich_help_panel=START,
+    ),
+]
+Kick = Annotated[
+    float | None,
+    typer.Option(
+        "--kick",
+        metavar="K",
+        help="How far from an unstable steady state the block is set off, default 1e-6: length of "
+        "(phase \\[rad], velocity over the orbit's).",
+        rich_help_panel=START,
+    ),
+]
+Phase = Annotated[
+    float | None,
+    typer.Option(
+        "--phase",
+        metavar="RAD",
+        help="Phase of the shaking at the start \\[rad], default 0; not with --start steady.",
+        rich_help_panel=START,
     ),
 ]
 NamedBlock = Annotated[

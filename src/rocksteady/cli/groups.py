@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from rocksteady.cli import flags
-from rocksteady.cli.inputs import MOST_AXIS_POINTS, axis, restitution_from
+from rocksteady.cli.inputs import MOST_AXIS_POINTS, axis, restitution_from, single
 from rocksteady.cli.outputs import check_writable
 from rocksteady.errors import InputError, ModelError, OutputError
 from rocksteady.model.block import STANDARD_GRAVITY, Block, DimensionlessBlock
@@ -81,6 +81,19 @@ class ShakingFlags:
                 hint="take fewer points",
             )
         return amplitudes, ratios
+
+    def at(self, block: Block | DimensionlessBlock, *, phase: float = 0.0) -> Harmonic:
+        """Return the one motion of flags that are no axes.
+
+        Raises
+        ------
+        InputError, ModelError
+            As for `of`; and if a value is an axis, or the phase is not finite.
+        """
+        amplitudes, ratios = self.of(block)
+        ratio = single("frequency_ratio", ratios)
+        amplitude = single("amplitude", amplitudes)
+        return Harmonic(amplitude=amplitude, frequency_ratio=ratio, phase=phase)
 
     @staticmethod
     def _amplitude(block: Block | DimensionlessBlock, accel_g: float) -> float:

@@ -1,14 +1,9 @@
-"""From the strings of the command line to numbers, axes and starts."""
+"""From the strings of the command line to numbers and axes."""
 
 import math
-from typing import TYPE_CHECKING
 
-from rocksteady.errors import InputError, ModelError
+from rocksteady.errors import InputError
 from rocksteady.model.block import Restitution
-from rocksteady.model.validation import odd_order
-
-if TYPE_CHECKING:
-    from rocksteady.dynamics.start import Start
 
 MOST_AXIS_POINTS = 1_000_000
 
@@ -115,51 +110,3 @@ def single(flag: str, values: list[float]) -> float:
             hint="give a number, not an axis",
         )
     return values[0]
-
-
-def start_from(
-    text: str, *, order: int, kick: float | None, frequency_ratio: float | None
-) -> "Start":
-    """Return the start that ``rest``, ``steady``, ``steady:2``, ``U,DU`` or ``U,w=V`` names.
-
-    Raises
-    ------
-    InputError
-        If the text is none of these.
-    """
-    from rocksteady.dynamics.start import KICK, Rest, State, Steady
-
-    odd_order(order)
-    if text in ("steady", "steady:1", "steady:2"):
-        branch = 2 if text.endswith("2") else 1
-        return Steady(branch=branch, order=order, kick=KICK if kick is None else kick)
-    for name, value, idle in (("order", order, order == 1), ("kick", kick, kick is None)):
-        if not idle:
-            raise ModelError(
-                name=name,
-                value=value,
-                valid=f"only a steady start has {'an order' if name == 'order' else 'a kick'}",
-                hint="add --start steady, or leave it out",
-            )
-    if text == "rest":
-        return Rest()
-    hint = "write rest, steady, steady:2, U,DU (du/dtau) or U,w=V (du/d(pt)), as 0.4,0 or 0.4,w=0"
-    first, comma, second = text.partition(",")
-    with_rate = second.startswith("w=")
-    try:
-        angle, velocity = float(first), float(second.removeprefix("w="))
-    except ValueError:
-        valid = "it is no known start" if not comma else "it is not two numbers"
-        raise InputError(name="start", value=text, valid=valid, hint=hint) from None
-    if not (math.isfinite(angle) and math.isfinite(velocity)):
-        raise InputError(name="start", value=text, valid="its numbers must be finite", hint=hint)
-    if with_rate:
-        return State(angle=angle, velocity=velocity)
-    if frequency_ratio is None:
-        raise InputError(
-            name="start",
-            value=text,
-            valid="du/dtau needs harmonic shaking",
-            hint="give du/d(pt) as U,w=V",
-        )
-    return State.per_tau(angle=angle, velocity=velocity, frequency_ratio=frequency_ratio)

@@ -16,6 +16,10 @@ if TYPE_CHECKING:
     from rocksteady.show.animation import Film
 
 
+INCOMPLETE = 3
+"""Exit code of a command that could not decide what it was asked."""
+
+
 def check_writable(flag: str, file: Path, *, force: bool) -> None:
     """Refuse a file that could not be written.
 

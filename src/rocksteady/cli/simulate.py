@@ -14,25 +14,24 @@ from rocksteady.cli.groups import (
     ShakingFlags,
     grouped,
 )
-from rocksteady.cli.inputs import single, start_from
 from rocksteady.cli.outputs import (
+    INCOMPLETE,
     announce_compilation,
     print_json,
     write_csv,
     write_figure,
     write_film,
 )
-from rocksteady.errors import InputError, ModelError, Status
+from rocksteady.cli.starts import StartFlags, refuse_without_shaking
+from rocksteady.cli.values import block_values, case_text, shaking_values
+from rocksteady.errors import InputError, Status
+from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic, Motion, Still
 from rocksteady.model.validation import whole_number
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.trajectory import Trajectory
     from rocksteady.show.animation import Film
-
-START = "Start and length"
-INCOMPLETE = 3
-STEADY = ("steady", "steady:1", "steady:2")
 
 HELP = (
     "One time history: every flight in closed form, every impact, overturning proved.\n\n"
@@ -47,51 +46,13 @@ EXAMPLES = (
     "rocksteady simulate --block tso-wong-1989 -A 4 -W 1.5 --animate fall.gif"
 )
 
-StartFlag = Annotated[
-    str,
-    typer.Option(
-        "--start",
-        metavar="START",
-        help="rest; steady or steady:2 (on branch 1 or 2 of order -n); U,DU (u and du/dtau); or "
-        "U,w=V (V = du/d(pt)).",
-        rich_help_panel=START,
-    ),
-]
-SideFlag = Annotated[
-    str,
-    typer.Option(
-        "--side",
-        metavar="+|-",
-        help="Side of its unstable direction on which an unstable state is left.",
-        rich_help_panel=START,
-    ),
-]
-KickFlag = Annotated[
-    float | None,
-    typer.Option(
-        "--kick",
-        metavar="K",
-        help="How far from an unstable steady state the block is set off, default 1e-6: length of "
-        "(phase \\[rad], velocity over the orbit's).",
-        rich_help_panel=START,
-    ),
-]
-PhaseFlag = Annotated[
-    float | None,
-    typer.Option(
-        "--phase",
-        metavar="RAD",
-        help="Phase of the shaking at the start \\[rad], default 0; not with --start steady.",
-        rich_help_panel=START,
-    ),
-]
 CyclesFlag = Annotated[
     float | None,
     typer.Option(
         "--cycles",
         metavar="N",
         help="Periods of the shaking to follow, default 50.",
-        rich_help_panel=START,
+        rich_help_panel=flags.START,
     ),
 ]
 SamplesFlag = Annotated[
@@ -112,11 +73,7 @@ def simulate(
     block: BlockFlags,
     output: OutputFlags,
     film: AnimationFlags,
-    start: StartFlag = "rest",
-    order: flags.Order = 1,
-    phase: PhaseFlag = None,
-    side: SideFlag = "+",
-    kick: KickFlag = None,
+    start: StartFlags,
     cycles: CyclesFlag = None,
     samples: SamplesFlag = 100,
 ) -> None:
@@ -124,39 +81,27 @@ def simulate(
     output.check()
     film.check(output)
     body = block.described()
-    if side not in ("+", "-"):
-        raise InputError(name="side", value=side, valid="it must be + or -", hint="give + or -")
     motion: Motion = Still()
-    ratio = None
     if shaking.given:
-        amplitudes, ratios = shaking.of(body)
-        ratio = single("frequency_ratio", ratios)
-        motion = Harmonic(
-            amplitude=single("amplitude", amplitudes),
-            frequency_ratio=ratio,
-            phase=0.0 if phase is None else phase,
-        )
-    check_start(start, shaken=ratio is not None, phase=phase, cycles=cycles)
+        motion = shaking.at(body, phase=start.first_phase)
+    start.check(shaken=shaking.given)
+    if not shaking.given:
+        refuse_without_shaking("--cycles", cycles)
     whole_number("per_unit", samples, at_least=1, hint="give rows per period")
 
     announce_compilation()
     from rocksteady.dynamics.simulate import simulate as run
 
-    begin = start_from(start, order=order, kick=kick, frequency_ratio=ratio)
-    try:
+    begin = start.of(motion.frequency_ratio if isinstance(motion, Harmonic) else None)
+    with start.as_typed():
         trajectory = run(
             body,
             motion,
             start=begin,
             cycles=50.0 if cycles is None else cycles,
-            side=1 if side == "+" else -1,
+            side=start.sign,
         )
-    except ModelError as error:
-        if error.name != "start":
-            raise
-        # What was typed, in place of the object that it has become.
-        raise ModelError(name="start", value=start, valid=error.valid, hint=error.hint) from error
-    values = trajectory_values(trajectory)
+    values = trajectory_values(trajectory, body)
     # Made before any file is written: a run that is too long to be shown is refused here.
     moving = None if film.animate is None else film_of_run(trajectory, film)
     if output.csv is not None:
@@ -164,7 +109,8 @@ def simulate(
     if output.plot is not None:
         from rocksteady.show.figures import simulation_figure
 
-        write_figure(output.plot, simulation_figure(trajectory, figure_title(values)))
+        title = f"Rocking block: {case_text(values)}"
+        write_figure(output.plot, simulation_figure(trajectory, title))
     if moving is not None and film.animate is not None:
         write_film(film.animate, moving)
     if output.as_json:
@@ -173,47 +119,6 @@ def simulate(
         print_summary(values, trajectory)
     if trajectory.status is Status.UNDECIDED:
         raise typer.Exit(INCOMPLETE)
-
-
-def check_start(start: str, *, shaken: bool, phase: float | None, cycles: float | None) -> None:
-    """Refuse flags that contradict each other.
-
-    Raises
-    ------
-    ModelError
-        If they do.
-    """
-    if start in STEADY and phase is not None:
-        raise ModelError(
-            name="--phase",
-            value=phase,
-            valid="a steady state decides its phase",
-            hint="leave --phase or --start steady out",
-        )
-    if shaken:
-        return
-    if start in STEADY:
-        raise ModelError(
-            name="--start",
-            value=start,
-            valid="a steady state needs shaking",
-            hint="give shaking with -A and -W, or another start as 0.5,w=0",
-        )
-    if start == "rest":
-        raise ModelError(
-            name="--start",
-            value=start,
-            valid="on a still base a block at rest stays there",
-            hint="give shaking with -A and -W, or let the block go: --start 0.5,w=0",
-        )
-    for flag, value in (("--phase", phase), ("--cycles", cycles)):
-        if value is not None:
-            raise ModelError(
-                name=flag,
-                value=value,
-                valid="without shaking it has no meaning",
-                hint="leave it out, or give shaking with -A and -W",
-            )
 
 
 def film_of_run(trajectory: "Trajectory", flags_of_film: AnimationFlags) -> "Film":
@@ -241,21 +146,21 @@ def film_of_run(trajectory: "Trajectory", flags_of_film: AnimationFlags) -> "Fil
         ) from error
 
 
-def trajectory_values(trajectory: "Trajectory") -> dict[str, Any]:
+def trajectory_values(trajectory: "Trajectory", body: Block | DimensionlessBlock) -> dict[str, Any]:
     """Return what the contract promises, in plain values."""
     motion, block = trajectory.motion, trajectory.block
-    restitution = float(trajectory.sides[0, 0])
     values: dict[str, Any] = {
         "status": trajectory.status.label,
         "peak": trajectory.peak,
         "impacts": len(trajectory.impacts),
         "flights": len(trajectory.rows),
-        "restitution": restitution,
+        "restitution": body.restitution,
     }
     if isinstance(motion, Harmonic):
-        values["amplitude"] = motion.amplitude
-        values["frequency_ratio"] = motion.frequency_ratio
+        values |= shaking_values(body, motion)
         values["phase"] = motion.phase
+    elif isinstance(body, Block):
+        values["block"] = block_values(body)
     if block is None:
         values["overturn_time_tau"] = trajectory.overturn_tau
         values["overturn_time_pt"] = trajectory.overturn_s
@@ -264,30 +169,7 @@ def trajectory_values(trajectory: "Trajectory") -> dict[str, Any]:
         values["overturn_time_s"] = trajectory.overturn_time_s
         values["rest_time_s"] = None if trajectory.rest_s is None else trajectory.rest_s / block.p
         values["peak_rad"] = trajectory.peak * block.alpha
-        values["block"] = {
-            "alpha_rad": block.alpha,
-            "radius_m": block.radius,
-            "p_rad_s": block.p,
-            "restitution": block.restitution,
-        }
-        if isinstance(motion, Harmonic):
-            values["accel_g"] = motion.acceleration_m_s2(block) / block.gravity
-            values["freq_hz"] = motion.frequency_hz(block)
     return values
-
-
-def figure_title(values: dict[str, Any]) -> str:
-    """Return one line that says what is drawn."""
-    parts = []
-    if "amplitude" in values:
-        parts.append(f"A = {values['amplitude']:g}, Ω = {values['frequency_ratio']:g}")
-    else:
-        parts.append("free rocking")
-    parts.append(f"restitution {values['restitution']:.4g}")
-    if "block" in values:
-        block = values["block"]
-        parts.append(f"α = {block['alpha_rad']:.4g} rad, p = {block['p_rad_s']:.4g} rad/s")
-    return "Rocking block: " + ", ".join(parts)
 
 
 def print_summary(values: dict[str, Any], trajectory: "Trajectory") -> None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from rocksteady.cli import flags
 from rocksteady.cli.groups import BlockFlags, OutputFlags, ShakingFlags, grouped
 from rocksteady.cli.outputs import announce_compilation, print_json, write_csv, write_figure
+from rocksteady.cli.values import block_values, multipliers_text, worth
 from rocksteady.errors import ModelError
 from rocksteady.model.block import Block, DimensionlessBlock
 
@@ -111,12 +112,7 @@ def point_values(
     }
     if isinstance(body, Block):
         ratio = values["frequency_ratio"]
-        values["block"] = {
-            "alpha_rad": body.alpha,
-            "radius_m": body.radius,
-            "p_rad_s": body.p,
-            "restitution": body.restitution,
-        }
+        values["block"] = block_values(body)
         values["accel_g"] = values["amplitude"] * body.uplift_acceleration / body.gravity
         values["freq_hz"] = ratio * body.p / (2.0 * math.pi)
     if region == 4:
@@ -181,12 +177,8 @@ def csv_rows(states: "SteadyStates") -> list[list[object]]:
 
 
 def verdict(solution: dict[str, Any]) -> str:
-    """Return in a word or two what a solution is worth."""
-    if not solution["admissible"]:
-        return "inadmissible"
-    if solution["neutral"]:
-        return "neutral"
-    return "stable" if solution["stable"] else "unstable"
+    """Return in a word what a solution is worth."""
+    return worth(**{name: bool(solution[name]) for name in ("admissible", "neutral", "stable")})
 
 
 def print_point(point: dict[str, Any]) -> None:
@@ -231,14 +223,6 @@ def print_point(point: dict[str, Any]) -> None:
     for label, text in rows:
         table.add_row(label, *(text(solution) for solution in point["solutions"]))
     console.print(table)
-
-
-def multipliers_text(multipliers: list[complex]) -> str:
-    """Return a pair of multipliers as people write it."""
-    first, second = multipliers
-    if first.imag != 0.0:
-        return f"{first.real:.6f} +- {abs(first.imag):.6f}i"
-    return f"{first.real:.6g}, {second.real:.6g}"
 
 
 def print_curves(states: "SteadyStates") -> None:

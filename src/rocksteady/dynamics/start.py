@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from rocksteady.dynamics.steady import steady_states, validated_branch
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.march import March, clock
-from rocksteady.kernels.saltation import impact_jacobian
+from rocksteady.kernels.symmetric import half_cycle_jacobian, symmetric_orbit
 from rocksteady.model.block import DimensionlessBlock
 from rocksteady.model.motions import Harmonic, Motion
 from rocksteady.model.validation import LARGEST, in_range, odd_order, positive
@@ -176,9 +176,7 @@ def _steady_state(
         )
     phase, velocity = float(states.phase[which]), float(states.velocity[which]) * w
     if not (states.stable[which] or states.neutral[which]):
-        shift_phase, shift_velocity = unstable_direction(
-            a, w, r, phase, velocity, start.order * math.pi / w
-        )
+        shift_phase, shift_velocity = unstable_direction(a, w, r, start.order, start.branch)
         phase += side * start.kick * shift_phase
         velocity += side * start.kick * shift_velocity
     shaken = Harmonic(amplitude=a, frequency_ratio=w, phase=phase)
@@ -186,21 +184,16 @@ def _steady_state(
 
 
 def unstable_direction(
-    amplitude: float,
-    frequency_ratio: float,
-    restitution: float,
-    phase: float,
-    velocity: float,
-    length: float,
+    amplitude: float, frequency_ratio: float, restitution: float, order: int, branch: int
 ) -> tuple[float, float]:
     """Return the unit eigenvector of the half cycle's larger multiplier, velocity part positive.
 
     Its measure is (phase, velocity / velocity of the orbit), so that "the positive side" means:
     with more velocity than the orbit has.
     """
-    j11, j12, j21, j22 = impact_jacobian(
-        amplitude, frequency_ratio, restitution, phase, velocity, length
-    )
+    orbit = symmetric_orbit(amplitude, frequency_ratio, restitution, order, branch)
+    velocity = frequency_ratio * orbit.velocity
+    j11, j12, j21, j22 = half_cycle_jacobian(amplitude, frequency_ratio, restitution, order, orbit)
     j12, j21 = j12 * velocity, j21 / velocity
     half = 0.5 * (j11 + j22)
     root = math.sqrt(max(0.25 * (j11 - j22) ** 2 + j12 * j21, 0.0))

@@ -8,35 +8,33 @@ Since y(T) = 0 for every start, ``dT = -(y_psi dpsi + y_v dv) / y'(T)``.
 import math
 
 from rocksteady.kernels.compilation import compiled
+from rocksteady.kernels.flight import Flight
+from rocksteady.kernels.forcing import Forcing
 
 
 @compiled
-def impact_jacobian(
-    amplitude: float,
-    frequency: float,
+def landing_jacobian(
+    forcing: Forcing,
     restitution: float,
-    phase: float,
-    velocity: float,
+    flight: Flight,
     time: float,
+    end_velocity: float,
+    end_sine: float,
+    end_cosine: float,
 ) -> tuple[float, float, float, float]:
-    """Return d(psi', v') / d(psi, v) row by row, for a flight of length `time` under -1 + A sin.
+    """Return d(psi', v') / d(psi, v) row by row, of a flight from angle 0 that lands at `time`.
 
-    The new phase is counted in the old side's frame; a change of side adds pi, which changes no
-    derivative.
+    `end_velocity`, `end_sine` and `end_cosine` are velocity and phase at the landing, which the
+    search for it has found: from the initial state they would lose digits in long flights.  The
+    forcing has no slope.  The new phase is counted in the old side's frame; a change of side adds
+    pi, which changes no derivative.
     """
-    beta = amplitude / (1.0 + frequency * frequency)
-    sine, cosine = math.sin(phase), math.cos(phase)
-    landing = phase + frequency * time
-    end_sine, end_cosine = math.sin(landing), math.cos(landing)
+    beta, frequency = forcing.beta, forcing.frequency
+    sine, cosine = flight.sine, flight.cosine
     grown = math.expm1(time)
     decayed = grown / (1.0 + grown)
     sinh, cosh_less_1 = 0.5 * (grown + decayed), 0.5 * grown * decayed
-    cosh = 1.0 + cosh_less_1
-
-    a = velocity + beta * frequency * cosine
-    b = beta * sine - 1.0
-    end_velocity = velocity + a * cosh_less_1 + b * sinh + beta * frequency * (cosine - end_cosine)
-    end_acceleration = amplitude * end_sine - 1.0
+    end_acceleration = forcing.constant + forcing.amplitude * end_sine
 
     angle_by_phase = (
         -beta * frequency * sine * sinh + beta * cosine * cosh_less_1 + beta * (cosine - end_cosine)
@@ -52,5 +50,5 @@ def impact_jacobian(
         1.0 + frequency * time_by_phase,
         frequency * time_by_velocity,
         -restitution * (velocity_by_phase + end_acceleration * time_by_phase),
-        -restitution * (cosh + end_acceleration * time_by_velocity),
+        -restitution * (1.0 + cosh_less_1 + end_acceleration * time_by_velocity),
     )

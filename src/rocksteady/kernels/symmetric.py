@@ -30,6 +30,7 @@ from rocksteady.kernels.compilation import compiled, inlined
 from rocksteady.kernels.extrema import largest_extremum
 from rocksteady.kernels.flight import LARGEST_EXPONENT, Flight, flight_state, wrapped
 from rocksteady.kernels.forcing import EPSILON, make_forcing
+from rocksteady.kernels.saltation import landing_jacobian
 from rocksteady.kernels.zeros import FOUND, next_zero
 
 Floats = NDArray[np.float64]
@@ -128,17 +129,18 @@ def orbit_of(
     beta = amplitude / (1.0 + frequency_ratio * frequency_ratio)
     p, q = half.tanh * frequency_ratio, half.tanh * half.tanh / beta  # P' and Q'
     length = 1.0 + d * d * p * p  # 1 + P^2
-    root = math.sqrt(length * (amplitude - half.existence) * (amplitude + half.existence))
-    root /= amplitude
+    # Ratios to the amplitude, not differences of squares over its square: that may underflow.
+    above, total = amplitude - half.existence, amplitude + half.existence
+    root = math.sqrt(length * (above / amplitude) * (total / amplitude))
     if branch == 1:
         s = (q + p * root) / length
         # Q^2 - 1 is P^2 - S^2 too: where P is small, near the fold, the distance from A25 is lost.
         cosine = (d * p - root) * (d * p + root)
         if d * p > 1.0:
-            cosine = (half.kind - amplitude) * (half.kind + amplitude) / (amplitude * amplitude)
+            cosine = (half.kind - amplitude) / amplitude * ((half.kind + amplitude) / amplitude)
         cosine /= d * d * p * q + root
     else:
-        s = p * p * (half.sign - amplitude) * (half.sign + amplitude) / (amplitude * amplitude)
+        s = p * p * ((half.sign - amplitude) / amplitude) * ((half.sign + amplitude) / amplitude)
         s /= q + p * root
         cosine = (d * d * p * q + root) / length
     sine = d * s + 0.0  # never -0.0, whose phase would be -0.0 or -pi
@@ -209,6 +211,21 @@ def half_cycle_flight(
         (last - first * decay) / span,
         length,
         (first - last * decay) / span,
+    )
+
+
+@compiled
+def half_cycle_jacobian(
+    amplitude: float, frequency_ratio: float, restitution: float, order: int, orbit: Symmetric
+) -> tuple[float, float, float, float]:
+    """Return the derivative of the half-cycle map in (phase, du/ds after impact), row by row."""
+    w = frequency_ratio
+    forcing = make_forcing(-1.0, 0.0, amplitude, w)
+    flight = half_cycle_flight(amplitude, w, order, orbit)
+    landing = -w * orbit.velocity / restitution  # eq 13
+    length = order * math.pi / w
+    return landing_jacobian(
+        forcing, restitution, flight, length, landing, -orbit.sine, -orbit.cosine
     )
 
 

@@ -11,15 +11,30 @@ import time
 
 import numpy as np
 
+from rocksteady.kernels.attractors import MEMORY, settle
 from rocksteady.kernels.cells import harmonic_fates, harmonic_segment
 from rocksteady.kernels.compilation import cache_folder
 from rocksteady.kernels.history import fill_states, highest, last_crossing
 from rocksteady.kernels.march import ROW_COLUMNS, SEGMENT_COLUMNS, March, clock, march
-from rocksteady.kernels.saltation import impact_jacobian
+from rocksteady.kernels.periodic import (
+    ORBIT_COLUMNS,
+    fill_peaks,
+    is_symmetric,
+    loss,
+    measured,
+    mirror,
+    multipliers,
+    polish,
+    put,
+    search,
+    state_at,
+)
+from rocksteady.kernels.section import make_system, next_passage, phase_between
 from rocksteady.kernels.symmetric import (
     fill_curves,
     fill_half_cycle,
     fill_steady,
+    half_cycle_jacobian,
     symmetric_orbit,
     symmetry_breaking,
 )
@@ -50,7 +65,7 @@ def warm() -> None:
     symmetry_breaking(4.0, 0.8, 1)
     fill_curves(4.0 * one, 0.8 * one, whole, np.zeros((5, 1)))
     fill_half_cycle(2.0, 4.0, 1, orbit, np.zeros(1), np.zeros((2, 1)))
-    impact_jacobian(2.0, 4.0, 0.8, orbit.phase, 4.0 * orbit.velocity, math.pi / 4.0)
+    half_cycle_jacobian(2.0, 4.0, 0.8, 1, orbit)
 
     segments = np.zeros((1, SEGMENT_COLUMNS))
     harmonic_segment(segments, 2.0, 4.0, orbit.phase)
@@ -76,6 +91,20 @@ def warm() -> None:
         np.zeros(1, dtype=np.int64),
         np.zeros((1, 3)),
     )
+
+    system = make_system(2.0, 4.0, sides)
+    memory, table = np.zeros((MEMORY, ORBIT_COLUMNS)), np.zeros((MEMORY, ORBIT_COLUMNS))
+    settle(system, 0, 0, 0.0, 0.0, 0.0, 50, memory, table)
+    room = np.zeros((4, 2), dtype=np.int64)
+    search(system, phase + 0.0 * one, 2.93 * one, 2, 1, True, table, np.zeros((4, 2)), room)
+    state = state_at(table, 0)
+    fixed = polish(system, state, 2, 1, table)
+    put(table, 1, mirror(state, 1))
+    fill_peaks(system, 2, table)
+    measured(system, 2, 1, table)
+    is_symmetric(table, 2, 1)
+    multipliers(fixed.jacobian, loss(system, state.side, 2, fixed.rests))
+    phase_between(state, next_passage(system, state, -1.0).state)
 
 
 if __name__ == "__main__":

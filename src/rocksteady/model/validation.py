@@ -116,7 +116,9 @@ def in_range(
     return number
 
 
-def whole_number(name: str, value: object, *, at_least: int, hint: str) -> int:
+def whole_number(
+    name: str, value: object, *, at_least: int, at_most: int | None = None, hint: str
+) -> int:
     """Return `value` as an int where it is a whole number of at least `at_least`.
 
     Floats are refused, 3.0 included: a count that comes out of a division is worth a look.
@@ -127,6 +129,8 @@ def whole_number(name: str, value: object, *, at_least: int, hint: str) -> int:
         As for `finite`.
     at_least
         The smallest valid value.
+    at_most
+        The largest, where there is one.
 
     Returns
     -------
@@ -136,13 +140,18 @@ def whole_number(name: str, value: object, *, at_least: int, hint: str) -> int:
     Raises
     ------
     InputError
-        If `value` is not an integer, or is below `at_least`.
+        If `value` is not an integer, or is outside these bounds.
     """
     number = _plain(value)
+    valid = f"it must be a whole number of {at_least} or above"
+    if at_most is not None:
+        valid = f"it must be a whole number from {at_least} to {at_most}"
     if isinstance(number, bool) or not isinstance(number, Integral) or number < at_least:
-        valid = f"it must be a whole number of {at_least} or above"
         raise InputError(name=name, value=value, valid=valid, hint=hint)
-    return int(number)
+    count = int(number)
+    if at_most is not None and count > at_most:
+        raise InputError(name=name, value=value, valid=valid, hint=hint)
+    return count
 
 
 def odd_order(value: object, *, name: str = "order") -> int:

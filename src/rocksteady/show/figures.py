@@ -6,12 +6,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rocksteady.dynamics.orbit import Orbit
 from rocksteady.dynamics.regions import RegionMap
 from rocksteady.dynamics.response import ResponseCurve
 from rocksteady.dynamics.steady import SteadyOrbit
 from rocksteady.dynamics.trajectory import Trajectory
 from rocksteady.show import palette
 from rocksteady.show.plots.motion import plot_base, plot_phase_portrait, plot_trajectory
+from rocksteady.show.plots.orbits import plot_multipliers, plot_section
 from rocksteady.show.plots.steady import (
     LOGARITHMIC_SPAN,
     plot_orbit,
@@ -20,6 +22,7 @@ from rocksteady.show.plots.steady import (
 )
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 
@@ -33,15 +36,98 @@ def simulation_figure(trajectory: Trajectory, title: str = "") -> "Figure":
         history = figure.add_subplot(grid[0, 0])
         base = figure.add_subplot(grid[1, 0], sharex=history)
         portrait = figure.add_subplot(grid[:, 1])
-        plot_trajectory(trajectory, history)
-        history.set_xlabel("")
-        history.tick_params(labelbottom=False)
-        plot_base(trajectory, base)
+        _draw_history(trajectory, history, base)
         plot_phase_portrait(trajectory, portrait)
         portrait.locator_params(axis="x", nbins=5)
         if title:
             figure.suptitle(title, x=0.01, ha="left", fontsize=10)
     return figure
+
+
+def orbit_figure(orbit: Orbit, course: Trajectory, title: str = "") -> "Figure":
+    """Return a figure of one period of an orbit: history, base, phase portrait and multipliers.
+
+    Parameters
+    ----------
+    orbit
+        The periodic motion.
+    course
+        One period of it.
+    title
+        Above the panels.
+    """
+    from matplotlib.figure import Figure
+
+    with palette.style():
+        figure = Figure(figsize=(11.6, 4.2))
+        grid = figure.add_gridspec(2, 3, width_ratios=(1.25, 0.9, 1.0), height_ratios=(3.0, 1.0))
+        history = figure.add_subplot(grid[0, 0])
+        base = figure.add_subplot(grid[1, 0], sharex=history)
+        _draw_history(course, history, base)
+        portrait = figure.add_subplot(grid[:, 1])
+        plot_phase_portrait(course, portrait, mark="impacts")
+        portrait.locator_params(axis="x", nbins=5)
+        plot_multipliers([orbit], figure.add_subplot(grid[:, 2]))
+        if title:
+            figure.suptitle(title, x=0.01, ha="left", fontsize=10)
+    return figure
+
+
+def cloud_figure(whole: Trajectory, part: Trajectory, *, since: float, title: str = "") -> "Figure":
+    """Return a figure of a motion that does not repeat: a part of it, and the section it fills.
+
+    Parameters
+    ----------
+    whole
+        A long run.
+    part
+        What time history and phase portrait show.
+    since
+        Pivot time of the long run from which on its impacts are drawn.
+    title
+        Above the panels.
+    """
+    from matplotlib.figure import Figure
+
+    with palette.style():
+        figure = Figure(figsize=(11.6, 4.2))
+        grid = figure.add_gridspec(2, 3, width_ratios=(1.25, 0.9, 1.0), height_ratios=(3.0, 1.0))
+        history = figure.add_subplot(grid[0, 0])
+        base = figure.add_subplot(grid[1, 0], sharex=history)
+        _draw_history(part, history, base)
+        portrait = figure.add_subplot(grid[:, 1])
+        plot_phase_portrait(part, portrait, mark="impacts")
+        portrait.locator_params(axis="x", nbins=5)
+        plot_section(whole, figure.add_subplot(grid[:, 2]), since=since)
+        if title:
+            figure.suptitle(title, x=0.01, ha="left", fontsize=10)
+    return figure
+
+
+def orbits_figure(orbits: Sequence[Orbit], title: str = "") -> "Figure":
+    """Return a figure of orbits: their Poincare section beside their multipliers."""
+    from matplotlib.figure import Figure
+
+    with palette.style():
+        figure = Figure(figsize=(10.4, 4.8))
+        section, plane = figure.subplots(1, 2, width_ratios=(1.3, 1.0))
+        plot_section(orbits, section)
+        plot_multipliers(orbits, plane)
+        if not any(orbit.admissible for orbit in orbits):
+            section.text(
+                0.5, 0.5, "no periodic motion found", transform=section.transAxes, ha="center"
+            )
+        if title:
+            figure.suptitle(title, x=0.01, ha="left", fontsize=10)
+    return figure
+
+
+def _draw_history(trajectory: Trajectory, history: "Axes", base: "Axes") -> None:
+    """Draw a time history above its base motion, which share the time axis."""
+    plot_trajectory(trajectory, history)
+    history.set_xlabel("")
+    history.tick_params(labelbottom=False)
+    plot_base(trajectory, base)
 
 
 def steady_figure(

@@ -13,6 +13,7 @@ from rocksteady.show import palette
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.legend import Legend
+    from matplotlib.lines import Line2D
 
 Corner = Literal["upper left", "upper right", "lower left", "lower right"]
 CORNERS: dict[Corner, tuple[int, int]] = {
@@ -22,6 +23,14 @@ CORNERS: dict[Corner, tuple[int, int]] = {
     "lower right": (1, 0),
 }
 """Places of a legend, in the order of preference, with the corner in fractions of the axes."""
+
+
+LABEL_PLACES = [
+    (radius * math.cos(turn), radius * math.sin(turn))
+    for radius in (8.5, 12.0, 16.0, 21.0)
+    for turn in (math.radians(angle) for angle in (45, 135, 90, 0, 180, 315, 225, 270))
+]
+"""Where a label may stand [points], seen from its point, in the order of preference."""
 
 
 def axes_or_new(ax: "Axes | None") -> "Axes":
@@ -61,9 +70,16 @@ def emptiest_corner(axes: "Axes", points: Sequence[ArrayLike], size: tuple[float
     return min(CORNERS, key=lambda name: hidden(CORNERS[name]))
 
 
-def legend_inside(axes: "Axes", corner: Corner, *, columns: int = 1) -> "Legend":
+def legend_inside(
+    axes: "Axes",
+    corner: Corner,
+    *,
+    columns: int = 1,
+    handles: "Sequence[Line2D] | None" = None,
+) -> "Legend":
     """Place a legend inside the axes, where it cannot meet anything else of a user's figure."""
     legend: Legend = axes.legend(
+        handles=handles,
         loc=corner,
         ncols=columns,
         fontsize=8.0,
@@ -76,6 +92,63 @@ def legend_inside(axes: "Axes", corner: Corner, *, columns: int = 1) -> "Legend"
     )
     legend.set_zorder(6.0)
     return legend
+
+
+def put_beside(
+    axes: "Axes", labels: Sequence[tuple[str, float, float]], marks: Sequence[ArrayLike]
+) -> None:
+    """Write short labels beside their points, clear of one another and of the marks.
+
+    Parameters
+    ----------
+    axes
+        With their final limits and scales.
+    labels
+        Text, abscissa and ordinate of each; an empty text is none.
+    marks
+        Abscissas and ordinates of what is drawn there, two arrays of one shape.
+    """
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    per_point = figure.dpi / 72.0
+    xy = np.column_stack([np.asarray(values, dtype=np.float64).ravel() for values in marks])
+    taken = [(x, y, 4.0, 4.0) for x, y in (axes.transData.transform(xy) / per_point).tolist()]
+    box = (np.array(axes.get_window_extent().extents) / per_point).tolist()
+    for text, x, y in labels:
+        if not text:
+            continue
+        here = axes.transData.transform((x, y)) / per_point
+        half = (2.4 * len(text) + 0.6, 4.0)
+
+        def crowd(
+            offset: tuple[float, float], here: ArrayLike = here, half: tuple[float, float] = half
+        ) -> float:
+            """Return how much of the label would lie on something."""
+            at = (np.asarray(here) + offset).tolist()
+            outside: float = max(
+                box[0] - at[0], at[0] - box[2], box[1] - at[1], at[1] - box[3], -5.0
+            )
+            over: float = 100.0 * (outside + 5.0)
+            for px, py, wide, high in taken:
+                across = wide + half[0] - abs(px - at[0])
+                up = high + half[1] - abs(py - at[1])
+                over += max(across, 0.0) * max(up, 0.0)
+            return over
+
+        offset = min(LABEL_PLACES, key=crowd)
+        taken.append((*(here + offset).tolist(), *half))
+        axes.annotate(
+            text,
+            (x, y),
+            offset,
+            textcoords="offset points",
+            ha="center",
+            va="center_baseline",
+            fontsize=7.0,
+            color=palette.INK,
+            zorder=5.0,
+            annotation_clip=False,
+        )
 
 
 def extent(axes: "Axes", *, width: float, height: float) -> tuple[float, float]:

@@ -52,6 +52,10 @@ LABELS = {
     "height_m": "height [m]",
     "position_radius": "position  $x/R$",
     "height_radius": "height  $y/R$",
+    "phase": "phase of the shaking at the impact [rad]",
+    "speed": r"speed after the impact  $|$d$(\theta/\alpha)$/d$(pt)|$",
+    "multiplier_real": r"real part of the multipliers  Re $\mu$",
+    "multiplier_imaginary": r"imaginary part  Im $\mu$",
 }
 """Axis labels with their units; angles, amplitudes and ratios have none."""
 

@@ -38,9 +38,15 @@ def settled_elsewhere(_: object) -> Evidence:
     true = evidence().histories["9b"]
     other = History(case=true.case)
     other.__dict__["fates"] = {
-        side: replace(fate, highest=1.01 * fate.highest) for side, fate in true.fates.items()
+        side: higher(fate, 1.01 * fate.highest) for side, fate in true.fates.items()
     }
     return with_histories(figure_9b=other)
+
+
+def higher(fate: Fate, highest: float) -> Fate:
+    """A fate whose motion has another peak."""
+    assert fate.orbit is not None
+    return replace(fate, orbit=replace(fate.orbit, highest=highest))
 
 
 def without(*names: str) -> Evidence:
@@ -223,7 +229,7 @@ def test_a_run_that_seems_to_stay_does_not_make_an_unstable_motion_stable(
 ) -> None:
     history = evidence().histories["11a"]
     assert history.states.peak is not None
-    stayed = replace(evidence().histories["11b"].fates[1], highest=float(history.states.peak[0]))
+    stayed = higher(evidence().histories["11b"].fates[1], float(history.states.peak[0]))
     monkeypatch.setattr(stability, "settle", lambda *_, **__: stayed)
     assert not stable_finding(history).holds
 

@@ -80,11 +80,10 @@ def one_motion_each(monkeypatch: pytest.MonkeyPatch) -> Evidence:
 def a_subharmonic_somewhere(monkeypatch: pytest.MonkeyPatch) -> Evidence:
     fates = [evidence().histories["9c"].fates[1]]
 
-    def first_of_all(_run: object) -> Fate:
+    def first_of_all(*_: object) -> Fate:
         return fates.pop() if fates else overturned()
 
-    monkeypatch.setattr(transitions, "simulate", lambda *_, **__: None)
-    monkeypatch.setattr(transitions, "fate_of", first_of_all)
+    monkeypatch.setattr(transitions, "settle", first_of_all)
     return evidence()
 
 

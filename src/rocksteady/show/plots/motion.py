@@ -1,7 +1,7 @@
 """Plots of time histories: angle, base motion and phase portrait."""
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -188,7 +188,9 @@ def plot_base(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
     return axes
 
 
-def plot_phase_portrait(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
+def plot_phase_portrait(
+    trajectory: Trajectory, ax: "Axes | None" = None, *, mark: Literal["start", "impacts"] = "start"
+) -> "Axes":
     """Draw velocity against angle; impacts are the steps at angle 0.
 
     Parameters
@@ -197,6 +199,9 @@ def plot_phase_portrait(trajectory: Trajectory, ax: "Axes | None" = None) -> "Ax
         From `rocksteady.simulate`.
     ax
         Axes to draw on; those of a new figure without.
+    mark
+        What is marked: the start, or the states just after the impacts, as of a closed orbit, which
+        has no start.
 
     Returns
     -------
@@ -214,10 +219,28 @@ def plot_phase_portrait(trajectory: Trajectory, ax: "Axes | None" = None) -> "Ax
     ['start']
     """
     axes = axes_or_new(ax)
-    angle, velocity = trajectory.phase_path()
+    angle, velocity = trajectory.phase_path(100 if mark == "start" else 400)
     axes.plot(angle, velocity, color=palette.LINES[0], lw=0.8, alpha=0.8)
-    axes.plot(angle[0], velocity[0], "o", ms=4, color=palette.INK, ls="none", label="start")
+    if mark == "start":
+        axes.plot(angle[0], velocity[0], "o", ms=4, color=palette.INK, ls="none", label="start")
+    else:
+        after = trajectory.impacts.velocity_after
+        axes.plot(
+            np.zeros(len(after)),
+            after,
+            "o",
+            ms=1.6 if len(after) > CROWD else 3.5,
+            color=palette.IMPACT,
+            ls="none",
+            label="after an impact",
+        )
     axes.set(xlabel=palette.LABELS["angle"], ylabel=palette.LABELS["velocity"])
-    size = extent(axes, width=52.0, height=22.0)
-    legend_inside(axes, emptiest_corner(axes, (angle, velocity), size))
+    if mark == "start":
+        size = extent(axes, width=52.0, height=22.0)
+        legend_inside(axes, emptiest_corner(axes, (angle, velocity), size))
+    else:
+        # A closed curve leaves no corner free: the legend goes above it.
+        low, high = float(velocity.min()), float(velocity.max())
+        axes.set_ylim(low - 0.05 * (high - low), high + HEADROOM * (high - low))
+        legend_inside(axes, "upper left")
     return axes

@@ -3,8 +3,6 @@
 import math
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from rocksteady import plot_trajectory
 from rocksteady.show import palette
 from rocksteady.studies.tso_wong_1989.fates import Fate, Kind
@@ -90,11 +88,14 @@ def plot_settled(fate: Fate, axes: "Axes") -> None:
         axes.text(0.5, 0.5, words, transform=axes.transAxes, ha="center", va="center")
         return
     length = max(fate.period, 1)
-    unit = 2.0 * math.pi / fate.run.frequency_ratio
-    since = np.linspace(0.0, length, 200 * length + 1)
-    times = np.clip(fate.run.end_s + (since - length) * unit, 0.0, fate.run.end_s)
     axes.axhline(0.0, color=palette.FAINT, lw=0.6)
-    axes.plot(since, fate.run(times).angle, color=palette.LINES[0])
+    if fate.orbit is not None:
+        run = fate.orbit.trajectory()
+        times = run.times(200)
+        periods = times * (fate.orbit.shaking.frequency_ratio / (2.0 * math.pi))
+        axes.plot(periods, run(times).angle, color=palette.LINES[0])
+    else:
+        axes.plot([0.0, length], [0.0, 0.0], color=palette.LINES[0])
     axes.set(
         xlabel=palette.LABELS["periods_short"],
         xlim=(0.0, length),

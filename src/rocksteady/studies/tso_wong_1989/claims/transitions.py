@@ -6,18 +6,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from rocksteady import (
-    DimensionlessBlock,
     Harmonic,
+    Orbit,
     State,
     Steady,
-    Trajectory,
-    simulate,
     steady_states,
     symmetry_breaking_frequency,
 )
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
 from rocksteady.studies.tso_wong_1989.claims.stability import fate_finding, stable_finding
-from rocksteady.studies.tso_wong_1989.fates import Fate, Kind, fate_of, settle
+from rocksteady.studies.tso_wong_1989.fates import Fate, Kind, settle
 from rocksteady.studies.tso_wong_1989.findings import Finding
 from rocksteady.studies.tso_wong_1989.histories import RESTITUTION, History
 from rocksteady.studies.tso_wong_1989.words import multiplier_text, series, signed
@@ -61,37 +59,29 @@ def descent(order: int) -> Descent:
         Harmonic(amplitude=AMPLITUDE, frequency_ratio=ratio),
         Steady(order=order, kick=0.01),
     )
-    doubled = math.nan
+    assert fate.orbit is not None
+    doubled, orbit = math.nan, fate.orbit
     while True:
         ratio -= STEP
-        fate = fate_of(_next_run(fate.run, ratio))
-        same = fate.kind in (Kind.UNSYMMETRIC, Kind.SUBHARMONIC) and fate.period % order == 0
-        if fate.kind is Kind.UNSETTLED:
-            same = True  # the cascade beyond the doubling
-        if math.isnan(doubled) and not (same and fate.period == order):
+        fate = _followed(orbit, ratio)
+        # The aperiodic motion that ends the cascade of doublings has no orbit to go on from.
+        orbit = fate.orbit if fate.orbit is not None else orbit
+        kin = fate.kind in (Kind.UNSYMMETRIC, Kind.SUBHARMONIC) and fate.period % order == 0
+        same = fate.kind is Kind.UNSETTLED or (kin and not fate.symmetric)
+        if math.isnan(doubled) and fate.period != order:
             doubled = ratio
-        if not same or fate.symmetric:
+        if not same:
             return Descent(
                 symmetric_from=breaking, doubled_from=doubled, gone_from=ratio, then=fate
             )
 
 
-def _next_run(run: Trajectory, ratio: float) -> Trajectory:
-    """Go on from the end of a run with another frequency."""
-    assert isinstance(run.motion, Harmonic)
-    # The last impact but one: a state in the run, with the phase of the shaking there.
-    index = len(run.impacts) - 2
-    impacts = run.impacts
-    phase = float(impacts.half_cycles[index] % 2) * math.pi + float(impacts.phase[index])
-    shaking = Harmonic(amplitude=AMPLITUDE, frequency_ratio=ratio, phase=phase)
-    scale = ratio / run.frequency_ratio
-    velocity = float(impacts.velocity_after[index]) * scale
-    return simulate(
-        DimensionlessBlock(restitution=RESTITUTION),
-        shaking,
-        start=State(angle=0.0, velocity=velocity),
-        cycles=600,
-    )
+def _followed(orbit: Orbit, ratio: float) -> Fate:
+    """Return what a motion becomes at another frequency, with the velocity per tau that it has."""
+    first = orbit.states[0]
+    shaking = Harmonic(amplitude=AMPLITUDE, frequency_ratio=ratio, phase=first.phase)
+    velocity = first.side * first.speed * ratio / orbit.shaking.frequency_ratio
+    return settle(RESTITUTION, shaking, State(angle=0.0, velocity=velocity))
 
 
 @STATEMENTS.add(
@@ -215,16 +205,11 @@ def no_subharmonic(_: Evidence) -> Finding:
     velocities = np.linspace(-1.4, 1.4, 29)
     # Half a period is enough: the other half starts from the mirror images of these states.
     phases = np.linspace(0.0, math.pi, 32, endpoint=False)
-    block = DimensionlessBlock(restitution=RESTITUTION)
     for phase in phases:
         for velocity in velocities:
-            run = simulate(
-                block,
-                Harmonic(amplitude=AMPLITUDE, frequency_ratio=ratio, phase=float(phase)),
-                start=State(angle=0.0, velocity=float(velocity)),
-                cycles=150,
-            )
-            kind = fate_of(run).kind.value
+            shaking = Harmonic(amplitude=AMPLITUDE, frequency_ratio=ratio, phase=float(phase))
+            start = State(angle=0.0, velocity=float(velocity))
+            kind = settle(RESTITUTION, shaking, start).kind.value
             found[kind] = found.get(kind, 0) + 1
     total = len(velocities) * len(phases)
     words = ", ".join(f"{count} {kind}" for kind, count in sorted(found.items()))

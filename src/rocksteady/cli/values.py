@@ -1,0 +1,103 @@
+"""What several commands print of one thing: a block, its shaking, an orbit."""
+
+from typing import TYPE_CHECKING, Any
+
+from rocksteady.model.block import Block, DimensionlessBlock
+from rocksteady.model.motions import Harmonic
+
+if TYPE_CHECKING:
+    from rocksteady.dynamics.orbit import Orbit
+
+
+def block_values(block: Block) -> dict[str, Any]:
+    """Return a block's measures in SI."""
+    return {
+        "alpha_rad": block.alpha,
+        "radius_m": block.radius,
+        "p_rad_s": block.p,
+        "restitution": block.restitution,
+    }
+
+
+def shaking_values(block: Block | DimensionlessBlock, shaking: Harmonic) -> dict[str, Any]:
+    """Return block and shaking without its phase, in SI too where the block has a size."""
+    values: dict[str, Any] = {
+        "amplitude": shaking.amplitude,
+        "frequency_ratio": shaking.frequency_ratio,
+        "restitution": block.restitution,
+    }
+    if isinstance(block, Block):
+        values["block"] = block_values(block)
+        values["accel_g"] = shaking.acceleration_m_s2(block) / block.gravity
+        values["freq_hz"] = shaking.frequency_hz(block)
+    return values
+
+
+def orbit_values(orbit: "Orbit", block: Block | DimensionlessBlock) -> dict[str, Any]:
+    """Return what the contract promises for an orbit, in SI too where the block has a size."""
+    values: dict[str, Any] = {
+        "kind": orbit.kind,
+        "period": orbit.period,
+        "impacts_per_period": orbit.impacts,
+        "rest_phases": orbit.rest_phases,
+        "peaks": [orbit.highest, orbit.lowest] if orbit.admissible else None,
+        "multipliers": [complex(m) for m in orbit.multipliers],
+        "lyapunov": orbit.lyapunov,
+        "residual": orbit.residual,
+        "states": [
+            {"side": state.side, "phase": state.phase, "speed": state.speed}
+            for state in orbit.states
+        ],
+    }
+    if isinstance(block, Block):
+        peaks = values["peaks"]
+        values["peaks_rad"] = None if peaks is None else [peak * block.alpha for peak in peaks]
+        values["period_s"] = orbit.period / orbit.shaking.frequency_hz(block)
+    return values
+
+
+def worth(*, admissible: bool, neutral: bool, stable: bool) -> str:
+    """Return in a word what a solution is worth."""
+    if not admissible:
+        return "inadmissible"
+    if neutral:
+        return "neutral"
+    return "stable" if stable else "unstable"
+
+
+def multipliers_text(multipliers: list[complex], digits: int = 6) -> str:
+    """Return a pair of multipliers as people write it."""
+    first, second = multipliers
+    if first.imag != 0.0:
+        return f"{first.real:.{digits}f} +- {abs(first.imag):.{digits}f}i"
+    return f"{first.real:.{digits}g}, {second.real:.{digits}g}"
+
+
+def case_text(values: dict[str, Any]) -> str:
+    """Return block and shaking in a few words, for a title."""
+    parts = [f"restitution {values['restitution']:.4g}"]
+    if "amplitude" in values:
+        parts.insert(0, f"A = {values['amplitude']:g}, Ω = {values['frequency_ratio']:g}")
+    else:
+        parts.insert(0, "free rocking")
+    if "block" in values:
+        block = values["block"]
+        parts.append(f"α = {block['alpha_rad']:.4g} rad, p = {block['p_rad_s']:.4g} rad/s")
+    return ", ".join(parts)
+
+
+def periods_text(period: int, seconds: float | None) -> str:
+    """Return how long an orbit is, and what that is called."""
+    text = "1 forcing period" if period == 1 else f"{period} forcing periods, subharmonic"
+    return text if seconds is None else f"{text}, {seconds:.6g} s"
+
+
+def angle_text(angle: float, block: Block | DimensionlessBlock) -> str:
+    """Return an angle in units of alpha, in radians too where the block has a size."""
+    text = f"{angle:.10g} alpha"
+    return f"{text} = {angle * block.alpha:.6g} rad" if isinstance(block, Block) else text
+
+
+def plural(count: int, thing: str) -> str:
+    """Return a number of things."""
+    return f"{count} {thing}" if count == 1 else f"{count} {thing}s"

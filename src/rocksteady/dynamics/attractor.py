@@ -1,0 +1,206 @@
+"""What a block under harmonic shaking settles to."""
+
+import math
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+
+from rocksteady.dynamics.orbit import Orbit, orbit_from
+from rocksteady.dynamics.return_map import (
+    ImpactState,
+    bare_block,
+    harmonic,
+    make_system,
+    state_of,
+)
+from rocksteady.dynamics.start import Rest, Start, initial_march
+from rocksteady.errors import InputError
+from rocksteady.kernels import attractors as kernel
+from rocksteady.kernels.periodic import ORBIT_COLUMNS
+from rocksteady.model.block import Block, DimensionlessBlock
+from rocksteady.model.motions import Harmonic
+from rocksteady.model.validation import whole_number
+
+CHAOTIC = 0.01
+"""Lyapunov exponent per forcing period from which a motion without repetition counts as aperiodic,
+over each of the two last quarters of its run."""
+
+
+MOST_CYCLES = 100_000_000
+"""Some minutes."""
+
+
+class AttractorKind(StrEnum):
+    """What a motion settles to."""
+
+    SYMMETRIC = "symmetric"
+    UNSYMMETRIC = "unsymmetric"
+    REST = "rest"
+    OVERTURNED = "overturned"
+    APERIODIC = "aperiodic"
+    UNDECIDED = "undecided"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Attractor:
+    """What a motion settles to.
+
+    Attributes
+    ----------
+    block, shaking
+        What moves; the phase of `shaking` is that at the start.
+    kind
+        What it is.
+    orbit
+        The stable periodic motion; None for every other kind.
+    lyapunov
+        Largest Lyapunov exponent per forcing period; nan for rest and overturned.
+    after
+        Forcing periods until that was known.
+    reason
+        Why it is undecided; empty otherwise.
+    state
+        The last state after an impact or at an uplift, from which the motion can be followed on;
+        None at rest, and where the block falls without one.
+    """
+
+    block: Block | DimensionlessBlock
+    shaking: Harmonic
+    kind: AttractorKind
+    orbit: Orbit | None
+    lyapunov: float
+    after: int
+    reason: str
+    state: ImpactState | None
+
+    @property
+    def period(self) -> int | None:
+        """Forcing periods of the orbit; None without one."""
+        return None if self.orbit is None else self.orbit.period
+
+    @property
+    def peaks(self) -> tuple[float, float] | None:
+        """Highest and lowest u = theta/alpha of the orbit; 0 at rest, None without an orbit."""
+        if self.orbit is not None:
+            return self.orbit.highest, self.orbit.lowest
+        return (0.0, 0.0) if self.kind is AttractorKind.REST else None
+
+    def _repr_html_(self) -> str:
+        """Return a small table for notebooks."""
+        if self.orbit is not None:
+            return self.orbit._repr_html_().replace("<caption>Orbit", "<caption>Attractor", 1)
+        rows = f"<tr><th>kind</th><td>{self.kind}</td></tr>"
+        if self.reason:
+            rows += f"<tr><th>reason</th><td>{self.reason}</td></tr>"
+        return f"<table><caption>Attractor</caption>{rows}</table>"
+
+
+def attractor(
+    block: Block | DimensionlessBlock,
+    shaking: Harmonic,
+    *,
+    start: Start | None = None,
+    side: int = 1,
+    cycles: int = 2000,
+) -> Attractor:
+    """Follow a motion until it is known what it settles to.
+
+    Recognised by returning states, polished by Newton's method on the return map to a residual of
+    1e-12, and believed only if it is stable by its exact multipliers and the motion comes to within
+    1e-7 of it.  An unstable orbit is never returned.
+
+    Parameters
+    ----------
+    block
+        Its restitution counts.
+    shaking
+        Its phase is that at the start, unless a `Steady` start decides on it.
+    start
+        `Rest` (default), `State` or `Steady`.
+    side
+        +1 or -1, the side on which an unstable steady state is left.
+    cycles
+        Forcing periods after which the motion counts as aperiodic or undecided.
+
+    Returns
+    -------
+    Attractor
+        Its kind, and its orbit if it is periodic.
+
+    Raises
+    ------
+    InputError, ModelError
+        If a number is outside its range, the shaking is not harmonic, or the start does not fit.
+
+    Examples
+    --------
+    >>> from rocksteady import DimensionlessBlock, Harmonic, Steady
+    >>> block = DimensionlessBlock(restitution=0.8)
+    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
+    >>> found = attractor(block, shaking, start=Steady(), side=-1)
+    >>> print(found.kind, found.period, [round(peak, 5) for peak in found.peaks])
+    unsymmetric 1 [0.90035, -0.44427]
+    """
+    bare, shaken = bare_block(block), harmonic(shaking)
+    periods = whole_number(
+        "cycles", cycles, at_least=1, at_most=MOST_CYCLES, hint="give forcing periods to follow"
+    )
+    if side not in (1, -1):
+        raise InputError(name="side", value=side, valid="it must be 1 or -1", hint="give 1 or -1")
+    motion, begin = initial_march(Rest() if start is None else start, bare, shaken, side)
+    shaken = harmonic(motion)
+    memory, table = (
+        np.empty((rows, ORBIT_COLUMNS)) for rows in (kernel.MEMORY, kernel.LONGEST_ORBIT)
+    )
+    found = kernel.settle(
+        make_system(bare, shaken),
+        begin.side,
+        begin.half_cycles,
+        begin.phase,
+        begin.angle,
+        begin.velocity,
+        periods,
+        memory,
+        table,
+    )
+    kind, orbit, reason = AttractorKind.UNDECIDED, None, ""
+    if found.outcome == kernel.PERIODIC:
+        orbit = orbit_from(block, shaken, table[: found.passages], found.periods, found.residual)
+        kind = AttractorKind.SYMMETRIC if orbit.symmetric else AttractorKind.UNSYMMETRIC
+    elif found.outcome == kernel.STAYS:
+        kind = AttractorKind.REST
+    elif found.outcome == kernel.FALLS:
+        kind = AttractorKind.OVERTURNED
+    elif bare.restitution == 1.0:
+        reason = "without loss (restitution 1) motions do not settle"
+    elif found.least > CHAOTIC:
+        kind = AttractorKind.APERIODIC
+    else:
+        reason = _reason(found)
+    return Attractor(
+        block=block,
+        shaking=shaken,
+        kind=kind,
+        orbit=orbit,
+        lyapunov=found.lyapunov,
+        after=found.after,
+        reason=reason,
+        state=state_of(found.state) if found.state.side != 0 else None,
+    )
+
+
+def _reason(found: kernel.Settled) -> str:
+    """Return why a motion of a block with loss is undecided, and what to do."""
+    if found.after == 0:
+        return "the block balances upright, and nothing brings it down"
+    start = f"no repetition within {found.after} forcing periods"
+    if math.isnan(found.lyapunov):
+        return (
+            f"{start}, too few, or with rests too near the end, for a Lyapunov exponent: follow "
+            "more cycles"
+        )
+    return (
+        f"{start}, and a Lyapunov exponent of {found.lyapunov:.2g} a period, too small or too "
+        "unsteady for chaos: follow more cycles"
+    )

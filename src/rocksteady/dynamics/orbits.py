@@ -1,0 +1,235 @@
+"""All periodic motions at a point of amplitude and frequency ratio."""
+
+import math
+from collections.abc import Iterable
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.orbit import Orbit, orbit_from, ordered
+from rocksteady.dynamics.return_map import (
+    ImpactState,
+    bare_block,
+    harmonic,
+    make_system,
+    section_of,
+)
+from rocksteady.dynamics.steady import steady_states
+from rocksteady.kernels import periodic
+from rocksteady.kernels.periodic import mirror
+from rocksteady.kernels.section import FALL, STAY, STUCK, UPLIFT, next_passage, uplift_after
+from rocksteady.model.block import Block, DimensionlessBlock
+from rocksteady.model.motions import Harmonic
+from rocksteady.model.validation import whole_number
+
+Floats = NDArray[np.float64]
+
+ROOM = 4096
+"""Most orbits that one search returns."""
+MOST = 1000
+"""Of each limit of the search: minutes, or hours where all three are near it."""
+SAME = 1e-6
+"""Difference in phase and relative speed below which two orbits are one."""
+
+
+def orbits(
+    block: Block | DimensionlessBlock,
+    shaking: Harmonic,
+    *,
+    max_period: int = 3,
+    max_impacts: int = 6,
+    seeds: int = 96,
+) -> tuple[Orbit, ...]:
+    """Return the periodic motions at a point, stable and unstable.
+
+    The symmetric ones with two impacts come in closed form for every odd number of forcing periods
+    (eqs 19, 21, 22); those that pass through the floor are given too, as not admissible.  Those
+    that come to rest are followed from their uplift: there is at most one for either side.  The
+    others are found by Newton's method from a grid of states after an impact; that is a search and
+    not a proof that there are no more.  Of two mirror images one is given, the one that leans to
+    the positive side; `Orbit.mirrored` is the other.
+
+    Parameters
+    ----------
+    block
+        Its restitution counts.
+    shaking
+        Amplitude and frequency ratio; its phase does not count.
+    max_period
+        Longest orbits [forcing periods].
+    max_impacts
+        Most impacts in a period of the orbit.
+    seeds
+        The search starts from ``seeds x seeds`` states: phases over a period, speeds up to
+        1 + A/sqrt(1 + Omega^2), above which every flight begins with a part that grows for ever.
+
+    Returns
+    -------
+    tuple of Orbit
+        By period, then number of impacts, symmetric ones first, admissible ones before others,
+        stable before unstable.
+
+    Raises
+    ------
+    InputError, ModelError
+        If a number is not a whole one from 1 to 1000, or the shaking is not harmonic.
+
+    Examples
+    --------
+    >>> from rocksteady import DimensionlessBlock, Harmonic
+    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
+    >>> for orbit in orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1):
+    ...     print(orbit.kind, orbit.stable, orbit.admissible, f"{orbit.highest:.5f}")
+    symmetric False True 0.68676
+    symmetric False False nan
+    unsymmetric True True 0.90035
+    """
+    bare_block(block)
+    shaken = harmonic(shaking)
+    longest, most, count = (
+        whole_number(name, value, at_least=1, at_most=MOST, hint=hint)
+        for name, value, hint in (
+            ("max_period", max_period, "give a number of forcing periods"),
+            ("max_impacts", max_impacts, "give a number of impacts"),
+            ("seeds", seeds, "give a number, as 96"),
+        )
+    )
+    found = [*_symmetric_orbits(block, shaken, longest)]
+    searched = [
+        *_resting_orbits(block, shaken, longest),
+        *_searched_orbits(block, shaken, longest, most, count),
+    ]
+    for orbit in sorted(searched, key=lambda orbit: -orbit.highest):
+        leaning = orbit if orbit.highest >= -orbit.lowest else orbit.mirrored
+        if not any(_same(leaning, other) or _same(leaning.mirrored, other) for other in found):
+            found.append(leaning)
+    return tuple(sorted(found, key=_order))
+
+
+def _order(orbit: Orbit) -> tuple[object, ...]:
+    closed = orbit.branch if orbit.branch is not None else 3
+    return (
+        orbit.period,
+        len(orbit.states),
+        not orbit.symmetric,
+        not orbit.admissible,
+        closed,
+        not orbit.stable,
+        -orbit.highest,
+    )
+
+
+def _symmetric_orbits(
+    block: Block | DimensionlessBlock, shaking: Harmonic, longest: int
+) -> Iterable[Orbit]:
+    """Yield the symmetric orbits with two impacts in closed form."""
+    if shaking.amplitude == 0.0:
+        return
+    bare = block.dimensionless()
+    a, w, r = shaking.amplitude, shaking.frequency_ratio, bare.restitution
+    system = make_system(bare, shaking)
+    for order in range(1, longest + 1, 2):
+        states = steady_states(a, w, r, order=order)
+        assert states.peak is not None
+        assert states.admissible is not None
+        if states.region == 4:
+            continue
+        for which in (0, 1):
+            phase, velocity = float(states.phase[which]), float(states.velocity[which])
+            admissible = bool(states.admissible[which])
+            peak = float(states.peak[which]) if admissible else math.nan
+            with np.errstate(over="ignore", invalid="ignore"):
+                pair = states.multipliers[which] ** 2
+            first = ImpactState(side=1, phase=phase, speed=abs(velocity) * w)
+            residual = math.nan
+            if admissible:
+                table = np.zeros((2, periodic.ORBIT_COLUMNS))
+                begin = section_of(first)
+                periodic.put(table, 0, begin)
+                periodic.put(table, 1, mirror(begin, order))
+                residual = periodic.measured(system, 2, order, table).residual
+            yield Orbit(
+                block=block,
+                shaking=replace(shaking, phase=phase),
+                period=order,
+                states=(first, first.mirrored),
+                rest_phases=0,
+                symmetric=True,
+                highest=peak,
+                lowest=-peak,
+                multipliers=ordered(complex(pair[0]), complex(pair[1])),
+                residual=residual,
+                admissible=admissible,
+                branch=which + 1,
+            )
+
+
+def _resting_orbits(
+    block: Block | DimensionlessBlock, shaking: Harmonic, longest: int
+) -> Iterable[Orbit]:
+    """Yield the orbits with rest phases: those that come back to an uplift of theirs."""
+    system = make_system(block.dimensionless(), shaking)
+    lifting = uplift_after(system, 0, 0.0)
+    if lifting.kind == STAY:
+        return
+    begin = lifting.state
+    states = [begin]
+    while states[-1].half_cycles - begin.half_cycles <= 4 * longest:
+        step = next_passage(system, states[-1], -1.0)
+        if step.kind in (FALL, STAY, STUCK):
+            return
+        states.append(step.state)
+        if step.kind != UPLIFT:
+            continue
+        # An uplift is known by its side alone; of a block with two sides one must come again.
+        earlier = [
+            k for k, s in enumerate(states[:-1]) if s.speed == 0.0 and s.side == step.state.side
+        ]
+        if earlier:
+            passages = len(states) - 1 - earlier[-1]
+            periods = (step.state.half_cycles - states[earlier[-1]].half_cycles) // 2
+            table = np.zeros((passages, periodic.ORBIT_COLUMNS))
+            fixed = periodic.polish(system, step.state, passages, periods, table)
+            if fixed.found and periods <= longest:
+                yield orbit_from(block, shaking, table, periods, fixed.residual)
+            return
+
+
+def _searched_orbits(
+    block: Block | DimensionlessBlock, shaking: Harmonic, longest: int, most: int, seeds: int
+) -> Iterable[Orbit]:
+    """Yield the orbits that Newton's method finds."""
+    system = make_system(block.dimensionless(), shaking)
+    w = shaking.frequency_ratio
+    fastest = 1.0 + shaking.amplitude / math.hypot(1.0, w)
+    steps = np.arange(seeds, dtype=np.float64)
+    phases: Floats = steps * (2.0 * math.pi / seeds)
+    speeds: Floats = (steps + 0.5) * (fastest / seeds)
+    found, shape = np.zeros((ROOM, 2)), np.zeros((ROOM, 2), dtype=np.int64)
+    table = np.zeros((most, periodic.ORBIT_COLUMNS))
+    count = periodic.search(system, phases, speeds, most, longest, True, table, found, shape)
+    for (phase, speed), (passages, periods) in zip(
+        found[:count].tolist(), shape[:count].tolist(), strict=True
+    ):
+        begin = section_of(ImpactState(side=1, phase=phase, speed=speed))
+        fixed = periodic.polish(system, begin, passages, periods, table)
+        if fixed.found:
+            yield orbit_from(block, shaking, table[:passages], periods, fixed.residual)
+
+
+def _same(one: Orbit, other: Orbit) -> bool:
+    """Return whether two orbits are one, started at different impacts."""
+    if one.period != other.period or len(one.states) != len(other.states):
+        return False
+    if not (one.admissible and other.admissible):
+        return False
+    first = one.states[0]
+    for state in other.states:
+        apart = abs(state.phase - first.phase)
+        apart = min(apart, 2.0 * math.pi - apart)
+        slower = min(state.speed, first.speed)
+        close = abs(state.speed - first.speed) <= SAME * max(slower, 1e-3)
+        if state.side == first.side and apart <= SAME and close:
+            return True
+    return False

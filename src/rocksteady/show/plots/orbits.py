@@ -1,0 +1,316 @@
+"""Plots of periodic motions: the Poincare section just after impact, and Floquet multipliers."""
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.orbit import Orbit
+from rocksteady.dynamics.trajectory import Trajectory
+from rocksteady.show import palette
+from rocksteady.show.layout import axes_or_new, emptiest_corner, extent, legend_inside, put_beside
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.lines import Line2D
+
+LINEAR_REACH = 2.0
+"""Modulus up to which multipliers are drawn to scale; with larger ones the scale is logarithmic
+outside the unit circle."""
+MOST_RINGS = 3
+"""Circles outside the unit circle, for powers of ten."""
+RINGS_AT = math.radians(-105.0)
+"""Direction in which their numbers stand; multipliers are real or come in pairs about the axis."""
+MOST_NUMBERS = 100
+"""Orbits that are numbered."""
+MARKERS = {1: "^", -1: "v"}
+"""Of the side to which the block goes."""
+
+
+def plot_section(
+    motions: Iterable[Orbit] | Trajectory,
+    ax: "Axes | None" = None,
+    *,
+    since: float = 0.0,
+) -> "Axes":
+    """Draw the Poincare section just after impact: speed against the phase of the shaking.
+
+    Of orbits, every state: stable ones filled, unstable ones hollow, neutral ones half filled, with
+    the colour of their period and a triangle that points to the side to which the block goes.
+    Several orbits have numbers, in the order in which they come, at their first state.  An uplift
+    from rest is a state with speed 0.  Solutions that pass through the floor are left out.
+
+    Of a trajectory, every impact: a motion that never repeats draws a cloud.
+
+    Parameters
+    ----------
+    motions
+        From `rocksteady.orbits`, or from `rocksteady.simulate` under harmonic shaking.
+    ax
+        Axes to draw on; those of a new figure without.
+    since
+        Pivot time p t from which on the impacts of a trajectory are drawn.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: phase of the shaking, 0 to 2 pi, and |d(theta/alpha)/d(p t)| after the impact.
+
+    Raises
+    ------
+    ModelError
+        If the shaking of a trajectory is not harmonic.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import DimensionlessBlock, Harmonic, orbits
+    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
+    >>> found = orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)
+    >>> axes = plot_section(found, Figure().add_subplot())
+    >>> [number.get_text() for number in axes.texts]  # the second is no motion
+    ['1', '3']
+    """
+    axes = axes_or_new(ax)
+    if isinstance(motions, Trajectory):
+        labels: list[tuple[str, float, float]] = []
+        handles, phase, speed = _draw_impacts(axes, motions, since)
+    else:
+        numbered = _numbered(motions)
+        handles, phase, speed = _draw_states(axes, [orbit for _, orbit in numbered])
+        labels = [(text, orbit.states[0].phase, orbit.states[0].speed) for text, orbit in numbered]
+    top = float(speed.max(initial=0.0))
+    columns = 1 if len(handles) < 4 else 2
+    size = extent(axes, width=115.0 * columns, height=12.0 * math.ceil(len(handles) / columns) + 14)
+    axes.set(
+        xlabel=palette.LABELS["phase"],
+        ylabel=palette.LABELS["speed"],
+        xlim=(0.0, 2.0 * math.pi),
+        # The legend goes above what is drawn.
+        ylim=(-0.04 * top, top / max(0.3, 0.95 - size[1])) if top > 0.0 else (0.0, 1.0),
+    )
+    turns = ("0", r"$\pi/2$", r"$\pi$", r"$3\pi/2$", r"$2\pi$")
+    axes.set_xticks([0.5 * math.pi * k for k in range(5)], turns)
+    _key(axes, handles, (phase, speed), size, columns)
+    put_beside(axes, labels, (phase, speed))
+    return axes
+
+
+def plot_multipliers(orbits: Iterable[Orbit], ax: "Axes | None" = None) -> "Axes":
+    """Draw Floquet multipliers in the complex plane, with the unit circle that bounds stability.
+
+    Inside the circle the plane is drawn to scale.  Where a modulus exceeds 2, moduli above 1 are
+    drawn by their logarithm, at the true angle; rings mark powers of ten.  Colours, fills and
+    numbers are those of `plot_section`; a number stands beside the larger multiplier.
+
+    Parameters
+    ----------
+    orbits
+        From `rocksteady.orbits`.  Solutions that pass through the floor are left out.
+    ax
+        Axes to draw on; those of a new figure without.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: real and imaginary part, of one scale.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import DimensionlessBlock, Harmonic, orbits
+    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
+    >>> found = orbits(DimensionlessBlock(restitution=0.8), shaking)
+    >>> print([f"{orbit.largest_multiplier:.3g}" for orbit in found if orbit.admissible])
+    ['0.64', '3.18', '154', '2.69']
+    >>> axes = plot_multipliers(found, Figure().add_subplot())
+    >>> [text.get_text() for text in axes.texts[:3]]
+    ['10', '$10^{2}$', '$10^{3}$']
+    """
+    from matplotlib.patches import Circle
+
+    axes = axes_or_new(ax)
+    numbered = _numbered(orbits)
+    values = np.array([orbit.multipliers for _, orbit in numbered]).reshape(-1, 2)
+    largest = float(np.abs(values).max(initial=0.0))
+    decades = math.ceil(math.log10(largest) - 1e-9) if largest > LINEAR_REACH else 0
+    axes.add_patch(Circle((0.0, 0.0), 1.0, fc=palette.SYMMETRIC, alpha=0.12, lw=0))
+    axes.add_patch(Circle((0.0, 0.0), 1.0, fill=False, ec=palette.INK, lw=1.0))
+    step = max(1, math.ceil(decades / MOST_RINGS))
+    rings = [*range(step, decades + 1, step)]
+    axes.grid(visible=False)
+    for line in (axes.axhline, axes.axvline):
+        line(0.0, color=palette.GRID, lw=0.7, zorder=0.5)
+    for ring in rings:
+        radius = 1.0 + ring / decades
+        axes.add_patch(Circle((0.0, 0.0), radius, fill=False, ec=palette.GRID, lw=0.7))
+        axes.annotate(
+            "10" if ring == 1 else f"$10^{{{ring}}}$",
+            (radius * math.cos(RINGS_AT), radius * math.sin(RINGS_AT)),
+            ha="center",
+            va="center",
+            fontsize=7.5,
+            color=palette.NUMBER,
+            bbox={"fc": "white", "ec": "none", "pad": 0.8},
+        )
+    places = np.array([[_place(complex(m), decades) for m in pair] for pair in values])
+    places = places.reshape(-1, 2)
+    for (_, orbit), pair in zip(numbered, places, strict=True):
+        style = _style(orbit)
+        axes.plot(pair.real, pair.imag, "o", ms=5.0, ls="none", clip_on=False, **style)
+    reach = 2.2 if decades else max(1.35, 1.15 * largest)
+    axes.set(
+        xlabel=palette.LABELS["multiplier_real"],
+        ylabel=palette.LABELS["multiplier_imaginary"],
+        xlim=(-reach, reach),
+        ylim=(-reach, reach),
+        aspect="equal",
+    )
+    ticks = [-1.0, -0.5, 0.0, 0.5, 1.0]
+    axes.set_xticks(ticks)
+    axes.set_yticks(ticks)
+    if decades:
+        axes.annotate(
+            r"beyond the circle: $\log|\mu|$",
+            (1.0, 0.0),
+            (-2.0, 3.0),
+            xycoords="axes fraction",
+            textcoords="offset points",
+            ha="right",
+            fontsize=7.5,
+            color=palette.NUMBER,
+        )
+    handles = _handles([orbit for _, orbit in numbered], "o")
+    size = extent(axes, width=62.0, height=12.0 * len(handles) + 12.0)
+    _key(axes, handles, (places.real, places.imag), size)
+    labels: list[tuple[str, float, float]] = []
+    for (text, orbit), drawn in zip(numbered, places.tolist(), strict=True):
+        # Of a conjugate pair the one above the real axis, else the larger.
+        turning = orbit.multipliers[0].imag != 0.0
+        place = max(drawn, key=lambda value: value.imag) if turning else drawn[0]
+        labels.append((text, place.real, place.imag))
+    put_beside(axes, labels, (places.real, places.imag))
+    return axes
+
+
+def _numbered(orbits: Iterable[Orbit]) -> list[tuple[str, Orbit]]:
+    """Return the orbits that are motions, with their numbers among all; one alone needs none.
+
+    Too many would hide what they number.
+    """
+    listed = list(orbits)
+    return [
+        (str(number) if 1 < len(listed) <= MOST_NUMBERS else "", orbit)
+        for number, orbit in enumerate(listed, start=1)
+        if orbit.admissible
+    ]
+
+
+def _style(orbit: Orbit) -> dict[str, Any]:
+    """Return how the marks of an orbit look."""
+    colour = palette.LINES[(orbit.period - 1) % len(palette.LINES)]
+    fill = "full" if orbit.stable else ("left" if orbit.neutral else "none")
+    return {"color": colour, "fillstyle": fill, "mew": 1.0, "markerfacecoloralt": "white"}
+
+
+def _handles(orbits: Sequence[Orbit], marker: str) -> list["Line2D"]:
+    """Return the entries of a legend: what there is of periods and of stability."""
+    from matplotlib.lines import Line2D
+
+    handles = []
+    for period in sorted({orbit.period for orbit in orbits}):
+        colour = palette.LINES[(period - 1) % len(palette.LINES)]
+        label = f"period {period}"
+        handles.append(Line2D([], [], ls="none", marker="s", ms=5.0, color=colour, label=label))
+    worths = (("stable", "full"), ("neutral", "left"), ("unstable", "none"))
+    seen = {_style(orbit)["fillstyle"] for orbit in orbits}
+    for label, fill in worths:
+        if fill in seen:
+            handles.append(
+                Line2D(
+                    [],
+                    [],
+                    ls="none",
+                    marker=marker,
+                    ms=5.0,
+                    color=palette.INK,
+                    fillstyle=fill,  # type: ignore[arg-type]
+                    label=label,
+                )
+            )
+    return handles
+
+
+def _side_handles(styles: dict[int, dict[str, Any]]) -> list["Line2D"]:
+    """Return the entries of a legend for the two sides."""
+    from matplotlib.lines import Line2D
+
+    words = {1: "to the positive side", -1: "to the negative side"}
+    return [
+        Line2D([], [], ls="none", label=words[side], **{"ms": 5.0, **style})
+        for side, style in styles.items()
+    ]
+
+
+def _draw_states(
+    axes: "Axes", orbits: Sequence[Orbit]
+) -> tuple[list["Line2D"], NDArray[np.float64], NDArray[np.float64]]:
+    """Draw the states of orbits; return entries of the legend, phases and speeds."""
+    for orbit in orbits:
+        for side, marker in MARKERS.items():
+            states = [state for state in orbit.states if state.side == side]
+            axes.plot(
+                [state.phase for state in states],
+                [state.speed for state in states],
+                marker=marker,
+                ms=6.0,
+                ls="none",
+                clip_on=False,
+                zorder=3.0 if orbit.stable else 2.5,
+                **_style(orbit),
+            )
+    sides = {side: {"marker": marker, "color": palette.FAINT} for side, marker in MARKERS.items()}
+    handles = [*_handles(orbits, "^"), *(_side_handles(sides) if orbits else ())]
+    states = [state for orbit in orbits for state in orbit.states]
+    phase = np.array([state.phase for state in states])
+    return handles, phase, np.array([state.speed for state in states])
+
+
+def _draw_impacts(
+    axes: "Axes", trajectory: Trajectory, since: float
+) -> tuple[list["Line2D"], NDArray[np.float64], NDArray[np.float64]]:
+    """Draw the impacts of a trajectory; return entries of the legend, phases and speeds."""
+    _ = trajectory.frequency_ratio  # refuses every other base motion
+    impacts = trajectory.impacts
+    late = impacts.s >= since
+    phase = (impacts.half_cycles[late] % 2) * math.pi + impacts.phase[late]
+    after = impacts.velocity_after[late]
+    size = 3.0 if len(after) < 300 else 1.6
+    styles: dict[int, dict[str, Any]] = {}
+    for side, colour in ((1, palette.LINES[0]), (-1, palette.LINES[1])):
+        styles[side] = {"marker": MARKERS[side], "color": colour, "mew": 0.0}
+        there = np.sign(after) == side
+        axes.plot(phase[there], np.abs(after[there]), ms=size, ls="none", **styles[side])
+    return _side_handles(styles), phase, np.abs(after)
+
+
+def _key(
+    axes: "Axes",
+    handles: Sequence["Line2D"],
+    points: tuple[NDArray[np.float64], NDArray[np.float64]],
+    size: tuple[float, float],
+    columns: int = 1,
+) -> None:
+    """Draw the legend in the corner where it hides least."""
+    if handles:
+        legend_inside(axes, emptiest_corner(axes, points, size), columns=columns, handles=handles)
+
+
+def _place(multiplier: complex, decades: int) -> complex:
+    """Return where a multiplier is drawn; beyond the unit circle by its logarithm."""
+    size = abs(multiplier)
+    if decades == 0 or size <= 1.0:
+        return multiplier
+    return multiplier / size * (1.0 + math.log10(size) / decades)

@@ -1,0 +1,244 @@
+"""`rocksteady attractor`: its contract, its text and its files."""
+
+import csv
+import math
+from pathlib import Path
+
+import pytest
+
+from rocksteady import Block, DimensionlessBlock, Harmonic, Steady, attractor
+from tests.cli.program import refused, rocksteady
+
+POINT = "attractor -A 2 -W 1.9 -r 0.8 --start steady --side -"
+CHAOS = "attractor -A 6 -W 6 -r 0.25"
+CONTRACT = {
+    "kind",
+    "reason",
+    "period",
+    "impacts_per_period",
+    "rest_phases",
+    "peaks",
+    "multipliers",
+    "lyapunov",
+}
+
+
+def test_the_json_of_an_orbit_keeps_the_contract() -> None:
+    ran = rocksteady(f"{POINT} --json")
+    assert (ran.code, ran.err) == (0, "")
+    values = ran.json
+    assert next(iter(values)) == "schema"
+    assert values["schema"] == "rocksteady/attractor/1"
+    assert set(values) >= CONTRACT
+    found = attractor(
+        DimensionlessBlock(restitution=0.8),
+        Harmonic(amplitude=2.0, frequency_ratio=1.9),
+        start=Steady(),
+        side=-1,
+    )
+    assert found.orbit is not None
+    assert (values["kind"], values["reason"]) == ("unsymmetric", None)
+    assert (values["period"], values["impacts_per_period"], values["rest_phases"]) == (1, 2, 0)
+    assert values["peaks"] == list(found.peaks or ())
+    assert values["multipliers"] == [[m.real, m.imag] for m in found.orbit.multipliers]
+    assert values["lyapunov"] == found.lyapunov
+    assert values["settled_after_periods"] == found.after
+    assert values["residual"] <= 1e-12
+    assert [(state["side"], state["phase"], state["speed"]) for state in values["states"]] == [
+        (state.side, state.phase, state.speed) for state in found.orbit.states
+    ]
+    assert (values["amplitude"], values["frequency_ratio"], values["restitution"]) == (2, 1.9, 0.8)
+    assert (values["start"], values["side"], values["cycles"]) == ("steady", "-", 2000)
+    assert "peaks_rad" not in values
+
+
+@pytest.mark.parametrize(
+    ("command", "kind", "period", "peaks"),
+    [
+        (POINT, "unsymmetric", 1, (0.90035, -0.44427)),  # TW7
+        (
+            "attractor -A 2 -W 4.2 -r 0.8 --start steady -n 3 --side -",
+            "unsymmetric",
+            3,
+            (0.53129, -0.44713),
+        ),
+        ("attractor -A 2 -W 4 -r 0.8", "symmetric", 1, (0.18550, -0.18550)),
+        ("attractor -A 1 -W 4 -r 0.8", "rest", None, (0.0, 0.0)),
+    ],
+)
+def test_published_attractors(
+    command: str, kind: str, period: int | None, peaks: tuple[float, float]
+) -> None:
+    values = rocksteady(f"{command} --json").json
+    assert (values["kind"], values["period"]) == (kind, period)
+    assert values["peaks"] == pytest.approx(peaks, abs=5.1e-6)
+    assert values["impacts_per_period"] == (None if period is None else 2)
+
+
+def test_the_doubled_orbit_at_1_78_is_an_attractor() -> None:
+    listed = rocksteady("orbits -A 2 -W 1.78 -r 0.8 --max-period 2 --json").json["orbits"]
+    (stable,) = (orbit for orbit in listed if orbit["stable"])
+    state = stable["states"][0]
+    start = f"--start=0,w={state['side'] * state['speed'] * 1.001} --phase {state['phase']}"
+    values = rocksteady(f"attractor -A 2 -W 1.78 -r 0.8 {start} --json").json
+    assert (values["kind"], values["period"], values["impacts_per_period"]) == ("unsymmetric", 2, 4)
+    assert values["peaks"] == pytest.approx(stable["peaks"], abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("command", "kind"),
+    [
+        ("attractor -A 1 -W 4 -r 0.8", "rest"),
+        ("attractor -A 2 -W 1.7 -r 0.8 --start steady", "overturned"),
+        (CHAOS, "aperiodic"),
+    ],
+)
+def test_what_an_attractor_has_not_is_null(command: str, kind: str) -> None:
+    values = rocksteady(f"{command} --json").json
+    assert set(values) >= CONTRACT
+    assert values["kind"] == kind
+    for name in ("reason", "period", "impacts_per_period", "rest_phases", "multipliers", "states"):
+        assert values[name] is None, name
+    assert (values["peaks"] is None) == (kind != "rest")
+    assert (values["lyapunov"] is None) == (kind != "aperiodic")
+
+
+def test_an_orbit_that_comes_to_rest_has_infinitely_many_impacts() -> None:
+    values = rocksteady("attractor -A 1.08 -W 0.6 -r 0.05 --json").json
+    assert (values["kind"], values["period"]) == ("symmetric", 1)
+    assert (values["impacts_per_period"], values["rest_phases"]) == (None, 2)
+    assert values["multipliers"] == [[0.0, 0.0], [0.0, 0.0]]
+    assert values["lyapunov"] is None
+    text = rocksteady("attractor -A 1.08 -W 0.6 -r 0.05").out
+    assert "infinitely many" in text
+    assert "2 times in a period" in text
+
+
+def test_what_cannot_be_decided_says_why_and_ends_with_3(tmp_path: Path) -> None:
+    file = tmp_path / "motion.png"
+    command = "attractor -A 0.5 -W 4 -r 1 --start 0.1,w=0 --cycles 200"
+    ran = rocksteady(f"{command} --json --plot", file)
+    assert ran.code == 3
+    assert ran.json["kind"] == "undecided"
+    assert "restitution 1" in ran.json["reason"]
+    assert file.exists(), "what was found is shown all the same"
+    text = rocksteady(command)
+    assert text.code == 3
+    assert ran.json["reason"] in " ".join(text.out.split())
+
+
+def test_a_real_block_is_in_radians_and_seconds() -> None:
+    values = rocksteady("attractor --block tso-wong-1989 --accel-g 0.4 --freq-hz 4 --json").json
+    block = Block.from_p(alpha=0.2, p=2.0 * math.pi, restitution=0.8)
+    assert values["block"]["alpha_rad"] == block.alpha
+    assert values["freq_hz"] == pytest.approx(4.0)
+    assert values["period_s"] == pytest.approx(0.25)
+    assert values["peaks_rad"] == [peak * block.alpha for peak in values["peaks"]]
+    text = rocksteady("attractor --block tso-wong-1989 --accel-g 0.4 --freq-hz 4").out
+    assert "0.25 s" in text
+    assert "rad" in text
+    rest = rocksteady("attractor --block tso-wong-1989 -A 0.5 -W 4 --json").json
+    assert (rest["peaks_rad"], rest["period_s"]) == ([0.0, 0.0], None)
+
+
+@pytest.mark.parametrize(
+    ("command", "words"),
+    [
+        (POINT, ["unsymmetric", "1 forcing period", "0.9003522839", "+-", "mirror image"]),
+        ("attractor -A 2 -W 1.7 -r 0.8 --start steady", ["overturned", "known after", "falls"]),
+        (CHAOS, ["aperiodic", "Lyapunov", "does not repeat"]),
+        ("attractor -A 1 -W 4 -r 0.8", ["rest", "0 forcing periods"]),
+    ],
+)
+def test_the_text_says_what_it_is_in_80_columns(command: str, words: list[str]) -> None:
+    ran = rocksteady(command)
+    assert (ran.code, ran.err) == (0, "")
+    for word in words:
+        assert word in ran.out
+    assert max(map(len, ran.out.splitlines())) <= 82
+
+
+# ------------------------------------------------------------------------------- bad input
+
+
+@pytest.mark.parametrize(
+    ("flags", "needle"),
+    [
+        ("--start foo", "--start = 'foo'"),
+        ("--start steady:3", "--start = 'steady:3'"),
+        ("--start steady --phase 1", "--phase = 1.0"),
+        ("--start steady:2", "--start = 'steady:2'"),
+        ("--side left", "--side = 'left'"),
+        ("--phase nan", "--phase = nan"),
+        ("--kick 1e-3", "--kick = 0.001"),
+        ("--start steady --kick 1", "--kick = 1.0"),
+        ("-n 3", "--order/-n = 3"),
+        ("--cycles 0", "--cycles = 0"),
+        ("--cycles -1", "--cycles = -1"),
+        ("--cycles 1.5", "'1.5'"),
+        ("--cycles 99999999999999999999", "--cycles = 99999999999999999999"),
+    ],
+)
+def test_a_bad_start_or_length_is_refused(flags: str, needle: str, tmp_path: Path) -> None:
+    line = refused(f"attractor -A 2 -W 4 -r 0.8 {flags} --csv", tmp_path / "a.csv")
+    assert needle in line
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_an_axis_and_missing_shaking_are_refused() -> None:
+    assert "--amplitude/-A = '3 values'" in refused("attractor -A 1:2:3 -W 4 -r 0.8")
+    assert "neither" in refused("attractor -r 0.8")
+
+
+# ----------------------------------------------------------------------------------- files
+
+
+def test_the_csv_holds_the_orbit_s_impacts_to_the_last_digit(tmp_path: Path) -> None:
+    file = tmp_path / "orbit.csv"
+    command = "attractor --block tso-wong-1989 -A 2 -W 4.2 --start steady -n 3 --json --csv"
+    states = rocksteady(command, file).json["states"]
+    rows = list(csv.DictReader(file.read_text(encoding="utf-8").splitlines()))
+    assert len(rows) == len(states) == 2
+    for row, state in zip(rows, states, strict=True):
+        assert int(row["side"]) == state["side"]
+        assert float(row["phase_rad"]) == state["phase"]
+        assert float(row["speed_per_pivot_time"]) == state["speed"]
+        assert float(row["speed_rad_s"]) == pytest.approx(0.2 * 2.0 * math.pi * state["speed"])
+
+
+@pytest.mark.parametrize(
+    ("command", "some"),
+    [(CHAOS, True), ("attractor -A 1 -W 4 -r 0.8", False), ("attractor -A 9 -W 1 -r 0.8", False)],
+)
+def test_without_an_orbit_the_csv_holds_the_cloud_or_nothing(
+    command: str, *, some: bool, tmp_path: Path
+) -> None:
+    file = tmp_path / "impacts.csv"
+    assert rocksteady(f"{command} --csv", file).code == 0
+    rows = list(csv.DictReader(file.read_text(encoding="utf-8").splitlines()))
+    assert (len(rows) > 1000) == some
+    assert bool(rows) == some
+    for row in rows:
+        assert row["side"] in ("1", "-1")
+        assert 0.0 <= float(row["phase_rad"]) < 2.0 * math.pi
+        assert float(row["speed_per_pivot_time"]) >= 0.0
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        POINT,
+        CHAOS,
+        "attractor -A 1.08 -W 0.6 -r 0.05",
+        "attractor -A 1 -W 4 -r 0.8",
+        "attractor -A 2 -W 1.7 -r 0.8 --start steady",
+        "attractor --block tso-wong-1989 -A 2 -W 4.2 --start steady -n 3",
+    ],
+)
+def test_every_kind_of_attractor_can_be_drawn(command: str, tmp_path: Path) -> None:
+    file = tmp_path / "attractor.png"
+    ran = rocksteady(f"{command} --json --plot", file)
+    assert ran.code == 0
+    assert ran.json["schema"] == "rocksteady/attractor/1"
+    assert file.read_bytes().startswith(b"\x89PNG")
+    assert [path.name for path in tmp_path.iterdir()] == ["attractor.png"]

@@ -1,0 +1,223 @@
+"""What a block settles to that rests, falls, never settles, or is asked for what cannot be."""
+
+import math
+
+import numpy as np
+import pytest
+
+from rocksteady import (
+    AttractorKind,
+    Block,
+    DimensionlessBlock,
+    Harmonic,
+    InputError,
+    ModelError,
+    Rest,
+    State,
+    Steady,
+    Still,
+    attractor,
+    steady_states,
+)
+from tests.dynamics.recurrence import seen
+from tests.dynamics.settling import Start, is_an_orbit_that_attracts, settled
+
+# ------------------------------------------------------------------------------------------ rest
+
+
+@pytest.mark.parametrize(
+    ("amplitude", "frequency", "restitution"),
+    [(1.01, 2.0, 0.8), (1.05, 1.0, 0.3), (1.0001, 4.0, 0.9), (1.0001, 0.3, 0.5)],
+)
+def test_an_orbit_with_rest_is_the_same_from_different_starts(
+    amplitude: float, frequency: float, restitution: float
+) -> None:
+    starts: list[tuple[float, Start]] = [
+        (0.0, Rest()),
+        (1.7, Rest()),
+        (3.0, State(angle=1e-5, velocity=0.0)),
+        (4.0, State(angle=0.0, velocity=-1e-5)),
+    ]
+    found = [settled(amplitude, frequency, restitution, phase=p, start=s) for p, s in starts]
+    for one in found:
+        is_an_orbit_that_attracts(one)
+        assert (one.kind, one.period) == (AttractorKind.SYMMETRIC, 1)
+        assert one.orbit is not None
+        assert one.orbit.rest_phases == 2
+        assert one.peaks == pytest.approx(found[0].peaks, rel=1e-9)
+        lifts = [state for state in one.orbit.states if state.speed == 0.0]
+        assert sorted(state.side for state in lifts) == [-1, 1]
+        for state in lifts:
+            assert state.side * amplitude * math.sin(state.phase) == pytest.approx(1.0, abs=1e-12)
+
+
+@pytest.mark.parametrize("amplitude", [0.0, 0.3, 1.0])
+def test_where_the_base_never_lifts_it_a_block_at_rest_stays(amplitude: float) -> None:
+    found = settled(amplitude, 4.0, 0.8)
+    assert found.kind is AttractorKind.REST
+    assert found.peaks == (0.0, 0.0)
+    assert math.isnan(found.lyapunov)
+
+
+def test_a_tilted_block_on_a_still_base_comes_to_rest_or_falls() -> None:
+    assert settled(0.0, 4.0, 0.9, start=State(angle=0.5, velocity=0.0)).kind is AttractorKind.REST
+    over = settled(0.0, 4.0, 0.9, start=State(angle=-1.1, velocity=0.0))
+    assert over.kind is AttractorKind.OVERTURNED
+    assert over.peaks is None
+
+
+def test_below_uplift_a_moving_block_may_rock_on() -> None:
+    # A = .9 lifts no block, and keeps one rocking.
+    assert settled(0.9, 4.0, 0.9).kind is AttractorKind.REST
+    rocking = settled(0.9, 4.0, 0.9, start=State(angle=0.5, velocity=0.0))
+    assert (rocking.kind, rocking.period) == (AttractorKind.SYMMETRIC, 1)
+
+
+@pytest.mark.parametrize(
+    ("point", "kind"),
+    [
+        ((20.0, 0.05, 0.8), AttractorKind.OVERTURNED),
+        ((20.0, 200.0, 0.95), AttractorKind.SYMMETRIC),
+        ((3.0, 200.0, 0.05), AttractorKind.UNSYMMETRIC),
+        ((1.2, 200.0, 0.999), AttractorKind.SYMMETRIC),
+        ((1.0001, 0.05, 0.05), AttractorKind.SYMMETRIC),
+        ((20.0, 200.0, 0.05), AttractorKind.APERIODIC),
+    ],
+)
+def test_extreme_points(point: tuple[float, float, float], kind: AttractorKind) -> None:
+    found = settled(*point)
+    assert found.kind is kind
+    if found.orbit is not None:
+        is_an_orbit_that_attracts(found)
+
+
+# ------------------------------------------------------------------------------- none, or not yet
+
+
+def test_without_loss_nothing_settles_and_the_reason_is_given() -> None:
+    found = settled(0.5, 4.0, 1.0, start=State(angle=0.2, velocity=0.0))
+    assert found.kind is AttractorKind.UNDECIDED
+    assert "without loss" in found.reason
+    assert found.orbit is None
+    still = settled(0.0, 4.0, 1.0, start=State(angle=0.5, velocity=0.0))
+    assert still.kind is AttractorKind.UNDECIDED
+
+
+@pytest.mark.parametrize("cycles", [1, 3, 5])
+def test_too_few_cycles_are_a_reason_to_be_undecided(cycles: int) -> None:
+    found = settled(2.0, 4.0, 0.8, cycles=cycles)
+    assert found.kind is AttractorKind.UNDECIDED
+    assert f"within {cycles} forcing periods" in found.reason
+    assert "more cycles" in found.reason
+    assert found.after == cycles
+
+
+def test_a_physical_block_settles_like_its_restitution() -> None:
+    block = Block.from_radius(alpha=0.2, radius=1.0, restitution=0.8)
+    found = attractor(block, Harmonic(amplitude=2.0, frequency_ratio=4.0))
+    assert found.peaks == settled(2.0, 4.0, 0.8).peaks
+
+
+def test_an_attractor_has_a_table_for_notebooks() -> None:
+    assert "<caption>Attractor" in settled(2.0, 4.0, 0.8)._repr_html_()
+    assert "overturned" in settled(2.0, 1.7, 0.8, start=Steady())._repr_html_()
+    assert "reason" in settled(2.0, 4.0, 0.8, cycles=5)._repr_html_()
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({"cycles": 0}, r"^cycles = 0 "),
+        ({"cycles": 2.5}, r"^cycles = 2\.5 "),
+        ({"cycles": math.inf}, r"^cycles = inf "),
+        ({"side": 0}, r"^side = 0 .*1 or -1"),
+        ({"start": 0.3}, r"^start = 0\.3 "),
+    ],
+)
+def test_what_is_no_number_no_side_and_no_start_is_refused(
+    values: dict[str, object], message: str
+) -> None:
+    with pytest.raises(InputError, match=message):
+        settled(2.0, 4.0, 0.8, **values)  # type: ignore[arg-type]
+
+
+def test_what_is_no_block_what_is_not_harmonic_and_where_no_orbit_is_is_refused() -> None:
+    with pytest.raises(InputError, match=r"^block = 0\.8 "):
+        attractor(0.8, Harmonic(amplitude=1.0, frequency_ratio=1.0))  # type: ignore[arg-type]
+    with pytest.raises(ModelError, match=r"^shaking = Still"):
+        attractor(DimensionlessBlock(restitution=0.8), Still())  # type: ignore[arg-type]
+    with pytest.raises(ModelError, match=r"^start = Steady"):
+        settled(0.1, 4.0, 0.8, start=Steady())
+
+
+def test_without_loss_no_steady_start_is_an_attractor() -> None:
+    for amplitude in np.linspace(0.5, 6.0, 12).tolist():
+        for frequency in np.linspace(1.0, 12.0, 12).tolist():
+            states = steady_states(amplitude, frequency, 1.0)
+            if states.neutral[0]:
+                found = settled(amplitude, frequency, 1.0, start=Steady(), cycles=40)
+                assert found.orbit is None, (amplitude, frequency)
+
+
+@pytest.mark.parametrize(
+    ("point", "cycles"), [((4.76, 10.88, 0.64), 12), ((2.15, 2.04, 0.48), 12), ((2.0, 4.0, 0.8), 3)]
+)
+def test_a_short_run_is_never_called_aperiodic(
+    point: tuple[float, float, float], cycles: int
+) -> None:
+    for phase in (0.0, 0.5, 1.0, 2.0):
+        assert settled(*point, phase=phase, cycles=cycles).kind is not AttractorKind.APERIODIC
+
+
+def test_what_has_settled_by_the_end_of_the_cycles_is_recognised() -> None:
+    whole = settled(2.0, 1.9, 0.8, start=Steady(), side=-1)
+    found = settled(2.0, 1.9, 0.8, start=Steady(), side=-1, cycles=53)
+    assert found.kind is AttractorKind.UNSYMMETRIC
+    assert found.peaks == pytest.approx(whole.peaks, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("point", "period", "rests"),
+    [
+        ((1.0845049785897438, 2.088756243845506, 0.8191916687308698), 5, 1),  # 72 passages
+        ((1.0801369164916657, 22.804604695324915, 0.8240620929612219), 13, 2),  # 250
+    ],
+)
+def test_an_orbit_that_rocks_for_long_between_rests_is_recognised(
+    point: tuple[float, float, float], period: int, rests: int
+) -> None:
+    # From an uplift the motion is always the same, so that it closes to the last bit.
+    found = settled(*point)
+    assert found.orbit is not None
+    assert (found.period, found.orbit.rest_phases) == (period, rests)
+
+
+def test_an_orbit_with_rest_of_any_size_is_recognised() -> None:
+    found = settled(1.0001, 1000.0, 0.95)
+    assert found.orbit is not None
+    assert (found.kind, found.period) == (AttractorKind.SYMMETRIC, 1)
+
+
+def test_the_peaks_of_an_orbit_with_rest_count_its_largest_bounce() -> None:
+    # A large swing to one side, a small bounce to the other, and rest.
+    block = DimensionlessBlock(restitution=0.06852906483237249)
+    shaking = Harmonic(amplitude=1.1675980811909625, frequency_ratio=0.6036093403906745)
+    brute, found = seen(block, shaking, Rest()), attractor(block, shaking)
+    assert (found.kind.value, found.period) == (brute.kind, brute.period) == ("unsymmetric", 1)
+    assert found.peaks is not None
+    larger, smaller = sorted(map(abs, found.peaks), reverse=True)
+    high, low = sorted((abs(brute.highest), abs(brute.lowest)), reverse=True)
+    assert larger == pytest.approx(high, rel=1e-4)
+    assert low > 5e-3
+    assert smaller == pytest.approx(low, rel=1e-2)
+
+
+def test_of_an_upright_block_the_reason_is_its_balance() -> None:
+    found = settled(0.0, 4.0, 0.9, start=State(angle=1.0, velocity=0.0))
+    assert found.kind is AttractorKind.UNDECIDED
+    assert "nan" not in found.reason
+
+
+def test_more_cycles_than_an_integer_holds_are_refused() -> None:
+    with pytest.raises(InputError, match=r"^cycles = "):
+        settled(2.0, 4.0, 0.8, cycles=10**20)
