@@ -25,7 +25,7 @@ def is_an_orbit_that_attracts(found: Attractor) -> None:
     orbit = found.orbit
     assert orbit is not None
     assert orbit.stable
-    assert orbit.residual <= 1e-11
+    assert orbit.residual <= 1e-12
     assert found.kind.value == orbit.kind
     assert found.period == orbit.period
     assert found.peaks == (orbit.highest, orbit.lowest)

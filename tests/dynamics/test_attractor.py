@@ -57,8 +57,6 @@ def compared(seed: int, points: int) -> tuple[dict[str, int], int, list[object]]
             gap = 2.0 * math.pi / w / 96
             missed = (1.0 + a + max(brute.highest, -brute.lowest)) * gap * gap / 8.0 + 1e-8
             above = (found.orbit.highest - brute.highest, brute.lowest - found.orbit.lowest)
-            if found.orbit.rest_phases:  # the smaller one: see the last tests
-                above = (above[0],) * 2 if brute.highest > -brute.lowest else (above[1],) * 2
             agree = all(-1e-8 <= part <= missed for part in above)
         if not agree and found.after > 30:
             undecidable += 1
