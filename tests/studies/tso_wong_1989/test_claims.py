@@ -19,6 +19,7 @@ from tests.studies.tso_wong_1989 import (
     test_claims_regions,
     test_claims_responses,
     test_claims_stability,
+    test_claims_time_histories,
     test_claims_transitions,
 )
 from tests.studies.tso_wong_1989.whole import PANELS, claims, evidence, study
@@ -34,6 +35,7 @@ TESTED = {
     "regions": test_claims_regions,
     "responses": test_claims_responses,
     "stability": test_claims_stability,
+    "time_histories": test_claims_time_histories,
     "transitions": test_claims_transitions,
 }
 

@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from rocksteady.studies.tso_wong_1989 import study as study_module
 from rocksteady.studies.tso_wong_1989.claims import STATEMENTS
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Sample
+from rocksteady.studies.tso_wong_1989.fates import Fate
 from rocksteady.studies.tso_wong_1989.findings import Claim, Finding
 from rocksteady.studies.tso_wong_1989.histories import History
 from rocksteady.studies.tso_wong_1989.regions import Plane
@@ -122,3 +123,9 @@ def named(values: Mapping[str, Any]) -> dict[str, Any]:
 
 def plane(restitution: float, order: int) -> Plane:
     return Plane(id="other", restitution=restitution, order=order)
+
+
+def higher(fate: Fate, highest: float) -> Fate:
+    """A fate whose motion has another peak."""
+    assert fate.orbit is not None
+    return replace(fate, orbit=replace(fate.orbit, highest=highest))

@@ -7,6 +7,7 @@ from rocksteady.studies.tso_wong_1989.claims import (
     regions,
     responses,
     stability,
+    time_histories,
     transitions,
     unchecked,
 )
@@ -18,6 +19,7 @@ STATEMENTS: tuple[Statement, ...] = (
     *regions.STATEMENTS,
     *responses.STATEMENTS,
     *stability.STATEMENTS,
+    *time_histories.STATEMENTS,
     *transitions.STATEMENTS,
     *unchecked.STATEMENTS,
 )

@@ -1,22 +1,18 @@
 """Statements on which symmetric motions are stable, and Figs 8 to 11 (pages 89, 98 to 101)."""
 
-import math
 from itertools import pairwise
 
 import numpy as np
 
 from rocksteady import Harmonic, State, steady_states
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
-from rocksteady.studies.tso_wong_1989.fates import Kind, settle
+from rocksteady.studies.tso_wong_1989.fates import settle
 from rocksteady.studies.tso_wong_1989.findings import Finding
 from rocksteady.studies.tso_wong_1989.histories import (
-    KICK,
     RESTITUTION,
     SIDES,
-    History,
-    counted,
 )
-from rocksteady.studies.tso_wong_1989.words import multiplier_text, scientific, sign, signed, times
+from rocksteady.studies.tso_wong_1989.words import multiplier_text, scientific, sign, times
 
 STATEMENTS = Statements()
 
@@ -184,156 +180,6 @@ def _names(found: list[str]) -> str:
     return ", ".join(found) if found else "none"
 
 
-def _fates(history: History) -> str:
-    """Say what became of the block on each side."""
-    parts = []
-    for side in history.sides:
-        drawn = history.fates[side]
-        text = f"on the {sign(side)} side from {KICK:g}: {drawn.label}"
-        if history.fates_over_kicks:
-            text += f" (over all distances: {counted(history.fates_over_kicks[side])})"
-        parts.append(text)
-    return "; ".join(parts)
-
-
-def fate_finding(
-    history: History, kind: Kind, *, period: int = 0, symmetric: bool | None = None
-) -> Finding:
-    """Return whether a motion is unstable and is left, always, for one kind of fate.
-
-    Parameters
-    ----------
-    history
-        The time history.
-    kind
-        What the paper reports.
-    period
-        Excitation periods of a subharmonic fate.
-    symmetric
-        Whether it is symmetric, where that matters.
-    """
-    runs = [fate for side in SIDES for fate in history.fates_over_kicks.get(side, [])]
-    met = [
-        fate.kind is kind and period in {0, fate.period} and symmetric in {None, fate.symmetric}
-        for fate in runs
-    ]
-    share = sum(met) / max(len(met), 1)
-    same = not history.stable and all(met)
-    reason = ""
-    if not history.stable and not same:
-        reason = (
-            f"The paper's fate is met in {share:.0%} of the runs: it depends on where the motion "
-            "is left. "
-        )
-    return Finding(
-        holds=same,
-        detail=f"{'Stable' if history.stable else 'Unstable'}, half-cycle multiplier "
-        f"{multiplier_text(history.multiplier)}. {reason}Left {_fates(history)}.",
-        values={"share": share, "multiplier": abs(history.multiplier)},
-    )
-
-
-def stable_finding(history: History) -> Finding:
-    """Return whether a symmetric motion is stable and a run stays on it."""
-    states, branch = history.states, history.case.branch - 1
-    assert states.peak is not None
-    peak = float(states.peak[branch])
-    fate = settle(RESTITUTION, history.shaking, history.start)
-    stays = fate.symmetric and abs(fate.highest - peak) < 1e-5
-    text = (
-        f"Half-cycle multiplier {multiplier_text(history.multiplier)}; peak {peak:.5f} in closed "
-        "form. "
-    )
-    if history.stable and stays:
-        text += (
-            f"The block settles there: peak {fate.highest:.5f}, by Newton's method on its returns."
-        )
-    else:
-        periods = 1.0 / (2.0 * math.log10(abs(history.multiplier)) / history.case.order)
-        text += (
-            f"Unstable: a disturbance grows tenfold in {periods:.1f} periods, and over the "
-            f"{history.case.periods} periods of the figure {times(history.growth)}, too little "
-            f"to be seen. Left {_fates(history)}. The attractor is unsymmetric, θ/α between "
-            f"{signed(fate.lowest, '.5f')} and {fate.highest:.5f}."
-        )
-    return Finding(
-        holds=history.stable and stays,
-        detail=text,
-        values={
-            "multiplier": [history.multiplier.real, history.multiplier.imag],
-            "peak": peak,
-            "highest": fate.highest,
-            "lowest": fate.lowest,
-        },
-    )
-
-
-@STATEMENTS.add(
-    "fig-8a",
-    "At A = 1, 1 Hz the in-phase harmonic motion is left and the block topples.",
-    page=100,
-    figures=("8a",),
-)
-def figure_8a(evidence: Evidence) -> Finding:
-    """Compare the fates."""
-    return fate_finding(evidence.histories["8a"], Kind.OVERTURNED)
-
-
-@STATEMENTS.add(
-    "fig-8b",
-    "At A = 1, 2 Hz the in-phase harmonic motion is left for the stable out-of-phase one.",
-    page=100,
-    figures=("8b",),
-)
-def figure_8b(evidence: Evidence) -> Finding:
-    """Compare the fates."""
-    return fate_finding(evidence.histories["8b"], Kind.SYMMETRIC)
-
-
-@STATEMENTS.add(
-    "fig-8c",
-    "At A = 1, 8 Hz the in-phase harmonic motion is left for the stable out-of-phase one.",
-    page=100,
-    figures=("8c",),
-)
-def figure_8c(evidence: Evidence) -> Finding:
-    """Compare the fates."""
-    return fate_finding(evidence.histories["8c"], Kind.SYMMETRIC)
-
-
-@STATEMENTS.add(
-    "fig-9a",
-    "At A = 2, 3.5 Hz the in-phase 1/3 subharmonic is left and the block topples.",
-    page=100,
-    figures=("9a",),
-)
-def figure_9a(evidence: Evidence) -> Finding:
-    """Compare the fates."""
-    return fate_finding(evidence.histories["9a"], Kind.OVERTURNED)
-
-
-@STATEMENTS.add(
-    "fig-9b",
-    "At A = 2, 4 Hz the in-phase 1/3 subharmonic is left for the stable harmonic motion.",
-    page=100,
-    figures=("9b",),
-)
-def figure_9b(evidence: Evidence) -> Finding:
-    """Compare the fates."""
-    return fate_finding(evidence.histories["9b"], Kind.SYMMETRIC)
-
-
-@STATEMENTS.add(
-    "fig-9c",
-    "At A = 2, 5 Hz the in-phase 1/3 subharmonic is left for the stable out-of-phase one.",
-    page=100,
-    figures=("9c",),
-)
-def figure_9c(evidence: Evidence) -> Finding:
-    """Compare the fates."""
-    return fate_finding(evidence.histories["9c"], Kind.SUBHARMONIC, period=3, symmetric=True)
-
-
 @STATEMENTS.add(
     "settled-out-of-phase",
     "The harmonic motion that these runs settle to is the stable out-of-phase solution.",
@@ -362,39 +208,6 @@ def settled_out_of_phase(evidence: Evidence) -> Finding:
                 f"solution with n = {fate.period} {float(states.peak[0]):.5f}"
             )
     return Finding(holds=holds and bool(rows), detail="; ".join(rows) + ".")
-
-
-@STATEMENTS.add(
-    "fig-10",
-    "At A = 6, 4 Hz the out-of-phase harmonic motion is stable.",
-    page=100,
-    figures=("10",),
-)
-def figure_10(evidence: Evidence) -> Finding:
-    """Compare the run with the closed form."""
-    return stable_finding(evidence.histories["10"])
-
-
-@STATEMENTS.add(
-    "E3",
-    "At A = 4, 6 Hz the symmetric out-of-phase 1/3 subharmonic is stable (Fig. 11a).",
-    page=100,
-    figures=("11a",),
-)
-def figure_11a(evidence: Evidence) -> Finding:
-    """Compare the run with the closed form."""
-    return stable_finding(evidence.histories["11a"])
-
-
-@STATEMENTS.add(
-    "fig-11b",
-    "At A = 2, 6 Hz the symmetric out-of-phase 1/3 subharmonic is stable.",
-    page=100,
-    figures=("11b",),
-)
-def figure_11b(evidence: Evidence) -> Finding:
-    """Compare the run with the closed form."""
-    return stable_finding(evidence.histories["11b"])
 
 
 @STATEMENTS.add(

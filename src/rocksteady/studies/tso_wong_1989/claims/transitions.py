@@ -14,7 +14,6 @@ from rocksteady import (
     symmetry_breaking_frequency,
 )
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
-from rocksteady.studies.tso_wong_1989.claims.stability import fate_finding, stable_finding
 from rocksteady.studies.tso_wong_1989.fates import Fate, Kind, settle
 from rocksteady.studies.tso_wong_1989.findings import Finding
 from rocksteady.studies.tso_wong_1989.histories import RESTITUTION, History
@@ -85,52 +84,6 @@ def _followed(orbit: Orbit, ratio: float) -> Fate:
 
 
 @STATEMENTS.add(
-    "fig-12a",
-    "At A = 2, Ω = 2.0 the symmetric harmonic motion is stable.",
-    page=101,
-    figures=("12a",),
-)
-def figure_12a(evidence: Evidence) -> Finding:
-    """Compare the run with the closed form."""
-    return stable_finding(evidence.histories["12a"])
-
-
-@STATEMENTS.add(
-    "fig-12b",
-    "At A = 2, Ω = 1.9 the symmetric harmonic motion is unstable, and the block shifts to a stable "
-    "unsymmetric one.",
-    page=105,
-    figures=("12b",),
-)
-def figure_12b(evidence: Evidence) -> Finding:
-    """Compare the fates."""
-    return fate_finding(evidence.histories["12b"], Kind.UNSYMMETRIC)
-
-
-@STATEMENTS.add(
-    "fig-12c",
-    "At A = 2, Ω = 1.8 the block shifts from the symmetric harmonic motion to a stable unsymmetric "
-    "one.",
-    page=105,
-    figures=("12c",),
-)
-def figure_12c(evidence: Evidence) -> Finding:
-    """Compare the fates."""
-    return fate_finding(evidence.histories["12c"], Kind.UNSYMMETRIC)
-
-
-@STATEMENTS.add(
-    "fig-12d",
-    "At A = 2, Ω = 1.7 the block leaves the symmetric harmonic motion and overturns.",
-    page=105,
-    figures=("12d",),
-)
-def figure_12d(evidence: Evidence) -> Finding:
-    """Compare the fates."""
-    return fate_finding(evidence.histories["12d"], Kind.OVERTURNED)
-
-
-@STATEMENTS.add(
     "asymmetry-grows",
     "The asymmetry of the harmonic motion increases as the frequency falls further.",
     page=105,
@@ -156,40 +109,6 @@ def asymmetry_grows(_: Evidence) -> Finding:
         f"{series(ratios)}: {series(offsets, '.4f')}.",
         values={"frequency_ratio": ratios, "offset": offsets},
     )
-
-
-@STATEMENTS.add(
-    "fig-13a",
-    "At A = 2, Ω = 4.4 the symmetric 1/3 subharmonic is stable.",
-    page=105,
-    figures=("13a",),
-)
-def figure_13a(evidence: Evidence) -> Finding:
-    """Compare the run with the closed form."""
-    return stable_finding(evidence.histories["13a"])
-
-
-@STATEMENTS.add(
-    "fig-13b",
-    "At A = 2, Ω = 4.2 the symmetric 1/3 subharmonic is unstable, and the block settles to an "
-    "unsymmetric one.",
-    page=105,
-    figures=("13b",),
-)
-def figure_13b(evidence: Evidence) -> Finding:
-    """Compare the fates."""
-    return fate_finding(evidence.histories["13b"], Kind.SUBHARMONIC, period=3, symmetric=False)
-
-
-@STATEMENTS.add(
-    "fig-13c",
-    "At A = 2, Ω = 3.6 the block leaves the symmetric 1/3 subharmonic for the harmonic motion.",
-    page=105,
-    figures=("13c",),
-)
-def figure_13c(evidence: Evidence) -> Finding:
-    """Compare the fates."""
-    return fate_finding(evidence.histories["13c"], Kind.SYMMETRIC)
 
 
 @STATEMENTS.add(
@@ -219,17 +138,6 @@ def no_subharmonic(_: Evidence) -> Finding:
         f"velocities (du/d(pt) to 1.4, δ = 0.8): {words}. A search, not a proof.",
         values={"fates": found},
     )
-
-
-@STATEMENTS.add(
-    "fig-13d",
-    "At A = 2, Ω = 3.0 the block overturns after a few subharmonic cycles.",
-    page=105,
-    figures=("13d",),
-)
-def figure_13d(evidence: Evidence) -> Finding:
-    """Compare the fates."""
-    return fate_finding(evidence.histories["13d"], Kind.OVERTURNED)
 
 
 @STATEMENTS.add(
