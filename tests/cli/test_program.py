@@ -384,6 +384,6 @@ def test_a_first_run_says_that_it_compiles(
     monkeypatch.setattr("rocksteady.kernels.compilation.cache_folder", lambda: tmp_path)
     ran = rocksteady(f"{command} {SHAKING} -r 0.8 --json")
     assert ran.code == 0
-    assert ran.err == "compiling the kernels, once for each version: some ten seconds\n"
+    assert ran.err == "compiling the kernels, once for each version: up to half a minute\n"
     (tmp_path / "kept.nbi").touch()
     assert rocksteady(f"{command} {SHAKING} -r 0.8 --json").err == ""

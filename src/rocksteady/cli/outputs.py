@@ -47,7 +47,7 @@ def announce_compilation() -> None:
     from rocksteady.kernels.compilation import must_compile
 
     if must_compile():
-        print("compiling the kernels, once for each version: some ten seconds", file=sys.stderr)
+        print("compiling the kernels, once for each version: up to half a minute", file=sys.stderr)
 
 
 def write_figure(file: Path, figure: "Figure") -> None:

@@ -1,6 +1,6 @@
 """Compile every kernel that the package calls, so that later processes load it from disk.
 
-``python -m rocksteady.kernels.warm`` takes some ten seconds once for each version of the
+``python -m rocksteady.kernels.warm`` takes up to half a minute once for each version of the
 sources, and next to nothing from then on.  Test workers started before it would each compile their
 own.  A kernel new to the package's callers belongs into `warm`.
 """
