@@ -11,6 +11,7 @@ from rocksteady import (
     AttractorKind,
     DimensionlessBlock,
     Harmonic,
+    ModelError,
     Rest,
     State,
     Steady,
@@ -338,3 +339,44 @@ def test_a_chaotic_motion_has_the_exponent_of_any_start() -> None:
     assert len(exponents) >= 2
     assert np.ptp(exponents) < 0.05
     assert min(exponents) > 0.5
+
+
+# --------------------------------------------------------------- what rounding may have decided
+
+
+def test_growth_is_what_a_small_difference_becomes_on_the_way() -> None:
+    calm, long = settled(2.0, 4.0, 0.8), settled(6.504671554246363, 7.402801419542081, 0.93757897)
+    assert 1.0 <= calm.growth < 1e3
+    assert long.growth > 1e6
+    # A start further from the attractor passes the same flights, with one difference followed.
+    one, other = (
+        simulate(
+            DimensionlessBlock(restitution=0.8),
+            Harmonic(amplitude=2.0, frequency_ratio=4.0),
+            start=State(angle=0.0, velocity=0.3 + shift),
+            cycles=12,
+        ).impacts
+        for shift in (0.0, 1e-9)
+    )
+    seen = np.abs(other.velocity_after - one.velocity_after).max() / 1e-9
+    found = settled(2.0, 4.0, 0.8, start=State(angle=0.0, velocity=0.3))
+    assert found.growth >= 1.0
+    assert seen < 1e3 * found.growth
+
+
+@pytest.mark.parametrize(
+    ("point", "order"),
+    [((0.8, 0.05, 0.6), 9), ((0.95, 0.0218, 0.175), 3), ((0.75, 0.03, 0.9967), 9)],
+)
+@pytest.mark.parametrize("branch", [1, 2])
+def test_a_steady_start_with_long_half_cycles_is_left_or_refused(
+    point: tuple[float, float, float], order: int, branch: int
+) -> None:
+    stable, refused = True, "start"
+    try:
+        orbit = settled(*point, start=Steady(branch=branch, order=order)).orbit
+        stable = orbit is None or orbit.stable
+    except ModelError as error:
+        refused = error.name
+    assert stable
+    assert refused == "start"

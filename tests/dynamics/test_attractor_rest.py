@@ -221,3 +221,26 @@ def test_of_an_upright_block_the_reason_is_its_balance() -> None:
 def test_more_cycles_than_an_integer_holds_are_refused() -> None:
     with pytest.raises(InputError, match=r"^cycles = "):
         settled(2.0, 4.0, 0.8, cycles=10**20)
+
+
+@pytest.mark.parametrize(
+    "point",
+    [
+        (1.1368188526200682, 6.776856331917819, 0.6041142871741525),  # period 17
+        (1.14652, 10.28454, 0.51320),
+        (1.07652, 4.55947, 0.80652),
+        (1.05, 1.0, 0.3),
+    ],
+)
+def test_an_orbit_with_rest_draws_itself_as_it_is(point: tuple[float, float, float]) -> None:
+    # A run from its first state would leave it between two rests.
+    orbit = settled(*point).orbit
+    assert orbit is not None
+    assert orbit.rest_phases
+    run = orbit.trajectory()
+    unit = 2.0 * math.pi / orbit.shaking.frequency_ratio
+    assert run.end_s == pytest.approx(orbit.period * unit, rel=1e-9)
+    angle = run(run.times(400)).angle
+    assert angle.max() == pytest.approx(orbit.highest, rel=1e-3)
+    assert angle.min() == pytest.approx(orbit.lowest, rel=1e-3)
+    assert (np.diff(run.flights.s) >= -1e-12).all()

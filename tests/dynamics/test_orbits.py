@@ -452,3 +452,13 @@ def test_an_orbit_that_comes_to_rest_is_among_them(point: tuple[float, float, fl
     assert found is not None
     assert found.rest_phases == 2
     assert any(orbit.rest_phases for orbit in at(*point, seeds=24))
+
+
+def test_orbits_whose_half_cycles_no_flight_stays_on_are_given_all_the_same() -> None:
+    # Half cycles of pt = 77: a run from the closed form hovers upright, to the last bit.
+    found = at(2.0, 2.0, 0.8, max_period=49, max_impacts=1, seeds=1)
+    longest = [orbit for orbit in found if orbit.period == 49]
+    assert len(longest) == 2
+    assert all(orbit.branch is not None for orbit in longest)
+    assert all(math.isnan(o.residual) or math.isfinite(o.residual) for o in longest)
+    assert not any(orbit.stable for orbit in longest)

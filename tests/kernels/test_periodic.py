@@ -342,6 +342,7 @@ def searched(
         room(passages),
         found,
         shape,
+        0,
     )
     return found[:count], shape[:count]
 
@@ -390,7 +391,7 @@ def test_a_search_stops_when_there_is_no_more_room() -> None:
     system = even_system(1.0, 2.0, 0.8)
     found, shape = np.zeros((1, 2)), np.zeros((1, 2), dtype=np.int64)
     phases, speeds = np.linspace(0.0, 6.0, 8), np.linspace(0.1, 1.2, 8)
-    assert search(system, phases, speeds, 2, 1, True, room(2), found, shape) == 1
+    assert search(system, phases, speeds, 2, 1, True, room(2), found, shape, 0) == 1
 
 
 def test_a_lopsided_block_has_orbits_too() -> None:

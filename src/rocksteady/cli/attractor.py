@@ -47,6 +47,8 @@ EXAMPLES = (
     "rocksteady attractor -A 6 -W 6 -r 0.25 --json"
 )
 
+ROUNDED = 1e12
+"""Growth of small differences from which on a rounding may decide."""
 LONGEST_CLOUD = 4000
 """Most forcing periods of a motion without an orbit that pictures and tables follow."""
 SHOWN_PERIODS = 30
@@ -92,7 +94,7 @@ def attractor(
     with start.as_typed():
         found = settle(body, motion, start=begin, side=start.sign, cycles=cycles)
     values = attractor_values(found, body, motion)
-    values |= {"start": start.start, "side": start.side, "cycles": cycles}
+    values |= {**start.values(found.shaking.phase), "cycles": cycles}
     run = None
     if found.orbit is None and (output.csv is not None or output.plot is not None):
         run = followed(found, body, motion, begin, start.sign)
@@ -138,6 +140,7 @@ def attractor_values(
     values["reason"] = found.reason or None
     values["lyapunov"] = found.lyapunov if math.isfinite(found.lyapunov) else None
     values["settled_after_periods"] = found.after
+    values["growth"] = found.growth
     return values | shaking_values(body, shaking)
 
 
@@ -185,7 +188,7 @@ def figure_of(found: "Attractor", run: "Trajectory | None", values: dict[str, An
             title = title.replace(":", f", period {found.orbit.period}:", 1)
         return orbit_figure(found.orbit, found.orbit.trajectory(), title)
     assert run is not None
-    if found.peaks is not None or found.kind.value == "overturned":
+    if found.peaks is not None or found.kind == "overturned":
         return simulation_figure(run, title)
     return cloud_figure(run, last_periods(run), since=0.5 * run.end_s, title=title)
 
@@ -203,7 +206,7 @@ def csv_rows(
     states: list[tuple[int, float, float]] = []
     if found.orbit is not None:
         states = [(state.side, state.phase, state.speed) for state in found.orbit.states]
-    elif run is not None and found.peaks is None and found.kind.value != "overturned":
+    elif run is not None and found.peaks is None and found.kind != "overturned":
         impacts = run.impacts
         late = impacts.s >= 0.5 * run.end_s
         phase = (impacts.half_cycles[late] % 2) * math.pi + impacts.phase[late]
@@ -241,3 +244,9 @@ def print_summary(values: dict[str, Any], body: Block | DimensionlessBlock) -> N
     table.add_row("known after", f"{values['settled_after_periods']} forcing periods")
     console.print(table)
     console.print(values["reason"] or MEANING[values["kind"]], style="dim")
+    if values["growth"] > ROUNDED and values["kind"] not in ("aperiodic", "undecided"):
+        console.print(
+            f"On the way small differences grew {values['growth']:.0e}-fold: where several\n"
+            "motions attract, a rounding may have chosen this one.",
+            style="dim",
+        )

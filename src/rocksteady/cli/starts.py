@@ -36,6 +36,16 @@ class StartFlags:
         """Phase of the shaking at the start, 0 where none is given."""
         return 0.0 if self.phase is None else self.phase
 
+    def values(self, phase: float) -> dict[str, object]:
+        """Return what repeats the start; `phase` is the one with which it began."""
+        return {
+            "start": self.start,
+            "order": self.order,
+            "side": self.side,
+            "kick": self.kick,
+            "phase": phase,
+        }
+
     def check(self, *, shaken: bool) -> None:
         """Refuse flags that are none or contradict each other.
 

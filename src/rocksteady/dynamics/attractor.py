@@ -27,8 +27,8 @@ CHAOTIC = 0.01
 over each of the two last quarters of its run."""
 
 
-MOST_CYCLES = 100_000_000
-"""Some minutes."""
+MOST_CYCLES = 1_000_000
+"""Some seconds."""
 
 
 class AttractorKind(StrEnum):
@@ -58,6 +58,9 @@ class Attractor:
         Largest Lyapunov exponent per forcing period; nan for rest and overturned.
     after
         Forcing periods until that was known.
+    growth
+        Largest growth of a small difference on the way there.  Where it is above 1e12, a rounding
+        may have decided which of several attractors was reached.
     reason
         Why it is undecided; empty otherwise.
     state
@@ -71,6 +74,7 @@ class Attractor:
     orbit: Orbit | None
     lyapunov: float
     after: int
+    growth: float
     reason: str
     state: ImpactState | None
 
@@ -185,6 +189,7 @@ def attractor(
         orbit=orbit,
         lyapunov=found.lyapunov,
         after=found.after,
+        growth=math.exp(min(found.growth, 700.0)),
         reason=reason,
         state=state_of(found.state) if found.state.side != 0 else None,
     )

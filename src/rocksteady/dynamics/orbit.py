@@ -16,7 +16,7 @@ from rocksteady.dynamics.trajectory import Trajectory
 from rocksteady.errors import ModelError, Status
 from rocksteady.kernels import march as columns
 from rocksteady.kernels import periodic
-from rocksteady.kernels.section import Section, next_passage
+from rocksteady.kernels.section import UPLIFT, Section, next_passage
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 
@@ -48,7 +48,8 @@ class Orbit:
     residual
         Largest error of a flight from one of the states to the next: of the phase [rad], or of the
         speed relative to itself.  At most 1e-12 where Newton's method has found it; the closed
-        forms have theirs to the last digit, and a flight may magnify that.
+        forms have theirs to the last digit, and a flight may magnify that; nan where their half
+        cycles are so long that no flight stays on them.
     admissible
         False for a solution of the symmetric algebra that passes through the floor: no motion.
     branch
@@ -129,8 +130,7 @@ class Orbit:
         A run from the first state, ``simulate(block, orbit.shaking, start=orbit.start)``,
         multiplies its rounding with the orbit's multipliers, and leaves an unstable orbit in time.
         Here every flight begins anew, so that the course closes as exactly as the states are known.
-        What comes to rest forgets its errors: such an orbit is simply followed, with every bounce
-        that one can see.
+        Before a rest every bounce that one can see is a flight too.
 
         Returns
         -------
@@ -158,10 +158,6 @@ class Orbit:
                 valid="this solution passes through the floor and is no motion",
                 hint="choose an orbit that is admissible",
             )
-        if self.rest_phases:
-            run = simulate(self.block, self.shaking, start=self.start, cycles=self.period)
-            # It lifts again: the rest in which its period may end is not for ever.
-            return replace(run, status=Status.ROCKING)
         return Trajectory(
             block=self.block if isinstance(self.block, Block) else None,
             motion=self.shaking,
@@ -247,9 +243,25 @@ def _course(orbit: Orbit) -> Iterator[list[float]]:
         apart = half - here.half_cycles + (phase - here.phase) / math.pi
         passed = 2 * round(0.5 * apart)
         step = next_passage(system, here, -1.0)
-        yield _row(here, passed, step.time, columns.ENDED_BY_IMPACT)
+        if step.kind == UPLIFT:
+            yield from _to_rest(orbit, state, step.time, passed)
+        else:
+            yield _row(here, passed, step.time, columns.ENDED_BY_IMPACT)
         half, phase = step.state.half_cycles + passed, step.state.phase
     yield _row(begin, 2 * orbit.period, 0.0, columns.ENDED_BY_SPAN)
+
+
+def _to_rest(orbit: Orbit, state: ImpactState, time: float, passed: int) -> Iterator[list[float]]:
+    """Yield the rows of the bounces that a state begins and of the rest in which they end."""
+    shaking = replace(orbit.shaking, phase=state.phase)
+    start = State(angle=0.0, velocity=state.side * state.speed)
+    # A little longer than until the uplift, so that the rest is seen to end.
+    periods = 1.001 * time * shaking.frequency_ratio / (2.0 * math.pi)
+    for row in simulate(orbit.block, shaking, start=start, cycles=periods).rows.tolist():
+        row[columns.ROW_HALF_CYCLES] += passed
+        yield row
+        if row[columns.ROW_EVENT] == columns.ENDED_BY_UPLIFT:
+            return
 
 
 def _row(state: Section, passed: int, duration: float, event: int) -> list[float]:

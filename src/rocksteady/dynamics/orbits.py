@@ -148,7 +148,8 @@ def _symmetric_orbits(
                 begin = section_of(first)
                 periodic.put(table, 0, begin)
                 periodic.put(table, 1, mirror(begin, order))
-                residual = periodic.measured(system, 2, order, table).residual
+                error = periodic.measured(system, 2, order, table).residual
+                residual = error if math.isfinite(error) else math.nan
             yield Orbit(
                 block=block,
                 shaking=replace(shaking, phase=phase),
@@ -208,11 +209,17 @@ def _searched_orbits(
     speeds: Floats = (steps + 0.5) * (fastest / seeds)
     found, shape = np.zeros((ROOM, 2)), np.zeros((ROOM, 2), dtype=np.int64)
     table = np.zeros((most, periodic.ORBIT_COLUMNS))
-    count = periodic.search(system, phases, speeds, most, longest, True, table, found, shape)
-    for (phase, speed), (passages, periods) in zip(
+    count = 0
+    for column in range(seeds):
+        for row in range(seeds):  # one state at a time, so that an interruption is heard
+            phase, speed = phases[column : column + 1], speeds[row : row + 1]
+            count = periodic.search(
+                system, phase, speed, most, longest, True, table, found, shape, count
+            )
+    for (turn, rate), (passages, periods) in zip(
         found[:count].tolist(), shape[:count].tolist(), strict=True
     ):
-        begin = section_of(ImpactState(side=1, phase=phase, speed=speed))
+        begin = section_of(ImpactState(side=1, phase=turn, speed=rate))
         fixed = periodic.polish(system, begin, passages, periods, table)
         if fixed.found:
             yield orbit_from(block, shaking, table[:passages], periods, fixed.residual)

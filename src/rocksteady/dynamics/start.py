@@ -194,7 +194,18 @@ def unstable_direction(
     orbit = symmetric_orbit(amplitude, frequency_ratio, restitution, order, branch)
     velocity = frequency_ratio * orbit.velocity
     j11, j12, j21, j22 = half_cycle_jacobian(amplitude, frequency_ratio, restitution, order, orbit)
-    j12, j21 = j12 * velocity, j21 / velocity
+    entries = (j11, j12 * velocity, j21 / velocity, j22)
+    largest = max(map(abs, entries))
+    if not 0.0 < largest < math.inf:
+        raise ModelError(
+            name="start",
+            value=f"order {order}, branch {branch}",
+            valid=f"at Omega = {frequency_ratio:.6g} its half cycle is so long that no number says "
+            "how it is left",
+            hint="take a lower order, or a State to start from",
+        )
+    # Its entries may be near the overflow; the direction does not depend on their scale.
+    j11, j12, j21, j22 = (entry / largest for entry in entries)
     half = 0.5 * (j11 + j22)
     root = math.sqrt(max(0.25 * (j11 - j22) ** 2 + j12 * j21, 0.0))
     multiplier = half + math.copysign(root, half)

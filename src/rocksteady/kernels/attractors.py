@@ -74,6 +74,7 @@ class Settled(NamedTuple):
     lyapunov: float  # largest exponent per forcing period; of a periodic motion its orbit's
     least: float  # the smaller of its values over the two last quarters of an unsettled run
     after: int  # forcing periods until it was recognised, or until the end
+    growth: float  # logarithm of the largest growth of a small difference on the way
 
 
 class Stretch(NamedTuple):
@@ -116,13 +117,15 @@ def settle(
     count, look, forgotten = 0, FIRST_LOOK, 0  # passages so far; before which they are forgotten
     lifted_half, lifted_count = (-1, -1), (-1, -1)  # of the last uplift to either side
     third = fourth = Stretch(GENERIC[0], GENERIC[1], 0.0, half_cycles)  # quarters of the run
+    whole = third  # since the start or the last rest
+    growth = 0.0
     rested = True  # in the second half, or the run is not that long
     while True:
         state = step.state
         passed = (state.half_cycles - half_cycles) // 2
         if step.kind in (FALL, STAY, STUCK):
             outcome = FALLS if step.kind == FALL else (STAYS if step.kind == STAY else UNSETTLED)
-            return unsettled(outcome, state, math.nan, math.nan, passed)
+            return unsettled(outcome, state, math.nan, math.nan, passed, growth)
         if step.kind == UPLIFT:
             # A rest forgets everything: an uplift to the same side again closes an orbit.
             row = 0 if state.side > 0 else 1
@@ -142,6 +145,7 @@ def settle(
                             -math.inf,
                             -math.inf,
                             passed,
+                            growth,
                         )
             if row == 0:
                 lifted_half = (state.half_cycles, lifted_half[1])
@@ -151,12 +155,13 @@ def settle(
                 lifted_count = (lifted_count[0], count)
             forgotten = count
             rested = True
+            whole = Stretch(GENERIC[0], GENERIC[1], 0.0, state.half_cycles)
         put(memory, count % MEMORY, state)
         count += 1
         over = passed >= most_periods
         if passed >= look or over:
             look = passed + passed // 2
-            found = recognised(system, memory, count, forgotten, passed, table)
+            found = recognised(system, memory, count, forgotten, passed, table, growth)
             if found.outcome == PERIODIC:
                 return found
         if over:
@@ -164,12 +169,15 @@ def settle(
             fourth_rate, fourth_periods = rate_of(fourth, state.half_cycles)
             measured = third_periods + fourth_periods
             if rested or measured < MEASURED:
-                return unsettled(UNSETTLED, state, math.nan, math.nan, passed)
-            whole = (third.logarithm + fourth.logarithm) / measured
-            return unsettled(UNSETTLED, state, whole, min(third_rate, fourth_rate), passed)
+                return unsettled(UNSETTLED, state, math.nan, math.nan, passed, growth)
+            mean = (third.logarithm + fourth.logarithm) / measured
+            least = min(third_rate, fourth_rate)
+            return unsettled(UNSETTLED, state, mean, least, passed, growth)
         step = next_passage(system, state, step.time)
         if step.kind != IMPACT:  # a graze has no derivative
             continue
+        whole = stretched(whole, step.jacobian)
+        growth = max(growth, whole.logarithm)
         if 4 * passed < 3 * most_periods:
             if 2 * passed < most_periods:
                 rested = False
@@ -199,21 +207,29 @@ def rate_of(stretch: Stretch, until: int) -> tuple[float, float]:
 
 
 @compiled
-def unsettled(outcome: int, state: Section, lyapunov: float, least: float, after: int) -> Settled:
+def unsettled(
+    outcome: int, state: Section, lyapunov: float, least: float, after: int, growth: float
+) -> Settled:
     """Return an outcome without an orbit."""
-    return Settled(outcome, state, 0, 0, math.nan, 0, lyapunov, least, after)
+    return Settled(outcome, state, 0, 0, math.nan, 0, lyapunov, least, after, growth)
 
 
 @compiled
 def recognised(
-    system: System, memory: Floats, count: int, forgotten: int, passed: int, table: Floats
+    system: System,
+    memory: Floats,
+    count: int,
+    forgotten: int,
+    passed: int,
+    table: Floats,
+    growth: float,
 ) -> Settled:
     """Return the stable orbit without rest that the last states approach, if there is one.
 
     States before `forgotten` do not count: a rest lies between them and the last one.
     """
     last = state_at(memory, (count - 1) % MEMORY)
-    nothing = unsettled(UNSETTLED, last, math.nan, math.nan, passed)
+    nothing = unsettled(UNSETTLED, last, math.nan, math.nan, passed, growth)
     searches = 0
     for passages in range(1, min(count - forgotten, MEMORY)):
         earlier = state_at(memory, (count - 1 - passages) % MEMORY)
@@ -240,7 +256,7 @@ def recognised(
         exponent = math.log(largest) / periods if largest > 0.0 else -math.inf
         rests = fixed.rests * first // passages
         return Settled(
-            PERIODIC, orbit, first, of, fixed.residual, rests, exponent, exponent, passed
+            PERIODIC, orbit, first, of, fixed.residual, rests, exponent, exponent, passed, growth
         )
     return nothing
 

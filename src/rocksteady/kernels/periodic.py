@@ -307,6 +307,7 @@ def search(
     table: Floats,
     found: Floats,
     shape: NDArray[np.int64],
+    count: int,
 ) -> int:
     """Search for orbits by Newton's method from a grid of states after an impact.
 
@@ -327,13 +328,14 @@ def search(
         Receives phase in [0, 2 pi) and speed of each orbit, shape (room, 2).
     shape
         Receives passages and periods of each, shape (room, 2).
+    count
+        How many are there already.
 
     Returns
     -------
     int
-        How many there are; not more than there is room.
+        How many there are now; not more than there is room.
     """
-    count = 0
     for i in range(len(phases)):
         for j in range(len(speeds)):
             start = shifted(Section(1, 0, 0.0, speeds[j]), phases[i], 0.0)

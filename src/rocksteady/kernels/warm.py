@@ -96,7 +96,7 @@ def warm() -> None:
     memory, table = np.zeros((MEMORY, ORBIT_COLUMNS)), np.zeros((MEMORY, ORBIT_COLUMNS))
     settle(system, 0, 0, 0.0, 0.0, 0.0, 50, memory, table)
     room = np.zeros((4, 2), dtype=np.int64)
-    search(system, phase + 0.0 * one, 2.93 * one, 2, 1, True, table, np.zeros((4, 2)), room)
+    search(system, phase + 0.0 * one, 2.93 * one, 2, 1, True, table, np.zeros((4, 2)), room, 0)
     state = state_at(table, 0)
     fixed = polish(system, state, 2, 1, table)
     put(table, 1, mirror(state, 1))

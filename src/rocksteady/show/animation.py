@@ -110,7 +110,7 @@ class Film:
             for look, word in zip(looks, words, strict=True)
         ]
         handles.insert(
-            1, Patch(color=palette.SYMMETRIC, alpha=0.35, lw=0, label="its place while |θ| < α")
+            1, Patch(color=palette.SYMMETRIC, alpha=0.35, lw=0, label="mass centre inside: |θ| < α")
         )
         legend = axes.legend(
             handles=handles,

@@ -5,11 +5,9 @@ from base64 import b64encode
 from typing import TYPE_CHECKING
 
 from rocksteady.show import palette
-from rocksteady.show.files import figure_bytes
 
 if TYPE_CHECKING:
     from jinja2 import Environment
-    from matplotlib.figure import Figure
 
 COLOURS = {
     "paper": palette.REGION_FILLS[2],
@@ -54,23 +52,6 @@ def render(package: str, template: str, **values: object) -> str:
     """
     text: str = _environment(package).get_template(f"own/{template}").render(values)
     return text
-
-
-def figure_data_uri(figure: "Figure") -> str:
-    """Return a figure as the address of an ``<img>`` that carries the picture itself.
-
-    Parameters
-    ----------
-    figure
-        Any figure. Its first drawing settles its layout: drawn as something else before, it gives
-        other bytes for a picture that looks the same.
-
-    Returns
-    -------
-    str
-        A data URI of an SVG, without the date or the versions of the programs that made it.
-    """
-    return svg_data_uri(figure_bytes(figure, "svg"))
 
 
 def svg_data_uri(svg: bytes) -> str:

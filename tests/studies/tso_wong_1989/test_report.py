@@ -9,7 +9,8 @@ from itertools import pairwise
 import pytest
 from matplotlib.figure import Figure
 
-from rocksteady.show.report import figure_data_uri
+from rocksteady.show.files import figure_bytes
+from rocksteady.show.report import svg_data_uri
 from rocksteady.studies.tso_wong_1989.findings import Claim, Finding, Panel, Verdict
 from rocksteady.studies.tso_wong_1989.report import (
     ReportedPanel,
@@ -20,7 +21,7 @@ from rocksteady.studies.tso_wong_1989.report import (
 
 VOID = {"meta", "link", "img", "br", "hr", "input", "col"}
 HEADINGS = {f"h{level}": level for level in range(1, 7)}
-PICTURE = figure_data_uri(Figure(figsize=(2.0, 1.0)))
+PICTURE = svg_data_uri(figure_bytes(Figure(figsize=(2.0, 1.0)), "svg"))
 NASTY = 'If A < 1 & Ω > 2, then "u" = θ/α </dd><script>alert(1)</script>'
 
 
