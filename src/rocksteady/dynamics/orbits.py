@@ -152,7 +152,7 @@ def _symmetric_orbits(
                 residual = error if math.isfinite(error) else math.nan
             yield Orbit(
                 block=block,
-                shaking=replace(shaking, phase=phase),
+                shaking=replace(shaking, phase=first.phase),
                 period=order,
                 states=(first, first.mirrored),
                 rest_phases=0,

@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rocksteady import (
     Block,
@@ -10,6 +11,7 @@ from rocksteady import (
     Harmonic,
     InputError,
     State,
+    SteadyStates,
     simulate,
     steady_orbit,
     steady_states,
@@ -159,6 +161,14 @@ def _algebra(a: float, w: float, r: float, n: int) -> tuple[float, float]:
     return phase, velocity
 
 
+def followable(states: SteadyStates) -> NDArray[np.intp]:
+    """Return branch and point of some hundred admissible solutions that a march can follow."""
+    assert states.admissible is not None
+    # In pt a flight multiplies every rounding by exp(length): longer ones cannot be followed.
+    short = states.order * math.pi / states.frequency_ratio < LONGEST
+    return np.argwhere(states.admissible & short)[:: len(states.region) // 500]
+
+
 @STATEMENTS.add(
     "eq-10-13",
     "A motion that starts with u = 0 and the velocity and phase of (19), (21), (22) is back on the "
@@ -168,10 +178,7 @@ def _algebra(a: float, w: float, r: float, n: int) -> tuple[float, float]:
 def steady_conditions(evidence: Evidence) -> Finding:
     """March from the closed form's solutions to their first impact."""
     states = evidence.sample.states
-    assert states.admissible is not None
-    # In pt a flight multiplies every rounding by exp(length): longer ones cannot be followed.
-    short = states.order * math.pi / states.frequency_ratio < LONGEST
-    admissible = np.argwhere(states.admissible & short)[:: len(states.region) // 500]
+    admissible = followable(states)
     late = fast = 0.0
     for branch, point in admissible:
         at = (branch, point)
@@ -213,9 +220,7 @@ def steady_conditions(evidence: Evidence) -> Finding:
 def constants(evidence: Evidence) -> Finding:
     """Evaluate (7) with (14), (15) over half cycles, and compare with the package's orbits."""
     states = evidence.sample.states
-    assert states.admissible is not None
-    short = states.order * math.pi / states.frequency_ratio < LONGEST
-    admissible = np.argwhere(states.admissible & short)[:: len(states.region) // 500]
+    admissible = followable(states)
     worst = 0.0
     for branch, point in admissible:
         a, w = float(states.amplitude[point]), float(states.frequency_ratio[point])

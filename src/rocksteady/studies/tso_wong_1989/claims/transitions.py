@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
@@ -49,6 +50,7 @@ class Descent:
     then: Fate
 
 
+@cache
 def descent(order: int) -> Descent:
     """Follow the unsymmetric motion down from symmetry breaking, each run from the last state."""
     breaking = float(symmetry_breaking_frequency(AMPLITUDE, RESTITUTION, order=order)[-1])
