@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from rocksteady.kernels.extrema import highest_angle, largest_extremum, last_rise
+from rocksteady.kernels.extrema import highest_angle, inner_extrema, last_rise
 from rocksteady.kernels.flight import Flight, make_flight
 from rocksteady.kernels.forcing import Forcing, make_forcing
 from tests.strategies import PHASE, SPAN, random_flights, sample_size
@@ -73,7 +73,7 @@ def test_extrema_and_peaks_agree_with_dense_sampling() -> None:
         flight, forcing = made(case)
         span = float(case[SPAN])
         roots, sure = sampled_roots(case, 1, 0.0)
-        largest, extrema = largest_extremum(flight, forcing, span)
+        largest, lowest, when, extrema = inner_extrema(flight, forcing, span)
         highest, again = highest_angle(flight, forcing, span)
         assert extrema == again
         blur = 64 * 2.0**-52 * scale(case)
@@ -84,6 +84,15 @@ def test_extrema_and_peaks_agree_with_dense_sampling() -> None:
             if len(roots):
                 truth = curves(case, roots)[0].max()
                 assert largest == pytest.approx(truth, abs=blur)
+                # Between two neighbouring roots the velocity has one sign, after a minimum a plus.
+                middles = 0.5 * (roots + np.append(roots[1:], span))
+                dips = roots[curves(case, middles)[1] > 0.0]
+                least = curves(case, dips)[0].min(initial=math.inf)
+                assert lowest == pytest.approx(least, abs=blur)
+                if len(dips):
+                    assert curves(case, np.array([when]))[0][0] == pytest.approx(least, abs=blur)
+                else:
+                    assert math.isnan(when)
             else:
                 assert largest == -math.inf
         ends = curves(case, np.array([0.0, span]))[0]
@@ -155,7 +164,7 @@ def test_an_inflection_is_no_extremum() -> None:
         flight = make_flight(
             forcing, angle, velocity + sign * nudge, phase, math.sin(phase), math.cos(phase)
         )
-        _, extrema = largest_extremum(flight, forcing, 2.0 * back)
+        *_, extrema = inner_extrema(flight, forcing, 2.0 * back)
         assert extrema in {least, least + 1}
     flight = make_flight(forcing, angle, velocity, phase, math.sin(phase), math.cos(phase))
-    largest_extremum(flight, forcing, 2.0 * back)  # ends
+    inner_extrema(flight, forcing, 2.0 * back)  # ends

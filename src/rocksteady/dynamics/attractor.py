@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.orbit import Orbit, orbit_from
 from rocksteady.dynamics.return_map import (
@@ -40,6 +41,41 @@ class AttractorKind(StrEnum):
     OVERTURNED = "overturned"
     APERIODIC = "aperiodic"
     UNDECIDED = "undecided"
+
+
+KINDS = tuple(AttractorKind)
+"""The kinds by their codes in grids; stored results hold them, so that none changes its place."""
+
+
+def kind_codes(
+    outcome: ArrayLike, symmetric: ArrayLike, least: ArrayLike, restitution: ArrayLike
+) -> NDArray[np.int8]:
+    """Return what motions settle to, as indices of `KINDS`.
+
+    Parameters
+    ----------
+    outcome, least
+        As in `rocksteady.kernels.attractors.Settled`, arrays of one shape.
+    symmetric
+        Whether the orbit is; without one it does not count.
+    restitution
+        Without loss (1) nothing is aperiodic: motions do not settle.
+    """
+    exponents, lossy = np.asarray(least), np.asarray(restitution) < 1.0
+    ends = np.asarray(outcome)
+    chosen = {
+        AttractorKind.SYMMETRIC: (ends == kernel.PERIODIC) & np.asarray(symmetric, dtype=np.bool_),
+        AttractorKind.UNSYMMETRIC: ends == kernel.PERIODIC,
+        AttractorKind.REST: ends == kernel.STAYS,
+        AttractorKind.OVERTURNED: ends == kernel.FALLS,
+        AttractorKind.APERIODIC: lossy & (exponents > CHAOTIC),
+    }
+    codes: NDArray[np.int8] = np.select(
+        list(chosen.values()),
+        [np.int8(KINDS.index(kind)) for kind in chosen],
+        default=np.int8(KINDS.index(AttractorKind.UNDECIDED)),
+    )
+    return codes
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -147,11 +183,8 @@ def attractor(
     unsymmetric 1 [0.90035, -0.44427]
     """
     bare, shaken = bare_block(block), harmonic(shaking)
-    periods = whole_number(
-        "cycles", cycles, at_least=1, at_most=MOST_CYCLES, hint="give forcing periods to follow"
-    )
-    if side not in (1, -1):
-        raise InputError(name="side", value=side, valid="it must be 1 or -1", hint="give 1 or -1")
+    periods = cycles_value(cycles)
+    side_value(side)
     motion, begin = initial_march(Rest() if start is None else start, bare, shaken, side)
     shaken = harmonic(motion)
     memory, table = (
@@ -168,20 +201,11 @@ def attractor(
         memory,
         table,
     )
-    kind, orbit, reason = AttractorKind.UNDECIDED, None, ""
+    orbit = None
     if found.outcome == kernel.PERIODIC:
         orbit = orbit_from(block, shaken, table[: found.passages], found.periods, found.residual)
-        kind = AttractorKind.SYMMETRIC if orbit.symmetric else AttractorKind.UNSYMMETRIC
-    elif found.outcome == kernel.STAYS:
-        kind = AttractorKind.REST
-    elif found.outcome == kernel.FALLS:
-        kind = AttractorKind.OVERTURNED
-    elif bare.restitution == 1.0:
-        reason = "without loss (restitution 1) motions do not settle"
-    elif found.least > CHAOTIC:
-        kind = AttractorKind.APERIODIC
-    else:
-        reason = _reason(found)
+    symmetric = orbit is not None and orbit.symmetric
+    kind = KINDS[int(kind_codes(found.outcome, symmetric, found.least, bare.restitution))]
     return Attractor(
         block=block,
         shaking=shaken,
@@ -190,13 +214,41 @@ def attractor(
         lyapunov=found.lyapunov,
         after=found.after,
         growth=math.exp(min(found.growth, 700.0)),
-        reason=reason,
+        reason=_reason(found, bare) if kind is AttractorKind.UNDECIDED else "",
         state=state_of(found.state) if found.state.side != 0 else None,
     )
 
 
-def _reason(found: kernel.Settled) -> str:
-    """Return why a motion of a block with loss is undecided, and what to do."""
+def cycles_value(cycles: object) -> int:
+    """Return forcing periods for which a motion may be followed.
+
+    Raises
+    ------
+    InputError
+        If it is not a whole number from 1 to a million.
+    """
+    return whole_number(
+        "cycles", cycles, at_least=1, at_most=MOST_CYCLES, hint="give forcing periods to follow"
+    )
+
+
+def side_value(side: object) -> int:
+    """Return a side, 1 or -1.
+
+    Raises
+    ------
+    InputError
+        If it is neither.
+    """
+    if side not in (1, -1):
+        raise InputError(name="side", value=side, valid="it must be 1 or -1", hint="give 1 or -1")
+    return 1 if side == 1 else -1
+
+
+def _reason(found: kernel.Settled, block: DimensionlessBlock) -> str:
+    """Return why a motion is undecided, and what to do."""
+    if block.restitution == 1.0:
+        return "without loss (restitution 1) motions do not settle"
     if found.after == 0:
         return "the block balances upright, and nothing brings it down"
     start = f"no repetition within {found.after} forcing periods"

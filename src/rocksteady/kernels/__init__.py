@@ -16,6 +16,11 @@ modules import integer status codes only.
 `rest`              uplift from rest, and the bound that ends chatter
 `march`             flights strung together by impacts, uplifts and segment ends
 `symmetric`         Tso and Wong's closed forms for one symmetric steady state (eqs 12 to 25)
-`cells`             plain loops of `march` over many cases
+`arcs`              flights between two impacts whose phases are known
+`chains`            periodic orbits as closed chains of arcs: what continuation solves
+`section`           the return map of harmonic shaking, from impact to impact
+`periodic`          its periodic orbits, by Newton's method
+`attractors`        what a motion settles to
+`cells`, `settling` plain loops of `march` and of `settle` over many cases
 ==================  ==============================================================================
 """

@@ -54,6 +54,11 @@ FIRST_LOOK = 16
 """Forcing periods before the first comparison."""
 SEARCHES = 12
 """Most searches for an orbit in one comparison."""
+WILD = math.log(100.0)
+"""Growth of a small difference over a return from which on no stable orbit is looked for there.
+Near one it shrinks; a chaotic motion comes back often, and each search would be in vain."""
+GROWN = 4
+"""Column of the memory for the growth of a small difference so far, a logarithm."""
 GENERIC = (0.6, 0.8)
 """A direction of (phase, speed) that no flight forgets: one from an uplift forgets the phase."""
 MOST_RETURNS = 200_000
@@ -109,7 +114,7 @@ def settle(
     most_periods
         Forcing periods after which it counts as unsettled.
     memory
-        Room for the last states, shape (MEMORY, 4 or more).
+        Room for the last states, shape (MEMORY, 5 or more).
     table
         Receives the orbit, shape (LONGEST_ORBIT, ORBIT_COLUMNS).
     """
@@ -157,6 +162,7 @@ def settle(
             rested = True
             whole = Stretch(GENERIC[0], GENERIC[1], 0.0, state.half_cycles)
         put(memory, count % MEMORY, state)
+        memory[count % MEMORY, GROWN] = whole.logarithm
         count += 1
         over = passed >= most_periods
         if passed >= look or over:
@@ -231,9 +237,12 @@ def recognised(
     last = state_at(memory, (count - 1) % MEMORY)
     nothing = unsettled(UNSETTLED, last, math.nan, math.nan, passed, growth)
     searches = 0
+    grown = memory[(count - 1) % MEMORY, GROWN]
     for passages in range(1, min(count - forgotten, MEMORY)):
         earlier = state_at(memory, (count - 1 - passages) % MEMORY)
         if distance(earlier, last) > NEAR:
+            continue
+        if grown - memory[(count - 1 - passages) % MEMORY, GROWN] > WILD:
             continue
         periods = round(phase_between(earlier, last) / TWO_PI)
         if periods < 1:

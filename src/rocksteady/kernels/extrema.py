@@ -20,13 +20,13 @@ from rocksteady.kernels.zeros import FOUND, Zero, next_zero
 
 
 @compiled
-def largest_extremum(flight: Flight, forcing: Forcing, span: float) -> tuple[float, int]:
-    """Return the largest of the extrema inside (0, span), and their number.
+def inner_extrema(flight: Flight, forcing: Forcing, span: float) -> tuple[float, float, float, int]:
+    """Return the largest extremum inside (0, span), the least minimum, its time, and their number.
 
-    Where there is none it is -inf.  A touch of the velocity at zero (an inflection) does not count
-    as an extremum.
+    Where there is none they are -inf, inf and nan.  A touch of the velocity at zero (an inflection)
+    does not count as an extremum.
     """
-    largest = -math.inf
+    largest, lowest, lowest_time = -math.inf, math.inf, math.nan
     speed, rate = velocity_flight(flight, forcing)
     passed, extrema = 0.0, 0
     while passed < span:
@@ -38,9 +38,11 @@ def largest_extremum(flight: Flight, forcing: Forcing, span: float) -> tuple[flo
             phase = flight.phase + forcing.frequency * passed
             angle, _ = flight_state(flight, forcing, passed, math.sin(phase), math.cos(phase))
             largest = max(largest, angle)
+            if zero.velocity > 0.0 and angle < lowest:
+                lowest, lowest_time = angle, passed
             extrema += 1
         speed, rate = restarted(speed, rate, zero)
-    return largest, extrema
+    return largest, lowest, lowest_time, extrema
 
 
 @compiled
@@ -48,7 +50,7 @@ def highest_angle(flight: Flight, forcing: Forcing, span: float) -> tuple[float,
     """Return the largest angle over [0, span], ends included, and the number of extrema inside."""
     phase = flight.phase + forcing.frequency * span
     angle, _ = flight_state(flight, forcing, span, math.sin(phase), math.cos(phase))
-    largest, extrema = largest_extremum(flight, forcing, span)
+    largest, _, _, extrema = inner_extrema(flight, forcing, span)
     return max(flight.angle, angle, largest), extrema
 
 

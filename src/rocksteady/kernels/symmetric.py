@@ -26,8 +26,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.kernels.arcs import exponentials
 from rocksteady.kernels.compilation import compiled, inlined
-from rocksteady.kernels.extrema import largest_extremum
+from rocksteady.kernels.extrema import inner_extrema
 from rocksteady.kernels.flight import LARGEST_EXPONENT, Flight, flight_state, wrapped
 from rocksteady.kernels.forcing import EPSILON, make_forcing
 from rocksteady.kernels.saltation import landing_jacobian
@@ -198,8 +199,7 @@ def half_cycle_flight(
     length = order * math.pi / w
     h = math.tanh(0.5 * length)
     first, last = beta * orbit.sine - 1.0, -beta * orbit.sine - 1.0
-    decay = math.exp(-length)
-    span = -math.expm1(-2.0 * length)
+    growing, decaying = exponentials(first, last, length)
     return Flight(
         0.0,
         w * orbit.velocity,
@@ -208,9 +208,9 @@ def half_cycle_flight(
         orbit.cosine,
         h - beta * orbit.sine / h,
         first,
-        (last - first * decay) / span,
+        growing,
         length,
-        (first - last * decay) / span,
+        decaying,
     )
 
 
@@ -241,7 +241,7 @@ def half_cycle_shape(
     length = order * math.pi / w
     forcing = make_forcing(-1.0, 0.0, amplitude, w)
     flight = half_cycle_flight(amplitude, w, order, orbit)
-    peak, extrema = largest_extremum(flight, forcing, length)
+    peak, _, _, extrema = inner_extrema(flight, forcing, length)
     if not orbit.velocity > 0.0:
         return peak, extrema, False
     zero = next_zero(flight, forcing, length, False, False, -1.0)

@@ -13,6 +13,14 @@ import numpy as np
 
 from rocksteady.kernels.attractors import MEMORY, settle
 from rocksteady.kernels.cells import harmonic_fates, harmonic_segment
+from rocksteady.kernels.chains import (
+    CHAIN_COLUMNS,
+    fill_arcs,
+    fill_chain,
+    fill_matrix,
+    side_of,
+    turned_over,
+)
 from rocksteady.kernels.compilation import cache_folder
 from rocksteady.kernels.history import fill_states, highest, last_crossing
 from rocksteady.kernels.march import ROW_COLUMNS, SEGMENT_COLUMNS, March, clock, march
@@ -30,6 +38,7 @@ from rocksteady.kernels.periodic import (
     state_at,
 )
 from rocksteady.kernels.section import make_system, next_passage, phase_between
+from rocksteady.kernels.settling import REAL_COLUMNS, WHOLE_COLUMNS, settle_cells
 from rocksteady.kernels.symmetric import (
     fill_curves,
     fill_half_cycle,
@@ -95,6 +104,19 @@ def warm() -> None:
     system = make_system(2.0, 4.0, sides)
     memory, table = np.zeros((MEMORY, ORBIT_COLUMNS)), np.zeros((MEMORY, ORBIT_COLUMNS))
     settle(system, 0, 0, 0.0, 0.0, 0.0, 50, memory, table)
+    settle_cells(
+        2.0 * one,
+        4.0 * one,
+        0.8 * one,
+        0 * whole,
+        0.0 * one,
+        0.0 * one,
+        0 * whole,
+        0.0 * one,
+        50,
+        np.zeros((1, WHOLE_COLUMNS), dtype=np.int64),
+        np.zeros((1, REAL_COLUMNS)),
+    )
     room = np.zeros((4, 2), dtype=np.int64)
     search(system, phase + 0.0 * one, 2.93 * one, 2, 1, True, table, np.zeros((4, 2)), room, 0)
     state = state_at(table, 0)
@@ -105,6 +127,13 @@ def warm() -> None:
     is_symmetric(table, 2, 1)
     multipliers(fixed.jacobian, loss(system, state.side, 2, fixed.rests))
     phase_between(state, next_passage(system, state, -1.0).state)
+
+    turns, phases, chain = 0 * whole, orbit.phase * one, np.zeros((1, CHAIN_COLUMNS))
+    fill_chain(2.0, 4.0, sides, turns, phases, 1, chain)
+    fill_matrix(chain, 1.0, np.zeros((1, 1)))
+    fill_arcs(system, turns, phases, chain, np.zeros((1, 3)))
+    turned_over(chain)
+    side_of(0)
 
 
 if __name__ == "__main__":

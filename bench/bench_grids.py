@@ -1,0 +1,48 @@
+"""Grids of initial states and of parameters, on all cores: basins, erosion, maps of attractors.
+
+Elapsed time, since threads share the work.  Guides: 5 s for 200 x 200 states over 200 periods, and
+5 s for a map of 100 x 100 attractors, on two cores.
+"""
+
+import time
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rocksteady import DimensionlessBlock, Harmonic, attractor_map, basins, erosion
+
+PERIODIC = (1.0, 2.0, 0.8)
+CHAOTIC = (6.0, 6.0, 0.25)
+"""Amplitude, frequency ratio, restitution: what does not repeat is followed to the end."""
+
+
+@pytest.mark.parametrize("point", [PERIODIC, CHAOTIC], ids=["periodic", "chaotic"])
+@pytest.mark.benchmark(group="grids", timer=time.perf_counter)
+def test_basins(benchmark: Any, point: tuple[float, float, float]) -> None:
+    amplitude, frequency, restitution = point
+    block = DimensionlessBlock(restitution=restitution)
+    shaking = Harmonic(amplitude=amplitude, frequency_ratio=frequency)
+    found = benchmark.pedantic(
+        basins, args=(block, shaking), kwargs={"cycles": 200}, rounds=3, warmup_rounds=1
+    )
+    benchmark.extra_info["cells"] = found.label.size
+    benchmark.extra_info["shares"] = {
+        one.name: part.share for one, part in zip(found.attractors, found.fractions(), strict=True)
+    }
+
+
+@pytest.mark.benchmark(group="grids", timer=time.perf_counter)
+def test_erosion(benchmark: Any) -> None:
+    amplitudes = np.linspace(0.0, 1.6, 17)
+    block = DimensionlessBlock(restitution=0.9)
+    found = benchmark.pedantic(erosion, args=(block, 2.0, amplitudes), rounds=3, warmup_rounds=1)
+    benchmark.extra_info["cells"] = found.safe.size
+
+
+@pytest.mark.benchmark(group="grids", timer=time.perf_counter)
+def test_attractor_map(benchmark: Any) -> None:
+    axes = np.linspace(0.5, 6.0, 100), np.linspace(0.5, 10.0, 100)
+    block = DimensionlessBlock(restitution=0.8)
+    found = benchmark.pedantic(attractor_map, args=(block, *axes), rounds=5, warmup_rounds=1)
+    benchmark.extra_info["cells"] = found.kind.size

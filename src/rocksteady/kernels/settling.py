@@ -1,0 +1,115 @@
+"""What many motions settle to: the plain loop of `settle`, each cell independent of the others."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.kernels.attractors import LONGEST_ORBIT, MEMORY, PERIODIC, settle
+from rocksteady.kernels.compilation import compiled
+from rocksteady.kernels.march import LEAN, RATE, RESTITUTION, Floats
+from rocksteady.kernels.periodic import (
+    ORBIT_COLUMNS,
+    OTHER_PEAK,
+    PEAK,
+    SIDE,
+    fill_peaks,
+    is_symmetric,
+    measured,
+    state_at,
+)
+from rocksteady.kernels.section import make_system
+
+# Columns of the whole numbers of a cell.
+OUTCOME = 0
+ORBIT_SIDE = 1  # of a state on the orbit, whose phase and speed are below
+PASSAGES = 2
+PERIODS = 3
+RESTS = 4
+SYMMETRIC = 5
+AFTER = 6  # forcing periods until it was known
+WHOLE_COLUMNS = 7
+
+# Columns of its other numbers: nan where they mean nothing.
+ORBIT_PHASE = 0  # in [0, 2 pi)
+ORBIT_SPEED = 1
+HIGHEST = 2  # theta/alpha
+LOWEST = 3
+LYAPUNOV = 4
+LEAST = 5
+GROWTH = 6  # logarithm
+REAL_COLUMNS = 7
+
+
+@compiled
+def settle_cells(
+    amplitude: Floats,
+    frequency_ratio: Floats,
+    restitution: Floats,
+    side: NDArray[np.int64],
+    angle: Floats,
+    velocity: Floats,
+    half_cycles: NDArray[np.int64],
+    phase: Floats,
+    cycles: int,
+    whole: NDArray[np.int64],
+    real: Floats,
+) -> None:
+    """Follow motions of symmetric blocks until it is known what they settle to.
+
+    Parameters
+    ----------
+    amplitude, frequency_ratio, restitution
+        One value a cell, shape (cells,).
+    side, angle, velocity, half_cycles, phase
+        The state at the start, as in `rocksteady.kernels.march.March`; `side` 0 at rest.
+    cycles
+        Forcing periods after which a motion counts as unsettled.
+    whole, real
+        Receive the columns above, shape (cells, WHOLE_COLUMNS) and (cells, REAL_COLUMNS).
+    """
+    sides = np.zeros((2, 3))
+    sides[:, LEAN] = 1.0
+    sides[:, RATE] = 1.0
+    memory, table = np.empty((MEMORY, ORBIT_COLUMNS)), np.empty((LONGEST_ORBIT, ORBIT_COLUMNS))
+    for i in range(len(amplitude)):
+        sides[:, RESTITUTION] = restitution[i]
+        system = make_system(amplitude[i], frequency_ratio[i], sides)
+        found = settle(
+            system,
+            side[i],
+            half_cycles[i],
+            phase[i],
+            angle[i],
+            velocity[i],
+            cycles,
+            memory,
+            table,
+        )
+        whole[i, :] = 0
+        real[i, :] = math.nan
+        whole[i, OUTCOME] = found.outcome
+        whole[i, AFTER] = found.after
+        real[i, LYAPUNOV] = found.lyapunov
+        real[i, LEAST] = found.least
+        real[i, GROWTH] = found.growth
+        if found.outcome != PERIODIC:
+            continue
+        passages, periods = found.passages, found.periods
+        measured(system, passages, periods, table)
+        fill_peaks(system, passages, table)
+        highest = lowest = 0.0
+        for k in range(passages):
+            here, there = table[k, PEAK], table[k, OTHER_PEAK]
+            if table[k, SIDE] < 0.0:
+                here, there = there, here
+            highest, lowest = max(highest, here), max(lowest, there)
+        state = state_at(table, 0)
+        whole[i, ORBIT_SIDE] = state.side
+        whole[i, PASSAGES] = passages
+        whole[i, PERIODS] = periods
+        whole[i, RESTS] = found.rests
+        whole[i, SYMMETRIC] = 1 if is_symmetric(table, passages, periods) else 0
+        real[i, ORBIT_PHASE] = (state.half_cycles % 2) * math.pi + state.phase
+        real[i, ORBIT_SPEED] = state.speed
+        real[i, HIGHEST], real[i, LOWEST] = highest, 0.0 - lowest

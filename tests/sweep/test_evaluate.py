@@ -1,0 +1,166 @@
+"""The loop over cases: any executor, workers and chunks give the same; nothing is swallowed."""
+
+import functools
+import signal
+import threading
+import time
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+import rocksteady
+from rocksteady.errors import InputError
+from rocksteady.sweep.axes import Axis, Grid, Output
+from rocksteady.sweep.evaluate import evaluate
+
+Floats = NDArray[np.float64]
+Found = dict[str, NDArray[Any]]
+
+GRID = Grid(
+    axes=(
+        Axis(name="a", values=np.linspace(0.1, 3.0, 7), units="rad", long_name="an angle"),
+        Axis(name="b", values=[5.0, 1.0, 2.0]),
+        Axis(name="c", values=np.arange(4)),
+    )
+)
+OUTPUTS = (
+    Output(name="sum", long_name="a sum", units="m"),
+    Output(name="sign", dtype=np.int8, flags={-1: "negative", 0: "zero", 1: "positive"}),
+)
+
+
+def some(a: Floats, b: Floats, c: Floats, *, factor: float = 1.0) -> Found:
+    total = factor * np.sin(a) * b - c
+    return {"sum": total, "sign": np.sign(total).astype(np.int8), "more": total}
+
+
+def failing(a: Floats, b: Floats, c: Floats) -> Found:
+    if (c == 3.0).any() and a[0] > 1.0:
+        raise ZeroDivisionError("as it happens")
+    return some(a, b, c)
+
+
+@pytest.fixture(scope="module")
+def reference() -> Found:
+    a, b, c = np.meshgrid(*(axis.points for axis in GRID.axes), indexing="ij")
+    return some(a, b, c)
+
+
+@given(
+    executor=st.sampled_from(["threads", "serial"]),
+    workers=st.integers(1, 5),
+    chunk=st.integers(1, 100),
+)
+def test_it_is_the_function_over_the_whole_grid_however_it_is_dealt_out(
+    executor: str, workers: int, chunk: int
+) -> None:
+    a, b, c = np.meshgrid(*(axis.points for axis in GRID.axes), indexing="ij")
+    whole = some(a, b, c)
+    told: list[int] = []
+    data = evaluate(
+        some, GRID, OUTPUTS, executor=executor, workers=workers, chunk=chunk, done=told.append
+    )
+    assert np.array_equal(data["sum"].values, whole["sum"])
+    assert np.array_equal(data["sign"].values, whole["sign"])
+    assert sum(told) == GRID.size
+    assert max(told) <= chunk
+
+
+def test_the_result_is_labelled(reference: Found) -> None:
+    cases = functools.partial(some, factor=1.0)
+    data = evaluate(cases, GRID, OUTPUTS, attributes={"restitution": 0.8})
+    assert data["sum"].dims == ("a", "b", "c")
+    assert data["sum"].attrs == {"long_name": "a sum", "units": "m"}
+    assert data["sign"].dtype == np.int8
+    assert data["sign"].attrs["flag_meanings"] == "negative zero positive"
+    assert data["a"].attrs == {"long_name": "an angle", "units": "rad"}
+    assert data["b"].values.tolist() == [5.0, 1.0, 2.0]
+    assert data.attrs == {"restitution": 0.8, "rocksteady_version": rocksteady.__version__}
+    assert float(data["sum"].sel(a=0.1, b=1.0, c=2)) == reference["sum"][0, 1, 2]
+
+
+def test_cells_know_their_numbers() -> None:
+    def numbers(a: Floats, b: Floats, c: Floats, cell: NDArray[np.int64]) -> Found:
+        assert a.shape == b.shape == c.shape == cell.shape
+        return {"sum": cell}
+
+    for chunk in (1, 5, 64):
+        data = evaluate(numbers, GRID, OUTPUTS[:1], chunk=chunk, numbered="cell")
+        assert np.array_equal(data["sum"].values.ravel(), np.arange(GRID.size))
+
+
+@pytest.mark.parametrize("executor", ["threads", "serial"])
+def test_an_error_of_the_case_function_comes_out_and_says_where(executor: str) -> None:
+    with pytest.raises(ZeroDivisionError, match="as it happens") as caught:
+        evaluate(failing, GRID, OUTPUTS, executor=executor, workers=1, chunk=4)
+    assert caught.value.__notes__ == [
+        "in cells 24 to 27 of 84: a 1.06666666666667 to 1.06666666666667, b 5 to 5, c 0 to 3"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("answer", "valid"),
+    [
+        ({"other": 1.0}, "mapping with the output 'sum'"),
+        (None, "mapping with the output 'sum'"),
+        ({"sum": np.zeros(3)}, "shape of the cells, here \\(64,\\)"),
+        ({"sum": 0.0}, "shape of the cells"),
+        ({"sum": np.zeros(64, dtype=np.complex128)}, "must fit float64"),
+        ({"sum": np.array(["x"] * 64)}, "must fit float64"),
+    ],
+)
+def test_what_is_not_returned_as_declared_is_named(answer: Any, valid: str) -> None:
+    with pytest.raises(InputError, match=valid):
+        evaluate(lambda **_: answer, GRID, OUTPUTS[:1], executor="serial")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "valid"),
+    [
+        ({"executor": "cloud"}, "one of threads, serial"),
+        ({"executor": None}, "one of threads, serial"),
+        ({"workers": 0}, "from 1 to 1024"),
+        ({"workers": 2.0}, "from 1 to 1024"),
+        ({"chunk": 0}, "whole number"),
+        ({"outputs": ()}, "one or more"),
+        ({"outputs": (Output(name="a"),)}, "outputs = 'a'"),
+        ({"outputs": (OUTPUTS[0], OUTPUTS[0])}, "outputs = 'sum'"),
+    ],
+)
+def test_arguments_are_validated(arguments: dict[str, Any], valid: str) -> None:
+    with pytest.raises(InputError, match=valid):
+        evaluate(**{"cases": some, "grid": GRID, "outputs": OUTPUTS, **arguments})
+
+
+@pytest.mark.parametrize("executor", ["threads", "serial"])
+def test_an_interruption_cancels_what_has_not_begun(executor: str) -> None:
+    begun: list[float] = []
+
+    def slow(a: Floats, b: Floats, c: Floats) -> Found:
+        begun.append(float(a[0]))
+        if len(begun) == 3:
+            signal.raise_signal(signal.SIGINT) if executor == "serial" else interrupt()
+        time.sleep(0.01)
+        return some(a, b, c)
+
+    def interrupt() -> None:
+        signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
+
+    with pytest.raises(KeyboardInterrupt):
+        evaluate(slow, GRID, OUTPUTS, executor=executor, workers=2, chunk=1)
+    after = len(begun)
+    assert after < GRID.size
+    time.sleep(0.05)
+    assert len(begun) == after  # nothing goes on behind one's back
+
+
+def test_progress_is_told_in_the_calling_thread() -> None:
+    threads: set[int] = set()
+    evaluate(
+        some, GRID, OUTPUTS, workers=3, chunk=2, done=lambda _: threads.add(threading.get_ident())
+    )
+    assert threads == {threading.get_ident()}
