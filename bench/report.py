@@ -34,7 +34,13 @@ impacts in {counts}. **Steady**: Omega from 0.014 to 14, A from 0.006 to 6, rest
 *with shapes* adds peak, number of extrema and admissibility to phase, velocity and the trace that
 decides on stability, for both branches. **Attractors**: what a block settles to from rest, A from
 0.5 to 6, Omega from 0.5 to 10, restitution 0.8. **Orbits**: up to 3 forcing periods and 6 impacts
-at A = 1, Omega = 2, restitution 0.8, from 96 x 96 seeds.
+at A = 1, Omega = 2, restitution 0.8, from 96 x 96 seeds. **Branch**: the harmonic symmetric orbit
+of A = 2, restitution 0.8 over Omega, with multipliers and admissibility of each point; **cascade**:
+the doublings that end near Omega = 1.7717. **Basins**, **erosion**, **map**: elapsed time on all
+cores. Basins are 200 x 200 states over 200 periods, periodic at A = 1, Omega = 2, restitution 0.8
+and chaotic at A = 6, Omega = 6, restitution 0.25; the erosion has 17 amplitudes up to 1.6 at
+Omega = 2, restitution 0.9, with 200 x 200 states over 100 periods each; the map has the
+axes of the attractors.
 """
 
 
@@ -76,6 +82,10 @@ def main(source: Path, target: Path) -> None:
             lines.append(Line(f"steady 1000 x 1000, {label}", duration(seconds), each, "", goal))
         elif group == "orbits":
             lines.append(orbits_line(name, b))
+        elif group == "continuation":
+            lines.append(continuation_line(name, b))
+        elif group == "grids":
+            lines.append(grid_line(name, b))
         elif group == "start":
             label = name.removeprefix("start[").removesuffix("]")
             goal = "guide 0.3 s" if "--help" in label else ""
@@ -96,6 +106,25 @@ def orbits_line(name: str, result: dict[str, Any]) -> Line:
         return Line("attractors from rest, 50 x 50", duration(seconds), each, "", "")
     each = f"{1e3 * seconds / info['orbits']:.1f} ms an orbit"
     return Line(f"all {info['orbits']} orbits at a point", duration(seconds), each, "", "")
+
+
+def continuation_line(name: str, result: dict[str, Any]) -> Line:
+    """Return the row of a branch, or of the cascade of doublings."""
+    points, seconds = result["extra_info"]["points"], result["stats"]["median"]
+    if "cascade" in name:
+        each = f"{1e3 * seconds / points:.1f} ms a doubling"
+        return Line(f"cascade of {points} doublings", duration(seconds), each, "", "")
+    each = f"{1e6 * seconds / points:.0f} µs a point"
+    return Line(f"branch of {points} points", duration(seconds), each, "", "guide 2 s")
+
+
+def grid_line(name: str, result: dict[str, Any]) -> Line:
+    """Return the row of many cases in threads."""
+    cells, seconds = result["extra_info"]["cells"], result["stats"]["median"]
+    label, _, kind = name.removesuffix("]").partition("[")
+    what = f"{label.replace('_', ' ')}{', ' if kind else ''}{kind}, {cells} cells"
+    goal = "" if label == "erosion" else "guide 5 s"
+    return Line(what, duration(seconds), f"{1e6 * seconds / cells:.1f} µs a cell", "", goal)
 
 
 def guide(unit: str) -> str:

@@ -1,0 +1,1 @@
+"""Branches of periodic orbits over a parameter, and their bifurcations."""

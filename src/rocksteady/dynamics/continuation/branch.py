@@ -1,0 +1,220 @@
+"""Branches: an orbit followed over a parameter, with its bifurcations."""
+
+import math
+from collections.abc import Iterator
+from itertools import chain as joined
+from itertools import islice
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.continuation.events import (
+    ChainCurve,
+    ChainSpot,
+    events_between,
+    range_ends,
+    returns,
+)
+from rocksteady.dynamics.continuation.family import (
+    LARGEST_STEP,
+    Course,
+    Family,
+    checked_ranges,
+)
+from rocksteady.dynamics.continuation.paths import Curve, LostError, Spot
+from rocksteady.dynamics.continuation.points import MARGINAL, BranchPoint, PointType
+from rocksteady.dynamics.continuation.starts import chain_at
+from rocksteady.dynamics.continuation.switching import switched
+from rocksteady.dynamics.orbit import Orbit
+from rocksteady.errors import ModelError
+
+Floats = NDArray[np.float64]
+
+AT_START = 1e-6
+"""Arclength within which an event of the start's own kind is the start."""
+BESIDE = 1e-5
+"""Arclength from a graze at which it is seen whether a branch is a motion: not rounding decides."""
+
+
+def continuation(
+    start: Orbit | BranchPoint,
+    parameter: str,
+    within: tuple[float, float],
+    *,
+    direction: int = 1,
+    switch: bool = False,
+    inadmissible: bool = False,
+    largest_step: float = LARGEST_STEP,
+    most_points: int = 10_000,
+) -> Iterator[BranchPoint]:
+    """Follow a periodic orbit over a parameter, stable or not, around its folds.
+
+    By pseudo-arclength on the phases of the impacts (`rocksteady.kernels.chains`).  Where a
+    bifurcation lies between two points it is located to rounding and yielded between them.
+
+    Parameters
+    ----------
+    start
+        An orbit without rest, or a point of another branch.
+    parameter
+        "amplitude", "frequency_ratio" or "restitution".
+    within
+        The range of it; the branch ends where it leaves it.
+    direction
+        +1 to set off with the parameter growing, -1 with it falling.  From a fold both sides of it
+        lead the same way: +1 is the one on which the impacts come later.
+    switch
+        At a symmetry breaking, a period doubling or a graze: follow the branch that begins there,
+        instead of the one on which the point lies.  It sets off to where there are motions, and
+        `direction` does not count.
+    inadmissible
+        Whether the branch is followed on where the solution passes through the floor; without, it
+        ends at the graze before.
+    largest_step
+        Of arclength, in parts of the range and of pi of mean phase.
+    most_points
+        Regular points after which the branch ends.
+
+    Yields
+    ------
+    BranchPoint
+        The start, then one after another.  The type of the last one says why the branch ends.
+
+    Raises
+    ------
+    InputError
+        If a value is outside its range, or the start is.
+    ModelError
+        If the start comes to rest, passes through the floor and `inadmissible` is off, or nothing
+        branches off there.  From a graze into the floor the branch has its start alone.
+
+    Examples
+    --------
+    >>> from rocksteady import DimensionlessBlock, Harmonic, orbits
+    >>> block = DimensionlessBlock(restitution=0.8)
+    >>> start = orbits(block, Harmonic(amplitude=1.0, frequency_ratio=2.0), max_period=1)[0]
+    >>> for point in continuation(start, "amplitude", (0.1, 3.0)):
+    ...     if point.type != "regular":
+    ...         print(point.type, f"{point.amplitude:.6f}", point.stable)
+    symmetry-breaking 2.120167 False
+    end-of-range 3.000000 False
+    """
+    course = Course(direction=direction, largest_step=largest_step, most_points=most_points)
+    chain = chain_at(start)
+    active, ranges = checked_ranges(chain, (parameter,), (within,))
+    first = PointType.REGULAR
+    towards: Floats | None = np.append(np.zeros(chain.impacts), direction)
+    if isinstance(start, BranchPoint):
+        first = start.type
+    orbit = chain
+    if switch:
+        chain, along = switched(first, chain)
+        towards = None if along is None else np.append(along / np.linalg.norm(along), 0.0)
+    elif not chain.admissible and not inadmissible and first is not PointType.GRAZING:
+        raise ModelError(
+            name="start",
+            value="a solution that passes through the floor",
+            valid="it is no motion",
+            hint="start from an admissible orbit, or ask for inadmissible ones too",
+        )
+    family = Family(chain=chain, active=active, ranges=ranges)
+    curve = Curve(evaluate=family.evaluate, largest_step=course.largest_step)
+    followed = _followed(family, curve, towards, first, inadmissible=inadmissible, most=most_points)
+    if switch and first is not PointType.GRAZING:
+        # What branches off is drawn from the orbit of which it is the double.
+        return joined(
+            [BranchPoint(type=first, arclength=0.0, chain=orbit)], islice(followed, 1, None)
+        )
+    return followed
+
+
+def _followed(
+    family: Family,
+    curve: ChainCurve,
+    towards: Floats | None,
+    first: PointType,
+    *,
+    inadmissible: bool,
+    most: int,
+) -> Iterator[BranchPoint]:
+    """Yield the points of a branch."""
+    begin = _begun(family, curve, towards, first)
+    yield BranchPoint(type=first, arclength=0.0, chain=begin.solution.chain)
+    earlier = spot = begin
+    # So near to the crossing at which a branch of doubled orbits begins nothing else is resolved.
+    crossing = towards is not None and towards[-1] == 0.0
+    itself = MARGINAL if crossing else (first,)
+    if first is PointType.GRAZING and not inadmissible:
+        # At the graze itself rounding decides on which side of the floor the block is.
+        beside = _beside(curve, begin)
+        if beside is None or not beside.solution.chain.admissible:
+            return
+        earlier = spot = beside
+    for count, new in enumerate(curve.follow(spot)):
+        try:
+            events = events_between(family, curve, spot, new, earlier)
+            events += range_ends(family, curve, spot, new)
+            events += returns(family, curve, spot, new, begin)
+        except LostError:
+            break
+        closed = next((e.arclength for e in events if e.type is PointType.CLOSED), math.inf)
+        for event in sorted(events, key=lambda event: event.arclength):
+            apart = min(event.arclength, abs(event.arclength - closed))
+            if event.type in itself and apart < AT_START:
+                continue
+            yield BranchPoint(type=event.type, arclength=event.arclength, chain=event.chain)
+            if event.final or (event.type is PointType.GRAZING and not inadmissible):
+                return
+        kind = PointType.REGULAR if count + 1 < most else PointType.LIMIT
+        yield BranchPoint(type=kind, arclength=new.arclength, chain=new.solution.chain)
+        if kind is PointType.LIMIT:
+            return
+        earlier, spot = spot, new
+    yield BranchPoint(type=PointType.LOST, arclength=spot.arclength, chain=spot.solution.chain)
+
+
+def _begun(
+    family: Family, curve: ChainCurve, towards: Floats | None, first: PointType
+) -> ChainSpot:
+    """Return the start of a branch with the direction in which it sets off.
+
+    Raises
+    ------
+    ModelError
+        If there is no orbit at the start.
+    """
+    place = family.place_of(family.chain)
+    solution = family.evaluate(place)
+    assert solution is not None
+    if towards is not None and first is PointType.FOLD:
+        along = np.linalg.svd(solution.slopes)[2][-1]
+        later = math.copysign(1.0, float(along[:-1].sum()) * float(towards[-1]))
+        return Spot(place=place, tangent=later * along, solution=solution, arclength=0.0)
+    if towards is not None and towards[-1] != 0.0:
+        spot = curve.start(place, towards)
+        if spot is not None:
+            return spot
+        raise ModelError(
+            name="start",
+            value="an orbit",
+            valid="it is none of this shaking, or a branch crosses another there",
+            hint="start from an orbit of `orbits`, or add switch=True at a bifurcation",
+        )
+    if towards is not None:
+        return Spot(place=place, tangent=towards, solution=solution, arclength=0.0)
+    # From a graze the branch goes to where it is a motion.
+    tangent = np.linalg.svd(solution.slopes)[2][-1]
+    sides = [
+        Spot(place=place, tangent=sign * tangent, solution=solution, arclength=0.0)
+        for sign in (1.0, -1.0)
+    ]
+    for spot in sides:
+        near = _beside(curve, spot)
+        if near is not None and near.solution.chain.admissible:
+            return spot
+    return sides[0]
+
+
+def _beside(curve: ChainCurve, spot: ChainSpot) -> ChainSpot | None:
+    """Return a point a little ahead of one."""
+    return curve.along(spot, BESIDE)

@@ -1,0 +1,202 @@
+"""The cascade of period doublings, and how its distances shrink."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.continuation.branch import continuation
+from rocksteady.dynamics.continuation.family import LARGEST_STEP
+from rocksteady.dynamics.continuation.points import Branch, BranchPoint, PointType
+from rocksteady.dynamics.continuation.starts import chain_at
+from rocksteady.dynamics.continuation.stretches import stretches
+from rocksteady.dynamics.orbit import Orbit
+from rocksteady.errors import ModelError
+from rocksteady.model.validation import whole_number
+
+Floats = NDArray[np.float64]
+
+MOST_DOUBLINGS = 8
+"""The orbit then has 256 times the impacts, and the next doublings are some 1e-7 apart."""
+ENOUGH = 3
+"""Doublings from which on a cascade has a ratio, and no longer one is looked for."""
+SHRINKING = 0.5
+"""Largest step after a doubling, in parts of that before: the next one comes sooner."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class DoublingCascade:
+    """Period doublings, each on the branch that the one before gave birth to.
+
+    Attributes
+    ----------
+    parameter
+        In which they follow one another.
+    points
+        The doublings, in order.
+    """
+
+    parameter: str
+    points: tuple[BranchPoint, ...]
+
+    @cached_property
+    def values(self) -> Floats:
+        """The parameter at each doubling, shape (doublings,)."""
+        return np.array([getattr(point, self.parameter) for point in self.points])
+
+    @property
+    def distances(self) -> Floats:
+        """From each doubling to the next, shape (doublings - 1,)."""
+        return np.diff(self.values)
+
+    @property
+    def ratios(self) -> Floats:
+        """Each distance over the next, shape (doublings - 2,); they tend to Feigenbaum's 4.6692."""
+        ratios: Floats = self.distances[:-1] / self.distances[1:]
+        return ratios
+
+    @property
+    def limit(self) -> float:
+        """Where infinitely many doublings end, if the distances go on shrinking by the last ratio.
+
+        nan of fewer than three doublings.
+        """
+        if len(self.points) < 3:
+            return float("nan")
+        return float(self.values[-1] + self.distances[-1] / (self.ratios[-1] - 1.0))
+
+
+def doubling_cascade(
+    start: Orbit | BranchPoint,
+    parameter: str,
+    within: tuple[float, float],
+    *,
+    direction: int = 1,
+    doublings: int = 6,
+    largest_step: float = LARGEST_STEP,
+) -> DoublingCascade:
+    """Locate one period doubling after another, each on the branch of the orbits just doubled.
+
+    Parameters
+    ----------
+    start
+        An orbit whose branch comes to a doubling, or to a breaking of its symmetry first.
+    parameter, within, direction
+        As for `continuation`.
+    doublings
+        How many to look for, up to 8; fewer are returned where a branch comes to none.
+    largest_step
+        Of arclength, on the first branch.
+
+    Returns
+    -------
+    DoublingCascade
+        Each doubling to rounding.
+
+    Raises
+    ------
+    InputError, ModelError
+        As `continuation`; also if there is no doubling.
+
+    References
+    ----------
+    M. J. Feigenbaum, Quantitative universality for a class of nonlinear transformations, Journal of
+    Statistical Physics 19, 25-52 (1978).
+
+    Examples
+    --------
+    >>> from rocksteady import DimensionlessBlock, Harmonic, orbits
+    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
+    >>> start = orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)[0]
+    >>> found = doubling_cascade(start, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=4)
+    >>> print([f"{value:.7f}" for value in found.values], [f"{r:.3f}" for r in found.ratios])
+    ['1.7892720', '1.7746913', '1.7723039', '1.7718153'] ['6.107', '4.887']
+    """
+    count = whole_number(
+        "doublings",
+        doublings,
+        at_least=1,
+        at_most=MOST_DOUBLINGS,
+        hint="give the number of doublings to look for",
+    )
+    found: list[BranchPoint] = []
+    here, switch, step = start, False, largest_step
+    impacts = chain_at(start).impacts
+    while len(found) < count:
+        followed = continuation(
+            here, parameter, within, direction=direction, switch=switch, largest_step=step
+        )
+        next(followed)
+        ahead = next(
+            (
+                point
+                for point in followed
+                if point.type in (PointType.PERIOD_DOUBLING, PointType.SYMMETRY_BREAKING)
+            ),
+            None,
+        )
+        # A branch may turn back into the one that it comes from, and end at what is doubled there.
+        if ahead is None or ahead.chain.impacts < impacts:
+            break
+        if ahead.type is PointType.PERIOD_DOUBLING:
+            found.append(ahead)
+            step *= SHRINKING
+        here, switch = ahead, True
+        impacts = 2 * impacts
+    if not found:
+        raise ModelError(
+            name="start",
+            value="an orbit",
+            valid=f"its branch comes to no period doubling within {within}",
+            hint="widen the range, or follow it in the other direction",
+        )
+    return DoublingCascade(parameter=parameter, points=tuple(found))
+
+
+def longest_cascade(
+    branches: Sequence[Branch], within: tuple[float, float], doublings: int
+) -> DoublingCascade | None:
+    """Return the first long cascade that begins on one of several branches, else the longest.
+
+    Parameters
+    ----------
+    branches
+        Over one parameter, as from `bifurcation_branches`.
+    within
+        Its range.
+    doublings
+        As for `doubling_cascade`.
+
+    Returns
+    -------
+    DoublingCascade or None
+        None where no branch comes to a doubling.
+    """
+    best = None
+    for branch in branches:
+        middle = _stable_middle(branch)
+        if middle is None:
+            continue
+        for direction in (1, -1):
+            try:
+                found = doubling_cascade(
+                    middle, branch.parameter, within, direction=direction, doublings=doublings
+                )
+            except ModelError:  # it comes to none
+                continue
+            if best is None or len(found.points) > len(best.points):
+                best = found
+            if len(best.points) >= min(ENOUGH, doublings):
+                return best
+    return best
+
+
+def _stable_middle(branch: Branch) -> BranchPoint | None:
+    """Return a point in the middle of the longest stable stretch of a branch."""
+    stable = [part for part in stretches(branch) if part.stable and part.last - part.first > 1]
+    if not stable:
+        return None
+    longest = max(stable, key=lambda part: part.last - part.first)
+    return branch.points[(longest.first + longest.last) // 2]

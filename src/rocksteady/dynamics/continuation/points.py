@@ -1,0 +1,241 @@
+"""What a point of a branch is, the orbit there, and the branch that the points make."""
+
+import math
+from dataclasses import dataclass, field, replace
+from enum import StrEnum
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.continuation.chain import Chain
+from rocksteady.dynamics.orbit import Orbit, orbit_from
+from rocksteady.dynamics.return_map import make_system, state_of
+from rocksteady.errors import ModelError
+from rocksteady.kernels import periodic
+from rocksteady.model.block import DimensionlessBlock
+from rocksteady.model.motions import Harmonic
+
+Floats = NDArray[np.float64]
+
+
+class PointType(StrEnum):
+    """What a point of a branch is."""
+
+    REGULAR = "regular"
+    FOLD = "fold"
+    """Two orbits of one kind meet and the branch turns back: a multiplier passes 1."""
+    SYMMETRY_BREAKING = "symmetry-breaking"
+    """Two orbits that lean, mirror images of each other, branch off a symmetric one: half of it
+    has the multiplier -1."""
+    PERIOD_DOUBLING = "period-doubling"
+    """A multiplier passes -1, and an orbit of twice the period branches off."""
+    GRAZING = "grazing"
+    """The block touches its base between two impacts, or two impacts merge: beyond, the solution
+    passes through the floor.  A branch loses its admissibility in no other way."""
+    RANGE_END = "end-of-range"
+    """The branch leaves the range of its parameter."""
+    CLOSED = "closed"
+    """The branch is back where it began."""
+    LIMIT = "limit"
+    """As many points were followed as were asked for."""
+    LOST = "lost"
+    """The branch could not be followed on."""
+
+
+BIFURCATIONS = (
+    PointType.FOLD,
+    PointType.SYMMETRY_BREAKING,
+    PointType.PERIOD_DOUBLING,
+    PointType.GRAZING,
+)
+CLOSING = 1e-6
+"""Residual up to which the flights of an orbit count as staying on it."""
+MARGINAL = BIFURCATIONS[:3]
+"""Where a multiplier lies on the unit circle, and rounding may not decide on stability."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class BranchPoint:
+    """A periodic orbit on a branch.
+
+    Attributes
+    ----------
+    type
+        What is special about it.
+    amplitude, frequency_ratio, restitution
+        Where it is.
+    arclength
+        From the start of the branch, in units of the parameter's range and of pi of phase.
+    chain
+        The impacts of the orbit, from which it can be followed on.
+    """
+
+    type: PointType
+    arclength: float
+    chain: Chain = field(repr=False)
+
+    @property
+    def amplitude(self) -> float:
+        """A = a_max/(alpha g)."""
+        return float(self.chain.parameters[0])
+
+    @property
+    def frequency_ratio(self) -> float:
+        """Omega = omega/p."""
+        return float(self.chain.parameters[1])
+
+    @property
+    def restitution(self) -> float:
+        """Ratio of the angular velocities after and before an impact."""
+        return float(self.chain.parameters[2])
+
+    @property
+    def period(self) -> int:
+        """Forcing periods of the whole orbit."""
+        return self.chain.period
+
+    @property
+    def impacts(self) -> int:
+        """Impacts in a period of the orbit."""
+        return self.chain.impacts * (2 if self.chain.symmetric else 1)
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether half of it is the mirror image of the other half."""
+        return self.chain.symmetric
+
+    @property
+    def kind(self) -> str:
+        """Symmetric or unsymmetric, in that word."""
+        return "symmetric" if self.symmetric else "unsymmetric"
+
+    @cached_property
+    def multipliers(self) -> NDArray[np.complex128]:
+        """Floquet multipliers of the whole orbit, shape (2,), the larger in modulus first.
+
+        Their product is restitution^(2 impacts): a pair never leaves the unit circle together, and
+        there is no Neimark-Sacker bifurcation.
+        """
+        return self.chain.multipliers
+
+    @cached_property
+    def admissible(self) -> bool:
+        """Whether it is a motion: no flight passes through the floor."""
+        return self.type is PointType.GRAZING or self.chain.admissible
+
+    @property
+    def stable(self) -> bool:
+        """Whether it is a motion and both multipliers lie inside the unit circle.
+
+        Not at a bifurcation, where one of them lies on it.
+        """
+        marginal = self.type in MARGINAL or self.restitution == 1.0
+        return bool(self.admissible and not marginal and abs(self.multipliers[0]) < 1.0)
+
+    @cached_property
+    def peaks(self) -> Floats:
+        """Extreme u = theta/alpha of each flight of the whole orbit, with its side."""
+        return self.chain.peaks
+
+    def orbit(self) -> Orbit:
+        """Return the orbit there.
+
+        Its residual is nan where its flights are so long that none stays on it.
+
+        Raises
+        ------
+        ModelError
+            If the solution passes through the floor, or grazes it.
+        """
+        block = DimensionlessBlock(restitution=self.restitution)
+        shaking = Harmonic(amplitude=self.amplitude, frequency_ratio=self.frequency_ratio)
+        system, sections = make_system(block, shaking), self.chain.sections
+        table = np.zeros((len(sections), periodic.ORBIT_COLUMNS))
+        for row, section in enumerate(sections):
+            periodic.put(table, row, section)
+        residual = math.inf
+        if self.chain.admissible:
+            residual = periodic.measured(system, len(sections), self.period, table).residual
+        if residual < CLOSING:
+            return orbit_from(block, shaking, table, self.period, residual)
+        if not self.chain.admissible or self.type is PointType.GRAZING:
+            raise ModelError(
+                name="point",
+                value=self.type.value,
+                valid="its solution passes through the floor or grazes it and is no motion",
+                hint="choose a point that is admissible",
+            )
+        states = tuple(state_of(section) for section in sections)
+        return Orbit(
+            block=block,
+            shaking=replace(shaking, phase=states[0].phase),
+            period=self.period,
+            states=states,
+            rest_phases=0,
+            symmetric=self.symmetric,
+            highest=float(self.peaks.max()),
+            lowest=float(self.peaks.min()),
+            multipliers=self.multipliers,
+            residual=math.nan,
+        )
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Branch:
+    """An orbit followed over a parameter.
+
+    Attributes
+    ----------
+    parameter
+        What it was followed in.
+    points
+        In order of arclength; the special ones stand among the regular ones.
+    """
+
+    parameter: str
+    points: tuple[BranchPoint, ...]
+
+    @cached_property
+    def values(self) -> Floats:
+        """The parameter at each point, shape (points,)."""
+        return np.array([getattr(point, self.parameter) for point in self.points])
+
+    @cached_property
+    def stable(self) -> NDArray[np.bool_]:
+        """Which points are stable, shape (points,)."""
+        return np.array([point.stable for point in self.points], dtype=np.bool_)
+
+    @cached_property
+    def admissible(self) -> NDArray[np.bool_]:
+        """Which points are motions, shape (points,)."""
+        return np.array([point.admissible for point in self.points], dtype=np.bool_)
+
+    @cached_property
+    def peaks(self) -> Floats:
+        """Extreme u = theta/alpha of each flight with its side, shape (points, flights).
+
+        At the end of a branch of doubled orbits the orbit that is doubled stands, twice over.
+        """
+        most = max(point.impacts for point in self.points)
+        return np.array([np.tile(point.peaks, most // point.impacts) for point in self.points])
+
+    @property
+    def bifurcations(self) -> tuple[BranchPoint, ...]:
+        """Folds, symmetry breakings, period doublings and grazes on it."""
+        return tuple(point for point in self.points if point.type in BIFURCATIONS)
+
+    @property
+    def period(self) -> int:
+        """Forcing periods of its orbits."""
+        return max(point.period for point in self.points)
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether its orbits are symmetric."""
+        return all(point.symmetric for point in self.points)
+
+    @property
+    def impacts(self) -> int:
+        """Impacts in a period of its orbits."""
+        return max(point.impacts for point in self.points)

@@ -1,0 +1,553 @@
+"""Branches: closed forms, the return map alone, step sizes, mirror images, stability by kicks."""
+
+import math
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from rocksteady import (
+    BranchPoint,
+    DimensionlessBlock,
+    Harmonic,
+    InputError,
+    ModelError,
+    PointType,
+    attractor,
+    boundaries,
+    continuation,
+    orbits,
+    steady_states,
+    symmetry_breaking_amplitude,
+    symmetry_breaking_frequency,
+)
+from rocksteady.dynamics.continuation.points import Branch
+from tests.dynamics.continuation.branches import (
+    PARAMETERS,
+    RANGES,
+    events,
+    first,
+    least_height,
+    located,
+    random_start,
+    same_events,
+    setting,
+    special,
+    symmetric_start,
+    unsymmetric_branch,
+    values_of,
+)
+from tests.dynamics.kicks import keeps, loses
+
+
+@pytest.fixture(scope="module")
+def leaning() -> list[BranchPoint]:
+    return unsymmetric_branch()
+
+
+# ------------------------------------------------------------------------------------ closed forms
+
+
+@pytest.mark.parametrize("order", [1, 3, 5])
+def test_folds_are_the_existence_boundary(order: int) -> None:
+    rng = np.random.default_rng(order)
+    for _ in range(6):
+        frequency, restitution = rng.uniform(0.8, 3.0) * order, rng.uniform(0.3, 0.95)
+        edge = float(boundaries(frequency, restitution, order=order).existence)
+        start = symmetric_start(1.05 * edge, frequency, restitution, order=order)
+        if not start.admissible:
+            continue
+        within = (0.5 * edge, 2.0 * edge)
+        branch = list(continuation(start, "amplitude", within, direction=-1, inadmissible=True))
+        fold = first(branch, "fold")
+        assert fold.amplitude == pytest.approx(edge, rel=1e-12)  # eq 23
+        assert fold.multipliers[0] == pytest.approx(1.0, abs=1e-6)
+        assert not fold.stable
+        # In frequency the same boundary, as a root.
+        here = list(continuation(start, "frequency_ratio", (0.3, 40.0), inadmissible=True))
+        for other in (point for point in here if point.type == "fold"):
+            found = boundaries(other.frequency_ratio, restitution, order=order)
+            assert other.amplitude == pytest.approx(float(found.existence), rel=1e-11)
+
+
+@pytest.mark.parametrize(
+    ("frequency", "order", "printed"), [(4.0, 1, None), (6.0, 3, 1.61999), (8.0, 3, None)]
+)
+def test_a_branch_turns_from_branch_1_into_branch_2(
+    frequency: float, order: int, printed: float | None
+) -> None:
+    start = symmetric_start(1.9, frequency, 0.8, order=order)
+    points = list(continuation(start, "amplitude", (0.1, 2.0), direction=-1))
+    turn = next(k for k, point in enumerate(points) if point.type == "fold")
+    if printed is not None:
+        assert points[turn].amplitude == pytest.approx(printed, abs=1e-5)  # TW2
+    for k, point in enumerate(points):
+        if abs(k - turn) < 2:
+            continue
+        states = steady_states(point.amplitude, frequency, 0.8, order=order)
+        which = 0 if k < turn else 1
+        here = point.chain.phases[0] + point.chain.turns[0] * math.pi
+        assert math.cos(here - states.phase[which]) == pytest.approx(1.0, abs=1e-12)
+        assert point.peaks[0] == pytest.approx(np.asarray(states.peak)[which], abs=1e-9)
+        pair = states.multipliers[which] ** 2
+        assert sorted(abs(point.multipliers)) == pytest.approx(sorted(abs(pair)), rel=1e-7)
+        assert point.stable is bool(states.stable[which])
+
+
+@pytest.mark.parametrize(
+    ("amplitude", "order", "printed"),
+    [
+        (1.0, 1, 1.448324), (2.0, 1, 1.948378), (3.0, 1, 2.345723), (4.0, 1, 2.690687),
+        (6.0, 1, 3.291248), (1.0, 3, 2.957132), (2.0, 3, 4.249471), (3.0, 3, 5.237990),
+        (4.0, 3, 6.143263), (6.0, 3, 7.959945),
+    ],
+)  # fmt: skip
+def test_symmetry_breaks_where_it_is_printed(amplitude: float, order: int, printed: float) -> None:
+    start = symmetric_start(amplitude, printed * 1.08, 0.8, order=order)
+    branch = continuation(
+        start, "frequency_ratio", (0.8 * printed, 1.2 * printed), direction=-1, inadmissible=True
+    )
+    breaking = first(branch, "symmetry-breaking")
+    assert breaking.frequency_ratio == pytest.approx(printed, abs=6e-7)  # TW6
+    exact = symmetry_breaking_frequency(amplitude, 0.8, order=order)
+    assert np.abs(exact - breaking.frequency_ratio).min() <= 1e-12 * printed
+
+
+@pytest.mark.parametrize("parameter", PARAMETERS)
+def test_symmetry_breaks_on_the_closed_curve_in_any_parameter(parameter: str) -> None:
+    rng, found = np.random.default_rng(3), 0
+    for _ in range(20):
+        order = int(rng.choice([1, 3, 5]))
+        values = [0.0, rng.uniform(1.2, 3.0) * order, rng.uniform(0.3, 0.95)]
+        values[0] = 0.97 * float(symmetry_breaking_amplitude(values[1], values[2], order=order))
+        states = steady_states(*values, order=order)
+        assert states.admissible is not None
+        if not states.admissible[0]:
+            continue
+        start = symmetric_start(*values, order=order)
+        for direction in (1, -1):
+            points = continuation(start, parameter, RANGES[parameter], direction=direction)
+            for point in points:
+                if point.type != "symmetry-breaking":
+                    continue
+                found += 1
+                exact = symmetry_breaking_amplitude(
+                    point.frequency_ratio, point.restitution, order=order
+                )
+                assert point.amplitude == pytest.approx(float(exact), rel=1e-11)
+                assert not point.stable
+    assert found >= 8
+
+
+def test_a_symmetric_branch_ends_where_the_closed_form_meets_the_floor() -> None:
+    rng, found = np.random.default_rng(4), 0
+    for _ in range(40):
+        order = int(rng.choice([3, 5]))
+        frequency, restitution = rng.uniform(1.2, 3.0) * order, rng.uniform(0.3, 0.95)
+        edge = float(boundaries(frequency, restitution, order=order).existence)
+        start = symmetric_start(1.1 * edge, frequency, restitution, order=order)
+        if not start.admissible:
+            continue
+        *_, last = continuation(start, "amplitude", (0.5 * edge, 6.0 * edge))
+        if last.type != "grazing":
+            continue
+        found += 1
+        assert last.admissible
+
+        def keeps_off(
+            amplitude: float,
+            frequency: float = frequency,
+            restitution: float = restitution,
+            order: int = order,
+        ) -> bool:
+            states = steady_states(amplitude, frequency, restitution, order=order)
+            return bool(np.asarray(states.admissible)[0])
+
+        low, high = 0.999 * last.amplitude, 1.001 * last.amplitude
+        assert keeps_off(low)
+        assert not keeps_off(high)
+        for _ in range(60):
+            middle = 0.5 * (low + high)
+            low, high = (middle, high) if keeps_off(middle) else (low, middle)
+        assert last.amplitude == pytest.approx(low, rel=1e-10)
+    assert found >= 5
+
+
+# ------------------------------------------------------------------------- by the return map alone
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_every_point_of_a_random_branch_is_an_orbit_of_the_map(seed: int) -> None:
+    rng = np.random.default_rng(100 + seed)
+    start = random_start(rng)
+    if start is None:
+        return
+    parameter = PARAMETERS[seed % 3]
+    direction = int(rng.choice([1, -1]))
+    points = list(
+        continuation(start, parameter, RANGES[parameter], direction=direction, most_points=150)
+    )
+    lengths = np.diff([point.arclength for point in points])
+    assert (lengths >= -1e-12).all()
+    assert lengths.max() <= 0.02 * (1.0 + 1e-12)
+    fixed = [index for index, name in enumerate(PARAMETERS) if name != parameter]
+    for point in points[::4]:
+        assert (values_of(point)[fixed] == values_of(points[0])[fixed]).all()
+        # No orbit here loses stability through a complex pair: the product is known.
+        first_one, second = point.multipliers
+        loss = point.restitution ** (2 * point.impacts)
+        assert first_one * second == pytest.approx(loss, rel=1e-9)
+        assert point.admissible
+        if point.type in ("grazing", "fold") or max(point.chain.durations) > 12.0:
+            continue
+        assert least_height(point) > -1e-12
+        orbit = point.orbit()
+        size = max(1.0, orbit.largest_multiplier)
+        assert orbit.residual <= 1e-11 * size
+        assert (orbit.period, orbit.impacts) == (point.period, point.impacts)
+        assert orbit.kind == point.kind
+        assert orbit.multipliers[0] == pytest.approx(first_one, rel=1e-6, abs=1e-9)
+        assert max(point.peaks) == pytest.approx(orbit.highest, abs=1e-10 * size)
+        assert min(point.peaks) == pytest.approx(orbit.lowest, abs=1e-10 * size)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_bifurcations_of_random_branches_are_where_the_map_has_them(seed: int) -> None:
+    rng = np.random.default_rng(200 + seed)
+    start = random_start(rng)
+    if start is None:
+        return
+    for parameter in PARAMETERS:
+        points = list(continuation(start, parameter, RANGES[parameter], most_points=150))
+        for point in special(points):
+            if point.type not in ("fold", "symmetry-breaking", "period-doubling"):
+                continue
+            if max(point.chain.durations) > 8.0:
+                continue
+            exact = located(point, parameter, 1.0 if point.type == "fold" else -1.0)
+            assert getattr(point, parameter) == pytest.approx(exact, rel=1e-10)
+
+
+def test_the_cascade_of_the_paper(leaning: list[BranchPoint]) -> None:
+    # TW7: a period-doubled attractor at 1.78, and none at 1.77.
+    doubling = first(leaning, "period-doubling")
+    assert 1.78 < doubling.frequency_ratio < 1.80
+    assert doubling.frequency_ratio == pytest.approx(
+        located(doubling, "frequency_ratio", -1.0), rel=1e-12
+    )
+    at = {round(w, 3): None for w in (1.9, 1.85, 1.8)}
+    printed = {1.9: (0.90035, -0.44427), 1.85: (1.01036, -0.36025), 1.8: (1.0976, -0.2997)}
+    for frequency in at:
+        near = min(leaning, key=lambda point: abs(point.frequency_ratio - frequency))
+        within = sorted((near.frequency_ratio, frequency))
+        (*_, there) = continuation(
+            near,
+            "frequency_ratio",
+            (within[0] - (near.frequency_ratio > frequency) * 0.0, within[1] + 1e-12),
+            direction=1 if near.frequency_ratio < frequency else -1,
+        )
+        extremes = (max(there.peaks), min(there.peaks))
+        mirrored = (-extremes[1], -extremes[0])
+        found = max(extremes, mirrored)
+        assert found == pytest.approx(printed[frequency], abs=6e-5)
+        assert there.stable
+
+
+def test_stability_is_what_kicked_motions_say(leaning: list[BranchPoint]) -> None:
+    checked = 0
+    for point in leaning[3::6]:
+        size = abs(point.multipliers[0])
+        if not point.admissible or 0.9 < size < 1.1 or size > 1e3:
+            continue
+        checked += 1
+        orbit = point.orbit()
+        assert point.stable is keeps(orbit)
+        assert point.stable is not loses(orbit)
+    assert checked >= 4
+
+
+def test_stable_points_attract(leaning: list[BranchPoint]) -> None:
+    stable = [point for point in leaning if point.stable and abs(point.multipliers[0]) < 0.9]
+    for point in stable[::3]:
+        orbit = point.orbit()
+        found = attractor(orbit.block, orbit.shaking, start=orbit.start)
+        assert found.orbit is not None
+        assert found.period == point.period
+        assert found.orbit.highest == pytest.approx(orbit.highest, abs=1e-7)
+
+
+# -------------------------------------------------------------------------------------- step sizes
+
+
+def steps_disagree(seed: int) -> str:
+    """Return a branch on which long steps do not find what short ones do; empty if they do."""
+    rng = np.random.default_rng(seed)
+    start = random_start(rng)
+    if start is None:
+        return ""
+    parameter, direction = PARAMETERS[seed % 3], int(rng.choice([1, -1]))
+    inadmissible = bool(rng.random() < 0.3)
+
+    def followed(step: float) -> list[tuple[str, float, int]]:
+        points = continuation(
+            start,
+            parameter,
+            RANGES[parameter],
+            direction=direction,
+            inadmissible=inadmissible,
+            largest_step=step,
+            most_points=round(6.0 / step),
+        )
+        return events(points, parameter)
+
+    long, short = followed(0.02), followed(0.002)
+    if same_events(long, short, within=1e-10):
+        return ""
+    return f"{seed} {parameter} {start.shaking} {direction}: {long} or {short}"
+
+
+@pytest.mark.parametrize("seed", range(16))
+def test_no_event_depends_on_the_size_of_the_steps(seed: int) -> None:
+    assert not steps_disagree(seed)
+
+
+@pytest.mark.slow
+def test_no_event_depends_on_the_size_of_the_steps_on_many_branches() -> None:
+    assert not [found for seed in range(16, 200) if (found := steps_disagree(seed))]
+
+
+# ----------------------------------------------------------------------------------- symmetries
+
+
+def test_a_mirror_image_has_the_same_branch(leaning: list[BranchPoint]) -> None:
+    begin = leaning[5]
+    orbit = begin.orbit()
+    for parameter in PARAMETERS:
+        one, other = (
+            list(continuation(each, parameter, RANGES[parameter], direction=-1, most_points=60))
+            for each in (orbit, orbit.mirrored)
+        )
+        assert same_events(events(one, parameter), events(other, parameter), within=1e-11)
+        for point, image in zip(one, other, strict=True):
+            assert values_of(image) == pytest.approx(values_of(point), abs=1e-9)
+            assert sorted(image.peaks) == pytest.approx(sorted(-point.peaks), abs=1e-9)
+            assert image.multipliers[0] == pytest.approx(point.multipliers[0], rel=1e-6)
+
+
+def test_a_branch_followed_back_is_the_same() -> None:
+    start = symmetric_start(2.0, 6.0, 0.8, order=3)
+    there = list(continuation(start, "amplitude", (1.0, 3.5), direction=-1))
+    assert [point.type.value for point in special(there)] == ["fold", "end-of-range"]
+    back = list(continuation(there[-1], "amplitude", (1.0, 3.5), direction=-1))
+    assert [point.type.value for point in special(back)] == [
+        "end-of-range", "fold", "end-of-range"
+    ]  # fmt: skip
+    assert back[-1].amplitude == there[-1].amplitude == 3.5
+    folds = [first(points, "fold").amplitude for points in (there, back)]
+    assert folds[0] == pytest.approx(folds[1], rel=1e-13)
+
+
+def test_the_course_does_not_depend_on_the_impact_at_which_an_orbit_begins() -> None:
+    found = orbits(*setting((1.0, 2.0, 0.8)), max_impacts=4, seeds=24)
+    orbit = next(each for each in found if len(each.states) == 4 and each.admissible)
+    points = list(continuation(orbit, "amplitude", (0.3, 3.0), most_points=40))
+    for begin in (1, 2, 3):
+        states = orbit.states[begin:] + orbit.states[:begin]
+        same = list(continuation(replace(orbit, states=states), "amplitude", (0.3, 3.0)))
+        assert same_events(events(points, "amplitude"), events(same, "amplitude"), within=1e-11)
+
+
+def test_an_orbit_of_long_flights_is_followed_where_no_march_stays_on_it() -> None:
+    start = symmetric_start(1.0, 1.0, 0.8)
+    *_, last = continuation(start, "frequency_ratio", (0.1, 1.0), direction=-1)
+    assert (last.type, last.frequency_ratio) == ("end-of-range", 0.1)
+    orbit, exact = last.orbit(), symmetric_start(1.0, 0.1, 0.8)
+    assert math.isnan(orbit.residual)
+    assert math.cos(orbit.states[0].phase - exact.states[0].phase) == pytest.approx(1.0, abs=1e-12)
+    assert orbit.states[0].speed == pytest.approx(exact.states[0].speed, rel=1e-12)
+    assert orbit.multipliers == pytest.approx(exact.multipliers, rel=1e-9)
+    assert (orbit.highest, orbit.lowest) == pytest.approx((exact.highest, exact.lowest))
+    assert (orbit.symmetric, orbit.period, orbit.admissible) == (True, 1, True)
+
+
+# --------------------------------------------------------------------------- where branches end
+
+
+def test_a_branch_ends_at_the_end_of_its_range_exactly() -> None:
+    start = symmetric_start(1.0, 2.0, 0.8)
+    for parameter, within in (
+        ("amplitude", (0.9, 1.3)),
+        ("frequency_ratio", (1.9, 2.7)),
+        ("restitution", (0.7, 1.0)),
+    ):
+        for direction, end in ((1, within[1]), (-1, within[0])):
+            *_, last = continuation(start, parameter, within, direction=direction)
+            assert last.type == "end-of-range"
+            assert getattr(last, parameter) == end
+            states = steady_states(last.amplitude, last.frequency_ratio, last.restitution)
+            here = last.chain.phases[0] + last.chain.turns[0] * math.pi
+            assert math.cos(here - states.phase[0]) == pytest.approx(1.0, abs=1e-12)
+
+
+def test_from_the_end_of_the_range_outwards_there_is_nothing() -> None:
+    start = symmetric_start(1.0, 2.0, 0.8)
+    points = list(continuation(start, "amplitude", (1.0, 2.0), direction=-1))
+    assert [point.type.value for point in points] == ["regular", "end-of-range"]
+    assert points[1].amplitude == 1.0
+
+
+def test_without_loss_nothing_is_stable() -> None:
+    *_, last = continuation(symmetric_start(1.0, 2.0, 0.8), "restitution", (0.7, 1.0))
+    assert last.restitution == 1.0
+    assert not last.stable
+    assert abs(last.multipliers) == pytest.approx(1.0, abs=1e-12)
+
+
+def test_inadmissible_solutions_are_followed_if_they_are_asked_for() -> None:
+    start = symmetric_start(1.1 * 1.61999, 6.0, 0.8, order=3)
+    short = list(continuation(start, "amplitude", (1.0, 6.0)))
+    long = list(continuation(start, "amplitude", (1.0, 6.0), inadmissible=True))
+    assert short[-1].type == "symmetry-breaking" or short[-1].type in ("grazing", "end-of-range")
+    through = list(continuation(start, "amplitude", (1.0, 6.0), direction=-1, inadmissible=True))
+    stops = list(continuation(start, "amplitude", (1.0, 6.0), direction=-1))
+    assert stops[-1].type == "grazing"
+    assert through[-1].type == "end-of-range"
+    assert len(long) >= len(short)
+    graze = first(through, "grazing")
+    assert graze.amplitude == pytest.approx(stops[-1].amplitude, rel=1e-13)
+    beyond = through[through.index(graze) + 1 :]
+    assert not any(point.admissible or point.stable for point in beyond)
+    for point in beyond[::5]:
+        assert least_height(point) < 0.0
+        with pytest.raises(ModelError, match="no motion"):
+            point.orbit()
+
+
+def test_from_a_graze_a_branch_goes_where_there_are_motions_or_ends() -> None:
+    start = symmetric_start(2.0, 6.0, 0.8, order=3)
+    *_, graze = continuation(start, "amplitude", (1.0, 6.0), direction=-1)
+    assert graze.type == "grazing"
+    into = list(continuation(graze, "amplitude", (1.0, 6.0), direction=1))
+    back = list(continuation(graze, "amplitude", (1.0, 6.0), direction=-1))
+    assert [point.type.value for point in into] == ["grazing"]
+    assert all(point.admissible for point in back)
+    assert [point.type.value for point in special(back)][:2] == ["grazing", "fold"]
+    asked = list(continuation(graze, "amplitude", (1.0, 6.0), inadmissible=True))
+    assert not any(point.admissible for point in asked[1:])
+
+
+def test_from_a_fold_both_sides_can_be_followed() -> None:
+    start = symmetric_start(2.0, 6.0, 0.8, order=3)
+    fold = first(continuation(start, "amplitude", (1.0, 3.0), direction=-1), "fold")
+    ends = []
+    for direction in (1, -1):
+        points = list(continuation(fold, "amplitude", (1.0, 3.0), direction=direction))
+        assert [point.type.value for point in special(points)] == ["fold", "end-of-range"]
+        amplitudes = [point.amplitude for point in points]
+        assert all(b > a for a, b in pairwise(amplitudes))
+        ends.append(points[-1])
+    states = steady_states(3.0, 6.0, 0.8, order=3)
+    phases = sorted(end.chain.phases[0] for end in ends)
+    assert phases == pytest.approx(sorted(states.phase), abs=1e-12)
+
+
+def test_a_branch_of_so_many_points_ends_there() -> None:
+    start = symmetric_start(1.0, 2.0, 0.8)
+    points = list(continuation(start, "amplitude", (0.1, 3.0), most_points=5))
+    assert [point.type.value for point in points] == ["regular"] * 5 + ["limit"]
+    on = list(continuation(points[-1], "amplitude", (0.1, 3.0)))
+    assert first(on, "symmetry-breaking").amplitude == pytest.approx(
+        float(symmetry_breaking_amplitude(2.0, 0.8)), rel=1e-12
+    )
+
+
+# ---------------------------------------------------------------------------------------- results
+
+
+def test_a_branch_as_arrays(leaning: list[BranchPoint]) -> None:
+    branch = Branch(parameter="frequency_ratio", points=tuple(leaning))
+    count = len(leaning)
+    assert branch.values.shape == branch.stable.shape == branch.admissible.shape == (count,)
+    assert branch.peaks.shape == (count, 2)
+    # It begins at the symmetric orbit, drawn once for each flight.
+    assert branch.peaks[0, 0] == -branch.peaks[0, 1] > 0.0
+    assert branch.peaks[0] == pytest.approx(branch.peaks[1], abs=0.2)
+    assert [point.type.value for point in branch.bifurcations][:2] == [
+        "symmetry-breaking", "period-doubling"
+    ]  # fmt: skip
+    assert (branch.period, branch.impacts, branch.symmetric) == (1, 2, False)
+    assert not branch.stable[0]
+    assert branch.stable[1]
+
+
+def test_what_a_point_says_of_itself() -> None:
+    start = symmetric_start(2.0, 6.0, 0.8, order=3)
+    point = next(continuation(start, "amplitude", (1.0, 3.0)))
+    assert point.type is PointType.REGULAR
+    assert (point.kind, point.symmetric, point.period, point.impacts) == ("symmetric", True, 3, 2)
+    assert values_of(point) == pytest.approx([2.0, 6.0, 0.8])
+    assert point.multipliers == pytest.approx(start.multipliers, rel=1e-9)
+    assert point.peaks == pytest.approx([start.highest, start.lowest], rel=1e-9)
+
+
+# ------------------------------------------------------------------------------------- refusals
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"parameter": "amp"}, "parameter = 'amp'"),
+        ({"parameter": None}, "parameter = None"),
+        ({"within": (3.0, 0.1)}, "less than the second"),
+        ({"within": 0.1}, "two numbers"),
+        ({"within": (0.1, 0.5)}, "it must hold the amplitude of the start, 1"),
+        ({"within": (-0.1, 3.0)}, "amplitude = -0.1"),
+        ({"within": (math.nan, 3.0)}, "amplitude = nan"),
+        ({"within": (0.1, "3")}, "amplitude = '3'"),
+        ({"parameter": "restitution", "within": (0.5, 1.1)}, "restitution = 1.1"),
+        ({"parameter": "frequency_ratio", "within": (0.0, 3.0)}, "frequency_ratio = 0"),
+        ({"direction": 0}, "direction = 0"),
+        ({"direction": True}, "direction = True"),
+        ({"direction": np.array([1, 1])}, "direction = array"),
+        ({"largest_step": 0.0}, "largest_step = 0"),
+        ({"largest_step": 0.3}, "largest_step = 0.3"),
+        ({"most_points": 0}, "most_points = 0"),
+        ({"start": None}, "start = None"),
+    ],
+)
+def test_what_is_out_of_range_is_refused_at_once_and_in_one_line(
+    change: dict[str, object], said: str
+) -> None:
+    given: dict[str, object] = {
+        "start": symmetric_start(1.0, 2.0, 0.8),
+        "parameter": "amplitude",
+        "within": (0.1, 3.0),
+        **change,
+    }
+    start, parameter, within = given.pop("start"), given.pop("parameter"), given.pop("within")
+    with pytest.raises(InputError) as raised:
+        continuation(start, parameter, within, **given)  # type: ignore[arg-type]
+    assert said in str(raised.value)
+    assert "\n" not in str(raised.value)
+
+
+def test_what_is_no_motion_or_comes_to_rest_is_refused() -> None:
+    floor = symmetric_start(3.0, 4.0, 0.8, branch=2)
+    assert not floor.admissible
+    with pytest.raises(ModelError, match="passes through the floor"):
+        continuation(floor, "amplitude", (1.0, 4.0))
+    assert list(continuation(floor, "amplitude", (2.9, 3.1), inadmissible=True))
+    block, shaking = (
+        DimensionlessBlock(restitution=0.5),
+        Harmonic(amplitude=1.1, frequency_ratio=2.0),
+    )
+    rests = [each for each in orbits(block, shaking, seeds=4) if each.rest_phases]
+    with pytest.raises(ModelError, match="comes to rest"):
+        continuation(rests[0], "amplitude", (0.5, 2.0))
+
+
+def test_a_regular_point_has_nothing_to_switch_to() -> None:
+    start = symmetric_start(1.0, 2.0, 0.8)
+    with pytest.raises(ModelError, match="no other branch"):
+        continuation(start, "amplitude", (0.5, 2.0), switch=True)

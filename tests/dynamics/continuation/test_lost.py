@@ -1,0 +1,59 @@
+"""Branches and curves that rounding ends: they say so, and nothing is raised."""
+
+import pytest
+
+from rocksteady import (
+    BranchPoint,
+    DimensionlessBlock,
+    Harmonic,
+    PointType,
+    Steady,
+    attractor,
+    bifurcation_branches,
+    bifurcation_curve,
+    boundaries,
+    doubling_cascade,
+    orbits,
+    symmetry_breaking_amplitude,
+)
+
+BLOCK = DimensionlessBlock(restitution=0.8)
+PLANE = ("amplitude", "frequency_ratio")
+
+
+@pytest.fixture(scope="module")
+def doublings() -> tuple[BranchPoint, ...]:
+    shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
+    orbit = attractor(BLOCK, shaking, start=Steady()).orbit
+    assert orbit is not None
+    within = (1.5, 2.1)
+    return doubling_cascade(orbit, "frequency_ratio", within, direction=-1, doublings=2).points
+
+
+@pytest.mark.parametrize("lowest", [0.2, 0.3])
+@pytest.mark.parametrize("which", [0, 1])
+def test_a_curve_that_runs_into_endless_half_cycles_ends_there(
+    doublings: tuple[BranchPoint, ...], which: int, lowest: float
+) -> None:
+    # At Omega = 0.2 a difference grows by e^(5 pi) in half a cycle, in two of them by 4e13.
+    within = ((0.02, 8.0), (lowest, 14.0))
+    curve = list(bifurcation_curve(doublings[which], PLANE, within, direction=-1))
+    assert curve[-1].type in (PointType.LOST, PointType.RANGE_END, PointType.GRAZING)
+    assert curve[-1].frequency_ratio < 0.5
+    assert all(point.type is PointType.PERIOD_DOUBLING for point in curve[:-1])
+
+
+@pytest.mark.parametrize("ratio", [6.0, 12.0])
+def test_branches_with_a_graze_beside_a_merging_end_without_an_error(ratio: float) -> None:
+    # Brent's method halves its bracket here so seldom that it takes more than 100 steps.
+    low = float(boundaries(ratio, 0.8, order=3).existence)
+    high = float(symmetry_breaking_amplitude(ratio, 0.8, order=3))
+    shaking = Harmonic(amplitude=0.7 * low + 0.3 * high, frequency_ratio=ratio)
+    found = orbits(BLOCK, shaking, max_period=3, max_impacts=1, seeds=1)
+    starts = [orbit for orbit in found if orbit.period == 3 and orbit.branch == 1]
+    within = (0.9 * low, 2.0 * high)
+    branches = bifurcation_branches(
+        starts, "amplitude", within, max_period=6, max_impacts=16, max_branches=12
+    )
+    assert branches[0].symmetric
+    assert branches[0].stable.any()
