@@ -9,6 +9,16 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.attractor import Attractor, AttractorKind, attractor
+    from rocksteady.dynamics.basin_attractors import BasinAttractor
+    from rocksteady.dynamics.basins import Basins, Fraction, basins
+    from rocksteady.dynamics.continuation.branch import continuation
+    from rocksteady.dynamics.continuation.cascade import DoublingCascade, doubling_cascade
+    from rocksteady.dynamics.continuation.curves import bifurcation_curve
+    from rocksteady.dynamics.continuation.diagram import bifurcation_branches
+    from rocksteady.dynamics.continuation.points import Branch, BranchPoint, PointType
+    from rocksteady.dynamics.continuation.stretches import Stretch, stretches
+    from rocksteady.dynamics.erosion import Drop, Erosion, erosion
+    from rocksteady.dynamics.maps import attractor_map
     from rocksteady.dynamics.orbit import Orbit
     from rocksteady.dynamics.orbits import orbits
     from rocksteady.dynamics.regions import (
@@ -26,13 +36,17 @@ if TYPE_CHECKING:
     from rocksteady.dynamics.simulate import simulate
     from rocksteady.dynamics.start import Rest, State, Steady
     from rocksteady.dynamics.steady import SteadyOrbit, SteadyStates, steady_orbit, steady_states
+    from rocksteady.dynamics.trail import AttractorTrail, attractor_trail
     from rocksteady.dynamics.trajectory import Flights, Impacts, Motions, Trajectory
     from rocksteady.errors import InputError, ModelError, OutputError, RocksteadyError, Status
     from rocksteady.model.block import Block, DimensionlessBlock, Side, housner_restitution
     from rocksteady.model.examples import example_block
     from rocksteady.model.motions import Harmonic, Piecewise, Segment, Still
     from rocksteady.show.animation import animate
+    from rocksteady.show.plots.basins import plot_basins, plot_erosion, plot_safe_basin
+    from rocksteady.show.plots.bifurcations import plot_bifurcations
     from rocksteady.show.plots.block import plot_block
+    from rocksteady.show.plots.curves import plot_bifurcation_curves
     from rocksteady.show.plots.motion import plot_base, plot_phase_portrait, plot_trajectory
     from rocksteady.show.plots.orbits import plot_multipliers, plot_section
     from rocksteady.show.plots.steady import plot_orbit, plot_regions, plot_response
@@ -55,10 +69,19 @@ __version__ = "0.1.0"
 __all__ = [
     "Attractor",
     "AttractorKind",
+    "AttractorTrail",
+    "BasinAttractor",
+    "Basins",
     "Block",
     "Boundaries",
+    "Branch",
+    "BranchPoint",
     "DimensionlessBlock",
+    "DoublingCascade",
+    "Drop",
+    "Erosion",
     "Flights",
+    "Fraction",
     "Harmonic",
     "ImpactState",
     "Impacts",
@@ -70,6 +93,7 @@ __all__ = [
     "Passage",
     "PassageKind",
     "Piecewise",
+    "PointType",
     "RegionMap",
     "ResponseCurve",
     "Rest",
@@ -83,23 +107,37 @@ __all__ = [
     "SteadyOrbit",
     "SteadyStates",
     "Still",
+    "Stretch",
     "Trajectory",
     "__version__",
     "animate",
     "attractor",
+    "attractor_map",
+    "attractor_trail",
+    "basins",
+    "bifurcation_branches",
+    "bifurcation_curve",
     "boundaries",
+    "continuation",
+    "doubling_cascade",
+    "erosion",
     "example_block",
     "heteroclinic_amplitude",
     "housner_restitution",
     "melnikov_amplitude",
     "orbits",
     "plot_base",
+    "plot_basins",
+    "plot_bifurcation_curves",
+    "plot_bifurcations",
     "plot_block",
+    "plot_erosion",
     "plot_multipliers",
     "plot_orbit",
     "plot_phase_portrait",
     "plot_regions",
     "plot_response",
+    "plot_safe_basin",
     "plot_section",
     "plot_trajectory",
     "region_map",
@@ -107,6 +145,7 @@ __all__ = [
     "simulate",
     "steady_orbit",
     "steady_states",
+    "stretches",
     "symmetry_breaking_amplitude",
     "symmetry_breaking_frequency",
 ]
@@ -114,10 +153,19 @@ __all__ = [
 _DEFINED_IN = {
     "Attractor": "rocksteady.dynamics.attractor",
     "AttractorKind": "rocksteady.dynamics.attractor",
+    "AttractorTrail": "rocksteady.dynamics.trail",
+    "BasinAttractor": "rocksteady.dynamics.basin_attractors",
+    "Basins": "rocksteady.dynamics.basins",
     "Block": "rocksteady.model.block",
     "Boundaries": "rocksteady.dynamics.regions",
+    "Branch": "rocksteady.dynamics.continuation.points",
+    "BranchPoint": "rocksteady.dynamics.continuation.points",
     "DimensionlessBlock": "rocksteady.model.block",
+    "DoublingCascade": "rocksteady.dynamics.continuation.cascade",
+    "Drop": "rocksteady.dynamics.erosion",
+    "Erosion": "rocksteady.dynamics.erosion",
     "Flights": "rocksteady.dynamics.trajectory",
+    "Fraction": "rocksteady.dynamics.basins",
     "Harmonic": "rocksteady.model.motions",
     "ImpactState": "rocksteady.dynamics.return_map",
     "Impacts": "rocksteady.dynamics.trajectory",
@@ -129,6 +177,7 @@ _DEFINED_IN = {
     "Passage": "rocksteady.dynamics.return_map",
     "PassageKind": "rocksteady.dynamics.return_map",
     "Piecewise": "rocksteady.model.motions",
+    "PointType": "rocksteady.dynamics.continuation.points",
     "RegionMap": "rocksteady.dynamics.regions",
     "ResponseCurve": "rocksteady.dynamics.response",
     "Rest": "rocksteady.dynamics.start",
@@ -142,22 +191,36 @@ _DEFINED_IN = {
     "SteadyOrbit": "rocksteady.dynamics.steady",
     "SteadyStates": "rocksteady.dynamics.steady",
     "Still": "rocksteady.model.motions",
+    "Stretch": "rocksteady.dynamics.continuation.stretches",
     "Trajectory": "rocksteady.dynamics.trajectory",
     "animate": "rocksteady.show.animation",
     "attractor": "rocksteady.dynamics.attractor",
+    "attractor_map": "rocksteady.dynamics.maps",
+    "attractor_trail": "rocksteady.dynamics.trail",
+    "basins": "rocksteady.dynamics.basins",
+    "bifurcation_branches": "rocksteady.dynamics.continuation.diagram",
+    "bifurcation_curve": "rocksteady.dynamics.continuation.curves",
     "boundaries": "rocksteady.dynamics.regions",
+    "continuation": "rocksteady.dynamics.continuation.branch",
+    "doubling_cascade": "rocksteady.dynamics.continuation.cascade",
+    "erosion": "rocksteady.dynamics.erosion",
     "example_block": "rocksteady.model.examples",
     "heteroclinic_amplitude": "rocksteady.dynamics.regions",
     "housner_restitution": "rocksteady.model.block",
     "melnikov_amplitude": "rocksteady.dynamics.regions",
     "orbits": "rocksteady.dynamics.orbits",
     "plot_base": "rocksteady.show.plots.motion",
+    "plot_basins": "rocksteady.show.plots.basins",
+    "plot_bifurcation_curves": "rocksteady.show.plots.curves",
+    "plot_bifurcations": "rocksteady.show.plots.bifurcations",
     "plot_block": "rocksteady.show.plots.block",
+    "plot_erosion": "rocksteady.show.plots.basins",
     "plot_multipliers": "rocksteady.show.plots.orbits",
     "plot_orbit": "rocksteady.show.plots.steady",
     "plot_phase_portrait": "rocksteady.show.plots.motion",
     "plot_regions": "rocksteady.show.plots.steady",
     "plot_response": "rocksteady.show.plots.steady",
+    "plot_safe_basin": "rocksteady.show.plots.basins",
     "plot_section": "rocksteady.show.plots.orbits",
     "plot_trajectory": "rocksteady.show.plots.motion",
     "region_map": "rocksteady.dynamics.regions",
@@ -165,6 +228,7 @@ _DEFINED_IN = {
     "simulate": "rocksteady.dynamics.simulate",
     "steady_orbit": "rocksteady.dynamics.steady",
     "steady_states": "rocksteady.dynamics.steady",
+    "stretches": "rocksteady.dynamics.continuation.stretches",
     "symmetry_breaking_amplitude": "rocksteady.dynamics.regions",
     "symmetry_breaking_frequency": "rocksteady.dynamics.regions",
 }

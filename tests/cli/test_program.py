@@ -9,16 +9,17 @@ from pathlib import Path
 import pytest
 
 from rocksteady import __version__
-from rocksteady.cli import app, attractor, flags, orbits, simulate, steady
+from rocksteady.cli import app, attractor, basins, bifurcate, flags, orbits, simulate, steady
 from tests.cli.program import refused, rocksteady
 
-COMMANDS = ("steady", "simulate", "attractor", "orbits")
+COMMANDS = ("steady", "simulate", "attractor", "orbits", "bifurcate", "basins")
 """Those that take shaking and a block."""
-ORDERED = ("steady", "simulate", "attractor")
+ORDERED = ("steady", "simulate", "attractor", "bifurcate")
 """Those that take an order."""
 EVERY_COMMAND = (*COMMANDS, "paper")
 commands = pytest.mark.parametrize("command", COMMANDS)
-SHAKING = "-A 2 -W 4"
+SHAKEN = {name: f"{name} -A 2 -W 4" for name in COMMANDS} | {"bifurcate": "bifurcate -A 2 -W 3:5:9"}
+"""A command with its shaking."""
 HEAVY = ("matplotlib", "numba", "numpy", "scipy", "xarray")
 
 
@@ -108,7 +109,7 @@ def test_bad_input_is_one_line_with_the_value(command: str, given: str, needles:
 def test_a_bad_order_is_one_line_with_the_value(
     command: str, order: str, needles: list[str]
 ) -> None:
-    line = refused(f"{command} {SHAKING} -r 0.8 -n {order}")
+    line = refused(f"{SHAKEN[command]} -r 0.8 -n {order}")
     for needle in needles:
         assert needle in line, line
 
@@ -133,16 +134,16 @@ def test_an_existing_file_is_left_alone_without_force(
 ) -> None:
     file = tmp_path / "out.png"
     file.write_text("precious")
-    line = refused(f"{command} {SHAKING} -r 0.8 {flag}", file)
+    line = refused(f"{SHAKEN[command]} -r 0.8 {flag}", file)
     assert str(file) in line
     assert "--force" in line
     assert file.read_text() == "precious"
     other = tmp_path / ("new.csv" if flag == "--plot" else "new.png")
     refused(
-        f"{command} {SHAKING} -r 0.8 {flag}", file, "--csv" if flag == "--plot" else "--plot", other
+        f"{SHAKEN[command]} -r 0.8 {flag}", file, "--csv" if flag == "--plot" else "--plot", other
     )
     assert not other.exists(), "nothing is written where one output is refused"
-    assert rocksteady(f"{command} {SHAKING} -r 0.8 --force {flag}", file).code == 0
+    assert rocksteady(f"{SHAKEN[command]} -r 0.8 --force {flag}", file).code == 0
     assert file.read_bytes() != b"precious"
     assert [path.name for path in tmp_path.iterdir()] == ["out.png"]
 
@@ -153,13 +154,13 @@ def test_a_missing_folder_and_a_folder_for_a_file_are_refused(
     command: str, flag: str, tmp_path: Path
 ) -> None:
     missing = tmp_path / "no" / "out.png"
-    line = refused(f"{command} {SHAKING} -r 0.8 {flag}", missing)
+    line = refused(f"{SHAKEN[command]} -r 0.8 {flag}", missing)
     assert str(missing) in line
     assert "does not exist" in line
     assert not missing.parent.exists()
     folder = tmp_path / "folder.png"
     folder.mkdir()
-    assert "it is a folder" in refused(f"{command} {SHAKING} -r 0.8 --force {flag}", folder)
+    assert "it is a folder" in refused(f"{SHAKEN[command]} -r 0.8 --force {flag}", folder)
 
 
 @commands
@@ -169,7 +170,7 @@ def test_an_unwritable_folder_is_refused_before_anything_is_computed(
 ) -> None:
     # Not by chmod: the tests may run as root, for whom every folder is writable.
     monkeypatch.setattr(os, "access", lambda *_: False)
-    line = refused(f"{command} {SHAKING} -r 0.8 {flag}", tmp_path / "out.png")
+    line = refused(f"{SHAKEN[command]} -r 0.8 {flag}", tmp_path / "out.png")
     assert "not writable" in line
     assert list(tmp_path.iterdir()) == []
 
@@ -178,16 +179,16 @@ def test_an_unwritable_folder_is_refused_before_anything_is_computed(
 def test_an_unknown_figure_format_is_refused_with_the_known_ones(
     command: str, tmp_path: Path
 ) -> None:
-    line = refused(f"{command} {SHAKING} -r 0.8 --plot", tmp_path / "out.gif")
+    line = refused(f"{SHAKEN[command]} -r 0.8 --plot", tmp_path / "out.gif")
     for ending in (".png", ".svg", ".pdf"):
         assert ending in line
-    refused(f"{command} {SHAKING} -r 0.8 --plot", tmp_path / "out")
+    refused(f"{SHAKEN[command]} -r 0.8 --plot", tmp_path / "out")
 
 
 @commands
 def test_two_outputs_in_one_file_are_refused(command: str, tmp_path: Path) -> None:
     file = tmp_path / "out.png"
-    assert "same file" in refused(f"{command} {SHAKING} -r 0.8 --plot", file, "--csv", file)
+    assert "same file" in refused(f"{SHAKEN[command]} -r 0.8 --plot", file, "--csv", file)
 
 
 @commands
@@ -198,14 +199,14 @@ def test_a_disk_that_fills_leaves_nothing_behind(
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(Path, "replace", full)
-    line = refused(f"{command} {SHAKING} -r 0.8 --csv", tmp_path / "out.csv")
+    line = refused(f"{SHAKEN[command]} -r 0.8 --csv", tmp_path / "out.csv")
     assert "No space left on device" in line
     assert list(tmp_path.iterdir()) == []
 
 
 @commands
 def test_bad_input_leaves_no_file(command: str, tmp_path: Path) -> None:
-    refused(f"{command} {SHAKING} -r 1.2 --plot", tmp_path / "a.png", "--csv", tmp_path / "a.csv")
+    refused(f"{SHAKEN[command]} -r 1.2 --plot", tmp_path / "a.png", "--csv", tmp_path / "a.csv")
     assert list(tmp_path.iterdir()) == []
 
 
@@ -241,6 +242,8 @@ def test_the_examples_in_the_help_run(
         "simulate": simulate,
         "attractor": attractor,
         "orbits": orbits,
+        "basins": basins,
+        "bifurcate": bifurcate,
     }
     examples = re.findall(r"^rocksteady (.*)$", modules[command].EXAMPLES, flags=re.MULTILINE)
     assert len(examples) >= 3
@@ -274,6 +277,8 @@ def test_version() -> None:
         ["simulate", "-h"],
         ["attractor", "--help"],
         ["orbits", "-h"],
+        ["basins", "--help"],
+        ["bifurcate", "--help"],
         ["--version"],
     ],
 )
@@ -357,7 +362,7 @@ def test_an_internal_error_says_so_and_ends_with_101(
         raise ZeroDivisionError("by nought")
 
     monkeypatch.setattr("rocksteady.cli.groups.BlockFlags.described", broken)
-    ran = rocksteady(f"{command} {SHAKING} -r 0.8")
+    ran = rocksteady(f"{SHAKEN[command]} -r 0.8")
     assert ran.code == 101
     assert ran.out == ""
     assert "Traceback" in ran.err
@@ -372,7 +377,7 @@ def test_an_interruption_ends_with_130(command: str, monkeypatch: pytest.MonkeyP
         raise KeyboardInterrupt
 
     monkeypatch.setattr("rocksteady.cli.groups.BlockFlags.described", stopped)
-    ran = rocksteady(f"{command} {SHAKING} -r 0.8")
+    ran = rocksteady(f"{SHAKEN[command]} -r 0.8")
     assert (ran.code, ran.out) == (130, "")
     assert ran.err == "rocksteady: interrupted\n"
 
@@ -382,8 +387,8 @@ def test_a_first_run_says_that_it_compiles(
     command: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setattr("rocksteady.kernels.compilation.cache_folder", lambda: tmp_path)
-    ran = rocksteady(f"{command} {SHAKING} -r 0.8 --json")
+    ran = rocksteady(f"{SHAKEN[command]} -r 0.8 --json")
     assert ran.code == 0
     assert ran.err == "compiling the kernels, once for each version: up to half a minute\n"
     (tmp_path / "kept.nbi").touch()
-    assert rocksteady(f"{command} {SHAKING} -r 0.8 --json").err == ""
+    assert rocksteady(f"{SHAKEN[command]} -r 0.8 --json").err == ""

@@ -12,7 +12,7 @@ import typer
 from typer.exceptions import TyperException
 
 from rocksteady import __version__
-from rocksteady.cli import attractor, orbits, paper, simulate, steady
+from rocksteady.cli import attractor, basins, bifurcate, orbits, paper, simulate, steady, study
 from rocksteady.cli.flags import FLAG_OF_ARGUMENT
 from rocksteady.errors import RocksteadyError
 
@@ -31,10 +31,11 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for command in (steady, simulate, attractor, orbits, paper):
+for command in (steady, simulate, attractor, orbits, bifurcate, basins, paper):
     name = command.__name__.rpartition(".")[2]
     function = getattr(command, name)
     app.command(name, help=command.HELP, epilog=command.EXAMPLES)(function)
+app.add_typer(study.app, name="study", help=study.HELP)
 
 
 def _version(asked: bool) -> None:

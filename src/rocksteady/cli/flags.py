@@ -32,12 +32,20 @@ FLAG_OF_ARGUMENT = {
     "kick": "--kick",
     "max_period": "--max-period",
     "max_impacts": "--max-impacts",
+    "max_branches": "--max-branches",
+    "doublings": "--doublings",
+    "top": "--top",
     "seeds": "--seeds",
+    "seed": "--seed",
+    "angles": "--angles",
+    "velocities": "--velocities",
+    "amplitudes": "--amplitude/-A",
     "name": "--block",
     "per_unit": "--samples",
     "speed": "--speed",
     "out": "--out",
     "only": "--only",
+    "orders": "--order/-n",
 }
 """Which flag an argument of the library is, for error lines."""
 
@@ -108,6 +116,17 @@ Start = Annotated[
         metavar="START",
         help="rest; steady or steady:2 (on branch 1 or 2 of order -n); U,DU (u and du/dtau); or "
         "U,w=V (V = du/d(pt)).",
+        rich_help_panel=START,
+    ),
+]
+SweepStart = Annotated[
+    str,
+    typer.Option(
+        "--start",
+        metavar="START",
+        help="Where a sweep begins, and begins again after a fall: auto (steady where its first "
+        "value has that, else rest), rest, steady or steady:2 (on branch 1 or 2 of order -n), U,DU "
+        "(u and du/dtau), or U,w=V (V = du/d(pt)). After a rest it goes on from rest.",
         rich_help_panel=START,
     ),
 ]
@@ -231,4 +250,13 @@ Speed = Annotated[
 Force = Annotated[
     bool,
     typer.Option("--force", help="Overwrite files that exist.", rich_help_panel=OUTPUT),
+]
+OutFolder = Annotated[
+    Path,
+    typer.Option(
+        "--out",
+        metavar="DIR",
+        help="Folder to write into; made if it is not there.",
+        rich_help_panel=OUTPUT,
+    ),
 ]

@@ -23,15 +23,6 @@ EXAMPLES = (
     "rocksteady paper --only 12b --only 12c --out figures"
 )
 
-OutFlag = Annotated[
-    Path,
-    typer.Option(
-        "--out",
-        metavar="DIR",
-        help="Folder to write into; made if it is not there.",
-        rich_help_panel=flags.OUTPUT,
-    ),
-]
 OnlyFlag = Annotated[
     list[str] | None,
     typer.Option(
@@ -44,7 +35,7 @@ OnlyFlag = Annotated[
 
 
 def paper(
-    out: OutFlag,
+    out: flags.OutFolder,
     only: OnlyFlag = None,
     force: flags.Force = False,
     as_json: flags.Json = False,

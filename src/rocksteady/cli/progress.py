@@ -2,8 +2,9 @@
 
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Protocol
 
 LINE_EVERY = 0.1
 """Part of the work after which a line is due where there is no terminal."""
@@ -11,8 +12,15 @@ LINE_AFTER = 30.0
 """Seconds after which one is due in any case."""
 
 
+class Done(Protocol):
+    """What is called when a step is done, or when several are."""
+
+    def __call__(self, step: str = "", count: int = 1) -> None:
+        """Say so; `step` is the name of the last one."""
+
+
 @contextmanager
-def progress(task: str, steps: int, *, lines: bool = True) -> Iterator[Callable[[str], None]]:
+def progress(task: str, steps: int, *, lines: bool = True) -> Iterator[Done]:
     """Yield a function to call with the name of each step when it is done.
 
     Parameters
@@ -31,11 +39,11 @@ def progress(task: str, steps: int, *, lines: bool = True) -> Iterator[Callable[
     elif lines:
         yield _lines(task, steps)
     else:
-        yield lambda _: None
+        yield lambda step="", count=1: None  # noqa: ARG005 -- called by these names
 
 
 @contextmanager
-def _bar(task: str, steps: int) -> Iterator[Callable[[str], None]]:
+def _bar(task: str, steps: int) -> Iterator[Done]:
     from rich.console import Console
     from rich.progress import (
         BarColumn,
@@ -58,22 +66,24 @@ def _bar(task: str, steps: int) -> Iterator[Callable[[str], None]]:
     with Progress(*columns, console=Console(stderr=True)) as bar:
         row = bar.add_task(task, total=steps, step="")
 
-        def done(step: str) -> None:
-            bar.update(row, advance=1, step=step)
+        def done(step: str = "", count: int = 1) -> None:
+            bar.update(row, advance=count, step=step)
 
         yield done
         bar.update(row, step="")
 
 
-def _lines(task: str, steps: int) -> Callable[[str], None]:
-    count, said, since = 0, 0, time.monotonic()
+def _lines(task: str, steps: int) -> Done:
+    passed, said, since = 0, 0, time.monotonic()
 
-    def done(step: str) -> None:
-        nonlocal count, said, since
-        count += 1
+    def done(step: str = "", count: int = 1) -> None:
+        nonlocal passed, said, since
+        passed += count
         late = time.monotonic() - since >= LINE_AFTER
-        if count - said >= LINE_EVERY * steps or late or count == steps:
-            print(f"{task}: {count} of {steps} ({100 * count // steps} %), {step}", file=sys.stderr)
-            said, since = count, time.monotonic()
+        if passed - said >= LINE_EVERY * steps or late or passed == steps:
+            name = f", {step}" if step else ""
+            percent = 100 * passed // steps
+            print(f"{task}: {passed} of {steps} ({percent} %){name}", file=sys.stderr)
+            said, since = passed, time.monotonic()
 
     return done

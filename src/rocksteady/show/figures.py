@@ -6,12 +6,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rocksteady.dynamics.basins import Basins
+from rocksteady.dynamics.continuation.points import Branch
+from rocksteady.dynamics.erosion import Drop, Erosion
 from rocksteady.dynamics.orbit import Orbit
 from rocksteady.dynamics.regions import RegionMap
 from rocksteady.dynamics.response import ResponseCurve
 from rocksteady.dynamics.steady import SteadyOrbit
+from rocksteady.dynamics.trail import AttractorTrail
 from rocksteady.dynamics.trajectory import Trajectory
 from rocksteady.show import palette
+from rocksteady.show.plots.basins import plot_basins, plot_erosion, plot_safe_basin
+from rocksteady.show.plots.bifurcations import plot_bifurcations
 from rocksteady.show.plots.motion import plot_base, plot_phase_portrait, plot_trajectory
 from rocksteady.show.plots.orbits import plot_multipliers, plot_section
 from rocksteady.show.plots.steady import (
@@ -198,6 +204,69 @@ def response_figure(
     with palette.style():
         figure = Figure(figsize=(7.2, 4.4))
         plot_response(curves, figure.add_subplot(), hertz=hertz)
+        if title:
+            figure.suptitle(title, x=0.01, ha="left", fontsize=10)
+    return figure
+
+
+def basins_figure(basins: Basins, title: str = "") -> "Figure":
+    """Return a figure of basins of attraction."""
+    from matplotlib.figure import Figure
+
+    with palette.style():
+        figure = Figure(figsize=(7.6, 4.8))
+        plot_basins(basins, figure.add_subplot())
+        if title:
+            figure.suptitle(title, x=0.01, ha="left", fontsize=10)
+    return figure
+
+
+def erosion_figure(erosion: Erosion, drops: Sequence[Drop] = (), title: str = "") -> "Figure":
+    """Return a figure of the measures of integrity, and of up to three safe basins below them.
+
+    These are the last before the heteroclinic tangency, the first after the first drop, and the
+    last of all; one where two of them are the same.
+    """
+    from matplotlib.figure import Figure
+
+    last = len(erosion.amplitude) - 1
+    before = int((erosion.amplitude <= erosion.heteroclinic).sum()) - 1
+    fallen = [int((erosion.amplitude < drop.high).sum()) for drop in drops]
+    shown = sorted({max(before, 0), min([*fallen, last]), last})
+    with palette.style():
+        figure = Figure(figsize=(8.4, 6.4))
+        grid = figure.add_gridspec(2, len(shown), height_ratios=(1.25, 1.0))
+        plot_erosion(erosion, figure.add_subplot(grid[0, :]), drops=drops)
+        for column, index in enumerate(shown):
+            axes = plot_safe_basin(erosion, index, figure.add_subplot(grid[1, column]))
+            axes.locator_params(axis="x", nbins=5)
+            if column:
+                axes.set_ylabel("")
+                axes.tick_params(labelleft=False)
+        if title:
+            figure.suptitle(title, x=0.01, ha="left", fontsize=10)
+    return figure
+
+
+def bifurcation_figure(
+    branches: Sequence[Branch],
+    trails: Sequence[AttractorTrail],
+    parameter: str,
+    *,
+    top: float | None = None,
+    title: str = "",
+) -> "Figure":
+    """Return a figure of branches over a parameter, with sweeps beneath them."""
+    from matplotlib.figure import Figure
+
+    with palette.style():
+        figure = Figure(figsize=(8.8, 4.8))
+        axes = figure.add_subplot()
+        if branches or trails:
+            plot_bifurcations(branches, trails, axes, top=top)
+        else:
+            axes.set(xlabel=palette.LABELS[parameter], ylabel=palette.LABELS["flight_peak"])
+            axes.text(0.5, 0.5, "no periodic motion found", transform=axes.transAxes, ha="center")
         if title:
             figure.suptitle(title, x=0.01, ha="left", fontsize=10)
     return figure

@@ -11,9 +11,9 @@ from rocksteady.dynamics.regions import RegionMap
 from rocksteady.show import palette
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from matplotlib.legend import Legend
-    from matplotlib.lines import Line2D
 
 Corner = Literal["upper left", "upper right", "lower left", "lower right"]
 CORNERS: dict[Corner, tuple[int, int]] = {
@@ -75,7 +75,7 @@ def legend_inside(
     corner: Corner,
     *,
     columns: int = 1,
-    handles: "Sequence[Line2D] | None" = None,
+    handles: "Sequence[Artist] | None" = None,
 ) -> "Legend":
     """Place a legend inside the axes, where it cannot meet anything else of a user's figure."""
     legend: Legend = axes.legend(

@@ -16,6 +16,12 @@ APERIODIC = "#87439e"
 OVERTURNED = "#272728"
 UNDECIDED = "#9a9a9a"
 
+TINTS = (0.0, 0.6, -0.45, 0.8, -0.25, 0.35)
+"""Of a fill, where several attractors share it: parts of white, or of black below 0.  Each step is
+one of lightness, which is seen in grey and by the colour-blind too."""
+MARKS = ("o", "s", "D", "^", "v", "P", "X", "p", "h", "*")
+"""Of attractors that share a picture."""
+
 INK = OVERTURNED
 FAINT = "#8b8b8b"
 NUMBER = "#5b5b5c"
@@ -23,6 +29,10 @@ NUMBER = "#5b5b5c"
 GRID = "#dedede"
 LINES = ("#1273b8", "#b0531b", "#477f68", "#87439e", "#8a7906", "#5b5b5c")
 """Line colours in the order of their use; with the dashes below they differ in grey too."""
+SUBHARMONIC_LINES = ("#2c5a47", "#5c9a80", "#8b5a9e", "#b07fbd", "#5b5b5c")
+"""Line colours of subharmonic orbits, one after another by their periods."""
+SWEEPS = ("#f7d7a3", "#e58f86")
+"""Dots of the motions met by an upward and a downward sweep; lines are drawn over them."""
 DASHES: tuple[Any, ...] = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (6, 2, 1.5, 2)), (0, (1, 1)), "-")
 IMPACT = "#b0531b"
 BASE = "#477f68"
@@ -35,10 +45,13 @@ LABELS = {
     "amplitude": r"amplitude  $A = a_{\max}/(\alpha g)$",
     "frequency_ratio": r"frequency ratio  $\Omega = \omega/p$",
     "frequency_hz": "frequency [Hz]",
+    "restitution": r"restitution  $\delta$",
     "angle": r"angle  $\theta/\alpha$",
     "velocity": r"velocity  d$(\theta/\alpha)$/d$(pt)$",
     "velocity_tau": r"velocity  d$(\theta/\alpha)$/d$(\omega t)$",
     "peak": r"peak  $|\theta|_{\max}/\alpha$",
+    "flight_peak": r"peak of each flight  $|\theta|_{\max}/\alpha$",
+    "flight_extreme": r"extreme of each flight  $\theta/\alpha$",
     "periods": "time [excitation periods]",
     "kick": "distance from the orbit, with its side",
     "periods_short": "time [periods]",
@@ -54,6 +67,7 @@ LABELS = {
     "height_radius": "height  $y/R$",
     "phase": "phase of the shaking at the impact [rad]",
     "speed": r"speed after the impact  $|$d$(\theta/\alpha)$/d$(pt)|$",
+    "integrity": "integrity (1 on a still base)",
     "multiplier_real": r"real part of the multipliers  Re $\mu$",
     "multiplier_imaginary": r"imaginary part  Im $\mu$",
 }
@@ -86,6 +100,14 @@ STYLE: dict[str, Any] = {
     "svg.fonttype": "path",
     "svg.hashsalt": "rocksteady",
 }
+
+
+def tinted(colour: str, part: float) -> str:
+    """Return a colour mixed with a part of white, or of black where the part is below 0."""
+    end = 255 if part > 0.0 else 0
+    channels = (int(colour[k : k + 2], 16) for k in (1, 3, 5))
+    mixed = (round(c + abs(part) * (end - c)) for c in channels)
+    return "#" + "".join(f"{c:02x}" for c in mixed)
 
 
 @contextmanager

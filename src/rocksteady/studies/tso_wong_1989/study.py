@@ -1,19 +1,17 @@
 """The whole study: every figure and every statement, and the folder that holds them."""
 
-import os
-import platform
 import re
 import time
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import suppress
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
-from rocksteady import InputError, OutputError, __version__
+from rocksteady import InputError, __version__
 from rocksteady.show.files import figure_bytes, json_text, save_csv, save_text
 from rocksteady.show.report import svg_data_uri
+from rocksteady.studies import folder as study_folder
+from rocksteady.studies.folder import Done, environment, fill_folder, nothing
 from rocksteady.studies.tso_wong_1989.claims import STATEMENTS, check
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
 from rocksteady.studies.tso_wong_1989.findings import Claim, Panel, Verdict
@@ -30,10 +28,6 @@ REFERENCE = (
 
 FIGURES = (*planes(), *responses(), *histories())
 """Every computed figure of the paper, in its order; Figs 1 and 2 are drawings."""
-
-
-def nothing(_: str) -> None:
-    """Ignore what has been done."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -95,9 +89,7 @@ class Study:
         """Number of times that `save` says that something is done."""
         return len(self.panels) + (1 if self.claims else 0)
 
-    def save(
-        self, folder: Path | str, *, force: bool = False, done: Callable[[str], None] = nothing
-    ) -> list[Path]:
+    def save(self, folder: Path | str, *, force: bool = False, done: Done = nothing) -> list[Path]:
         """Write the figures with their data and, for the whole study, statements and report.
 
         Everything is drawn into a hidden folder in it first and moved out of that at the end.
@@ -121,25 +113,11 @@ class Study:
         OutputError
             If the folder cannot be made or written, or a file exists and `force` is off.
         """
-        target = Path(folder)
         only = () if self.claims else [timed.panel.id for timed in self.panels]
-        check_folder(target, only, force=force)
-        made = not target.is_dir()
-        try:
-            target.mkdir(exist_ok=True)
-            # Inside the target, so that moving never crosses from one disk to another.
-            with TemporaryDirectory(prefix=".partial-", dir=target) as stage:
-                self._write(Path(stage), done)
-                made = False  # from here on it holds something
-                return [file.replace(target / file.name) for file in sorted(Path(stage).iterdir())]
-        except OSError as error:
-            raise _unwritable(target, error) from error
-        finally:
-            if made:
-                with suppress(OSError):
-                    target.rmdir()
+        check_folder(folder, only, force=force)
+        return fill_folder(folder, lambda stage: self._write(stage, done))
 
-    def _write(self, stage: Path, done: Callable[[str], None]) -> None:
+    def _write(self, stage: Path, done: Done) -> None:
         """Write every file into a folder that nobody sees yet."""
         began = time.perf_counter()
         sections = []
@@ -171,7 +149,7 @@ class Study:
         done("report")
 
 
-def reproduce(*, only: Sequence[str] = (), done: Callable[[str], None] = nothing) -> Study:
+def reproduce(*, only: Sequence[str] = (), done: Done = nothing) -> Study:
     """Compute every figure and every statement of the paper.
 
     Parameters
@@ -264,45 +242,7 @@ def check_folder(folder: Path | str, only: Sequence[str] = (), *, force: bool = 
         If its parent is missing or not writable, it is a file, or it holds files of these names and
         `force` is off.
     """
-    target = Path(folder)
-    parent = target.absolute().parent
     names = "|".join(re.escape(name) for name in chosen_figures(only))
     ours = rf"figure-({names})(\.png|\.svg|(-\w+)?\.csv)"
     ours += "" if only else r"|claims\.json|report\.html"
-    if target.is_dir() and not force:
-        held = sorted(file.name for file in target.iterdir() if re.fullmatch(ours, file.name))
-        if held:
-            raise OutputError(
-                name="out",
-                value=target,
-                valid=f"it holds {held[0]}" + (f" and {len(held) - 1} more" if held[1:] else ""),
-                hint="add --force to replace them, or name another folder",
-            )
-    if os.path.lexists(target) and not target.is_dir():
-        valid, hint = "it is a file", "name a folder"
-    elif not parent.is_dir():
-        valid, hint = "the folder it would be in does not exist", "create that folder"
-    elif not os.access(target if target.is_dir() else parent, os.W_OK):
-        valid, hint = "it is not writable", "choose another folder"
-    else:
-        return
-    raise OutputError(name="out", value=target, valid=valid, hint=hint)
-
-
-def environment() -> str:
-    """Return what the study runs on, in one line."""
-    from importlib.metadata import version
-
-    parts = [f"Python {platform.python_version()}"]
-    parts += [f"{name} {version(name)}" for name in ("numpy", "numba", "matplotlib")]
-    parts.append(f"{platform.system()} on {platform.machine()}")
-    return ", ".join(parts)
-
-
-def _unwritable(target: Path, error: OSError) -> OutputError:
-    return OutputError(
-        name="out",
-        value=target,
-        valid=error.strerror or str(error),
-        hint="check the folder and the space that is left",
-    )
+    study_folder.check_folder(folder, ours, force=force)

@@ -1,0 +1,254 @@
+"""Plots of basins of attraction and of their erosion."""
+
+from collections import Counter
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.attractor import AttractorKind
+from rocksteady.dynamics.basin_attractors import BasinAttractor
+from rocksteady.dynamics.basins import Basins
+from rocksteady.dynamics.erosion import Drop, Erosion
+from rocksteady.show import palette
+from rocksteady.show.layout import axes_or_new, emptiest_corner, extent, legend_inside
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Floats = NDArray[np.float64]
+
+FILLS = {
+    AttractorKind.OVERTURNED: palette.OVERTURNED,
+    AttractorKind.REST: palette.REST,
+    AttractorKind.SYMMETRIC: palette.SYMMETRIC,
+    AttractorKind.UNSYMMETRIC: palette.UNSYMMETRIC,
+    AttractorKind.APERIODIC: palette.APERIODIC,
+    AttractorKind.UNDECIDED: palette.UNDECIDED,
+}
+WORDS = {"integrity_factor": "integrity factor", "global_integrity": "global integrity measure"}
+
+
+def plot_basins(basins: Basins, ax: "Axes | None" = None) -> "Axes":
+    """Draw the basins of attraction over the window, and the attractors at that phase.
+
+    Each state of the window has the fill of the attractor to which it goes: dark where the block
+    overturns, and one hue a kind of attractor.  Several of one kind differ in lightness and in
+    their marks, which stand where the attractor is at the phase of the initial states; one that
+    repeats itself after n forcing periods has n of them.  The legend, to the right, has the shares.
+
+    Parameters
+    ----------
+    basins
+        From `rocksteady.basins`.
+    ax
+        Axes to draw on; those of a new figure without.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: u = theta/alpha and d(theta/alpha)/d(omega t).
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import DimensionlessBlock, Harmonic, basins
+    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
+    >>> axes = plot_basins(
+    ...     basins(DimensionlessBlock(restitution=0.8), shaking), Figure().add_subplot()
+    ... )
+    >>> [text.get_text() for text in axes.get_legend().get_texts()]
+    ['overturned  92.8 %', 'unsymmetric-1a  3.4 %', 'unsymmetric-1b  3.8 %']
+    """
+    from matplotlib.colors import ListedColormap
+    from matplotlib.lines import Line2D
+
+    axes = axes_or_new(ax)
+    fills = fills_of(basins.attractors)
+    axes.imshow(
+        basins.label,
+        cmap=ListedColormap(fills),
+        vmin=-0.5,
+        vmax=len(fills) - 0.5,
+        extent=(*_ends(basins.angle), *_ends(basins.velocity)),
+        origin="lower",
+        aspect="auto",
+        interpolation="nearest",
+    )
+    axes.grid(visible=False)
+    axes.set(xlabel=palette.LABELS["angle"], ylabel=palette.LABELS["velocity_tau"])
+    handles, marked = [], 0
+    parts = zip(basins.attractors, fills, basins.stroboscopic, basins.fractions(), strict=True)
+    for attractor, fill, points, fraction in parts:
+        mark = "none"
+        if len(points):
+            mark = palette.MARKS[marked % len(palette.MARKS)]
+            marked += 1
+            # A white rim around a dark one is seen on every fill.
+            for colour, rim in (("white", 2.4), (palette.INK, 1.0)):
+                axes.plot(
+                    *points.T, mark, ls="none", ms=5.5, mfc=fill, mec=colour, mew=rim, zorder=4.0
+                )
+        share = f"{100.0 * fraction.share:.1f} %" if fraction.share >= 5e-4 else "< 0.1 %"
+        handles.append(
+            (
+                Line2D(
+                    [], [], ls="none", marker="s", ms=10.0, mfc=fill, mec=palette.FAINT, mew=0.6
+                ),
+                Line2D([], [], ls="none", marker=mark, ms=4.5, mfc=fill, mec=palette.INK, mew=0.9),
+                f"{attractor.name}  {share}",
+            )
+        )
+    axes.set(xlim=_ends(basins.angle), ylim=_ends(basins.velocity))
+    axes.legend(
+        [(swatch, mark) for swatch, mark, _ in handles],
+        [text for _, _, text in handles],
+        loc="upper left",
+        bbox_to_anchor=(1.01, 1.0),
+        borderaxespad=0.0,
+        handlelength=1.2,
+        handletextpad=0.6,
+        labelspacing=0.7,
+        fontsize=8.0,
+        frameon=False,
+    )
+    return axes
+
+
+def plot_erosion(
+    erosion: Erosion, ax: "Axes | None" = None, *, drops: Sequence[Drop] = ()
+) -> "Axes":
+    """Draw both measures of integrity against the amplitude, and the heteroclinic threshold.
+
+    Parameters
+    ----------
+    erosion
+        From `rocksteady.erosion`.
+    ax
+        Axes to draw on; those of a new figure without.
+    drops
+        From `Erosion.drop`; each is marked on its curve.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: A = a_max/(alpha g), and integrity, which is 1 on a still base.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import DimensionlessBlock, erosion
+    >>> found = erosion(DimensionlessBlock(restitution=0.9), 2.0, [0.0, 0.3, 0.6, 0.9])
+    >>> axes = plot_erosion(found, Figure().add_subplot(), drops=[found.drop(tolerance=0.1)])
+    >>> [text.get_text() for text in axes.get_legend().get_texts()][:2]
+    ['integrity factor', 'global integrity measure']
+    """
+    axes = axes_or_new(ax)
+    a = erosion.amplitude
+    colours, curves = {}, []
+    for series, (name, label) in enumerate(WORDS.items()):
+        values = erosion.measure(name)
+        colours[name] = palette.LINES[series]
+        curves.append(values)
+        axes.plot(
+            a,
+            curves[-1],
+            color=palette.LINES[series],
+            ls=palette.DASHES[series],
+            marker="os"[series] if len(a) <= 60 else "none",
+            ms=3.0,
+            label=label,
+        )
+    where = erosion.heteroclinic
+    seen = where <= a[-1]
+    axes.axvline(
+        where,
+        color=palette.INK,
+        lw=1.0,
+        ls=palette.DASHES[4],
+        label=f"heteroclinic tangency, A = {where:.4g}" + ("" if seen else " (beyond)"),
+    )
+    for drop in drops:
+        # The value at the middle of the bracket lies somewhere between the two at its ends.
+        axes.plot(
+            0.5 * (drop.low + drop.high),
+            drop.level,
+            "v",
+            ms=6.5,
+            color=colours[drop.measure],
+            mec="white",
+            mew=0.8,
+            ls="none",
+            zorder=4.0,
+            label=f"{WORDS[drop.measure]} falls below {drop.level:g} at A = {drop.high:.4g}",
+        )
+    top = max(1.0, float(erosion.global_integrity.max()), float(erosion.integrity_factor.max()))
+    axes.set(
+        xlabel=palette.LABELS["amplitude"],
+        ylabel=palette.LABELS["integrity"],
+        xlim=(0.0, float(a[-1])),
+        ylim=(0.0, 1.05 * top),
+    )
+    points = np.tile(a, 2), np.concatenate(curves)
+    size = extent(axes, width=225.0, height=12.0 * (3 + len(drops)) + 10.0)
+    legend_inside(axes, emptiest_corner(axes, points, size))
+    return axes
+
+
+def plot_safe_basin(erosion: Erosion, index: int, ax: "Axes | None" = None) -> "Axes":
+    """Draw the safe basin at one of the amplitudes: light where the block stands.
+
+    Parameters
+    ----------
+    erosion
+        From `rocksteady.erosion`.
+    index
+        Of the amplitude.
+    ax
+        Axes to draw on; those of a new figure without.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: u = theta/alpha and d(theta/alpha)/d(omega t).
+    """
+    from matplotlib.colors import ListedColormap
+
+    axes = axes_or_new(ax)
+    axes.imshow(
+        erosion.safe[index],
+        cmap=ListedColormap([palette.OVERTURNED, palette.SYMMETRIC]),
+        vmin=0,
+        vmax=1,
+        extent=(*_ends(erosion.angle), *_ends(erosion.velocity)),
+        origin="lower",
+        aspect="auto",
+        interpolation="nearest",
+    )
+    axes.grid(visible=False)
+    axes.set(
+        xlabel=palette.LABELS["angle"],
+        ylabel=palette.LABELS["velocity_tau"],
+        title=f"A = {erosion.amplitude[index]:.4g}",
+    )
+    return axes
+
+
+def fills_of(attractors: Sequence[BasinAttractor]) -> list[str]:
+    """Return a fill for each attractor, no two alike as long as the tints last."""
+    used: Counter[str] = Counter()
+    fills = []
+    for attractor in attractors:
+        hue = FILLS[attractor.kind]
+        if attractor.orbit is not None and attractor.orbit.period > 1:
+            hue = palette.SUBHARMONIC
+        fills.append(palette.tinted(hue, palette.TINTS[used[hue] % len(palette.TINTS)]))
+        used[hue] += 1
+    return fills
+
+
+def _ends(axis: Floats) -> tuple[float, float]:
+    """Return the edges of the outermost cells around the points of an axis."""
+    half = 0.5 * float(axis[-1] - axis[0]) / (len(axis) - 1)
+    return float(axis[0]) - half, float(axis[-1]) + half

@@ -1,0 +1,241 @@
+"""Plots of branches of periodic motions over a parameter, with sweeps beneath them."""
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.continuation.points import Branch, PointType
+from rocksteady.dynamics.continuation.stretches import stretches
+from rocksteady.dynamics.trail import AttractorTrail
+from rocksteady.errors import ModelError
+from rocksteady.show import palette
+from rocksteady.show.layout import axes_or_new, legend_inside
+from rocksteady.show.plots.sweeps import LANE, draw_sweeps
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+    from matplotlib.lines import Line2D
+
+Floats = NDArray[np.float64]
+Side = Literal["positive", "both"]
+
+STABLE: dict[str, Any] = {"ls": "-", "lw": 2.0, "zorder": 3.0}
+UNSTABLE: dict[str, Any] = {"ls": (0, (3.2, 1.6)), "lw": 0.9, "zorder": 2.6}
+INADMISSIBLE: dict[str, Any] = {"ls": (0, (1, 1.6)), "lw": 0.9, "alpha": 0.5, "zorder": 2.4}
+MARKS = {
+    PointType.FOLD: ("s", "fold"),
+    PointType.SYMMETRY_BREAKING: ("D", "symmetry breaking"),
+    PointType.PERIOD_DOUBLING: ("^", "period doubling"),
+    PointType.GRAZING: ("o", "graze"),
+}
+"""Marker and name of each bifurcation."""
+
+
+def plot_bifurcations(
+    branches: Iterable[Branch],
+    trails: Iterable[AttractorTrail] = (),
+    ax: "Axes | None" = None,
+    *,
+    side: Side = "positive",
+    top: float | None = None,
+    key: Literal["inside", "beside"] = "beside",
+) -> "Axes":
+    """Draw branches of periodic motions over their parameter, with sweeps beneath them.
+
+    Every flight of an orbit is a line, the extreme u = theta/alpha that it reaches: solid where the
+    motion is stable, dashed where it is unstable, dotted and faint where the solution is no motion.
+    Colours tell symmetric and unsymmetric motions and periods apart.  Bifurcations are marked at
+    the highest and at the lowest angle of their orbits.  The motions that a sweep meets are dots
+    beneath the lines, larger ones of an upward sweep than of a downward one, so that both show
+    where they agree; elsewhere there is hysteresis.  Bars along the upper edge, a row for each
+    sweep, say where its motion overturned or came to rest.
+
+    Parameters
+    ----------
+    branches
+        From `rocksteady.bifurcation_branches`, all over one parameter.
+    trails
+        From `rocksteady.attractor_trail`, over the same.
+    ax
+        Axes to draw on; those of a new figure without.
+    side
+        "positive" draws the size of every extreme: what leans has its higher and its lower peaks in
+        one half of the picture, and nothing is lost.  "both" draws each to its side, of what leans
+        the mirror image too.
+    top
+        Upper end of the axis of angles; without, everything is shown.
+    key
+        Where the legend goes: to the right of the axes, or inside.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: the parameter, and the extreme of each flight.
+
+    Raises
+    ------
+    ModelError
+        If they are over different parameters, or there are none.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import DimensionlessBlock, Harmonic, bifurcation_branches, orbits
+    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=2.2)
+    >>> starts = orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)
+    >>> branches = bifurcation_branches(starts[:1], "frequency_ratio", (1.6, 2.4), max_period=1)
+    >>> axes = plot_bifurcations(branches, ax=Figure().add_subplot())
+    >>> for entry in axes.get_legend().get_texts():
+    ...     print(entry.get_text())
+    symmetric
+    unsymmetric
+    unstable
+    symmetry breaking
+    period doubling
+    """
+    listed, swept = list(branches), list(trails)
+    parameter = _parameter([*listed, *swept])
+    axes = axes_or_new(ax)
+    colours = _colours(listed)
+    handles: list[Artist] = [
+        *_drawn_branches(axes, listed, colours, side),
+        *_drawn_bifurcations(axes, listed, side),
+        *draw_sweeps(axes, swept, sizes=side == "positive"),
+    ]
+    values = [branch.values for branch in listed] + [trail.values for trail in swept]
+    ends = np.concatenate(values)
+    if ends.min() < ends.max():
+        axes.set_xlim(float(ends.min()), float(ends.max()))
+    if top is None:  # above what is drawn there is room for the bars
+        drawn = [branch.peaks.ravel() for branch in listed]
+        drawn += [peaks for trail in swept for peaks in trail.peaks]
+        highest = float(np.nanmax(np.abs(np.concatenate(drawn)), initial=0.0))
+        top = (highest or 1.0) / (0.96 - LANE * len(swept))
+    axes.set_ylim(0.0 if side == "positive" else -top, top)
+    axes.set(
+        xlabel=palette.LABELS[parameter],
+        ylabel=palette.LABELS["flight_peak" if side == "positive" else "flight_extreme"],
+    )
+    if handles and key == "beside":
+        axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.03, 1.0))
+    elif handles:
+        legend_inside(axes, "upper right", handles=handles)
+    return axes
+
+
+def _parameter(drawn: Sequence[Branch | AttractorTrail]) -> str:
+    """Return the parameter over which all that is drawn is.
+
+    Raises
+    ------
+    ModelError
+        If there are several, or none.
+    """
+    names = sorted({each.parameter for each in drawn})
+    if len(names) != 1:
+        raise ModelError(
+            name="branches",
+            value=", ".join(names) or "none",
+            valid="they must all be over one parameter, and there must be one",
+            hint="draw others on axes of their own",
+        )
+    return names[0]
+
+
+def _kind_of(branch: Branch) -> tuple[int, bool]:
+    """Return what tells branches apart by their colour."""
+    return branch.period, not branch.symmetric
+
+
+def _colours(branches: Sequence[Branch]) -> dict[tuple[int, bool], str]:
+    """Return the colour of each kind of orbit that there is."""
+    colours = {(1, False): palette.LINES[0], (1, True): palette.LINES[4]}
+    kinds = sorted({_kind_of(branch) for branch in branches})
+    for number, kind in enumerate(kind for kind in kinds if kind[0] > 1):
+        shades = palette.SUBHARMONIC_LINES
+        colours[kind] = shades[min(number, len(shades) - 1)]
+    return {kind: colours[kind] for kind in kinds}
+
+
+def _label(kind: tuple[int, bool], kinds: Iterable[tuple[int, bool]]) -> str:
+    """Return the words for a kind of orbit; its symmetry only where that distinguishes it."""
+    period, leaning = kind
+    word = "unsymmetric" if leaning else "symmetric"
+    if period == 1:
+        return word
+    if period % 2 == 0 and (period, not leaning) not in kinds:
+        return f"period {period}"
+    return f"{word}, period {period}"
+
+
+def _sided(peaks: Floats, side: Side, *, symmetric: bool) -> Floats:
+    """Return what is drawn of the extremes of flights, shape (points, lines)."""
+    # Of two impacts that merge the flight between them is none: its extreme is 0.
+    peaks = np.nan_to_num(peaks, nan=0.0)
+    if side == "positive":
+        return np.abs(peaks[..., : peaks.shape[-1] // 2] if symmetric else peaks)
+    return peaks if symmetric else np.concatenate([peaks, -peaks], axis=-1)
+
+
+def _drawn_branches(
+    axes: "Axes",
+    branches: Sequence[Branch],
+    colours: dict[tuple[int, bool], str],
+    side: Side,
+) -> list["Line2D"]:
+    """Draw branches and return the entries of the legend."""
+    from matplotlib.lines import Line2D
+
+    seen: set[str] = set()
+    for branch in branches:
+        lines = _sided(branch.peaks, side, symmetric=branch.symmetric)
+        for stretch in stretches(branch):
+            style, word = UNSTABLE, "unstable"
+            if stretch.stable:
+                style, word = STABLE, "stable"
+            elif not stretch.admissible:
+                style, word = INADMISSIBLE, "no motion"
+            seen.add(word)
+            part = slice(stretch.first, stretch.last + 1)
+            axes.plot(branch.values[part], lines[part], color=colours[_kind_of(branch)], **style)
+    handles = [
+        Line2D([], [], color=colour, lw=2.0, label=_label(kind, colours))
+        for kind, colour in colours.items()
+    ]
+    for word, style in (("unstable", UNSTABLE), ("no motion", INADMISSIBLE)):
+        if word in seen:
+            handles.append(Line2D([], [], color=palette.INK, label=word, **style))
+    return handles
+
+
+def _drawn_bifurcations(axes: "Axes", branches: Sequence[Branch], side: Side) -> list["Line2D"]:
+    """Mark bifurcations and return the entries of the legend."""
+    from matplotlib.lines import Line2D
+
+    handles = []
+    for kind, (marker, word) in MARKS.items():
+        places: set[tuple[float, float]] = set()
+        for branch in branches:
+            for value, peaks, point in zip(branch.values, branch.peaks, branch.points, strict=True):
+                if point.type is kind:
+                    ends = np.array([max(np.nanmax(peaks), 0.0), min(np.nanmin(peaks), 0.0)])
+                    drawn = _sided(ends, side, symmetric=branch.symmetric)
+                    # A point on two branches is marked once.
+                    places |= {(round(float(value), 9), round(u, 6)) for u in drawn.tolist()}
+        if not places:
+            continue
+        style: dict[str, Any] = {
+            "marker": marker,
+            "ms": 3.8,
+            "mfc": "white",
+            "mec": palette.INK,
+            "mew": 0.8,
+            "ls": "none",
+        }
+        x, y = zip(*sorted(places), strict=True)
+        axes.plot(x, y, zorder=4.0, **style)
+        handles.append(Line2D([], [], label=word, **style))
+    return handles

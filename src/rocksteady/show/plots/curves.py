@@ -1,0 +1,91 @@
+"""Plots of bifurcations in the plane of two parameters."""
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+from rocksteady.dynamics.continuation.chain import PARAMETERS
+from rocksteady.dynamics.continuation.points import BranchPoint, PointType
+from rocksteady.errors import InputError
+from rocksteady.show import palette
+from rocksteady.show.layout import axes_or_new
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.lines import Line2D
+
+CURVES: dict[PointType, tuple[str, Any, str]] = {
+    PointType.FOLD: (palette.INK, "-", "fold"),
+    PointType.SYMMETRY_BREAKING: (palette.LINES[0], (0, (7, 2)), "symmetry breaking"),
+    PointType.PERIOD_DOUBLING: (palette.LINES[2], (0, (3.2, 1.6)), "period doubling"),
+    PointType.GRAZING: (palette.LINES[1], (0, (1, 1.2)), "graze"),
+}
+"""Colour, dash and name of the curve of each bifurcation."""
+
+
+def plot_bifurcation_curves(
+    curves: Iterable[Sequence[BranchPoint]],
+    ax: "Axes | None" = None,
+    *,
+    parameters: tuple[str, str] = ("frequency_ratio", "amplitude"),
+) -> "Axes":
+    """Draw curves of bifurcations in the plane of two parameters.
+
+    Folds are solid, symmetry breakings and period doublings dashed, grazes dotted.
+
+    Parameters
+    ----------
+    curves
+        Each the points that `rocksteady.bifurcation_curve` yields.
+    ax
+        Axes to draw on, a `rocksteady.plot_regions` for one; those of a new figure without.
+    parameters
+        What is drawn to the right and upwards: two of "amplitude", "frequency_ratio" and
+        "restitution".
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes.
+
+    Raises
+    ------
+    InputError
+        If a parameter has another name.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import DimensionlessBlock, Harmonic, bifurcation_curve, continuation, orbits
+    >>> shaking = Harmonic(amplitude=1.0, frequency_ratio=2.0)
+    >>> start = orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)[0]
+    >>> branch = continuation(start, "amplitude", (0.1, 3.0))
+    >>> breaking = next(point for point in branch if point.type == "symmetry-breaking")
+    >>> plane = ("amplitude", "frequency_ratio")
+    >>> curve = bifurcation_curve(breaking, plane, ((0.1, 6.0), (1.0, 4.0)))
+    >>> axes = plot_bifurcation_curves([list(curve)], Figure().add_subplot())
+    >>> print(axes.get_legend().get_texts()[0].get_text(), len(axes.lines))
+    symmetry breaking 1
+    """
+    for name in parameters:
+        if name not in PARAMETERS:
+            raise InputError(
+                name="parameters",
+                value=name,
+                valid="bifurcations are drawn over " + ", ".join(PARAMETERS),
+                hint="name two of them",
+            )
+    axes = axes_or_new(ax)
+    named: dict[str, Line2D] = {}
+    for curve in curves:
+        if not curve:
+            continue
+        colour, dash, word = CURVES[curve[0].type]
+        places = [[getattr(point, name) for name in parameters] for point in curve]
+        (line,) = axes.plot(*zip(*places, strict=True), color=colour, ls=dash, lw=1.4, zorder=3.0)
+        named.setdefault(word, line)
+    axes.set(xlabel=palette.LABELS[parameters[0]], ylabel=palette.LABELS[parameters[1]])
+    words = [word for *_, word in CURVES.values() if word in named]
+    if words:
+        lines = [named[word] for word in words]
+        axes.legend(lines, words, loc="upper left", bbox_to_anchor=(1.01, 1.0))
+    return axes

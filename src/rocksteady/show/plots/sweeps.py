@@ -1,0 +1,92 @@
+"""Sweeps of a parameter: what a motion settles to at one value after another, as dots and bars."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.trail import AttractorTrail
+from rocksteady.show import palette
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
+Floats = NDArray[np.float64]
+
+SWEEPS = {
+    1: ("upward sweep", palette.SWEEPS[0], 6.4),
+    -1: ("downward sweep", palette.SWEEPS[1], 4.0),
+}
+"""Name, colour and size of the dots of a sweep by its direction: both show around a line."""
+CLOUD = 1.5
+"""Size of dots where a value has more than `MOST_DOTS`."""
+MOST_DOTS = 32
+FATES: dict[str, dict[str, Any]] = {
+    "overturned": {"fc": palette.OVERTURNED, "ec": "none", "lw": 0.0},
+    "at rest": {"fc": palette.GROUND, "ec": palette.FAINT, "lw": 0.4},
+}
+"""Look of the bars along the upper edge, one row a sweep."""
+KINDS = {"overturned": "overturned", "at rest": "rest"}
+"""The kind of attractor of which each bar tells."""
+LANE = 0.022
+"""Height of a row of bars, in parts of the axes."""
+
+
+def draw_sweeps(axes: "Axes", trails: Sequence[AttractorTrail], *, sizes: bool) -> list["Artist"]:
+    """Draw the dots and bars of sweeps and return the entries of the legend.
+
+    Parameters
+    ----------
+    axes
+        Axes to draw on, with room for a row of bars a sweep along its upper edge.
+    trails
+        The sweeps.
+    sizes
+        Whether the sizes of the angles are drawn, without their sides.
+    """
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    handles: dict[str, Artist] = {}
+    for row, trail in enumerate(trails):
+        way = 1 if trail.values[-1] >= trail.values[0] else -1
+        word, colour, size = SWEEPS[way]
+        style: dict[str, Any] = {"marker": "o", "color": colour, "mew": 0.0, "ls": "none"}
+        handles[word] = Line2D([], [], ms=size, label=word, **style)
+        dots: dict[float, list[Floats]] = {size: [], CLOUD: []}
+        for value, extremes in zip(trail.values, trail.peaks, strict=True):
+            drawn = np.abs(extremes) if sizes else extremes
+            many = CLOUD if len(drawn) > MOST_DOTS else size
+            dots[many].append(np.column_stack([np.full(drawn.shape, value), drawn]))
+        for big, places in dots.items():
+            x, y = np.concatenate([np.empty((0, 2)), *places]).T
+            axes.plot(x, y, ms=big, zorder=2.0 - 0.1 * way, **style)
+        low = 1.0 - (row + 1) * LANE
+        met = False
+        for fate, look in FATES.items():
+            bars = _bars(trail, fate)
+            if bars:
+                met = True
+                edges = axes.get_xaxis_transform()
+                axes.broken_barh(bars, (low, 0.75 * LANE), transform=edges, zorder=4.5, **look)
+                handles[fate] = Patch(label=fate, **look)
+        if met:
+            middle = low + 0.375 * LANE
+            axes.plot(1.01, middle, ms=4.0, transform=axes.transAxes, clip_on=False, **style)
+    return sorted(handles.values(), key=lambda handle: str(handle.get_label()) in FATES)
+
+
+def _bars(trail: AttractorTrail, fate: str) -> list[tuple[float, float]]:
+    """Return begin and width of each run of values at which a sweep's motion ended so."""
+    order = np.argsort(trail.values)
+    values = trail.values[order]
+    there = np.array([trail.kinds[index] == KINDS[fate] for index in order])
+    # Each value stands for what is nearest to it.
+    borders = np.concatenate([values[:1], 0.5 * (values[1:] + values[:-1]), values[-1:]])
+    change = np.flatnonzero(np.diff(np.concatenate([[False], there, [False]]).astype(int)))
+    return [
+        (float(borders[first]), float(borders[last] - borders[first]))
+        for first, last in change.reshape(-1, 2)
+    ]

@@ -1,0 +1,281 @@
+"""How many motions stand side by side at each point of the plane, found from many starts."""
+
+import functools
+import math
+from collections import Counter
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady import AttractorKind, steady_states
+from rocksteady.dynamics.attractor import KINDS
+from rocksteady.dynamics.settled import Beginnings, SettledCells, settled_cells
+from rocksteady.studies.atlas.plane import Plane
+from rocksteady.sweep.axes import Axis, Grid, Output
+from rocksteady.sweep.evaluate import CHUNK, evaluate
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+CYCLES = 500
+"""Forcing periods after which a motion counts as aperiodic or undecided."""
+REST_PHASES = 8
+"""Phases of the shaking, over half a period, at which a block at rest is let go: half a period on,
+everything is mirrored."""
+STEADY = (*((n, branch) for n in (1, 3, 5) for branch in (1, 2)), (7, 1), (9, 1))
+"""Symmetric states on whose either side motions begin: order and branch."""
+ASIDE = 1e-3
+"""Part of its velocity by which a motion begins off such a state."""
+PHASES, SPEEDS = 12, 4
+"""States just after an impact on the positive side: mirror images count once."""
+SLOWEST = 0.05
+"""Least reach of their speeds, where every impact at that phase is followed by a fall."""
+MOST = 10
+"""Orbits that a cell has room for."""
+SAME = 1e-6
+"""Difference of extrema of theta/alpha, relative to the larger, below which orbits are one."""
+RESTS = 0
+"""Stands for the impacts of an orbit that comes to rest: infinitely many."""
+
+
+@dataclass(frozen=True, order=True)
+class OrbitClass:
+    """What orbits have in common that are drawn and counted together.
+
+    Attributes
+    ----------
+    period
+        Forcing periods.
+    impacts
+        In a period of the orbit; 0 for infinitely many, where it comes to rest.
+    leaning
+        Whether it differs from its mirror image, with which it is counted once.
+    """
+
+    period: int
+    impacts: int
+    leaning: bool
+
+    @property
+    def code(self) -> int:
+        """All three in one number, above 0."""
+        return 2 * (1000 * self.period + min(self.impacts, 999)) + self.leaning
+
+    @classmethod
+    def of(cls, code: int) -> "OrbitClass":
+        """Return the class of a code."""
+        rest, leaning = divmod(code, 2)
+        return cls(rest // 1000, rest % 1000, bool(leaning))
+
+    @property
+    def text(self) -> str:
+        """As tables have it: "3x6", "3x6-leaning", "1xrests"."""
+        impacts = str(self.impacts) if self.impacts != RESTS else "rests"
+        return f"{self.period}x{impacts}" + ("-leaning" if self.leaning else "")
+
+    @property
+    def words(self) -> str:
+        """As sentences have it: "a leaning motion of 3 periods and 6 impacts"."""
+        periods = "1 period" if self.period == 1 else f"{self.period} periods"
+        impacts = f"and {self.impacts} impacts" if self.impacts != RESTS else "with rests"
+        return f"a {'leaning' if self.leaning else 'symmetric'} motion of {periods} {impacts}"
+
+
+OUTPUTS = (
+    Output(name="rest", dtype=np.bool_),
+    Output(name="aperiodic", dtype=np.bool_),
+    Output(name="undecided", dtype=np.int32),
+    Output(name="orbits", dtype=np.int32),
+    *(Output(name=f"code_{place}", dtype=np.int32) for place in range(MOST)),
+)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Coexistence:
+    """What stands side by side, arrays of shape (amplitudes, columns).
+
+    Attributes
+    ----------
+    plane
+        Where.
+    rest
+        Whether a block at rest may stay there.
+    aperiodic
+        Whether a motion was found that does not repeat itself.
+    undecided
+        Number of starts of which nothing is known after 500 periods.
+    orbits
+        Number of stable orbits, mirror images counted once.
+    codes
+        Classes of the first ten of them, 0 for none, shape (10, amplitudes, columns).
+    """
+
+    plane: Plane
+    rest: NDArray[np.bool_]
+    aperiodic: NDArray[np.bool_]
+    undecided: Integers
+    orbits: Integers
+    codes: Integers
+
+    @cached_property
+    def motions(self) -> Integers:
+        """Number of them all: rest, orbits, and what is aperiodic as one."""
+        return self.rest.astype(np.int64) + self.aperiodic + self.orbits
+
+    @cached_property
+    def classes(self) -> dict[OrbitClass, int]:
+        """Number of cells in which orbits of a class were found."""
+        cells = self.codes.reshape(len(self.codes), -1).T.tolist()
+        counts = Counter(code for cell in cells for code in set(cell) if code)
+        return {OrbitClass.of(code): count for code, count in sorted(counts.items())}
+
+    def having(self, test: Callable[[OrbitClass], bool]) -> NDArray[np.bool_]:
+        """Return where there is an orbit of a class that passes a test."""
+        wanted = [kind.code for kind in self.classes if test(kind)]
+        return np.asarray(np.isin(self.codes, wanted).any(axis=0), dtype=np.bool_)
+
+    def text_at(self, row: int, column: int) -> str:
+        """Return the orbits of a cell, as tables have them."""
+        codes = self.codes[:, row, column].tolist()
+        return " ".join(OrbitClass.of(code).text for code in codes if code)
+
+
+def pieces(plane: Plane) -> int:
+    """Return how often `coexistence` says that something is done."""
+    return math.ceil(len(plane.amplitudes) * len(plane.ratios) / CHUNK)
+
+
+def coexistence(
+    plane: Plane, *, workers: int | None = None, done: Callable[[int], object] | None = None
+) -> Coexistence:
+    """Return what motions from many starts settle to, cell by cell.
+
+    A search: what has a small basin may be missed, so that the counts are lower bounds.
+
+    Parameters
+    ----------
+    plane
+        Where.
+    workers, done
+        As for `rocksteady.sweep.evaluate.evaluate`.
+    """
+    grid = Grid(
+        axes=(
+            Axis(name="amplitude", values=plane.amplitudes),
+            Axis(name="frequency_ratio", values=plane.ratios),
+        )
+    )
+    cases = functools.partial(_found, restitution=plane.restitution)
+    data = evaluate(cases, grid, OUTPUTS, workers=workers, done=done)
+    return Coexistence(
+        plane=plane,
+        rest=data["rest"].values,
+        aperiodic=data["aperiodic"].values,
+        undecided=data["undecided"].values,
+        orbits=data["orbits"].values,
+        codes=np.array([data[f"code_{place}"].values for place in range(MOST)]),
+    )
+
+
+def starts(amplitude: Floats, ratio: Floats, restitution: float) -> Iterator[Beginnings]:
+    """Yield the starts, each a state for every cell.
+
+    Parameters
+    ----------
+    amplitude, ratio
+        Of the cells, shape (cells,).
+    restitution
+        Of all of them.
+    """
+    still = np.zeros(len(amplitude))
+    for k in range(REST_PHASES):
+        yield Beginnings.of(still, still, 0, k * math.pi / REST_PHASES)
+    for order, branch in STEADY:
+        states = steady_states(amplitude, ratio, restitution, order=order)
+        assert states.admissible is not None
+        there = states.admissible[branch - 1]
+        phase = np.where(there, states.phase[branch - 1], 0.0)
+        velocity = np.where(there, states.velocity[branch - 1] * ratio, 0.0)
+        for aside in (1.0 - ASIDE, 1.0 + ASIDE):  # at rest where there is no such state
+            yield _after_impact(phase, aside * velocity)
+    beta = amplitude / (1.0 + ratio**2)
+    for k in range(PHASES):
+        turn = 2.0 * math.pi * (k + 0.5) / PHASES
+        # A faster block flies off for good: the growing part of its flight is positive.
+        fastest = 1.0 - beta * (math.sin(turn) + ratio * math.cos(turn))
+        for j in range(SPEEDS):
+            speed = np.maximum(fastest, SLOWEST) * (j + 0.5) / SPEEDS
+            yield _after_impact(np.full(len(amplitude), turn), speed)
+
+
+def _after_impact(phase: Floats, velocity: Floats) -> Beginnings:
+    """Return upright states at phases of their own."""
+    turn = np.mod(phase, 2.0 * math.pi)
+    half = np.minimum(np.floor(turn / math.pi), 1.0)
+    return Beginnings(
+        side=np.sign(velocity).astype(np.int64),
+        angle=np.zeros(len(phase)),
+        velocity=velocity,
+        half_cycles=half.astype(np.int64),
+        phase=turn - half * math.pi,
+    )
+
+
+def _found(
+    amplitude: Floats, frequency_ratio: Floats, *, restitution: float
+) -> dict[str, NDArray[Any]]:
+    """Return what the motions in some cells settle to."""
+    settled = [
+        settled_cells(amplitude, frequency_ratio, restitution, begin, CYCLES)
+        for begin in starts(amplitude, frequency_ratio, restitution)
+    ]
+    kind = np.array([found.kind for found in settled])
+
+    def any_of(which: AttractorKind) -> NDArray[np.bool_]:
+        there: NDArray[np.bool_] = (kind == KINDS.index(which)).any(axis=0)
+        return there
+
+    codes = _codes(settled, kind == KINDS.index(AttractorKind.UNSYMMETRIC))
+    undecided = (kind == KINDS.index(AttractorKind.UNDECIDED)).sum(axis=0)
+    return {
+        "rest": any_of(AttractorKind.REST),
+        "aperiodic": any_of(AttractorKind.APERIODIC),
+        "undecided": undecided.astype(np.int32),
+        "orbits": np.array([len(found) for found in codes], dtype=np.int32),
+        **{
+            f"code_{place}": np.array(
+                [found[place] if place < len(found) else 0 for found in codes], dtype=np.int32
+            )
+            for place in range(MOST)
+        },
+    }
+
+
+def _codes(settled: list[SettledCells], leaning: NDArray[np.bool_]) -> list[list[int]]:
+    """Return, for each cell, the classes of the different orbits that its motions settle to.
+
+    Orbits are one where class and extrema agree; of mirror images the extrema change sides.
+    """
+    period, passages, rests, highest, lowest = (
+        np.array([getattr(each, name) for each in settled])
+        for name in ("period", "passages", "rests", "highest", "lowest")
+    )
+    impacts = np.where(rests > 0, RESTS, np.minimum(passages, 999))
+    codes = np.where(period > 0, 2 * (1000 * period + impacts) + leaning, 0)
+    larger, smaller = np.maximum(highest, -lowest), np.minimum(highest, -lowest)
+    found = []
+    for cell in range(codes.shape[1]):
+        here = np.flatnonzero(codes[:, cell])
+        order = here[np.lexsort((smaller[here, cell], larger[here, cell], codes[here, cell]))]
+        ranked, near = codes[order, cell], SAME * larger[order[1:], cell]
+        new = (
+            (np.diff(ranked) != 0)
+            | (np.diff(larger[order, cell]) > near)
+            | (np.abs(np.diff(smaller[order, cell])) > near)
+        )
+        found.append([*ranked[:1].tolist(), *ranked[1:][new].tolist()])
+    return found

@@ -1,0 +1,185 @@
+"""What a block at rest comes to when the shaking begins, at one phase of it and at many."""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady import (
+    AttractorKind,
+    DimensionlessBlock,
+    attractor_map,
+    heteroclinic_amplitude,
+)
+from rocksteady.dynamics.attractor import KINDS
+from rocksteady.studies.atlas.plane import Plane
+from rocksteady.studies.folder import Done, nothing
+
+Floats = NDArray[np.float64]
+
+PHASES = 8
+"""Phases of the shaking at its start, over half a period: half a period on all is mirrored."""
+CYCLES = 500
+MARKED = (1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0)
+"""Frequency ratios of the page's tables, of bands and of the lowest amplitudes that overturn."""
+STEPS = 700
+"""Amplitudes from uplift to the plane's top that are tried at each."""
+
+FATES = (
+    "rest",
+    "symmetric, period 1",
+    "leaning, period 1",
+    "period 1 with rests",
+    "subharmonic",
+    "aperiodic",
+    "overturned",
+    "undecided",
+)
+"""What a block comes to, by its code in tables and pictures."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LowestFall:
+    """The lowest amplitude that overturns a block from rest at one frequency.
+
+    Attributes
+    ----------
+    frequency_ratio
+        Omega.
+    amplitude
+        The lowest of those tried; nan where none overturns it.
+    phase
+        Of the shaking at its start [rad].
+    step
+        From one amplitude tried to the next.
+    heteroclinic
+        The heteroclinic amplitude there.
+    """
+
+    frequency_ratio: float
+    amplitude: float
+    phase: float
+    step: float
+    heteroclinic: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class FromRest:
+    """What a block at rest comes to.
+
+    Attributes
+    ----------
+    plane
+        Where.
+    phases
+        Of the shaking at its start [rad], shape (phases,).
+    fate
+        Index of `FATES`, shape (phases, amplitudes, columns).
+    period, impacts
+        As `rocksteady.attractor_map` has them, of the same shape.
+    falls
+        The lowest amplitudes that overturn.
+    """
+
+    plane: Plane
+    phases: Floats
+    fate: NDArray[np.int8]
+    period: NDArray[np.int64]
+    impacts: NDArray[np.int64]
+    falls: tuple[LowestFall, ...]
+
+    @cached_property
+    def overturned(self) -> Floats:
+        """Share of the phases at which the block overturns, shape (amplitudes, columns)."""
+        share: Floats = (self.fate == FATES.index("overturned")).mean(axis=0)
+        return share
+
+    def share(self, fate: str) -> float:
+        """Return the part of the plane in which a block comes to this at the first phase."""
+        return float((self.fate[0] == FATES.index(fate)).mean())
+
+
+def from_rest(plane: Plane, *, workers: int | None = None, done: Done = nothing) -> FromRest:
+    """Return what a block at rest comes to over a plane.
+
+    Parameters
+    ----------
+    plane
+        Where.
+    workers
+        As for `rocksteady.attractor_map`.
+    done
+        Called after each phase.
+    """
+    block = DimensionlessBlock(restitution=plane.restitution)
+    phases: Floats = np.arange(PHASES, dtype=np.float64) * (math.pi / PHASES)
+    marked = [w for w in MARKED if plane.window[0] <= w <= plane.window[1]]
+    tried = np.linspace(1.0, plane.top, STEPS + 1) if plane.top > 1.0 else np.zeros(0)
+    kinds, periods, impacts, fallen = [], [], [], []
+    for phase in phases.tolist():
+        found = attractor_map(
+            block, plane.amplitudes, plane.ratios, phase=phase, cycles=CYCLES, workers=workers
+        )
+        kinds.append(found["kind"].values)
+        periods.append(found["period"].values)
+        impacts.append(found["impacts"].values)
+        if marked and tried.size:
+            along = attractor_map(block, tried, marked, phase=phase, cycles=CYCLES, workers=workers)
+            fallen.append(along["kind"].values == KINDS.index(AttractorKind.OVERTURNED))
+        done(f"phase {phase / math.pi:.3f} π")
+    return FromRest(
+        plane=plane,
+        phases=phases,
+        fate=_fates(np.array(kinds), np.array(periods), np.array(impacts)),
+        period=np.array(periods),
+        impacts=np.array(impacts),
+        falls=_lowest(plane, marked, tried, phases, np.array(fallen)),
+    )
+
+
+def _fates(
+    kind: NDArray[np.int8], period: NDArray[np.int64], impacts: NDArray[np.int64]
+) -> NDArray[np.int8]:
+    """Return what came out, by the codes of `FATES`."""
+
+    def is_a(which: AttractorKind) -> NDArray[np.bool_]:
+        same: NDArray[np.bool_] = kind == KINDS.index(which)
+        return same
+
+    chosen = {
+        "rest": is_a(AttractorKind.REST),
+        "overturned": is_a(AttractorKind.OVERTURNED),
+        "aperiodic": is_a(AttractorKind.APERIODIC),
+        "undecided": is_a(AttractorKind.UNDECIDED),
+        "subharmonic": period > 1,
+        "period 1 with rests": impacts < 0,
+        "symmetric, period 1": is_a(AttractorKind.SYMMETRIC),
+    }
+    fates: NDArray[np.int8] = np.select(
+        list(chosen.values()),
+        [np.int8(FATES.index(name)) for name in chosen],
+        default=np.int8(FATES.index("leaning, period 1")),
+    )
+    return fates
+
+
+def _lowest(
+    plane: Plane, marked: list[float], tried: Floats, phases: Floats, fallen: NDArray[np.bool_]
+) -> tuple[LowestFall, ...]:
+    """Return the lowest amplitude that overturns, at any phase, for each marked frequency."""
+    falls = []
+    for place, ratio in enumerate(marked if tried.size else []):
+        here = fallen[:, :, place]
+        row = int(np.argmax(here.any(axis=0)))
+        falls.append(
+            LowestFall(
+                frequency_ratio=ratio,
+                amplitude=float(tried[row]) if here[:, row].any() else math.nan,
+                phase=float(phases[int(np.argmax(here[:, row]))]),
+                step=float(tried[1] - tried[0]),
+                heteroclinic=float(heteroclinic_amplitude(ratio, plane.restitution)),
+            )
+        )
+    return tuple(falls)

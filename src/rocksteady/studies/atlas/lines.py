@@ -1,0 +1,210 @@
+"""The borders of a family as curves in two parameters, begun where its columns have found them.
+
+The columns say where the bands are; the curves say it between the columns too, and to rounding.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady import BranchPoint, PointType, bifurcation_curve, boundaries
+from rocksteady.errors import RocksteadyError
+from rocksteady.studies.atlas.families import FamilyMap
+from rocksteady.studies.atlas.plane import Plane
+
+Floats = NDArray[np.float64]
+Ranges = tuple[tuple[float, float], tuple[float, float]]
+
+PARAMETERS = ("amplitude", "frequency_ratio")
+STEP = 0.015
+"""Largest step of arclength along a curve."""
+MOST_POINTS = 400
+NEAR = 0.01
+"""Part of the plane's height by which a border may miss a curve that runs through it."""
+FINE = 8
+"""Points of a closed form to a column of the plane."""
+NAMES = {
+    PointType.SYMMETRY_BREAKING: ("symmetry-breaking",),
+    PointType.PERIOD_DOUBLING: ("first-doubling", "second-doubling"),
+    PointType.GRAZING: ("graze",),
+    PointType.FOLD: ("fold",),
+}
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Line:
+    """A curve in the plane.
+
+    Attributes
+    ----------
+    order
+        n of the family whose border it is.
+    name
+        "existence", "symmetry-breaking", "first-doubling", "second-doubling", "cascade-limit",
+        "graze" or "fold".
+    frequency_ratio, amplitude
+        Its points, shape (points,).
+    ends
+        Why it ends, on either side.
+    impacts
+        In a period of the symmetric motion from which the family comes.
+    """
+
+    order: int
+    name: str
+    frequency_ratio: Floats
+    amplitude: Floats
+    ends: tuple[str, str]
+    impacts: int = 2
+
+    def amplitude_at(self, ratio: float) -> float:
+        """Return the amplitude of the curve at a frequency between its points; nan beyond them."""
+        for k, (one, other) in enumerate(pairwise(self.frequency_ratio.tolist())):
+            if min(one, other) <= ratio <= max(one, other):
+                share = (ratio - one) / (other - one) if other != one else 0.0
+                low, high = self.amplitude[k : k + 2].tolist()
+                return float(low + share * (high - low))
+        return float("nan")
+
+
+def family_lines(family: FamilyMap) -> tuple[Line, ...]:
+    """Return the curves that border the bands of a family.
+
+    Parameters
+    ----------
+    family
+        Its bands.
+
+    Returns
+    -------
+    tuple of Line
+        The existence boundary in closed form, what bifurcates as far as it can be followed within
+        the plane, and the end of the cascade through the columns.
+    """
+    found = [_existence(family)]
+    for column in family.columns:
+        for level, point in enumerate(column.points):
+            name = _name(point, level, column.points)
+            if point is None or name is None:
+                continue
+            if not _known(found, name, point, family.plane):
+                line = traced(point, name, _within(family))
+                if line is not None:
+                    found.append(replace(line, order=family.order))
+    return (*found, *_limits(family))
+
+
+def _existence(family: FamilyMap) -> Line:
+    plane = family.plane
+    ratios = fine_ratios(plane)
+    amplitude = boundaries(ratios, plane.restitution, order=family.order).existence
+    inside = amplitude <= plane.top
+    return Line(
+        order=family.order,
+        name="existence",
+        frequency_ratio=ratios[inside],
+        amplitude=amplitude[inside],
+        ends=("end-of-range", "end-of-range"),
+    )
+
+
+def fine_ratios(plane: Plane) -> Floats:
+    """Return frequency ratios for a closed form across the plane."""
+    left, right = plane.window[:2]
+    return np.linspace(max(left, float(plane.ratios[0])), right, FINE * len(plane.ratios))
+
+
+def _name(
+    point: BranchPoint | None, level: int, points: Sequence[BranchPoint | None]
+) -> str | None:
+    """Return what the curve through a bifurcation is called; None of the third doubling.
+
+    That one shows nothing between the second and the end of the cascade.
+    """
+    if point is None:
+        return None
+    before = sum(
+        each is not None and each.type is PointType.PERIOD_DOUBLING for each in points[:level]
+    )
+    names = NAMES[point.type]
+    if point.type is PointType.PERIOD_DOUBLING:
+        return names[before] if before < len(names) else None
+    return names[0]
+
+
+def _known(lines: Sequence[Line], name: str, point: BranchPoint, plane: Plane) -> bool:
+    """Return whether a curve of that name runs through a point."""
+    return any(
+        line.name == name
+        and abs(line.amplitude_at(point.frequency_ratio) - point.amplitude) <= NEAR * plane.top
+        for line in lines
+    )
+
+
+def _within(family: FamilyMap) -> Ranges:
+    """Return the ranges in which borders of a family are followed."""
+    plane = family.plane
+    left, right = plane.window[:2]
+    # As far down as the columns were followed: below, half cycles are too long for rounding.
+    followed = [c.frequency_ratio for c in family.columns if any(p is not None for p in c.points)]
+    lowest = 0.5 * float(np.nanmin(family.edges[0]))
+    return (lowest, plane.top), (max(left, min(followed)), right)
+
+
+def traced(point: BranchPoint, name: str, within: Ranges) -> Line | None:
+    """Return the curve through a bifurcation, followed to both sides; None where there is none.
+
+    Parameters
+    ----------
+    point
+        Of a branch.
+    name
+        Of the line.
+    within
+        Ranges of amplitude and frequency ratio.
+    """
+    halves: list[list[BranchPoint]] = []
+    for direction in (-1, 1):
+        try:
+            curve = bifurcation_curve(
+                point,
+                PARAMETERS,
+                within,
+                direction=direction,
+                largest_step=STEP,
+                most_points=MOST_POINTS,
+            )
+            halves.append(list(curve))
+        except RocksteadyError:
+            return None
+    points = [*reversed(halves[0]), *halves[1][1:]]
+    return Line(
+        order=point.period,
+        name=name,
+        frequency_ratio=np.array([each.frequency_ratio for each in points]),
+        amplitude=np.array([each.amplitude for each in points]),
+        ends=(str(halves[0][-1].type.value), str(halves[1][-1].type.value)),
+    )
+
+
+def _limits(family: FamilyMap) -> Iterator[Line]:
+    """Yield the ends of the cascade where neighbouring columns have one."""
+    run: list[tuple[float, float]] = []
+    for column in (*family.columns, None):
+        last = column.points[-1] if column is not None and column.points else None
+        cascade = last is not None and last.type is PointType.PERIOD_DOUBLING
+        if column is not None and cascade:
+            run.append((column.frequency_ratio, column.limit))
+        elif run:
+            ratios, amplitudes = np.array(run).T
+            yield Line(
+                order=family.order,
+                name="cascade-limit",
+                frequency_ratio=ratios,
+                amplitude=amplitudes,
+                ends=("column", "column"),
+            )
+            run = []

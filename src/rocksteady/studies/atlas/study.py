@@ -1,0 +1,266 @@
+"""The whole atlas: what is computed, in which order, and the folder that holds it."""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from numpy.typing import ArrayLike
+
+from rocksteady import __version__
+from rocksteady.show.files import figure_bytes, json_text, save_csv, save_text
+from rocksteady.show.report import svg_data_uri
+from rocksteady.studies.atlas import tables
+from rocksteady.studies.atlas.coexistence import Coexistence, coexistence, pieces
+from rocksteady.studies.atlas.families import FamilyMap, column, family_map
+from rocksteady.studies.atlas.findings import (
+    BandsAt,
+    bands_at,
+    coexistence_values,
+    family_values,
+    rest_values,
+    window_values,
+)
+from rocksteady.studies.atlas.from_rest import MARKED, PHASES, FromRest, from_rest
+from rocksteady.studies.atlas.lines import Line, family_lines
+from rocksteady.studies.atlas.pictures import draw_coexistence, draw_families, draw_from_rest
+from rocksteady.studies.atlas.plane import AMPLITUDES, FREQUENCY_RATIOS, ORDERS, Plane
+from rocksteady.studies.atlas.report import report_html
+from rocksteady.studies.atlas.windows import Window, windows
+from rocksteady.studies.folder import Done, check_folder, environment, fill_folder, nothing
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+SCHEMA = "rocksteady/atlas/1"
+PICTURES = ("families", "coexistence", "from-rest")
+TABLES = ("bands", "borders", "coexistence", "from-rest")
+OURS = rf"({'|'.join(PICTURES)})\.(png|svg)|({'|'.join(TABLES)})\.csv|atlas\.json|atlas\.html"
+"""Names of the files, as a regular expression."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Atlas:
+    """The plane of frequency and amplitude for one restitution.
+
+    Attributes
+    ----------
+    plane
+        Where.
+    families
+        The bands of each family, with exact ends.
+    bands
+        The bands at some frequencies, as the page's table has them.
+    lines
+        The borders of the bands as curves.
+    found
+        What stands side by side, by a search.
+    strips
+        Windows of stable motions with more impacts that the search has come upon.
+    rest
+        What a block at rest comes to.
+    seconds
+        Run time of the computation [s].
+    """
+
+    plane: Plane
+    families: tuple[FamilyMap, ...]
+    bands: tuple[BandsAt, ...]
+    lines: tuple[Line, ...]
+    found: Coexistence
+    strips: tuple[Window, ...]
+    rest: FromRest
+    seconds: float
+
+    @property
+    def steps(self) -> int:
+        """Number of times that `save` says that something is done."""
+        return len(PICTURES) + 1
+
+    def values(self) -> dict[str, Any]:
+        """Return the key numbers as plain values: what ``atlas.json`` holds."""
+        plane = self.plane
+        return {
+            "version": __version__,
+            "restitution": plane.restitution,
+            "orders": list(plane.orders),
+            "window": dict(
+                zip(
+                    (
+                        "frequency_ratio_from",
+                        "frequency_ratio_to",
+                        "amplitude_from",
+                        "amplitude_to",
+                    ),
+                    plane.window,
+                    strict=True,
+                )
+            ),
+            "cells": {"amplitude": len(plane.amplitudes), "frequency_ratio": len(plane.ratios)},
+            "families": [family_values(family, self.lines) for family in self.families],
+            "bands": [vars(band) for band in self.bands],
+            "windows": [window_values(window) for window in self.strips],
+            "coexistence": coexistence_values(self.found),
+            "from_rest": rest_values(self.rest),
+            "figures": [f"{name}.{kind}" for name in PICTURES for kind in ("png", "svg")],
+            "tables": [f"{name}.csv" for name in TABLES],
+        }
+
+    def save(self, folder: Path | str, *, force: bool = False, done: Done = nothing) -> list[Path]:
+        """Write pictures, tables, ``atlas.json`` and the page ``atlas.html``.
+
+        Parameters
+        ----------
+        folder
+            Made if it does not exist, in an existing folder.
+        force
+            Whether files of these names in it are replaced; others stay.
+        done
+            Called with the name of each picture, and of the page, when it has been written.
+
+        Returns
+        -------
+        list of Path
+            What is there now.
+
+        Raises
+        ------
+        OutputError
+            If the folder cannot be made or written, or a file exists and `force` is off.
+        """
+        check_folder(folder, OURS, force=force)
+        return fill_folder(folder, lambda stage: self._write(stage, done))
+
+    def _write(self, stage: Path, done: Done) -> None:
+        """Write every file into a folder that nobody sees yet."""
+        began = time.perf_counter()
+        every = (*self.lines, *(line for window in self.strips for line in window.lines))
+        for name, table in (
+            ("bands", tables.bands_table(self.families)),
+            ("borders", tables.lines_table(every)),
+            ("coexistence", tables.coexistence_table(self.found)),
+            ("from-rest", tables.rest_table(self.rest)),
+        ):
+            save_csv("out", stage / f"{name}.csv", *table)
+        pictures = {}
+        drawings: tuple[Callable[[], Figure], ...] = (
+            lambda: draw_families(self.families, self.lines, self.strips),
+            lambda: draw_coexistence(self.found, self.families, self.lines),
+            lambda: draw_from_rest(self.rest, self.lines),
+        )
+        for name, draw in zip(PICTURES, drawings, strict=True):
+            figure = draw()
+            svg = figure_bytes(figure, "svg")
+            (stage / f"{name}.svg").write_bytes(svg)
+            (stage / f"{name}.png").write_bytes(figure_bytes(figure, "png"))
+            pictures[name] = svg_data_uri(svg)
+            done(name)
+        save_text("out", stage / "atlas.json", json_text(SCHEMA, self.values(), indent=1) + "\n")
+        page = report_html(
+            self, pictures=pictures, seconds=self.seconds + time.perf_counter() - began,
+            version=__version__, environment=environment(),
+        )  # fmt: skip
+        save_text("out", stage / "atlas.html", page)
+        done("page")
+
+
+def plane_of(
+    restitution: float = 0.8,
+    *,
+    amplitude: ArrayLike | None = None,
+    frequency_ratio: ArrayLike | None = None,
+    orders: tuple[int, ...] = ORDERS,
+) -> Plane:
+    """Return the plane of an atlas; arguments as for `atlas`."""
+    return Plane(
+        restitution=restitution,
+        amplitude=AMPLITUDES if amplitude is None else amplitude,
+        frequency_ratio=FREQUENCY_RATIOS if frequency_ratio is None else frequency_ratio,
+        orders=orders,
+    )
+
+
+def atlas(
+    restitution: float = 0.8,
+    *,
+    amplitude: ArrayLike | None = None,
+    frequency_ratio: ArrayLike | None = None,
+    orders: tuple[int, ...] = ORDERS,
+    workers: int | None = None,
+    done: Done = nothing,
+) -> Atlas:
+    """Compute the plane of frequency and amplitude: stable regions, coexistence, fates from rest.
+
+    Parameters
+    ----------
+    restitution
+        Ratio of angular velocities, in (0, 1).
+    amplitude
+        A = a_max/(alpha g), the rows: evenly spaced, above 0; without, .08 to 8 in 100 steps.
+    frequency_ratio
+        Omega = omega/p, the columns: likewise; without, .075 to 12 in 160 steps.
+    orders
+        n of the families whose regions are followed, odd.
+    workers
+        Threads of the search and of the map from rest; all cores without.
+    done
+        Called with the name of each step.
+
+    Returns
+    -------
+    Atlas
+        Nothing is drawn or written yet; see `Atlas.save`.
+
+    Raises
+    ------
+    InputError
+        If a value is outside its range, or an axis is not evenly spaced.
+
+    Examples
+    --------
+    >>> found = atlas(0.8, amplitude=[1.5, 2.5, 3.5], frequency_ratio=[2.0, 4.0, 6.0], orders=(1,))
+    >>> print(found.found.motions)
+    [[1 2 1]
+     [1 2 2]
+     [0 1 2]]
+    """
+    plane = plane_of(
+        restitution, amplitude=amplitude, frequency_ratio=frequency_ratio, orders=orders
+    )
+    began = time.perf_counter()
+    families = tuple(family_map(plane, order, done=done) for order in plane.orders)
+    lines: list[Line] = []
+    bands: list[BandsAt] = []
+    for family in families:
+        lines += family_lines(family)
+        bands += [
+            bands_at(column(plane.restitution, ratio, plane.top, family.order), family.order)
+            for ratio in marked(plane)
+        ]
+        done(f"borders, n = {family.order}")
+    found = coexistence(plane, workers=workers, done=lambda _: done("side by side"))
+    strips = windows(found)
+    done("windows")
+    rest = from_rest(plane, workers=workers, done=done)
+    return Atlas(
+        plane=plane,
+        families=families,
+        bands=tuple(bands),
+        lines=tuple(lines),
+        found=found,
+        strips=strips,
+        rest=rest,
+        seconds=time.perf_counter() - began,
+    )
+
+
+def marked(plane: Plane) -> list[float]:
+    """Return the frequency ratios of the page's tables that lie in the plane."""
+    left, right = plane.window[:2]
+    return [ratio for ratio in MARKED if left <= ratio <= right]
+
+
+def steps(plane: Plane) -> int:
+    """Return the number of times that `atlas` says that something is done."""
+    return len(plane.orders) * (len(plane.ratios) + 1) + pieces(plane) + 1 + PHASES

@@ -1,0 +1,85 @@
+"""The data of an atlas as tables: a header with the names of the columns, and rows."""
+
+from collections.abc import Iterator, Sequence
+
+from rocksteady.studies.atlas.coexistence import RESTS, Coexistence
+from rocksteady.studies.atlas.families import FamilyMap
+from rocksteady.studies.atlas.from_rest import FATES, FromRest
+from rocksteady.studies.atlas.lines import Line
+
+Table = tuple[tuple[str, ...], list[tuple[object, ...]]]
+
+
+def bands_table(families: Sequence[FamilyMap]) -> Table:
+    """Return where each band of each family begins and ends, column by column."""
+    header = (
+        "order", "frequency_ratio", "begins", "symmetric_until", "leaning_until", "cascade_until",
+    )  # fmt: skip
+    rows: list[tuple[object, ...]] = []
+    for family in families:
+        for ratio, ends in zip(family.plane.ratios.tolist(), family.edges.T.tolist(), strict=True):
+            rows.append((family.order, ratio, *ends))
+    return header, rows
+
+
+def lines_table(lines: Sequence[Line]) -> Table:
+    """Return the points of every border; a number tells pieces of one name apart."""
+    header = ("order", "impacts", "border", "piece", "frequency_ratio", "amplitude")
+    rows: list[tuple[object, ...]] = []
+    for piece, line in enumerate(lines):
+        points = zip(line.frequency_ratio.tolist(), line.amplitude.tolist(), strict=True)
+        rows += [(line.order, line.impacts, line.name, piece, *point) for point in points]
+    return header, rows
+
+
+def coexistence_table(found: Coexistence) -> Table:
+    """Return what stands side by side, cell by cell."""
+    header = (
+        "amplitude", "frequency_ratio", "motions", "rest", "aperiodic", "undecided_starts",
+        "of_1_period", "of_3_periods", "of_5_periods", "of_other_periods", "with_rests", "orbits",
+    )  # fmt: skip
+    return header, [*_coexistence_rows(found)]
+
+
+def _coexistence_rows(found: Coexistence) -> Iterator[tuple[object, ...]]:
+    kinds = {kind.code: kind for kind in found.classes}
+    for row, amplitude in enumerate(found.plane.amplitudes.tolist()):
+        for column, ratio in enumerate(found.plane.ratios.tolist()):
+            here = [kinds[code] for code in found.codes[:, row, column].tolist() if code]
+            periods = [kind.period for kind in here]
+            yield (
+                amplitude,
+                ratio,
+                int(found.motions[row, column]),
+                int(found.rest[row, column]),
+                int(found.aperiodic[row, column]),
+                int(found.undecided[row, column]),
+                *(periods.count(period) for period in (1, 3, 5)),
+                sum(period not in (1, 3, 5) for period in periods),
+                sum(kind.impacts == RESTS for kind in here),
+                found.text_at(row, column),
+            )
+
+
+def rest_table(found: FromRest) -> Table:
+    """Return what a block at rest comes to, cell by cell."""
+    header = (
+        "amplitude", "frequency_ratio", "fate_at_phase_0", "period", "impacts",
+        "phases", "phases_overturned",
+    )  # fmt: skip
+    phases = 2 * len(found.phases)
+    fallen = (found.fate == FATES.index("overturned")).sum(axis=0) * 2
+    rows: list[tuple[object, ...]] = [
+        (
+            amplitude,
+            ratio,
+            FATES[int(found.fate[0, row, column])],
+            int(found.period[0, row, column]),
+            int(found.impacts[0, row, column]),
+            phases,
+            int(fallen[row, column]),
+        )
+        for row, amplitude in enumerate(found.plane.amplitudes.tolist())
+        for column, ratio in enumerate(found.plane.ratios.tolist())
+    ]
+    return header, rows

@@ -1,0 +1,110 @@
+"""The folder that a study writes: checked before anything is computed, whole or as it was."""
+
+import os
+import platform
+import re
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from rocksteady.errors import OutputError
+
+Done = Callable[[str], None]
+"""Called with the name of each thing that has been computed or written."""
+
+
+def nothing(_: str) -> None:
+    """Ignore what has been done."""
+
+
+def check_folder(folder: Path | str, ours: str, *, force: bool = False) -> None:
+    """Refuse, before anything is computed, a folder into which a study could not be written.
+
+    Parameters
+    ----------
+    folder
+        Where it goes.
+    ours
+        Regular expression of the names of its files.
+    force
+        Whether files of such names are replaced.
+
+    Raises
+    ------
+    OutputError
+        If its parent is missing or not writable, it is a file, or it holds files of these names and
+        `force` is off.
+    """
+    target = Path(folder)
+    parent = target.absolute().parent
+    if target.is_dir() and not force:
+        held = sorted(file.name for file in target.iterdir() if re.fullmatch(ours, file.name))
+        if held:
+            raise OutputError(
+                name="out",
+                value=target,
+                valid=f"it holds {held[0]}" + (f" and {len(held) - 1} more" if held[1:] else ""),
+                hint="add --force to replace them, or name another folder",
+            )
+    if os.path.lexists(target) and not target.is_dir():
+        valid, hint = "it is a file", "name a folder"
+    elif not parent.is_dir():
+        valid, hint = "the folder it would be in does not exist", "create that folder"
+    elif not os.access(target if target.is_dir() else parent, os.W_OK):
+        valid, hint = "it is not writable", "choose another folder"
+    else:
+        return
+    raise OutputError(name="out", value=target, valid=valid, hint=hint)
+
+
+def fill_folder(folder: Path | str, write: Callable[[Path], None]) -> list[Path]:
+    """Write files into a hidden folder in the target first and move them out of it at the end.
+
+    Parameters
+    ----------
+    folder
+        Made if it does not exist, in an existing folder; what else it holds stays.
+    write
+        Writes every file into the folder that it is given.
+
+    Returns
+    -------
+    list of Path
+        What is there now.
+
+    Raises
+    ------
+    OutputError
+        If the folder cannot be made or written.
+    """
+    target = Path(folder)
+    made = not target.is_dir()
+    try:
+        target.mkdir(exist_ok=True)
+        # Inside the target, so that moving never crosses from one disk to another.
+        with TemporaryDirectory(prefix=".partial-", dir=target) as stage:
+            write(Path(stage))
+            made = False  # from here on it holds something
+            return [file.replace(target / file.name) for file in sorted(Path(stage).iterdir())]
+    except OSError as error:
+        raise OutputError(
+            name="out",
+            value=target,
+            valid=error.strerror or str(error),
+            hint="check the folder and the space that is left",
+        ) from error
+    finally:
+        if made:
+            with suppress(OSError):
+                target.rmdir()
+
+
+def environment() -> str:
+    """Return what a study runs on, in one line."""
+    from importlib.metadata import version
+
+    parts = [f"Python {platform.python_version()}"]
+    parts += [f"{name} {version(name)}" for name in ("numpy", "numba", "matplotlib")]
+    parts.append(f"{platform.system()} on {platform.machine()}")
+    return ", ".join(parts)

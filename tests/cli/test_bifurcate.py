@@ -1,0 +1,491 @@
+"""`rocksteady bifurcate`: its contract, its text and its files."""
+
+import csv
+import math
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rocksteady import (
+    DimensionlessBlock,
+    Harmonic,
+    attractor,
+    bifurcation_branches,
+    boundaries,
+    doubling_cascade,
+    orbits,
+    symmetry_breaking_amplitude,
+    symmetry_breaking_frequency,
+)
+from tests.cli.program import refused, rocksteady
+
+ALONG_W = "bifurcate -A 2 -W 1.6:2.4:41 -r 0.8"
+ALONG_A = "bifurcate -A 0.1:3:30 -W 2 -r 0.8 --no-sweeps"
+ALONG_R = "bifurcate -A 2 -W 2 -r 0.3:1:20"
+POINT_KEYS = {
+    "branch",
+    "branches",
+    "type",
+    "amplitude",
+    "frequency_ratio",
+    "restitution",
+    "period",
+    "impacts",
+    "symmetric",
+    "peaks",
+    "multipliers",
+}
+BRANCH_KEYS = {
+    "branch",
+    "period",
+    "impacts",
+    "symmetric",
+    "begin",
+    "end",
+    "within",
+    "stable_ranges",
+    "points",
+}
+BARE = DimensionlessBlock(restitution=0.8)
+
+
+def values_of(command: str) -> dict[str, Any]:
+    ran = rocksteady(f"{command} --json")
+    assert ran.code == 0, ran
+    return ran.json
+
+
+def of_type(values: dict[str, Any], kind: str, **more: object) -> list[dict[str, Any]]:
+    return [
+        point
+        for point in values["points"]
+        if point["type"] == kind and all(point[key] == value for key, value in more.items())
+    ]
+
+
+# ------------------------------------------------------------------------------- contract
+
+
+def test_the_json_keeps_the_contract() -> None:
+    ran = rocksteady(f"{ALONG_W} --json")
+    assert (ran.code, ran.err) == (0, "")
+    values = ran.json
+    assert next(iter(values)) == "schema"
+    assert values["schema"] == "rocksteady/bifurcate/1"
+    assert (values["parameter"], values["within"]) == ("frequency_ratio", [1.6, 2.4])
+    assert (values["amplitude"], values["restitution"]) == (2.0, 0.8)
+    assert values["frequency_ratio"] is None
+    assert (values["order"], values["max_period"], values["max_impacts"]) == (1, 4, 12)
+    assert values["complete"] is True
+    assert "cascade" not in values
+    for point in values["points"]:
+        assert set(point) == POINT_KEYS
+        assert (point["amplitude"], point["restitution"]) == (2.0, 0.8)
+        assert point["branch"] == point["branches"][0]
+    numbers = [point["branch"] for point in values["points"]]
+    assert numbers == sorted(numbers)
+    for number, branch in enumerate(values["branches"], start=1):
+        assert set(branch) == BRANCH_KEYS
+        assert branch["branch"] == number
+
+
+def test_the_branches_are_those_of_the_library() -> None:
+    values = values_of(f"{ALONG_W} --no-sweeps")
+    shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
+    starts = orbits(BARE, shaking, max_period=1, max_impacts=2)[:1]
+    branches = bifurcation_branches(starts, "frequency_ratio", (1.6, 2.4))
+    assert values["sweeps"] == []
+    assert len(values["branches"]) == len(branches)
+    for listed, branch in zip(values["branches"], branches, strict=True):
+        assert (listed["period"], listed["impacts"]) == (branch.period, branch.impacts)
+        assert listed["symmetric"] == branch.symmetric
+        assert listed["end"]["type"] == branch.points[-1].type.value
+        (low, high) = listed["stable_ranges"][0]
+        inside = (branch.values > low + 1e-9) & (branch.values < high - 1e-9)
+        ends = (abs(branch.values - low) < 1e-9) | (abs(branch.values - high) < 1e-9)
+        assert branch.stable[inside].all()
+        assert not branch.stable[~(inside | ends)].any()
+
+
+# ---------------------------------------------------- published numbers and closed forms
+
+
+def test_the_symmetry_breaks_where_the_closed_form_says() -> None:  # TW6
+    (point,) = of_type(values_of(ALONG_W), "symmetry-breaking")
+    assert point["frequency_ratio"] == pytest.approx(1.948378, abs=5e-7)
+    exact = float(symmetry_breaking_frequency(2.0, 0.8)[-1])
+    assert point["frequency_ratio"] == pytest.approx(exact, abs=1e-12)
+    assert (point["branches"], point["symmetric"], point["period"]) == ([1, 2], True, 1)
+    # -1 for half of it, 1 for the whole.
+    assert point["multipliers"][0] == pytest.approx([1.0, 0.0], abs=1e-6)
+    values = values_of("bifurcate -A 2 -W 3.9:5:30 -r 0.8 -n 3 --no-sweeps")
+    (third,) = of_type(values, "symmetry-breaking")
+    assert third["frequency_ratio"] == pytest.approx(4.249471, abs=5e-7)
+    assert (third["period"], values["max_period"]) == (3, 12)
+
+
+def test_along_the_amplitude_folds_and_breakings_are_the_boundaries() -> None:
+    values = values_of(ALONG_A)
+    (fold,) = of_type(values, "fold", impacts=2)
+    assert fold["amplitude"] == pytest.approx(float(boundaries(2.0, 0.8).existence), abs=1e-12)
+    (breaking,) = of_type(values, "symmetry-breaking", impacts=2)
+    exact = float(symmetry_breaking_amplitude(2.0, 0.8))
+    assert breaking["amplitude"] == pytest.approx(exact, abs=1e-11)
+    first = values["branches"][0]
+    (ends,) = first["stable_ranges"]
+    assert ends == [fold["amplitude"], breaking["amplitude"]]
+
+
+def test_the_tiny_windows_of_six_impacts_begin_and_end_at_bifurcations() -> None:
+    values = values_of(ALONG_A)
+    window = next(b for b in values["branches"] if b["impacts"] == 6 and b["symmetric"])
+    ((low, high),) = window["stable_ranges"]
+    assert 0.949 < low < high < 0.964
+    (fold,) = of_type(values, "fold", branch=window["branch"])
+    (breaking,) = of_type(values, "symmetry-breaking", branch=window["branch"])
+    assert (low, high) == (fold["amplitude"], breaking["amplitude"])
+    block = DimensionlessBlock(restitution=0.8)
+    middle = Harmonic(amplitude=0.5 * (low + high), frequency_ratio=2.0)
+    stable = [orbit for orbit in orbits(block, middle, max_period=1) if orbit.stable]
+    assert 6 in {orbit.impacts for orbit in stable}
+
+
+def test_along_the_restitution_there_are_branches_and_sweeps() -> None:
+    values = values_of(ALONG_R)
+    assert [each["direction"] for each in values["sweeps"]] == ["up", "down"]
+    assert (values["restitution"], values["within"]) == (None, [0.3, 1.0])
+    (breaking,) = of_type(values, "symmetry-breaking")
+    ratio = breaking["restitution"]
+    assert float(symmetry_breaking_amplitude(2.0, ratio)) == pytest.approx(2.0, abs=1e-10)
+    assert values["branches"][0]["stable_ranges"] == [[ratio, 1.0]]
+
+
+# --------------------------------------------------------------------------------- sweeps
+
+
+def test_a_sweep_says_what_it_met() -> None:
+    up, down = values_of(ALONG_W)["sweeps"]
+    assert (up["direction"], down["direction"]) == ("up", "down")
+    assert (up["start"], down["start"]) == ("steady", "steady")
+    for each in (up, down):
+        assert sum(each["counts"].values()) == each["values"] == 41
+        assert sum(run["values"] for run in each["runs"]) == 41
+    assert up["runs"][0]["from"] == down["runs"][-1]["to"] == 1.6
+    last = down["runs"][0]
+    assert (last["kind"], last["period"], last["impacts_per_period"]) == ("symmetric", 1, 2)
+    breaking = float(symmetry_breaking_frequency(2.0, 0.8)[-1])
+    assert last["to"] == min(w for w in (1.6 + 0.02 * k for k in range(41)) if w > breaking)
+    assert down["runs"][1]["kind"] == "unsymmetric"
+
+
+def test_sweeps_show_hysteresis() -> None:
+    up, down = values_of("bifurcate -A 0.1:1.9:19 -W 2 -r 0.8")["sweeps"]
+    fold = float(boundaries(2.0, 0.8).existence)
+    assert (up["runs"][0]["kind"], up["start"]) == ("rest", "rest")
+    assert up["runs"][0]["to"] > 0.9, "a block at rest is not lifted below 1"
+    rests = [run for run in down["runs"] if run["kind"] == "rest"]
+    assert [run["to"] for run in rests] == [0.1], "once at rest it stays"
+    assert rests[0]["from"] < fold < rests[0]["from"] + 0.1 + 1e-9
+
+
+def test_a_sweep_begins_where_it_is_told() -> None:
+    command = "bifurcate -A 2 -W 3.9:5:12 -r 0.8"
+    for flags, start, period in (
+        ("", "steady", 1),
+        ("-n 3", "steady", 3),
+        ("-n 3 --start rest", "rest", 1),
+        ("--start 0.1,0", "0.1,0", 1),
+    ):
+        down = values_of(f"{command} {flags}")["sweeps"][1]
+        assert (down["start"], down["runs"][0]["period"]) == (start, period), flags
+
+
+def test_after_a_fall_a_sweep_begins_again_on_the_steady_state_of_the_value() -> None:
+    up, _ = values_of("bifurcate -A 2 -W 0.9:3:22 -r 0.9")["sweeps"]
+    assert [run["kind"] for run in up["runs"]] == ["overturned", "unsymmetric", "symmetric"]
+    breaking = float(symmetry_breaking_frequency(2.0, 0.9)[-1])
+    assert up["runs"][1]["to"] < breaking < up["runs"][2]["from"]
+
+
+def test_what_a_sweep_settles_to_starts_a_branch() -> None:
+    # In this range only unstable symmetric motions are known in closed form.
+    command = "bifurcate -A 2 -W 1.77:1.795:26 -r 0.8"
+    alone = values_of(f"{command} --no-sweeps")["branches"]
+    assert [branch["stable_ranges"] for branch in alone] == [[]]
+    values = values_of(command)
+    doublings = of_type(values, "period-doubling")
+    assert [point["period"] for point in doublings] == [1, 2, 4]
+    expected = (1.7892720, 1.7746913, 1.7723039)
+    for point, value in zip(doublings, expected, strict=True):
+        assert point["frequency_ratio"] == pytest.approx(value, abs=5e-8)
+    kinds = [(branch["period"], branch["symmetric"]) for branch in values["branches"]]
+    assert len(set(kinds)) == len(kinds), "no branch is listed twice"
+
+
+def test_the_attractors_lie_on_the_stable_branches() -> None:
+    values = values_of(ALONG_W)
+    for each in values["sweeps"]:
+        for run in each["runs"]:
+            if run["period"] is None:
+                continue
+            for value in (run["from"], run["to"]):
+                assert any(
+                    branch["period"] == run["period"]
+                    and any(low <= value <= high for low, high in branch["stable_ranges"])
+                    for branch in values["branches"]
+                ), (run, value)
+
+
+# -------------------------------------------------------------------------------- cascade
+
+
+def test_the_cascade_is_the_librarys() -> None:
+    values = values_of(f"{ALONG_W} --cascade --doublings 5")
+    shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
+    start = orbits(BARE, shaking, max_period=1, max_impacts=2)[0]
+    within = (1.6, 2.4)
+    found = doubling_cascade(start, "frequency_ratio", within, direction=-1, doublings=5)
+    cascade = values["cascade"]
+    assert cascade["values"] == pytest.approx(found.values.tolist(), abs=1e-11)
+    assert cascade["periods"] == [1, 2, 4, 8, 16]
+    assert cascade["ratios"][-1] == pytest.approx(4.6692, abs=0.05), "Feigenbaum's number"
+    assert cascade["limit"] == pytest.approx(found.limit, abs=1e-9)
+    assert len(cascade["distances"]) == 4
+    text = rocksteady(f"{ALONG_W} --cascade --doublings 5").out
+    assert "cascade of 5 period doublings" in text
+    assert "1.789272022957" in text
+    assert "Feigenbaum" in text
+
+
+def test_without_a_doubling_there_is_no_cascade_and_a_line_says_so() -> None:
+    command = "bifurcate -A 1 -W 2 -r 0.3:1:20 --cascade"
+    assert values_of(command)["cascade"] is None
+    assert "no cascade: no branch comes to a period doubling" in rocksteady(command).out
+
+
+def test_a_cascade_cut_short_has_no_ratio() -> None:
+    values = values_of("bifurcate -A 2 -W 1.78:2:10 -r 0.8 --cascade --no-sweeps")
+    cascade = values["cascade"]
+    assert len(cascade["values"]) == 1
+    assert (cascade["distances"], cascade["ratios"], cascade["limit"]) == ([], [], None)
+    text = rocksteady("bifurcate -A 2 -W 1.78:2:10 -r 0.8 --cascade --no-sweeps").out
+    assert "fewer than three doublings have no ratio" in text
+
+
+# ----------------------------------------------------------------------------- the search
+
+
+def test_the_search_finds_branches_that_hang_together_with_no_other() -> None:
+    limits = "--max-period 2 --max-impacts 4"
+    command = f"bifurcate -A 2 -W 1.6:2.4:5 -r 0.8 --no-sweeps {limits}"
+    few, many = (values_of(f"{command}{more}")["branches"] for more in ("", " --search"))
+    assert len(many) > len(few)
+    assert many[: len(few)] == few
+    assert all(branch["period"] <= 2 and branch["impacts"] <= 4 for branch in many)
+
+
+@pytest.mark.parametrize(
+    "command",
+    ["bifurcate -A 1.2 -W 0.3:3:5 -r 0.5", "bifurcate -A 0.5:5:5 -W 2 -r 1"],
+)
+def test_grazes_at_a_dip_that_begins_at_an_impact_are_located(command: str) -> None:
+    values = values_of(f"{command} --no-sweeps")
+    assert of_type(values, "grazing")
+    assert {"lost"} >= {
+        branch[end]["type"] for branch in values["branches"] for end in ("begin", "end")
+    } - {"end-of-range", "symmetry-breaking", "period-doubling", "grazing"}
+
+
+def test_too_many_branches_are_incomplete() -> None:
+    ran = rocksteady(f"{ALONG_A} --max-branches 2 --json")
+    assert ran.code == 3
+    assert "--max-branches" in ran.err
+    assert ran.json["complete"] is False
+    assert len(ran.json["branches"]) == 2
+
+
+def test_as_many_branches_as_there_are_is_no_end() -> None:
+    whole = values_of(f"{ALONG_W} --no-sweeps")
+    count = len(whole["branches"])
+    same = values_of(f"{ALONG_W} --no-sweeps --max-branches {count}")
+    assert same["complete"]
+    assert same["branches"] == whole["branches"]
+    fewer = rocksteady(f"{ALONG_W} --no-sweeps --max-branches {count - 1} --json")
+    assert fewer.code == 3
+    assert not fewer.json["complete"]
+    assert fewer.json["branches"] == whole["branches"][:-1]
+
+
+def test_where_nothing_moves_the_lists_are_empty(tmp_path: Path) -> None:
+    command = "bifurcate -A 0.1 -W 2:3:5 -r 0.8 --no-sweeps"
+    values = values_of(command)
+    assert (values["points"], values["branches"]) == ([], [])
+    table, figure = tmp_path / "a.csv", tmp_path / "a.png"
+    ran = rocksteady(f"{command} --csv", table, "--plot", figure)
+    assert ran.code == 0
+    assert "0 branches" in ran.out
+    assert len(table.read_text(encoding="utf-8").splitlines()) == 1
+    assert figure.read_bytes().startswith(b"\x89PNG")
+
+
+# ------------------------------------------------------------------------- text and files
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        f"{ALONG_W} --cascade",
+        ALONG_A,
+        ALONG_R,
+        "bifurcate --block tso-wong-1989 --accel-g 0.05:0.5:20 -W 2",
+        "bifurcate --block tso-wong-1989 -A 2 --freq-hz 1.6:2.4:20 --cascade",
+        "bifurcate -A 2 -W 3.9:5:20 -r 0.8 -n 3 --cascade",
+    ],
+)
+def test_the_text_fits_80_columns(command: str) -> None:
+    ran = rocksteady(command)
+    assert ran.code == 0
+    lines = [line.rstrip() for line in ran.out.splitlines()]
+    assert max(map(len, lines)) <= 80, max(lines, key=len)
+    assert "…" not in ran.out, "no cell is cut off"
+    count = len(values_of(command)["points"])
+    assert f"{count} bifurcation" in ran.out
+
+
+def test_the_text_lists_bifurcations_branches_and_sweeps() -> None:
+    out = rocksteady(ALONG_W).out
+    for words in (
+        "A = 2, Ω from 1.6 to 2.4, restitution 0.8",
+        "4 branches up to 4 periods and 12 impacts, 4 bifurcations",
+        "symmetry breaking 1.94837764",
+        "1.9484 to 2.4",
+        "upward sweep from steady",
+        "downward sweep from steady",
+        "overturned",
+    ):
+        assert words in out, words
+
+
+def test_a_stable_window_too_narrow_for_its_digits_has_its_width() -> None:
+    out = rocksteady(ALONG_A).out
+    assert "1.081072 + 4e-07" in out
+    assert "0.94952 to 0.96361" in out
+
+
+def test_a_real_block_is_in_g_and_hz_and_radians() -> None:
+    values = values_of("bifurcate --block tso-wong-1989 --accel-g 0.04:0.5:20 --freq-hz 2")
+    assert values["accel_g"] is None
+    assert values["freq_hz"] == pytest.approx(2.0)
+    assert values["within"] == pytest.approx([0.2, 2.5])
+    for point in values["points"]:
+        assert point["accel_g"] == pytest.approx(0.2 * point["amplitude"])
+        assert point["freq_hz"] == pytest.approx(2.0)
+        assert point["peaks_rad"] == [0.2 * peak for peak in point["peaks"]]
+    bare = values_of("bifurcate -A 0.2:2.5:20 -W 2 -r 0.8")
+    for one, other in zip(values["points"], bare["points"], strict=True):
+        assert one["amplitude"] == pytest.approx(other["amplitude"], abs=1e-11)
+
+
+def test_the_csv_is_every_point_of_every_branch(tmp_path: Path) -> None:
+    file = tmp_path / "branches.csv"
+    ran = rocksteady(f"{ALONG_W} --no-sweeps --json --csv", file)
+    assert ran.err == f"wrote {file}\n"
+    rows = list(csv.DictReader(file.read_text(encoding="utf-8").splitlines()))
+    branches = ran.json["branches"]
+    assert len(rows) == sum(branch["points"] for branch in branches)
+    shaking = Harmonic(amplitude=2.0, frequency_ratio=1.6)
+    start = orbits(BARE, shaking, max_period=1, max_impacts=2)[0]
+    library = bifurcation_branches([start], "frequency_ratio", (1.6, 2.4))
+    for branch in branches:
+        mine = [row for row in rows if int(row["branch"]) == branch["branch"]]
+        points = library[branch["branch"] - 1].points
+        assert len(mine) == len(points)
+        for row, point in zip(mine, points, strict=True):
+            assert row["type"] == point.type.value
+            assert float(row["amplitude"]) == 2.0
+            assert float(row["frequency_ratio"]) == point.frequency_ratio
+            assert (int(row["period"]), int(row["impacts"])) == (point.period, point.impacts)
+            assert row["stable"] == str(point.stable)
+            assert row["admissible"] == "True"
+            first = complex(float(row["multiplier_1_re"]), float(row["multiplier_1_im"]))
+            assert first == complex(point.multipliers[0])
+            extremes = sorted([float(row["highest"]), -float(row["lowest"])])
+            assert extremes == sorted([max(point.peaks), -min(point.peaks)])
+
+
+def test_points_of_the_csv_are_what_settles(tmp_path: Path) -> None:
+    file = tmp_path / "branches.csv"
+    rocksteady(f"{ALONG_W} --no-sweeps --csv", file)
+    rows = list(csv.DictReader(file.read_text(encoding="utf-8").splitlines()))
+    leaning = [row for row in rows if row["branch"] == "2" and row["stable"] == "True"]
+    row = leaning[len(leaning) // 2]
+    from rocksteady import Steady
+
+    shaking = Harmonic(amplitude=2.0, frequency_ratio=float(row["frequency_ratio"]))
+    found = attractor(BARE, shaking, start=Steady(), side=-1)
+    assert found.kind == "unsymmetric"
+    assert found.peaks is not None
+    sizes = sorted(map(abs, found.peaks))
+    assert sizes == pytest.approx([-float(row["lowest"]), float(row["highest"])], abs=1e-10)
+    assert math.isfinite(float(row["arclength"]))
+
+
+@pytest.mark.parametrize("command", [ALONG_W, ALONG_A, f"{ALONG_A} --top 0.1", ALONG_R])
+@pytest.mark.parametrize(("ending", "magic"), [("png", b"\x89PNG\r\n"), ("svg", b"<?xml")])
+def test_plots_are_written_whole(command: str, ending: str, magic: bytes, tmp_path: Path) -> None:
+    file = tmp_path / f"diagram.{ending}"
+    assert rocksteady(f"{command} --plot", file).code == 0
+    assert file.read_bytes().startswith(magic)
+    assert [path.name for path in tmp_path.iterdir()] == [file.name]
+
+
+# ------------------------------------------------------------------------------ bad input
+
+
+@pytest.mark.parametrize(
+    ("flags", "needle"),
+    [
+        ("-A 2 -W 2 -r 0.8", "-A, -W and -r = 'no axis'"),
+        ("-A 1:2:5 -W 1:2:5 -r 0.8", "'2 axes'"),
+        ("-A 1:2:5 -W 2 -r 0.5:0.8:5", "'2 axes'"),
+        ("-A 2 -W 2:2:5 -r 0.8", "--frequency-ratio/-W = '2 at both ends'"),
+        ("-A -1:3:5 -W 2 -r 0.8", "--amplitude/-A = -1.0"),
+        ("-A 2 -W 0:3:5 -r 0.8", "--frequency-ratio/-W = 0.0"),
+        ("-A 2 -W 1:nan:5 -r 0.8", "--frequency-ratio/-W = '1:nan:5'"),
+        ("-A 2 -W 1:2:1 -r 0.8", "'1:2:1'"),
+        ("-A 2 -W 2 -r 0:1:5", "--restitution/-r = 0.0"),
+        ("-A 2 -W 2 -r 0.5:1.2:5", "(0, 1]"),
+        ("-A 2 -W 2 -r 0.5:1", "--restitution/-r = '0.5:1'"),
+        ("-A 2 -W 1:2:5", "--restitution/-r = 'not given'"),
+        ("-A 2 -r 0.8", "neither given"),
+        ("-A 2 -W 1:2:5 -r 0.8 -n 2", "--order/-n = 2"),
+        ("-A 2 -W 1:2:5 -r 0.8 -n 1001", "--order/-n = 1001"),
+        ("-A 2 -W 1:2:5 -r 0.8 --max-period 0", "--max-period = 0"),
+        ("-A 2 -W 1:2:5 -r 0.8 --max-period 99999999999", "--max-period = 99999999999"),
+        ("-A 2 -W 1:2:5 -r 0.8 --max-impacts 0", "--max-impacts = 0"),
+        ("-A 2 -W 1:2:5 -r 0.8 --max-branches 0", "--max-branches = 0"),
+        ("-A 2 -W 1:2:5 -r 0.8 --cascade --doublings 9", "--doublings = 9"),
+        ("-A 2 -W 1:2:5 -r 0.8 --doublings 3", "without --cascade"),
+        ("-A 2 -W 1:2:5 -r 0.8 --cycles 0", "--cycles = 0"),
+        ("-A 2 -W 1:2:5 -r 0.8 --top 2", "--top = 2.0"),
+        ("-A 2 -W 1:2:5 -r 0.8 --side up", "--side = 'up'"),
+        ("-A 2 -W 1:2:5 -r 0.8 --start nowhere", "--start = 'nowhere'"),
+        ("-A 2 -W 1:2:5 -r 0.8 --start steady --phase 1", "--phase = 1.0"),
+        ("-A 2 -W 1:2:5 -r 0.8 --start rest --kick 1e-3", "--kick = 0.001"),
+        ("-A 2 -W 1:2:5 -r 0.8 --kick 5", "--kick = 5.0"),
+        ("-A 2 -W 1:2:5 -r 0.8 --no-sweeps --start rest", "with --no-sweeps"),
+        ("-A 2 -W 1:2:30000 -r 0.8", "'30000 values'"),
+        ("-A 0.1:3:5 -W 2 -r 0.8 --start steady", "--start = 'steady'"),
+        ("--accel-g 0.1:0.5:5 -W 2 -r 0.8", "--accel-g = '0.1:0.5:5'"),
+        ("--block tso-wong-1989 -A 2 --freq-hz -1:2:5", "--freq-hz = -1.0"),
+    ],
+)
+def test_bad_input_is_one_line_and_leaves_no_file(flags: str, needle: str, tmp_path: Path) -> None:
+    assert needle in refused(f"bifurcate {flags} --csv", tmp_path / "a.csv")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_an_end_of_the_angles_must_be_positive(tmp_path: Path) -> None:
+    assert "--top = -1.0" in refused(f"{ALONG_W} --top -1 --plot", tmp_path / "a.png")
+    assert list(tmp_path.iterdir()) == []

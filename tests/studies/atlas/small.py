@@ -1,0 +1,27 @@
+"""A small atlas, computed once for all tests of a process."""
+
+from functools import cache
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from rocksteady.studies.atlas import Atlas, atlas
+from rocksteady.studies.atlas.plane import Plane
+
+AMPLITUDES = np.linspace(0.4, 8.0, 16)
+FREQUENCY_RATIOS = np.linspace(0.6, 12.0, 20)
+
+
+@cache
+def plane() -> Plane:
+    return Plane(restitution=0.8, amplitude=AMPLITUDES, frequency_ratio=FREQUENCY_RATIOS)
+
+
+@cache
+def small() -> Atlas:
+    return atlas(0.8, amplitude=AMPLITUDES, frequency_ratio=FREQUENCY_RATIOS)
+
+
+def tiny(*_: object) -> Figure:
+    """A picture that costs nothing."""
+    return Figure(figsize=(0.5, 0.5), dpi=40)

@@ -1,0 +1,119 @@
+"""What stands side by side: against single calls, published motions, and itself."""
+
+import numpy as np
+import pytest
+
+from rocksteady import DimensionlessBlock, Harmonic, orbits
+from rocksteady.studies.atlas.coexistence import (
+    MOST,
+    OrbitClass,
+    coexistence,
+    pieces,
+    starts,
+)
+from rocksteady.studies.atlas.plane import Plane
+from rocksteady.studies.atlas.windows import windows
+from tests.studies.atlas.small import plane, small
+
+BLOCK = DimensionlessBlock(restitution=0.8)
+
+
+@pytest.mark.parametrize("period", [1, 3, 12])
+@pytest.mark.parametrize("impacts", [0, 2, 18])
+@pytest.mark.parametrize("leaning", [False, True])
+def test_a_code_stands_for_its_class(period: int, impacts: int, leaning: bool) -> None:
+    kind = OrbitClass(period, impacts, leaning)
+    assert kind.code > 0
+    assert OrbitClass.of(kind.code) == kind
+
+
+def test_classes_have_names() -> None:
+    assert OrbitClass(3, 6, leaning=True).text == "3x6-leaning"
+    assert OrbitClass(1, 0, leaning=False).text == "1xrests"
+    assert OrbitClass(1, 2, leaning=False).words == "a symmetric motion of 1 period and 2 impacts"
+
+
+def test_every_orbit_that_the_search_calls_stable_is_one() -> None:
+    found, rng = small().found, np.random.default_rng(4)
+    rows, columns = np.nonzero(found.orbits >= 2)
+    for place in rng.choice(len(rows), 6, replace=False):
+        row, column = int(rows[place]), int(columns[place])
+        shaking = Harmonic(
+            amplitude=float(plane().amplitudes[row]), frequency_ratio=float(plane().ratios[column])
+        )
+        kinds = [OrbitClass.of(code) for code in found.codes[:, row, column].tolist() if code]
+        for kind in kinds:
+            if kind.period not in (1, 3, 5) or kind.impacts != 2:
+                continue
+            several = orbits(BLOCK, shaking, max_period=kind.period, max_impacts=2, seeds=48)
+            assert any(
+                orbit.stable and orbit.period == kind.period and orbit.symmetric != kind.leaning
+                for orbit in several
+            )
+
+
+def test_counts_are_those_of_the_parts() -> None:
+    found = small().found
+    np.testing.assert_array_equal(
+        found.motions, found.rest.astype(int) + found.aperiodic + found.orbits
+    )
+    assert found.codes.shape == (MOST, *found.motions.shape)
+    np.testing.assert_array_equal((found.codes > 0).sum(axis=0), found.orbits)
+    counted = sum(found.classes.values())
+    assert counted <= (found.codes > 0).sum()
+
+
+def test_rest_lasts_below_uplift_and_only_there() -> None:
+    found = small().found
+    below = np.broadcast_to((plane().amplitudes < 1.0)[:, np.newaxis], found.rest.shape)
+    np.testing.assert_array_equal(found.rest, below)
+
+
+def test_mirror_images_count_once() -> None:
+    # At A = 2.4, Omega = 2 there are two leaning harmonic motions, mirror images, and no other.
+    small_plane = Plane(
+        restitution=0.8, amplitude=[2.3, 2.4, 2.5], frequency_ratio=[1.99, 2.0, 2.01]
+    )
+    found = coexistence(small_plane)
+    assert found.text_at(1, 1).split()[0] == "1x2-leaning"
+    assert found.text_at(1, 1).count("1x2") == 1
+
+
+def test_the_answer_does_not_depend_on_the_workers() -> None:
+    few = Plane(restitution=0.8, amplitude=[1.0, 3.0, 5.0], frequency_ratio=[3.0, 6.0, 9.0])
+    one, other = coexistence(few, workers=1), coexistence(few, workers=3)
+    np.testing.assert_array_equal(one.codes, other.codes)
+    np.testing.assert_array_equal(one.motions, other.motions)
+
+
+def test_starts_are_states_that_a_block_can_have() -> None:
+    amplitude, ratio = np.array([0.2, 3.0, 8.0]), np.array([0.3, 4.0, 12.0])
+    for begin in starts(amplitude, ratio, 0.8):
+        assert np.isfinite(begin.velocity).all()
+        assert ((begin.phase >= 0.0) & (begin.phase <= np.pi)).all()
+        assert set(begin.half_cycles.tolist()) <= {0, 1}
+        np.testing.assert_array_equal(begin.side, np.sign(begin.velocity))
+
+
+def test_pieces_are_said() -> None:
+    said: list[int] = []
+    few = Plane(restitution=0.8, amplitude=[1.0, 3.0, 5.0], frequency_ratio=[3.0, 6.0, 9.0])
+    coexistence(few, done=said.append)
+    assert len(said) == pieces(few)
+    assert sum(said) == 9
+
+
+@pytest.mark.slow
+def test_the_window_of_six_impacts_has_exact_borders() -> None:
+    fine = Plane(
+        restitution=0.8,
+        amplitude=np.linspace(3.2, 3.8, 13),
+        frequency_ratio=np.linspace(7.0, 10.0, 4),
+    )
+    (window,) = (w for w in windows(coexistence(fine)) if w.orbits == OrbitClass(3, 6, False))
+    # A fold and a symmetry breaking of the branch that comes back from the graze at A = 9.09.
+    assert window.frequency_ratio == 10.0
+    assert window.low == pytest.approx(3.58212, abs=1e-5)
+    assert window.high == pytest.approx(3.64173, abs=1e-5)
+    assert {line.name for line in window.lines} >= {"fold", "symmetry-breaking"}
+    assert {line.impacts for line in window.lines} == {6}
