@@ -185,4 +185,4 @@ def test_the_window_holds_the_largest_circle_on_a_still_base() -> None:
         narrow = eroded(restitution, 2.0, [0.1])
         wide = eroded(restitution, 2.0, [0.1], **coarse(400, 2.0, half_width=6.0))
         assert narrow.still_radius == pytest.approx(wide.still_radius, abs=0.07)
-    assert narrow.angle.max() < 1.5 < eroded(0.35, 2.0, [0.1]).angle.max()
+        assert (narrow.angle.max() > 1.5) == (restitution < 0.6)
