@@ -196,3 +196,13 @@ def test_figures_have_a_title_and_their_panels() -> None:
     figure = erosion_figure(given, [drop], "a title")
     assert len(figure.axes) >= 3
     assert figure.get_suptitle() == "a title"
+
+
+def test_amplitudes_spaced_by_ratio_get_a_logarithmic_axis() -> None:
+    window = np.linspace(-1.4, 1.4, 15)
+    block = DimensionlessBlock(restitution=0.9)
+    for amplitudes, scale in (([0.01, 0.1, 1.0], "log"), ([0.1, 0.55, 1.0], "linear")):
+        found = erosion(block, 2.0, amplitudes, angles=window, velocities=0.5 * window)
+        axes = plot_erosion(found, Figure().add_subplot())
+        assert axes.get_xscale() == scale
+        assert axes.get_xlim() == (amplitudes[0] if scale == "log" else 0.0, 1.0)

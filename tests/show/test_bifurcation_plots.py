@@ -345,3 +345,15 @@ def test_no_curves_are_empty_axes_with_labels() -> None:
     assert not axes.lines
     assert axes.get_legend() is None
     assert axes.get_xlabel()
+
+
+def test_values_spaced_by_ratio_get_a_logarithmic_axis() -> None:
+    block, shaking = DimensionlessBlock(restitution=0.8), Harmonic(amplitude=2.0, frequency_ratio=4)
+    for values, scale in (
+        (np.geomspace(2.0, 60.0, 9), "log"),
+        (np.linspace(2.0, 8.0, 9), "linear"),
+    ):
+        trail = attractor_trail(block, shaking, "frequency_ratio", values[::-1])
+        axes = plot_bifurcations((), [trail], Figure().add_subplot())
+        assert axes.get_xscale() == scale
+        assert axes.get_xlim() == (values[0], values[-1])

@@ -12,7 +12,13 @@ from rocksteady.dynamics.basin_attractors import BasinAttractor
 from rocksteady.dynamics.basins import Basins
 from rocksteady.dynamics.erosion import Drop, Erosion
 from rocksteady.show import palette
-from rocksteady.show.layout import axes_or_new, emptiest_corner, extent, legend_inside
+from rocksteady.show.layout import (
+    axes_or_new,
+    emptiest_corner,
+    extent,
+    legend_inside,
+    spaced_by_ratio,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -121,6 +127,8 @@ def plot_erosion(
 ) -> "Axes":
     """Draw both measures of integrity against the amplitude, and the heteroclinic threshold.
 
+    The amplitude axis is logarithmic where the amplitudes are spaced by ratio.
+
     Parameters
     ----------
     erosion
@@ -183,11 +191,14 @@ def plot_erosion(
             zorder=4.0,
             label=f"{WORDS[drop.measure]} falls below {drop.level:g} at A = {drop.high:.4g}",
         )
+    spread = spaced_by_ratio(a)
+    if spread:
+        axes.set_xscale("log")
     top = max(1.0, float(erosion.global_integrity.max()), float(erosion.integrity_factor.max()))
     axes.set(
         xlabel=palette.LABELS["amplitude"],
         ylabel=palette.LABELS["integrity"],
-        xlim=(0.0, float(a[-1])),
+        xlim=(float(a[0]) if spread else 0.0, float(a[-1])),
         ylim=(0.0, 1.05 * top),
     )
     points = np.tile(a, 2), np.concatenate(curves)

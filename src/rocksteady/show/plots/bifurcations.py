@@ -11,7 +11,7 @@ from rocksteady.dynamics.continuation.stretches import stretches
 from rocksteady.dynamics.trail import AttractorTrail
 from rocksteady.errors import ModelError
 from rocksteady.show import palette
-from rocksteady.show.layout import axes_or_new, legend_inside
+from rocksteady.show.layout import axes_or_new, legend_inside, spaced_by_ratio
 from rocksteady.show.plots.sweeps import LANE, draw_sweeps
 
 if TYPE_CHECKING:
@@ -51,7 +51,8 @@ def plot_bifurcations(
     the highest and at the lowest angle of their orbits.  The motions that a sweep meets are dots
     beneath the lines, larger ones of an upward sweep than of a downward one, so that both show
     where they agree; elsewhere there is hysteresis.  Bars along the upper edge, a row for each
-    sweep, say where its motion overturned or came to rest.
+    sweep, say where its motion overturned or came to rest.  The axis of the parameter is
+    logarithmic where a sweep's values are spaced by ratio, as `numpy.geomspace` does.
 
     Parameters
     ----------
@@ -107,6 +108,8 @@ def plot_bifurcations(
     ]
     values = [branch.values for branch in listed] + [trail.values for trail in swept]
     ends = np.concatenate(values)
+    if any(spaced_by_ratio(trail.values) for trail in swept):
+        axes.set_xscale("log")
     if ends.min() < ends.max():
         axes.set_xlim(float(ends.min()), float(ends.max()))
     if top is None:  # above what is drawn there is room for the bars
