@@ -6,11 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from rocksteady.cli import flags
-from rocksteady.cli.diagrams import (
-    Sweep,
-    SweepStart,
-    sweep,
-)
+from rocksteady.cli.diagrams import Sweep, SweepStart, sweep
 from rocksteady.cli.diagrams_text import print_diagram
 from rocksteady.cli.diagrams_values import (
     CSV_HEADER,

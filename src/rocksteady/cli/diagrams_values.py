@@ -49,10 +49,7 @@ def lean(branch: "Branch") -> float:
 
 def extremes(point: "BranchPoint", sign: float) -> list[float]:
     """Return the highest and the lowest u = theta/alpha of an orbit, or of its mirror image."""
-    import numpy as np
-
-    # Of two impacts that merge there is no flight between: its extreme is 0.
-    peaks = np.nan_to_num(sign * point.peaks, nan=0.0)
+    peaks = sign * point.peaks
     return [float(peaks.max()), float(peaks.min())]
 
 

@@ -6,6 +6,7 @@ from typing import Any
 from rocksteady.cli.groups import BlockFlags, ShakingFlags
 from rocksteady.cli.inputs import axis
 from rocksteady.cli.values import block_values
+from rocksteady.dynamics.parameters import moved_to
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
@@ -44,13 +45,8 @@ class Range:
 
     def at(self, value: float) -> tuple[DimensionlessBlock, Harmonic]:
         """Return block and shaking at a value of the axis."""
-        named = {
-            "amplitude": self.amplitude,
-            "frequency_ratio": self.frequency_ratio,
-            "restitution": self.body.dimensionless().restitution,
-        } | {self.parameter: value}
-        bare = DimensionlessBlock(restitution=named.pop("restitution"))
-        return bare, Harmonic(**named)
+        shaking = Harmonic(amplitude=self.amplitude, frequency_ratio=self.frequency_ratio)
+        return moved_to(self.body.dimensionless(), shaking, self.parameter, value)
 
     def in_si(self, amplitude: float, frequency_ratio: float) -> dict[str, float]:
         """Return shaking in g and Hz where the block has a size, else nothing."""

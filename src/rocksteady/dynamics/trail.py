@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.attractor import Attractor, AttractorKind, attractor
-from rocksteady.dynamics.continuation.chain import PARAMETERS
 from rocksteady.dynamics.grids import real_array
 from rocksteady.dynamics.orbit import Orbit
+from rocksteady.dynamics.parameters import PARAMETERS, moved_to
 from rocksteady.dynamics.return_map import (
     ImpactState,
     bare_block,
@@ -151,10 +151,7 @@ def attractor_trail(
     found: list[Attractor] = []
     carried: ImpactState | None = None
     for value in steps.tolist():
-        if parameter == "restitution":
-            body = replace(body, restitution=value)
-        else:
-            shaken = replace(shaken, **{parameter: value})
+        body, shaken = moved_to(body, shaken, parameter, value)
         if carried is None:
             last = _from_start(body, shaken, begin, side, periods)
         else:

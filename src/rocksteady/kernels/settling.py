@@ -15,7 +15,6 @@ from rocksteady.kernels.periodic import (
     SIDE,
     fill_peaks,
     is_symmetric,
-    measured,
     state_at,
 )
 from rocksteady.kernels.section import make_system
@@ -37,8 +36,7 @@ HIGHEST = 2  # theta/alpha
 LOWEST = 3
 LYAPUNOV = 4
 LEAST = 5
-GROWTH = 6  # logarithm
-REAL_COLUMNS = 7
+REAL_COLUMNS = 6
 
 
 @compiled
@@ -92,11 +90,9 @@ def settle_cells(
         whole[i, AFTER] = found.after
         real[i, LYAPUNOV] = found.lyapunov
         real[i, LEAST] = found.least
-        real[i, GROWTH] = found.growth
         if found.outcome != PERIODIC:
             continue
         passages, periods = found.passages, found.periods
-        measured(system, passages, periods, table)
         fill_peaks(system, passages, table)
         highest = lowest = 0.0
         for k in range(passages):

@@ -2,18 +2,12 @@
 
 import math
 from dataclasses import replace
-from itertools import pairwise
 
 import numpy as np
 import pytest
 
 from rocksteady import (
     BranchPoint,
-    DimensionlessBlock,
-    Harmonic,
-    InputError,
-    ModelError,
-    PointType,
     attractor,
     boundaries,
     continuation,
@@ -22,7 +16,6 @@ from rocksteady import (
     symmetry_breaking_amplitude,
     symmetry_breaking_frequency,
 )
-from rocksteady.dynamics.continuation.points import Branch
 from tests.dynamics.continuation.branches import (
     PARAMETERS,
     RANGES,
@@ -369,185 +362,3 @@ def test_an_orbit_of_long_flights_is_followed_where_no_march_stays_on_it() -> No
     assert orbit.multipliers == pytest.approx(exact.multipliers, rel=1e-9)
     assert (orbit.highest, orbit.lowest) == pytest.approx((exact.highest, exact.lowest))
     assert (orbit.symmetric, orbit.period, orbit.admissible) == (True, 1, True)
-
-
-# --------------------------------------------------------------------------- where branches end
-
-
-def test_a_branch_ends_at_the_end_of_its_range_exactly() -> None:
-    start = symmetric_start(1.0, 2.0, 0.8)
-    for parameter, within in (
-        ("amplitude", (0.9, 1.3)),
-        ("frequency_ratio", (1.9, 2.7)),
-        ("restitution", (0.7, 1.0)),
-    ):
-        for direction, end in ((1, within[1]), (-1, within[0])):
-            *_, last = continuation(start, parameter, within, direction=direction)
-            assert last.type == "end-of-range"
-            assert getattr(last, parameter) == end
-            states = steady_states(last.amplitude, last.frequency_ratio, last.restitution)
-            here = last.chain.phases[0] + last.chain.turns[0] * math.pi
-            assert math.cos(here - states.phase[0]) == pytest.approx(1.0, abs=1e-12)
-
-
-def test_from_the_end_of_the_range_outwards_there_is_nothing() -> None:
-    start = symmetric_start(1.0, 2.0, 0.8)
-    points = list(continuation(start, "amplitude", (1.0, 2.0), direction=-1))
-    assert [point.type.value for point in points] == ["regular", "end-of-range"]
-    assert points[1].amplitude == 1.0
-
-
-def test_without_loss_nothing_is_stable() -> None:
-    *_, last = continuation(symmetric_start(1.0, 2.0, 0.8), "restitution", (0.7, 1.0))
-    assert last.restitution == 1.0
-    assert not last.stable
-    assert abs(last.multipliers) == pytest.approx(1.0, abs=1e-12)
-
-
-def test_inadmissible_solutions_are_followed_if_they_are_asked_for() -> None:
-    start = symmetric_start(1.1 * 1.61999, 6.0, 0.8, order=3)
-    short = list(continuation(start, "amplitude", (1.0, 6.0)))
-    long = list(continuation(start, "amplitude", (1.0, 6.0), inadmissible=True))
-    assert short[-1].type == "symmetry-breaking" or short[-1].type in ("grazing", "end-of-range")
-    through = list(continuation(start, "amplitude", (1.0, 6.0), direction=-1, inadmissible=True))
-    stops = list(continuation(start, "amplitude", (1.0, 6.0), direction=-1))
-    assert stops[-1].type == "grazing"
-    assert through[-1].type == "end-of-range"
-    assert len(long) >= len(short)
-    graze = first(through, "grazing")
-    assert graze.amplitude == pytest.approx(stops[-1].amplitude, rel=1e-13)
-    beyond = through[through.index(graze) + 1 :]
-    assert not any(point.admissible or point.stable for point in beyond)
-    for point in beyond[::5]:
-        assert least_height(point) < 0.0
-        with pytest.raises(ModelError, match="no motion"):
-            point.orbit()
-
-
-def test_from_a_graze_a_branch_goes_where_there_are_motions_or_ends() -> None:
-    start = symmetric_start(2.0, 6.0, 0.8, order=3)
-    *_, graze = continuation(start, "amplitude", (1.0, 6.0), direction=-1)
-    assert graze.type == "grazing"
-    into = list(continuation(graze, "amplitude", (1.0, 6.0), direction=1))
-    back = list(continuation(graze, "amplitude", (1.0, 6.0), direction=-1))
-    assert [point.type.value for point in into] == ["grazing"]
-    assert all(point.admissible for point in back)
-    assert [point.type.value for point in special(back)][:2] == ["grazing", "fold"]
-    asked = list(continuation(graze, "amplitude", (1.0, 6.0), inadmissible=True))
-    assert not any(point.admissible for point in asked[1:])
-
-
-def test_from_a_fold_both_sides_can_be_followed() -> None:
-    start = symmetric_start(2.0, 6.0, 0.8, order=3)
-    fold = first(continuation(start, "amplitude", (1.0, 3.0), direction=-1), "fold")
-    ends = []
-    for direction in (1, -1):
-        points = list(continuation(fold, "amplitude", (1.0, 3.0), direction=direction))
-        assert [point.type.value for point in special(points)] == ["fold", "end-of-range"]
-        amplitudes = [point.amplitude for point in points]
-        assert all(b > a for a, b in pairwise(amplitudes))
-        ends.append(points[-1])
-    states = steady_states(3.0, 6.0, 0.8, order=3)
-    phases = sorted(end.chain.phases[0] for end in ends)
-    assert phases == pytest.approx(sorted(states.phase), abs=1e-12)
-
-
-def test_a_branch_of_so_many_points_ends_there() -> None:
-    start = symmetric_start(1.0, 2.0, 0.8)
-    points = list(continuation(start, "amplitude", (0.1, 3.0), most_points=5))
-    assert [point.type.value for point in points] == ["regular"] * 5 + ["limit"]
-    on = list(continuation(points[-1], "amplitude", (0.1, 3.0)))
-    assert first(on, "symmetry-breaking").amplitude == pytest.approx(
-        float(symmetry_breaking_amplitude(2.0, 0.8)), rel=1e-12
-    )
-
-
-# ---------------------------------------------------------------------------------------- results
-
-
-def test_a_branch_as_arrays(leaning: list[BranchPoint]) -> None:
-    branch = Branch(parameter="frequency_ratio", points=tuple(leaning))
-    count = len(leaning)
-    assert branch.values.shape == branch.stable.shape == branch.admissible.shape == (count,)
-    assert branch.peaks.shape == (count, 2)
-    # It begins at the symmetric orbit, drawn once for each flight.
-    assert branch.peaks[0, 0] == -branch.peaks[0, 1] > 0.0
-    assert branch.peaks[0] == pytest.approx(branch.peaks[1], abs=0.2)
-    assert [point.type.value for point in branch.bifurcations][:2] == [
-        "symmetry-breaking", "period-doubling"
-    ]  # fmt: skip
-    assert (branch.period, branch.impacts, branch.symmetric) == (1, 2, False)
-    assert not branch.stable[0]
-    assert branch.stable[1]
-
-
-def test_what_a_point_says_of_itself() -> None:
-    start = symmetric_start(2.0, 6.0, 0.8, order=3)
-    point = next(continuation(start, "amplitude", (1.0, 3.0)))
-    assert point.type is PointType.REGULAR
-    assert (point.kind, point.symmetric, point.period, point.impacts) == ("symmetric", True, 3, 2)
-    assert values_of(point) == pytest.approx([2.0, 6.0, 0.8])
-    assert point.multipliers == pytest.approx(start.multipliers, rel=1e-9)
-    assert point.peaks == pytest.approx([start.highest, start.lowest], rel=1e-9)
-
-
-# ------------------------------------------------------------------------------------- refusals
-
-
-@pytest.mark.parametrize(
-    ("change", "said"),
-    [
-        ({"parameter": "amp"}, "parameter = 'amp'"),
-        ({"parameter": None}, "parameter = None"),
-        ({"within": (3.0, 0.1)}, "less than the second"),
-        ({"within": 0.1}, "two numbers"),
-        ({"within": (0.1, 0.5)}, "it must hold the amplitude of the start, 1"),
-        ({"within": (-0.1, 3.0)}, "amplitude = -0.1"),
-        ({"within": (math.nan, 3.0)}, "amplitude = nan"),
-        ({"within": (0.1, "3")}, "amplitude = '3'"),
-        ({"parameter": "restitution", "within": (0.5, 1.1)}, "restitution = 1.1"),
-        ({"parameter": "frequency_ratio", "within": (0.0, 3.0)}, "frequency_ratio = 0"),
-        ({"direction": 0}, "direction = 0"),
-        ({"direction": True}, "direction = True"),
-        ({"direction": np.array([1, 1])}, "direction = array"),
-        ({"largest_step": 0.0}, "largest_step = 0"),
-        ({"largest_step": 0.3}, "largest_step = 0.3"),
-        ({"most_points": 0}, "most_points = 0"),
-        ({"start": None}, "start = None"),
-    ],
-)
-def test_what_is_out_of_range_is_refused_at_once_and_in_one_line(
-    change: dict[str, object], said: str
-) -> None:
-    given: dict[str, object] = {
-        "start": symmetric_start(1.0, 2.0, 0.8),
-        "parameter": "amplitude",
-        "within": (0.1, 3.0),
-        **change,
-    }
-    start, parameter, within = given.pop("start"), given.pop("parameter"), given.pop("within")
-    with pytest.raises(InputError) as raised:
-        continuation(start, parameter, within, **given)  # type: ignore[arg-type]
-    assert said in str(raised.value)
-    assert "\n" not in str(raised.value)
-
-
-def test_what_is_no_motion_or_comes_to_rest_is_refused() -> None:
-    floor = symmetric_start(3.0, 4.0, 0.8, branch=2)
-    assert not floor.admissible
-    with pytest.raises(ModelError, match="passes through the floor"):
-        continuation(floor, "amplitude", (1.0, 4.0))
-    assert list(continuation(floor, "amplitude", (2.9, 3.1), inadmissible=True))
-    block, shaking = (
-        DimensionlessBlock(restitution=0.5),
-        Harmonic(amplitude=1.1, frequency_ratio=2.0),
-    )
-    rests = [each for each in orbits(block, shaking, seeds=4) if each.rest_phases]
-    with pytest.raises(ModelError, match="comes to rest"):
-        continuation(rests[0], "amplitude", (0.5, 2.0))
-
-
-def test_a_regular_point_has_nothing_to_switch_to() -> None:
-    start = symmetric_start(1.0, 2.0, 0.8)
-    with pytest.raises(ModelError, match="no other branch"):
-        continuation(start, "amplitude", (0.5, 2.0), switch=True)

@@ -17,8 +17,9 @@ from rocksteady import (
     continuation,
     orbits,
 )
-from rocksteady.dynamics.continuation.chain import PARAMETERS, Chain
+from rocksteady.dynamics.continuation.chain import Chain
 from rocksteady.dynamics.continuation.starts import chain_of
+from rocksteady.dynamics.parameters import PARAMETERS
 from tests.dynamics.continuation.branches import setting, special, symmetric_start, values_of
 
 WITHIN = (1.6, 4.5)

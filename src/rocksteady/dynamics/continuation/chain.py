@@ -16,9 +16,6 @@ from rocksteady.kernels.section import make_system as system_of
 
 Floats = NDArray[np.float64]
 
-PARAMETERS = ("amplitude", "frequency_ratio", "restitution")
-"""What an orbit can be followed in, in the order of a chain's parameters."""
-
 COLUMNS = (kernel.BY_AMPLITUDE, kernel.BY_FREQUENCY, kernel.BY_RESTITUTION)
 MERGED = 1e-9
 """Duration up to which an arc between two impacts counts as none."""

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from rocksteady.dynamics.continuation.chain import MERGED, PARAMETERS, Chain
+from rocksteady.dynamics.continuation.chain import MERGED, Chain
 from rocksteady.dynamics.continuation.events import ChainCurve, Event, range_ends, returns
 from rocksteady.dynamics.continuation.family import (
     LARGEST_STEP,
@@ -16,6 +16,7 @@ from rocksteady.dynamics.continuation.family import (
 )
 from rocksteady.dynamics.continuation.paths import Curve, LostError
 from rocksteady.dynamics.continuation.points import BIFURCATIONS, BranchPoint, PointType
+from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError, ModelError
 
 

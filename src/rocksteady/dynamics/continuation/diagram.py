@@ -8,12 +8,13 @@ from itertools import pairwise
 import numpy as np
 
 from rocksteady.dynamics.continuation.branch import continuation
-from rocksteady.dynamics.continuation.chain import MERGED, PARAMETERS, Chain
+from rocksteady.dynamics.continuation.chain import MERGED, Chain
 from rocksteady.dynamics.continuation.family import LARGEST_STEP, checked_ranges
 from rocksteady.dynamics.continuation.points import Branch, BranchPoint, PointType
 from rocksteady.dynamics.continuation.starts import chain_at
 from rocksteady.dynamics.continuation.switching import switched
 from rocksteady.dynamics.orbit import Orbit
+from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.validation import whole_number
 

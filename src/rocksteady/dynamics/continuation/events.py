@@ -55,12 +55,12 @@ class Event:
 
 def flip(solution: ChainSolution) -> float:
     """Return what vanishes where a multiplier of the chain is -1."""
-    return solution.chain.determinant(-1.0)
+    return solution.flip
 
 
 def fold(solution: ChainSolution) -> float:
     """Return what vanishes where a multiplier of the chain is 1."""
-    return solution.chain.determinant(1.0)
+    return solution.fold
 
 
 def shortest(solution: ChainSolution) -> float:

@@ -3,13 +3,15 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from numbers import Real
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.continuation.chain import PARAMETERS, Chain
+from rocksteady.dynamics.continuation.chain import Chain
 from rocksteady.dynamics.continuation.paths import gradient
+from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError
 from rocksteady.model.motions import HIGHEST_FREQUENCY_RATIO, LOWEST_FREQUENCY_RATIO
 from rocksteady.model.validation import LARGEST, Ends, in_range, whole_number
@@ -40,6 +42,16 @@ class ChainSolution:
     chain: Chain
     errors: Floats
     slopes: Floats
+
+    @cached_property
+    def flip(self) -> float:
+        """What vanishes where a multiplier of the chain is -1."""
+        return self.chain.determinant(-1.0)
+
+    @cached_property
+    def fold(self) -> float:
+        """What vanishes where a multiplier of the chain is 1."""
+        return self.chain.determinant(1.0)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -1,25 +1,16 @@
 """Orbits from which the branches of a diagram are followed."""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
 
 from rocksteady.dynamics.orbit import Orbit
 from rocksteady.dynamics.orbits import orbits
+from rocksteady.dynamics.parameters import moved_to
 from rocksteady.dynamics.trail import AttractorTrail
 from rocksteady.model.block import DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 
 PLACES = 9
 """Values over the range at which closed forms are asked for orbits."""
-
-
-def setting(
-    block: DimensionlessBlock, shaking: Harmonic, parameter: str, value: float
-) -> tuple[DimensionlessBlock, Harmonic]:
-    """Return block and shaking with a parameter at a value."""
-    if parameter == "restitution":
-        return replace(block, restitution=value), shaking
-    return block, replace(shaking, **{parameter: value})
 
 
 def symmetric_orbits(
@@ -33,7 +24,7 @@ def symmetric_orbits(
     low, high = within
     for place in range(PLACES):
         share = place / (PLACES - 1)
-        here = setting(block, shaking, parameter, (1.0 - share) * low + share * high)
+        here = moved_to(block, shaking, parameter, (1.0 - share) * low + share * high)
         for orbit in orbits(*here, max_period=order, max_impacts=2, seeds=1):
             if orbit.branch is not None and orbit.period == order and orbit.admissible:
                 yield orbit
@@ -50,7 +41,7 @@ def searched_orbits(
     """Yield all orbits without rest that a search finds at both ends and in the middle."""
     low, high = within
     for value in (low, 0.5 * (low + high), high):
-        here = setting(block, shaking, parameter, value)
+        here = moved_to(block, shaking, parameter, value)
         for orbit in orbits(*here, max_period=max_period, max_impacts=max_impacts):
             if orbit.admissible and not orbit.rest_phases:
                 yield orbit

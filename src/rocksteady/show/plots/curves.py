@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
-from rocksteady.dynamics.continuation.chain import PARAMETERS
 from rocksteady.dynamics.continuation.points import BranchPoint, PointType
+from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError
 from rocksteady.show import palette
 from rocksteady.show.layout import axes_or_new
