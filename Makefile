@@ -7,7 +7,8 @@ MARKS ?= not slow
 
 BIN := .venv/bin
 STAMP := .venv/.installed
-EXTRAS := bench,dev
+EXTRAS := bench,cluster,dev
+PEERS := heyoka mujoco
 CHECKS := lint types layers tests tests-nojit
 
 .DEFAULT_GOAL := help
@@ -93,6 +94,17 @@ bench: .venv ## time the package; writes docs/benchmarks.md
 	$(BIN)/python -m rocksteady.kernels.warm
 	$(BIN)/python -m pytest bench --benchmark-only --benchmark-json=out/bench.json
 	$(BIN)/python bench/report.py
+
+.PHONY: bench-peers
+bench-peers: .venv ## time other solvers beside the package; writes their part of docs/benchmarks.md
+	@mkdir -p out docs
+	@# One by one: where a solver cannot be installed, its row says so.
+	@for peer in $(PEERS); do \
+		$(BIN)/python -m pip install --quiet --constraint constraints.txt --constraint bench/peers/constraints.txt "$$peer" || \
+			echo "$$peer cannot be installed here, and its row will say so" >&2; \
+	done
+	$(BIN)/python -m rocksteady.kernels.warm
+	$(BIN)/python -m bench.peers
 
 .PHONY: constraints
 constraints: ## renew constraints.txt with the newest versions that fit together

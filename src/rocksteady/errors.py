@@ -8,7 +8,8 @@ The tree::
     RocksteadyError
     ├── InputError      an argument is outside its valid range (also a ValueError)
     ├── ModelError      arguments valid alone are refused together (also a ValueError)
-    └── OutputError     a file or a folder cannot be written
+    ├── OutputError     a file or a folder cannot be written
+    └── UnfinishedError a long computation was stopped; what is finished is kept, and can be resumed
 
 This module is the lowest layer: it imports nothing from the package, and nothing heavy.
 """
@@ -17,7 +18,14 @@ from enum import IntEnum
 from numbers import Number
 from os import PathLike, fspath
 
-__all__ = ["InputError", "ModelError", "OutputError", "RocksteadyError", "Status"]
+__all__ = [
+    "InputError",
+    "ModelError",
+    "OutputError",
+    "RocksteadyError",
+    "Status",
+    "UnfinishedError",
+]
 
 _LONGEST_VALUE = 100
 """Characters of a value that an error line shows; of a longer one its middle is left out."""
@@ -58,8 +66,9 @@ class RocksteadyError(Exception):
 
     def __reduce__(self) -> tuple[object, ...]:
         # An exception is rebuilt from its positional arguments unless told otherwise; ours has
-        # none, and it has to come back whole from a worker process.
-        return _rebuilt, (type(self), self.name, self.value, self.valid, self.hint)
+        # none, and it has to come back whole from a worker process, with the notes added there.
+        parts = (type(self), self.name, self.value, self.valid, self.hint)
+        return _rebuilt, parts, self.__dict__
 
 
 class InputError(RocksteadyError, ValueError):
@@ -103,6 +112,16 @@ class OutputError(RocksteadyError):
     """
 
     _verdict = "cannot be written"
+
+
+class UnfinishedError(RocksteadyError):
+    """A long computation was stopped from outside; what is finished is kept, and can be resumed.
+
+    The disk is full, or a cluster has been lost. The message reads ``NAME = VALUE is not finished:
+    VALID; HINT``.
+    """
+
+    _verdict = "is not finished"
 
 
 class Status(IntEnum):

@@ -1,4 +1,4 @@
-"""Axes, grids and outputs: what they refuse, and in which order cells come."""
+"""Axes: numbers or names, what they stand for, and what is refused."""
 
 import math
 from typing import Any
@@ -7,10 +7,7 @@ import numpy as np
 import pytest
 
 from rocksteady.errors import InputError
-from rocksteady.sweep.axes import Axis, Grid, Output
-
-ONE = Axis(name="one", values=[1.0, 2.0])
-OTHER = Axis(name="other", values=[5, 6, 7])
+from rocksteady.sweep.axes import Axis
 
 
 @pytest.mark.parametrize(
@@ -18,7 +15,8 @@ OTHER = Axis(name="other", values=[5, 6, 7])
     [
         ("a", [], "one or more real numbers"),
         ("a", [[1.0, 2.0]], "one or more real numbers"),
-        ("a", ["1"], "one or more real numbers"),
+        ("a", [b"1"], "one or more real numbers"),
+        ("a", ["x", "y", "x"], "each value once"),
         ("a", [True], "one or more real numbers"),
         ("a", 1.0, "one or more real numbers"),
         ("a", [1.0, math.nan], "are finite"),
@@ -42,45 +40,23 @@ def test_the_values_of_an_axis_are_its_own() -> None:
         axis.points[0] = 7.0
 
 
-def test_cells_come_in_c_order_whatever_the_range() -> None:
-    grid = Grid(axes=[ONE, OTHER])
-    assert (grid.names, grid.shape, grid.size) == (("one", "other"), (2, 3), 6)
-    expected = [(a, b) for a in (1.0, 2.0) for b in (5.0, 6.0, 7.0)]
-    for first in range(6):
-        for stop in range(first, 7):
-            cells = grid.cells(first, stop)
-            pairs = list(zip(cells["one"].tolist(), cells["other"].tolist(), strict=True))
-            assert pairs == expected[first:stop]
+def test_an_axis_of_names_gives_names() -> None:
+    axis = Axis(name="record", values=["b", "a"])
+    assert axis.at([1, 0, 1]).tolist() == ["a", "b", "a"]
 
 
-@pytest.mark.parametrize("axes", [(), [ONE, "other"], None, ONE])
-def test_a_grid_needs_axes(axes: Any) -> None:
-    with pytest.raises(InputError, match="one axis or more"):
-        Grid(axes=axes)
+def test_an_axis_of_things_gives_the_things() -> None:
+    things = ({"a": 1}, [2])
+    axis = Axis(name="record", values=["one", "other"], items=things)
+    found = axis.at([[1, 0], [0, 0]])
+    assert found.shape == (2, 2)
+    assert found[0, 0] is things[1]
+    assert found[1, 1] is things[0]
 
 
-def test_two_axes_of_one_name_are_refused() -> None:
-    with pytest.raises(InputError, match="axes = 'one'"):
-        Grid(axes=(ONE, OTHER, Axis(name="one", values=[3.0])))
-
-
-def test_classes_say_what_they_mean() -> None:
-    attributes = Output(
-        name="kind", dtype=np.int8, long_name="what it is", flags={0: "at rest", 2: "overturned"}
-    ).attributes
-    assert attributes["flag_values"].dtype == np.int8
-    assert attributes["flag_values"].tolist() == [0, 2]
-    assert attributes["flag_meanings"] == "at_rest overturned"
-    assert (attributes["long_name"], attributes["units"]) == ("what it is", "1")
-
-
-def test_a_float_has_no_flags() -> None:
-    with pytest.raises(InputError, match="only integers have flags"):
-        Output(name="kind", flags={0: "rest"})
-
-
-def test_more_cells_than_memory_holds_are_refused_before_anything_is_allocated() -> None:
-    long = np.arange(10_000.0)
-    with pytest.raises(InputError, match="10000 x 10000 cells") as raised:
-        Grid(axes=(Axis(name="width", values=long), Axis(name="height", values=long)))
-    assert "\n" not in str(raised.value)
+@pytest.mark.parametrize(
+    ("values", "items"), [(["a", "b"], (1,)), ([1.0, 2.0], (1, 2)), (["a"], (1, 2)), (["a"], ())]
+)
+def test_each_name_has_one_thing(values: Any, items: Any) -> None:
+    with pytest.raises(InputError, match="one thing for each"):
+        Axis(name="record", values=values, items=items)

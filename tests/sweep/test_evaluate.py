@@ -1,6 +1,8 @@
 """The loop over cases: any executor, workers and chunks give the same; nothing is swallowed."""
 
 import functools
+import json
+import re
 import signal
 import threading
 import time
@@ -14,8 +16,10 @@ from numpy.typing import NDArray
 
 import rocksteady
 from rocksteady.errors import InputError
-from rocksteady.sweep.axes import Axis, Grid, Output
+from rocksteady.sweep.axes import Axis
 from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.grid import Grid
+from rocksteady.sweep.outputs import Output
 
 Floats = NDArray[np.float64]
 Found = dict[str, NDArray[Any]]
@@ -53,21 +57,21 @@ def reference() -> Found:
 @given(
     executor=st.sampled_from(["threads", "serial"]),
     workers=st.integers(1, 5),
-    chunk=st.integers(1, 100),
+    batch=st.integers(1, 100),
 )
 def test_it_is_the_function_over_the_whole_grid_however_it_is_dealt_out(
-    executor: str, workers: int, chunk: int
+    executor: str, workers: int, batch: int
 ) -> None:
     a, b, c = np.meshgrid(*(axis.points for axis in GRID.axes), indexing="ij")
     whole = some(a, b, c)
     told: list[int] = []
     data = evaluate(
-        some, GRID, OUTPUTS, executor=executor, workers=workers, chunk=chunk, done=told.append
+        some, GRID, OUTPUTS, executor=executor, workers=workers, batch=batch, done=told.append
     )
     assert np.array_equal(data["sum"].values, whole["sum"])
     assert np.array_equal(data["sign"].values, whole["sign"])
+    assert told[0] == 0
     assert sum(told) == GRID.size
-    assert max(told) <= chunk
 
 
 def test_the_result_is_labelled(reference: Found) -> None:
@@ -79,7 +83,9 @@ def test_the_result_is_labelled(reference: Found) -> None:
     assert data["sign"].attrs["flag_meanings"] == "negative zero positive"
     assert data["a"].attrs == {"long_name": "an angle", "units": "rad"}
     assert data["b"].values.tolist() == [5.0, 1.0, 2.0]
-    assert data.attrs == {"restitution": 0.8, "rocksteady_version": rocksteady.__version__}
+    assert data.attrs["restitution"] == 0.8
+    assert data.attrs["rocksteady_version"] == rocksteady.__version__
+    assert json.loads(data.attrs["inputs"])["constants"] == {"factor": 1.0}
     assert float(data["sum"].sel(a=0.1, b=1.0, c=2)) == reference["sum"][0, 1, 2]
 
 
@@ -88,18 +94,25 @@ def test_cells_know_their_numbers() -> None:
         assert a.shape == b.shape == c.shape == cell.shape
         return {"sum": cell}
 
-    for chunk in (1, 5, 64):
-        data = evaluate(numbers, GRID, OUTPUTS[:1], chunk=chunk, numbered="cell")
+    for batch in (1, 5, 64):
+        data = evaluate(numbers, GRID, OUTPUTS[:1], batch=batch, numbered="cell")
         assert np.array_equal(data["sum"].values.ravel(), np.arange(GRID.size))
 
 
 @pytest.mark.parametrize("executor", ["threads", "serial"])
 def test_an_error_of_the_case_function_comes_out_and_says_where(executor: str) -> None:
     with pytest.raises(ZeroDivisionError, match="as it happens") as caught:
-        evaluate(failing, GRID, OUTPUTS, executor=executor, workers=1, chunk=4)
-    assert caught.value.__notes__ == [
-        "in cells 24 to 27 of 84: a 1.06666666666667 to 1.06666666666667, b 5 to 5, c 0 to 3"
-    ]
+        evaluate(failing, GRID, OUTPUTS, executor=executor, workers=1, batch=4)
+    (note,) = caught.value.__notes__
+    told = re.match(
+        r"in cells (\d+) to (\d+) of 84: a (\S+) to (\S+), b .+ to .+, c \d to \d", note
+    )
+    assert told is not None
+    first, last = int(told[1]), int(told[2])
+    cells = GRID.cells(first, last + 1)
+    assert (float(told[3]), float(told[4])) == pytest.approx((cells["a"][0], cells["a"][-1]))
+    with pytest.raises(ZeroDivisionError):
+        failing(**cells)
 
 
 @pytest.mark.parametrize(
@@ -107,10 +120,10 @@ def test_an_error_of_the_case_function_comes_out_and_says_where(executor: str) -
     [
         ({"other": 1.0}, "mapping with the output 'sum'"),
         (None, "mapping with the output 'sum'"),
-        ({"sum": np.zeros(3)}, "shape of the cells, here \\(64,\\)"),
+        ({"sum": np.zeros(3)}, "shape of the cells, here \\(1,\\)"),
         ({"sum": 0.0}, "shape of the cells"),
-        ({"sum": np.zeros(64, dtype=np.complex128)}, "must fit float64"),
-        ({"sum": np.array(["x"] * 64)}, "must fit float64"),
+        ({"sum": np.zeros(1, dtype=np.complex128)}, "must fit float64"),
+        ({"sum": np.array(["x"])}, "must fit float64"),
     ],
 )
 def test_what_is_not_returned_as_declared_is_named(answer: Any, valid: str) -> None:
@@ -121,11 +134,14 @@ def test_what_is_not_returned_as_declared_is_named(answer: Any, valid: str) -> N
 @pytest.mark.parametrize(
     ("arguments", "valid"),
     [
-        ({"executor": "cloud"}, "one of threads, serial"),
-        ({"executor": None}, "one of threads, serial"),
+        ({"executor": "cloud"}, "one of threads, dask, serial"),
+        ({"executor": None}, "one of threads, dask, serial"),
         ({"workers": 0}, "from 1 to 1024"),
         ({"workers": 2.0}, "from 1 to 1024"),
-        ({"chunk": 0}, "whole number"),
+        ({"batch": 0}, "whole number"),
+        ({"numbered": "a"}, "numbered = 'a' is not valid: no two of them"),
+        ({"numbered": 3}, "name of an argument"),
+        ({"cases": functools.partial(some, a=np.ones(1))}, "may not have the name of an axis"),
         ({"outputs": ()}, "one or more"),
         ({"outputs": (Output(name="a"),)}, "outputs = 'a'"),
         ({"outputs": (OUTPUTS[0], OUTPUTS[0])}, "outputs = 'sum'"),
@@ -151,7 +167,7 @@ def test_an_interruption_cancels_what_has_not_begun(executor: str) -> None:
         signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
 
     with pytest.raises(KeyboardInterrupt):
-        evaluate(slow, GRID, OUTPUTS, executor=executor, workers=2, chunk=1)
+        evaluate(slow, GRID, OUTPUTS, executor=executor, workers=2, batch=1)
     after = len(begun)
     assert after < GRID.size
     time.sleep(0.05)
@@ -161,6 +177,6 @@ def test_an_interruption_cancels_what_has_not_begun(executor: str) -> None:
 def test_progress_is_told_in_the_calling_thread() -> None:
     threads: set[int] = set()
     evaluate(
-        some, GRID, OUTPUTS, workers=3, chunk=2, done=lambda _: threads.add(threading.get_ident())
+        some, GRID, OUTPUTS, workers=3, batch=2, done=lambda _: threads.add(threading.get_ident())
     )
     assert threads == {threading.get_ident()}

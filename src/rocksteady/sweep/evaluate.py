@@ -1,30 +1,50 @@
-"""The one loop over cases: deals a grid out, puts the answers together and labels them."""
+"""The one loop over cases: deals a grid out, keeps what is found, and labels it."""
 
-from collections.abc import Callable, Mapping, Sequence
-from importlib.metadata import version
-from typing import TYPE_CHECKING, Any
-
-import numpy as np
-from numpy.typing import NDArray
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import closing, contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol
 
 from rocksteady.errors import InputError
 from rocksteady.model.validation import whole_number
-from rocksteady.sweep.axes import Grid, Output, attributes_of, outputs_of
-from rocksteady.sweep.executors import EXECUTORS, Piece, validated_executor, validated_workers
+from rocksteady.sweep.axes import identifier
+from rocksteady.sweep.deal import Deal
+from rocksteady.sweep.executors.choice import team_for, validated_executor, validated_workers
+from rocksteady.sweep.grid import Grid, each_once
+from rocksteady.sweep.inputs import inputs_of
+from rocksteady.sweep.memory import Memory
+from rocksteady.sweep.outputs import Output, outputs_of
+from rocksteady.sweep.store import Store
+from rocksteady.sweep.task import Answer, Cases, Piece, Task
 
 if TYPE_CHECKING:
     import xarray
 
-Array = NDArray[Any]
-Cases = Callable[..., Mapping[str, Array]]
 Done = Callable[[int], object]
-"""Called in the calling thread with the number of cells that have just been finished."""
+"""Called in the calling thread: once with the number of cells that are there already, when the
+first of the others is about to be computed; then with the number of those just finished.  The last
+call comes when everything is kept, in a store on disk."""
 
-CHUNK = 64
-"""Cells that one call of the case function takes, where nobody says.  An interruption waits for the
-pieces under way, so that they are short; and a slow corner of the grid is many of them, which
-leaves no core idle."""
-LARGEST_CHUNK = 2**20
+BATCH = 1024
+"""The most cells that one call of the case function takes, where nobody says.  Calls grow to it
+only while they are short."""
+LARGEST_BATCH = 2**20
+
+
+class Keeper(Protocol):
+    """What becomes of the answers."""
+
+    def missing(self) -> Sequence[Piece]:
+        """Return the ranges of cells that are not there yet."""
+        ...
+
+    def put(self, answer: Answer) -> None:
+        """Keep what was found."""
+        ...
+
+    def dataset(self) -> "xarray.Dataset":
+        """Return the result."""
+        ...
 
 
 def evaluate(
@@ -34,15 +54,17 @@ def evaluate(
     *,
     executor: str = "threads",
     workers: int | None = None,
-    chunk: int = CHUNK,
+    store: Store | Path | str | None = None,
+    batch: int = BATCH,
     numbered: str | None = None,
     done: Done | None = None,
     attributes: Mapping[str, Any] | None = None,
 ) -> "xarray.Dataset":
     """Evaluate a function of every cell of a grid.
 
-    The result is the same to the last bit for every executor, number of workers and chunk, as long
-    as the case function treats its cells one by one.
+    The result is the same to the last bit for every executor, number of workers and batch, in
+    memory and in a store, at once and resumed, as long as the case function treats its cells one
+    by one.
 
     Parameters
     ----------
@@ -50,41 +72,56 @@ def evaluate(
         Takes the coordinates of some cells, an array of shape (cells,) for each axis under the name
         of the axis, and returns a mapping with an array of shape (cells,) for each output.  A
         function at module level or a `functools.partial` of one, so that other processes can be
-        told which; it is called from several threads at once.
+        told which; it is called from several threads at once.  Constants that a partial binds are
+        written down as the inputs of the result.
     grid
         The cells.
     outputs
         What it returns.
     executor
-        "threads" (default) or "serial".
+        "threads" (default), "serial", "dask" for a cluster of processes on this machine, or the
+        address of a dask scheduler, as "tcp://10.0.0.1:8786".
     workers
-        How many threads; by default as many as there are cores for this process.
-    chunk
-        Cells that one call takes.
+        How many; by default as many as this process may use cores, or as a cluster has.
+    store
+        Where to keep the results on disk, chunk by chunk; a path for a new one, or a `Store` that
+        says more.  Without one they are kept in memory.
+    batch
+        The most cells that one call takes.  An interruption waits for calls under way.
     numbered
         Name of one more argument of the case function: the numbers of its cells in the grid, in C
-        order, int64.  A random number that is keyed on it does not depend on the chunks.
+        order, int64.  A random number that is keyed on it does not depend on who computes it: see
+        `rocksteady.sweep.draws.uniform`.
     done
-        Called in this thread with the number of cells that have just been finished.
+        Told in this thread how far it is: first the number of cells that are there already, when
+        the first of the others is about to be computed; then of those just finished.  The last
+        call comes when all is kept.
     attributes
-        Of the result: what it was computed from.
+        Of the result, in finite numbers and texts: what a reader wants to know first.
 
     Returns
     -------
     xarray.Dataset
         The outputs over the axes, which are its coordinates, with units and long names; integer
-        classes with ``flag_values`` and ``flag_meanings``.  Its attributes are those given, and
-        the package's version.
+        classes with ``flag_values`` and ``flag_meanings``.  Its attributes are those given; the
+        package's version; ``source``, hashes of the sources; ``seed``, where a constant of the case
+        function has that name; and ``inputs``, all that it follows from, in JSON.  That of a store
+        reads its values where they are used.
 
     Raises
     ------
     InputError
         If an argument is not valid, or the case function does not return what it should.  An
         exception of its own comes out as it is, with a note that says in which cells.
+    OutputError
+        If the store cannot be written: it is there already, another process writes it, or it holds
+        results of other inputs, which the message names.
+    UnfinishedError
+        If a store was begun and cannot be finished now: the disk is full, or a cluster is lost.
 
     Examples
     --------
-    >>> from rocksteady.sweep.axes import Axis
+    >>> from rocksteady import Axis, Grid, Output, evaluate
     >>> def area(width, height):
     ...     return {"area": width * height}
     >>> grid = Grid(
@@ -95,90 +132,77 @@ def evaluate(
     array([[3., 4.],
            [6., 8.]])
     """
-    wanted = outputs_of(outputs, grid)
-    run = EXECUTORS[validated_executor(executor)]
-    many = validated_workers(workers)
-    size = whole_number(
-        "chunk", chunk, at_least=1, at_most=LARGEST_CHUNK, hint="give a number of cells, as 64"
+    hint = "give a number of cells, as 64"
+    task = Task(
+        cases=cases,
+        grid=grid,
+        outputs=outputs_of(outputs, grid),
+        numbered=numbered,
+        batch=whole_number("batch", batch, at_least=1, at_most=LARGEST_BATCH, hint=hint),
     )
-    arrays = {output.name: np.empty(grid.size, dtype=output.dtype) for output in wanted}
-
-    def answer(piece: Piece) -> dict[str, Array]:
-        return _answer(cases, grid, wanted, numbered, piece)
-
-    pieces = [(first, min(first + size, grid.size)) for first in range(0, grid.size, size)]
-    for (first, stop), found in run(answer, pieces, many):
-        assert isinstance(found, dict)
-        for name, array in found.items():
-            arrays[name][first:stop] = array
-        if done is not None:
-            done(stop - first)
-    return _labelled(grid, wanted, arrays, attributes or {})
-
-
-def _answer(
-    cases: Cases, grid: Grid, outputs: Sequence[Output], numbered: str | None, piece: Piece
-) -> dict[str, Array]:
-    """Return what the case function finds in the cells of a piece."""
-    cells: dict[str, Array] = dict(grid.cells(*piece))
-    if numbered is not None:
-        cells[numbered] = np.arange(*piece, dtype=np.int64)
-    try:
-        found = cases(**cells)
-        return {output.name: _checked(output, found, piece) for output in outputs}
-    except Exception as error:
-        where = ", ".join(
-            f"{name} {cells[name][0]:.15g} to {cells[name][-1]:.15g}" for name in grid.names
-        )
-        error.add_note(f"in cells {piece[0]} to {piece[1] - 1} of {grid.size}: {where}")
-        raise
+    _check_names(task)
+    chosen, many = validated_executor(executor), validated_workers(workers)
+    where = _place(store)
+    if where is not None:
+        where.check()
+    # The team first: where a cluster is not there, no store is begun.
+    with team_for(task, chosen, many) as team, _kept(task, where, attributes or {}) as keeper:
+        deal = Deal(keeper.missing(), workers=team.workers, batch=task.batch)
+        _tell(done, grid.size - deal.left)
+        with closing(team.answers(deal)) as answers:
+            for answer in answers:
+                keeper.put(answer)
+                _tell(done, answer.stop - answer.piece[0])
+        return keeper.dataset()
 
 
-def _checked(output: Output, found: object, piece: Piece) -> Array:
-    """Return one output of the case function as what it is declared to be."""
-    if not isinstance(found, Mapping) or output.name not in found:
+def _tell(done: Done | None, cells: int) -> None:
+    if done is not None:
+        done(cells)
+
+
+def _check_names(task: Task) -> None:
+    """Refuse an argument of the case function that is given twice.
+
+    Raises
+    ------
+    InputError
+        If the numbers of the cells have the name of an axis or none, or a partial has bound one.
+    """
+    names = list(task.grid.names)
+    if task.numbered is not None:
+        identifier(task.numbered)
+        names.append(task.numbered)
+    each_once("numbered", names)
+    bound = inputs_of(task)["constants"].keys() & set(names)
+    if bound:
         raise InputError(
             name="cases",
-            value=sorted(found) if isinstance(found, Mapping) else found,
-            valid=f"it must return a mapping with the output {output.name!r}",
-            hint="return an array for each output, or leave the output out",
+            value=min(bound),
+            valid="a constant may not have the name of an axis",
+            hint="leave it out of the functools.partial",
         )
-    array = np.asarray(found[output.name])
-    shape = (piece[1] - piece[0],)
-    if array.shape != shape:
+
+
+def _place(store: Store | Path | str | None) -> Store | None:
+    """Return where the results are kept on disk; None for memory."""
+    if store is None or isinstance(store, Store):
+        return store
+    if not isinstance(store, Path | str):
         raise InputError(
-            name=output.name,
-            value=array.shape,
-            valid=f"an output has the shape of the cells, here {shape}",
-            hint="return one value for each cell",
+            name="store",
+            value=store,
+            valid="it must be a path or a Store",
+            hint="give a path, as 'map.zarr'",
         )
-    if not np.can_cast(array.dtype, output.dtype, casting="same_kind"):
-        raise InputError(
-            name=output.name,
-            value=str(array.dtype),
-            valid=f"it must fit {output.dtype}, as which it is declared",
-            hint="change the dtype of the output, or convert the array",
-        )
-    return array
+    return Store(store)
 
 
-def _labelled(
-    grid: Grid,
-    outputs: Sequence[Output],
-    arrays: Mapping[str, Array],
-    attributes: Mapping[str, Any],
-) -> "xarray.Dataset":
-    """Return arrays over all cells as a dataset."""
-    import xarray
-
-    return xarray.Dataset(
-        {
-            output.name: (grid.names, arrays[output.name].reshape(grid.shape), output.attributes)
-            for output in outputs
-        },
-        coords={
-            axis.name: (axis.name, axis.points, attributes_of(axis.long_name, axis.units))
-            for axis in grid.axes
-        },
-        attrs={**attributes, "rocksteady_version": version("rocksteady")},
-    )
+@contextmanager
+def _kept(task: Task, where: Store | None, attributes: Mapping[str, Any]) -> Iterator[Keeper]:
+    """Yield what keeps the answers."""
+    if where is None:
+        yield Memory(task, attributes)
+        return
+    with where.opened(task, attributes) as shelf:
+        yield shelf

@@ -1,0 +1,210 @@
+"""Grids that are computed near the borders of their classes only.
+
+A coarse lattice of cells is computed first.  Then its spacing is halved until it is the grid.  Of
+the cells that are new each time, those are computed around which the lattice holds more than one
+class; the others take the class that is all around them.  So a border is followed once the lattice
+has seen both of its sides; an island that it has not met, far from every border, is missed.
+"""
+
+import functools
+from collections.abc import Mapping, Sequence
+from itertools import product
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.errors import InputError
+from rocksteady.model.validation import whole_number
+from rocksteady.sweep.axes import Array, Axis
+from rocksteady.sweep.evaluate import BATCH, Done, evaluate
+from rocksteady.sweep.grid import Grid, within
+from rocksteady.sweep.inputs import attributes_of, inputs_of
+from rocksteady.sweep.labelled import labelled
+from rocksteady.sweep.memory import MOST_CELLS
+from rocksteady.sweep.outputs import Output, outputs_of
+from rocksteady.sweep.task import Cases, Task
+
+if TYPE_CHECKING:
+    import xarray
+
+Integers = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+
+COARSEST = 1024
+MET = Output(
+    name="met",
+    dtype=np.bool_,
+    long_name="whether the cell was computed; else its class is that of the cells around it",
+)
+
+
+def refined(
+    cases: Cases,
+    grid: Grid,
+    outputs: Sequence[Output],
+    *,
+    classes: Sequence[str],
+    coarse: int,
+    executor: str = "threads",
+    workers: int | None = None,
+    batch: int = BATCH,
+    done: Done | None = None,
+    attributes: Mapping[str, Any] | None = None,
+) -> "xarray.Dataset":
+    """Evaluate a function in the cells of a grid that are near a border of its classes.
+
+    Parameters
+    ----------
+    cases, grid, outputs, executor, workers, batch, done, attributes
+        As for `rocksteady.sweep.evaluate.evaluate`.
+    classes
+        Names of the integer outputs that make a class.
+    coarse
+        Spacing of the first lattice in cells, a power of two: the first and the last cell along
+        each axis, and every so many between them.
+
+    Returns
+    -------
+    xarray.Dataset
+        As from `evaluate`, with one more variable: ``met``, whether a cell was computed.  Where it
+        was not, the outputs that make the class are those of the cells around it, and the others
+        nan, their lowest integer, or False.
+
+    Raises
+    ------
+    InputError
+        As for `evaluate`, and if the spacing is no power of two, or a class no integer output.
+
+    Examples
+    --------
+    >>> def inside(x, y):
+    ...     return {"inside": (x**2 + y**2 < 1.0).astype(np.int8)}
+    >>> axes = tuple(Axis(name=name, values=np.linspace(0.0, 2.0, 129)) for name in "xy")
+    >>> output = Output(name="inside", dtype=np.int8)
+    >>> found = refined(inside, Grid(axes=axes), [output], classes=["inside"], coarse=8)
+    >>> whole = evaluate(inside, Grid(axes=axes), [output])
+    >>> bool((found.inside == whole.inside).all()), f"{float(found.met.mean()):.2f}"
+    (True, '0.07')
+    """
+    wanted = outputs_of([*outputs, MET], grid)[:-1]
+    _check_classes(classes, wanted)
+    spacing = _spacing(coarse)
+    within("50 million", grid, MOST_CELLS, hint="take fewer points")
+    task = Task(cases=cases, grid=grid, outputs=wanted, numbered=None, batch=batch)
+    said = attributes_of(inputs_of(task), {**(attributes or {}), "coarse": spacing})
+    arrays = {output.name: np.full(grid.size, output.nothing, output.dtype) for output in wanted}
+    met: Bools = np.zeros(grid.size, dtype=np.bool_)
+    tell = _told_once(done)
+
+    def compute(numbers: Integers) -> None:
+        if not numbers.size:
+            return
+        found = evaluate(
+            functools.partial(_numbered, cases=cases, grid=grid),
+            Grid(axes=(Axis(name="number", values=numbers),)),
+            wanted,
+            executor=executor,
+            workers=workers,
+            batch=batch,
+            done=tell,
+        )
+        for name, array in arrays.items():
+            array[numbers] = found[name].values
+        met[numbers] = True
+
+    lattice = _lattice(grid.shape, spacing)
+    compute(_numbers(lattice, grid.shape).ravel())
+    while spacing > 1:
+        spacing //= 2
+        finer = _lattice(grid.shape, spacing)
+        numbers = _numbers(finer, grid.shape)
+        known = _numbers(lattice, grid.shape)
+        near, old, beside = _compared(_codes(arrays, classes, known), lattice, finer)
+        taken = ~old & ~near
+        for name in classes:
+            arrays[name][numbers[taken]] = arrays[name][known.ravel()[beside[taken]]]
+        compute(numbers[~old & near])
+        if tell is not None:
+            tell(int(taken.sum()))
+        lattice = finer
+    return labelled(grid, (*wanted, MET), {**arrays, MET.name: met}, said)
+
+
+def _numbered(number: NDArray[np.float64], *, cases: Cases, grid: Grid) -> Mapping[str, Array]:
+    """Call a case function for cells of a grid by their numbers."""
+    return cases(**grid.at(number.astype(np.int64)))
+
+
+def _lattice(shape: tuple[int, ...], spacing: int) -> list[Integers]:
+    """Return which indices along each axis are in a lattice: the last one always is."""
+    return [np.unique(np.append(np.arange(0, points, spacing), points - 1)) for points in shape]
+
+
+def _numbers(lattice: Sequence[Integers], shape: tuple[int, ...]) -> Integers:
+    """Return the numbers of the cells of a lattice, in its shape."""
+    numbers: Integers = np.ravel_multi_index(np.ix_(*lattice), shape)
+    return numbers
+
+
+def _codes(arrays: Mapping[str, Array], classes: Sequence[str], numbers: Integers) -> Integers:
+    """Return one integer for each class, shape of the numbers."""
+    codes = np.zeros(numbers.shape, dtype=np.int64)
+    for name in classes:
+        _, part = np.unique(arrays[name][numbers], return_inverse=True)
+        codes = codes * (int(part.max()) + 1) + part.reshape(numbers.shape)
+    return codes
+
+
+def _compared(
+    codes: Integers, lattice: Sequence[Integers], finer: Sequence[Integers]
+) -> tuple[Bools, Bools, Integers]:
+    """Return which cells of a finer lattice are near a border, which are in the coarse one as well,
+    and for each of them a cell beside it, by its place in the coarse one.
+    """  # noqa: D205 -- one sentence
+    from scipy.ndimage import maximum_filter, minimum_filter
+
+    mixed = maximum_filter(codes, size=3) != minimum_filter(codes, size=3)
+    below = [
+        np.searchsorted(old, new, side="right") - 1 for old, new in zip(lattice, finer, strict=True)
+    ]
+    same = [old[at] == new for old, new, at in zip(lattice, finer, below, strict=True)]
+    above = [at + ~there for at, there in zip(below, same, strict=True)]
+    near = np.zeros([len(new) for new in finer], dtype=np.bool_)
+    for corner in product(*zip(below, above, strict=True)):
+        near |= mixed[np.ix_(*corner)]
+    old: Bools = functools.reduce(np.logical_and.outer, same)
+    beside: Integers = np.ravel_multi_index(np.ix_(*below), codes.shape)
+    return near, old, beside
+
+
+def _told_once(done: Done | None) -> Done | None:
+    """Return what several sweeps tell their progress as if they were one."""
+    begun = False
+
+    def told(cells: int) -> None:
+        nonlocal begun
+        if done is not None and (cells or not begun):
+            done(cells)
+        begun = True
+
+    return told if done is not None else None
+
+
+def _spacing(coarse: object) -> int:
+    hint = "give 4, 8 or 16"
+    spacing = whole_number("refine", coarse, at_least=1, at_most=COARSEST, hint=hint)
+    if spacing & (spacing - 1):
+        raise InputError(name="refine", value=coarse, valid="it must be a power of two", hint=hint)
+    return spacing
+
+
+def _check_classes(classes: Sequence[str], outputs: Sequence[Output]) -> None:
+    whole = [output.name for output in outputs if output.dtype.kind in "bi"]
+    if not classes or not set(classes) <= set(whole):
+        raise InputError(
+            name="classes",
+            value=tuple(classes),
+            valid=f"a class is made of integer outputs, here {', '.join(whole) or 'none'}",
+            hint="name one or more of them",
+        )

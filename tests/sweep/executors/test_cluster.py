@@ -1,0 +1,570 @@
+"""Worker processes: the same bytes, everything sent once, and nothing lost or left behind."""
+
+import functools
+import gc
+import importlib
+import os
+import pty
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from typing import Any
+
+import distributed
+import numpy as np
+import psutil
+import pytest
+
+from rocksteady.errors import InputError, UnfinishedError
+from rocksteady.sweep import inputs
+from rocksteady.sweep.axes import Axis
+from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.executors import cluster, given, local, roll
+from rocksteady.sweep.executors.address import validated_address
+from rocksteady.sweep.executors.local import Local
+from rocksteady.sweep.executors.worker import START
+from rocksteady.sweep.grid import Grid
+from rocksteady.sweep.store import Store
+from tests.sweep.executors.cases import (
+    GRID,
+    OUTPUTS,
+    Noted,
+    deadly,
+    failing,
+    of_items,
+    slow,
+    some,
+)
+
+SCRIPT = """
+import sys
+import numpy as np
+from rocksteady.sweep.axes import Axis
+from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.grid import Grid
+from rocksteady.sweep.outputs import Output
+from tests.sweep.executors.cases import slow, GRID, OUTPUTS
+
+def mine(a, b):
+    return slow(a, b)
+
+def told(cells):
+    if cells:
+        print("begun", flush=True)
+
+executor = sys.argv[1] if len(sys.argv) > 1 else "dask"
+"""
+RUN = "data = evaluate(mine, GRID, OUTPUTS, executor=executor, workers=2, done=told, batch=4)\n"
+
+
+@pytest.fixture(scope="module")
+def there() -> Iterator[Local]:
+    """A cluster of two workers."""
+    with Local(2) as members:
+        members.client.wait_for_workers(2)
+        yield members
+
+
+@pytest.fixture(scope="module")
+def address(there: Local) -> str:
+    return there.address
+
+
+def tree(folder: Path) -> dict[str, bytes]:
+    """Return all files of a store but for its lock."""
+    files = (path for path in folder.rglob("*") if path.is_file() and path.name != "lock")
+    return {str(path.relative_to(folder)): path.read_bytes() for path in files}
+
+
+def started(
+    script: str, *arguments: str, temporary: Path | None = None, **options: Any
+) -> "subprocess.Popen[str]":
+    root = str(Path(__file__).parents[3])
+    folder = {} if temporary is None else {"TMPDIR": str(temporary)}
+    return subprocess.Popen(
+        [sys.executable, "-c", script, *arguments],
+        env={**os.environ, "PYTHONPATH": root, **folder},
+        text=True,
+        **options,
+    )
+
+
+@contextmanager
+def within(seconds: int) -> Iterator[None]:
+    """Raise where something hangs."""
+
+    def late(*_: object) -> None:
+        raise TimeoutError(f"not done within {seconds} seconds")
+
+    usual = signal.signal(signal.SIGALRM, late)
+    signal.alarm(seconds)
+    try:
+        yield
+    finally:
+        signal.alarm(0)
+        signal.signal(signal.SIGALRM, usual)
+
+
+def script_in(folder: Path, text: str) -> Path:
+    file = folder / "script.py"
+    file.write_text(text, encoding="utf-8")
+    return file
+
+
+def test_a_store_has_the_same_bytes_whoever_computes(address: str, tmp_path: Path) -> None:
+    trees = []
+    for number, (executor, workers, batch) in enumerate(
+        [("serial", 1, 1024), ("threads", 3, 7), (address, None, 10), (address, 1, 50)]
+    ):
+        store = Store(tmp_path / f"{number}.zarr", chunk=100)
+        evaluate(some, GRID, OUTPUTS, executor=executor, workers=workers, batch=batch, store=store)
+        trees.append(tree(store.folder))
+    assert all(other == trees[0] for other in trees[1:])
+
+
+def test_a_cluster_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    told: list[int] = []
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    children = set(psutil.Process().children(recursive=True))
+    found = evaluate(some, GRID, OUTPUTS, executor="dask", workers=2, batch=50, done=told.append)
+    assert found.identical(evaluate(some, GRID, OUTPUTS, executor="serial"))
+    assert told[0] == 0
+    assert sum(told) == GRID.size
+    assert set(psutil.Process().children(recursive=True)) == children
+    assert not list(tmp_path.iterdir())
+
+
+def test_things_are_sent_once_to_each_worker(address: str, tmp_path: Path) -> None:
+    things = [Noted(float(k), str(tmp_path)) for k in range(3)]
+    grid = Grid(
+        axes=(
+            Axis(name="thing", values=["x", "y", "z"], items=things),
+            Axis(name="b", values=np.arange(40.0)),
+        )
+    )
+    found = evaluate(of_items, grid, OUTPUTS[:1], executor=address, batch=2)
+    assert np.array_equal(found["sum"].values, np.outer([0.0, 1.0, 2.0], np.arange(40.0)))
+    processes = [path.name.partition("-")[0] for path in tmp_path.iterdir()]
+    assert len(processes) == 2 * len(things)
+    assert all(processes.count(process) == len(things) for process in processes)
+
+
+def test_nothing_stays_at_the_scheduler(there: Local, address: str) -> None:
+    evaluate(slow, GRID, OUTPUTS, executor=address, batch=20)
+
+    def left(dask_scheduler: Any) -> tuple[int, int]:
+        parcels = [name for name in dask_scheduler.worker_plugins if "rocksteady" in name]
+        return len(dask_scheduler.tasks), len(parcels)
+
+    deadline = time.monotonic() + 5
+    while there.client.run_on_scheduler(left) != (0, 0) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    assert there.client.run_on_scheduler(left) == (0, 0)
+
+
+@pytest.mark.parametrize("kind", ["ours", "another"])
+def test_an_error_of_the_case_function_comes_out_once_and_says_where(
+    address: str, kind: str
+) -> None:
+    cases = functools.partial(failing, kind=kind)
+    expected = InputError if kind == "ours" else ZeroDivisionError
+    with pytest.raises(expected) as caught:
+        evaluate(cases, GRID, OUTPUTS, executor=address, workers=1, batch=20)
+    assert type(caught.value) is expected
+    assert len(caught.value.__notes__) == 1
+    assert caught.value.__notes__[0].startswith("in cells ")
+
+
+def test_a_worker_of_other_sources_is_refused(
+    address: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(inputs, "_hash_of", lambda _: "0123456789abcdef")
+    with pytest.raises(InputError) as caught:
+        evaluate(some, GRID, OUTPUTS, executor=address)
+    message = str(caught.value)
+    assert "its worker tcp://127.0.0.1:" in message
+    assert "has other sources of" in message
+    assert "than the caller, 0123456789abcdef (rocksteady " in message
+
+
+def test_a_worker_of_other_sources_that_joins_late_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    other = START.replace(
+        "from ", "import rocksteady.sweep.inputs as i; i._hash_of = lambda _: 'f' * 16; from "
+    )
+    joined: list[local.Crew] = []
+    cases = functools.partial(slow, seconds=0.02)
+    with Local(1) as members:
+        monkeypatch.setattr(local, "START", other)
+
+        def join(cells: int) -> None:
+            if cells and not joined:
+                joined.append(local.Crew(1, str(tmp_path)))
+                joined[0].serve(members.address)
+
+        with pytest.raises(InputError, match=r"has other sources of .*, ffffffffffffffff"):
+            evaluate(cases, GRID, OUTPUTS, executor=members.address, batch=1, done=join)
+        joined[0].end()
+
+
+def test_a_worker_that_cannot_load_the_case_function_is_named(
+    address: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    source = (
+        "from tests.sweep.executors.cases import some\ndef mine(a, b):\n    return some(a, b)\n"
+    )
+    (tmp_path / "only_here.py").write_text(source, encoding="utf-8")
+    monkeypatch.syspath_prepend(tmp_path)
+    module = importlib.import_module("only_here")
+    with pytest.raises(InputError) as caught:
+        evaluate(module.mine, GRID, OUTPUTS, executor=address)
+    assert re.search(
+        r"its worker tcp://\S+ cannot load the case function and its constants: "
+        r"ModuleNotFoundError: No module named 'only_here'; install",
+        str(caught.value),
+    )
+
+
+def test_what_cannot_be_sent_is_refused(address: str) -> None:
+    lock = threading.Lock()
+
+    def locked(a: Any, b: Any) -> Any:
+        with lock:
+            return some(a, b)
+
+    with pytest.raises(InputError, match="other processes must be told what it is"):
+        evaluate(locked, GRID, OUTPUTS, executor=address)
+
+
+@pytest.mark.parametrize("given_address", ["tcp://127.0.0.1:9", "tcp://no.invalid:1"])
+def test_an_address_where_nobody_answers_is_refused(
+    given_address: str, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(given, "ANSWERED", 0.3)
+    with pytest.raises(InputError, match=r"executor = .* must answer there within 0.3 seconds"):
+        evaluate(some, GRID, OUTPUTS, executor=given_address)
+    gc.collect()  # a client that is half made would try to close itself
+    assert capfd.readouterr().err == ""
+
+
+@pytest.mark.parametrize(
+    ("given_address", "why"),
+    [
+        ("nowhere://127.0.0.1:1", "dask knows addresses of the kinds .*tcp, tls"),
+        ("://127.0.0.1:1", "dask knows addresses of the kinds"),
+        ("tcp://tcp://127.0.0.1:1", "dask knows addresses of the kinds"),
+        ("tcp://", "it must have a host and a port"),
+        ("tcp://:8786", "it must have a host and a port"),
+        ("tcp://127.0.0.1", "it must have a host and a port"),
+        ("tls://127.0.0.1:abc", "it must have a host and a port"),
+        ("tcp://127.0.0.1:0", "it must have a host and a port"),
+        ("tcp://127.0.0.1:65536", "it must have a host and a port"),
+        ("tcp://[::1:8786", "it must have a host and a port"),
+    ],
+)
+def test_what_is_no_address_is_refused_before_anything_is_written(
+    given_address: str, why: str, tmp_path: Path
+) -> None:
+    store = tmp_path / "a.zarr"
+    with pytest.raises(InputError, match=why):
+        evaluate(some, GRID, OUTPUTS, executor=given_address, store=store)
+    assert not store.exists()
+
+
+@pytest.mark.parametrize("given_address", ["tcp://[::1]:8786", "tls://host:1", "inproc://1/2/3"])
+def test_what_may_be_an_address_is_tried(given_address: str) -> None:
+    assert validated_address(given_address) == given_address
+
+
+def test_a_cluster_without_workers_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(given, "PATIENCE", 0.3)
+    with Local(0) as empty, pytest.raises(InputError, match="no worker for 0"):
+        evaluate(some, GRID, OUTPUTS, executor=empty.address)
+
+
+def test_one_is_told_that_all_workers_have_gone_and_goes_on_with_new_ones(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(given, "PATIENCE", 0.5)
+    monkeypatch.setattr(given, "LOOKED", 0.1)
+    with Local(1) as members:
+        members.client.wait_for_workers(1)
+        killed = threading.Timer(0.5, members._crew._processes[0].kill)
+        mended = threading.Timer(1.5, members.mend, kwargs={"progress": True})
+        killed.start()
+        mended.start()
+        with pytest.warns(UserWarning, match="no worker for 0"):
+            found = evaluate(
+                functools.partial(slow, seconds=0.003),
+                GRID,
+                OUTPUTS,
+                executor=members.address,
+            )
+    assert np.array_equal(found["sum"].values, evaluate(some, GRID, OUTPUTS)["sum"].values)
+
+
+def test_dask_may_not_be_installed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cluster, "find_spec", lambda _: None)
+    with pytest.raises(InputError, match=r"install rocksteady\[cluster\]"):
+        evaluate(some, GRID, OUTPUTS, executor="dask")
+
+
+def test_a_worker_that_is_killed_is_replaced(tmp_path: Path) -> None:
+    notes = tmp_path / "notes"
+    notes.mkdir()
+    cases = functools.partial(deadly, folder=str(notes), times=1)
+    found = evaluate(cases, GRID, OUTPUTS, executor="dask", workers=2, batch=10)
+    assert len(list(notes.iterdir())) == 1
+    assert np.array_equal(found["sum"].values, evaluate(some, GRID, OUTPUTS)["sum"].values)
+
+
+@pytest.mark.parametrize("ours", [True, False])
+def test_an_answer_that_is_lost_with_the_last_worker_is_computed_again(
+    ours: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    killed: list[int] = []
+
+    class Killing(roll.Roll):
+        """Kills the worker that has just finished a piece, before anybody can fetch it."""
+
+        def add_worker(self, scheduler: Any, worker: str) -> None:
+            super().add_worker(scheduler, worker)
+            self.last = scheduler.workers[worker].pid
+
+        def transition(self, *states: Any, **_: Any) -> None:
+            if states[2] == "memory" and len(killed) < 3 and self.last not in killed:
+                os.kill(self.last, signal.SIGKILL)
+                killed.append(self.last)
+
+    monkeypatch.setattr(roll, "Roll", Killing)
+    monkeypatch.setattr(given, "LOOKED", 0.1)
+    told: list[int] = []
+    ended = threading.Event()
+
+    def mend(members: Local) -> None:
+        while not ended.wait(0.1):
+            members.mend(progress=True)
+
+    with ExitStack() as stack:
+        stack.enter_context(within(60))
+        executor = "dask"
+        if not ours:
+            members = stack.enter_context(Local(1))
+            members.client.wait_for_workers(1)
+            executor = members.address
+            mending = threading.Thread(target=mend, args=(members,))
+            mending.start()
+            stack.callback(mending.join)
+            stack.callback(ended.set)
+        found = evaluate(slow, GRID, OUTPUTS, executor=executor, workers=1, done=told.append)
+    assert len(killed) == 3
+    assert sum(told) == GRID.size
+    assert np.array_equal(found["sum"].values, evaluate(some, GRID, OUTPUTS)["sum"].values)
+
+
+def test_workers_that_are_killed_at_work_are_not_said_to_end_at_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(local, "KILLS", 1)
+    cases = functools.partial(deadly, folder=str(tmp_path), times=3)
+    found = evaluate(cases, GRID, OUTPUTS, executor="dask", workers=1)
+    assert len(list(tmp_path.iterdir())) == 3
+    assert np.array_equal(found["sum"].values, evaluate(some, GRID, OUTPUTS)["sum"].values)
+
+
+def test_a_worker_that_dies_while_it_is_sent_the_task_is_no_lost_scheduler(
+    address: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tries: list[str] = []
+    register = distributed.Client.register_plugin
+
+    def failing_first(client: Any, plugin: Any, name: str) -> Any:
+        tries.append(name)
+        if len(tries) < 3:
+            raise OSError("closed")
+        return register(client, plugin, name)
+
+    monkeypatch.setattr(distributed.Client, "register_plugin", failing_first)
+    evaluate(some, GRID, OUTPUTS, executor=address)
+    assert len(tries) == 3
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_cells_that_kill_every_worker_are_named(workers: int, tmp_path: Path) -> None:
+    notes = tmp_path / "notes"
+    notes.mkdir()
+    cases = functools.partial(deadly, folder=str(notes), times=4)
+    store = Store(tmp_path / "a.zarr", chunk=20)
+    with pytest.raises(UnfinishedError) as caught:
+        evaluate(cases, GRID, OUTPUTS, executor="dask", workers=workers, batch=5, store=store)
+    message = str(caught.value)
+    assert "executor = 'dask' is not finished: 4 worker processes ended" in message
+    assert "when they computed cells 4" in message
+    assert f"of 600: a {GRID.axes[0].points[20]:.15g} to " in message
+    assert "\n" not in message
+    before = tree(store.folder)
+    evaluate(cases, GRID, OUTPUTS, store=Store(store.folder, resume=True))
+    after = tree(store.folder)
+    assert len(before) < len(after)
+    assert all(after[name] == content for name, content in before.items())
+
+
+LOSABLE = """
+import sys
+from distributed import LocalCluster
+if __name__ == "__main__":
+    cluster = LocalCluster(n_workers=1, threads_per_worker=2, processes=False, protocol="tcp://",
+                           dashboard_address="127.0.0.1:0")
+    print(cluster.scheduler_address, flush=True)
+    sys.stdin.read()
+"""
+
+
+def test_a_cluster_that_is_lost_says_so() -> None:
+    with started(LOSABLE, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
+        assert process.stdout is not None
+        executor = process.stdout.readline().strip()
+        lost: list[float] = []
+
+        def kill(cells: int) -> None:
+            if cells and not lost:
+                lost.append(time.monotonic())
+                process.kill()
+
+        with pytest.raises(UnfinishedError) as caught:
+            evaluate(slow, GRID, OUTPUTS, executor=executor, batch=5, done=kill)
+        assert time.monotonic() - lost[0] < 5
+    assert str(caught.value).startswith(f"executor = '{executor}' is not finished: the connection")
+    assert "\n" not in str(caught.value)
+
+
+def test_an_interruption_leaves_nothing_behind(address: str) -> None:
+    interrupted: list[float] = []
+
+    def interrupt(cells: int) -> None:
+        if cells and not interrupted:
+            interrupted.append(time.monotonic())
+            signal.raise_signal(signal.SIGINT)
+
+    cases = functools.partial(slow, seconds=0.05)
+    before = {child.pid for child in psutil.Process().children(recursive=True)}
+    for executor in ("dask", address):
+        interrupted.clear()
+        with pytest.raises(KeyboardInterrupt):
+            evaluate(cases, GRID, OUTPUTS, executor=executor, workers=2, done=interrupt)
+        assert time.monotonic() - interrupted[0] < 2
+        assert {child.pid for child in psutil.Process().children(recursive=True)} == before
+
+
+def test_a_script_needs_no_guard_and_says_nothing(tmp_path: Path) -> None:
+    # A worker is killed, too; the case function is one of the script.
+    text = (
+        SCRIPT
+        + """
+import psutil
+def told(cells):
+    if cells and not told.killed:
+        told.killed = True
+        psutil.Process().children()[0].kill()
+told.killed = False
+"""
+        + RUN
+        + "print(float(data['sum'].sum()))\n"
+    )
+    file = script_in(tmp_path, text)
+    root = str(Path(__file__).parents[3])
+    done = subprocess.run(
+        [sys.executable, file],
+        env={**os.environ, "PYTHONPATH": root},
+        capture_output=True,
+        text=True,
+        check=True,
+        timeout=60,
+    )
+    assert done.stderr == ""
+    assert float(done.stdout) == float(evaluate(some, GRID, OUTPUTS)["sum"].sum())
+
+
+@pytest.mark.parametrize("when", ["at work", 0.05, 0.3, 0.6])
+def test_ctrl_c_in_a_terminal_is_all_that_one_sees(when: float | str) -> None:
+    text = (
+        SCRIPT
+        + "print('here', flush=True)\ntry:\n    "
+        + RUN.replace("batch=4", "batch=1")
+        + "except KeyboardInterrupt:\n    print('stopped')\n"
+    )
+    own, other = pty.openpty()
+    process = started(text, stdin=other, stdout=other, stderr=other, start_new_session=True)
+    os.close(other)
+    said = b""
+    while (b"begun" if when == "at work" else b"here") not in said:
+        said += os.read(own, 1000)
+    if not isinstance(when, str):
+        time.sleep(when)
+    children = psutil.Process(process.pid).children(recursive=True)
+    os.killpg(process.pid, signal.SIGINT)
+    began = time.monotonic()
+    while True:
+        try:
+            more = os.read(own, 1000)
+        except OSError:  # the end, on Linux
+            break
+        if not more:
+            break
+        said += more
+    assert process.wait(10) == 0
+    assert time.monotonic() - began < 3
+    words = said.decode()
+    assert "stopped" in words
+    for word in ("here", "begun", "stopped"):
+        words = words.replace(word, "")
+    assert not words.strip()
+    assert not psutil.wait_procs(children, timeout=2)[1]
+    os.close(own)
+
+
+def test_workers_end_with_a_caller_that_is_killed(tmp_path: Path) -> None:
+    process = started(SCRIPT + RUN, stdout=subprocess.PIPE, temporary=tmp_path)
+    with process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == "begun\n"
+        children = psutil.Process(process.pid).children(recursive=True)
+        assert len(children) == 2
+        assert list(tmp_path.iterdir())
+        process.kill()
+    assert not psutil.wait_procs(children, timeout=5)[1]
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_caller_that_is_killed_while_its_workers_start_leaves_no_folder(tmp_path: Path) -> None:
+    with started(SCRIPT + RUN, stdout=subprocess.PIPE, temporary=tmp_path) as process:
+        while len(children := psutil.Process(process.pid).children()) < 2:
+            time.sleep(0.001)
+        time.sleep(0.05)  # in which the second one is told of the folder
+        assert list(tmp_path.iterdir())
+        process.kill()
+    assert not psutil.wait_procs(children, timeout=5)[1]
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("does", "how"),
+    [
+        ("raise SystemExit(7)", "with status 7"),
+        ("import os; os.kill(os.getpid(), 9)", "by signal 9"),
+    ],
+)
+def test_workers_that_cannot_start_are_no_endless_loop(
+    does: str, how: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(local, "START", does)
+    with within(60), pytest.raises(UnfinishedError, match=f"end at once, {how}"):
+        evaluate(some, GRID, OUTPUTS, executor="dask", workers=1)
