@@ -6,6 +6,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady import DimensionlessBlock, Harmonic, State, attractor
 from rocksteady.kernels.attractors import LONGEST_ORBIT, MEMORY, PERIODIC, settle
 from rocksteady.kernels.march import clock
 from rocksteady.kernels.periodic import ORBIT_COLUMNS, distance, state_at
@@ -85,6 +86,26 @@ def test_each_cell_is_a_motion_alone() -> None:
         if numbers[i, SYMMETRIC]:
             assert abs(values[i, HIGHEST] + values[i, LOWEST]) < 1e-7
     assert len(outcomes) >= 2
+
+
+def test_peaks_are_those_of_the_orbit_alone_to_the_last_bit() -> None:
+    # Where an impact lies to rounding depends on where the search for it sets out.
+    real, whole = drawn()
+    real[3], real[5], whole[0], whole[1] = 0.0, 0.0, np.sign(real[4]), 0
+    _, values = settled(real, whole)
+    compared = 0
+    for i in range(COUNT):
+        a, w, r, _, velocity, _ = real[:, i].tolist()
+        found = attractor(
+            DimensionlessBlock(restitution=r),
+            Harmonic(amplitude=a, frequency_ratio=w),
+            start=State(angle=0.0, velocity=velocity),
+            cycles=CYCLES,
+        )
+        if found.orbit is not None:
+            assert found.peaks == (values[i, HIGHEST], values[i, LOWEST])
+            compared += 1
+    assert compared > COUNT // 10
 
 
 def test_threads_change_nothing_however_the_cells_are_dealt() -> None:

@@ -12,13 +12,15 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.attractor import AttractorKind, cycles_value
 from rocksteady.dynamics.basin_attractors import BasinAttractor, labelled
 from rocksteady.dynamics.return_map import bare_block, harmonic
-from rocksteady.dynamics.settled import Beginnings, piece_size, settled_cells
+from rocksteady.dynamics.settled import Beginnings, batch_size, settled_cells
 from rocksteady.dynamics.windows import centred, moment, reach, spacing, window_axis
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 from rocksteady.model.validation import in_range, whole_number
-from rocksteady.sweep.axes import Grid, Output
+from rocksteady.sweep.draws import uniform
 from rocksteady.sweep.evaluate import Done, evaluate
+from rocksteady.sweep.grid import Grid
+from rocksteady.sweep.outputs import Output
 
 if TYPE_CHECKING:
     import xarray
@@ -314,7 +316,7 @@ def basins(
         CELL_OUTPUTS,
         executor=executor,
         workers=workers,
-        chunk=piece_size(cycles),
+        batch=batch_size(cycles),
         numbered="number",
         done=done,
     )
@@ -369,7 +371,7 @@ def _settled(
     """Return what the states of some cells settle to."""
     angle, velocity = angles, velocities
     if seed is not None:
-        part = drawn(seed, number) - 0.5
+        part = uniform(seed, number, 2) - 0.5
         angle, velocity = angle + part[:, 0] * cell[0], velocity + part[:, 1] * cell[1]
     count = len(number)
     found = settled_cells(
@@ -390,16 +392,3 @@ def _settled(
         "start_angle": angle,
         "start_velocity": velocity,
     }
-
-
-def drawn(seed: int, numbers: NDArray[np.int64]) -> Floats:
-    """Return two uniform numbers in [0, 1) for each cell, shape (cells, 2), keyed on its number."""
-    words = np.array(
-        [
-            np.random.SeedSequence(seed, spawn_key=(number,)).generate_state(2, np.uint64)
-            for number in numbers.tolist()
-        ]
-    )
-    # The 53 upper bits, as NumPy's own generators make a double of them.
-    uniform: Floats = (words >> np.uint64(11)).astype(np.float64) * 2.0**-53
-    return uniform

@@ -1,190 +1,226 @@
-"""What a block settles to over a grid of amplitudes and frequency ratios."""
+"""What a block settles to over a grid of parameters of block, shaking and start."""
 
 import functools
+from collections.abc import Mapping
+from numbers import Number
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.attractor import cycles_value, side_value
-from rocksteady.dynamics.grids import validated_grid
-from rocksteady.dynamics.return_map import bare_block
+from rocksteady.dynamics.attractor import cycles_value
+from rocksteady.dynamics.parameters import AXES, validated_axes
+from rocksteady.dynamics.scenarios import Scenario
 from rocksteady.dynamics.settled import (
     NO_START,
-    Beginnings,
+    batch_size,
+    load_kernel,
     outputs_of_orbits,
-    piece_size,
     settled_cells,
 )
-from rocksteady.dynamics.start import Rest, Start, Steady, initial_march
-from rocksteady.errors import ModelError
-from rocksteady.kernels.march import March
+from rocksteady.dynamics.start import Rest, Start
+from rocksteady.errors import InputError, ModelError
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
-from rocksteady.sweep.axes import Axis, Grid
+from rocksteady.sweep.axes import Axis
 from rocksteady.sweep.evaluate import Done, evaluate
+from rocksteady.sweep.grid import Grid
+from rocksteady.sweep.refine import refined
+from rocksteady.sweep.store import Store
 
 if TYPE_CHECKING:
     import xarray
 
 Floats = NDArray[np.float64]
 
+CLASS = ("kind", "period", "impacts")
+"""What makes a class, where only the surroundings of borders are computed."""
+
 
 def attractor_map(
     block: Block | DimensionlessBlock,
-    amplitude: ArrayLike,
-    frequency_ratio: ArrayLike,
+    shaking: Harmonic | None = None,
     *,
-    phase: float = 0.0,
+    axes: Mapping[str, ArrayLike],
     start: Start | None = None,
     side: int = 1,
     cycles: int = 2000,
+    housner: bool = False,
     executor: str = "threads",
     workers: int | None = None,
+    store: Store | Path | str | None = None,
+    refine: int | None = None,
     done: Done | None = None,
 ) -> "xarray.Dataset":
-    """Return what a block settles to over a grid of amplitudes and frequency ratios.
+    """Return what a block settles to over a grid of parameters.
 
     Every cell is what `attractor` finds at that point, to the last bit.
 
     Parameters
     ----------
-    block
-        Its restitution counts.
-    amplitude, frequency_ratio
-        A = a_max/(alpha g) and Omega = omega/p, shape (points,) each.
-    phase
-        Phase of the shaking at the start [rad], unless a `Steady` start decides on it.
-    start, side, cycles
+    block, shaking, start
+        What is not named in `axes` keeps the value that it has here, in the measures in which it is
+        given here; `start` is `Rest` (default), `State` or `Steady`.  The shaking may be left out
+        where its amplitude and its frequency are named.
+    axes
+        Values, shape (points,), of one or more parameters by their names; their order is that of
+        the dimensions.  A number in place of values fixes a parameter: it is no dimension.
+
+        ==================================  ======================================================
+        amplitude, frequency_ratio, phase   of the shaking; the phase [rad] not with a steady start
+        restitution                         of the block
+        angle, velocity                     of the state at the start, as in `State`
+        kick                                of a `Steady` start
+        ==================================  ======================================================
+
+        of a `Block` also
+
+        ================================  ========================================================
+        acceleration_m_s2, frequency_hz   of the shaking, in place of its two ratios
+        width, height                     [m] of a homogeneous rectangle; each keeps the other
+        alpha, radius, p                  [rad], [m], [rad/s]; alpha keeps the radius, and the
+                                          radius, or p in its place, keeps alpha
+        ================================  ========================================================
+
+        A `Harmonic` keeps its two ratios, also where a size is moved, so that its ground moves
+        otherwise under each block; name acceleration_m_s2 and frequency_hz to have all blocks
+        stand on one ground.  An initial state stays in the measures of the block.
+    side, cycles
         As for `attractor`.
-    executor, workers, done
+    housner
+        Whether the restitution follows from the slenderness, cell by cell; else the block's own
+        stays.
+    executor, workers, store, done
         As for `rocksteady.sweep.evaluate.evaluate`.
+    refine
+        With a power of two, as 8, every eighth cell along each axis is computed, and of the others
+        those alone that are near a border of kinds, periods or numbers of impacts; see
+        `rocksteady.sweep.refine.refined`.  Not with a store.
 
     Returns
     -------
     xarray.Dataset
-        Dimensions amplitude and frequency_ratio.  ``kind`` has flags; it is ``no-start`` where a
-        steady state to start from does not exist or is no motion.  ``period`` [forcing periods],
-        ``impacts`` in a period (-1 for infinitely many), ``highest`` and ``lowest`` theta/alpha,
-        ``lyapunov`` per forcing period, and ``after`` how many of them that was known.
+        The axes are its dimensions.  ``kind`` has flags; it is ``no-start`` where a steady state to
+        start from does not exist or is no motion.  ``period`` [forcing periods], ``impacts`` in a
+        period (-1 for infinitely many), ``highest`` and ``lowest`` theta/alpha, ``lyapunov`` per
+        forcing period, and ``after`` how many of them that was known.  What is no axis stands in
+        its attributes.  Of a refined map ``met`` says which cells were computed; the others have
+        kind, period and impacts alone.
 
     Raises
     ------
-    InputError, ModelError
-        If a number is outside its range, or the start does not fit.
+    InputError
+        If a number is outside its range, or a parameter is unknown.
+    ModelError
+        If axes, block, shaking and start do not go together.
+    OutputError, UnfinishedError
+        If the store cannot be written, as for `rocksteady.sweep.evaluate.evaluate`.
 
     Examples
     --------
     >>> from rocksteady import DimensionlessBlock
-    >>> found = attractor_map(DimensionlessBlock(restitution=0.8), [0.5, 2.0], [1.0, 4.0, 8.0])
+    >>> found = attractor_map(
+    ...     DimensionlessBlock(restitution=0.8),
+    ...     axes={"amplitude": [0.5, 2.0], "frequency_ratio": [1.0, 4.0, 8.0]},
+    ... )
     >>> found.kind.values
     array([[2, 2, 2],
            [3, 0, 0]], dtype=int8)
     >>> print(found.kind.attrs["flag_meanings"])
     symmetric unsymmetric rest overturned aperiodic undecided no-start
+
+    Does a block stand up to this shaking, by its width and by the phase at which it begins?
+
+    >>> block = Block.rectangle(width=0.4, height=2.0, restitution=0.9)
+    >>> found = attractor_map(
+    ...     block,
+    ...     axes={
+    ...         "width": [0.4, 0.6, 0.9],
+    ...         "phase": [0.0, 1.5],
+    ...         "acceleration_m_s2": 4.0,
+    ...         "frequency_hz": 1.0,
+    ...     },
+    ... )
+    >>> found.kind.values
+    array([[3, 3],
+           [3, 0],
+           [2, 2]], dtype=int8)
     """
-    bare = bare_block(block)
-    grid = Grid(
-        axes=(
-            Axis(name="amplitude", values=amplitude, long_name="a_max/(alpha g)"),
-            Axis(name="frequency_ratio", values=frequency_ratio, long_name="omega/p"),
-        )
+    grid, fixed = _grid(axes)
+    scenario = Scenario(
+        axes=grid.names,
+        block=block,
+        shaking=shaking,
+        start=Rest() if start is None else start,
+        fixed=fixed,
+        side=side,
+        housner=housner,
     )
-    validated_grid(grid.axes[0].points[:, np.newaxis], grid.axes[1].points, bare.restitution, 1)
-    begin = Rest() if start is None else start
-    first = Harmonic(
-        amplitude=float(grid.axes[0].points[0]),
-        frequency_ratio=float(grid.axes[1].points[0]),
-        phase=phase,
-    )
-    if not isinstance(begin, Steady):  # the start itself is validated, once and not in each cell
-        initial_march(begin, bare, first, side_value(side))
-    cases = functools.partial(
-        _settled,
-        block=bare,
-        phase=first.phase,
-        start=begin,
-        side=side_value(side),
-        cycles=cycles_value(cycles),
-    )
-    attributes = {
-        "restitution": bare.restitution,
-        "phase": first.phase,
-        "start": repr(begin),
-        "side": side_value(side),
-        "cycles": cycles_value(cycles),
+    scenario.check({axis.name: axis.points for axis in grid.axes})
+    periods = cycles_value(cycles)
+    load_kernel()
+    cases = functools.partial(_settled, scenario=scenario, cycles=periods)
+    how: dict[str, Any] = {
+        "executor": executor,
+        "workers": workers,
+        "batch": batch_size(periods),
+        "done": done,
+        "attributes": {**scenario.attributes, "cycles": periods},
     }
-    return evaluate(
-        cases,
-        grid,
-        outputs_of_orbits(),
-        executor=executor,
-        workers=workers,
-        chunk=piece_size(cycles),
-        done=done,
-        attributes=attributes,
+    outputs = outputs_of_orbits()
+    if refine is None:
+        return evaluate(cases, grid, outputs, store=store, **how)
+    if store is not None:
+        raise ModelError(
+            name="refine",
+            value=refine,
+            valid="a store holds every cell of its grid",
+            hint="leave the store or the refinement out",
+        )
+    return refined(cases, grid, outputs, classes=CLASS, coarse=refine, **how)
+
+
+def _grid(axes: Mapping[str, ArrayLike]) -> tuple[Grid, tuple[tuple[str, Any], ...]]:
+    """Return the grid of parameters and their values, and those that are fixed."""
+    given: object = axes
+    if not isinstance(given, Mapping):
+        raise InputError(
+            name="axes",
+            value=given,
+            valid="it names parameters, each with its values",
+            hint="give a mapping, as {'amplitude': [1.0, 2.0]}",
+        )
+    fixed = {name: value for name, value in axes.items() if _is_single(value)}
+    names = validated_axes([name for name in axes if name not in fixed], fixed)
+    grid = Grid(
+        axes=tuple(Axis(name=name, values=axes[name], **AXES[name]._asdict()) for name in names)
     )
+    return grid, tuple(fixed.items())
 
 
-def _settled(
-    amplitude: Floats,
-    frequency_ratio: Floats,
-    *,
-    block: DimensionlessBlock,
-    phase: float,
-    start: Start,
-    side: int,
-    cycles: int,
-) -> dict[str, NDArray[Any]]:
+def _is_single(value: object) -> bool:
+    """Return whether something is a number, of Python or of an array, rather than an axis."""
+    return isinstance(value, Number) or getattr(value, "shape", None) == ()
+
+
+def _settled(*, scenario: Scenario, cycles: int, **coordinates: Floats) -> dict[str, NDArray[Any]]:
     """Return what the cells of a map settle to."""
-    begin, nowhere = _beginnings(amplitude, frequency_ratio, block, phase, start, side)
+    cells = scenario.cells(coordinates)
+    there = cells.there
     found = settled_cells(
-        np.where(nowhere, 0.0, amplitude), frequency_ratio, block.restitution, begin, cycles
+        np.where(there, cells.amplitude, 0.0),  # nothing to follow where there is no start
+        cells.frequency_ratio,
+        cells.restitution,
+        cells.begin,
+        cycles,
     )
     return {
-        "kind": np.where(nowhere, np.int8(NO_START), found.kind),
+        "kind": np.where(there, found.kind, np.int8(NO_START)),
         "period": found.period,
         "impacts": found.impacts,
-        "highest": np.where(nowhere, np.nan, found.highest),
-        "lowest": np.where(nowhere, np.nan, found.lowest),
+        "highest": np.where(there, found.highest, np.nan),
+        "lowest": np.where(there, found.lowest, np.nan),
         "lyapunov": found.lyapunov,
         "after": found.after,
     }
-
-
-def _beginnings(
-    amplitude: Floats,
-    frequency_ratio: Floats,
-    block: DimensionlessBlock,
-    phase: float,
-    start: Start,
-    side: int,
-) -> tuple[Beginnings, NDArray[np.bool_]]:
-    """Return the states at the start, and where there is none."""
-    cells = len(amplitude)
-    points = zip(amplitude.tolist(), frequency_ratio.tolist(), strict=True)
-    shakings = (Harmonic(amplitude=a, frequency_ratio=w, phase=phase) for a, w in points)
-    if isinstance(start, Steady):
-        found = [_on_orbit(start, block, shaking, side) for shaking in shakings]
-    else:  # the same for every shaking
-        found = [initial_march(start, block, next(shakings), side)[1]] * cells
-    upright = March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0)
-    states = [upright if march is None else march for march in found]
-    begin = Beginnings(
-        side=np.array([state.side for state in states]),
-        angle=np.array([state.angle for state in states]),
-        velocity=np.array([state.velocity for state in states]),
-        half_cycles=np.array([state.half_cycles for state in states]),
-        phase=np.array([state.phase for state in states]),
-    )
-    return begin, np.array([march is None for march in found])
-
-
-def _on_orbit(
-    start: Steady, block: DimensionlessBlock, shaking: Harmonic, side: int
-) -> March | None:
-    """Return the state on a steady state; None where that does not exist or is no motion."""
-    try:
-        return initial_march(start, block, shaking, side)[1]
-    except ModelError:
-        return None

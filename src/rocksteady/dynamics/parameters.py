@@ -1,12 +1,140 @@
-"""The three parameters of a block under harmonic shaking, and how one of them is moved."""
+"""The parameters of block, shaking and start: their names and units, and how one is moved."""
 
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from itertools import combinations
+from typing import NamedTuple
 
-from rocksteady.model.block import DimensionlessBlock
+from rocksteady.errors import InputError, ModelError
+from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 
 PARAMETERS = ("amplitude", "frequency_ratio", "restitution")
 """What orbits are followed in and motions are carried along."""
+SIZES = ("width", "height", "alpha", "radius", "p")
+"""Of a homogeneous rectangle."""
+
+
+class Parameter(NamedTuple):
+    """What a parameter is."""
+
+    units: str
+    """As in the attributes of a dataset."""
+    long_name: str
+    """In words."""
+
+
+AXES: Mapping[str, Parameter] = {
+    "kick": Parameter("1", "distance from the steady state at the start"),
+    "phase": Parameter("rad", "phase of the shaking at the start"),
+    "restitution": Parameter("1", "angular velocity after an impact over that before it"),
+    "p": Parameter("rad s-1", "frequency parameter of the block"),
+    "radius": Parameter("m", "half-diagonal of the block"),
+    "alpha": Parameter("rad", "slenderness of the block"),
+    "height": Parameter("m", "full height of the block"),
+    "width": Parameter("m", "full width of the block"),
+    "velocity": Parameter("1", "d(theta/alpha)/d(p t) at the start"),
+    "angle": Parameter("1", "theta/alpha at the start"),
+    "amplitude": Parameter("1", "a_max/(alpha g)"),
+    "acceleration_m_s2": Parameter("m s-2", "peak base acceleration"),
+    "frequency_ratio": Parameter("1", "omega/p"),
+    "frequency_hz": Parameter("Hz", "frequency of the shaking"),
+}
+"""What a map may have as an axis, in the order that dimensions have where nobody says: of two that
+make a picture the first is drawn upwards, the second to the right."""
+
+TWICE = (
+    {"amplitude", "acceleration_m_s2"},
+    {"frequency_ratio", "frequency_hz"},
+    {"radius", "p"},
+    *({side, other} for side in ("width", "height") for other in ("alpha", "radius", "p")),
+)
+"""Pairs that say one thing in two ways."""
+
+
+def validated_axes(axes: Iterable[str], fixed: Iterable[str] = ()) -> tuple[str, ...]:
+    """Return the names of a map's axes.
+
+    Parameters
+    ----------
+    axes
+        One or more.
+    fixed
+        Parameters that are given one value, in place of that of block, shaking and start.
+
+    Raises
+    ------
+    InputError
+        If there is no axis, or a name is not in `AXES`.
+    ModelError
+        If two of all these names say one thing in two ways.
+
+    Examples
+    --------
+    >>> validated_axes(["amplitude", "width"], ["frequency_hz"])
+    ('amplitude', 'width')
+    """
+    moved = tuple(axes)
+    names = (*moved, *fixed)
+    if not moved:
+        raise InputError(
+            name="axes",
+            value=names,
+            valid="a map has one axis or more",
+            hint="give a mapping of names to values, as {'amplitude': [1.0, 2.0]}",
+        )
+    for name in names:
+        if name not in AXES:
+            raise InputError(
+                name="axes",
+                value=name,
+                valid="there is no parameter of that name",
+                hint="choose from " + ", ".join(AXES),
+            )
+    for pair in combinations(names, 2):
+        if pair[0] == pair[1] or set(pair) in TWICE:
+            raise ModelError(
+                name="axes",
+                value=pair,
+                valid="they say one thing in two ways",
+                hint=f"leave {pair[0]} or {pair[1]} out",
+            )
+    return moved
+
+
+def shaking_of(block: Block | DimensionlessBlock, given: Mapping[str, float]) -> Harmonic:
+    """Return the shaking that parameters describe, amplitude and frequency in either measure.
+
+    Parameters
+    ----------
+    block
+        That is shaken; m/s^2 and Hz need one with a size.
+    given
+        amplitude or acceleration_m_s2, frequency_ratio or frequency_hz, and phase, 0 where it is
+        not given.  Other parameters are not looked at.
+
+    Raises
+    ------
+    InputError
+        If a value is outside its range.
+
+    Examples
+    --------
+    >>> block = Block.from_p(alpha=0.2, p=3.0, gravity=10.0)
+    >>> shaking_of(block, {"acceleration_m_s2": 4.0, "frequency_ratio": 5.0})
+    Harmonic(amplitude=2.0, frequency_ratio=5.0, phase=0.0)
+    """
+    phase = given.get("phase", 0.0)
+    known = {name: given[name] for name in ("amplitude", "frequency_ratio") if name in given}
+    if len(known) == 2 or not isinstance(block, Block):
+        return Harmonic(phase=phase, **known)
+    shaking = Harmonic.from_si(  # what is known in the other measure takes its place below
+        block,
+        acceleration_m_s2=given.get("acceleration_m_s2", 0.0),
+        frequency_hz=given.get("frequency_hz", block.p),
+        phase=phase,
+    )
+    return replace(shaking, **known)
 
 
 def moved_to(

@@ -8,13 +8,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.kernels.cells import harmonic_fates
 from rocksteady.kernels.march import OVERTURNED
-from rocksteady.sweep.axes import Axis, Grid, Output
+from rocksteady.sweep.axes import Axis
 from rocksteady.sweep.evaluate import Done, evaluate
+from rocksteady.sweep.grid import Grid
+from rocksteady.sweep.outputs import Output
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
-CHUNK = 256
+BATCH = 256
 MOST_PERIODS = 256_000
 """States of a piece, and forcing periods that they may take together: some milliseconds."""
 SAFE = Output(name="safe", dtype=np.bool_, long_name="whether the block has not overturned")
@@ -57,7 +59,7 @@ def safe_states(
         (SAFE,),
         executor=executor,
         workers=workers,
-        chunk=max(1, min(CHUNK, MOST_PERIODS // cycles)),
+        batch=max(1, min(BATCH, MOST_PERIODS // cycles)),
         done=done,
     )
     safe: Bools = data["safe"].values

@@ -8,8 +8,7 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.attractor import KINDS, AttractorKind, kind_codes
 from rocksteady.kernels import settling as column
-from rocksteady.sweep.axes import Output
-from rocksteady.sweep.evaluate import CHUNK
+from rocksteady.sweep.outputs import Output
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -23,9 +22,11 @@ KIND_FLAGS = {
 ENDLESS = -1
 """Number of impacts of an orbit that comes to rest: infinitely many."""
 
-MOST_PERIODS = 64_000
-"""Forcing periods that the motions of one piece of a grid may take together: some tenths of a
-second where all are chaotic, for which an interruption waits."""
+BATCH = 1024
+"""The most motions that the kernel follows in one call,"""
+MOST_PERIODS = 512_000
+"""and the forcing periods that they may take together: half a second where all are chaotic,
+for which an interruption waits."""
 
 KIND_OUTPUT = Output(
     name="kind", dtype=np.int8, long_name="what the motion settles to", flags=KIND_FLAGS
@@ -73,7 +74,7 @@ class SettledCells:
 def settled_cells(
     amplitude: Floats,
     frequency_ratio: Floats,
-    restitution: float,
+    restitution: float | Floats,
     begin: "Beginnings",
     cycles: int,
 ) -> SettledCells:
@@ -84,7 +85,7 @@ def settled_cells(
     amplitude, frequency_ratio
         Shape (cells,).
     restitution
-        Of all of them.
+        Of all of them, or of each, shape (cells,).
     begin
         Where they start.
     cycles
@@ -125,6 +126,15 @@ def settled_cells(
     )
 
 
+def load_kernel() -> None:
+    """Load the kernel, or compile it, so that what is timed afterwards is computation alone."""
+    nothing, whole = np.empty(0), np.empty(0, dtype=np.int64)
+    begin = Beginnings(
+        side=whole, angle=nothing, velocity=nothing, half_cycles=whole, phase=nothing
+    )
+    settled_cells(nothing, nothing, nothing, begin, 1)
+
+
 @dataclass(frozen=True, kw_only=True)
 class Beginnings:
     """States at the start, as the kernels see them, arrays of shape (cells,).
@@ -146,8 +156,10 @@ class Beginnings:
     phase: Floats
 
     @classmethod
-    def of(cls, angle: Floats, velocity: Floats, half_cycles: int, phase: float) -> "Beginnings":
-        """Return the states of any angles and velocities at one moment of the shaking."""
+    def of(
+        cls, angle: Floats, velocity: Floats, half_cycles: int | Integers, phase: float | Floats
+    ) -> "Beginnings":
+        """Return the states of any angles and velocities, at one moment of the shaking or each."""
         leaning = np.where(angle != 0.0, angle, velocity)
         return cls(
             side=np.sign(leaning).astype(np.int64),
@@ -158,9 +170,9 @@ class Beginnings:
         )
 
 
-def piece_size(cycles: int) -> int:
-    """Return how many motions make a piece, each followed for a number of forcing periods."""
-    return max(1, min(CHUNK, MOST_PERIODS // cycles))
+def batch_size(cycles: int) -> int:
+    """Return how many motions one call takes, each followed for a number of forcing periods."""
+    return max(1, min(BATCH, MOST_PERIODS // cycles))
 
 
 def outputs_of_orbits() -> tuple[Output, ...]:

@@ -101,6 +101,24 @@ class Steady:
 Start = Rest | State | Steady
 
 
+def validated_start(start: object) -> Start:
+    """Return a start.
+
+    Raises
+    ------
+    InputError
+        If it is none.
+    """
+    if not isinstance(start, Rest | State | Steady):
+        raise InputError(
+            name="start",
+            value=start,
+            valid="it must be a Rest, a State or a Steady",
+            hint="give Rest(), State(angle=..., velocity=...) or Steady(branch=..., order=...)",
+        )
+    return start
+
+
 def initial_march(
     start: Start, block: DimensionlessBlock, motion: Motion, side: int
 ) -> tuple[Motion, March]:
@@ -122,13 +140,7 @@ def initial_march(
     ModelError
         If a steady start has no harmonic shaking, or there is no admissible steady state.
     """
-    if not isinstance(start, Rest | State | Steady):
-        raise InputError(
-            name="start",
-            value=start,
-            valid="it must be a Rest, a State or a Steady",
-            hint="give Rest(), State(angle=..., velocity=...) or Steady(branch=..., order=...)",
-        )
+    start = validated_start(start)
     if isinstance(start, Steady):
         motion, state = _steady_state(start, block, motion, side)
     elif isinstance(start, State):

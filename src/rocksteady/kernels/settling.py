@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from rocksteady.kernels.attractors import LONGEST_ORBIT, MEMORY, PERIODIC, settle
 from rocksteady.kernels.compilation import compiled
-from rocksteady.kernels.march import LEAN, RATE, RESTITUTION, Floats
+from rocksteady.kernels.march import LEAN, RATE, RESTITUTION, Floats, clock
 from rocksteady.kernels.periodic import (
     ORBIT_COLUMNS,
     OTHER_PEAK,
@@ -15,6 +15,7 @@ from rocksteady.kernels.periodic import (
     SIDE,
     fill_peaks,
     is_symmetric,
+    measured,
     state_at,
 )
 from rocksteady.kernels.section import make_system
@@ -37,6 +38,13 @@ LOWEST = 3
 LYAPUNOV = 4
 LEAST = 5
 REAL_COLUMNS = 6
+
+
+@compiled
+def fill_clocks(phase: Floats, half_cycles: NDArray[np.int64], rest: Floats) -> None:
+    """Split phases into whole half cycles and rests in [0, pi), all of shape (cells,)."""
+    for i in range(len(phase)):
+        half_cycles[i], rest[i] = clock(phase[i])
 
 
 @compiled
@@ -93,6 +101,8 @@ def settle_cells(
         if found.outcome != PERIODIC:
             continue
         passages, periods = found.passages, found.periods
+        # As for one orbit alone: the times that it leaves are where the peaks are searched from.
+        measured(system, passages, periods, table)
         fill_peaks(system, passages, table)
         highest = lowest = 0.0
         for k in range(passages):

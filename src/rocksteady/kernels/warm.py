@@ -38,7 +38,7 @@ from rocksteady.kernels.periodic import (
     state_at,
 )
 from rocksteady.kernels.section import make_system, next_passage, phase_between
-from rocksteady.kernels.settling import REAL_COLUMNS, WHOLE_COLUMNS, settle_cells
+from rocksteady.kernels.settling import REAL_COLUMNS, WHOLE_COLUMNS, fill_clocks, settle_cells
 from rocksteady.kernels.symmetric import (
     fill_curves,
     fill_half_cycle,
@@ -104,6 +104,7 @@ def warm() -> None:
     system = make_system(2.0, 4.0, sides)
     memory, table = np.zeros((MEMORY, ORBIT_COLUMNS)), np.zeros((MEMORY, ORBIT_COLUMNS))
     settle(system, 0, 0, 0.0, 0.0, 0.0, 50, memory, table)
+    fill_clocks(one, np.zeros(1, dtype=np.int64), np.zeros(1))
     settle_cells(
         2.0 * one,
         4.0 * one,

@@ -1,0 +1,96 @@
+"""Initial states of many motions: arrays of what `rocksteady.dynamics.start` makes one by one."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.settled import Beginnings
+from rocksteady.dynamics.start import Steady, unstable_direction
+from rocksteady.dynamics.steady import steady_states
+from rocksteady.errors import ModelError
+from rocksteady.kernels.settling import fill_clocks
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+
+def at_phases(angle: Floats, velocity: Floats, phase: Floats) -> Beginnings:
+    """Return any angles and velocities, each at a phase of its own.
+
+    Parameters
+    ----------
+    angle, velocity
+        theta/alpha, and its derivative by pivot time, shape (cells,).
+    phase
+        Of the shaking [rad], shape (cells,).
+
+    Examples
+    --------
+    >>> import math
+    >>> upright = np.zeros(2)
+    >>> begin = at_phases(upright, upright, np.array([1.0, 1.0 - math.pi]))
+    >>> print(begin.side, begin.half_cycles, begin.phase.round(12))
+    [0 0] [ 0 -1] [1. 1.]
+    """
+    half_cycles, rest = np.empty(len(phase), dtype=np.int64), np.empty(len(phase))
+    fill_clocks(phase, half_cycles, rest)
+    # The motions' own jump at the start is added to the velocity, 0 here: it leaves no -0.0.
+    return Beginnings.of(angle, velocity + 0.0, half_cycles, rest)
+
+
+def on_orbits(
+    start: Steady,
+    kick: Floats,
+    amplitude: Floats,
+    frequency_ratio: Floats,
+    restitution: Floats,
+    side: int,
+) -> tuple[Beginnings, Bools]:
+    """Return the states on a steady state at many points, and where it is one to start from.
+
+    Parameters
+    ----------
+    start
+        Its branch and order count.
+    kick
+        In place of its own, shape (cells,).
+    amplitude, frequency_ratio, restitution
+        The points, shape (cells,).
+    side
+        +1 or -1, on which an unstable one is left.
+
+    Returns
+    -------
+    Beginnings, ndarray of bool
+        At rest where there is no such state, or it is no motion.
+
+    Examples
+    --------
+    >>> one = np.ones(2)
+    >>> begin, there = on_orbits(Steady(), 1e-6 * one, np.array([0.1, 2.0]), 4 * one, 0.8 * one, 1)
+    >>> print(there, begin.velocity.round(6))
+    [False  True] [0.       0.732389]
+    """
+    states = steady_states(amplitude, frequency_ratio, restitution, order=start.order)
+    assert states.admissible is not None
+    which = start.branch - 1
+    there = states.admissible[which].copy()
+    phase = np.where(there, states.phase[which], 0.0)
+    velocity = np.where(there, states.velocity[which], 0.0) * frequency_ratio
+    unstable = there & ~(states.stable[which] | states.neutral[which])
+    for cell in np.flatnonzero(unstable).tolist():
+        try:
+            shift_phase, shift_velocity = unstable_direction(
+                amplitude.item(cell),
+                frequency_ratio.item(cell),
+                restitution.item(cell),
+                start.order,
+                start.branch,
+            )
+        except ModelError:  # no number says how it is left
+            there[cell] = False
+            continue
+        away = side * kick.item(cell)
+        phase[cell] += away * shift_phase
+        velocity[cell] += away * shift_velocity
+    upright = np.zeros(len(phase))
+    return at_phases(upright, np.where(there, velocity, 0.0), np.where(there, phase, 0.0)), there
