@@ -12,7 +12,7 @@ REST = "#fcfaf3"
 SYMMETRIC = "#76c6fe"
 UNSYMMETRIC = "#bda613"
 SUBHARMONIC = "#477f68"
-APERIODIC = "#87439e"
+APERIODIC = "#6f3584"
 OVERTURNED = "#272728"
 UNDECIDED = "#9a9a9a"
 
@@ -54,6 +54,16 @@ LABELS = {
     "flight_extreme": r"extreme of each flight  $\theta/\alpha$",
     "periods": "time [excitation periods]",
     "kick": "distance from the orbit, with its side",
+    "angle_at_start": r"angle at the start  $\theta/\alpha$",
+    "velocity_at_start": r"velocity at the start  d$(\theta/\alpha)$/d$(pt)$",
+    "phase_at_start": r"phase at the start  $\varphi$ [rad]",
+    "acceleration_m_s2": r"acceleration  $a_{\max}$ [m/s$^2$]",
+    "alpha": r"slenderness  $\alpha$ [rad]",
+    "radius": r"half-diagonal  $R$ [m]",
+    "p": r"frequency parameter  $p$ [rad/s]",
+    "width": "width [m]",
+    "height": "height [m]",
+    "orbit_extremes": r"highest and lowest  $\theta/\alpha$  of the orbit",
     "periods_short": "time [periods]",
     "half_cycle": r"time since impact  $\omega t/2\pi$ [excitation periods]",
     "pivot_time": "pivot time  $pt$",
@@ -100,6 +110,29 @@ STYLE: dict[str, Any] = {
     "svg.fonttype": "path",
     "svg.hashsalt": "rocksteady",
 }
+
+
+def axis_label(name: str) -> str:
+    r"""Return the label of an axis of a map, on which angle, velocity and phase are at the start.
+
+    Examples
+    --------
+    >>> axis_label("radius"), axis_label("phase")
+    ('half-diagonal  $R$ [m]', 'phase at the start  $\\varphi$ [rad]')
+    """
+    return LABELS.get(f"{name}_at_start") or LABELS.get(name) or name.replace("_", " ")
+
+
+def axis_value(name: str, value: float) -> str:
+    """Return a value of such an axis in words.
+
+    Examples
+    --------
+    >>> axis_value("frequency_ratio", 2.0), axis_value("radius", 0.5)
+    ('frequency ratio = 2', 'half-diagonal = 0.5 m')
+    """
+    words, _, unit = axis_label(name).partition(" [")
+    return f"{words.partition('  ')[0]} = {value:.4g} {unit.rstrip(']')}".rstrip()
 
 
 def tinted(colour: str, part: float) -> str:

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.attractor import AttractorKind
 from rocksteady.dynamics.basin_attractors import BasinAttractor
 from rocksteady.dynamics.basins import Basins
 from rocksteady.dynamics.erosion import Drop, Erosion
 from rocksteady.show import palette
+from rocksteady.show.classes import FILLS, share_text
 from rocksteady.show.layout import (
     axes_or_new,
     emptiest_corner,
@@ -25,14 +25,6 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 
-FILLS = {
-    AttractorKind.OVERTURNED: palette.OVERTURNED,
-    AttractorKind.REST: palette.REST,
-    AttractorKind.SYMMETRIC: palette.SYMMETRIC,
-    AttractorKind.UNSYMMETRIC: palette.UNSYMMETRIC,
-    AttractorKind.APERIODIC: palette.APERIODIC,
-    AttractorKind.UNDECIDED: palette.UNDECIDED,
-}
 WORDS = {"integrity_factor": "integrity factor", "global_integrity": "global integrity measure"}
 
 
@@ -96,14 +88,13 @@ def plot_basins(basins: Basins, ax: "Axes | None" = None) -> "Axes":
                 axes.plot(
                     *points.T, mark, ls="none", ms=5.5, mfc=fill, mec=colour, mew=rim, zorder=4.0
                 )
-        share = f"{100.0 * fraction.share:.1f} %" if fraction.share >= 5e-4 else "< 0.1 %"
         handles.append(
             (
                 Line2D(
                     [], [], ls="none", marker="s", ms=10.0, mfc=fill, mec=palette.FAINT, mew=0.6
                 ),
                 Line2D([], [], ls="none", marker=mark, ms=4.5, mfc=fill, mec=palette.INK, mew=0.9),
-                f"{attractor.name}  {share}",
+                f"{attractor.name}  {share_text(fraction.share)}",
             )
         )
     axes.set(xlim=_ends(basins.angle), ylim=_ends(basins.velocity))

@@ -1,0 +1,139 @@
+"""Figures of maps of attractors, a third axis as panels side by side."""
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from rocksteady.errors import InputError
+from rocksteady.show import palette
+from rocksteady.show.classes import MapCells, map_cells
+from rocksteady.show.plots.maps import (
+    SWATCHES,
+    draw_cells,
+    draw_map,
+    fixed_text,
+    legend_handles,
+    upright,
+)
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.figure import Figure
+
+PLANE = ("amplitude", "frequency_ratio", "acceleration_m_s2", "frequency_hz")
+"""Axes that a panel shows rather than that they are told apart by."""
+MOST_PANELS = 12
+ACROSS = {1: 1, 2: 2, 3: 3, 4: 2, 5: 3, 6: 3, 7: 4, 8: 4, 9: 3, 10: 4, 11: 4, 12: 4}
+"""Columns by the number of panels."""
+
+
+def map_figure(found: "xarray.Dataset", title: str = "") -> "Figure":
+    """Return a figure of a map of attractors over one, two or three axes with several values.
+
+    Over three there is a panel for each value of the axis that has fewest (of those that are
+    neither amplitude nor frequency, where they are equal), with one legend, whose shares are of
+    all panels together.
+
+    Parameters
+    ----------
+    found
+        From `rocksteady.attractor_map`.
+    title
+        Above the panels.
+
+    Raises
+    ------
+    InputError
+        If it is no map, has four axes or more, or none, with several values, or would have more
+        than 12 panels.
+
+    Examples
+    --------
+    >>> from rocksteady import DimensionlessBlock, attractor_map
+    >>> found = attractor_map(
+    ...     DimensionlessBlock(restitution=0.8),
+    ...     axes={
+    ...         "restitution": [0.7, 0.9],
+    ...         "amplitude": [0.5, 2.0, 3.0],
+    ...         "frequency_ratio": [1.0, 4.0, 8.0],
+    ...     },
+    ... )
+    >>> [axes.get_title(loc="left") for axes in map_figure(found).axes]
+    ['restitution = 0.7', 'restitution = 0.9']
+    """
+    from matplotlib.figure import Figure
+
+    cells = map_cells(found)
+    panels = panels_axis(dict(zip(cells.names, cells.classes.shape, strict=True)))
+    with palette.style():
+        if panels is not None:
+            return _panels(cells.parts(panels), cells, title)
+        figure = Figure(figsize=(8.0, 4.8))
+        draw_map(figure.add_subplot(), cells, found)
+        if title:
+            figure.suptitle(title, x=0.01, ha="left", fontsize=10)
+    return figure
+
+
+def panels_axis(counts: Mapping[str, int]) -> str | None:
+    """Return the axis of a map that becomes panels; None where one picture shows all.
+
+    Parameters
+    ----------
+    counts
+        Number of values of each axis with several.
+
+    Raises
+    ------
+    InputError
+        If there are four axes or more, or would be more than 12 panels.
+
+    Examples
+    --------
+    >>> panels_axis({"restitution": 4, "amplitude": 100, "frequency_ratio": 200})
+    'restitution'
+    """
+    if len(counts) > 3:
+        raise InputError(
+            name="found",
+            value=f"{len(counts)} axes: {', '.join(counts)}",
+            valid="a figure shows at most three axes with several values",
+            hint="select a value of the others, as found.sel(restitution=0.8)",
+        )
+    if len(counts) < 3:
+        return None
+    name = min(counts, key=lambda one: (counts[one], one in PLANE))
+    if counts[name] > MOST_PANELS:
+        raise InputError(
+            name="found",
+            value=f"{counts[name]} values of {name}",
+            valid=f"the axis with the fewest becomes panels, at most {MOST_PANELS}",
+            hint=f"draw some of them, as found.isel({name}=slice(0, {MOST_PANELS}))",
+        )
+    return name
+
+
+def _panels(parts: "list[MapCells]", cells: MapCells, title: str) -> "Figure":
+    """Draw the parts of a map side by side."""
+    from matplotlib.figure import Figure
+
+    across = ACROSS[len(parts)]
+    down = math.ceil(len(parts) / across)
+    up, right = upright(parts[0]).names
+    figure = Figure(figsize=(1.9 + 2.7 * across, 0.9 + 2.3 * down))
+    grid = figure.subplots(down, across, sharex=True, sharey=True, squeeze=False).ravel()
+    for number, axes in enumerate(grid):
+        if number >= len(parts):
+            axes.remove()
+            continue
+        draw_cells(axes, parts[number])
+        axes.set(xlabel="", ylabel="")
+        axes.set_title(fixed_text(parts[number]), loc="left")
+        axes.tick_params(labelbottom=number + across >= len(parts))
+    figure.supxlabel(palette.axis_label(right), fontsize=9.0)
+    figure.supylabel(palette.axis_label(up), fontsize=9.0)
+    figure.legend(handles=legend_handles(cells), loc="outside right upper", **SWATCHES)
+    above = ", ".join(text for text in (title, fixed_text(cells)) if text)
+    if above:
+        figure.suptitle(above, x=0.01, ha="left", fontsize=10)
+    return figure
