@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import Harmonic, steady_states, symmetry_breaking_frequency
+from rocksteady import attractor_map, steady_states, symmetry_breaking_frequency
 from rocksteady.studies.tso_wong_1989.claims import transitions
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
 from rocksteady.studies.tso_wong_1989.claims.transitions import Descent, descent
-from rocksteady.studies.tso_wong_1989.fates import Fate, Kind, settle
+from rocksteady.studies.tso_wong_1989.fates import Fate, Kind
 from tests.dynamics.formulae import printed, printed_trace
 from tests.studies.tso_wong_1989.whole import evidence, finding, found, values, with_histories
 
@@ -48,13 +48,11 @@ def overturning_at_the_end(monkeypatch: pytest.MonkeyPatch) -> Evidence:
 def upwards(monkeypatch: pytest.MonkeyPatch) -> Evidence:
     """A world in which the unsymmetric motions come in the opposite order of frequency."""
 
-    def mirrored(restitution: float, shaking: Harmonic, *more: Any, **options: Any) -> Fate:
-        other = Harmonic(
-            amplitude=shaking.amplitude, frequency_ratio=1.94 + 1.8 - shaking.frequency_ratio
-        )
-        return settle(restitution, other, *more, **options)
+    def mirrored(block: Any, *, axes: Any, **options: Any) -> Any:
+        other = {**axes, "frequency_ratio": 1.94 + 1.8 - np.array(axes["frequency_ratio"])}
+        return attractor_map(block, axes=other, **options)
 
-    monkeypatch.setattr(transitions, "settle", mirrored)
+    monkeypatch.setattr(transitions, "attractor_map", mirrored)
     return evidence()
 
 
@@ -78,12 +76,12 @@ def one_motion_each(monkeypatch: pytest.MonkeyPatch) -> Evidence:
 
 
 def a_subharmonic_somewhere(monkeypatch: pytest.MonkeyPatch) -> Evidence:
-    fates = [evidence().histories["9c"].fates[1]]
+    def first_of_all(*arguments: Any, **options: Any) -> Any:
+        found = attractor_map(*arguments, **options)
+        found.kind.values.flat[0], found.period.values.flat[0] = 0, 3
+        return found
 
-    def first_of_all(*_: object) -> Fate:
-        return fates.pop() if fates else overturned()
-
-    monkeypatch.setattr(transitions, "settle", first_of_all)
+    monkeypatch.setattr(transitions, "attractor_map", first_of_all)
     return evidence()
 
 

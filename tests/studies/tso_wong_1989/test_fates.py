@@ -212,13 +212,27 @@ def test_a_mirrored_start_has_the_mirrored_fate() -> None:
             assert one.highest == pytest.approx(-other.lowest, abs=1e-9)
 
 
-def test_fates_over_distances_are_those_of_each_distance() -> None:
-    kicks = (1e-6, 1e-4, 1e-2)
-    start = Steady(branch=2, order=3, kick=0.1)
-    fates = fates_over_kicks(0.8, shaking(2.0, 5.0), start, side=-1, kicks=kicks)
-    for kick, fate in zip(kicks, fates, strict=True):
-        alone = settled(2.0, 5.0, branch=2, order=3, kick=kick, side=-1)
-        assert (fate.kind, fate.highest) == (alone.kind, alone.highest)
+@pytest.mark.parametrize(
+    ("a", "w", "order", "branch", "side", "kinds"),
+    [
+        (1.0, 2.0, 1, 2, 1, {Kind.OVERTURNED, Kind.SYMMETRIC}),
+        (1.0, 2.0, 1, 2, -1, {Kind.REST, Kind.SYMMETRIC}),
+        (2.0, 5.0, 3, 2, 1, {Kind.SUBHARMONIC}),
+        (2.0, 1.948, 1, 1, -1, {Kind.UNSETTLED, Kind.UNSYMMETRIC}),
+    ],
+)
+def test_fates_over_distances_are_those_of_each_distance(
+    a: float, w: float, order: int, branch: int, side: int, kinds: set[Kind]
+) -> None:
+    kicks = np.geomspace(1e-6, 1e-2, 9)
+    start = Steady(branch=branch, order=order, kick=0.1)
+    fates = fates_over_kicks(0.8, shaking(a, w), start, side=side, kicks=kicks)
+    assert {fate.kind for fate in fates} == kinds
+    for kick, fate in zip(kicks.tolist(), fates, strict=True):
+        alone = settled(a, w, branch=branch, order=order, kick=kick, side=side)
+        # One at a time and as cells of a map they are one motion to the last bit.
+        np.testing.assert_equal(vars(fate), {**vars(alone), "orbit": None})
+        assert (fate.label, fate.bias) == (alone.label, alone.bias)
 
 
 def test_a_motion_next_to_its_loss_of_symmetry_is_not_taken_for_settled() -> None:

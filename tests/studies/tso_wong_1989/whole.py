@@ -127,5 +127,4 @@ def plane(restitution: float, order: int) -> Plane:
 
 def higher(fate: Fate, highest: float) -> Fate:
     """A fate whose motion has another peak."""
-    assert fate.orbit is not None
-    return replace(fate, orbit=replace(fate.orbit, highest=highest))
+    return replace(fate, highest=highest)

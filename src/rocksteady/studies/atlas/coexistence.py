@@ -15,8 +15,10 @@ from rocksteady import AttractorKind, steady_states
 from rocksteady.dynamics.attractor import KINDS
 from rocksteady.dynamics.settled import Beginnings, SettledCells, settled_cells
 from rocksteady.studies.atlas.plane import Plane
-from rocksteady.sweep.axes import Axis, Grid, Output
-from rocksteady.sweep.evaluate import CHUNK, evaluate
+from rocksteady.sweep.axes import Axis
+from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.grid import Grid
+from rocksteady.sweep.outputs import Output
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -142,11 +144,6 @@ class Coexistence:
         """Return the orbits of a cell, as tables have them."""
         codes = self.codes[:, row, column].tolist()
         return " ".join(OrbitClass.of(code).text for code in codes if code)
-
-
-def pieces(plane: Plane) -> int:
-    """Return how often `coexistence` says that something is done."""
-    return math.ceil(len(plane.amplitudes) * len(plane.ratios) / CHUNK)
 
 
 def coexistence(

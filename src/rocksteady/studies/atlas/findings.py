@@ -8,7 +8,8 @@ import numpy as np
 
 from rocksteady import PointType
 from rocksteady.studies.atlas.coexistence import RESTS, Coexistence, OrbitClass
-from rocksteady.studies.atlas.families import Column, FamilyMap
+from rocksteady.studies.atlas.columns import Column
+from rocksteady.studies.atlas.families import FamilyMap
 from rocksteady.studies.atlas.from_rest import FATES, FromRest
 from rocksteady.studies.atlas.lines import Line
 from rocksteady.studies.atlas.windows import Window
@@ -43,15 +44,15 @@ class BandsAt:
 
 def bands_at(column: Column, order: int) -> BandsAt:
     """Return a column as the table has it."""
-    last = column.points[-1] if column.points else None
+    last = column.ends[-1] if column.ends else None
     ends = "beyond"
     if last is not None:
-        ends = {PointType.GRAZING: "graze", PointType.FOLD: "fold"}.get(last.type, "cascade")
+        ends = {PointType.GRAZING: "graze", PointType.FOLD: "fold"}.get(last, "cascade")
     if not column.followed:
         ends = "not-followed"
     reached = [
-        border if point is not None or not column.followed else float("nan")
-        for border, point in zip(column.borders, column.points, strict=True)
+        border if end is not None or not column.followed else float("nan")
+        for border, end in zip(column.borders, column.ends, strict=True)
     ]
     reached += [float("nan")] * (2 - len(reached))
     return BandsAt(

@@ -1,11 +1,13 @@
 """What a block at rest comes to when the shaking begins, at one phase of it and at many."""
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from rocksteady import (
     AttractorKind,
@@ -17,6 +19,9 @@ from rocksteady.dynamics.attractor import KINDS
 from rocksteady.studies.atlas.plane import Plane
 from rocksteady.studies.folder import Done, nothing
 
+if TYPE_CHECKING:
+    import xarray
+
 Floats = NDArray[np.float64]
 
 PHASES = 8
@@ -26,6 +31,8 @@ MARKED = (1.0, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0)
 """Frequency ratios of the page's tables, of bands and of the lowest amplitudes that overturn."""
 STEPS = 700
 """Amplitudes from uplift to the plane's top that are tried at each."""
+PARTS = 8
+"""Parts of the cells after each of which `from_rest` says how far it is."""
 
 FATES = (
     "rest",
@@ -111,32 +118,50 @@ def from_rest(plane: Plane, *, workers: int | None = None, done: Done = nothing)
     workers
         As for `rocksteady.attractor_map`.
     done
-        Called after each phase.
+        Called `PARTS` times, each when another part of the cells is done.
     """
-    block = DimensionlessBlock(restitution=plane.restitution)
     phases: Floats = np.arange(PHASES, dtype=np.float64) * (math.pi / PHASES)
     marked = [w for w in MARKED if plane.window[0] <= w <= plane.window[1]]
     tried = np.linspace(1.0, plane.top, STEPS + 1) if plane.top > 1.0 else np.zeros(0)
-    kinds, periods, impacts, fallen = [], [], [], []
-    for phase in phases.tolist():
-        found = attractor_map(
-            block, plane.amplitudes, plane.ratios, phase=phase, cycles=CYCLES, workers=workers
+    cells = len(phases) * (len(plane.amplitudes) * len(plane.ratios) + len(tried) * len(marked))
+    told = _in_parts(cells, done)
+
+    def settled(amplitude: Floats, ratio: ArrayLike) -> "xarray.Dataset":
+        return attractor_map(
+            DimensionlessBlock(restitution=plane.restitution),
+            axes={"phase": phases, "amplitude": amplitude, "frequency_ratio": ratio},
+            cycles=CYCLES,
+            workers=workers,
+            done=told,
         )
-        kinds.append(found["kind"].values)
-        periods.append(found["period"].values)
-        impacts.append(found["impacts"].values)
-        if marked and tried.size:
-            along = attractor_map(block, tried, marked, phase=phase, cycles=CYCLES, workers=workers)
-            fallen.append(along["kind"].values == KINDS.index(AttractorKind.OVERTURNED))
-        done(f"phase {phase / math.pi:.3f} π")
+
+    found = settled(plane.amplitudes, plane.ratios)
+    kind, period, impacts = (found[name].values for name in ("kind", "period", "impacts"))
+    falls: tuple[LowestFall, ...] = ()
+    if marked and tried.size:
+        fallen = settled(tried, marked)["kind"].values == KINDS.index(AttractorKind.OVERTURNED)
+        falls = _lowest(plane, marked, tried, phases, fallen)
     return FromRest(
         plane=plane,
         phases=phases,
-        fate=_fates(np.array(kinds), np.array(periods), np.array(impacts)),
-        period=np.array(periods),
-        impacts=np.array(impacts),
-        falls=_lowest(plane, marked, tried, phases, np.array(fallen)),
+        fate=_fates(kind, period, impacts),
+        period=period,
+        impacts=impacts,
+        falls=falls,
     )
+
+
+def _in_parts(cells: int, done: Done) -> Callable[[int], None]:
+    """Return what is told how many cells are done, and tells when another part of all is."""
+    passed = 0
+
+    def told(count: int) -> None:
+        nonlocal passed
+        before, passed = passed, passed + count
+        for part in range(before * PARTS // cells, passed * PARTS // cells):
+            done(f"from rest, {part + 1} of {PARTS}")
+
+    return told
 
 
 def _fates(
@@ -170,7 +195,7 @@ def _lowest(
 ) -> tuple[LowestFall, ...]:
     """Return the lowest amplitude that overturns, at any phase, for each marked frequency."""
     falls = []
-    for place, ratio in enumerate(marked if tried.size else []):
+    for place, ratio in enumerate(marked):
         here = fallen[:, :, place]
         row = int(np.argmax(here.any(axis=0)))
         falls.append(

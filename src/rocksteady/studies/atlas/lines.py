@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from rocksteady import BranchPoint, PointType, bifurcation_curve, boundaries
 from rocksteady.errors import RocksteadyError
+from rocksteady.studies.atlas.columns import Column, followed
 from rocksteady.studies.atlas.families import FamilyMap
 from rocksteady.studies.atlas.plane import Plane
 
@@ -85,15 +86,24 @@ def family_lines(family: FamilyMap) -> tuple[Line, ...]:
         the plane, and the end of the cascade through the columns.
     """
     found = [_existence(family)]
+    plane = family.plane
     for column in family.columns:
-        for level, point in enumerate(column.points):
-            name = _name(point, level, column.points)
-            if point is None or name is None:
-                continue
-            if not _known(found, name, point, family.plane):
-                line = traced(point, name, _within(family))
-                if line is not None:
-                    found.append(replace(line, order=family.order))
+        names = [_name(column.ends, level) for level in range(len(column.ends))]
+        begun = {
+            level: name
+            for level, name in enumerate(names)
+            if name is not None and not _known(found, name, column, level, plane)
+        }
+        if not begun:
+            continue
+        ratio = column.frequency_ratio
+        _, points = followed(plane.restitution, ratio, plane.top, family.order)
+        for level, name in begun.items():
+            point = points[level]
+            assert point is not None
+            line = traced(point, name, _within(family))
+            if line is not None:
+                found.append(replace(line, order=family.order))
     return (*found, *_limits(family))
 
 
@@ -117,29 +127,28 @@ def fine_ratios(plane: Plane) -> Floats:
     return np.linspace(max(left, float(plane.ratios[0])), right, FINE * len(plane.ratios))
 
 
-def _name(
-    point: BranchPoint | None, level: int, points: Sequence[BranchPoint | None]
-) -> str | None:
-    """Return what the curve through a bifurcation is called; None of the third doubling.
+def _name(ends: Sequence[PointType | None], level: int) -> str | None:
+    """Return what the curve through the end of a band is called.
 
-    That one shows nothing between the second and the end of the cascade.
+    None where there is none, and of the third doubling, which shows nothing between the second and
+    the end of the cascade.
     """
-    if point is None:
+    end = ends[level]
+    if end is None:
         return None
-    before = sum(
-        each is not None and each.type is PointType.PERIOD_DOUBLING for each in points[:level]
-    )
-    names = NAMES[point.type]
-    if point.type is PointType.PERIOD_DOUBLING:
+    names = NAMES[end]
+    if end is PointType.PERIOD_DOUBLING:
+        before = ends[:level].count(end)
         return names[before] if before < len(names) else None
     return names[0]
 
 
-def _known(lines: Sequence[Line], name: str, point: BranchPoint, plane: Plane) -> bool:
-    """Return whether a curve of that name runs through a point."""
+def _known(lines: Sequence[Line], name: str, column: Column, level: int, plane: Plane) -> bool:
+    """Return whether a curve of that name runs through the end of a band."""
+    border = column.borders[level]
     return any(
         line.name == name
-        and abs(line.amplitude_at(point.frequency_ratio) - point.amplitude) <= NEAR * plane.top
+        and abs(line.amplitude_at(column.frequency_ratio) - border) <= NEAR * plane.top
         for line in lines
     )
 
@@ -149,9 +158,9 @@ def _within(family: FamilyMap) -> Ranges:
     plane = family.plane
     left, right = plane.window[:2]
     # As far down as the columns were followed: below, half cycles are too long for rounding.
-    followed = [c.frequency_ratio for c in family.columns if any(p is not None for p in c.points)]
+    ratios = [c.frequency_ratio for c in family.columns if any(end is not None for end in c.ends)]
     lowest = 0.5 * float(np.nanmin(family.edges[0]))
-    return (lowest, plane.top), (max(left, min(followed)), right)
+    return (lowest, plane.top), (max(left, min(ratios)), right)
 
 
 def traced(point: BranchPoint, name: str, within: Ranges) -> Line | None:
@@ -194,9 +203,7 @@ def _limits(family: FamilyMap) -> Iterator[Line]:
     """Yield the ends of the cascade where neighbouring columns have one."""
     run: list[tuple[float, float]] = []
     for column in (*family.columns, None):
-        last = column.points[-1] if column is not None and column.points else None
-        cascade = last is not None and last.type is PointType.PERIOD_DOUBLING
-        if column is not None and cascade:
+        if column is not None and column.ends[-1:] == (PointType.PERIOD_DOUBLING,):
             run.append((column.frequency_ratio, column.limit))
         elif run:
             ratios, amplitudes = np.array(run).T

@@ -12,8 +12,9 @@ from rocksteady import __version__
 from rocksteady.show.files import figure_bytes, json_text, save_csv, save_text
 from rocksteady.show.report import svg_data_uri
 from rocksteady.studies.atlas import tables
-from rocksteady.studies.atlas.coexistence import Coexistence, coexistence, pieces
-from rocksteady.studies.atlas.families import FamilyMap, column, family_map
+from rocksteady.studies.atlas.coexistence import Coexistence, coexistence
+from rocksteady.studies.atlas.columns import columns
+from rocksteady.studies.atlas.families import FamilyMap, family_map
 from rocksteady.studies.atlas.findings import (
     BandsAt,
     bands_at,
@@ -22,7 +23,7 @@ from rocksteady.studies.atlas.findings import (
     rest_values,
     window_values,
 )
-from rocksteady.studies.atlas.from_rest import MARKED, PHASES, FromRest, from_rest
+from rocksteady.studies.atlas.from_rest import MARKED, PARTS, FromRest, from_rest
 from rocksteady.studies.atlas.lines import Line, family_lines
 from rocksteady.studies.atlas.pictures import draw_coexistence, draw_families, draw_from_rest
 from rocksteady.studies.atlas.plane import AMPLITUDES, FREQUENCY_RATIOS, ORDERS, Plane
@@ -35,6 +36,8 @@ if TYPE_CHECKING:
 
 SCHEMA = "rocksteady/atlas/1"
 PICTURES = ("families", "coexistence", "from-rest")
+CELLS = 64
+"""Of the search for what stands side by side that take about as long as another step."""
 TABLES = ("bands", "borders", "coexistence", "from-rest")
 OURS = rf"({'|'.join(PICTURES)})\.(png|svg)|({'|'.join(TABLES)})\.csv|atlas\.json|atlas\.html"
 """Names of the files, as a regular expression."""
@@ -203,7 +206,7 @@ def atlas(
     orders
         n of the families whose regions are followed, odd.
     workers
-        Threads of the search and of the map from rest; all cores without.
+        Threads; all cores without.
     done
         Called with the name of each step.
 
@@ -229,17 +232,16 @@ def atlas(
         restitution, amplitude=amplitude, frequency_ratio=frequency_ratio, orders=orders
     )
     began = time.perf_counter()
-    families = tuple(family_map(plane, order, done=done) for order in plane.orders)
+    families = tuple(family_map(plane, order, workers=workers, done=done) for order in plane.orders)
     lines: list[Line] = []
     bands: list[BandsAt] = []
     for family in families:
         lines += family_lines(family)
-        bands += [
-            bands_at(column(plane.restitution, ratio, plane.top, family.order), family.order)
-            for ratio in marked(plane)
-        ]
+        if marked(plane):
+            there = columns(plane, family.order, marked(plane), workers=workers)
+            bands += [bands_at(column, family.order) for column in there]
         done(f"borders, n = {family.order}")
-    found = coexistence(plane, workers=workers, done=lambda _: done("side by side"))
+    found = coexistence(plane, workers=workers, done=_in_steps(done))
     strips = windows(found)
     done("windows")
     rest = from_rest(plane, workers=workers, done=done)
@@ -263,4 +265,18 @@ def marked(plane: Plane) -> list[float]:
 
 def steps(plane: Plane) -> int:
     """Return the number of times that `atlas` says that something is done."""
-    return len(plane.orders) * (len(plane.ratios) + 1) + pieces(plane) + 1 + PHASES
+    searched = len(plane.amplitudes) * len(plane.ratios) // CELLS
+    return len(plane.orders) * (len(plane.ratios) + 1) + searched + 1 + PARTS
+
+
+def _in_steps(done: Done) -> Callable[[int], None]:
+    """Return what a sweep calls with numbers of cells, some of which make a step."""
+    passed = 0
+
+    def swept(cells: int) -> None:
+        nonlocal passed
+        before, passed = passed, passed + cells
+        for _ in range(before // CELLS, passed // CELLS):
+            done("side by side")
+
+    return swept

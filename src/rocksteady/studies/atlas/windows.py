@@ -20,7 +20,7 @@ from rocksteady import (
 )
 from rocksteady.dynamics.settled import settled_cells
 from rocksteady.studies.atlas.coexistence import CYCLES, Coexistence, OrbitClass, starts
-from rocksteady.studies.atlas.families import band_ends, border_of
+from rocksteady.studies.atlas.columns import band_ends, border_of
 from rocksteady.studies.atlas.lines import NAMES, Line, traced
 
 if TYPE_CHECKING:

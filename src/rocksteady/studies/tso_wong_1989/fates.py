@@ -1,21 +1,41 @@
 """What a block settles to, in the paper's words, and how that depends on where it starts."""
 
+import functools
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from enum import StrEnum
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
 
 from rocksteady import (
     AttractorKind,
+    Axis,
     DimensionlessBlock,
+    Grid,
     Harmonic,
     Orbit,
+    Output,
     Rest,
     State,
     Steady,
     attractor,
+    attractor_map,
+    evaluate,
     simulate,
 )
+from rocksteady.dynamics.attractor import KINDS
+
+if TYPE_CHECKING:
+    import xarray
+
+Floats = NDArray[np.float64]
+
+FALLING = 1000
+"""Excitation periods for which a block may still go on after its last impact until it falls."""
+OVERTURNED_AFTER = Output(name="overturned_after", long_name="excitation periods until it falls")
 
 
 class Kind(StrEnum):
@@ -37,35 +57,26 @@ class Fate:
     ----------
     kind
         What became of it.
-    orbit
-        The periodic motion; None where it rests, overturns or does not settle.
+    period
+        Excitation periods after which the motion repeats itself; 0 unless it does.
+    symmetric
+        Whether half of that turns it into its mirror image.
+    highest, lowest
+        Extrema of theta/alpha of the motion; nan where there is none.
     overturned_after
         Excitation periods until it passes |theta| = alpha for good; nan unless it does.
+    orbit
+        The periodic motion of a single run; None where it rests, overturns or does not settle, and
+        of one run among many.
     """
 
     kind: Kind
-    orbit: Orbit | None = None
+    period: int = 0
+    symmetric: bool = False
+    highest: float = math.nan
+    lowest: float = math.nan
     overturned_after: float = math.nan
-
-    @property
-    def period(self) -> int:
-        """Excitation periods after which the motion repeats itself; 0 unless it does."""
-        return 0 if self.orbit is None else self.orbit.period
-
-    @property
-    def symmetric(self) -> bool:
-        """Whether half of that turns it into its mirror image."""
-        return self.orbit is not None and self.orbit.symmetric
-
-    @property
-    def highest(self) -> float:
-        """Highest theta/alpha of the motion; nan where there is none."""
-        return math.nan if self.orbit is None else self.orbit.highest
-
-    @property
-    def lowest(self) -> float:
-        """Lowest theta/alpha of the motion; nan where there is none."""
-        return math.nan if self.orbit is None else self.orbit.lowest
+    orbit: Orbit | None = None
 
     @property
     def label(self) -> str:
@@ -80,7 +91,7 @@ class Fate:
     @property
     def bias(self) -> int:
         """Side to which an unsymmetric motion leans, +1 or -1; 0 for every other."""
-        if self.orbit is None or self.symmetric:
+        if not self.period or self.symmetric:
             return 0
         return 1 if self.highest > -self.lowest else -1
 
@@ -103,31 +114,104 @@ def settle(
     """
     block = DimensionlessBlock(restitution=restitution)
     found = attractor(block, shaking, start=start, side=side)
-    if found.orbit is not None:
-        kind = Kind.SUBHARMONIC
-        if found.orbit.period == 1:
-            kind = Kind.SYMMETRIC if found.orbit.symmetric else Kind.UNSYMMETRIC
-        return Fate(kind=kind, orbit=found.orbit)
-    if found.kind is AttractorKind.REST:
-        return Fate(kind=Kind.REST)
-    if found.kind is AttractorKind.OVERTURNED:
-        # The block may still go on for some periods after its last impact.
-        run = simulate(block, shaking, start=start, side=side, cycles=found.after + 1000)
-        assert run.overturn_tau is not None
-        return Fate(kind=Kind.OVERTURNED, overturned_after=run.overturn_tau / (2.0 * math.pi))
-    return Fate(kind=Kind.UNSETTLED)
+    orbit = found.orbit
+    if orbit is not None:
+        return Fate(
+            kind=_kind(found.kind, orbit.period),
+            period=orbit.period,
+            symmetric=orbit.symmetric,
+            highest=orbit.highest,
+            lowest=orbit.lowest,
+            orbit=orbit,
+        )
+    kind = _kind(found.kind, 0)
+    if kind is not Kind.OVERTURNED:
+        return Fate(kind=kind)
+    after = _falls_after(block, shaking, start, side, found.after + FALLING)
+    return Fate(kind=kind, overturned_after=after)
 
 
 def fates_over_kicks(
-    restitution: float, shaking: Harmonic, start: Steady, *, side: int, kicks: Sequence[float]
+    restitution: float, shaking: Harmonic, start: Steady, *, side: int, kicks: Floats
 ) -> list[Fate]:
     """Return what a block settles to for each distance at which it leaves a steady state."""
-    return [
-        settle(
-            restitution,
-            shaking,
-            Steady(branch=start.branch, order=start.order, kick=kick),
+    block = DimensionlessBlock(restitution=restitution)
+    found = attractor_map(block, shaking, axes={"kick": kicks}, start=start, side=side)
+    kinds = list(kinds_in(found))
+    fallen = np.array([kind is Kind.OVERTURNED for kind in kinds])
+    after = np.full(len(kicks), math.nan)
+    if fallen.any():
+        times = functools.partial(
+            _falls,
+            block=block,
+            shaking=shaking,
+            start=start,
             side=side,
+            cycles=int(found["after"].values[fallen].max()) + FALLING,
         )
-        for kick in kicks
+        grid = Grid(axes=(Axis(name="kick", values=kicks[fallen]),))
+        after[fallen] = evaluate(times, grid, (OVERTURNED_AFTER,))["overturned_after"].values
+    columns = (found[name].values.tolist() for name in ("period", "kind", "highest", "lowest"))
+    return [
+        Fate(
+            kind=kind,
+            period=period,
+            symmetric=KINDS[code] is AttractorKind.SYMMETRIC,
+            highest=highest if period else math.nan,
+            lowest=lowest if period else math.nan,
+            overturned_after=time,
+        )
+        for kind, period, code, highest, lowest, time in zip(
+            kinds, *columns, after.tolist(), strict=True
+        )
     ]
+
+
+def kinds_in(found: "xarray.Dataset") -> Iterator[Kind]:
+    """Yield what became of each cell of `rocksteady.attractor_map`, in C order."""
+    codes, periods = (found[name].values.ravel().tolist() for name in ("kind", "period"))
+    for code, period in zip(codes, periods, strict=True):
+        yield _kind(KINDS[code], period)
+
+
+def _kind(kind: AttractorKind, period: int) -> Kind:
+    """Return what became of a block by what it has settled to and, of an orbit, its period."""
+    if kind is AttractorKind.REST:
+        return Kind.REST
+    if kind is AttractorKind.OVERTURNED:
+        return Kind.OVERTURNED
+    if not period:
+        return Kind.UNSETTLED
+    if period > 1:
+        return Kind.SUBHARMONIC
+    return Kind.SYMMETRIC if kind is AttractorKind.SYMMETRIC else Kind.UNSYMMETRIC
+
+
+def _falls_after(
+    block: DimensionlessBlock,
+    shaking: Harmonic,
+    start: Rest | State | Steady,
+    side: int,
+    cycles: int,
+) -> float:
+    """Return after how many excitation periods a block that overturns does so."""
+    run = simulate(block, shaking, start=start, side=side, cycles=cycles)
+    assert run.overturn_tau is not None
+    return run.overturn_tau / (2.0 * math.pi)
+
+
+def _falls(
+    kick: Floats,
+    *,
+    block: DimensionlessBlock,
+    shaking: Harmonic,
+    start: Steady,
+    side: int,
+    cycles: int,
+) -> dict[str, Floats]:
+    """Return when blocks overturn that leave a steady state at some distances."""
+    times = [
+        _falls_after(block, shaking, replace(start, kick=distance), side, cycles)
+        for distance in kick.tolist()
+    ]
+    return {"overturned_after": np.array(times)}

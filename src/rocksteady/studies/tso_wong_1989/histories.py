@@ -216,9 +216,7 @@ class History:
         if self.stable:
             return {}
         return {
-            side: fates_over_kicks(
-                RESTITUTION, self.shaking, self.start, side=side, kicks=KICKS.tolist()
-            )
+            side: fates_over_kicks(RESTITUTION, self.shaking, self.start, side=side, kicks=KICKS)
             for side in SIDES
         }
 

@@ -3,20 +3,26 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rocksteady import (
     Block,
     DimensionlessBlock,
+    Grid,
     Harmonic,
     InputError,
+    Output,
     State,
-    SteadyStates,
+    evaluate,
     simulate,
-    steady_orbit,
     steady_states,
 )
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
+from rocksteady.studies.tso_wong_1989.claims.solutions import (
+    LONGEST,
+    differing,
+    followable,
+    landed,
+)
 from rocksteady.studies.tso_wong_1989.findings import Finding
 from rocksteady.studies.tso_wong_1989.words import scientific, signed
 
@@ -24,8 +30,6 @@ STATEMENTS = Statements()
 
 ROUNDING = 1e-9
 """Relative difference up to which two computed numbers count as equal; they agree far better."""
-LONGEST = 8.0
-"""Half cycles in pivot time that are marched from start to end."""
 
 
 @STATEMENTS.add(
@@ -161,14 +165,6 @@ def _algebra(a: float, w: float, r: float, n: int) -> tuple[float, float]:
     return phase, velocity
 
 
-def followable(states: SteadyStates) -> NDArray[np.intp]:
-    """Return branch and point of some hundred admissible solutions that a march can follow."""
-    assert states.admissible is not None
-    # In pt a flight multiplies every rounding by exp(length): longer ones cannot be followed.
-    short = states.order * math.pi / states.frequency_ratio < LONGEST
-    return np.argwhere(states.admissible & short)[:: len(states.region) // 500]
-
-
 @STATEMENTS.add(
     "eq-10-13",
     "A motion that starts with u = 0 and the velocity and phase of (19), (21), (22) is back on the "
@@ -177,34 +173,24 @@ def followable(states: SteadyStates) -> NDArray[np.intp]:
 )
 def steady_conditions(evidence: Evidence) -> Finding:
     """March from the closed form's solutions to their first impact."""
-    states = evidence.sample.states
-    admissible = followable(states)
-    late = fast = 0.0
-    for branch, point in admissible:
-        at = (branch, point)
-        w, n = float(states.frequency_ratio[point]), int(states.order[point])
-        r = float(states.restitution[point])
-        shaking = Harmonic(
-            amplitude=float(states.amplitude[point]),
-            frequency_ratio=w,
-            phase=float(states.phase[at]),
-        )
-        velocity = float(states.velocity[at])
-        start = State(angle=0.0, velocity=velocity * w)
-        run = simulate(DimensionlessBlock(restitution=r), shaking, start=start, cycles=n)
-        # Velocities next to 0 lose digits to rounding, as those of all impacts that graze do.
-        scale = max(velocity, 1e-3)
-        late = max(late, abs(float(run.impacts.s[0]) * w - n * math.pi) * min(1.0, scale))
-        before = float(run.impacts.velocity_before[0]) / w
-        fast = max(fast, abs(before + velocity / r) / scale)
+    solutions = followable(evidence.sample.states)
+    landings = evaluate(
+        landed,
+        Grid(axes=(solutions,)),
+        (
+            Output(name="late", long_name="delay of the first impact times velocity"),
+            Output(name="fast", long_name="relative error of the velocity before it"),
+        ),
+    )
+    late, fast = (float(landings[name].values.max()) for name in ("late", "fast"))
     return Finding(
         holds=late < 1e-8 and fast < 1e-8,
-        detail=f"From {len(admissible)} admissible solutions at random points (both branches, "
+        detail=f"From {len(solutions)} admissible solutions at random points (both branches, "
         f"n = 1, 3, 5, half cycles up to pt = {LONGEST:g}) the exact march lands at τ = nπ, with a "
         f"delay that times the velocity is at most {scientific(late)}, and with the velocity −v/δ "
         f"within {scientific(fast)} of it.",
         values={
-            "solutions": len(admissible),
+            "solutions": len(solutions),
             "largest_delay": late,
             "largest_velocity_error": fast,
         },
@@ -219,32 +205,16 @@ def steady_conditions(evidence: Evidence) -> Finding:
 )
 def constants(evidence: Evidence) -> Finding:
     """Evaluate (7) with (14), (15) over half cycles, and compare with the package's orbits."""
-    states = evidence.sample.states
-    admissible = followable(states)
-    worst = 0.0
-    for branch, point in admissible:
-        a, w = float(states.amplitude[point]), float(states.frequency_ratio[point])
-        n, r = int(states.order[point]), float(states.restitution[point])
-        phase, velocity = states.phase[branch, point], states.velocity[branch, point]
-        orbit = steady_orbit(a, w, r, order=n, branch=int(branch) + 1, samples=201)
-        tau = orbit.tau[:101]
-        beta = a / (1.0 + w * w)
-        sinh_part = w * (velocity + beta * math.cos(phase))  # (14)
-        cosh_part = beta * math.sin(phase) - 1.0  # (15)
-        angle = (
-            sinh_part * np.sinh(tau / w)
-            + cosh_part * np.cosh(tau / w)
-            + 1.0
-            - beta * np.sin(tau + phase)
-        )
-        worst = max(worst, float(np.abs(angle - orbit.angle[:101]).max()))
+    solutions = followable(evidence.sample.states)
+    apart = Output(name="apart", long_name="largest difference of theta/alpha")
+    worst = float(evaluate(differing, Grid(axes=(solutions,)), (apart,))["apart"].values.max())
     return Finding(
         holds=worst < 1e-10,
-        detail=f"Over the half cycles of {len(admissible)} admissible solutions at random points "
+        detail=f"Over the half cycles of {len(solutions)} admissible solutions at random points "
         f"(half cycles up to pt = {LONGEST:g}), 101 times each, (7) with (14) and (15) differs "
         f"from the package's orbit, which is made from both of its ends, by at most "
         f"{scientific(worst)}, and so is 0 at the end (16).",
-        values={"solutions": len(admissible), "difference": worst},
+        values={"solutions": len(solutions), "difference": worst},
     )
 
 

@@ -1,21 +1,24 @@
 """Statements on what follows as the frequency falls: Figs 12 and 13 (pages 89, 101 to 105)."""
 
 import math
+from collections import Counter
 from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
 
 from rocksteady import (
+    DimensionlessBlock,
     Harmonic,
     Orbit,
     State,
     Steady,
+    attractor_map,
     steady_states,
     symmetry_breaking_frequency,
 )
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
-from rocksteady.studies.tso_wong_1989.fates import Fate, Kind, settle
+from rocksteady.studies.tso_wong_1989.fates import Fate, Kind, kinds_in, settle
 from rocksteady.studies.tso_wong_1989.findings import Finding
 from rocksteady.studies.tso_wong_1989.histories import RESTITUTION, History
 from rocksteady.studies.tso_wong_1989.words import multiplier_text, series, signed
@@ -94,19 +97,17 @@ def _followed(orbit: Orbit, ratio: float) -> Fate:
 def asymmetry_grows(_: Evidence) -> Finding:
     """Follow the mean of the extrema over the unsymmetric range."""
     ratios = (1.94, 1.92, 1.9, 1.88, 1.86, 1.84, 1.82, 1.8)
-    fates = [
-        settle(
-            RESTITUTION,
-            Harmonic(amplitude=AMPLITUDE, frequency_ratio=ratio),
-            Steady(kick=1e-4),
-            side=-1,
-        )
-        for ratio in ratios
-    ]
-    offsets = [0.5 * abs(fate.highest + fate.lowest) for fate in fates]
+    fates = attractor_map(
+        DimensionlessBlock(restitution=RESTITUTION),
+        axes={"amplitude": [AMPLITUDE], "frequency_ratio": ratios},
+        start=Steady(kick=1e-4),
+        side=-1,
+    )
+    highest, lowest = fates["highest"].values[0], fates["lowest"].values[0]
+    offsets = (0.5 * np.abs(highest + lowest)).tolist()
     rising = bool((np.diff(offsets) > 0.0).all())
     return Finding(
-        holds=rising and all(fate.kind is Kind.UNSYMMETRIC for fate in fates),
+        holds=rising and set(kinds_in(fates)) == {Kind.UNSYMMETRIC},
         detail="Middle between highest and lowest θ/α at Ω = "
         f"{series(ratios)}: {series(offsets, '.4f')}.",
         values={"frequency_ratio": ratios, "offset": offsets},
@@ -122,16 +123,15 @@ def asymmetry_grows(_: Evidence) -> Finding:
 def no_subharmonic(_: Evidence) -> Finding:
     """Start from many states and see whether any run settles to a subharmonic."""
     ratio = 3.6
-    found: dict[str, int] = {}
     velocities = np.linspace(-1.4, 1.4, 29)
     # Half a period is enough: the other half starts from the mirror images of these states.
     phases = np.linspace(0.0, math.pi, 32, endpoint=False)
-    for phase in phases:
-        for velocity in velocities:
-            shaking = Harmonic(amplitude=AMPLITUDE, frequency_ratio=ratio, phase=float(phase))
-            start = State(angle=0.0, velocity=float(velocity))
-            kind = settle(RESTITUTION, shaking, start).kind.value
-            found[kind] = found.get(kind, 0) + 1
+    fates = attractor_map(
+        DimensionlessBlock(restitution=RESTITUTION),
+        Harmonic(amplitude=AMPLITUDE, frequency_ratio=ratio),
+        axes={"phase": phases, "velocity": velocities},
+    )
+    found = dict(Counter(kind.value for kind in kinds_in(fates)))
     total = len(velocities) * len(phases)
     words = ", ".join(f"{count} {kind}" for kind, count in sorted(found.items()))
     return Finding(

@@ -1,0 +1,130 @@
+"""Some hundred solutions in closed form as cases of a sweep: what each is compared with."""
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady import (
+    Axis,
+    DimensionlessBlock,
+    Harmonic,
+    State,
+    SteadyStates,
+    simulate,
+    steady_orbit,
+)
+
+Floats = NDArray[np.float64]
+
+LONGEST = 8.0
+"""Half cycles in pivot time that are marched from start to end."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Solution:
+    """A symmetric steady state at a point.
+
+    Attributes
+    ----------
+    amplitude, frequency_ratio, restitution, order
+        The point.
+    branch
+        1 or 2.
+    phase, velocity
+        Of the state: du/dtau after the impact.
+    """
+
+    amplitude: float
+    frequency_ratio: float
+    restitution: float
+    order: int
+    branch: int
+    phase: float
+    velocity: float
+
+
+def followable(states: SteadyStates) -> Axis:
+    """Return some hundred admissible solutions that a march can follow, as an axis."""
+    assert states.admissible is not None
+    # In pt a flight multiplies every rounding by exp(length): longer ones cannot be followed.
+    short = states.order * math.pi / states.frequency_ratio < LONGEST
+    some = np.argwhere(states.admissible & short)[:: len(states.region) // 500].tolist()
+    found = [
+        Solution(
+            amplitude=float(states.amplitude[point]),
+            frequency_ratio=float(states.frequency_ratio[point]),
+            restitution=float(states.restitution[point]),
+            order=int(states.order[point]),
+            branch=which + 1,
+            phase=float(states.phase[which, point]),
+            velocity=float(states.velocity[which, point]),
+        )
+        for which, point in some
+    ]
+    names = [f"branch {which + 1} at point {point}" for which, point in some]
+    return Axis(name="solution", values=names, items=found)
+
+
+def landed(solution: NDArray[Any]) -> dict[str, Floats]:
+    """March from solutions to their first impacts, and return how these miss what they should be.
+
+    Parameters
+    ----------
+    solution
+        Some of them, shape (cells,).
+
+    Returns
+    -------
+    dict
+        ``late``: by how much tau at the impact is not n pi, times the velocity; ``fast``: by how
+        much the velocity before it is not -v/delta, relative to v.
+    """
+    late, fast = np.empty(len(solution)), np.empty(len(solution))
+    for cell, one in enumerate(solution):
+        w = one.frequency_ratio
+        run = simulate(
+            DimensionlessBlock(restitution=one.restitution),
+            Harmonic(amplitude=one.amplitude, frequency_ratio=w, phase=one.phase),
+            start=State(angle=0.0, velocity=one.velocity * w),
+            cycles=one.order,
+        )
+        # Velocities next to 0 lose digits to rounding, as those of all impacts that graze do.
+        scale = max(one.velocity, 1e-3)
+        late[cell] = abs(float(run.impacts.s[0]) * w - one.order * math.pi) * min(1.0, scale)
+        before = float(run.impacts.velocity_before[0]) / w
+        fast[cell] = abs(before + one.velocity / one.restitution) / scale
+    return {"late": late, "fast": fast}
+
+
+def differing(solution: NDArray[Any]) -> dict[str, Floats]:
+    """Evaluate (7) with (14), (15) over half cycles, and compare with the package's orbits.
+
+    Parameters
+    ----------
+    solution
+        Some of them, shape (cells,).
+
+    Returns
+    -------
+    dict
+        ``apart``: largest difference of theta/alpha.
+    """
+    apart = np.empty(len(solution))
+    for cell, one in enumerate(solution):
+        a, w = one.amplitude, one.frequency_ratio
+        orbit = steady_orbit(a, w, one.restitution, order=one.order, branch=one.branch, samples=201)
+        tau = orbit.tau[:101]
+        beta = a / (1.0 + w * w)
+        sinh_part = w * (one.velocity + beta * math.cos(one.phase))  # (14)
+        cosh_part = beta * math.sin(one.phase) - 1.0  # (15)
+        angle = (
+            sinh_part * np.sinh(tau / w)
+            + cosh_part * np.cosh(tau / w)
+            + 1.0
+            - beta * np.sin(tau + one.phase)
+        )
+        apart[cell] = np.abs(angle - orbit.angle[:101]).max()
+    return {"apart": apart}
