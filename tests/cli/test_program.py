@@ -2,23 +2,38 @@
 
 import os
 import re
+import signal
 import subprocess
 import sys
+import warnings
 from pathlib import Path
 
 import pytest
 
 from rocksteady import __version__
-from rocksteady.cli import app, attractor, basins, bifurcate, flags, orbits, simulate, steady
+from rocksteady.cli import (
+    app,
+    attractor,
+    basins,
+    bifurcate,
+    flags,
+    maps,
+    orbits,
+    simulate,
+    steady,
+)
 from tests.cli.program import refused, rocksteady
 
-COMMANDS = ("steady", "simulate", "attractor", "orbits", "bifurcate", "basins")
+COMMANDS = ("steady", "simulate", "attractor", "orbits", "bifurcate", "basins", "map")
 """Those that take shaking and a block."""
 ORDERED = ("steady", "simulate", "attractor", "bifurcate")
 """Those that take an order."""
 EVERY_COMMAND = (*COMMANDS, "paper")
 commands = pytest.mark.parametrize("command", COMMANDS)
-SHAKEN = {name: f"{name} -A 2 -W 4" for name in COMMANDS} | {"bifurcate": "bifurcate -A 2 -W 3:5:9"}
+SHAKEN = {name: f"{name} -A 2 -W 4" for name in COMMANDS} | {
+    "bifurcate": "bifurcate -A 2 -W 3:5:9",
+    "map": "map -A 2:3:2 -W 4",
+}
 """A command with its shaking."""
 HEAVY = ("matplotlib", "numba", "numpy", "scipy", "xarray")
 
@@ -244,6 +259,7 @@ def test_the_examples_in_the_help_run(
         "orbits": orbits,
         "basins": basins,
         "bifurcate": bifurcate,
+        "map": maps,
     }
     examples = re.findall(r"^rocksteady (.*)$", modules[command].EXAMPLES, flags=re.MULTILINE)
     assert len(examples) >= 3
@@ -361,7 +377,7 @@ def test_an_internal_error_says_so_and_ends_with_101(
     def broken(_: object) -> None:
         raise ZeroDivisionError("by nought")
 
-    monkeypatch.setattr("rocksteady.cli.groups.BlockFlags.described", broken)
+    monkeypatch.setattr("rocksteady.cli.nouns.BlockFlags.described", broken)
     ran = rocksteady(f"{SHAKEN[command]} -r 0.8")
     assert ran.code == 101
     assert ran.out == ""
@@ -376,10 +392,28 @@ def test_an_interruption_ends_with_130(command: str, monkeypatch: pytest.MonkeyP
     def stopped(_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("rocksteady.cli.groups.BlockFlags.described", stopped)
+    monkeypatch.setattr("rocksteady.cli.nouns.BlockFlags.described", stopped)
     ran = rocksteady(f"{SHAKEN[command]} -r 0.8")
     assert (ran.code, ran.out) == (130, "")
     assert ran.err == "rocksteady: interrupted\n"
+
+
+def test_an_interruption_while_one_is_dealt_with_ends_with_130_too(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def stopped(_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(app, "run", stopped)
+    monkeypatch.setattr(warnings, "showwarning", warnings.showwarning)
+    usual = signal.getsignal(signal.SIGINT)
+    try:
+        with pytest.raises(SystemExit) as left:
+            app.main()
+        assert signal.getsignal(signal.SIGINT) is signal.SIG_IGN  # Python's own end takes a while
+    finally:
+        signal.signal(signal.SIGINT, usual)
+    assert left.value.code == 130
 
 
 @commands

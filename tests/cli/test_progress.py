@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import pytest
 
-from rocksteady.cli.progress import progress
+from rocksteady.cli.progress import Meter, clock_text, progress, sweeping
 
 
 def said(steps: int, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> str:
@@ -96,3 +96,107 @@ def test_an_error_passes_through_a_bar_and_through_lines(monkeypatch: pytest.Mon
     monkeypatch.setattr(sys, "stderr", Terminal())
     with pytest.raises(KeyboardInterrupt):
         interrupted()
+
+
+class Clock:
+    """A time that stands still until it is moved."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.now = 100.0
+        monkeypatch.setattr("rocksteady.cli.progress.time.monotonic", lambda: self.now)
+
+
+def test_a_meter_counts_what_is_computed_and_how_long_it_takes(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    clock = Clock(monkeypatch)
+    meter = Meter(1000, lambda _: None)
+    assert (meter.rate, meter.text) == (0.0, "")
+    clock.now += 7.0  # until the first cell: not counted
+    meter(400)
+    for _ in range(4):
+        clock.now += 2.0
+        meter(50)
+    assert (meter.there, meter.computed, meter.passed) == (400, 200, 600)
+    assert meter.seconds == 8.0
+    assert meter.rate == 25.0
+    assert meter.text == "25 cells/s, 0:16 left"
+    for _ in range(4):
+        clock.now += 1.0
+        meter(100)
+    assert meter.text.endswith("cells/s")
+
+
+def test_the_rate_is_that_of_the_last_half_minute(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = Clock(monkeypatch)
+    meter = Meter(10**9, lambda _: None)
+    meter(0)
+    for cells in (1000, 10):
+        for _ in range(100):
+            clock.now += 1.0
+            meter(cells)
+    assert meter.rate == pytest.approx(10.0)
+
+
+@pytest.mark.parametrize(
+    ("seconds", "text"),
+    [(0.4, "0:00"), (7.0, "0:07"), (61.0, "1:01"), (3599.6, "1:00:00"), (40_000.0, "11:06:40")],
+)
+def test_times_are_read_as_off_a_clock(seconds: float, text: str) -> None:
+    assert clock_text(seconds) == text
+
+
+def test_a_sweep_says_a_line_each_tenth_with_its_rate(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    clock = Clock(monkeypatch)
+    with sweeping("following motions", 2000) as meter:
+        meter(1000)
+        for _ in range(100):
+            clock.now += 0.25
+            meter(10)
+    lines = capsys.readouterr().err.splitlines()
+    assert lines[0] == "following motions: 1,200 of 2,000 cells (60 %), 40 cells/s, 0:20 left"
+    assert lines[-1] == "following motions: 2,000 of 2,000 cells (100 %), 40 cells/s"
+    assert len(lines) == 5
+
+
+def test_a_sweep_that_is_over_at_once_says_nothing(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    clock = Clock(monkeypatch)
+    with sweeping("following motions", 10) as meter:
+        meter(0)
+        for _ in range(10):
+            clock.now += 0.1
+            meter(1)
+    assert capsys.readouterr() == ("", "")
+
+
+def test_a_sweep_says_a_line_when_cells_take_long(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    clock = Clock(monkeypatch)
+    with sweeping("following motions", 10_000) as meter:
+        meter(0)
+        for _ in range(9):
+            clock.now += 10.0
+            meter(1)
+    lines = capsys.readouterr().err.splitlines()
+    assert [line.split()[2] for line in lines] == ["3", "6", "9"]
+
+
+def test_on_a_terminal_a_sweep_shows_its_rate(monkeypatch: pytest.MonkeyPatch) -> None:
+    terminal = Terminal()
+    monkeypatch.setattr(sys, "stderr", terminal)
+    monkeypatch.setenv("TERM", "xterm-256color")
+    monkeypatch.setenv("COLUMNS", "100")
+    clock = Clock(monkeypatch)
+    with sweeping("following motions", 2000) as meter:
+        meter(0)
+        clock.now += 2.0
+        meter(1000)
+        meter(1000)
+    text = re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", terminal.getvalue())
+    assert "2,000 of 2,000" in text
+    assert "1,000 cells/s" in text

@@ -4,17 +4,30 @@ Exit codes: 0 done, 1 negative verdict with --check, 2 usage or input, 3 incompl
 101 internal error, 130 interrupted.
 """
 
+import signal
 import sys
 import traceback
-from typing import Annotated
+import warnings
+from typing import Annotated, TextIO
 
 import typer
 from typer.exceptions import TyperException
 
 from rocksteady import __version__
-from rocksteady.cli import attractor, basins, bifurcate, orbits, paper, simulate, steady, study
+from rocksteady.cli import (
+    attractor,
+    basins,
+    bifurcate,
+    maps,
+    orbits,
+    paper,
+    simulate,
+    steady,
+    study,
+)
 from rocksteady.cli.flags import FLAG_OF_ARGUMENT
-from rocksteady.errors import RocksteadyError
+from rocksteady.cli.outputs import INCOMPLETE
+from rocksteady.errors import RocksteadyError, UnfinishedError
 
 HELP = (
     "Rocking of free-standing rigid blocks on a shaking base: exact, complete and fast.\n\n"
@@ -31,10 +44,12 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for command in (steady, simulate, attractor, orbits, bifurcate, basins, paper):
+for command in (steady, simulate, attractor, orbits, bifurcate, basins, maps, paper):
     name = command.__name__.rpartition(".")[2]
     function = getattr(command, name)
-    app.command(name, help=command.HELP, epilog=command.EXAMPLES)(function)
+    app.command("map" if command is maps else name, help=command.HELP, epilog=command.EXAMPLES)(
+        function
+    )
 app.add_typer(study.app, name="study", help=study.HELP)
 
 
@@ -55,24 +70,33 @@ def rocksteady(
 
 def main() -> None:
     """Run the program and leave with its exit code."""
-    sys.exit(run(sys.argv[1:]))
+    warnings.showwarning = _warn
+    try:
+        code = run(sys.argv[1:])
+    except KeyboardInterrupt:  # one more, while the first was dealt with
+        code = INTERRUPTED
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # nor is one to change how it ends from here on
+    sys.exit(code)
 
 
 def run(arguments: list[str]) -> int:
     """Run the program on a list of arguments and return its exit code."""
     command = typer.main.get_command(app)
     try:
-        code = command.main(arguments, prog_name="rocksteady", standalone_mode=False)
+        code = command.main(arguments, prog_name="rocksteady", standalone_mode=False, obj=arguments)
     except TyperException as error:
         return _usage_error(error, arguments)
     except RocksteadyError as error:
         flag = FLAG_OF_ARGUMENT.get(error.name, error.name)
-        return _complain(str(error).replace(f"{error.name} = ", f"{flag} = ", 1))
+        code = _complain(str(error).replace(f"{error.name} = ", f"{flag} = ", 1))
+        return INCOMPLETE if isinstance(error, UnfinishedError) else code
     except (KeyboardInterrupt, typer.Abort):
         code = INTERRUPTED
     except SystemExit as leaving:
         # typer leaves with 1 where the reader of a pipe has left, as `head` does: no failure.
         return 0 if isinstance(leaving.__context__, BrokenPipeError) else _code(leaving.code)
+    except OSError as error:  # of a terminal or a pipe: files have errors of their own
+        return _complain(f"cannot be written: {error.strerror or error}")
     except Exception as error:  # noqa: BLE001 -- the last line of defence: say so, with its code
         traceback.print_exc()
         print(
@@ -113,6 +137,18 @@ def _given(options: list[str], arguments: list[str]) -> str | None:
         if option in options and position + 1 < len(arguments):
             return arguments[position + 1]
     return None
+
+
+def _warn(
+    message: Warning | str,
+    category: type[Warning],  # noqa: ARG001 -- called by these names, as the others below
+    filename: str,  # noqa: ARG001
+    lineno: int,  # noqa: ARG001
+    file: TextIO | None = None,  # noqa: ARG001
+    line: str | None = None,  # noqa: ARG001
+) -> None:
+    """Say on standard error what a user should know, without where in the code it was said."""
+    print(f"rocksteady: {message}", file=sys.stderr)
 
 
 def _complain(message: str) -> int:

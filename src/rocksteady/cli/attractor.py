@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from rocksteady.cli import flags
-from rocksteady.cli.groups import BlockFlags, OutputFlags, ShakingFlags, grouped
+from rocksteady.cli.groups import OutputFlags, grouped
+from rocksteady.cli.nouns import BlockFlags, ShakingFlags
 from rocksteady.cli.outputs import (
     INCOMPLETE,
     announce_compilation,

@@ -7,8 +7,9 @@ import typer
 from rocksteady.cli import flags
 from rocksteady.cli.basins_text import case_of, print_erosion, print_fractions
 from rocksteady.cli.basins_values import basins_values, erosion_values, state_rows, undecided
-from rocksteady.cli.groups import BlockFlags, OutputFlags, ShakingFlags, grouped
+from rocksteady.cli.groups import OutputFlags, grouped
 from rocksteady.cli.inputs import axis, single
+from rocksteady.cli.nouns import BlockFlags, ShakingFlags
 from rocksteady.cli.outputs import (
     INCOMPLETE,
     announce_compilation,
@@ -16,7 +17,7 @@ from rocksteady.cli.outputs import (
     write_csv,
     write_figure,
 )
-from rocksteady.cli.progress import Done, progress
+from rocksteady.cli.progress import sweeping
 from rocksteady.cli.values import case_text
 from rocksteady.errors import ModelError
 from rocksteady.model.block import Block, DimensionlessBlock
@@ -38,8 +39,6 @@ EXAMPLES = (
 WINDOW = "Window"
 FEW = 1e-3
 """Share of undecided states that is no failure: a window may meet states that balance for ever."""
-LONG = 400_000
-"""States from which on a line tells now and then how far it is, where there is no terminal."""
 
 PhaseFlag = Annotated[
     float,
@@ -143,8 +142,8 @@ def _basins(
     states = len(options.get("angles", range(POINTS))) * len(
         options.get("velocities", range(POINTS))
     )
-    with progress("following states", states, lines=states > LONG) as done:
-        found = computed(body, shaking, **options, done=_counted(done))
+    with sweeping("following states", states) as meter:
+        found = computed(body, shaking, **options, done=meter)
     values = basins_values(found, body)
     if output.csv is not None:
         write_csv(output.csv, ("angle", "velocity_tau", "label", "attractor"), state_rows(found))
@@ -176,14 +175,14 @@ def _erosion(
         options.get("velocities", range(POINTS))
     )
     states = window * (len(amplitudes) + (amplitudes[0] != 0.0))
-    with progress("following states", states, lines=states > LONG) as done:
+    with sweeping("following states", states) as meter:
         found = erosion(
             body,
             shaking.frequency_ratio,
             amplitudes,
             phase=shaking.phase,
             **options,
-            done=_counted(done),
+            done=meter,
         )
     drops = {measure: found.drop(measure) for measure in MEASURES}
     values = erosion_values(found, drops, body)
@@ -200,8 +199,3 @@ def _erosion(
         print_json("basins", values)
     else:
         print_erosion(values)
-
-
-def _counted(done: Done) -> Any:
-    """Return what a sweep calls with a number of cells."""
-    return lambda cells: done(count=cells)

@@ -16,7 +16,8 @@ from rocksteady.cli.diagrams_values import (
     csv_rows,
     sweep_values,
 )
-from rocksteady.cli.groups import BlockFlags, OutputFlags, ShakingFlags, grouped
+from rocksteady.cli.groups import OutputFlags, grouped
+from rocksteady.cli.nouns import BlockFlags, ShakingFlags
 from rocksteady.cli.outputs import (
     INCOMPLETE,
     announce_compilation,

@@ -45,6 +45,11 @@ FLAG_OF_ARGUMENT = {
     "speed": "--speed",
     "out": "--out",
     "only": "--only",
+    "store": "--out",
+    "executor": "--executor",
+    "workers": "--workers",
+    "chunk": "--chunk",
+    "refine": "--refine",
     "orders": "--order/-n",
 }
 """Which flag an argument of the library is, for error lines."""
@@ -169,15 +174,15 @@ NamedBlock = Annotated[
     ),
 ]
 WidthM = Annotated[
-    float | None,
+    str | None,
     typer.Option("--width-m", metavar="M", help="Full width \\[m].", rich_help_panel=BLOCK),
 ]
 HeightM = Annotated[
-    float | None,
+    str | None,
     typer.Option("--height-m", metavar="M", help="Full height \\[m].", rich_help_panel=BLOCK),
 ]
 AlphaRad = Annotated[
-    float | None,
+    str | None,
     typer.Option(
         "--alpha-rad",
         metavar="RAD",
@@ -186,7 +191,7 @@ AlphaRad = Annotated[
     ),
 ]
 RadiusM = Annotated[
-    float | None,
+    str | None,
     typer.Option(
         "--radius-m",
         metavar="M",
@@ -195,7 +200,7 @@ RadiusM = Annotated[
     ),
 ]
 PRadS = Annotated[
-    float | None,
+    str | None,
     typer.Option(
         "--p-rad-s",
         metavar="P",

@@ -8,6 +8,19 @@ from rocksteady.model.block import Restitution
 MOST_AXIS_POINTS = 1_000_000
 
 
+def decimal(text: str) -> float:
+    """Return the number that a text is; of Python's, only digits that everyone reads.
+
+    Raises
+    ------
+    ValueError
+        If it is none.
+    """
+    if not text.isascii():
+        raise ValueError(text)
+    return float(text)
+
+
 def number(flag: str, text: str) -> float:
     """Return the number that a flag was given.
 
@@ -17,7 +30,7 @@ def number(flag: str, text: str) -> float:
         If the text is no number.
     """
     try:
-        return float(text)
+        return decimal(text)
     except ValueError:
         raise InputError(
             name=flag, value=text, valid="it must be a number", hint="write it as 2 or 0.35"
@@ -39,9 +52,10 @@ def axis(flag: str, text: str) -> list[float]:
     if len(parts) == 1:
         return [number(flag, text)]
     hint = "write start:stop:count or log:start:stop:count, as 0.5:12:200"
-    if len(ends) != 3 or not ends[2].isdigit():
+    if len(ends) != 3 or not (ends[2].isascii() and ends[2].isdigit()):
         raise InputError(name=flag, value=text, valid="it must be a number or an axis", hint=hint)
-    start, stop, count = number(flag, ends[0]), number(flag, ends[1]), int(ends[2])
+    start, stop = number(flag, ends[0]), number(flag, ends[1])
+    count = int(ends[2].lstrip("0")[:9] or "0")  # nine digits are too many, as are any more
     if not (math.isfinite(start) and math.isfinite(stop)):
         raise InputError(name=flag, value=text, valid="the ends must be finite", hint=hint)
     if not 2 <= count <= MOST_AXIS_POINTS:
@@ -52,7 +66,11 @@ def axis(flag: str, text: str) -> list[float]:
         raise InputError(name=flag, value=text, valid=valid, hint=hint)
     last = count - 1
     if logarithmic:
-        ratio = math.log(stop / start)
+        quotient = stop / start
+        if not 0.0 < quotient < math.inf:
+            valid = "the ends of a logarithmic axis must not lie so far apart"
+            raise InputError(name=flag, value=text, valid=valid, hint=hint)
+        ratio = math.log(quotient)
         return [start, *(start * math.exp(ratio * i / last) for i in range(1, last)), stop]
     return [start, *(start + (stop - start) * i / last for i in range(1, last)), stop]
 
@@ -84,7 +102,7 @@ def restitution_from(text: str | None, *, default: Restitution | None) -> Restit
             )
         return "housner"
     try:
-        return float(text)
+        return decimal(text)
     except ValueError:
         raise InputError(
             name="restitution",

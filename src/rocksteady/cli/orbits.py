@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from rocksteady.cli.groups import BlockFlags, OutputFlags, ShakingFlags, grouped
+from rocksteady.cli.groups import OutputFlags, grouped
+from rocksteady.cli.nouns import BlockFlags, ShakingFlags
 from rocksteady.cli.outputs import announce_compilation, print_json, write_csv, write_figure
 from rocksteady.cli.values import (
     case_text,

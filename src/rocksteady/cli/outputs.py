@@ -11,6 +11,7 @@ from rocksteady.errors import OutputError
 from rocksteady.show.files import json_text, save_csv, save_figure, save_whole
 
 if TYPE_CHECKING:
+    import xarray
     from matplotlib.figure import Figure
 
     from rocksteady.show.animation import Film
@@ -50,6 +51,17 @@ def announce_compilation() -> None:
         print("compiling the kernels, once for each version: up to half a minute", file=sys.stderr)
 
 
+def ready_kernels() -> None:
+    """Compile the kernels where this is a first run, so that what is timed is computation."""
+    from rocksteady.kernels.compilation import must_compile
+
+    if must_compile():
+        announce_compilation()
+        from rocksteady.kernels.warm import warm
+
+        warm()
+
+
 def write_figure(file: Path, figure: "Figure") -> None:
     """Save what --plot asks for."""
     save_figure("--plot", file, figure)
@@ -59,6 +71,22 @@ def write_figure(file: Path, figure: "Figure") -> None:
 def write_csv(file: Path, header: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
     """Save what --csv asks for."""
     save_csv("--csv", file, header, rows)
+    announce_file(file)
+
+
+def write_cells(file: Path, found: "xarray.Dataset") -> None:
+    """Save what --csv asks for of a sweep: a row a cell."""
+    from rocksteady.show.cells import save_cells
+
+    save_cells("--csv", file, found)
+    announce_file(file)
+
+
+def write_netcdf(file: Path, found: "xarray.Dataset") -> None:
+    """Save what --netcdf asks for."""
+    from rocksteady.show.netcdf import save_netcdf
+
+    save_netcdf("--netcdf", file, found)
     announce_file(file)
 
 

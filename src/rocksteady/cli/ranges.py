@@ -3,14 +3,12 @@
 from dataclasses import dataclass, replace
 from typing import Any
 
-from rocksteady.cli.groups import BlockFlags, ShakingFlags
-from rocksteady.cli.inputs import axis
+from rocksteady.cli.nouns import BlockFlags, ShakingFlags
 from rocksteady.cli.values import block_values
 from rocksteady.dynamics.parameters import moved_to
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
-from rocksteady.model.validation import in_range
 
 SYMBOLS = {"amplitude": "A", "frequency_ratio": "Ω", "restitution": "restitution"}
 """The three parameters, as texts and titles have them."""
@@ -98,11 +96,8 @@ def range_of(shaking: ShakingFlags, block: BlockFlags) -> Range:
     InputError, ModelError
         If a value is missing, given twice or outside its range, or there is not exactly one axis.
     """
-    ratios_of_impact = None
-    if block.restitution is not None and ":" in block.restitution:
-        ratios_of_impact = axis("restitution", block.restitution)
-        for end in ratios_of_impact:
-            in_range("restitution", end, 0.0, 1.0, hint="give an axis inside (0, 1]")
+    ratios_of_impact = block.restitutions
+    if ratios_of_impact:
         block = replace(block, restitution=repr(ratios_of_impact[0]))
     body = block.described()
     amplitudes, ratios = shaking.of(body)

@@ -7,13 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from rocksteady.cli import flags
-from rocksteady.cli.groups import (
-    AnimationFlags,
-    BlockFlags,
-    OutputFlags,
-    ShakingFlags,
-    grouped,
-)
+from rocksteady.cli.groups import AnimationFlags, OutputFlags, grouped
+from rocksteady.cli.nouns import BlockFlags, ShakingFlags
 from rocksteady.cli.outputs import (
     INCOMPLETE,
     announce_compilation,

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rocksteady.cli import flags
+from rocksteady.cli.inputs import decimal
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.validation import odd_order
 
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from rocksteady.dynamics.start import Start, State
 
 STEADY = ("steady", "steady:1", "steady:2")
+HINT = "write rest, steady, steady:2, U,DU (du/dtau) or U,w=V (du/d(pt)), as 0.4,0 or 0.4,w=0"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -155,16 +157,15 @@ def state_from(text: str, frequency_ratio: float | None) -> "State":
     """
     from rocksteady.dynamics.start import State
 
-    hint = "write rest, steady, steady:2, U,DU (du/dtau) or U,w=V (du/d(pt)), as 0.4,0 or 0.4,w=0"
     first, comma, second = text.partition(",")
     with_rate = second.startswith("w=")
     try:
-        angle, velocity = float(first), float(second.removeprefix("w="))
+        angle, velocity = decimal(first), decimal(second.removeprefix("w="))
     except ValueError:
         valid = "it is no known start" if not comma else "it is not two numbers"
-        raise InputError(name="start", value=text, valid=valid, hint=hint) from None
+        raise InputError(name="start", value=text, valid=valid, hint=HINT) from None
     if not (math.isfinite(angle) and math.isfinite(velocity)):
-        raise InputError(name="start", value=text, valid="its numbers must be finite", hint=hint)
+        raise InputError(name="start", value=text, valid="its numbers must be finite", hint=HINT)
     if with_rate:
         return State(angle=angle, velocity=velocity)
     if frequency_ratio is None:

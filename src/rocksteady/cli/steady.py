@@ -5,7 +5,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli import flags
-from rocksteady.cli.groups import BlockFlags, OutputFlags, ShakingFlags, grouped
+from rocksteady.cli.groups import OutputFlags, grouped
+from rocksteady.cli.nouns import BlockFlags, ShakingFlags
 from rocksteady.cli.outputs import announce_compilation, print_json, write_csv, write_figure
 from rocksteady.cli.values import block_values, multipliers_text, worth
 from rocksteady.errors import ModelError

@@ -1,0 +1,107 @@
+"""`rocksteady map`: what a block settles to in every cell of a grid of parameters."""
+
+import typer
+
+from rocksteady.cli.attractor import CyclesFlag
+from rocksteady.cli.groups import OutputFlags, grouped
+from rocksteady.cli.map_axes import MapCase, MapStartFlags, map_case
+from rocksteady.cli.maps_values import map_values, print_counts, title_of
+from rocksteady.cli.nouns import BlockFlags, ShakingFlags
+from rocksteady.cli.outputs import (
+    INCOMPLETE,
+    print_json,
+    ready_kernels,
+    write_cells,
+    write_figure,
+    write_netcdf,
+)
+from rocksteady.cli.progress import sweeping
+from rocksteady.cli.sweeps import SweepFlags
+from rocksteady.errors import InputError, ModelError
+
+HELP = (
+    "What the block settles to in every cell of a grid.\n\n"
+    "Any flags of shaking, block and start may be axes, start:stop:count: two make a map, one a "
+    "bifurcation diagram. With --out the cells are kept on disk as they are finished, and --resume "
+    "continues after whatever ended the run. Exit code 3 where more than 1 cell in 1000 is "
+    "undecided."
+)
+EXAMPLES = (
+    "Examples:\n\n"
+    "rocksteady map -A 0.1:6:150 -W 0.2:8:200 -r 0.8 --plot map.png\n\n"
+    "rocksteady map -A 0.1:6:150 -W 0.2:8:200 -r 0.8 --out map.zarr --resume\n\n"
+    "rocksteady map --width-m 0.3:0.9:50 --height-m 1:3:50 --accel-g 0.4 --freq-hz 2 --json\n\n"
+    "rocksteady map -A 2 -W 1.5:4:500 -r 0.8 --plot diagram.png"
+)
+FEW = 1e-3
+"""Share of undecided cells that is no failure."""
+
+
+@grouped
+def maps(
+    context: typer.Context,
+    shaking: ShakingFlags,
+    block: BlockFlags,
+    start: MapStartFlags,
+    sweep: SweepFlags,
+    output: OutputFlags,
+    cycles: CyclesFlag = 2000,
+) -> None:
+    """Run `rocksteady map`; `HELP` is what its users read."""
+    sweep.check(output)
+    case = map_case(shaking, block, start)
+    if output.plot is not None:
+        _check_drawable(case)
+    store = sweep.store(force=output.force)
+
+    ready_kernels()
+    from rocksteady.dynamics.maps import attractor_map
+
+    with (
+        sweep.resumable(context.find_root().obj),
+        start.as_typed(),
+        sweeping("following motions", case.cells) as meter,
+    ):
+        found = attractor_map(
+            case.body,
+            axes={**case.axes, **case.fixed},
+            start=case.start.of(case.shaking.frequency_ratio),
+            side=case.start.sign,
+            cycles=cycles,
+            housner=case.housner,
+            executor=sweep.executor,
+            workers=sweep.workers,
+            store=store,
+            refine=sweep.refine,
+            done=meter,
+        )
+    values = map_values(case, found, meter) | {"store": store and str(store.path), "cycles": cycles}
+    if output.csv is not None:
+        write_cells(output.csv, found)
+    if sweep.netcdf is not None:
+        write_netcdf(sweep.netcdf, found)
+    if output.plot is not None:
+        from rocksteady.show.facets import map_figure
+
+        write_figure(output.plot, map_figure(found, title_of(case)))
+    if output.as_json:
+        print_json("map", values)
+    else:
+        print_counts(values)
+    if values["counts"]["undecided"] > FEW * values["cells"]:
+        raise typer.Exit(INCOMPLETE)
+
+
+def _check_drawable(case: MapCase) -> None:
+    """Refuse, before anything is computed, a map of which there is no picture."""
+    from rocksteady.show.facets import panels_axis
+
+    try:
+        panels_axis({name: len(values) for name, values in case.axes.items()})
+    except InputError as error:
+        raise ModelError(
+            name="--plot",
+            value=error.value,
+            valid=error.valid,
+            hint="leave --plot out, or give fewer axes and values",
+        ) from None

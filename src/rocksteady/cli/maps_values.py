@@ -1,0 +1,130 @@
+"""Maps in plain values and on a terminal: how many cells there are of each kind."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from rocksteady.cli.map_axes import MapCase
+from rocksteady.cli.values import shaking_values
+from rocksteady.dynamics.parameters import SIZES
+
+if TYPE_CHECKING:
+    import xarray
+
+    from rocksteady.cli.progress import Meter
+
+SLAB = 4_000_000
+"""Cells that are read from a store at once."""
+AMPLITUDE = {"amplitude": "amplitude", "acceleration_m_s2": "accel_g"}
+FREQUENCY = {"frequency_ratio": "frequency_ratio", "frequency_hz": "freq_hz"}
+"""Names of the contract, by the parameters that they are."""
+LEANER = frozenset({"width", "height", "alpha"})
+"""What moves alpha, by which amplitudes are measured."""
+LARGER = frozenset({"width", "height", "radius", "p"})
+"""What moves p, by which frequencies are."""
+
+
+def map_values(case: MapCase, found: "xarray.Dataset", meter: "Meter") -> dict[str, Any]:
+    """Return what the contract promises of a map, in plain values."""
+    import numpy as np
+
+    flags = found["kind"].attrs
+    words = dict(zip(flags["flag_values"].tolist(), flags["flag_meanings"].split(), strict=True))
+    counts = dict.fromkeys(words.values(), 0)
+    subharmonic = 0
+    for kind, period in slabs(found, "kind", "period"):
+        for code, word in words.items():
+            counts[word] += int(np.count_nonzero(kind == code))
+        subharmonic += int(np.count_nonzero(period > 1))
+    return {
+        "counts": counts,
+        "subharmonic": subharmonic,
+        "cells": case.cells,
+        "computed": int(found["met"].sum()) if "met" in found else meter.computed,
+        "seconds": meter.seconds,
+        "axes": {
+            name: {"start": values[0], "stop": values[-1], "count": len(values)}
+            for name, values in case.axes.items()
+        },
+        **case_values(case),
+    }
+
+
+def case_values(case: MapCase) -> dict[str, Any]:
+    """Return block, shaking and start; None for what is an axis or moves with one."""
+    values = shaking_values(case.body, case.shaking)
+    values |= case.start.values(case.shaking.phase)
+    axes = set(case.axes)
+    moving = set(axes)
+    for names, sizes in ((AMPLITUDE, LEANER), (FREQUENCY, LARGER)):
+        if axes & names.keys():
+            moving |= set(names.values())
+        elif axes & sizes:  # what was given stays, and moves in the other measure
+            moving |= {word for name, word in names.items() if name not in case.fixed}
+    if axes & set(SIZES):
+        values["block"] = None
+        moving |= {"restitution"} if case.housner else set()
+    if moving & {"velocity", "angle"}:
+        values["start"] = None
+    return values | dict.fromkeys(moving & values.keys())
+
+
+def slabs(found: "xarray.Dataset", *names: str) -> Iterator[tuple[Any, ...]]:
+    """Yield the values of variables in parts that fit into memory."""
+    first = str(found["kind"].dims[0])
+    rows = max(1, SLAB * found.sizes[first] // found["kind"].size)
+    for row in range(0, found.sizes[first], rows):
+        part = found.isel({first: slice(row, row + rows)})
+        yield tuple(part[name].values for name in names)
+
+
+def title_of(case: MapCase) -> str:
+    """Return what is no axis in a few words."""
+    values = case_values(case)
+    parts = []
+    for name, symbol, in_si, unit in (
+        ("amplitude", "A", "accel_g", "g"),
+        ("frequency_ratio", "Ω", "freq_hz", "Hz"),
+    ):
+        if values[name] is not None:
+            parts.append(f"{symbol} = {values[name]:g}")
+        elif values.get(in_si) is not None:
+            parts.append(f"{values[in_si]:g} {unit}")
+    if values["restitution"] is not None:
+        parts.append(f"restitution {values['restitution']:.4g}")
+    elif case.housner:
+        parts.append("Housner's restitution")
+    block = values.get("block")
+    if block is not None:
+        parts.append(f"α = {block['alpha_rad']:.4g} rad, p = {block['p_rad_s']:.4g} rad/s")
+    if values["start"] is not None:
+        parts.append(f"from {values['start']}")
+    if values["phase"]:
+        parts.append(f"phase {values['phase']:.4g} rad")
+    return "What the block settles to: " + ", ".join(parts)
+
+
+def print_counts(values: dict[str, Any]) -> None:
+    """Print one row a kind, in 80 characters."""
+    from rich.console import Console
+    from rich.table import Table
+
+    console = Console(highlight=False, soft_wrap=True)
+    axes = " x ".join(f"{axis['count']} {name}" for name, axis in values["axes"].items())
+    console.print(f"{values['cells']:,} cells: {axes}")
+    table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
+    for heading in ("kind", "cells", "share"):
+        table.add_column(heading, justify="left" if heading == "kind" else "right", no_wrap=True)
+    for kind, count in values["counts"].items():
+        if count:
+            table.add_row(kind, f"{count:,}", f"{100.0 * count / values['cells']:.2f} %")
+    console.print(table)
+    if values["subharmonic"]:
+        share = 100.0 * values["subharmonic"] / values["cells"]
+        console.print(f"Of these {values['subharmonic']:,} ({share:.2f} %) are subharmonic.")
+    rate = values["computed"] / values["seconds"] if values["seconds"] else 0.0
+    place = f", kept in {values['store']}" if values["store"] else ""
+    console.print(
+        f"{values['computed']:,} cells computed in {values['seconds']:.2f} s, {rate:,.0f} a second"
+        f"{place}",
+        style="dim",
+    )

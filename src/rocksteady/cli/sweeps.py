@@ -1,0 +1,210 @@
+"""Flags of commands that compute many cases: who computes them, and where they are kept."""
+
+import shlex
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from itertools import combinations
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rocksteady.cli import flags
+from rocksteady.cli.groups import OutputFlags, same_file
+from rocksteady.cli.outputs import check_writable
+from rocksteady.errors import ModelError, OutputError, UnfinishedError
+
+if TYPE_CHECKING:
+    from rocksteady.sweep.store import Store
+
+SWEEP = "Sweep"
+
+OutStore = Annotated[
+    Path | None,
+    typer.Option(
+        "--out",
+        metavar="STORE",
+        help="Keep the cells on disk, chunk by chunk, as map.zarr: what is finished survives an "
+        "interruption. Without it they are kept in memory.",
+        rich_help_panel=SWEEP,
+    ),
+]
+Resume = Annotated[
+    bool,
+    typer.Option(
+        "--resume",
+        help="Continue the store of --out where it stopped; begin it if it is not there.",
+        rich_help_panel=SWEEP,
+    ),
+]
+Executor = Annotated[
+    str,
+    typer.Option(
+        "--executor",
+        metavar="NAME",
+        help="threads (default), dask for a cluster of processes on this machine, the address of a "
+        "dask scheduler as tcp://host:8786, or serial. All give the same bytes.",
+        rich_help_panel=SWEEP,
+    ),
+]
+Workers = Annotated[
+    int | None,
+    typer.Option(
+        "--workers",
+        metavar="N",
+        help="Threads or processes; by default as many as there are cores, or as a cluster has.",
+        rich_help_panel=SWEEP,
+    ),
+]
+Chunk = Annotated[
+    int | None,
+    typer.Option(
+        "--chunk",
+        metavar="CELLS",
+        help="Cells that are written at once; by default a 64th of all, from 1024 to 65536.",
+        rich_help_panel=SWEEP,
+    ),
+]
+Refine = Annotated[
+    int | None,
+    typer.Option(
+        "--refine",
+        metavar="N",
+        help="Compute every Nth cell along each axis (8 is usual), and of the others only those "
+        "near a border of kinds: three to five times as fast, and 1 or 2 cells in 1000 differ. Not "
+        "with --out.",
+        rich_help_panel=SWEEP,
+    ),
+]
+NetCdf = Annotated[
+    Path | None,
+    typer.Option(
+        "--netcdf",
+        metavar="FILE",
+        help="Save the data as NetCDF, .nc, with units and the meaning of classes.",
+        rich_help_panel=flags.OUTPUT,
+    ),
+]
+
+
+@dataclass(frozen=True, kw_only=True)
+class SweepFlags:
+    """Who computes the cells, and where they are kept."""
+
+    out: OutStore = None
+    resume: Resume = False
+    executor: Executor = "threads"
+    workers: Workers = None
+    chunk: Chunk = None
+    refine: Refine = None
+    netcdf: NetCdf = None
+
+    def check(self, output: OutputFlags) -> None:
+        """Refuse, before anything is computed, a file that could not be written afterwards.
+
+        With --resume files that are there are written again: the command is given again as it was.
+
+        Raises
+        ------
+        OutputError
+            As for `OutputFlags.check`; if two flags name one file, or --netcdf names no .nc file,
+            or one that could not be written.
+        """
+        replace(output, force=output.force or self.resume).check()
+        files = {"--plot": output.plot, "--csv": output.csv, "--netcdf": self.netcdf}
+        files["--out"] = self.out
+        for (flag, file), (other, its) in combinations(files.items(), 2):
+            if same_file(file, its):
+                raise OutputError(
+                    name=other, value=its, valid=f"{flag} writes the same file", hint="rename one"
+                )
+        if self.netcdf is None:
+            return
+        if self.netcdf.suffix.lower() != ".nc":
+            raise OutputError(
+                name="--netcdf",
+                value=self.netcdf,
+                valid="the ending says the format: .nc",
+                hint="rename it",
+            )
+        check_writable("--netcdf", self.netcdf, force=output.force or self.resume)
+
+    def store(self, *, force: bool) -> "Store | None":
+        """Return where the cells are kept, checked; None for memory.
+
+        Raises
+        ------
+        InputError, OutputError
+            As for `rocksteady.Store` and its `check`.
+        ModelError
+            If something is said of a store and there is none.
+        """
+        from rocksteady.sweep.contents import is_store
+        from rocksteady.sweep.store import Store
+
+        if self.out is None:
+            for flag, value in (("--resume", self.resume or None), ("--chunk", self.chunk)):
+                if value is not None:
+                    raise ModelError(
+                        name=flag,
+                        value=value,
+                        valid="without --out there is no store",
+                        hint="add --out map.zarr, or leave it out",
+                    )
+            return None
+        if self.refine is not None:
+            raise ModelError(
+                name="--refine",
+                value=self.refine,
+                valid="a store holds every cell of its grid",
+                hint="leave --out or --refine out",
+            )
+        if self.resume and force:
+            raise ModelError(
+                name="--resume and --force",
+                value="both given",
+                valid="a store is continued or begun anew",
+                hint="leave one out",
+            )
+        if is_store(self.out) and not (self.resume or force):
+            raise OutputError(
+                name="--out",
+                value=self.out,
+                valid="it exists",
+                hint="add --resume to continue it, or --force to begin anew",
+            )
+        store = Store(self.out, resume=self.resume, overwrite=force, chunk=self.chunk)
+        store.check()
+        return store
+
+    @contextmanager
+    def resumable(self, arguments: list[str]) -> Iterator[None]:
+        """Say, where the sweep inside is ended, what is kept of it and how it goes on.
+
+        Parameters
+        ----------
+        arguments
+            Of the program.
+        """
+        from rocksteady.sweep.contents import is_store
+        from rocksteady.sweep.reading import finished_cells
+
+        try:
+            yield
+        except (KeyboardInterrupt, UnfinishedError):
+            if self.out is not None and is_store(self.out):
+                finished, cells = finished_cells(self.out)
+                print(
+                    f"{finished:,} of {cells:,} cells are kept in {self.out}; to go on:\n"
+                    f"  {resuming(arguments)}",
+                    file=sys.stderr,
+                )
+            raise
+
+
+def resuming(arguments: list[str]) -> str:
+    """Return the command that continues a sweep which was begun with some arguments."""
+    kept = [argument for argument in arguments if argument not in ("--resume", "--force")]
+    return shlex.join(["rocksteady", *kept, "--resume"])
