@@ -42,7 +42,9 @@ def test_erosion(benchmark: Any) -> None:
 
 @pytest.mark.benchmark(group="grids", timer=time.perf_counter)
 def test_attractor_map(benchmark: Any) -> None:
-    axes = np.linspace(0.5, 6.0, 100), np.linspace(0.5, 10.0, 100)
+    axes = {"amplitude": np.linspace(0.5, 6.0, 100), "frequency_ratio": np.linspace(0.5, 10.0, 100)}
     block = DimensionlessBlock(restitution=0.8)
-    found = benchmark.pedantic(attractor_map, args=(block, *axes), rounds=5, warmup_rounds=1)
+    found = benchmark.pedantic(
+        attractor_map, args=(block,), kwargs={"axes": axes}, rounds=5, warmup_rounds=1
+    )
     benchmark.extra_info["cells"] = found.kind.size

@@ -1,11 +1,13 @@
 """Turn the results of a benchmark run into one table: on the terminal and in docs/benchmarks.md.
 
-``python bench/report.py [BENCH.JSON [REPORT.MD]]``; `make bench` calls it.
+``python bench/report.py [BENCH.JSON [REPORT.MD]]``; `make bench` calls it. The page has sections,
+each with a run of its own; what writes one leaves the others as they are.
 """
 
 import json
 import os
 import platform
+import re
 import sys
 from importlib.metadata import version
 from pathlib import Path
@@ -18,9 +20,12 @@ ROOT = Path(__file__).resolve().parent.parent
 NEEDED_RATIO = 20.0
 PACKAGES = ("rocksteady", "numba", "numpy", "pytest-benchmark")
 
-INTRODUCTION = """\
-# Benchmarks
+# The sections of the page, in their order; `make bench-peers` writes the second.
+PACKAGE = "The package"
+PEERS = "Beside other solvers"
+SECTIONS = (PACKAGE, PEERS)
 
+INTRODUCTION = """\
 Written by `make bench`; do not edit. Medians; CPU time of one core, compilation excluded, for the
 march and the steady states, elapsed time for the starts of a process.
 
@@ -40,7 +45,9 @@ the doublings that end near Omega = 1.7717. **Basins**, **erosion**, **map**: el
 cores. Basins are 200 x 200 states over 200 periods, periodic at A = 1, Omega = 2, restitution 0.8
 and chaotic at A = 6, Omega = 6, restitution 0.25; the erosion has 17 amplitudes up to 1.6 at
 Omega = 2, restitution 0.9, with 200 x 200 states over 100 periods each; the map has the
-axes of the attractors.
+axes of the attractors. **Sweeps**: one map of attractors from rest, restitution 0.8, A from 0.1 to
+6, Omega from 0.2 to 8, up to 2000 periods, in each of the ways to compute and to keep it; and what
+the engine costs where a cell costs nothing.
 """
 
 
@@ -86,14 +93,15 @@ def main(source: Path, target: Path) -> None:
             lines.append(continuation_line(name, b))
         elif group == "grids":
             lines.append(grid_line(name, b))
+        elif group == "sweeps":
+            lines.append(sweep_line(name, b, results[group, "map[one thread]"]))
         elif group == "start":
             label = name.removeprefix("start[").removesuffix("]")
             goal = "guide 0.3 s" if "--help" in label else ""
             lines.append(Line(label, duration(b["stats"]["median"]), "", "", goal))
     machine = machine_line(data["machine_info"])
     show(lines, machine)
-    target.parent.mkdir(parents=True, exist_ok=True)
-    target.write_text(page(lines, machine, march), encoding="utf-8")
+    write_section(target, PACKAGE, section(lines, machine, march))
     if ratios and min(ratios) < NEEDED_RATIO:
         print(f"Sampling is {min(ratios):.1f} x slower where {NEEDED_RATIO:.0f} x is asked.")
 
@@ -125,6 +133,17 @@ def grid_line(name: str, result: dict[str, Any]) -> Line:
     what = f"{label.replace('_', ' ')}{', ' if kind else ''}{kind}, {cells} cells"
     goal = "" if label == "erosion" else "guide 5 s"
     return Line(what, duration(seconds), f"{1e6 * seconds / cells:.1f} µs a cell", "", goal)
+
+
+def sweep_line(name: str, result: dict[str, Any], alone: dict[str, Any]) -> Line:
+    """Return the row of one sweep in one way; maps beside the one in a single thread."""
+    cells, seconds = result["extra_info"]["cells"], result["stats"]["median"]
+    label, _, way = name.removesuffix("]").partition("[")
+    what = "map of attractors" if label == "map" else "cells of next to no work"
+    ratio = alone["stats"]["median"] / seconds
+    against = f"{ratio:.2f} x one thread" if label == "map" else ""
+    each = f"{1e6 * seconds / cells:.2f} µs a cell"
+    return Line(f"{what}, {way}, {cells} cells", duration(seconds), each, "", against)
 
 
 def guide(unit: str) -> str:
@@ -172,8 +191,8 @@ def show(lines: list[Line], machine: str) -> None:
     Console(width=None if sys.stdout.isatty() else 110).print(table)
 
 
-def page(lines: list[Line], machine: str, march: dict[str, dict[str, Any]]) -> str:
-    """Return the page in Markdown."""
+def section(lines: list[Line], machine: str, march: dict[str, dict[str, Any]]) -> str:
+    """Return the section of the package in Markdown."""
     sampled = [b["extra_info"] for name, b in march.items() if name.startswith("sampling")]
     introduction = INTRODUCTION.format(
         samples=" and ".join({str(info["samples_per_period"]) for info in sampled}) or "no",
@@ -183,7 +202,18 @@ def page(lines: list[Line], machine: str, march: dict[str, dict[str, Any]]) -> s
     )
     rows = ["| what | median | each | an impact | against |", "|---|--:|--:|--:|---|"]
     rows += ["| " + " | ".join(line) + " |" for line in lines]
-    return "\n".join([introduction, machine + ".", "", *rows, ""])
+    return "\n".join([introduction, machine + ".", "", *rows])
+
+
+def write_section(target: Path, heading: str, text: str) -> None:
+    """Put a section into the page, in place of its former self; the other sections stay."""
+    page = target.read_text(encoding="utf-8") if target.exists() else ""
+    _, *parts = re.split(r"^## (.+)$", page, flags=re.MULTILINE)
+    sections = dict(zip(parts[::2], parts[1::2], strict=True)) | {heading: text}
+    target.parent.mkdir(parents=True, exist_ok=True)
+    names = sorted(sections, key=lambda name: SECTIONS.index(name) if name in SECTIONS else 99)
+    written = [f"## {name}\n\n{sections[name].strip()}" for name in names]
+    target.write_text("\n\n".join(["# Benchmarks", *written, ""]), encoding="utf-8")
 
 
 if __name__ == "__main__":

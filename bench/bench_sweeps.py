@@ -1,0 +1,76 @@
+"""The engine of sweeps: one map in each of the ways to compute and to keep it.
+
+Elapsed time, one after the other in one run, so that the ratios mean something.  The worker
+processes are started beforehand: how long that takes is not what a long sweep is about.
+"""
+
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from rocksteady import Axis, DimensionlessBlock, Grid, Output, Store, attractor_map, evaluate
+
+Floats = NDArray[np.float64]
+
+AXES = {"amplitude": np.linspace(0.1, 6.0, 300), "frequency_ratio": np.linspace(0.2, 8.0, 300)}
+WAYS: dict[str, dict[str, Any]] = {
+    "one thread": {"workers": 1},
+    "all cores": {},
+    "all cores, store": {},
+    "dask, store": {},
+}
+
+
+@pytest.fixture(scope="module")
+def scheduler() -> Iterator[str]:
+    """The address of worker processes, one for each core."""
+    from distributed import LocalCluster
+
+    with LocalCluster(threads_per_worker=1, dashboard_address=None, silence_logs=50) as cluster:
+        yield cluster.scheduler_address
+
+
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.benchmark(group="sweeps", timer=time.perf_counter)
+def test_map(benchmark: Any, way: str, scheduler: str, tmp_path: Path) -> None:
+    how = dict(WAYS[way])
+    if "dask" in way:
+        how["executor"] = scheduler
+    if "store" in way:
+        how["store"] = Store(tmp_path / "map.zarr", overwrite=True)
+    found = benchmark.pedantic(
+        attractor_map,
+        args=(DimensionlessBlock(restitution=0.8),),
+        kwargs={"axes": AXES, **how},
+        rounds=3,
+        warmup_rounds=1,
+    )
+    benchmark.extra_info["cells"] = found.kind.size
+
+
+def cheap(a: Floats, b: Floats) -> dict[str, Any]:
+    """Next to no work, so that the engine's own is seen."""
+    return {"product": a * b, "above": a > b}
+
+
+@pytest.mark.parametrize("where", ["memory", "store"])
+@pytest.mark.benchmark(group="sweeps", timer=time.perf_counter)
+def test_cheap(benchmark: Any, where: str, tmp_path: Path) -> None:
+    axes = tuple(Axis(name=name, values=np.linspace(0.0, 1.0, 1000)) for name in "ab")
+    outputs = (Output(name="product"), Output(name="above", dtype=np.bool_))
+    how: dict[str, Any] = {}
+    if where == "store":
+        how["store"] = Store(tmp_path / "cheap.zarr", overwrite=True)
+    found = benchmark.pedantic(
+        evaluate,
+        args=(cheap, Grid(axes=axes), outputs),
+        kwargs={"batch": 2**16, **how},
+        rounds=5,
+        warmup_rounds=1,
+    )
+    benchmark.extra_info["cells"] = found["product"].size

@@ -1,0 +1,96 @@
+"""scipy: one call of solve_ivp for each flight, which ends at an event."""
+
+import math
+import time
+from importlib.metadata import version
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
+
+from bench.peers.work import (
+    CYCLES,
+    OVERTURNED,
+    RESTITUTION,
+    ROCKING,
+    SLOW,
+    START_VELOCITY,
+    TURN,
+    Cells,
+    Outcome,
+    Peer,
+    uplift,
+)
+
+Floats = NDArray[np.float64]
+
+
+def peers() -> list[Peer]:
+    """Return solve_ivp with its most accurate explicit method."""
+    return [
+        Peer(
+            name="scipy solve_ivp",
+            version=version("scipy"),
+            settings="DOP853, rtol 1e-10, atol 1e-12, terminal events",
+            thinned=12,
+            run=run,
+        )
+    ]
+
+
+def run(cells: Cells) -> Outcome:
+    """Integrate the cells."""
+    count = len(cells.amplitude)
+    status, impacts = np.zeros(count, np.int64), np.zeros(count, np.int64)
+    last = np.full(count, math.nan)
+    began = time.process_time()
+    for i in range(count):
+        status[i], impacts[i], tau = fate(
+            float(cells.amplitude[i]), float(cells.frequency_ratio[i])
+        )
+        if impacts[i]:
+            last[i] = tau % TURN
+    seconds = time.process_time() - began
+    return Outcome(status=status, impacts=impacts, last_phase=last, seconds=seconds)
+
+
+def fate(amplitude: float, frequency: float) -> tuple[int, int, float]:
+    """Return status, number of impacts and Omega s of the last one."""
+    began, end = 0.0, TURN * CYCLES / frequency
+    side, velocity, impacts, last = 1.0, START_VELOCITY, 0, 0.0
+
+    def rate(now: float, state: Floats) -> tuple[float, float]:
+        return state[1], state[0] - 1.0 + side * amplitude * math.sin(frequency * now)
+
+    def impact(now: float, state: Floats) -> float:
+        return float(state[0]) if now > began else 1.0  # the start of a flight is no impact
+
+    def fall(_: float, state: Floats) -> float:
+        return float(state[0]) - (1.0 + amplitude)  # rising through it, it can never come back
+
+    impact.terminal = fall.terminal = True
+    impact.direction, fall.direction = -1.0, 1.0
+    while True:
+        flight = solve_ivp(
+            rate,
+            (began, end),
+            (0.0, velocity),
+            method="DOP853",
+            rtol=1e-10,
+            atol=1e-12,
+            events=(impact, fall),
+        )
+        if flight.t_events[1].size:
+            return OVERTURNED, impacts, last
+        if not flight.t_events[0].size:
+            return ROCKING, impacts, last
+        began = flight.t_events[0][0]
+        velocity = -RESTITUTION * flight.y_events[0][0][1]
+        impacts += 1
+        last = frequency * began
+        side = -side
+        if velocity <= SLOW and amplitude * abs(math.sin(last)) < 1.0:
+            tau, side = uplift(amplitude, last)
+            began, velocity = tau / frequency, SLOW
+            if began >= end:
+                return ROCKING, impacts, last
