@@ -10,7 +10,7 @@ import pytest
 
 import rocksteady
 
-HEAVY = ("matplotlib", "numba", "numpy", "scipy", "typer", "xarray")
+HEAVY = ("h5py", "matplotlib", "numba", "numpy", "scipy", "typer", "xarray", "zarr")
 
 
 def names_for_type_checkers() -> dict[str, str]:

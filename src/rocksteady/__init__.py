@@ -38,18 +38,33 @@ if TYPE_CHECKING:
     from rocksteady.dynamics.steady import SteadyOrbit, SteadyStates, steady_orbit, steady_states
     from rocksteady.dynamics.trail import AttractorTrail, attractor_trail
     from rocksteady.dynamics.trajectory import Flights, Impacts, Motions, Trajectory
-    from rocksteady.errors import InputError, ModelError, OutputError, RocksteadyError, Status
+    from rocksteady.errors import (
+        InputError,
+        ModelError,
+        OutputError,
+        RocksteadyError,
+        Status,
+        UnfinishedError,
+    )
     from rocksteady.model.block import Block, DimensionlessBlock, Side, housner_restitution
     from rocksteady.model.examples import example_block
     from rocksteady.model.motions import Harmonic, Piecewise, Segment, Still
     from rocksteady.show.animation import animate
+    from rocksteady.show.export import export
     from rocksteady.show.plots.basins import plot_basins, plot_erosion, plot_safe_basin
     from rocksteady.show.plots.bifurcations import plot_bifurcations
     from rocksteady.show.plots.block import plot_block
     from rocksteady.show.plots.curves import plot_bifurcation_curves
+    from rocksteady.show.plots.maps import plot_map
     from rocksteady.show.plots.motion import plot_base, plot_phase_portrait, plot_trajectory
     from rocksteady.show.plots.orbits import plot_multipliers, plot_section
     from rocksteady.show.plots.steady import plot_orbit, plot_regions, plot_response
+    from rocksteady.sweep.axes import Axis
+    from rocksteady.sweep.evaluate import evaluate
+    from rocksteady.sweep.grid import Grid
+    from rocksteady.sweep.outputs import Output
+    from rocksteady.sweep.reading import open_store
+    from rocksteady.sweep.store import Store
 else:
     # Out of the sight of type checkers, which would take every misspelt name to be of type object.
     def __getattr__(name: str) -> object:
@@ -70,6 +85,7 @@ __all__ = [
     "Attractor",
     "AttractorKind",
     "AttractorTrail",
+    "Axis",
     "BasinAttractor",
     "Basins",
     "Block",
@@ -82,6 +98,7 @@ __all__ = [
     "Erosion",
     "Flights",
     "Fraction",
+    "Grid",
     "Harmonic",
     "ImpactState",
     "Impacts",
@@ -89,6 +106,7 @@ __all__ = [
     "ModelError",
     "Motions",
     "Orbit",
+    "Output",
     "OutputError",
     "Passage",
     "PassageKind",
@@ -107,8 +125,10 @@ __all__ = [
     "SteadyOrbit",
     "SteadyStates",
     "Still",
+    "Store",
     "Stretch",
     "Trajectory",
+    "UnfinishedError",
     "__version__",
     "animate",
     "attractor",
@@ -121,10 +141,13 @@ __all__ = [
     "continuation",
     "doubling_cascade",
     "erosion",
+    "evaluate",
     "example_block",
+    "export",
     "heteroclinic_amplitude",
     "housner_restitution",
     "melnikov_amplitude",
+    "open_store",
     "orbits",
     "plot_base",
     "plot_basins",
@@ -132,6 +155,7 @@ __all__ = [
     "plot_bifurcations",
     "plot_block",
     "plot_erosion",
+    "plot_map",
     "plot_multipliers",
     "plot_orbit",
     "plot_phase_portrait",
@@ -154,6 +178,7 @@ _DEFINED_IN = {
     "Attractor": "rocksteady.dynamics.attractor",
     "AttractorKind": "rocksteady.dynamics.attractor",
     "AttractorTrail": "rocksteady.dynamics.trail",
+    "Axis": "rocksteady.sweep.axes",
     "BasinAttractor": "rocksteady.dynamics.basin_attractors",
     "Basins": "rocksteady.dynamics.basins",
     "Block": "rocksteady.model.block",
@@ -166,6 +191,7 @@ _DEFINED_IN = {
     "Erosion": "rocksteady.dynamics.erosion",
     "Flights": "rocksteady.dynamics.trajectory",
     "Fraction": "rocksteady.dynamics.basins",
+    "Grid": "rocksteady.sweep.grid",
     "Harmonic": "rocksteady.model.motions",
     "ImpactState": "rocksteady.dynamics.return_map",
     "Impacts": "rocksteady.dynamics.trajectory",
@@ -173,6 +199,7 @@ _DEFINED_IN = {
     "ModelError": "rocksteady.errors",
     "Motions": "rocksteady.dynamics.trajectory",
     "Orbit": "rocksteady.dynamics.orbit",
+    "Output": "rocksteady.sweep.outputs",
     "OutputError": "rocksteady.errors",
     "Passage": "rocksteady.dynamics.return_map",
     "PassageKind": "rocksteady.dynamics.return_map",
@@ -191,8 +218,10 @@ _DEFINED_IN = {
     "SteadyOrbit": "rocksteady.dynamics.steady",
     "SteadyStates": "rocksteady.dynamics.steady",
     "Still": "rocksteady.model.motions",
+    "Store": "rocksteady.sweep.store",
     "Stretch": "rocksteady.dynamics.continuation.stretches",
     "Trajectory": "rocksteady.dynamics.trajectory",
+    "UnfinishedError": "rocksteady.errors",
     "animate": "rocksteady.show.animation",
     "attractor": "rocksteady.dynamics.attractor",
     "attractor_map": "rocksteady.dynamics.maps",
@@ -204,10 +233,13 @@ _DEFINED_IN = {
     "continuation": "rocksteady.dynamics.continuation.branch",
     "doubling_cascade": "rocksteady.dynamics.continuation.cascade",
     "erosion": "rocksteady.dynamics.erosion",
+    "evaluate": "rocksteady.sweep.evaluate",
     "example_block": "rocksteady.model.examples",
+    "export": "rocksteady.show.export",
     "heteroclinic_amplitude": "rocksteady.dynamics.regions",
     "housner_restitution": "rocksteady.model.block",
     "melnikov_amplitude": "rocksteady.dynamics.regions",
+    "open_store": "rocksteady.sweep.reading",
     "orbits": "rocksteady.dynamics.orbits",
     "plot_base": "rocksteady.show.plots.motion",
     "plot_basins": "rocksteady.show.plots.basins",
@@ -215,6 +247,7 @@ _DEFINED_IN = {
     "plot_bifurcations": "rocksteady.show.plots.bifurcations",
     "plot_block": "rocksteady.show.plots.block",
     "plot_erosion": "rocksteady.show.plots.basins",
+    "plot_map": "rocksteady.show.plots.maps",
     "plot_multipliers": "rocksteady.show.plots.orbits",
     "plot_orbit": "rocksteady.show.plots.steady",
     "plot_phase_portrait": "rocksteady.show.plots.motion",
