@@ -17,7 +17,7 @@ from rocksteady import Axis, DimensionlessBlock, Grid, Output, Store, attractor_
 
 Floats = NDArray[np.float64]
 
-AXES = {"amplitude": np.linspace(0.1, 6.0, 300), "frequency_ratio": np.linspace(0.2, 8.0, 300)}
+AXES = {"amplitude": np.linspace(1.2, 6.0, 400), "frequency_ratio": np.linspace(0.5, 8.0, 400)}
 WAYS: dict[str, dict[str, Any]] = {
     "one thread": {"workers": 1},
     "all cores": {},

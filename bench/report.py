@@ -45,8 +45,8 @@ the doublings that end near Omega = 1.7717. **Basins**, **erosion**, **map**: el
 cores. Basins are 200 x 200 states over 200 periods, periodic at A = 1, Omega = 2, restitution 0.8
 and chaotic at A = 6, Omega = 6, restitution 0.25; the erosion has 17 amplitudes up to 1.6 at
 Omega = 2, restitution 0.9, with 200 x 200 states over 100 periods each; the map has the
-axes of the attractors. **Sweeps**: one map of attractors from rest, restitution 0.8, A from 0.1 to
-6, Omega from 0.2 to 8, up to 2000 periods, in each of the ways to compute and to keep it; and what
+axes of the attractors. **Sweeps**: one map of attractors from rest, restitution 0.8, A from 1.2 to
+6, Omega from 0.5 to 8, up to 2000 periods, in each of the ways to compute and to keep it; and what
 the engine costs where a cell costs nothing.
 """
 

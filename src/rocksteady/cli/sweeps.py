@@ -63,7 +63,7 @@ Chunk = Annotated[
     typer.Option(
         "--chunk",
         metavar="CELLS",
-        help="Cells that are written at once; by default a 64th of all, from 1024 to 65536.",
+        help="Cells that are written at once; by default a 64th of all, from 4096 to 65536.",
         rich_help_panel=SWEEP,
     ),
 ]

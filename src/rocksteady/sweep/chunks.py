@@ -6,7 +6,7 @@ from functools import cached_property
 
 from rocksteady.sweep.task import Piece
 
-FEWEST = 1024
+FEWEST = 4096
 USUAL = 65_536
 IN_ALL = 64
 """A store has about so many chunks, of so few or so many cells: what is lost with an unfinished

@@ -43,7 +43,7 @@ class Store:
         Whether a store that is there is replaced.
     chunk
         The most cells that are written at once: what is lost when a run is ended, at most, for each
-        of its workers.  By default a 64th of the grid, but from 1024 to 65,536 cells.  A store that
+        of its workers.  By default a 64th of the grid, but from 4096 to 65,536 cells.  A store that
         is continued keeps its own.
 
     Raises
