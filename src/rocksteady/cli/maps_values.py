@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from rocksteady.cli.map_axes import MapCase
+from rocksteady.cli.map_axes import RESIZED, MapCase
 from rocksteady.cli.values import shaking_values
 from rocksteady.dynamics.parameters import SIZES
 
@@ -18,9 +18,7 @@ AMPLITUDE = {"amplitude": "amplitude", "acceleration_m_s2": "accel_g"}
 FREQUENCY = {"frequency_ratio": "frequency_ratio", "frequency_hz": "freq_hz"}
 """Names of the contract, by the parameters that they are."""
 LEANER = frozenset({"width", "height", "alpha"})
-"""What moves alpha, by which amplitudes are measured."""
-LARGER = frozenset({"width", "height", "radius", "p"})
-"""What moves p, by which frequencies are."""
+"""What moves alpha, by which amplitudes are measured; `RESIZED` moves p, for frequencies."""
 
 
 def map_values(case: MapCase, found: "xarray.Dataset", meter: "Meter") -> dict[str, Any]:
@@ -55,7 +53,7 @@ def case_values(case: MapCase) -> dict[str, Any]:
     values |= case.start.values(case.shaking.phase)
     axes = set(case.axes)
     moving = set(axes)
-    for names, sizes in ((AMPLITUDE, LEANER), (FREQUENCY, LARGER)):
+    for names, sizes in ((AMPLITUDE, LEANER), (FREQUENCY, RESIZED)):
         if axes & names.keys():
             moving |= set(names.values())
         elif axes & sizes:  # what was given stays, and moves in the other measure

@@ -11,7 +11,7 @@ from rocksteady.sweep.axes import identifier
 from rocksteady.sweep.deal import Deal
 from rocksteady.sweep.executors.choice import team_for, validated_executor, validated_workers
 from rocksteady.sweep.grid import Grid, each_once
-from rocksteady.sweep.inputs import inputs_of
+from rocksteady.sweep.inputs import constants_of
 from rocksteady.sweep.memory import Memory
 from rocksteady.sweep.outputs import Output, outputs_of
 from rocksteady.sweep.store import Store
@@ -174,7 +174,7 @@ def _check_names(task: Task) -> None:
         identifier(task.numbered)
         names.append(task.numbered)
     each_once("numbered", names)
-    bound = inputs_of(task)["constants"].keys() & set(names)
+    bound = constants_of(task).keys() & set(names)
     if bound:
         raise InputError(
             name="cases",

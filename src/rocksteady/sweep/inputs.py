@@ -50,6 +50,11 @@ def inputs_of(task: Task) -> dict[str, Any]:
     }
 
 
+def constants_of(task: Task) -> dict[str, Any]:
+    """Return what partials have bound of the case function, by the names of its arguments."""
+    return _unwrapped(task.cases)[1]
+
+
 def attributes_of(inputs: Mapping[str, Any], given: Mapping[str, Any]) -> dict[str, Any]:
     """Return the attributes of a result: what the caller says, and what it follows from.
 
