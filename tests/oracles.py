@@ -223,9 +223,10 @@ def exact_march(
         last = index + 1 == len(segments)
         end = until if last else min(until, mp.mpf(segments[index + 1].start))
         if index > 0:
-            found.velocity += segment.jump
             if found.side == 0 and segment.jump != 0:
                 found.side = 1 if segment.jump > 0 else -1
+            # theta'' = p^2 (... + a/g): each side takes an impulse by its own p^2.
+            found.velocity += segment.jump * mp.mpf(rate[0 if found.side > 0 else 1]) ** 2
         while now < end:
             if len(found.impacts) >= most_impacts:
                 return found

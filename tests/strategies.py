@@ -72,7 +72,8 @@ def random_flights(rng: np.random.Generator, count: int) -> Floats:
 
 def logarithmic(low: float, high: float) -> st.SearchStrategy[float]:
     """Draw from [low, high], even in the logarithm."""
-    return st.floats(math.log(low), math.log(high)).map(math.exp)
+    # exp(log(high)) may be a little more than high.
+    return st.floats(math.log(low), math.log(high)).map(lambda x: min(max(math.exp(x), low), high))
 
 
 frequency_ratios = logarithmic(0.05, 1000.0)

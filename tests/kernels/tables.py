@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.kernels.march import (
+    ALIKE,
     AMPLITUDE,
     CEILING,
     CONSTANT,
@@ -35,6 +36,8 @@ from tests.oracles import ExactSegment, mp
 
 Floats = NDArray[np.float64]
 PLENTY = 2**62
+NONE = np.zeros(0)
+"""In place of the peaks that a march keeps."""
 
 
 @dataclass(frozen=True)
@@ -75,6 +78,32 @@ def table(*pieces: Piece) -> Floats:
         if piece.jump != 0.0:
             ceiling = math.inf
     return rows
+
+
+def sampled_pieces(values: Floats, step: float, last_step: float | None = None) -> list[Piece]:
+    """Return straight lines between samples, the last perhaps of another length, and still base."""
+    steps = np.full(len(values) - 1, step)
+    steps[-1] = last_step or step
+    lines = [
+        Piece(float(h), constant=float(a), slope=float((b - a) / h))
+        for a, b, h in zip(values[:-1], values[1:], steps, strict=True)
+    ]
+    return [*lines, Piece()]
+
+
+def sampled(values: Floats, step: float, last_step: float | None = None) -> Floats:
+    """Return the table of samples, of which the march knows that they are alike."""
+    rows = table(*sampled_pieces(values, step, last_step))
+    alike = len(values) - (2 if last_step is None else 3)
+    rows[: alike + 1, ALIKE] = np.arange(alike, -1, -1)
+    return rows
+
+
+def one_by_one(segments: Floats) -> Floats:
+    """Return the table without the notes that samples are alike: each is searched for zeros."""
+    plain = segments.copy()
+    plain[:, ALIKE] = 0.0
+    return plain
 
 
 def harmonic(amplitude: float, frequency: float, phase: float = 0.0) -> Floats:
@@ -187,9 +216,13 @@ def run(
     else:
         stop_phase = until - float(segments[:-1, DURATION].sum())
     none = np.zeros((0, ROW_COLUMNS))
-    status, end = march(segments, sides, start, stop_half, stop_phase, rest_velocity, limit, none)
+    status, end = march(
+        segments, sides, start, stop_half, stop_phase, rest_velocity, limit, none, NONE
+    )
     rows = np.zeros((end.flights, ROW_COLUMNS))
-    again, same = march(segments, sides, start, stop_half, stop_phase, rest_velocity, limit, rows)
+    again, same = march(
+        segments, sides, start, stop_half, stop_phase, rest_velocity, limit, rows, NONE
+    )
     assert (again, same) == (status, end), "recording changes nothing"
     return Run(segments, status, end, rows)
 
@@ -200,7 +233,7 @@ def march_to(segments: Floats, sides: Floats, impacts: int, velocity: float) -> 
     side = 1 if velocity > 0.0 else -1
     start = March(side, 0.0, velocity, 0, half, phase, 0, 0)
     none = np.zeros((0, ROW_COLUMNS))
-    _, end = march(segments, sides, start, 2**60, 0.0, 0.0, impacts, none)
+    _, end = march(segments, sides, start, 2**60, 0.0, 0.0, impacts, none, NONE)
     return end
 
 

@@ -32,7 +32,7 @@ from rocksteady.kernels.section import (
 )
 from rocksteady.kernels.symmetric import symmetric_orbit
 from tests.kernels.passages import LOPSIDED, even_system, state_at_phase
-from tests.kernels.tables import both_sides, harmonic
+from tests.kernels.tables import NONE, both_sides, harmonic
 from tests.strategies import sample_size
 
 Floats = NDArray[np.float64]
@@ -115,7 +115,7 @@ def test_a_lopsided_block_settles_where_a_long_march_ends(
     start = March(1, 0.0, 0.2, 0, *clock(0.4), 0, 0)
     none = np.zeros((0, 8))
     count = 800
-    _, end = march(harmonic(amplitude, frequency), sides, start, 2**60, 0.0, 0.0, count, none)
+    _, end = march(harmonic(amplitude, frequency), sides, start, 2**60, 0.0, 0.0, count, none, NONE)
     last = Section(end.side, end.half_cycles, end.phase, abs(end.velocity))
     assert min(distance(last, state_at(table, k)) for k in range(found.passages)) < 1e-9
 

@@ -98,6 +98,6 @@ def test_the_base_still_nothing_moves() -> None:
 
 
 def test_harmonic_shaking_is_one_endless_segment() -> None:
-    row = np.full((1, 8), 7.0)
+    row = np.full((1, 9), 7.0)
     harmonic_segment(row, 2.0, 3.0, 0.5)
-    assert row[0].tolist() == [math.inf, 0.0, 0.0, 0.0, 2.0, 3.0, 0.5, 2.0]
+    assert row[0].tolist() == [math.inf, 0.0, 0.0, 0.0, 2.0, 3.0, 0.5, 2.0, 0.0]

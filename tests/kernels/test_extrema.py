@@ -7,10 +7,11 @@ import pytest
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from rocksteady.kernels.extrema import highest_angle, inner_extrema, last_rise
+from rocksteady.kernels.extrema import flight_peaks, highest_angle, inner_extrema, last_rise
 from rocksteady.kernels.flight import Flight, make_flight
 from rocksteady.kernels.forcing import Forcing, make_forcing
-from tests.strategies import PHASE, SPAN, random_flights, sample_size
+from rocksteady.kernels.zeros import next_zero
+from tests.strategies import ANGLE, PHASE, SPAN, VELOCITY, random_flights, sample_size
 
 Floats = NDArray[np.float64]
 
@@ -168,3 +169,30 @@ def test_an_inflection_is_no_extremum() -> None:
         assert extrema in {least, least + 1}
     flight = make_flight(forcing, angle, velocity, phase, math.sin(phase), math.cos(phase))
     inner_extrema(flight, forcing, 2.0 * back)  # ends
+
+
+def test_peaks_of_flights_above_the_floor_are_those_of_dense_sampling() -> None:
+    rng, short = np.random.default_rng(6), 0
+    for case in cases(5, sample_size(400, 80)):
+        case[ANGLE] = abs(case[ANGLE])
+        if case[ANGLE] == 0.0:
+            case[VELOCITY] = abs(case[VELOCITY])
+        case[SPAN] *= rng.choice([0.05, 1.0])
+        flight, forcing = made(case)
+        zero = next_zero(flight, forcing, float(case[SPAN]), False, False, -1.0)
+        span = zero.time
+        peaks = (zero.angle, zero.velocity)
+        angle, speed = flight_peaks(flight, forcing, span, *peaks, 0.0, 0.0)
+        times = np.linspace(0.0, span, int(1000 + 50 * case[3] * span))
+        y, v = curves(case, times)
+        blur = 64 * 2.0**-52 * scale(case)
+        for found, dense in ((angle, y), (speed, np.abs(v))):
+            between = np.abs(np.diff(dense, 2)).max()
+            assert dense.max() - blur <= found <= dense.max() + between + blur
+        # What earlier flights have reached is kept, and surpassed where it can be.
+        short += span <= 1.0
+        for share in (0.9, 1.0 - 1e-9, 1.0, 1.0 + 1e-9, 1.5, 100.0):
+            for before in ((share * angle, 0.0), (0.0, share * speed), (share * angle, 1e9)):
+                again = flight_peaks(flight, forcing, span, *peaks, *before)
+                assert again == (max(angle, before[0]), max(speed, before[1]))
+    assert short > sample_size(150, 30)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.kernels.history import fill_states, highest, last_crossing
+from rocksteady.kernels.history import fill_states, last_crossing, side_peaks
 from rocksteady.kernels.march import OVERTURNED, ROW_DURATION, ROW_SIDE
 from tests.kernels.tables import Piece, Run, both_sides, exact_segments, harmonic, run, table
 from tests.oracles import exact_march, mp
@@ -102,7 +102,8 @@ def test_the_highest_angle_agrees_with_dense_sampling() -> None:
         )
         last = float(ran.rows[-1, ROW_DURATION])
         last = 1.0 if math.isinf(last) else last
-        peak = highest(ran.segments, sides, ran.rows, last)
+        peaks = side_peaks(ran.segments, sides, ran.rows, last)
+        peak = max(own * unit for own, unit in zip(peaks, lean, strict=True))
         best = 0.0
         for i in range(len(ran.rows)):
             duration = last if i + 1 == len(ran.rows) else float(ran.rows[i, ROW_DURATION])

@@ -22,6 +22,7 @@ from rocksteady.kernels.march import (
 )
 from rocksteady.kernels.symmetric import symmetric_orbit, symmetry_breaking
 from tests.kernels.tables import (
+    NONE,
     Piece,
     Run,
     both_sides,
@@ -67,9 +68,9 @@ def test_the_mirrored_march_is_the_same_to_the_last_bit(
             )
             stop = 200 if mirror > 0 else 201
             none = np.zeros((0, 8))
-            status, end = march(segments, sides, start, stop, phase, math.inf, 5000, none)
+            status, end = march(segments, sides, start, stop, phase, math.inf, 5000, none, NONE)
             record = np.zeros((end.flights, 8))
-            march(segments, sides, start, stop, phase, math.inf, 5000, record)
+            march(segments, sides, start, stop, phase, math.inf, 5000, record, NONE)
             rows.append(record)
             assert status in {ROCKING, AT_REST, OVERTURNED}
         one, other = rows

@@ -51,7 +51,7 @@ from tests.kernels.passages import (
     random_case,
     state_at_phase,
 )
-from tests.kernels.tables import both_sides, harmonic, run
+from tests.kernels.tables import NONE, both_sides, harmonic, run
 from tests.strategies import logarithmic, sample_size
 
 Floats = NDArray[np.float64]
@@ -65,7 +65,7 @@ def one_impact_of_the_march(case: Case) -> tuple[March, Floats]:
         state.side, 0.0, state.side * state.speed, 0, state.half_cycles, state.phase, 0, 0
     )
     rows = np.zeros((1, ROW_COLUMNS))
-    _, end = march(segments, case.sides, start, 2**60, 0.0, 0.0, 1, rows)
+    _, end = march(segments, case.sides, start, 2**60, 0.0, 0.0, 1, rows, NONE)
     return end, rows[0]
 
 
@@ -182,7 +182,15 @@ def test_the_first_passage_from_any_state_is_the_first_impact_of_the_march() -> 
         start = March(side, angle, velocity, 0, half, phase, 0, 0)
         rows = np.zeros((1, ROW_COLUMNS))
         _, end = march(
-            harmonic(case.amplitude, case.frequency), case.sides, start, 2**60, 0.0, 0.0, 1, rows
+            harmonic(case.amplitude, case.frequency),
+            case.sides,
+            start,
+            2**60,
+            0.0,
+            0.0,
+            1,
+            rows,
+            NONE,
         )
         if step.kind == FALL:
             assert end.impacts == 0

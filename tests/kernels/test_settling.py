@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from rocksteady import DimensionlessBlock, Harmonic, State, attractor
 from rocksteady.kernels.attractors import LONGEST_ORBIT, MEMORY, PERIODIC, settle
-from rocksteady.kernels.march import clock
+from rocksteady.kernels.march import RESTITUTION, clock
 from rocksteady.kernels.periodic import ORBIT_COLUMNS, distance, state_at
 from rocksteady.kernels.section import Section, make_system
 from rocksteady.kernels.settling import (
@@ -57,7 +57,9 @@ def settled(real: Floats, whole: Integers) -> tuple[Integers, Floats]:
     found = np.empty((count, WHOLE_COLUMNS), dtype=np.int64), np.empty((count, REAL_COLUMNS))
     a, w, r, angle, velocity, phase = np.ascontiguousarray(real)
     side, half = np.ascontiguousarray(whole)
-    settle_cells(a, w, r, side, angle, velocity, half, phase, CYCLES, *found)
+    sides = np.ones((count, 2, 3))
+    sides[:, :, RESTITUTION] = r[:, np.newaxis]
+    settle_cells(a, w, sides, side, angle, velocity, half, phase, CYCLES, *found)
     return found
 
 

@@ -21,6 +21,7 @@ modules import integer status codes only.
 `section`           the return map of harmonic shaking, from impact to impact
 `periodic`          its periodic orbits, by Newton's method
 `attractors`        what a motion settles to
+`lanes`             harmonic sweeps of symmetric blocks, trajectories side by side in vectors
 `cells`, `settling` plain loops of `march` and of `settle` over many cases
 ==================  ==============================================================================
 """

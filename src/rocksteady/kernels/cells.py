@@ -15,9 +15,7 @@ from rocksteady.kernels.march import (
     CEILING,
     DURATION,
     FREQUENCY,
-    LEAN,
     PHASE,
-    RATE,
     RESTITUTION,
     ROW_COLUMNS,
     SEGMENT_COLUMNS,
@@ -42,6 +40,64 @@ def harmonic_segment(segments: Floats, amplitude: float, frequency: float, phase
 
 
 @compiled
+def fates_of_sides(
+    amplitude: Floats,
+    frequency_ratio: Floats,
+    sides: Floats,
+    angle: Floats,
+    velocity: Floats,
+    phase: Floats,
+    cycles: int,
+    most: int,
+    status: NDArray[np.int64],
+    impacts: NDArray[np.int64],
+    final: Floats,
+) -> None:
+    """March blocks under harmonic shaking and note how each ends.
+
+    Parameters
+    ----------
+    amplitude, frequency_ratio, angle, velocity, phase
+        One value a cell, shape (cells,); `velocity` is d(theta/alpha)/ds.
+    sides
+        Of the block of each cell, shape (cells, 2, 3), as in `rocksteady.kernels.tables`.
+    cycles
+        Forcing periods to run.
+    most
+        Flights after which a motion is given up as UNDECIDED.
+    status, impacts, final
+        Receive the status code, the number of impacts and, in shape (cells, 3), the final angle,
+        velocity and phase.
+    """
+    segments = np.zeros((1, SEGMENT_COLUMNS))
+    rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
+    for i in range(len(amplitude)):
+        harmonic_segment(segments, amplitude[i], frequency_ratio[i], phase[i])
+        half, start_phase = clock(phase[i])
+        side = 1
+        if angle[i] < 0.0 or (angle[i] == 0.0 and velocity[i] < 0.0):
+            side = -1
+        elif angle[i] == 0.0 and velocity[i] == 0.0:
+            side = 0
+        start = March(side, angle[i], velocity[i], 0, half, start_phase, 0, 0)
+        status[i], end = march(
+            segments,
+            sides[i],
+            start,
+            half + 2 * cycles,
+            start_phase,
+            math.inf,
+            most,
+            rows,
+            peaks,
+        )
+        impacts[i] = end.impacts
+        final[i, 0] = end.angle
+        final[i, 1] = end.velocity
+        final[i, 2] = end.phase
+
+
+@compiled
 def harmonic_fates(
     amplitude: Floats,
     frequency_ratio: Floats,
@@ -58,33 +114,24 @@ def harmonic_fates(
 
     Parameters
     ----------
-    amplitude, frequency_ratio, restitution, angle, velocity, phase
-        One value a cell, shape (cells,); `velocity` is d(theta/alpha)/ds.
-    cycles
-        Forcing periods to run.
-    status, impacts, final
-        Receive the status code, the number of impacts and, in shape (cells, 3), the final angle,
-        velocity and phase.
+    restitution
+        One value a cell, shape (cells,).
+    amplitude, frequency_ratio, angle, velocity, phase, cycles, status, impacts, final
+        As for `fates_of_sides`.
     """
-    segments = np.zeros((1, SEGMENT_COLUMNS))
-    sides = np.zeros((2, 3))
-    rows = np.zeros((0, ROW_COLUMNS))
-    sides[:, LEAN] = 1.0
-    sides[:, RATE] = 1.0
+    sides = np.ones((len(amplitude), 2, 3))
     for i in range(len(amplitude)):
-        harmonic_segment(segments, amplitude[i], frequency_ratio[i], phase[i])
-        sides[:, RESTITUTION] = restitution[i]
-        half, start_phase = clock(phase[i])
-        side = 1
-        if angle[i] < 0.0 or (angle[i] == 0.0 and velocity[i] < 0.0):
-            side = -1
-        elif angle[i] == 0.0 and velocity[i] == 0.0:
-            side = 0
-        start = March(side, angle[i], velocity[i], 0, half, start_phase, 0, 0)
-        status[i], end = march(
-            segments, sides, start, half + 2 * cycles, start_phase, math.inf, NO_LIMIT, rows
-        )
-        impacts[i] = end.impacts
-        final[i, 0] = end.angle
-        final[i, 1] = end.velocity
-        final[i, 2] = end.phase
+        sides[i, :, RESTITUTION] = restitution[i]
+    fates_of_sides(
+        amplitude,
+        frequency_ratio,
+        sides,
+        angle,
+        velocity,
+        phase,
+        cycles,
+        NO_LIMIT,
+        status,
+        impacts,
+        final,
+    )

@@ -26,8 +26,8 @@ config: Any = numba.core.config  # its settings are made at import: no type chec
 def cache_folder() -> Path:
     """Return the folder of this version's machine code, one that can be written to."""
     digest = hashlib.sha256()
-    for source in sorted(Path(__file__).parent.glob("*.py")):
-        digest.update(source.name.encode())
+    for source in sorted(Path(__file__).parent.rglob("*.py")):
+        digest.update(source.relative_to(Path(__file__).parent).as_posix().encode())
         digest.update(source.read_bytes())
     key = digest.hexdigest()[:16]
     preferred = Path(platformdirs.user_cache_dir("rocksteady")) / "kernels" / key
@@ -56,22 +56,41 @@ def compiled(function: FunctionT) -> FunctionT:
     that can be zero.  ``nogil`` lets threads run kernels side by side.  Fast-math stays off: the
     sign of a computed number decides whether a block falls.
     """
-    return _compile(function, inline=False)
+    return _compile(function)
+
+
+def fused(function: FunctionT) -> FunctionT:
+    """Compile a loop over lanes, in which a product and the sum that it enters are rounded once.
+
+    Machines that cannot do so give other last digits; each gives the same ones every time.
+    """
+    return _compile(function, fastmath={"contract"})
+
+
+def fused_inlined(function: FunctionT) -> FunctionT:
+    """Compile a small function into the loops over lanes that call it."""
+    return _compile(function, forceinline=True, fastmath={"contract"})
 
 
 def inlined(function: FunctionT) -> FunctionT:
     """Compile a small function into each of its callers: what one flight calls many times."""
-    return _compile(function, inline=True)
+    return _compile(function, forceinline=True)
 
 
-def _compile(function: FunctionT, *, inline: bool) -> FunctionT:
+def _compile(
+    function: FunctionT, *, forceinline: bool = False, fastmath: bool | set[str] = False
+) -> FunctionT:
     # The cache folder is a global setting of numba, which other packages share, and is read at
     # decoration: it is ours only for this one call.
     before = config.CACHE_DIR
     config.CACHE_DIR = str(cache_folder())
     try:
         jit: Any = numba.njit(
-            cache=True, nogil=True, error_model="numpy", fastmath=False, forceinline=inline
+            cache=True,
+            nogil=True,
+            error_model="numpy",
+            forceinline=forceinline,
+            fastmath=fastmath,
         )
         result: FunctionT = jit(function)
     finally:

@@ -109,17 +109,22 @@ def last_crossing(segments: Floats, sides: Floats, rows: Floats, level: float) -
 
 
 @compiled
-def highest(segments: Floats, sides: Floats, rows: Floats, last_duration: float) -> float:
-    """Return the largest |theta|/alpha of all rows, with alpha the reference's.
+def side_peaks(
+    segments: Floats, sides: Floats, rows: Floats, last_duration: float
+) -> tuple[float, float]:
+    """Return the largest |theta|/alpha on the positive and on the negative side, each in its alpha.
 
     `last_duration` replaces the duration of the last row, which is infinite where the block falls.
     """
-    peak = 0.0
+    positive = negative = 0.0
     for index in range(len(rows)):
         if rows[index, ROW_SIDE] == 0.0:
             continue
-        flight, forcing, lean, rate = row_flight(segments, sides, rows, index)
+        flight, forcing, _, rate = row_flight(segments, sides, rows, index)
         duration = last_duration if index == len(rows) - 1 else rows[index, ROW_DURATION]
         angle, _ = highest_angle(flight, forcing, duration * rate)
-        peak = max(peak, angle * lean)
-    return peak
+        if rows[index, ROW_SIDE] > 0.0:
+            positive = max(positive, angle)
+        else:
+            negative = max(negative, angle)
+    return positive, negative

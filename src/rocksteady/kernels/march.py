@@ -1,81 +1,113 @@
 """The march: flights strung together by impacts, uplifts and segment ends.
 
-A motion is a table of segments (columns below), the block two rows of side parameters.  Time is
-kept as (segment, half cycles, phase): whole half periods of the segment's sinusoid as an integer
-and the phase within the current one, so that a change of side adds exactly pi and nothing drifts
-over millions of cycles.  A segment without sinusoid counts plain time in place of the phase.
+A motion is a table of segments, the block two rows of side parameters (`rocksteady.kernels.tables`
+has the columns).  Time is kept as (segment, half cycles, phase): whole half periods of the
+segment's sinusoid as an integer and the phase within the current one, so that a change of side adds
+exactly pi and nothing drifts over millions of cycles.  A segment without sinusoid counts plain time
+in place of the phase.  Runs of samples, segments alike without one, are passed through at a few
+products each (`rocksteady.kernels.samples`).
 """
 
 import math
-from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from rocksteady.errors import Status
 from rocksteady.kernels.compilation import compiled, inlined
-from rocksteady.kernels.flight import make_flight
+from rocksteady.kernels.extrema import flight_peaks
+from rocksteady.kernels.flight import Flight, make_flight
 from rocksteady.kernels.forcing import HALF_PI, SINE, Forcing, make_forcing, steepest_forcing
 from rocksteady.kernels.rest import settles, uplift_time
-from rocksteady.kernels.zeros import FOUND, NO_RETURN, SPAN_END, next_zero
+from rocksteady.kernels.samples import fly_through, rest_through
+from rocksteady.kernels.tables import (
+    ALIKE,
+    AMPLITUDE,
+    AT_REST,
+    CEILING,
+    CONSTANT,
+    DURATION,
+    ENDED_BY_IMPACT,
+    ENDED_BY_NO_RETURN,
+    ENDED_BY_SPAN,
+    ENDED_BY_UPLIFT,
+    FREQUENCY,
+    JUMP,
+    LEAN,
+    OVERTURNED,
+    PEAK_ANGLE,
+    PEAK_SPEED,
+    PHASE,
+    RATE,
+    RESTITUTION,
+    ROCKING,
+    ROW_ANGLE,
+    ROW_COLUMNS,
+    ROW_DURATION,
+    ROW_EVENT,
+    ROW_HALF_CYCLES,
+    ROW_PHASE,
+    ROW_SEGMENT,
+    ROW_SIDE,
+    ROW_VELOCITY,
+    SEGMENT_COLUMNS,
+    SLOPE,
+    UNDECIDED,
+    Floats,
+    March,
+    write_row,
+)
+from rocksteady.kernels.zeros import FOUND, NO_RETURN, Zero, next_zero
 
-Floats = NDArray[np.float64]
-
-# Columns of a table of segments: c0 + c1 s + A sin(Omega s + phi) for `DURATION` of pivot time.
-DURATION = 0
-JUMP = 1  # of the block's velocity at the segment's start, by an impulse of the base
-CONSTANT = 2
-SLOPE = 3
-AMPLITUDE = 4
-FREQUENCY = 5
-PHASE = 6
-CEILING = 7  # max |a| from this segment's start on; infinite while a later one has a jump
-SEGMENT_COLUMNS = 8
-
-# Columns of the side table; row 0 is the positive side, row 1 the negative one.
-RESTITUTION = 0  # of the impact that ends a flight on this side
-LEAN = 1  # this side's alpha over the reference alpha
-RATE = 2  # this side's p over the reference p
-
-# Columns of a recorded flight, in reference units.
-ROW_SEGMENT = 0
-ROW_HALF_CYCLES = 1
-ROW_PHASE = 2
-ROW_SIDE = 3  # +1, -1, or 0 at rest
-ROW_ANGLE = 4
-ROW_VELOCITY = 5
-ROW_DURATION = 6
-ROW_EVENT = 7
-ROW_COLUMNS = 8
-
-# What ended a recorded flight or rest.
-ENDED_BY_SPAN = SPAN_END  # the segment or the run ended
-ENDED_BY_IMPACT = FOUND
-ENDED_BY_NO_RETURN = NO_RETURN
-ENDED_BY_UPLIFT = 3
-
-ROCKING = int(Status.ROCKING)
-AT_REST = int(Status.AT_REST)
-OVERTURNED = int(Status.OVERTURNED)
-UNDECIDED = int(Status.UNDECIDED)
+# The columns too: whoever marches needs them.
+__all__ = [
+    "ALIKE",
+    "AMPLITUDE",
+    "AT_REST",
+    "CEILING",
+    "CONSTANT",
+    "DURATION",
+    "ENDED_BY_IMPACT",
+    "ENDED_BY_NO_RETURN",
+    "ENDED_BY_SPAN",
+    "ENDED_BY_UPLIFT",
+    "FREQUENCY",
+    "JUMP",
+    "LEAN",
+    "OVERTURNED",
+    "PHASE",
+    "RATE",
+    "RESTITUTION",
+    "ROCKING",
+    "ROW_ANGLE",
+    "ROW_COLUMNS",
+    "ROW_DURATION",
+    "ROW_EVENT",
+    "ROW_HALF_CYCLES",
+    "ROW_PHASE",
+    "ROW_SEGMENT",
+    "ROW_SIDE",
+    "ROW_VELOCITY",
+    "SEGMENT_COLUMNS",
+    "SLOPE",
+    "STILL",
+    "UNDECIDED",
+    "Floats",
+    "March",
+    "chatter_ends",
+    "clock",
+    "elapsed_time",
+    "march",
+    "next_uplift",
+    "segment_end",
+    "segment_start",
+    "side_forcing",
+    "side_phase",
+    "uplift_clock",
+]
 
 PI_HIGH = math.pi
 PI_LOW = 1.2246467991473532e-16  # pi - PI_HIGH
 # A bounce this slow lasts less than any clock resolves, and its square underflows.
 STILL = 1e-100
-
-
-class March(NamedTuple):
-    """State of a march between two flights."""
-
-    side: int  # +1, -1, or 0 at rest
-    angle: float  # theta / alpha
-    velocity: float  # d(theta / alpha) / ds
-    segment: int
-    half_cycles: int
-    phase: float  # within the half cycle, or time within a segment without sinusoid
-    impacts: int
-    flights: int  # flights and rests: the rows that a record of the march has
 
 
 @compiled
@@ -159,13 +191,14 @@ def march(
     rest_velocity: float,
     limit: int,
     rows: Floats,
+    peaks: Floats,
 ) -> tuple[int, March]:
     """March from `start` to the stop, to overturning, or to the limit.
 
     Parameters
     ----------
     segments, sides
-        Tables of shape (segments, 8) and (2, 3) with the columns above.
+        Tables of shape (segments, 9) and (2, 3).
     start
         Where to begin.  At rest `side` is 0; a side with angle and velocity 0 is just lifting off.
     stop_half_cycles, stop_phase
@@ -178,6 +211,9 @@ def march(
     rows
         Array of shape (flights, 8) that receives the flights, as many as a first march without
         rows (0, 8) has counted: a march does not depend on whether it is recorded.
+    peaks
+        Array of shape (2,) in which the largest |angle| and |velocity| are kept, those that it
+        comes with included, up to the end or the proof of overturning; or of shape (0,).
 
     Returns
     -------
@@ -187,7 +223,7 @@ def march(
     side, angle, velocity = start.side, start.angle, start.velocity
     segment, half, phase = start.segment, start.half_cycles, start.phase
     impacts, flights = start.impacts, start.flights
-    record = len(rows) > 0
+    record, watch = len(rows) > 0, len(peaks) > 0
     last = len(segments) - 1
 
     loaded = -1  # the segment that the following belong to
@@ -204,6 +240,20 @@ def march(
         if flights >= limit:
             return UNDECIDED, March(side, angle, velocity, segment, half, phase, impacts, flights)
         if segment != loaded:
+            if segments[segment, ALIKE] > 0.0 and phase == 0.0:
+                # Into the first sample that needs what follows: an impact, an uplift, a doubt.
+                if side == 0:
+                    segment, flights = rest_through(segments, sides, segment, flights, limit, rows)
+                else:
+                    segment, angle, velocity, flights, fallen = fly_through(
+                        segments, sides, side, angle, velocity, segment, flights, limit, rows, peaks
+                    )
+                    if fallen:
+                        return OVERTURNED, March(
+                            side, angle, velocity, segment, half, phase, impacts, flights
+                        )
+                if flights >= limit:
+                    continue
             loaded = segment
             frequency = segments[segment, FREQUENCY]
             sloped = segments[segment, SLOPE] != 0.0
@@ -242,6 +292,7 @@ def march(
             velocity = segments[segment, JUMP]
             if velocity != 0.0:
                 side = 1 if velocity > 0.0 else -1
+                velocity *= sides[0 if side > 0 else 1, RATE] ** 2
             continue
 
         # 2. A flight, in the units of its side.
@@ -280,6 +331,8 @@ def march(
                 rows, flights, segment, half, phase, side, angle, velocity, duration, zero.event
             )
         flights += 1
+        if watch:
+            keep_peaks(flight, forcing, zero, lean, rate, peaks)
         if zero.event == NO_RETURN:
             return OVERTURNED, March(side, angle, velocity, segment, half, phase, impacts, flights)
 
@@ -309,7 +362,8 @@ def march(
             return ROCKING, March(side, angle, velocity, segment, half, phase, impacts, flights)
         segment += 1
         half, phase = segment_start(segments, segment)
-        velocity += segments[segment, JUMP]
+        # An impulse of the base turns each side by its own p^2, as any acceleration does.
+        velocity += segments[segment, JUMP] * (rate * rate)
         if angle == 0.0:  # the velocity alone says where it goes
             side = int(np.sign(velocity))
         if abs(angle) > lean + segments[segment, CEILING] and velocity * side >= 0.0:
@@ -405,25 +459,14 @@ def chatter_ends(
     )
 
 
-@inlined
-def write_row(
-    rows: Floats,
-    index: int,
-    segment: int,
-    half: int,
-    phase: float,
-    side: int,
-    angle: float,
-    velocity: float,
-    duration: float,
-    event: int,
+@compiled
+def keep_peaks(
+    flight: Flight, forcing: Forcing, zero: Zero, lean: float, rate: float, peaks: Floats
 ) -> None:
-    """Record one flight or rest."""
-    rows[index, ROW_SEGMENT] = segment
-    rows[index, ROW_HALF_CYCLES] = half
-    rows[index, ROW_PHASE] = phase
-    rows[index, ROW_SIDE] = side
-    rows[index, ROW_ANGLE] = angle
-    rows[index, ROW_VELOCITY] = velocity
-    rows[index, ROW_DURATION] = duration
-    rows[index, ROW_EVENT] = event
+    """Raise `peaks` to the largest angle and speed of a flight, in reference units."""
+    top_angle, top_speed = peaks[PEAK_ANGLE] / lean, peaks[PEAK_SPEED] / (lean * rate)
+    angle, speed = flight_peaks(
+        flight, forcing, zero.time, zero.angle, zero.velocity, top_angle, top_speed
+    )
+    peaks[PEAK_ANGLE] = max(peaks[PEAK_ANGLE], angle * lean)
+    peaks[PEAK_SPEED] = max(peaks[PEAK_SPEED], speed * lean * rate)

@@ -28,6 +28,7 @@ from rocksteady.kernels.section import (
     System,
     highest_after,
     identity,
+    like_sides,
     next_passage,
     phase_between,
     product,
@@ -273,8 +274,14 @@ def primitive(table: Floats, passages: int, periods: int) -> tuple[int, int]:
 
 
 @compiled
-def is_symmetric(table: Floats, passages: int, periods: int) -> bool:
-    """Return whether half of an orbit turns it into its mirror image."""
+def is_symmetric(system: System, table: Floats, passages: int, periods: int) -> bool:
+    """Return whether half of an orbit turns it into its mirror image.
+
+    Of a block whose sides differ the mirror image of a motion is none, and one that comes near its
+    own by chance is not symmetric.
+    """
+    if not like_sides(system):
+        return False
     if passages % 2 == 1 or periods % 2 == 0:
         return False
     start, half = state_at(table, 0), state_at(table, passages // 2)
@@ -321,7 +328,7 @@ def search(
     most_passages, most_periods
         Longest orbits.
     mirrors
-        Whether mirror images are orbits too, and one of the two is enough.
+        Whether mirror images are orbits too, as of a symmetric block, and one is enough.
     table
         Room, shape (most_passages or more, ORBIT_COLUMNS).
     found

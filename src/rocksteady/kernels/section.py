@@ -127,6 +127,16 @@ def forcing_of(system: System, side: int) -> Forcing:
 
 
 @compiled
+def like_sides(system: System) -> bool:
+    """Return whether the two sides of a block are alike."""
+    return (
+        system.restitution[0] == system.restitution[1]
+        and system.lean[0] == system.lean[1]
+        and system.rate[0] == system.rate[1]
+    )
+
+
+@compiled
 def flight_from(system: System, state: Section) -> Flight:
     """Return the flight that a state begins, in the units of its side."""
     row = 0 if state.side > 0 else 1

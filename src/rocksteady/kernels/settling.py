@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from rocksteady.kernels.attractors import LONGEST_ORBIT, MEMORY, PERIODIC, settle
 from rocksteady.kernels.compilation import compiled
-from rocksteady.kernels.march import LEAN, RATE, RESTITUTION, Floats, clock
+from rocksteady.kernels.march import Floats, clock
 from rocksteady.kernels.periodic import (
     ORBIT_COLUMNS,
     OTHER_PEAK,
@@ -51,7 +51,7 @@ def fill_clocks(phase: Floats, half_cycles: NDArray[np.int64], rest: Floats) -> 
 def settle_cells(
     amplitude: Floats,
     frequency_ratio: Floats,
-    restitution: Floats,
+    sides: Floats,
     side: NDArray[np.int64],
     angle: Floats,
     velocity: Floats,
@@ -61,12 +61,14 @@ def settle_cells(
     whole: NDArray[np.int64],
     real: Floats,
 ) -> None:
-    """Follow motions of symmetric blocks until it is known what they settle to.
+    """Follow motions until it is known what they settle to.
 
     Parameters
     ----------
-    amplitude, frequency_ratio, restitution
+    amplitude, frequency_ratio
         One value a cell, shape (cells,).
+    sides
+        Of the block of each cell, shape (cells, 2, 3), as in `rocksteady.kernels.tables`.
     side, angle, velocity, half_cycles, phase
         The state at the start, as in `rocksteady.kernels.march.March`; `side` 0 at rest.
     cycles
@@ -74,13 +76,9 @@ def settle_cells(
     whole, real
         Receive the columns above, shape (cells, WHOLE_COLUMNS) and (cells, REAL_COLUMNS).
     """
-    sides = np.zeros((2, 3))
-    sides[:, LEAN] = 1.0
-    sides[:, RATE] = 1.0
     memory, table = np.empty((MEMORY, ORBIT_COLUMNS)), np.empty((LONGEST_ORBIT, ORBIT_COLUMNS))
     for i in range(len(amplitude)):
-        sides[:, RESTITUTION] = restitution[i]
-        system = make_system(amplitude[i], frequency_ratio[i], sides)
+        system = make_system(amplitude[i], frequency_ratio[i], sides[i])
         found = settle(
             system,
             side[i],
@@ -115,7 +113,7 @@ def settle_cells(
         whole[i, PASSAGES] = passages
         whole[i, PERIODS] = periods
         whole[i, RESTS] = found.rests
-        whole[i, SYMMETRIC] = 1 if is_symmetric(table, passages, periods) else 0
+        whole[i, SYMMETRIC] = 1 if is_symmetric(system, table, passages, periods) else 0
         real[i, ORBIT_PHASE] = (state.half_cycles % 2) * math.pi + state.phase
         real[i, ORBIT_SPEED] = state.speed
         real[i, HIGHEST], real[i, LOWEST] = highest, 0.0 - lowest

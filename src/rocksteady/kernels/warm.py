@@ -12,7 +12,7 @@ import time
 import numpy as np
 
 from rocksteady.kernels.attractors import MEMORY, settle
-from rocksteady.kernels.cells import harmonic_fates, harmonic_segment
+from rocksteady.kernels.cells import fates_of_sides, harmonic_fates, harmonic_segment
 from rocksteady.kernels.chains import (
     CHAIN_COLUMNS,
     fill_arcs,
@@ -22,8 +22,16 @@ from rocksteady.kernels.chains import (
     turned_over,
 )
 from rocksteady.kernels.compilation import cache_folder
-from rocksteady.kernels.history import fill_states, highest, last_crossing
-from rocksteady.kernels.march import ROW_COLUMNS, SEGMENT_COLUMNS, March, clock, march
+from rocksteady.kernels.history import fill_states, last_crossing, side_peaks
+from rocksteady.kernels.lanes.fates import lane_fates
+from rocksteady.kernels.march import (
+    DURATION,
+    ROW_COLUMNS,
+    SEGMENT_COLUMNS,
+    March,
+    clock,
+    march,
+)
 from rocksteady.kernels.periodic import (
     ORBIT_COLUMNS,
     fill_peaks,
@@ -37,8 +45,10 @@ from rocksteady.kernels.periodic import (
     search,
     state_at,
 )
+from rocksteady.kernels.pulsed import pulse_fates
 from rocksteady.kernels.section import make_system, next_passage, phase_between
 from rocksteady.kernels.settling import REAL_COLUMNS, WHOLE_COLUMNS, fill_clocks, settle_cells
+from rocksteady.kernels.shaken import record_fates
 from rocksteady.kernels.symmetric import (
     fill_curves,
     fill_half_cycle,
@@ -82,11 +92,12 @@ def warm() -> None:
     half, phase = clock(orbit.phase)
     start = March(1, 0.0, 4.0 * orbit.velocity, 0, half, phase, 0, 0)
     rows = np.zeros((0, ROW_COLUMNS))
-    _, end = march(segments, sides, start, half + 2, phase, math.inf, 100, rows)
+    peaks = np.zeros(0)
+    _, end = march(segments, sides, start, half + 2, phase, math.inf, 100, rows, peaks)
     rows = np.zeros((end.flights, ROW_COLUMNS))
-    march(segments, sides, start, half + 2, phase, math.inf, 100, rows)
+    march(segments, sides, start, half + 2, phase, math.inf, 100, rows, peaks)
     fill_states(segments, sides, rows, np.zeros(1, dtype=np.int64), np.zeros(1), np.zeros((3, 1)))
-    highest(segments, sides, rows, 0.1)
+    side_peaks(segments, sides, rows, 0.1)
     last_crossing(segments, sides, rows, 0.1)
     harmonic_fates(
         2.0 * one,
@@ -100,6 +111,59 @@ def warm() -> None:
         np.zeros(1, dtype=np.int64),
         np.zeros((1, 3)),
     )
+    fates_of_sides(
+        2.0 * one,
+        4.0 * one,
+        sides[np.newaxis],
+        0.0 * one,
+        0.3 * one,
+        0.0 * one,
+        2,
+        100,
+        np.zeros(1, dtype=np.int64),
+        np.zeros(1, dtype=np.int64),
+        np.zeros((1, 3)),
+    )
+    lane_fates(
+        2.0 * one,
+        4.0 * one,
+        0.8 * one,
+        0.0 * one,
+        0.3 * one,
+        0.0 * one,
+        2,
+        True,
+        100,
+        np.zeros(1, dtype=np.int64),
+        np.zeros(1, dtype=np.int64),
+        np.zeros((1, 3)),
+    )
+    record_fates(
+        np.zeros((1, SEGMENT_COLUMNS)),
+        one,
+        one,
+        one,
+        one,
+        100,
+        np.zeros(1, dtype=np.int64),
+        np.zeros(1, dtype=np.int64),
+        np.zeros((1, 2)),
+    )
+    pulse = np.zeros((1, SEGMENT_COLUMNS))
+    pulse[0, DURATION] = 1.0
+    pulse_fates(
+        pulse,
+        sides,
+        one,
+        one,
+        math.inf,
+        100,
+        np.zeros(1, dtype=np.int64),
+        np.zeros(1, dtype=np.int64),
+        np.zeros(1, dtype=np.int64),
+        np.zeros(1, dtype=np.int64),
+        np.zeros(1),
+    )
 
     system = make_system(2.0, 4.0, sides)
     memory, table = np.zeros((MEMORY, ORBIT_COLUMNS)), np.zeros((MEMORY, ORBIT_COLUMNS))
@@ -108,7 +172,7 @@ def warm() -> None:
     settle_cells(
         2.0 * one,
         4.0 * one,
-        0.8 * one,
+        sides[np.newaxis],
         0 * whole,
         0.0 * one,
         0.0 * one,
@@ -125,7 +189,7 @@ def warm() -> None:
     put(table, 1, mirror(state, 1))
     fill_peaks(system, 2, table)
     measured(system, 2, 1, table)
-    is_symmetric(table, 2, 1)
+    is_symmetric(system, table, 2, 1)
     multipliers(fixed.jacobian, loss(system, state.side, 2, fixed.rests))
     phase_between(state, next_passage(system, state, -1.0).state)
 

