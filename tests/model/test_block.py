@@ -219,12 +219,6 @@ def test_what_the_equation_of_motion_sees_of_a_block_is_its_restitution() -> Non
     assert bare.sides == ((0.77, 1.0, 1.0), (0.77, 1.0, 1.0))
 
 
-def test_a_block_whose_sides_differ_is_refused_rather_than_taken_for_symmetric() -> None:
-    lopsided = Block(positive=Side(**SIDE), negative=Side(**{**SIDE, "restitution": 0.5}))
-    with pytest.raises(ModelError, match="sides differ"):
-        lopsided.dimensionless()
-
-
 def test_a_notebook_shows_the_numbers_of_a_block() -> None:
     table = Block.from_p(alpha=0.25, p=2.14, restitution=0.9)._repr_html_()
     for number in ("0.25 rad", "2.14 rad/s", "0.9", "0.25 g"):

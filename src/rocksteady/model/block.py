@@ -2,129 +2,68 @@
 
 A free-standing rigid block rocks about two edges.  What its equation of motion needs of each side
 is its critical angle `alpha`, its frequency parameter `p` and its restitution; `Side` holds them,
-and a `Block` is two sides.  All constructors make symmetric blocks, whose sides are equal.
+and a `Block` is two sides.  Those of a symmetric block are equal.
 
 Sizes are full dimensions in metres.  Much of the literature writes b and h for half of them.
 """
 
 import math
-from dataclasses import dataclass
-from typing import Literal
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 from rocksteady.errors import InputError, ModelError
-from rocksteady.model.validation import in_range, positive
+from rocksteady.model.dimensionless import DimensionlessBlock
+from rocksteady.model.sides import (
+    Restitution,
+    Restitutions,
+    Side,
+    alpha_value,
+    check_one_body,
+    gravity_value,
+    housner_ratio,
+    housner_restitution,
+    p_value,
+    radius_value,
+    restitution_pair,
+    restitution_value,
+    sides_of_body,
+)
+from rocksteady.model.validation import positive
+
+__all__ = [
+    "STANDARD_GRAVITY",
+    "Block",
+    "DimensionlessBlock",
+    "Restitution",
+    "Restitutions",
+    "Side",
+    "housner_ratio",
+    "housner_restitution",
+    "restitution_value",
+]
 
 STANDARD_GRAVITY = 9.80665
 """Standard acceleration of gravity [m/s^2]."""
-
-Restitution = float | Literal["housner"]
-"""A ratio of angular velocities in (0, 1], or "housner" for that of inelastic impact."""
-
-
-def restitution_value(value: object, *, name: str = "restitution") -> float:
-    """Return a restitution in (0, 1], the ratio of angular velocities after and before an impact.
-
-    Raises
-    ------
-    InputError
-        If `value` is not a number in (0, 1].
-    """
-    hint = (
-        "give the ratio of the angular velocities after and before an impact; a ratio of energies "
-        "r is its square, so take sqrt(r)"
-    )
-    return in_range(name, value, 0.0, 1.0, "(]", hint=hint)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Side:
-    """One pivot of a block.
-
-    Parameters
-    ----------
-    alpha
-        Critical angle (slenderness) [rad]: the tilt at which the mass centre stands above the
-        pivot.
-    radius
-        Distance R from the pivot to the mass centre [m].
-    p
-        Frequency parameter ``sqrt(M g R / I_0)`` [rad/s] (eq 6).
-    restitution
-        Ratio of the angular velocities after and before the impact that ends rocking on this side
-        (eq 9).
-
-    Raises
-    ------
-    InputError
-        If alpha lies outside (0, pi/2), a restitution outside (0, 1], or another number is not
-        positive.
-    """
-
-    alpha: float
-    radius: float
-    p: float
-    restitution: float
-
-    def __post_init__(self) -> None:
-        """Validate."""
-        object.__setattr__(self, "alpha", _alpha(self.alpha))
-        object.__setattr__(self, "radius", _radius(self.radius))
-        object.__setattr__(self, "p", _rate(self.p))
-        object.__setattr__(self, "restitution", restitution_value(self.restitution))
-
-
-@dataclass(frozen=True, kw_only=True)
-class DimensionlessBlock:
-    """A symmetric block as the equation of motion sees it: its restitution is all that is left.
-
-    Angles count in units of alpha, times in units of 1/p, accelerations in units of alpha g.
-
-    Parameters
-    ----------
-    restitution
-        Ratio of the angular velocities after and before an impact, in (0, 1].
-
-    Raises
-    ------
-    InputError
-        If the restitution is not a number in (0, 1].
-
-    Examples
-    --------
-    >>> DimensionlessBlock(restitution=0.8).sides
-    ((0.8, 1.0, 1.0), (0.8, 1.0, 1.0))
-    """
-
-    restitution: float
-
-    def __post_init__(self) -> None:
-        """Validate."""
-        object.__setattr__(self, "restitution", restitution_value(self.restitution))
-
-    @property
-    def sides(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
-        """(restitution, alpha ratio, p ratio) of the positive and of the negative side.
-
-        The ratios refer to the positive side; those of an asymmetric block will differ from 1.
-        """
-        side = (self.restitution, 1.0, 1.0)
-        return side, side
-
-    def dimensionless(self) -> "DimensionlessBlock":
-        """Return itself."""
-        return self
 
 
 @dataclass(frozen=True, kw_only=True)
 class Block:
     """A free-standing rigid block.  Use one of the constructors below.
 
-    ====================================  =====================================================
-    ``Block.rectangle(width, height)``    homogeneous rectangle of full width and height [m]
-    ``Block.from_radius(alpha, radius)``  homogeneous rectangle of slenderness and half-diagonal
-    ``Block.from_p(alpha, p)``            slenderness [rad] and frequency parameter [rad/s]
-    ``Block.general(...)``                any mass distribution
-    ====================================  =====================================================
+    ==========================================  ====================================================
+    ``Block.rectangle(width, height)``          homogeneous rectangle of full width and height [m]
+    ``Block.from_radius(alpha, radius)``        homogeneous rectangle of slenderness and
+                                                half-diagonal
+    ``Block.from_p(alpha, p)``                  slenderness [rad] and frequency parameter [rad/s]
+    ``Block.general(...)``                      any mass distribution, symmetric
+    ``Block.asymmetric(left, right, height)``   mass centre nearer to one edge than to the other
+    ``Block.from_alphas(positive, negative)``   the same, by the critical angles of both sides
+    ==========================================  ====================================================
+
+    The positive side is rotation about the left edge, counterclockwise, which a positive base
+    acceleration (to the right) drives.  Its alpha and p are the reference of an asymmetric block:
+    angles count in units of its alpha, pivot time is its p times t, accelerations are in units of
+    its alpha g, and `alpha`, `radius`, `p`, `restitution` and `uplift_acceleration` are its own.
 
     Parameters
     ----------
@@ -137,6 +76,9 @@ class Block:
     ------
     InputError
         If the gravity is not positive.
+    ModelError
+        If the sides are not those of one rigid body: ``R cos(alpha)``, the height of its mass
+        centre, or ``g R/p^2 - R^2``, its radius of gyration squared, differ.
 
     Examples
     --------
@@ -153,7 +95,8 @@ class Block:
 
     def __post_init__(self) -> None:
         """Validate."""
-        object.__setattr__(self, "gravity", _gravity(self.gravity))
+        object.__setattr__(self, "gravity", gravity_value(self.gravity))
+        check_one_body(self.positive, self.negative, self.gravity)
 
     @classmethod
     def rectangle(
@@ -213,8 +156,8 @@ class Block:
         InputError
             As for `rectangle`; `alpha` must lie in (0, pi/2).
         """
-        r = _radius(radius)
-        g = _gravity(gravity)
+        r = radius_value(radius)
+        g = gravity_value(gravity)
         return cls._symmetric(alpha, r, math.sqrt(0.75 * g / r), restitution, g)
 
     @classmethod
@@ -233,8 +176,8 @@ class Block:
         InputError
             As for `from_radius`; `p` must be a positive number.
         """
-        rate = _rate(p)
-        g = _gravity(gravity)
+        rate = p_value(p)
+        g = gravity_value(gravity)
         return cls._symmetric(alpha, 0.75 * g / (rate * rate), rate, restitution, g)
 
     @classmethod
@@ -275,7 +218,7 @@ class Block:
         """
         m = positive("mass", mass, hint="give the mass in kg")
         i = positive("inertia", inertia, hint="give the moment of inertia about a pivot in kg m^2")
-        r = _radius(radius)
+        r = radius_value(radius)
         if i < m * r * r * (1.0 - 1e-12):
             raise ModelError(
                 name="inertia",
@@ -283,15 +226,180 @@ class Block:
                 valid=f"about a pivot it is at least mass * radius^2 = {m * r * r:.6g} kg m^2",
                 hint="add mass * radius^2 to a moment of inertia about the mass centre",
             )
-        g = _gravity(gravity)
+        g = gravity_value(gravity)
         return cls._symmetric(alpha, r, math.sqrt(m * g * r / i), restitution, g)
+
+    @classmethod
+    def asymmetric(
+        cls,
+        *,
+        left: float,
+        right: float,
+        height: float,
+        gyration: float | None = None,
+        restitution: Restitutions = "housner",
+        gravity: float = STANDARD_GRAVITY,
+    ) -> "Block":
+        """Return a block whose mass centre need not stand above the middle of its base.
+
+        Parameters
+        ----------
+        left, right
+            Horizontal distances from the left and from the right edge to the mass centre [m].  The
+            left edge is the pivot of positive rotation.
+        height
+            Twice the height of the mass centre [m]; the full height of a block whose mass centre
+            is at half of it.
+        gyration
+            Radius of gyration about the mass centre, ``sqrt(I_c/M)`` [m].  Without, that of the
+            homogeneous rectangle of this base and height, ``sqrt(((left + right)^2 +
+            height^2)/12)``: what moves the mass centre sideways is assumed to leave the moment of
+            inertia about it as it was.
+        restitution
+            A ratio of angular velocities in (0, 1] for both impacts; a pair, for the impact that
+            ends positive rotation and for the other; or "housner" (default), that of each impact
+            which conserves angular momentum about the edge that is struck (`impact_restitution`).
+        gravity
+            [m/s^2]
+
+        Returns
+        -------
+        Block
+            With ``left == right`` and no `gyration` it is ``Block.rectangle``, to the last bit.
+
+        Raises
+        ------
+        InputError
+            If a number is not positive, a restitution lies outside (0, 1], or one that follows
+            from angular momentum is not positive (a block so stocky does not rock).
+
+        Examples
+        --------
+        >>> block = Block.asymmetric(left=0.15, right=0.25, height=1.2)
+        >>> for side in (block.positive, block.negative):
+        ...     print(f"{side.alpha:.4f} rad, {side.p:.4f} rad/s, {side.restitution:.4f}")
+        0.2450 rad, 3.4290 rad/s, 0.8201
+        0.3948 rad, 3.3865 rad/s, 0.8837
+        """
+        b1 = positive("left", left, hint="give the distance of the left edge in metres")
+        b2 = positive("right", right, hint="give the distance of the right edge in metres")
+        h = positive("height", height, hint="give twice the height of the mass centre in metres")
+        k = None
+        if gyration is not None:
+            k = positive("gyration", gyration, hint="give sqrt(I_c/M) in metres")
+        g = gravity_value(gravity)
+        # One way of computing a symmetric block, whoever makes it.
+        if b1 == b2 and k is None:
+            return cls._alike(cls.rectangle, restitution, g, width=2.0 * b1, height=h)
+        if b1 == b2 and k is not None:
+            radius = math.hypot(b1, 0.5 * h)
+            sizes = {"radius": radius, "alpha": math.atan2(b1, 0.5 * h)}
+            inertia = k * k + radius * radius
+            return cls._alike(cls.general, restitution, g, mass=1.0, inertia=inertia, **sizes)
+        one, other = sides_of_body(
+            left=b1,
+            right=b2,
+            centre_height=0.5 * h,
+            gyration=math.sqrt(((b1 + b2) ** 2 + h * h) / 12.0) if k is None else k,
+            restitution=restitution,
+            gravity=g,
+        )
+        return cls(positive=one, negative=other, gravity=g)
+
+    @classmethod
+    def from_alphas(
+        cls,
+        *,
+        positive: float,
+        negative: float,
+        radius: float | None = None,
+        p: float | None = None,
+        gyration: float | None = None,
+        restitution: Restitutions = "housner",
+        gravity: float = STANDARD_GRAVITY,
+    ) -> "Block":
+        """Return a block by the critical angles of its sides and one length or rate.
+
+        Parameters
+        ----------
+        positive, negative
+            Slenderness of either side [rad].
+        radius
+            R of the positive side [m]; that of the other follows from the common height of the mass
+            centre, ``R1 cos(alpha1) = R2 cos(alpha2)``.
+        p
+            Frequency parameter of the positive side [rad/s], in place of `radius`.
+        gyration
+            As for `asymmetric` [m]; not with `p`, which follows from it.
+        restitution, gravity
+            As for `asymmetric`.
+
+        Raises
+        ------
+        InputError
+            As for `asymmetric`; an angle must lie inside (0, pi/2).
+        ModelError
+            If not exactly one of `radius` and `p` is given, or `gyration` with `p`.
+
+        Examples
+        --------
+        >>> block = Block.from_alphas(positive=0.2, negative=0.3, radius=1.0)
+        >>> print(f"{block.negative.radius:.4f} m, {block.p:.4f} and {block.negative.p:.4f} rad/s")
+        1.0259 m, 2.7041 and 2.6868 rad/s
+        """
+        first = alpha_value(positive, "positive")
+        second = alpha_value(negative, "negative")
+        if (radius is None) == (p is None) or (p is not None and gyration is not None):
+            raise ModelError(
+                name="radius, p, gyration",
+                value=(radius, p, gyration),
+                valid="a radius, with or without a gyration, or a p alone says how large it is",
+                hint="give radius=..., or p=...",
+            )
+        if first == second and p is not None:
+            return cls._alike(cls.from_p, restitution, gravity, alpha=first, p=p)
+        if first == second and radius is not None and gyration is None:
+            return cls._alike(cls.from_radius, restitution, gravity, alpha=first, radius=radius)
+        g = gravity_value(gravity)
+        if radius is not None:
+            length = radius_value(radius)
+        else:
+            assert p is not None
+            rate = p_value(p)
+            # Of a body R times as large as one with R = 1, p^2 = g/(R (1 + k^2)).
+            base = math.sin(first) + math.cos(first) * math.tan(second)
+            shape = (base * base + 4.0 * math.cos(first) ** 2) / 12.0
+            length = g / (rate * rate * (1.0 + shape))
+        centre = length * math.cos(first)
+        return cls.asymmetric(
+            left=length * math.sin(first),
+            right=centre * math.tan(second),
+            height=2.0 * centre,
+            gyration=gyration,
+            restitution=restitution,
+            gravity=g,
+        )
+
+    @classmethod
+    def _alike(
+        cls,
+        make: Callable[..., "Block"],
+        restitution: Restitutions,
+        gravity: float,
+        **sizes: float,
+    ) -> "Block":
+        """Return a symmetric block of a constructor, with one restitution or two."""
+        if restitution == "housner":
+            return make(restitution=restitution, gravity=gravity, **sizes)
+        pair = restitution_pair(restitution)
+        return make(restitution=pair[0], gravity=gravity, **sizes).with_restitution(pair)
 
     @classmethod
     def _symmetric(
         cls, alpha: float, radius: float, p: float, restitution: Restitution, gravity: float
     ) -> "Block":
         """Return the block whose sides are both made of these."""
-        angle = _alpha(alpha)
+        angle = alpha_value(alpha)
         if restitution == "housner":
             ratio = housner_restitution(angle, p=p, radius=radius, gravity=gravity)
         else:
@@ -332,105 +440,72 @@ class Block:
         return 2.0 * self.positive.radius * math.cos(self.positive.alpha)
 
     @property
+    def symmetric(self) -> bool:
+        """Whether its two sides are equal."""
+        return self.positive == self.negative
+
+    @property
+    def lossless(self) -> bool:
+        """Whether no impact takes anything from the velocity: restitution 1 on both sides."""
+        return self.positive.restitution == self.negative.restitution == 1.0
+
+    @property
     def uplift_acceleration(self) -> float:
-        """Base acceleration that lifts the block from rest in the linear model, alpha g [m/s^2]."""
+        """Base acceleration that lifts the block from rest in the linear model, alpha g [m/s^2].
+
+        Of an asymmetric block it is that which lifts it to the positive side; the unit of all
+        accelerations.  To the negative side lifts one of ``negative.alpha * gravity``, reversed.
+        """
         return self.positive.alpha * self.gravity
+
+    def with_restitution(self, restitution: float | tuple[float, float]) -> "Block":
+        """Return the block with other restitutions: a number for both impacts, or a pair.
+
+        Raises
+        ------
+        InputError
+            If one lies outside (0, 1].
+        """
+        first, second = restitution_pair(restitution)
+        return replace(
+            self,
+            positive=replace(self.positive, restitution=first),
+            negative=replace(self.negative, restitution=second),
+        )
 
     def dimensionless(self) -> DimensionlessBlock:
         """Return what the equation of motion sees of the block in its own units.
 
+        Those of an asymmetric block are the positive side's.
+
         Raises
         ------
-        ModelError
-            If its sides differ, which the equations of motion do not know yet.
+        InputError
+            If one side's alpha or p is more than a hundred times the other's.
         """
-        if self.positive != self.negative:
-            raise ModelError(
-                name="block",
-                value=self,
-                valid="blocks whose sides differ are not computed yet",
-                hint="give both sides the same alpha, radius, p and restitution",
-            )
-        return DimensionlessBlock(restitution=self.restitution)
+        one, other = self.positive, self.negative
+        return DimensionlessBlock(
+            restitution=one.restitution,
+            negative_restitution=other.restitution,
+            alpha_ratio=other.alpha / one.alpha,
+            p_ratio=other.p / one.p,
+        )
 
     def _repr_html_(self) -> str:
         """Return a small table for notebooks."""
-        rows = (
-            ("slenderness alpha", f"{self.alpha:.6g} rad"),
-            ("radius R", f"{self.radius:.6g} m"),
-            ("frequency parameter p", f"{self.p:.6g} rad/s"),
-            ("restitution", f"{self.restitution:.6g}"),
-            ("uplift at", f"{self.uplift_acceleration / self.gravity:.6g} g"),
+        sides = (self.positive,) if self.symmetric else (self.positive, self.negative)
+
+        def each(values: list[str], unit: str = "") -> str:
+            return " and ".join(values) + unit
+
+        rows: tuple[tuple[str, str], ...] = (
+            ("slenderness alpha", each([f"{side.alpha:.6g}" for side in sides], " rad")),
+            ("radius R", each([f"{side.radius:.6g}" for side in sides], " m")),
+            ("frequency parameter p", each([f"{side.p:.6g}" for side in sides], " rad/s")),
+            ("restitution", each([f"{side.restitution:.6g}" for side in sides])),
+            ("uplift at", each([f"{side.alpha:.6g}" for side in sides], " g")),
         )
+        if not self.symmetric:
+            rows = (("sides", "positive (left edge) and negative (right edge)"), *rows)
         cells = "".join(f"<tr><th>{name}</th><td>{value}</td></tr>" for name, value in rows)
         return f"<table><caption>Block</caption>{cells}</table>"
-
-
-def housner_restitution(
-    alpha: float, *, p: float = 1.0, radius: float = 0.75, gravity: float = 1.0
-) -> float:
-    """Return the restitution that conserves angular momentum about the new pivot.
-
-    Housner's ``1 - 1.5 sin^2 alpha`` of a homogeneous rectangle is ``1 - 2 (p^2 R / g) sin^2
-    alpha`` with its p; the default arguments are those of a rectangle.
-
-    Parameters
-    ----------
-    alpha
-        Slenderness [rad].
-    p, radius, gravity
-        Frequency parameter [rad/s], R [m] and g [m/s^2]; only p^2 R / g = M R^2 / I_0 matters.
-
-    Returns
-    -------
-    float
-        The ratio of angular velocities.
-
-    Raises
-    ------
-    InputError
-        If the ratio is not positive: the block is so stocky that it does not rock on.
-
-    References
-    ----------
-    G. W. Housner, Bull. Seism. Soc. Am. 53, 403-417 (1963).
-
-    Examples
-    --------
-    >>> round(housner_restitution(0.17453292519943295), 6)
-    0.954769
-    """
-    ratio = housner_ratio(_alpha(alpha), p=p, radius=radius, gravity=gravity)
-    if ratio <= 0.0:
-        raise InputError(
-            name="alpha",
-            value=alpha,
-            valid=f"Housner's restitution for it is {ratio:.4g}, and rocking needs one above 0",
-            hint="give a measured restitution in (0, 1], or a more slender block",
-        )
-    return ratio
-
-
-def housner_ratio(
-    alpha: float, *, p: float = 1.0, radius: float = 0.75, gravity: float = 1.0
-) -> float:
-    """Return the value of `housner_restitution`, positive or not."""
-    return 1.0 - 2.0 * (p * p * radius / gravity) * math.sin(alpha) ** 2
-
-
-def _alpha(value: float) -> float:
-    hint = "give the angle in radians at which the mass centre stands above the pivot"
-    return in_range("alpha", value, 0.0, 0.5 * math.pi, "()", hint=hint)
-
-
-def _radius(value: float) -> float:
-    return positive("radius", value, hint="give the distance from pivot to mass centre in metres")
-
-
-def _rate(value: float) -> float:
-    hint = "give the frequency parameter sqrt(M g R / I_0) in rad/s"
-    return in_range("p", value, 1e-6, 1e6, "[]", hint=hint)
-
-
-def _gravity(value: float) -> float:
-    return positive("gravity", value, hint="give the acceleration of gravity in m/s^2")

@@ -22,6 +22,10 @@ LARGEST_PHASE = 1.0e6
 """Phases beyond it [rad] have lost the digits that would tell them apart."""
 
 
+PI_LOW = 1.2246467991473532e-16
+"""pi less the double that stands for it."""
+
+
 def _phase(value: object) -> float:
     hint = "give radians, less whole turns"
     return in_range("phase", value, -LARGEST_PHASE, LARGEST_PHASE, "[]", hint=hint)
@@ -91,7 +95,10 @@ class Segment:
             )
         if self.amplitude < 0.0:
             object.__setattr__(self, "amplitude", -self.amplitude)
-            object.__setattr__(self, "phase", self.phase + math.pi)
+            # Towards 0, and with the digits of pi that a double leaves out: so the march's clock
+            # reads the same phase one half cycle on, and what is turned round is a mirror image.
+            turn = -1.0 if self.phase > 0.0 else 1.0
+            object.__setattr__(self, "phase", (self.phase + turn * math.pi) + turn * PI_LOW)
 
 
 class Motion(Protocol):
