@@ -18,9 +18,24 @@ if TYPE_CHECKING:
     from rocksteady.dynamics.continuation.points import Branch, BranchPoint, PointType
     from rocksteady.dynamics.continuation.stretches import Stretch, stretches
     from rocksteady.dynamics.erosion import Drop, Erosion, erosion
+    from rocksteady.dynamics.fates import fate_map
+    from rocksteady.dynamics.free_rocking import (
+        equivalent_damping,
+        free_rocking_peaks,
+        free_rocking_period,
+    )
     from rocksteady.dynamics.maps import attractor_map
     from rocksteady.dynamics.orbit import Orbit
     from rocksteady.dynamics.orbits import orbits
+    from rocksteady.dynamics.overturning.thresholds import (
+        overturning_impulse,
+        overturning_threshold,
+    )
+    from rocksteady.dynamics.overturning.windows import (
+        OverturningWindow,
+        OverturningWindows,
+        overturning_windows,
+    )
     from rocksteady.dynamics.regions import (
         Boundaries,
         RegionMap,
@@ -47,8 +62,14 @@ if TYPE_CHECKING:
         UnfinishedError,
     )
     from rocksteady.model.block import Block, DimensionlessBlock, Side, housner_restitution
+    from rocksteady.model.combine import added, delayed, joined, scaled
     from rocksteady.model.examples import example_block
+    from rocksteady.model.impulses import Impulses
     from rocksteady.model.motions import Harmonic, Piecewise, Segment, Still
+    from rocksteady.model.pulses import Pulse
+    from rocksteady.model.record import Record
+    from rocksteady.model.sides import impact_restitution
+    from rocksteady.model.synthetic import SyntheticMotion
     from rocksteady.show.animation import animate
     from rocksteady.show.export import export
     from rocksteady.show.plots.basins import plot_basins, plot_erosion, plot_safe_basin
@@ -58,6 +79,7 @@ if TYPE_CHECKING:
     from rocksteady.show.plots.maps import plot_map
     from rocksteady.show.plots.motion import plot_base, plot_phase_portrait, plot_trajectory
     from rocksteady.show.plots.orbits import plot_multipliers, plot_section
+    from rocksteady.show.plots.overturning import plot_free_rocking, plot_overturning
     from rocksteady.show.plots.steady import plot_orbit, plot_regions, plot_response
     from rocksteady.sweep.axes import Axis
     from rocksteady.sweep.evaluate import evaluate
@@ -102,16 +124,21 @@ __all__ = [
     "Harmonic",
     "ImpactState",
     "Impacts",
+    "Impulses",
     "InputError",
     "ModelError",
     "Motions",
     "Orbit",
     "Output",
     "OutputError",
+    "OverturningWindow",
+    "OverturningWindows",
     "Passage",
     "PassageKind",
     "Piecewise",
     "PointType",
+    "Pulse",
+    "Record",
     "RegionMap",
     "ResponseCurve",
     "Rest",
@@ -127,9 +154,11 @@ __all__ = [
     "Still",
     "Store",
     "Stretch",
+    "SyntheticMotion",
     "Trajectory",
     "UnfinishedError",
     "__version__",
+    "added",
     "animate",
     "attractor",
     "attractor_map",
@@ -139,25 +168,37 @@ __all__ = [
     "bifurcation_curve",
     "boundaries",
     "continuation",
+    "delayed",
     "doubling_cascade",
+    "equivalent_damping",
     "erosion",
     "evaluate",
     "example_block",
     "export",
+    "fate_map",
+    "free_rocking_peaks",
+    "free_rocking_period",
     "heteroclinic_amplitude",
     "housner_restitution",
+    "impact_restitution",
+    "joined",
     "melnikov_amplitude",
     "open_store",
     "orbits",
+    "overturning_impulse",
+    "overturning_threshold",
+    "overturning_windows",
     "plot_base",
     "plot_basins",
     "plot_bifurcation_curves",
     "plot_bifurcations",
     "plot_block",
     "plot_erosion",
+    "plot_free_rocking",
     "plot_map",
     "plot_multipliers",
     "plot_orbit",
+    "plot_overturning",
     "plot_phase_portrait",
     "plot_regions",
     "plot_response",
@@ -166,6 +207,7 @@ __all__ = [
     "plot_trajectory",
     "region_map",
     "response_curve",
+    "scaled",
     "simulate",
     "steady_orbit",
     "steady_states",
@@ -195,16 +237,21 @@ _DEFINED_IN = {
     "Harmonic": "rocksteady.model.motions",
     "ImpactState": "rocksteady.dynamics.return_map",
     "Impacts": "rocksteady.dynamics.trajectory",
+    "Impulses": "rocksteady.model.impulses",
     "InputError": "rocksteady.errors",
     "ModelError": "rocksteady.errors",
     "Motions": "rocksteady.dynamics.trajectory",
     "Orbit": "rocksteady.dynamics.orbit",
     "Output": "rocksteady.sweep.outputs",
     "OutputError": "rocksteady.errors",
+    "OverturningWindow": "rocksteady.dynamics.overturning.windows",
+    "OverturningWindows": "rocksteady.dynamics.overturning.windows",
     "Passage": "rocksteady.dynamics.return_map",
     "PassageKind": "rocksteady.dynamics.return_map",
     "Piecewise": "rocksteady.model.motions",
     "PointType": "rocksteady.dynamics.continuation.points",
+    "Pulse": "rocksteady.model.pulses",
+    "Record": "rocksteady.model.record",
     "RegionMap": "rocksteady.dynamics.regions",
     "ResponseCurve": "rocksteady.dynamics.response",
     "Rest": "rocksteady.dynamics.start",
@@ -220,8 +267,10 @@ _DEFINED_IN = {
     "Still": "rocksteady.model.motions",
     "Store": "rocksteady.sweep.store",
     "Stretch": "rocksteady.dynamics.continuation.stretches",
+    "SyntheticMotion": "rocksteady.model.synthetic",
     "Trajectory": "rocksteady.dynamics.trajectory",
     "UnfinishedError": "rocksteady.errors",
+    "added": "rocksteady.model.combine",
     "animate": "rocksteady.show.animation",
     "attractor": "rocksteady.dynamics.attractor",
     "attractor_map": "rocksteady.dynamics.maps",
@@ -231,25 +280,37 @@ _DEFINED_IN = {
     "bifurcation_curve": "rocksteady.dynamics.continuation.curves",
     "boundaries": "rocksteady.dynamics.regions",
     "continuation": "rocksteady.dynamics.continuation.branch",
+    "delayed": "rocksteady.model.combine",
     "doubling_cascade": "rocksteady.dynamics.continuation.cascade",
+    "equivalent_damping": "rocksteady.dynamics.free_rocking",
     "erosion": "rocksteady.dynamics.erosion",
     "evaluate": "rocksteady.sweep.evaluate",
     "example_block": "rocksteady.model.examples",
     "export": "rocksteady.show.export",
+    "fate_map": "rocksteady.dynamics.fates",
+    "free_rocking_peaks": "rocksteady.dynamics.free_rocking",
+    "free_rocking_period": "rocksteady.dynamics.free_rocking",
     "heteroclinic_amplitude": "rocksteady.dynamics.regions",
     "housner_restitution": "rocksteady.model.block",
+    "impact_restitution": "rocksteady.model.sides",
+    "joined": "rocksteady.model.combine",
     "melnikov_amplitude": "rocksteady.dynamics.regions",
     "open_store": "rocksteady.sweep.reading",
     "orbits": "rocksteady.dynamics.orbits",
+    "overturning_impulse": "rocksteady.dynamics.overturning.thresholds",
+    "overturning_threshold": "rocksteady.dynamics.overturning.thresholds",
+    "overturning_windows": "rocksteady.dynamics.overturning.windows",
     "plot_base": "rocksteady.show.plots.motion",
     "plot_basins": "rocksteady.show.plots.basins",
     "plot_bifurcation_curves": "rocksteady.show.plots.curves",
     "plot_bifurcations": "rocksteady.show.plots.bifurcations",
     "plot_block": "rocksteady.show.plots.block",
     "plot_erosion": "rocksteady.show.plots.basins",
+    "plot_free_rocking": "rocksteady.show.plots.overturning",
     "plot_map": "rocksteady.show.plots.maps",
     "plot_multipliers": "rocksteady.show.plots.orbits",
     "plot_orbit": "rocksteady.show.plots.steady",
+    "plot_overturning": "rocksteady.show.plots.overturning",
     "plot_phase_portrait": "rocksteady.show.plots.motion",
     "plot_regions": "rocksteady.show.plots.steady",
     "plot_response": "rocksteady.show.plots.steady",
@@ -258,6 +319,7 @@ _DEFINED_IN = {
     "plot_trajectory": "rocksteady.show.plots.motion",
     "region_map": "rocksteady.dynamics.regions",
     "response_curve": "rocksteady.dynamics.response",
+    "scaled": "rocksteady.model.combine",
     "simulate": "rocksteady.dynamics.simulate",
     "steady_orbit": "rocksteady.dynamics.steady",
     "steady_states": "rocksteady.dynamics.steady",

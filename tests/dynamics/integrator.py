@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
+from rocksteady import Side
+
 Floats = NDArray[np.float64]
 
 
@@ -33,7 +35,31 @@ def integrate(
     velocity: float,
     longest_step: float,
 ) -> History:
-    """Follow eqs 4 and 5, theta'' = p^2 (theta - side alpha + a/g), between impacts (eq 9)."""
+    """Follow a symmetric block."""
+    side = Side(alpha=alpha, radius=1.0, p=p, restitution=restitution)
+    return integrate_sides(
+        base_g,
+        until,
+        sides=(side, side),
+        angle=angle,
+        velocity=velocity,
+        longest_step=longest_step,
+    )
+
+
+def integrate_sides(
+    base_g: Callable[[float], float],
+    until: float,
+    *,
+    sides: tuple[Side, Side],
+    angle: float = 0.0,
+    velocity: float,
+    longest_step: float,
+) -> History:
+    """Follow eqs 4 and 5, theta'' = p^2 (theta - side alpha + a/g), between impacts (eq 9).
+
+    Each side has its own alpha, p and restitution.
+    """
     history = History()
     side = math.copysign(1.0, angle if angle != 0.0 else velocity)
     now = 0.0
@@ -46,15 +72,19 @@ def integrate(
     landing.terminal = True  # type: ignore[attr-defined]
     landing.direction = 0.0  # type: ignore[attr-defined]
     while now < until:
+        own = sides[0] if side > 0.0 else sides[1]
+        p, restitution = own.p, own.restitution
 
-        def motion(t: float, state: Floats, edge: float = side * alpha) -> list[float]:
+        def motion(
+            t: float, state: Floats, edge: float = side * own.alpha, p: float = p
+        ) -> list[float]:
             return [state[1], p * p * (state[0] - edge + base_g(t))]
 
         start = now
         if state[0] == 0.0:
             # Leave the zero by Taylor's series of order 4: the event would find it again.
             tiny = 1e-4 / p
-            a0 = p * p * (-side * alpha + base_g(now))
+            a0 = p * p * (-side * own.alpha + base_g(now))
             slope = (base_g(now + tiny) - base_g(now - tiny)) / (2.0 * tiny)
             a1 = p * p * (state[1] + slope)
             v = state[1]

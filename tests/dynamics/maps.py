@@ -27,6 +27,9 @@ RANGES = {
     "acceleration_m_s2": (1.0, 12.0),
     "frequency_hz": (0.3, 4.0),
     "restitution": (0.3, 0.98),
+    "negative_restitution": (0.3, 0.98),
+    "alpha_ratio": (0.6, 1.6),
+    "p_ratio": (0.8, 1.25),
     "width": (0.2, 0.7),
     "height": (0.9, 3.0),
     "alpha": (0.1, 0.5),
@@ -61,7 +64,11 @@ class Case:
     def _block(self, cell: Mapping[str, float]) -> Block | DimensionlessBlock:
         base = self.block
         if isinstance(base, DimensionlessBlock):
-            return DimensionlessBlock(restitution=cell.get("restitution", base.restitution))
+            unlike = ("negative_restitution", "alpha_ratio", "p_ratio")
+            return DimensionlessBlock(
+                restitution=cell.get("restitution", base.restitution),
+                **{name: cell[name] for name in unlike if name in cell},
+            )
         kept = base.restitution
         if self.housner:
             kept = housner_restitution(
@@ -167,6 +174,8 @@ def _drawn_names(
     if isinstance(start, Steady):
         groups.append(["kick"])
     else:
+        if isinstance(block, DimensionlessBlock):
+            groups += [["negative_restitution"], ["alpha_ratio"], ["p_ratio"]]
         groups += [["phase"], ["angle"], ["velocity"]]
     count = min(int(rng.integers(1, 8)), len(groups))
     chosen = rng.choice(len(groups), size=count, replace=False)

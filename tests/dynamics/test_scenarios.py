@@ -61,7 +61,7 @@ def test_arrays_of_cells_are_the_nouns_to_the_last_bit(case: Case) -> None:
         bare = block.dimensionless()
         assert cells.amplitude[place] == shaking.amplitude
         assert cells.frequency_ratio[place] == shaking.frequency_ratio
-        assert cells.restitution[place] == bare.restitution
+        assert cells.sides[place, 0, 0] == bare.restitution
         try:
             begin = initial_march(start, bare, shaking, case.side)[1]
         except ModelError:
@@ -146,7 +146,7 @@ def test_two_sizes_may_be_fixed_in_place_of_those_of_the_block() -> None:
     other = Block.from_p(alpha=0.25, p=3.0)
     assert whole.at({"frequency_ratio": 2.0})[0] == other
     cells = whole.cells({"frequency_ratio": np.array([2.0, 3.0])})
-    assert cells.restitution.tolist() == [other.restitution] * 2
+    assert cells.sides[:, 0, 0].tolist() == [other.restitution] * 2
     assert cells.amplitude.tolist() == [4.0 / other.uplift_acceleration] * 2
 
 
@@ -168,7 +168,7 @@ def test_restitution_follows_the_slenderness_only_where_asked() -> None:
             housner=housner,
         )
         cells = whole.cells({"width": np.array([0.8, 0.8])})
-        assert cells.restitution.tolist() == [wide, wide]
+        assert cells.sides[:, 0, 0].tolist() == [wide, wide]
         assert whole.attributes["restitution"] == ("housner" if housner else 0.7)
 
 

@@ -48,11 +48,10 @@ def test_a_run_that_is_killed_at_any_moment_is_resumed(
 def test_a_resumed_run_that_is_killed_is_resumed(
     step: int, begun: Path, undisturbed: Path, tmp_path: Path
 ) -> None:
-    (begun / "sum/c/1/0").write_bytes(b"")
-    (begun / "sign/c/4/0").unlink()
+    (begun / "sum/c.1.0").write_bytes(b"")
+    (begun / "sign/c.4.0").unlink()
     (begun / "done/c/5").unlink()
-    (begun / "sum/c/3").mkdir(exist_ok=True)
-    (begun / "sum/c/3/0.0123.partial").write_bytes(b"what")
+    (begun / "sum/c.3.0.0123.partial").write_bytes(b"what")
     places = tmp_path / "places"
     places.mkdir()
     done = script(
@@ -158,7 +157,7 @@ def test_what_is_damaged_is_computed_again_and_nothing_else(
     array: str, damage: str, begun: Path, undisturbed: Path
 ) -> None:
     for chunk in (1, 4):
-        DAMAGES[damage](begun / array / "c" / (f"{chunk}" if array == "done" else f"{chunk}/0"))
+        DAMAGES[damage](begun / array / (f"c/{chunk}" if array == "done" else f"c.{chunk}.0"))
     if array == "done":  # without its flag a chunk is one that was never finished
         data, there = run(begun, resume=True)
     else:

@@ -89,7 +89,7 @@ def unfinish(store: Path, chunk: int) -> None:
 
 def chunk_file(store: Path, output: str, chunk: int) -> Path:
     """Of the fourth axis of chunks: three along numbers, one along words."""
-    return store / output / "c" / str(chunk // 3) / str(chunk % 3) / "0"
+    return store / output / f"c.{chunk // 3}.{chunk % 3}.0"
 
 
 # ---------------------------------------------------------------------------------- what was found

@@ -87,7 +87,7 @@ def test_others_can_read_it(tmp_path: Path) -> None:
 
 def test_a_finished_store_is_read_and_not_computed(tmp_path: Path) -> None:
     first = run(tmp_path / "a.zarr")
-    before = {file: file.stat().st_mtime_ns for file in tmp_path.rglob("c/*") if file.is_file()}
+    before = {file: file.stat().st_mtime_ns for file in tmp_path.rglob("c*") if file.is_file()}
     told: list[int] = []
     again = run(Store(tmp_path / "a.zarr", resume=True), done=told.append)
     assert told == [GRID.size]

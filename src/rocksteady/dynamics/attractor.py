@@ -59,7 +59,7 @@ def kind_codes(
     symmetric
         Whether the orbit is; without one it does not count.
     restitution
-        Without loss (1) nothing is aperiodic: motions do not settle.
+        The smaller of both impacts'.  Without loss (1) nothing is aperiodic: motions do not settle.
     """
     exponents, lossy = np.asarray(least), np.asarray(restitution) < 1.0
     ends = np.asarray(outcome)
@@ -153,7 +153,8 @@ def attractor(
     Parameters
     ----------
     block
-        Its restitution counts.
+        Its restitution counts, and how unlike its sides are: no motion of an asymmetric block is
+        symmetric, whatever it looks like.
     shaking
         Its phase is that at the start, unless a `Steady` start decides on it.
     start
@@ -205,7 +206,8 @@ def attractor(
     if found.outcome == kernel.PERIODIC:
         orbit = orbit_from(block, shaken, table[: found.passages], found.periods, found.residual)
     symmetric = orbit is not None and orbit.symmetric
-    kind = KINDS[int(kind_codes(found.outcome, symmetric, found.least, bare.restitution))]
+    least = min(restitution for restitution, _, _ in bare.sides)
+    kind = KINDS[int(kind_codes(found.outcome, symmetric, found.least, least))]
     return Attractor(
         block=block,
         shaking=shaken,
@@ -247,7 +249,7 @@ def side_value(side: object) -> int:
 
 def _reason(found: kernel.Settled, block: DimensionlessBlock) -> str:
     """Return why a motion is undecided, and what to do."""
-    if block.restitution == 1.0:
+    if block.lossless:
         return "without loss (restitution 1) motions do not settle"
     if found.after == 0:
         return "the block balances upright, and nothing brings it down"

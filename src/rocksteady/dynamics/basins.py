@@ -11,10 +11,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.attractor import AttractorKind, cycles_value
 from rocksteady.dynamics.basin_attractors import BasinAttractor, labelled
+from rocksteady.dynamics.lowering import side_attributes, side_table
 from rocksteady.dynamics.return_map import bare_block, harmonic
 from rocksteady.dynamics.settled import Beginnings, batch_size, settled_cells
-from rocksteady.dynamics.windows import centred, moment, reach, spacing, window_axis
+from rocksteady.dynamics.windows import centred, moment, spacing, window_axis, window_of
 from rocksteady.model.block import Block, DimensionlessBlock
+from rocksteady.model.dimensionless import SideRow
 from rocksteady.model.motions import Harmonic
 from rocksteady.model.validation import in_range, whole_number
 from rocksteady.sweep.draws import uniform
@@ -202,7 +204,7 @@ class Basins:
                 "amplitude": self.shaking.amplitude,
                 "frequency_ratio": self.shaking.frequency_ratio,
                 "phase": self.shaking.phase,
-                "restitution": self.block.restitution,
+                **side_attributes(self.block),
                 "cycles": self.cycles,
                 "seed": "none" if self.seed is None else str(self.seed),
             },
@@ -243,13 +245,14 @@ def basins(
     Parameters
     ----------
     block
-        Its restitution counts.
+        Its restitution counts, and how unlike its sides are.
     shaking
         Its phase is that of all initial states.  It is taken modulo a period and to 12 decimals, so
         that phases which are whole periods apart give the same basins to the last bit.
     angles
         u = theta/alpha, shape (n,), evenly spaced.  By default the middles of 200 cells up to
         1 + A/sqrt(1 + Omega^2) on either side: from that |u + du/ds| on a flight grows for ever.
+        Of a block whose sides differ the larger of their bounds.
     velocities
         du/dtau, tau = omega t, shape (m,), evenly spaced.  By default the middles of 200 cells up
         to the same bound, divided by Omega.
@@ -291,19 +294,19 @@ def basins(
     """
     bare, shaken = bare_block(block), harmonic(shaking)
     half, rest = moment(shaken)
-    bound = reach(shaken.amplitude, shaken.frequency_ratio)
     ratio = shaken.frequency_ratio
-    angle = window_axis("angles", centred(bound) if angles is None else angles, "theta/alpha")
+    widest, fastest = window_of(side_table(bare), shaken.amplitude, ratio)
+    angle = window_axis("angles", centred(widest) if angles is None else angles, "theta/alpha")
     velocity = window_axis(
         "velocities",
-        centred(bound / ratio) if velocities is None else velocities,
+        centred(fastest / ratio) if velocities is None else velocities,
         "d(theta/alpha)/d(omega t)",
     )
     start = replace(shaken, phase=half * math.pi + rest)
     cases = functools.partial(
         _settled,
         shaking=shaken,
-        restitution=bare.restitution,
+        sides=bare.sides,
         half_cycles=half,
         phase=rest,
         cycles=cycles_value(cycles),
@@ -361,7 +364,7 @@ def _settled(
     number: NDArray[np.int64],
     *,
     shaking: Harmonic,
-    restitution: float,
+    sides: tuple[SideRow, SideRow],
     half_cycles: int,
     phase: float,
     cycles: int,
@@ -377,7 +380,7 @@ def _settled(
     found = settled_cells(
         np.full(count, shaking.amplitude),
         np.full(count, shaking.frequency_ratio),
-        restitution,
+        np.array(sides),
         Beginnings.of(angle, velocity * shaking.frequency_ratio, half_cycles, phase),
         cycles,
     )

@@ -44,8 +44,8 @@ def on_orbits(
     frequency_ratio: Floats,
     restitution: Floats,
     side: int,
-) -> tuple[Beginnings, Bools]:
-    """Return the states on a steady state at many points, and where it is one to start from.
+) -> tuple[Floats, Floats, Bools]:
+    """Return velocity and phase on a steady state at many points, and where it is a start.
 
     Parameters
     ----------
@@ -60,15 +60,19 @@ def on_orbits(
 
     Returns
     -------
-    Beginnings, ndarray of bool
-        At rest where there is no such state, or it is no motion.
+    velocity, phase
+        d(theta/alpha)/d(p t) and the phase of the shaking [rad] at an impact, the angle being 0;
+        both 0 where there is no such state, or it is no motion.
+    there
+        Where there is one.
 
     Examples
     --------
     >>> one = np.ones(2)
-    >>> begin, there = on_orbits(Steady(), 1e-6 * one, np.array([0.1, 2.0]), 4 * one, 0.8 * one, 1)
-    >>> print(there, begin.velocity.round(6))
-    [False  True] [0.       0.732389]
+    >>> points = np.array([0.1, 2.0]), 4 * one, 0.8 * one
+    >>> velocity, phase, there = on_orbits(Steady(), 1e-6 * one, *points, 1)
+    >>> print(there, velocity.round(6), phase.round(6))
+    [False  True] [0.       0.732389] [0.       2.846543]
     """
     states = steady_states(amplitude, frequency_ratio, restitution, order=start.order)
     assert states.admissible is not None
@@ -92,5 +96,4 @@ def on_orbits(
         away = side * kick.item(cell)
         phase[cell] += away * shift_phase
         velocity[cell] += away * shift_velocity
-    upright = np.zeros(len(phase))
-    return at_phases(upright, np.where(there, velocity, 0.0), np.where(there, phase, 0.0)), there
+    return np.where(there, velocity, 0.0), np.where(there, phase, 0.0), there

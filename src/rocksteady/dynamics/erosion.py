@@ -9,12 +9,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.attractor import cycles_value
 from rocksteady.dynamics.grids import validated_grid
+from rocksteady.dynamics.lowering import side_attributes
 from rocksteady.dynamics.regions import heteroclinic_amplitude
 from rocksteady.dynamics.return_map import bare_block
 from rocksteady.dynamics.safe_basin import measured, safe_states
+from rocksteady.dynamics.tangency import tangency_amplitude
 from rocksteady.dynamics.windows import POINTS, centred, moment, window_axis
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.block import Block, DimensionlessBlock
+from rocksteady.model.dimensionless import SideRow
 from rocksteady.model.motions import Harmonic
 from rocksteady.model.validation import in_range, positive
 from rocksteady.sweep.axes import Axis
@@ -25,6 +28,7 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
+Sides = tuple[SideRow, SideRow]
 
 CYCLES = 100
 """Forcing periods that a safe state stands, where nobody says."""
@@ -109,7 +113,12 @@ class Erosion:
 
     @property
     def heteroclinic(self) -> float:
-        """Amplitude of the heteroclinic tangency, in closed form: `heteroclinic_amplitude`."""
+        """Amplitude of the heteroclinic tangency, in closed form: `heteroclinic_amplitude`.
+
+        Of a block whose sides differ, the lower one of both directions.
+        """
+        if not self.block.symmetric:
+            return tangency_amplitude(self.block.dimensionless().sides, self.frequency_ratio)
         return float(heteroclinic_amplitude(self.frequency_ratio, self.block.restitution))
 
     def measure(self, name: str) -> Floats:
@@ -185,7 +194,7 @@ class Erosion:
     def _at(self, amplitude: float, measure: str, executor: str, workers: int | None) -> float:
         """Return a measure at one more amplitude."""
         safe = safe_states(
-            restitution=self.block.restitution,
+            sides=self.block.dimensionless().sides,
             frequency_ratio=self.frequency_ratio,
             phase=self.phase,
             amplitudes=[amplitude],
@@ -224,7 +233,7 @@ class Erosion:
             attrs={
                 "frequency_ratio": self.frequency_ratio,
                 "phase": self.phase,
-                "restitution": self.block.restitution,
+                **side_attributes(self.block),
                 "cycles": self.cycles,
                 "heteroclinic_amplitude": self.heteroclinic,
                 "still_share": self.still_share,
@@ -279,7 +288,7 @@ def erosion(
     Parameters
     ----------
     block
-        Its restitution counts.
+        Its restitution counts, and how unlike its sides are.
     frequency_ratio
         Omega = omega/p.
     amplitudes
@@ -288,7 +297,8 @@ def erosion(
         Of the shaking when the states are taken [rad]; modulo a period and to 12 decimals.
     angles, velocities
         The window: u = theta/alpha, shape (n,), and du/dtau, shape (m,), both evenly spaced.  By
-        default the middles of 200 cells on either side up to 1.5 in u and in du/d(p t), or further
+        default the middles of 200 cells on either side up to 1.5 in u and in du/d(p t) (in units of
+        the larger side, where they differ), or further
         where the edge of that window would cut the largest circle on a still base, as it does with
         a restitution below .6.
     cycles
@@ -325,6 +335,7 @@ def erosion(
     bare = bare_block(block)
     axis = Axis(name="amplitudes", values=amplitudes, long_name="a_max/(alpha g)")
     validated_grid(axis.points, frequency_ratio, bare.restitution, 1)
+    sides = bare.sides
     if (np.diff(axis.points) <= 0.0).any():
         raise InputError(
             name="amplitudes",
@@ -333,9 +344,9 @@ def erosion(
             hint="give them from the lowest to the highest",
         )
     ratio = float(frequency_ratio)
-    reach = HALF_WIDTH
+    reach = _least_half_width(sides)
     if angles is None and velocities is None:
-        reach = _half_width(bare.restitution, executor, workers)
+        reach = _half_width(sides, executor, workers)
     half, rest = moment(Harmonic(amplitude=0.0, frequency_ratio=ratio, phase=phase))
     angle = window_axis("angles", centred(reach) if angles is None else angles, "theta/alpha")
     velocity = window_axis(
@@ -348,7 +359,7 @@ def erosion(
     all_of_them = given if given[0] == 0.0 else np.concatenate([[0.0], given])
     start, count = half * math.pi + rest, cycles_value(cycles)
     safe = safe_states(
-        restitution=bare.restitution,
+        sides=sides,
         frequency_ratio=ratio,
         phase=start,
         amplitudes=all_of_them,
@@ -386,23 +397,29 @@ def erosion(
     )
 
 
-def _half_width(restitution: float, executor: str, workers: int | None) -> float:
+def _least_half_width(sides: Sides) -> float:
+    """Return how far a window reaches at least: in units of the larger side, where they differ."""
+    return HALF_WIDTH * max(lean * max(rate, 1.0) for _, lean, rate in sides)
+
+
+def _half_width(sides: Sides, executor: str, workers: int | None) -> float:
     """Return how far a window reaches whose edge does not cut the largest safe circle at A = 0."""
-    width, radius = HALF_WIDTH, _still_radius(HALF_WIDTH, restitution, executor, workers)
+    width = _least_half_width(sides)
+    radius = _still_radius(width, sides, executor, workers)
     while width < WIDEST:
         wider = WIDENING * width
-        there = _still_radius(wider, restitution, executor, workers)
+        there = _still_radius(wider, sides, executor, workers)
         if there <= radius + 2.0 * wider / POINTS:  # but for a cell the same circle
             break
         width, radius = wider, there
     return width
 
 
-def _still_radius(width: float, restitution: float, executor: str, workers: int | None) -> float:
+def _still_radius(width: float, sides: Sides, executor: str, workers: int | None) -> float:
     """Return the radius of the largest safe circle on a still base, in a square window."""
     axis = centred(width)
     safe = safe_states(
-        restitution=restitution,
+        sides=sides,
         frequency_ratio=1.0,
         phase=0.0,
         amplitudes=[0.0],

@@ -4,12 +4,50 @@ Times are pivot times s = p t since the start; accelerations are in units of alp
 displacements in units of alpha g/p^2.
 """
 
+import math
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.kernels import march as columns
 
 Floats = NDArray[np.float64]
+
+
+def segment_starts(segments: Floats) -> Floats:
+    """Return the pivot time at which each segment starts."""
+    return np.concatenate([[0.0], np.cumsum(segments[:-1, columns.DURATION])])
+
+
+def pulse_times(segments: Floats, per_period: int) -> list[Floats]:
+    """Return evenly spaced times in each sinusoid that ends and is quicker than pivot time."""
+    starts = segment_starts(segments)
+    turns = segments[:-1, columns.FREQUENCY] / (2.0 * math.pi)
+    quick = (segments[:-1, columns.AMPLITUDE] > 0.0) & (turns > 1.0)
+    counts = np.ceil(per_period * turns * segments[:-1, columns.DURATION]).astype(np.int64)
+    return [np.linspace(starts[i], starts[i + 1], counts[i] + 1) for i in np.flatnonzero(quick)]
+
+
+def base_course(segments: Floats, s: Floats) -> tuple[Floats, Floats]:
+    """Return pivot times with base accelerations, both values where a segment begins with a step.
+
+    Parameters
+    ----------
+    segments
+        The table.
+    s
+        Times in order; steps between the first and the last of them are added.
+    """
+    starts = segment_starts(segments)[1:]
+    starts = starts[(starts > s[0]) & (starts <= s[-1])]
+    both = np.union1d(s, np.concatenate([starts, np.nextafter(starts, 0.0)]))
+    return both, base_acceleration(segments, both)
+
+
+def impulses(segments: Floats) -> tuple[Floats, Floats]:
+    """Return the pivot times of impulses and their changes of velocity, in units of alpha g/p."""
+    struck = np.flatnonzero(segments[:, columns.JUMP])
+    return segment_starts(segments)[struck], segments[struck, columns.JUMP]
 
 
 def base_acceleration(segments: Floats, s: ArrayLike) -> Floats:
@@ -58,7 +96,7 @@ def displacement_from_rest(segments: Floats, s: ArrayLike) -> Floats:
 def _place(segments: Floats, s: ArrayLike) -> tuple[NDArray[np.intp], Floats]:
     """Return in which segment each time lies, and how long after its start."""
     times = np.asarray(s, dtype=np.float64)
-    starts = np.concatenate([[0.0], np.cumsum(segments[:-1, columns.DURATION])])
+    starts = segment_starts(segments)
     index = np.clip(np.searchsorted(starts, times, side="right") - 1, 0, None)
     return index, times - starts[index]
 

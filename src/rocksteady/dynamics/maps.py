@@ -1,16 +1,13 @@
 """What a block settles to over a grid of parameters of block, shaking and start."""
 
-import functools
 from collections.abc import Mapping
-from numbers import Number
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.attractor import cycles_value
-from rocksteady.dynamics.parameters import AXES, validated_axes
+from rocksteady.dynamics.mapping import Question, map_of
 from rocksteady.dynamics.scenarios import Scenario
 from rocksteady.dynamics.settled import (
     NO_START,
@@ -19,23 +16,16 @@ from rocksteady.dynamics.settled import (
     outputs_of_orbits,
     settled_cells,
 )
-from rocksteady.dynamics.start import Rest, Start
-from rocksteady.errors import InputError, ModelError
+from rocksteady.dynamics.start import Start
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
-from rocksteady.sweep.axes import Axis
-from rocksteady.sweep.evaluate import Done, evaluate
-from rocksteady.sweep.grid import Grid
-from rocksteady.sweep.refine import refined
+from rocksteady.sweep.evaluate import Done
 from rocksteady.sweep.store import Store
 
 if TYPE_CHECKING:
     import xarray
 
 Floats = NDArray[np.float64]
-
-CLASS = ("kind", "period", "impacts")
-"""What makes a class, where only the surroundings of borders are computed."""
 
 
 def attractor_map(
@@ -69,7 +59,9 @@ def attractor_map(
 
         ==================================  ======================================================
         amplitude, frequency_ratio, phase   of the shaking; the phase [rad] not with a steady start
-        restitution                         of the block
+        restitution                         of the block, of both impacts
+        negative_restitution, alpha_ratio,  of a `DimensionlessBlock`: by what its sides differ
+        p_ratio
         angle, velocity                     of the state at the start, as in `State`
         kick                                of a `Steady` start
         ==================================  ======================================================
@@ -147,61 +139,21 @@ def attractor_map(
            [3, 0],
            [2, 2]], dtype=int8)
     """
-    grid, fixed = _grid(axes)
-    scenario = Scenario(
-        axes=grid.names,
-        block=block,
-        shaking=shaking,
-        start=Rest() if start is None else start,
-        fixed=fixed,
+    return map_of(
+        ATTRACTORS,
+        block,
+        shaking,
+        axes=axes,
+        start=start,
         side=side,
+        cycles=cycles,
         housner=housner,
+        executor=executor,
+        workers=workers,
+        store=store,
+        refine=refine,
+        done=done,
     )
-    scenario.check({axis.name: axis.points for axis in grid.axes})
-    periods = cycles_value(cycles)
-    load_kernel()
-    cases = functools.partial(_settled, scenario=scenario, cycles=periods)
-    how: dict[str, Any] = {
-        "executor": executor,
-        "workers": workers,
-        "batch": batch_size(periods),
-        "done": done,
-        "attributes": {**scenario.attributes, "cycles": periods},
-    }
-    outputs = outputs_of_orbits()
-    if refine is None:
-        return evaluate(cases, grid, outputs, store=store, **how)
-    if store is not None:
-        raise ModelError(
-            name="refine",
-            value=refine,
-            valid="a store holds every cell of its grid",
-            hint="leave the store or the refinement out",
-        )
-    return refined(cases, grid, outputs, classes=CLASS, coarse=refine, **how)
-
-
-def _grid(axes: Mapping[str, ArrayLike]) -> tuple[Grid, tuple[tuple[str, Any], ...]]:
-    """Return the grid of parameters and their values, and those that are fixed."""
-    given: object = axes
-    if not isinstance(given, Mapping):
-        raise InputError(
-            name="axes",
-            value=given,
-            valid="it names parameters, each with its values",
-            hint="give a mapping, as {'amplitude': [1.0, 2.0]}",
-        )
-    fixed = {name: value for name, value in axes.items() if _is_single(value)}
-    names = validated_axes([name for name in axes if name not in fixed], fixed)
-    grid = Grid(
-        axes=tuple(Axis(name=name, values=axes[name], **AXES[name]._asdict()) for name in names)
-    )
-    return grid, tuple(fixed.items())
-
-
-def _is_single(value: object) -> bool:
-    """Return whether something is a number, of Python or of an array, rather than an axis."""
-    return isinstance(value, Number) or getattr(value, "shape", None) == ()
 
 
 def _settled(*, scenario: Scenario, cycles: int, **coordinates: Floats) -> dict[str, NDArray[Any]]:
@@ -211,7 +163,7 @@ def _settled(*, scenario: Scenario, cycles: int, **coordinates: Floats) -> dict[
     found = settled_cells(
         np.where(there, cells.amplitude, 0.0),  # nothing to follow where there is no start
         cells.frequency_ratio,
-        cells.restitution,
+        cells.sides,
         cells.begin,
         cycles,
     )
@@ -224,3 +176,12 @@ def _settled(*, scenario: Scenario, cycles: int, **coordinates: Floats) -> dict[
         "lyapunov": found.lyapunov,
         "after": found.after,
     }
+
+
+ATTRACTORS = Question(
+    cases=_settled,
+    outputs=outputs_of_orbits(),
+    classes=("kind", "period", "impacts"),
+    batch=batch_size,
+    load=load_kernel,
+)

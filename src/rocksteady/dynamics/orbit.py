@@ -39,9 +39,10 @@ class Orbit:
     rest_phases
         Times it comes to rest within a period of its own.
     symmetric
-        Whether half of it is the mirror image of the other half.
+        Whether half of it is the mirror image of the other half; never where the block's sides
+        differ.
     highest, lowest
-        Extrema of u = theta/alpha; nan where it is not admissible.
+        Extrema of u = theta/alpha, alpha the positive side's; nan where it is not admissible.
     multipliers
         Floquet multipliers of the whole orbit, shape (2,), the larger in modulus first, of a
         conjugate pair the one above the real axis; with a rest both are 0.
@@ -90,14 +91,13 @@ class Orbit:
 
         Without loss (restitution 1) their product is 1, and rounding may not put them inside.
         """
-        return self.admissible and self.block.restitution < 1.0 and self.largest_multiplier < 1.0
+        return self.admissible and not self.block.lossless and self.largest_multiplier < 1.0
 
     @property
     def neutral(self) -> bool:
         """Whether both multipliers have modulus 1, as they may without loss (restitution 1)."""
-        lossless = self.block.dimensionless().restitution == 1.0
         turning = self.multipliers[0].imag != 0.0
-        return bool(self.admissible and lossless and turning)
+        return bool(self.admissible and self.block.lossless and turning)
 
     @property
     def lyapunov(self) -> float:
@@ -113,9 +113,22 @@ class Orbit:
 
     @cached_property
     def mirrored(self) -> "Orbit":
-        """Its mirror image, started at the mirrored first state; itself if it is symmetric."""
+        """Its mirror image, started at the mirrored first state; itself if it is symmetric.
+
+        Raises
+        ------
+        ModelError
+            If the block's sides differ: the mirror image is a motion of another block.
+        """
         if self.symmetric:
             return self
+        if not self.block.symmetric:
+            raise ModelError(
+                name="orbit",
+                value="of an asymmetric block",
+                valid="its mirror image is a motion of the mirrored block",
+                hint="ask for orbits of the block with its sides exchanged",
+            )
         return replace(
             self,
             shaking=replace(self.shaking, phase=self.states[0].mirrored.phase),
@@ -215,7 +228,7 @@ def orbit_from(
         period=periods,
         states=states,
         rest_phases=fixed.rests,
-        symmetric=bool(periodic.is_symmetric(table, passages, periods)),
+        symmetric=bool(periodic.is_symmetric(system, table, passages, periods)),
         highest=float(np.where(positive, peak, other).max()),
         lowest=0.0 - float(np.where(positive, other, peak).max()),
         multipliers=ordered(*periodic.multipliers(fixed.jacobian, determinant)),

@@ -48,12 +48,13 @@ def orbits(
     that come to rest are followed from their uplift: there is at most one for either side.  The
     others are found by Newton's method from a grid of states after an impact; that is a search and
     not a proof that there are no more.  Of two mirror images one is given, the one that leans to
-    the positive side; `Orbit.mirrored` is the other.
+    the positive side; `Orbit.mirrored` is the other.  A block whose sides differ has no symmetric
+    orbits and no mirror images: all of its orbits are searched for and given.
 
     Parameters
     ----------
     block
-        Its restitution counts.
+        Its restitution counts, and how unlike its sides are.
     shaking
         Amplitude and frequency ratio; its phase does not count.
     max_period
@@ -95,15 +96,18 @@ def orbits(
             ("seeds", seeds, "give a number, as 96"),
         )
     )
-    found = [*_symmetric_orbits(block, shaken, longest)]
+    found = [*_symmetric_orbits(block, shaken, longest)] if block.symmetric else []
     searched = [
         *_resting_orbits(block, shaken, longest),
         *_searched_orbits(block, shaken, longest, most, count),
     ]
     for orbit in sorted(searched, key=lambda orbit: -orbit.highest):
-        leaning = orbit if orbit.highest >= -orbit.lowest else orbit.mirrored
-        if not any(_same(leaning, other) or _same(leaning.mirrored, other) for other in found):
-            found.append(leaning)
+        known = [orbit]
+        if block.symmetric:
+            leaning = orbit if orbit.highest >= -orbit.lowest else orbit.mirrored
+            known = [leaning, leaning.mirrored]
+        if not any(_same(one, other) for one in known for other in found):
+            found.append(known[0])
     return tuple(sorted(found, key=_order))
 
 
@@ -209,12 +213,12 @@ def _searched_orbits(
     speeds: Floats = (steps + 0.5) * (fastest / seeds)
     found, shape = np.zeros((ROOM, 2)), np.zeros((ROOM, 2), dtype=np.int64)
     table = np.zeros((most, periodic.ORBIT_COLUMNS))
-    count = 0
+    mirrors, count = block.symmetric, 0
     for column in range(seeds):
         for row in range(seeds):  # one state at a time, so that an interruption is heard
             phase, speed = phases[column : column + 1], speeds[row : row + 1]
             count = periodic.search(
-                system, phase, speed, most, longest, True, table, found, shape, count
+                system, phase, speed, most, longest, mirrors, table, found, shape, count
             )
     for (turn, rate), (passages, periods) in zip(
         found[:count].tolist(), shape[:count].tolist(), strict=True

@@ -13,6 +13,8 @@ PARAMETERS = ("amplitude", "frequency_ratio", "restitution")
 """What orbits are followed in and motions are carried along."""
 SIZES = ("width", "height", "alpha", "radius", "p")
 """Of a homogeneous rectangle."""
+UNLIKE = ("negative_restitution", "alpha_ratio", "p_ratio")
+"""By what the sides of a dimensionless block differ."""
 
 
 class Parameter(NamedTuple):
@@ -28,6 +30,9 @@ AXES: Mapping[str, Parameter] = {
     "kick": Parameter("1", "distance from the steady state at the start"),
     "phase": Parameter("rad", "phase of the shaking at the start"),
     "restitution": Parameter("1", "angular velocity after an impact over that before it"),
+    "negative_restitution": Parameter("1", "restitution of the impact that ends negative rotation"),
+    "p_ratio": Parameter("1", "p of the negative side over that of the positive one"),
+    "alpha_ratio": Parameter("1", "alpha of the negative side over that of the positive one"),
     "p": Parameter("rad s-1", "frequency parameter of the block"),
     "radius": Parameter("m", "half-diagonal of the block"),
     "alpha": Parameter("rad", "slenderness of the block"),
@@ -148,5 +153,5 @@ def moved_to(
         If the value is outside the parameter's range.
     """
     if parameter == "restitution":
-        return replace(block, restitution=value), shaking
+        return block.with_restitution(value), shaking
     return block, replace(shaking, **{parameter: value})

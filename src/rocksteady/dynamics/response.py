@@ -8,7 +8,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.grids import real_array
-from rocksteady.dynamics.steady import SteadyStates, steady_states, validated_branch
+from rocksteady.dynamics.steady import (
+    SteadyStates,
+    refuse_unlike_sides,
+    steady_states,
+    validated_branch,
+)
 from rocksteady.errors import ModelError
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.validation import positive
@@ -78,7 +83,8 @@ def response_curve(
     InputError
         If a number is outside its range.
     ModelError
-        If not exactly one kind of frequency is given, or Hz for a dimensionless block.
+        If not exactly one kind of frequency is given, Hz for a dimensionless block, or a block
+        whose sides differ.
 
     Examples
     --------
@@ -110,6 +116,7 @@ def response_curve(
     else:
         assert frequency_ratio is not None
         ratios = np.atleast_1d(real_array("frequency_ratio", frequency_ratio))
+    refuse_unlike_sides(block, "block", "a response curve")
     states = steady_states(amplitude, ratios, block.dimensionless().restitution, order=order)
     assert states.peak is not None
     assert states.admissible is not None

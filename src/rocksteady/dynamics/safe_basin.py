@@ -6,8 +6,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.kernels.cells import harmonic_fates
-from rocksteady.kernels.march import OVERTURNED
+from rocksteady.dynamics.ends import batch_size, ends_of
+from rocksteady.errors import Status
+from rocksteady.model.dimensionless import SideRow
 from rocksteady.sweep.axes import Axis
 from rocksteady.sweep.evaluate import Done, evaluate
 from rocksteady.sweep.grid import Grid
@@ -16,15 +17,12 @@ from rocksteady.sweep.outputs import Output
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
-BATCH = 256
-MOST_PERIODS = 256_000
-"""States of a piece, and forcing periods that they may take together: some milliseconds."""
 SAFE = Output(name="safe", dtype=np.bool_, long_name="whether the block has not overturned")
 
 
 def safe_states(
     *,
-    restitution: float,
+    sides: tuple[SideRow, SideRow],
     frequency_ratio: float,
     phase: float,
     amplitudes: ArrayLike,
@@ -39,7 +37,9 @@ def safe_states(
 
     Parameters
     ----------
-    restitution, frequency_ratio, phase, cycles
+    sides
+        Of the block, as `rocksteady.DimensionlessBlock.sides` has them.
+    frequency_ratio, phase, cycles
         One number each; the phase is that of the shaking at the start [rad].
     amplitudes, angles, velocities
         The axes: A, u = theta/alpha and du/dtau.
@@ -50,7 +50,7 @@ def safe_states(
     data = evaluate(
         functools.partial(
             _safe,
-            restitution=restitution,
+            sides=sides,
             frequency_ratio=frequency_ratio,
             phase=phase,
             cycles=cycles,
@@ -59,7 +59,7 @@ def safe_states(
         (SAFE,),
         executor=executor,
         workers=workers,
-        batch=max(1, min(BATCH, MOST_PERIODS // cycles)),
+        batch=batch_size(cycles),
         done=done,
     )
     safe: Bools = data["safe"].values
@@ -71,27 +71,23 @@ def _safe(
     velocities: Floats,
     angles: Floats,
     *,
-    restitution: float,
+    sides: tuple[SideRow, SideRow],
     frequency_ratio: float,
     phase: float,
     cycles: int,
 ) -> dict[str, NDArray[Any]]:
     """Return which of some states do not overturn."""
     count = len(amplitudes)
-    status, impacts = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int64)
-    harmonic_fates(
-        amplitudes,
-        np.full(count, frequency_ratio),
-        np.full(count, restitution),
-        angles,
-        velocities * frequency_ratio,
-        np.full(count, phase),
-        cycles,
-        status,
-        impacts,
-        np.empty((count, 3)),
+    status, _ = ends_of(
+        amplitude=amplitudes,
+        frequency_ratio=np.full(count, frequency_ratio),
+        sides=np.broadcast_to(np.array(sides), (count, 2, 3)),
+        angle=angles,
+        velocity=velocities * frequency_ratio,
+        phase=np.full(count, phase),
+        cycles=cycles,
     )
-    return {"safe": status != OVERTURNED}
+    return {"safe": status != Status.OVERTURNED}
 
 
 def measured(safe: Bools, angles: Floats, velocities: Floats) -> tuple[float, float]:

@@ -12,12 +12,15 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.attractor import side_value
 from rocksteady.dynamics.beginnings import at_phases, on_orbits
 from rocksteady.dynamics.grids import order_of_orbit
-from rocksteady.dynamics.parameters import shaking_of, validated_axes
+from rocksteady.dynamics.lowering import side_table
+from rocksteady.dynamics.parameters import UNLIKE, shaking_of, validated_axes
 from rocksteady.dynamics.return_map import bare_block, harmonic
 from rocksteady.dynamics.settled import Beginnings
-from rocksteady.dynamics.sizes import block_of, blocks_of, check_sizes, sizes_with
+from rocksteady.dynamics.sizes import block_of, check_sizes, measures_of, sizes_with
 from rocksteady.dynamics.start import Rest, Start, State, Steady, validated_start
+from rocksteady.dynamics.steady import refuse_unlike_sides
 from rocksteady.errors import InputError, ModelError
+from rocksteady.kernels.tables import LEAN, RATE, RESTITUTION
 from rocksteady.model.block import Block, DimensionlessBlock, Restitution, housner_restitution
 from rocksteady.model.motions import Harmonic
 from rocksteady.model.validation import finite
@@ -35,19 +38,29 @@ class Cells:
 
     Attributes
     ----------
-    amplitude, frequency_ratio, restitution
-        A, Omega and the ratio of angular velocities.
-    begin
-        The states at the start.
+    amplitude, frequency_ratio
+        A and Omega.
+    sides
+        Of the blocks, as `rocksteady.dynamics.lowering.side_table` has them, shape (cells, 2, 3).
+    angle, velocity, phase
+        theta/alpha and its derivative by pivot time at the start, and where the shaking is then
+        [rad].
     there
-        Where there is one; a steady state does not exist everywhere.
+        Where there is such a start; a steady state does not exist everywhere.
     """
 
     amplitude: Floats
     frequency_ratio: Floats
-    restitution: Floats
-    begin: Beginnings
+    sides: Floats
+    angle: Floats
+    velocity: Floats
+    phase: Floats
     there: NDArray[np.bool_]
+
+    @property
+    def begin(self) -> Beginnings:
+        """The states at the start, their phases split into whole half cycles and a rest."""
+        return at_phases(self.angle, self.velocity, self.phase)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -135,9 +148,9 @@ class Scenario:
         """
         block, given = self.block, set(self.given)
         found: dict[str, float] = {name: getattr(block, name) for name in self.sizes}
-        if not self.housner:
+        if not self.housner and block.symmetric:
             found["restitution"] = block.restitution
-        elif isinstance(block, Block) and not self.sizes:
+        elif self.housner and isinstance(block, Block) and not self.sizes:
             found["restitution"] = housner_restitution(
                 block.alpha, p=block.p, radius=block.radius, gravity=block.gravity
             )
@@ -164,6 +177,14 @@ class Scenario:
             found["gravity"] = self.block.gravity
             if not self.sizes:
                 found.update({name: getattr(self.block, name) for name in ("alpha", "radius", "p")})
+        if not self.block.symmetric:
+            (first, _, _), (second, alpha_ratio, p_ratio) = self.block.dimensionless().sides
+            found.setdefault("alpha_ratio", alpha_ratio)
+            found.setdefault("p_ratio", p_ratio)
+            if "restitution" not in self.given:
+                found.update(restitution=first)
+                found.setdefault("negative_restitution", second)
+            found = {name: value for name, value in found.items() if name not in self.axes}
         if self.housner:
             found.setdefault("restitution", "housner")
         if isinstance(self.start, Steady):
@@ -182,7 +203,8 @@ class Scenario:
             If a value is outside its parameter's range.
         """
         given = {**self.kept, **cell}
-        restitution: Restitution = given.get("restitution", "housner")
+        own: Restitution | None = "housner" if self.block.symmetric else None
+        restitution: Restitution | None = given.get("restitution", own)
         block = block_of(self.block, self.sizes, given, restitution)
         shaking = shaking_of(block, given)
         start = self.start
@@ -220,40 +242,56 @@ class Scenario:
         count = len(coordinates[self.axes[0]])
         given: dict[str, float | Floats] = {**self.kept, **coordinates}
         if isinstance(self.block, Block):
-            blocks, places = blocks_of(
-                self.block, self.sizes, self.kept, coordinates, housner=self.housner
-            )
-            uplift, p, housner = (
-                np.array([getattr(block, name) for block in blocks])[places]
-                for name in ("uplift_acceleration", "p", "restitution")
-            )
+            felt = measures_of(self.block, self.sizes, given, housner=self.housner)
             if "acceleration_m_s2" in given:
-                given["amplitude"] = np.abs(given["acceleration_m_s2"]) / uplift
+                given["amplitude"] = np.abs(given["acceleration_m_s2"]) / felt.uplift
             if "frequency_hz" in given:
-                given["frequency_ratio"] = 2.0 * math.pi * given["frequency_hz"] / p
-            if "restitution" not in given:
-                given["restitution"] = housner
+                given["frequency_ratio"] = 2.0 * math.pi * given["frequency_hz"] / felt.p
+            if self.sizes:
+                given.setdefault("restitution", felt.restitution)
         full = {name: np.full(count, value) for name, value in given.items()}
-        shaken = full["amplitude"], full["frequency_ratio"], full["restitution"]
+        sides = self._sides(full, count)
+        shaken = full["amplitude"], full["frequency_ratio"], sides[:, 0, RESTITUTION]
+        upright = np.zeros(count)
         there = np.ones(count, dtype=np.bool_)
         if isinstance(self.start, Steady):
-            begin, there = on_orbits(self.start, full["kick"], *shaken, self.side)
+            angle = upright
+            velocity, phase, there = on_orbits(self.start, full["kick"], *shaken, self.side)
         else:
-            upright = np.zeros(count)
             angle, velocity = full.get("angle", upright), full.get("velocity", upright)
-            begin = at_phases(angle, velocity, full["phase"])
-        amplitude, frequency_ratio, restitutions = shaken
+            phase = full["phase"]
         return Cells(
-            amplitude=amplitude,
-            frequency_ratio=frequency_ratio,
-            restitution=restitutions,
-            begin=begin,
+            amplitude=full["amplitude"],
+            frequency_ratio=full["frequency_ratio"],
+            sides=sides,
+            angle=angle,
+            velocity=velocity,
+            phase=phase,
             there=there,
         )
+
+    def _sides(self, given: Mapping[str, Floats], count: int) -> Floats:
+        """Return the sides of the blocks of many cells, shape (cells, 2, 3)."""
+        sides = np.empty((count, 2, 3))
+        sides[:] = side_table(self.block.dimensionless())
+        if "restitution" in given:
+            sides[:, :, RESTITUTION] = given["restitution"][:, np.newaxis]
+        for name, column in zip(UNLIKE, (RESTITUTION, LEAN, RATE), strict=True):
+            if name in given:
+                sides[:, 1, column] = given[name]
+        return sides
 
     def _check_restitution(self) -> None:
         if not self.housner:
             return
+        if not self.block.symmetric:
+            raise ModelError(
+                name="housner",
+                value=self.housner,
+                valid="it moves with the slenderness of symmetric blocks, and the sides of this "
+                "one differ",
+                hint="leave it out: Block.asymmetric takes the restitutions of its shape",
+            )
         if "restitution" in self.given:
             raise ModelError(
                 name="axes",
@@ -281,7 +319,16 @@ class Scenario:
 
     def _check_start(self) -> None:
         steady = isinstance(self.start, Steady)
+        if steady:
+            refuse_unlike_sides(self.block, "start", "a steady state to start on")
         for name in self.given:
+            if steady and name in UNLIKE:
+                raise ModelError(
+                    name="axes",
+                    value=name,
+                    valid="a block whose sides differ has no symmetric steady state to start on",
+                    hint="start from Rest() or a State, or leave it out",
+                )
             if steady and (name == "phase" or name in STATE):
                 raise ModelError(
                     name="axes",

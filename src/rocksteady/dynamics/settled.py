@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.attractor import KINDS, AttractorKind, kind_codes
 from rocksteady.kernels import settling as column
+from rocksteady.kernels.tables import RESTITUTION
 from rocksteady.sweep.outputs import Output
 
 Floats = NDArray[np.float64]
@@ -74,7 +75,7 @@ class SettledCells:
 def settled_cells(
     amplitude: Floats,
     frequency_ratio: Floats,
-    restitution: float | Floats,
+    sides: Floats,
     begin: "Beginnings",
     cycles: int,
 ) -> SettledCells:
@@ -84,8 +85,9 @@ def settled_cells(
     ----------
     amplitude, frequency_ratio
         Shape (cells,).
-    restitution
-        Of all of them, or of each, shape (cells,).
+    sides
+        Of the block of all of them, or of each, as `side_table` has them, shape (2, 3) or
+        (cells, 2, 3).
     begin
         Where they start.
     cycles
@@ -94,10 +96,11 @@ def settled_cells(
     cells = len(amplitude)
     whole = np.empty((cells, column.WHOLE_COLUMNS), dtype=np.int64)
     real = np.empty((cells, column.REAL_COLUMNS))
+    tables = np.ascontiguousarray(np.broadcast_to(sides, (cells, 2, 3)))
     column.settle_cells(
         amplitude,
         frequency_ratio,
-        np.full(cells, restitution),
+        tables,
         begin.side,
         begin.angle,
         begin.velocity,
@@ -108,7 +111,10 @@ def settled_cells(
         real,
     )
     kind = kind_codes(
-        whole[:, column.OUTCOME], whole[:, column.SYMMETRIC], real[:, column.LEAST], restitution
+        whole[:, column.OUTCOME],
+        whole[:, column.SYMMETRIC],
+        real[:, column.LEAST],
+        tables[:, :, RESTITUTION].min(axis=1),
     )
     still = kind == KINDS.index(AttractorKind.REST)
     return SettledCells(
@@ -132,7 +138,7 @@ def load_kernel() -> None:
     begin = Beginnings(
         side=whole, angle=nothing, velocity=nothing, half_cycles=whole, phase=nothing
     )
-    settled_cells(nothing, nothing, nothing, begin, 1)
+    settled_cells(nothing, nothing, np.empty((0, 2, 3)), begin, 1)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -11,6 +11,7 @@ from rocksteady.errors import InputError, Status
 from rocksteady.kernels.march import FREQUENCY, ROW_COLUMNS, march, segment_start
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Motion
+from rocksteady.model.record import Record
 from rocksteady.model.validation import in_range, whole_number
 
 SMALLEST_BOUNCE = 1e-8
@@ -31,7 +32,7 @@ FLIGHT_LIMIT = 4_000_000
 
 def simulate(
     block: Block | DimensionlessBlock,
-    motion: Motion,
+    motion: Motion | Record,
     *,
     start: Start | None = None,
     cycles: float = 50.0,
@@ -46,9 +47,11 @@ def simulate(
     Parameters
     ----------
     block
-        A `Block`, or a `DimensionlessBlock` where only restitution matters.
+        A `Block`, or a `DimensionlessBlock` where only restitution matters.  Of one whose sides
+        differ, alpha and p of the positive side are the units.
     motion
-        The base motion: `Harmonic`, `Piecewise` or `Still`.
+        The base motion: `Harmonic`, `Pulse`, `Impulses`, `Piecewise`, `SyntheticMotion`, `Still`,
+        anything else with segments, or a `Record`, which needs a `Block`.
     start
         `Rest` (default), `State` or `Steady`.
     cycles
@@ -69,7 +72,7 @@ def simulate(
     InputError
         If a number is outside its range, or an argument is not what its name says.
     ModelError
-        If the start does not fit the motion.
+        If the start does not fit the motion, or a record shakes a dimensionless block.
 
     Examples
     --------
@@ -96,16 +99,16 @@ def simulate(
             valid="it must be a Block or a DimensionlessBlock",
             hint="the block comes first, then the motion",
         )
-    if not hasattr(motion, "segments"):
+    if not (isinstance(motion, Record) or hasattr(motion, "segments")):
         raise InputError(
             name="motion",
             value=motion,
             valid="it must be a base motion",
-            hint="give a Harmonic, a Piecewise or a Still",
+            hint="give a Harmonic, a Pulse, a Piecewise, a Record or a Still",
         )
     bare = block.dimensionless()
     shaken, begin = initial_march(Rest() if start is None else start, bare, motion, side)
-    segments, sides = segment_table(shaken), side_table(bare)
+    segments, sides = segment_table(shaken, block), side_table(bare)
     if segments[-1, FREQUENCY] != 0.0:
         # Whole half cycles are counted as an integer, so that the run ends in the exact phase.
         first_half, first_phase = segment_start(segments, len(segments) - 1)
@@ -116,11 +119,11 @@ def simulate(
             stop_half, stop_phase = stop_half + 1, stop_phase - math.pi
     else:
         stop_half = 0
-        stop_phase = ELASTIC_TIME if bare.restitution == 1.0 else LONGEST_REST
+        stop_phase = ELASTIC_TIME if bare.lossless else LONGEST_REST
     arguments = (segments, sides, begin, stop_half, stop_phase, SMALLEST_BOUNCE, limit)
-    _, end = march(*arguments, np.zeros((0, ROW_COLUMNS)))
+    _, end = march(*arguments, np.zeros((0, ROW_COLUMNS)), np.zeros(0))
     rows = np.zeros((end.flights, ROW_COLUMNS))
-    status, _ = march(*arguments, rows)
+    status, _ = march(*arguments, rows, np.zeros(0))
     return Trajectory(
         block=block if isinstance(block, Block) else None,
         motion=shaken,

@@ -1,12 +1,15 @@
 """Blocks of other sizes: what a block becomes where one of its measures is moved."""
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from itertools import repeat
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.parameters import SIZES
+from rocksteady.dynamics.parameters import SIZES, UNLIKE
 from rocksteady.errors import ModelError
 from rocksteady.model.block import Block, DimensionlessBlock, Restitution
 
@@ -44,10 +47,18 @@ def check_sizes(block: Block | DimensionlessBlock, names: Sequence[str]) -> None
     Raises
     ------
     ModelError
-        If one of them has units and the block no size, or a size is moved of what is no homogeneous
-        rectangle: how p follows, only its maker knows.
+        If one of them has units and the block no size, a size is moved of what is no homogeneous
+        rectangle (how p follows, only its maker knows), or a ratio of its sides of a block with a
+        size, whose sides follow from its shape.
     """
     for name in names:
+        if name in UNLIKE and isinstance(block, Block):
+            raise ModelError(
+                name="axes",
+                value=name,
+                valid="the sides of a block with a size follow from its shape",
+                hint="take block.dimensionless(), or call once for each Block.asymmetric(...)",
+            )
         if name in MEASURED and not isinstance(block, Block):
             raise ModelError(
                 name="axes",
@@ -56,6 +67,13 @@ def check_sizes(block: Block | DimensionlessBlock, names: Sequence[str]) -> None
                 hint="give a Block, as Block.rectangle(width=..., height=...)",
             )
     if isinstance(block, Block) and sizes_with(names):
+        if not block.symmetric:
+            raise ModelError(
+                name="block",
+                value=block,
+                valid="sizes are moved of homogeneous rectangles; the sides of this block differ",
+                hint="move its restitution or the shaking, or call once for each block",
+            )
         ratio = block.p**2 * block.radius / block.gravity
         if abs(ratio - 0.75) > HOMOGENEOUS:
             raise ModelError(
@@ -71,7 +89,7 @@ def block_of(
     block: Block | DimensionlessBlock,
     sizes: Sequence[str],
     given: Mapping[str, float],
-    restitution: Restitution,
+    restitution: Restitution | None,
 ) -> Block | DimensionlessBlock:
     """Return a block with other sizes and another restitution.
 
@@ -82,9 +100,9 @@ def block_of(
     sizes
         What `sizes_with` says; without any the block keeps its own.
     given
-        Values of these sizes, by their names.
+        Values of these sizes, and of ratios of its sides, by their names.
     restitution
-        A number; where sizes are given, also "housner".
+        A number, of both impacts; where sizes are given, also "housner"; None for its own.
 
     Raises
     ------
@@ -92,12 +110,11 @@ def block_of(
         If a value is outside its range.
     """
     if isinstance(block, Block) and sizes:
-        return resized(block, sizes, given, restitution)
-    ratio = float(restitution)
-    if isinstance(block, DimensionlessBlock):
-        return DimensionlessBlock(restitution=ratio)
-    side = replace(block.positive, restitution=ratio)
-    return replace(block, positive=side, negative=side)
+        return resized(block, sizes, given, "housner" if restitution is None else restitution)
+    moved = block if restitution is None else block.with_restitution(float(restitution))
+    if isinstance(moved, DimensionlessBlock):
+        return replace(moved, **{name: given[name] for name in UNLIKE if name in given})
+    return moved
 
 
 def resized(
@@ -125,45 +142,64 @@ def resized(
     )
 
 
-def blocks_of(
-    block: Block,
-    sizes: Sequence[str],
-    kept: Mapping[str, float],
-    cells: Mapping[str, Floats],
-    *,
-    housner: bool,
-) -> tuple[list[Block], NDArray[np.intp]]:
-    """Return the different blocks in some cells, and the place of that of each cell among them.
+class Measures(NamedTuple):
+    """What shaking is measured by, and what an impact leaves: numbers, or arrays over cells."""
+
+    uplift: float | Floats
+    """Base acceleration that lifts the block [m/s^2]."""
+    p: float | Floats
+    """Frequency parameter [rad/s]."""
+    restitution: float | Floats
+
+
+def measures_of(
+    block: Block, sizes: Sequence[str], given: Mapping[str, float | Floats], *, housner: bool
+) -> Measures:
+    """Return what the constructors of `Block` would make of sizes, in many cells at once.
+
+    A block each takes fifteen microseconds, three times what it takes to follow its motion.
 
     Parameters
     ----------
     block, sizes
         As for `block_of`.
-    kept, cells
-        Parameters, sizes among them, that all cells have in common, and those of each cell, one or
-        more, shape (cells,) each.
+    given
+        Parameters, these sizes among them, within their ranges: numbers, or arrays of shape
+        (cells,).
     housner
         Whether the restitution of blocks of other sizes is Housner's; else it is that of `block`.
 
     Examples
     --------
     >>> block = Block.rectangle(width=0.4, height=1.2)
-    >>> widths = {"width": np.array([0.5, 0.3, 0.5])}
-    >>> both = ("width", "height")
-    >>> blocks, places = blocks_of(block, both, {"height": 1.2}, widths, housner=True)
-    >>> [f"{one.width:.1f} m" for one in blocks], places
-    (['0.3 m', '0.5 m'], array([1, 0, 1]))
+    >>> given = {"height": 1.2, "width": np.array([0.5, 0.3])}
+    >>> found = measures_of(block, ("width", "height"), given, housner=True)
+    >>> print(found.p.round(4), found.restitution.round(4))
+    [3.3638 3.4485] [0.7781 0.9118]
     """
-    count = len(next(iter(cells.values())))
-    restitution: Restitution = "housner" if housner else block.restitution
-    moved = [name for name in sizes if name in cells]
-    if not moved:
-        one = resized(block, sizes, kept, restitution) if sizes else block
-        return [one], np.zeros(count, dtype=np.intp)
-    columns = np.stack([cells[name] for name in moved], axis=1)
-    points, places = np.unique(columns, axis=0, return_inverse=True)
-    blocks = [
-        resized(block, sizes, {**kept, **dict(zip(moved, point, strict=True))}, restitution)
-        for point in points.tolist()
-    ]
-    return blocks, places.ravel()
+    if not sizes:
+        return Measures(block.uplift_acceleration, block.p, block.restitution)
+    first, second = (given[name] for name in sizes)
+    gravity = block.gravity
+    if "p" in sizes:
+        alpha, p = first, second
+        radius = 0.75 * gravity / (p * p)
+    else:
+        alpha, radius = first, second
+        if "width" in sizes:
+            alpha = _each(math.atan2, first, second)
+            radius = 0.5 * _each(math.hypot, first, second)
+        p = np.sqrt(0.75 * gravity / radius)
+    restitution: float | Floats = block.restitution
+    if housner:
+        squared = _each(math.pow, _each(math.sin, alpha), 2.0)
+        restitution = 1.0 - 2.0 * (p * p * radius / gravity) * squared
+    return Measures(alpha * gravity, p, restitution)
+
+
+def _each(function: Callable[..., float], *arguments: float | Floats) -> float | Floats:
+    """Call a function of Python's `math` for each cell: NumPy's may differ in the last bit."""
+    if all(isinstance(one, float) for one in arguments):
+        return function(*arguments)
+    columns = (repeat(one) if isinstance(one, float) else one.tolist() for one in arguments)
+    return np.array(list(map(function, *columns)))

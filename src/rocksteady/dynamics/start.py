@@ -3,12 +3,17 @@
 import math
 from dataclasses import dataclass
 
-from rocksteady.dynamics.steady import steady_states, validated_branch
+from rocksteady.dynamics.steady import (
+    refuse_unlike_sides,
+    steady_states,
+    validated_branch,
+)
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.march import March, clock
 from rocksteady.kernels.symmetric import half_cycle_jacobian, symmetric_orbit
 from rocksteady.model.block import DimensionlessBlock
 from rocksteady.model.motions import Harmonic, Motion
+from rocksteady.model.record import Record
 from rocksteady.model.validation import LARGEST, in_range, odd_order, positive
 
 KICK = 1e-6
@@ -29,7 +34,7 @@ class State:
     Parameters
     ----------
     angle
-        u = theta/alpha.
+        u = theta/alpha, with alpha of the positive side whichever way it leans.
     velocity
         du/ds, per pivot time s = p t.  `per_tau` takes du/dtau, the paper's.
 
@@ -64,6 +69,8 @@ class State:
 @dataclass(frozen=True, kw_only=True)
 class Steady:
     """On a symmetric steady state of harmonic shaking, at the impact that begins its positive half.
+
+    Only of a block whose sides are alike.
 
     A stable one is started on exactly.  An unstable one would be left by round-off; it is left
     instead along its unstable direction, on a named side, from a named distance.
@@ -120,8 +127,8 @@ def validated_start(start: object) -> Start:
 
 
 def initial_march(
-    start: Start, block: DimensionlessBlock, motion: Motion, side: int
-) -> tuple[Motion, March]:
+    start: Start, block: DimensionlessBlock, motion: Motion | Record, side: int
+) -> tuple[Motion | Record, March]:
     """Return the motion, given its phase where the start decides on that, and the initial state.
 
     Parameters
@@ -148,8 +155,12 @@ def initial_march(
     else:
         state = State(angle=0.0, velocity=0.0)
     half, phase, velocity = 0, 0.0, state.velocity
-    for first in motion.segments()[:1]:  # the march reads clock and jump of the later ones itself
-        velocity += first.jump
+    # The march reads clock and jump of the later segments itself; a record has neither.
+    for first in () if isinstance(motion, Record) else motion.segments()[:1]:
+        # Each side takes an impulse of the base by its own p^2.
+        leaning = state.angle or velocity + first.jump
+        rate = block.sides[0 if leaning > 0.0 else 1][2]
+        velocity += first.jump * (rate * rate)
         if first.frequency:
             half, phase = clock(first.phase)
     standing = state.angle == 0.0 and velocity == 0.0
@@ -158,7 +169,7 @@ def initial_march(
 
 
 def _steady_state(
-    start: Steady, block: DimensionlessBlock, motion: Motion, side: int
+    start: Steady, block: DimensionlessBlock, motion: Motion | Record, side: int
 ) -> tuple[Harmonic, State]:
     """Return the shaking with the orbit's phase, and the state on the orbit."""
     if not isinstance(motion, Harmonic):
@@ -168,6 +179,7 @@ def _steady_state(
             valid="a steady state needs harmonic shaking",
             hint="give a Harmonic motion, or start from a State",
         )
+    refuse_unlike_sides(block, "start", "a steady state to start on")
     a, w, r = motion.amplitude, motion.frequency_ratio, block.restitution
     states = steady_states(a, w, r, order=start.order)
     which = start.branch - 1

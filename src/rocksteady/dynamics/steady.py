@@ -17,8 +17,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.grids import validated_grid
 from rocksteady.dynamics.regions import REGIONS
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.symmetric import fill_half_cycle, fill_steady, symmetric_orbit
+from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.validation import whole_number
 
 if TYPE_CHECKING:
@@ -58,6 +59,31 @@ def validated_branch(branch: object) -> Literal[1, 2]:
             name="branch", value=branch, valid="there are two branches", hint="give 1 or 2"
         )
     return 1 if branch == 1 else 2
+
+
+def refuse_unlike_sides(block: Block | DimensionlessBlock, name: str, what: str) -> None:
+    """Refuse a block whose sides differ for what only the closed forms know.
+
+    Parameters
+    ----------
+    block
+        Any.
+    name, what
+        The argument that is refused, and what is asked for, in words.
+
+    Raises
+    ------
+    ModelError
+        If it is asymmetric.
+    """
+    if not block.symmetric:
+        raise ModelError(
+            name=name,
+            value="an asymmetric block" if name == "block" else "a steady state",
+            valid=f"{what} comes from the closed forms of symmetric motions, whose second half "
+            "mirrors the first; a block whose sides differ has none",
+            hint="its periodic motions are found by `orbits`",
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -203,6 +229,9 @@ def steady_states(
     shapes: bool = True,
 ) -> SteadyStates:
     """Return both branches of symmetric steady states (eqs 12 to 25) over broadcast arrays.
+
+    They are those of symmetric blocks, of which the restitution is all that counts; the periodic
+    motions of an asymmetric one are found by `rocksteady.orbits`.
 
     Parameters
     ----------

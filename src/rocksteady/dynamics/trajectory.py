@@ -10,9 +10,10 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics import ground
 from rocksteady.errors import InputError, ModelError, Status
 from rocksteady.kernels import march as columns
-from rocksteady.kernels.history import fill_states, highest, last_crossing
+from rocksteady.kernels.history import fill_states, last_crossing, side_peaks
 from rocksteady.model.block import Block
 from rocksteady.model.motions import Harmonic, Motion
+from rocksteady.model.record import Record
 from rocksteady.model.validation import whole_number
 
 Floats = NDArray[np.float64]
@@ -34,14 +35,17 @@ class Motions:
     t_s
         Time [s]; None without a block.
     angle
-        u = theta/alpha.
+        u = theta/alpha, with alpha of the positive side on either side.
     velocity, acceleration
         du/ds and d2u/ds2; at an impact the value just after it.
     base_acceleration
         In units of alpha g.
     energy
         Kinetic and potential energy above rest, in units of I_0 (p alpha)^2:
-        ``velocity^2/2 + |angle| - angle^2/2``.  The upright position has 1/2.
+        ``velocity^2/2 + |angle| - angle^2/2``.  The upright position has 1/2.  On the other side of
+        an asymmetric block it is over that side's I_0, which an impact without loss of velocity
+        leaves as it is: ``velocity^2/2 + rho^2 (lambda |angle| - angle^2/2)`` with its alpha and p
+        over the reference's, lambda and rho.
     """
 
     s: Floats
@@ -139,7 +143,7 @@ class Trajectory:
     """
 
     block: Block | None
-    motion: Motion
+    motion: Motion | Record
     status: Status
     segments: Floats
     sides: Floats
@@ -148,10 +152,10 @@ class Trajectory:
     @cached_property
     def flights(self) -> Flights:
         """All flights and rests in order."""
-        durations = self.segments[:-1, columns.DURATION]
-        segment_starts = np.concatenate([[0.0], np.cumsum(durations)])
-        first = [columns.segment_start(self.segments, i) for i in range(len(self.segments))]
-        first_half, first_phase = (np.array(clock) for clock in zip(*first, strict=True))
+        segment_starts = ground.segment_starts(self.segments)
+        first_half, first_phase = np.zeros((2, len(self.segments)))
+        for i in np.flatnonzero(self.segments[:, columns.FREQUENCY]).tolist():
+            first_half[i], first_phase[i] = columns.segment_start(self.segments, i)
         index = self.rows[:, columns.ROW_SEGMENT].astype(np.int64)
         frequency = self.segments[index, columns.FREQUENCY]
         # Half cycles are counted as integers, so that a long run loses no digits before the end.
@@ -176,7 +180,9 @@ class Trajectory:
         duration = float(self.rows[-1, columns.ROW_DURATION])
         if self.status is not Status.OVERTURNED or math.isfinite(duration):
             return duration
-        level = max(OVERTURNED_SHOWN_TO, 1.0 + abs(float(self.rows[-1, columns.ROW_ANGLE])))
+        side = 0 if self.rows[-1, columns.ROW_SIDE] > 0.0 else 1
+        tilt = abs(float(self.rows[-1, columns.ROW_ANGLE])) / float(self.sides[side, columns.LEAN])
+        level = max(OVERTURNED_SHOWN_TO, 1.0 + tilt)
         row, since = last_crossing(self.segments, self.sides, self.rows, level)
         return since if row == len(self.rows) - 1 else 0.0
 
@@ -197,7 +203,8 @@ class Trajectory:
         The recorded bounces end when they are proved to die out and rise below 1e-16 of alpha.
         Those still to come last ``2 v (1/(1 - a) + r/(1 + a))/(1 - r^2)``, with the velocity v
         after the last recorded impact and the base acceleration a towards the side of the next
-        bounce; what this leaves out is of the order of v times that.
+        bounce; what this leaves out is of the order of v times that.  Of a block whose sides differ
+        1 - a is the pull of that side, ``rho^2 (lambda - a)``, and r^2 the product of both.
         """
         if self.status is not Status.AT_REST:
             return None
@@ -206,11 +213,15 @@ class Trajectory:
         start = float(self.flights.s[first])
         if first == 0 or self.flights.ended_by[first - 1] != columns.ENDED_BY_IMPACT:
             return start
-        restitution = float(self.sides[0, columns.RESTITUTION])
         velocity = abs(float(self.impacts.velocity_after[-1]))
         towards = -float(self.flights.side[first - 1]) * float(self.base_acceleration(start))
-        bounces = 1.0 / (1.0 - towards) + restitution / (1.0 + towards)
-        return start + 2.0 * velocity * bounces / ((1.0 - restitution) * (1.0 + restitution))
+        last = 0 if self.flights.side[first - 1] > 0 else 1
+        here, near, fast = map(float, self.sides[1 - last])
+        there, far, slow = map(float, self.sides[last])
+        bounces = 1.0 / (fast * fast * (near - towards)) + here / (slow * slow * (far + towards))
+        # The loss of two impacts, 1 - here there, in a form that does not cancel.
+        lost = (1.0 - here) * (1.0 + there) + (here - there)
+        return start + 2.0 * velocity * bounces / lost
 
     @cached_property
     def _overturning(self) -> tuple[int, float] | None:
@@ -223,7 +234,8 @@ class Trajectory:
     def overturn_s(self) -> float | None:
         """Pivot time at which the block passes |theta| = alpha for the last time, if it overturns.
 
-        A block that is tilted further from its start on overturns at time 0.
+        The alpha is that of the side to which it falls.  A block that is tilted further from its
+        start on overturns at time 0.
         """
         if self._overturning is None:
             return None
@@ -244,14 +256,38 @@ class Trajectory:
             return None
         return self.overturn_s * self.motion.frequency_ratio
 
-    @cached_property
+    @property
     def peak(self) -> float:
-        """Largest |theta|/alpha, exact, up to the end; of a block that overturns, up to then."""
+        """Largest |theta|/alpha, exact, up to the end; of a block that overturns, up to then.
+
+        Each side counts in its own alpha, so that 1 is where the block balances.
+        """
+        return max(self.side_peaks)
+
+    @cached_property
+    def side_peaks(self) -> tuple[float, float]:
+        """Largest |theta|/alpha on the positive and on the negative side, each in its own alpha.
+
+        As for `peak`; 0 of a side to which the block does not go.
+        """
         row, duration = len(self.rows) - 1, self._last_duration
         if self._overturning is not None:
             row, duration = self._overturning
-        found = highest(self.segments, self.sides, self.rows[: row + 1], duration)
-        return found if self._overturning is None else max(found, 1.0)  # it passes 1, to rounding
+        found = side_peaks(self.segments, self.sides, self.rows[: row + 1], duration)
+        if self._overturning is None:
+            return found
+        positive, negative = found  # it passes 1, to rounding
+        falls = self.flights.side[row] > 0
+        return (max(positive, 1.0), negative) if falls else (positive, max(negative, 1.0))
+
+    @property
+    def balances(self) -> tuple[float, float]:
+        """Where the block balances on the negative and on the positive side, in u = theta/alpha.
+
+        -1 and 1 of a symmetric block.
+        """
+        positive, negative = self.sides[:, columns.LEAN].tolist()
+        return -negative, positive
 
     @cached_property
     def impacts(self) -> Impacts:
@@ -278,10 +314,14 @@ class Trajectory:
 
     @cached_property
     def shown_to_s(self) -> float:
-        """Pivot time up to which pictures follow the run: a little into a rest, not for ever."""
+        """Pivot time up to which pictures follow the run: a little into a rest, not for ever.
+
+        A base that still moves when the block has come to rest is followed to its end.
+        """
         if not isinstance(self.motion, Harmonic):
             if self.rest_s is not None:
-                return min(self.end_s, 1.05 * self.rest_s + 0.1)
+                moving = float(ground.segment_starts(self.segments)[-1])
+                return min(self.end_s, max(1.05 * self.rest_s, moving) + 0.1)
             if self.status is Status.ROCKING:  # without loss, or balanced for ever
                 return min(self.end_s, float(self.flights.s[-1]) + 10.0)
         return self.end_s
@@ -292,7 +332,8 @@ class Trajectory:
         Parameters
         ----------
         per_unit
-            Samples per unit of time: per forcing period of harmonic shaking, else per p t = 1.
+            Samples per unit of time: per forcing period of harmonic shaking, else per p t = 1, and
+            per period of a pulse while it lasts.
         span
             Pivot times between which they lie; from 0 to `shown_to_s` without.
 
@@ -307,8 +348,8 @@ class Trajectory:
             unit = 2.0 * math.pi / self.motion.frequency_ratio
         start, end = (0.0, self.shown_to_s) if span is None else span
         even = np.linspace(start, end, max(2, math.ceil(count * (end - start) / unit) + 1))
-        begun = self.flights.s
-        return np.unique(np.concatenate([even, begun[(begun >= start) & (begun <= end)]]))
+        points = np.concatenate([even, self.flights.s, *ground.pulse_times(self.segments, count)])
+        return np.unique(points[(points >= start) & (points <= end)])
 
     def __call__(self, s: ArrayLike) -> Motions:
         """Return the motion at pivot times `s`, from 0 to `end_s`.
@@ -334,6 +375,8 @@ class Trajectory:
         fill_states(self.segments, self.sides, self.rows, index, since, states)
         angle, velocity, acceleration = states.reshape(3, *times.shape)
         harmonic = isinstance(self.motion, Harmonic)
+        own = self.sides[np.where(angle < 0.0, 1, 0)]
+        lean, square = own[..., columns.LEAN], own[..., columns.RATE] ** 2
         return Motions(
             s=times,
             tau=times * self.frequency_ratio if harmonic else None,
@@ -342,7 +385,7 @@ class Trajectory:
             velocity=velocity,
             acceleration=acceleration,
             base_acceleration=self.base_acceleration(times),
-            energy=0.5 * velocity**2 + np.abs(angle) - 0.5 * angle**2,
+            energy=0.5 * velocity**2 + square * lean * np.abs(angle) - 0.5 * square * angle**2,
         )
 
     def phase_path(self, per_unit: int = 100) -> tuple[Floats, Floats]:

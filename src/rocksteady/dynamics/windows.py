@@ -30,6 +30,23 @@ def reach(amplitude: float, frequency_ratio: float) -> float:
     return 1.0 + amplitude / math.hypot(1.0, frequency_ratio)
 
 
+def window_of(sides: Floats, amplitude: float, frequency_ratio: float) -> tuple[float, float]:
+    """Return how far in u and in du/ds a state may be that does not fly off, on either side.
+
+    Parameters
+    ----------
+    sides
+        Of the block, as `rocksteady.dynamics.lowering.side_table` has them, shape (2, 3).
+    amplitude, frequency_ratio
+        Of the shaking; `reach` is counted in the units of each side.
+    """
+    angle = velocity = 0.0
+    for _, lean, rate in sides.tolist():
+        bound = lean * reach(amplitude / lean, frequency_ratio / rate)
+        angle, velocity = max(angle, bound), max(velocity, rate * bound)
+    return angle, velocity
+
+
 def centred(half_width: float, points: int = POINTS) -> Floats:
     """Return the middles of equal cells between -half_width and half_width, mirrored exactly."""
     from_middle = np.arange(points, dtype=np.float64) - 0.5 * (points - 1)

@@ -44,6 +44,8 @@ def create(
             output.name,
             shape=chunks.shape,
             chunks=chunks.box,
+            # A name, c.1.0, and no path, c/1/0: a folder for each chunk takes as long as its file.
+            chunk_key_encoding={"name": "default", "separator": "."},
             dtype=output.dtype,
             fill_value=output.nothing,
             compressors=[ZstdCodec(level=1), Crc32cCodec()],

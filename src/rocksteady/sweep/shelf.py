@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from rocksteady.errors import OutputError, UnfinishedError
 from rocksteady.sweep.axes import Array
-from rocksteady.sweep.contents import DONE, contents_of
+from rocksteady.sweep.contents import DONE, GROUP, contents_of
 from rocksteady.sweep.reading import dataset_of
 from rocksteady.sweep.task import Answer, Piece, Task
 
@@ -109,7 +109,8 @@ class Shelf:
 
     def _sound(self) -> NDArray[np.bool_]:
         """Return which chunks are finished, and remove what is left of others."""
-        if not any((self._folder / name / "c").exists() for name in (DONE, *self._stored)):
+        places = [self._folder / name for name in (DONE, *self._stored)]
+        if all(file.name in {GROUP, LOCK} for place in places for file in place.iterdir()):
             return np.zeros(len(self._chunks), dtype=np.bool_)  # it has just been begun
         for leftover in self._folder.rglob("*.partial"):  # of a process that was killed
             leftover.unlink(missing_ok=True)

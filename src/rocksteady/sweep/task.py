@@ -16,8 +16,10 @@ Cases = Callable[..., Mapping[str, Array]]
 Piece = tuple[int, int]
 """First cell, and the one after the last."""
 
-LONG_ENOUGH = 0.005
+LONG_ENOUGH = 0.01
 """Seconds of a call beside which what it costs to make one does not count."""
+GROWTH = 8
+"""How many times as many cells the next call takes where even that will be short."""
 
 
 class Answer(NamedTuple):
@@ -55,9 +57,9 @@ class Task:
     def run(self, piece: Piece, seconds: float) -> Answer:
         """Compute the cells of a piece, as far as one comes in a time.
 
-        Calls begin with one cell and take twice as many each time, as long as they are short.  At
-        least one call is made; what is left when the time is over is somebody's next piece, so that
-        nobody is kept waiting by cells that turn out to be slow.
+        Calls begin with one cell and take more each time, as long as they are short.  At least one
+        call is made; what is left when the time is over is somebody's next piece, so that nobody is
+        kept waiting by cells that turn out to be slow.
         """
         began = time.monotonic()
         first, stop = piece
@@ -68,8 +70,9 @@ class Task:
             last = min(here + many, stop)
             found.append(self._call(here, last))
             here = last
-            if time.monotonic() - called < LONG_ENOUGH:
-                many = min(2 * many, self.batch)
+            took = time.monotonic() - called
+            if took < LONG_ENOUGH:
+                many = min((GROWTH if GROWTH * took < LONG_ENOUGH else 2) * many, self.batch)
         names = [output.name for output in self.outputs]
         joined = {name: np.concatenate([part[name] for part in found]) for name in names}
         return Answer(piece, here, joined)

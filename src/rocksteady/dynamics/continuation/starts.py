@@ -38,8 +38,16 @@ def chain_of(orbit: Orbit) -> Chain:
     Raises
     ------
     ModelError
-        If the orbit comes to rest.
+        If the orbit comes to rest, or the sides of its block differ.
     """
+    if not orbit.block.symmetric:
+        raise ModelError(
+            name="start",
+            value="an orbit of an asymmetric block",
+            valid="branches are followed of symmetric blocks alone: the arcs of a chain have one "
+            "restitution, alpha and p",
+            hint="move the parameter with `attractor_trail`, or ask for `orbits` at several values",
+        )
     if orbit.rest_phases:
         raise ModelError(
             name="start",

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from rocksteady import AttractorKind, steady_states
 from rocksteady.dynamics.attractor import KINDS
+from rocksteady.dynamics.lowering import symmetric_sides
 from rocksteady.dynamics.settled import Beginnings, SettledCells, settled_cells
 from rocksteady.studies.atlas.plane import Plane
 from rocksteady.sweep.axes import Axis
@@ -226,8 +227,9 @@ def _found(
     amplitude: Floats, frequency_ratio: Floats, *, restitution: float
 ) -> dict[str, NDArray[Any]]:
     """Return what the motions in some cells settle to."""
+    sides = symmetric_sides(np.full(len(amplitude), restitution))
     settled = [
-        settled_cells(amplitude, frequency_ratio, restitution, begin, CYCLES)
+        settled_cells(amplitude, frequency_ratio, sides, begin, CYCLES)
         for begin in starts(amplitude, frequency_ratio, restitution)
     ]
     kind = np.array([found.kind for found in settled])

@@ -18,6 +18,7 @@ from rocksteady import (
     State,
     attractor,
 )
+from rocksteady.dynamics.lowering import symmetric_sides
 from rocksteady.dynamics.settled import settled_cells
 from rocksteady.studies.atlas.coexistence import CYCLES, Coexistence, OrbitClass, starts
 from rocksteady.studies.atlas.columns import band_ends, border_of
@@ -120,8 +121,9 @@ def _window(found: Coexistence, kind: OrbitClass, count: int) -> Window | None:
 def _orbit(kind: OrbitClass, amplitude: float, ratio: float, restitution: float) -> Orbit | None:
     """Return an orbit of a class that the search has found at a point."""
     one: NDArray[np.float64] = np.ones(1)
+    sides = symmetric_sides(restitution * one)
     for begin in starts(amplitude * one, ratio * one, restitution):
-        settled = settled_cells(amplitude * one, ratio * one, restitution, begin, CYCLES)
+        settled = settled_cells(amplitude * one, ratio * one, sides, begin, CYCLES)
         if (settled.period[0], settled.impacts[0]) != (kind.period, kind.impacts):
             continue
         orbit = attractor(

@@ -1,0 +1,194 @@
+r"""Closed forms of the smallest pulse that overturns a block without an impact.
+
+A slender block at rest lifts off at pivot time s0, where the pulse a f(s) first reaches 1.  If it
+has not landed when the pulse ends, it never comes back if and only if::
+
+    a integral from s0 to the end of f(s) e^-(s - s0) ds > 1,
+
+because the integral less 1, over 2, is the coefficient of e^s after the pulse.  With w = omega/p
+this gives the equations below, each with the smallest a that fulfils it.
+"""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.grids import real_array
+from rocksteady.errors import InputError
+from rocksteady.model.block import Block
+from rocksteady.model.motions import LOWEST_FREQUENCY_RATIO
+from rocksteady.model.pulses import HIGHEST_PULSE_RATIO
+from rocksteady.model.validation import in_range
+
+Floats = NDArray[np.float64]
+
+
+def overturning_threshold(shape: str, frequency_ratio: ArrayLike) -> Floats:
+    r"""Return the amplitude above which a pulse overturns a slender block without an impact.
+
+    ==============  ==============================================================================
+    rectangle       ``A = 1/(1 - e^(-pi/w))`` [1]_
+    half-sine       ``A = 1/sin(psi)``, ``w sin(psi) - cos(psi) = e^(-(pi - psi)/w)`` [2]_
+    versed-sine     ``A = 2/(1 - cos(psi))``, ``2 w cos(psi) + sin(psi) = 2 w e^(-(2 pi-psi)/2w)``
+    triangle        ``A = q/(q - ln(2 - e^-q))``, ``q = pi/(2 w)``
+    decaying-ramp   ``A = d/(d - 1 + e^-d)``, ``d = pi/w``
+    one-sine        ``A = 1/sin(psi)``, ``w sin(psi) - cos(psi) = -e^(-(2 pi - psi)/w)`` [3]_
+    one-cosine      ``A = (1 + w^2)/(1 - e^(-2 pi/w))``
+    ==============  ==============================================================================
+
+    psi is the phase of the pulse at uplift.  The forms without a source follow from the same
+    integral.  Under the last two pulses a block falls at smaller amplitudes too, after impacts: see
+    `rocksteady.overturning_windows`.
+
+    Parameters
+    ----------
+    shape
+        One of the names above, as of `Pulse`.
+    frequency_ratio
+        w = omega/p with omega = 2 pi over the pulse's period, of any shape.
+
+    Returns
+    -------
+    ndarray
+        a_max/(alpha g), in the shape of `frequency_ratio`.
+
+    Raises
+    ------
+    InputError
+        If there is no closed form of that shape, or a ratio is outside [0.01, 5000].
+
+    References
+    ----------
+    .. [1] G. W. Housner, Bull. Seism. Soc. Am. 53, 403-417 (1963).
+    .. [2] N. Makris and Y. S. Roussos, Geotechnique 50, 243-262 (2000).  Housner's sqrt(1 + w^2)
+       [1]_, where the growing part vanishes while the pulse still lasts, is too high.
+    .. [3] J. Zhang and N. Makris, J. Eng. Mech. 127, 473-483 (2001).
+
+    Examples
+    --------
+    >>> overturning_threshold("half-sine", [1.0, 2.0, 3.0]).round(6)
+    array([1.322397, 1.800724, 2.293872])
+    >>> round(float(overturning_threshold("one-sine", 5.0)), 6)
+    7.168129
+    """
+    if shape not in THRESHOLDS:
+        raise InputError(
+            name="shape",
+            value=shape,
+            valid="no closed form is known for it",
+            hint="choose one of " + ", ".join(THRESHOLDS) + ", or compute overturning_windows",
+        )
+    ratios = real_array("frequency_ratio", frequency_ratio)
+    found = np.empty(ratios.shape)
+    hint = "give omega/p, 2 pi over the pulse's period over the block's p"
+    for index, ratio in np.ndenumerate(ratios):
+        w = in_range(
+            "frequency_ratio",
+            ratio.item(),
+            LOWEST_FREQUENCY_RATIO,
+            HIGHEST_PULSE_RATIO,
+            "[]",
+            hint=hint,
+        )
+        found[index] = THRESHOLDS[shape](w)
+    return found
+
+
+def overturning_impulse(block: Block, *, linear: bool = False) -> float:
+    r"""Return the sudden change of the base's velocity that overturns a block at rest [m/s].
+
+    The impulse gives the block the velocity ``p^2 v cos(alpha)/g``, which lifts its mass centre
+    over the pivot from ``v = (g/p) sqrt(2 (1 - cos alpha))/cos(alpha)`` on; of a homogeneous
+    rectangle that is ``sqrt(8 g R (1 - cos alpha)/3)/cos(alpha)`` [1]_.
+
+    Parameters
+    ----------
+    block
+        The block; of one whose sides differ the positive side.
+    linear
+        Of the linear model instead: ``alpha g/p``, size 1 of `Impulses`.
+
+    References
+    ----------
+    .. [1] G. W. Housner, Bull. Seism. Soc. Am. 53, 403-417 (1963).
+
+    Examples
+    --------
+    >>> block = Block.rectangle(width=0.4, height=1.6)
+    >>> round(overturning_impulse(block), 6), round(overturning_impulse(block, linear=True), 6)
+    (0.82711, 0.804424)
+    """
+    if not isinstance(block, Block):
+        raise InputError(
+            name="block",
+            value=block,
+            valid="a velocity in m/s needs a block with sizes",
+            hint="give a Block; in units of alpha g/p the impulse is 1",
+        )
+    if linear:
+        return block.uplift_acceleration / block.p
+    # 2 sin(alpha/2) is sqrt(2 (1 - cos alpha)), without its cancellation
+    return block.gravity / block.p * 2.0 * math.sin(0.5 * block.alpha) / math.cos(block.alpha)
+
+
+def _root(equation: Callable[[float], float], low: float, high: float) -> float:
+    """Return where an equation changes its sign, to the last digits."""
+    from scipy.optimize import brentq
+
+    return float(brentq(equation, low, high, xtol=1e-300, rtol=4.0 * np.finfo(float).eps))
+
+
+def _sine(w: float, end: float, sign: float) -> float:
+    """Return 1/sin(psi) for ``w sin(psi) - cos(psi) = sign e^(-(end - psi)/w)``.
+
+    psi lies at or before pi/2, where the pulse is largest: there the left side is w, at 0 it is -1.
+    """
+
+    def equation(psi: float) -> float:
+        return w * math.sin(psi) - math.cos(psi) - sign * math.exp(-(end - psi) / w)
+
+    return 1.0 / math.sin(_root(equation, 0.0, 0.5 * math.pi))
+
+
+def _versed_sine(w: float) -> float:
+    k = 2.0 * w
+
+    def equation(psi: float) -> float:
+        return k * math.cos(psi) + math.sin(psi) - k * math.exp(-(2.0 * math.pi - psi) / k)
+
+    half = 0.5 * _root(equation, 0.0, math.pi)
+    return 1.0 / math.sin(half) ** 2
+
+
+def _triangle(w: float) -> float:
+    q = 0.5 * math.pi / w
+    if q > 1.0:
+        return q / (q - math.log(2.0 - math.exp(-q)))
+    # q - ln(2 - e^-q) = -ln(e^-q (2 - e^-q)) = -ln(1 - (1 - e^-q)^2)
+    return q / -math.log1p(-(math.expm1(-q) ** 2))
+
+
+def _decaying_ramp(w: float) -> float:
+    d = math.pi / w
+    if d > 0.1:
+        return d / (d + math.expm1(-d))
+    # d - 1 + e^-d = d^2/2 - d^3/6 + ...: its terms fall by d/3 or more.
+    term, total = 0.5 * d * d, 0.0
+    for n in range(3, 20):
+        total += term
+        term *= -d / n
+    return d / total
+
+
+THRESHOLDS: dict[str, Callable[[float], float]] = {
+    "rectangle": lambda w: -1.0 / math.expm1(-math.pi / w),
+    "half-sine": lambda w: _sine(w, math.pi, 1.0),
+    "versed-sine": _versed_sine,
+    "triangle": _triangle,
+    "decaying-ramp": _decaying_ramp,
+    "one-sine": lambda w: _sine(w, 2.0 * math.pi, -1.0),
+    "one-cosine": lambda w: -(1.0 + w * w) / math.expm1(-2.0 * math.pi / w),
+}
+"""The closed form of each shape, from w."""

@@ -1,0 +1,301 @@
+"""Overturning spectra: all windows of amplitude in which a pulse overturns a block."""
+
+import functools
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.overturning.cases import BATCH, OUTPUTS, load_kernel, windows_at
+from rocksteady.dynamics.return_map import bare_block
+from rocksteady.errors import InputError
+from rocksteady.model.block import Block, DimensionlessBlock
+from rocksteady.model.pulses import Pulse
+from rocksteady.model.validation import in_range
+from rocksteady.sweep.axes import Axis
+from rocksteady.sweep.evaluate import Done, evaluate
+from rocksteady.sweep.grid import Grid
+from rocksteady.sweep.store import Store
+
+if TYPE_CHECKING:
+    import xarray
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+AMPLITUDES = (1.0, 20.0)
+"""Range of amplitudes where nobody says."""
+HIGHEST = 1e6
+"""Largest amplitude of a range."""
+RESOLUTION = 2e-3
+
+
+class OverturningWindow(NamedTuple):
+    """A range of amplitudes in which the block overturns in one way."""
+
+    low: float
+    high: float
+    """In units of alpha g; where `endless` is true, the end of the range of amplitudes."""
+    impacts: int
+    """Before it overturns; 10 stands for ten or more."""
+    side: int
+    """On which it falls, +1 or -1."""
+    endless: bool
+    """Whether the window reaches the end of the range, so that its own end is not known."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class OverturningWindows:
+    """All windows of amplitude in which a pulse overturns a block, over the frequency ratio.
+
+    Attributes
+    ----------
+    block, pulse
+        What falls and what makes it; of the pulse its shape counts.
+    frequency_ratio
+        omega/p, ascending, shape (frequencies,).
+    amplitudes
+        Ends of the range that was searched, a_max/(alpha g).
+    resolution
+        The largest step of the first amplitudes that were tried, as a part of them.
+    low, high
+        Ends of the windows, shape (frequencies, windows); nan beyond the last of a frequency.
+        Windows that touch differ in their impacts or their side.
+    impacts
+        Before the block overturns, the same shape; -1 beyond the last.  10 stands for ten or more;
+        of the infinitely many before a rest those count that came before it was proved.
+    side
+        On which it falls, +1 or -1; 0 beyond the last.
+    first
+        The smallest amplitude that overturns the block, shape (frequencies,); nan where none does.
+    left_out, left_out_width
+        How many windows there are beyond the widest 32, and how wide they are together.
+    undecided
+        Amplitudes that were tried and whose fate could not be decided; they count as safe.
+    """
+
+    block: Block | DimensionlessBlock
+    pulse: Pulse
+    frequency_ratio: Floats
+    amplitudes: tuple[float, float]
+    resolution: float
+    low: Floats
+    high: Floats
+    impacts: Integers
+    side: Integers
+    first: Floats
+    left_out: Integers
+    left_out_width: Floats
+    undecided: Integers
+
+    def at(self, index: int) -> tuple[OverturningWindow, ...]:
+        """Return the windows at one of the frequencies, in ascending order."""
+        return tuple(
+            OverturningWindow(low, high, impacts, side, high >= self.amplitudes[1])
+            for low, high, impacts, side in zip(
+                *(part[index].tolist() for part in (self.low, self.high, self.impacts, self.side)),
+                strict=True,
+            )
+            if side != 0
+        )
+
+    def intervals(self, index: int) -> list[tuple[float, float]]:
+        """Return where the block overturns at one of the frequencies, in whatever way."""
+        found: list[tuple[float, float]] = []
+        for window in self.at(index):
+            if found and found[-1][1] == window.low:
+                found[-1] = (found[-1][0], window.high)
+            else:
+                found.append((window.low, window.high))
+        return found
+
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return the windows as an xarray Dataset over frequency ratio and window."""
+        import xarray
+
+        along, both = ("frequency_ratio",), ("frequency_ratio", "window")
+        amplitude = {"units": "1", "long_name": "a_max/(alpha g)"}
+        return xarray.Dataset(
+            {
+                "low": (both, self.low, amplitude),
+                "high": (both, self.high, amplitude),
+                "impacts": (both, self.impacts, {"units": "1"}),
+                "side": (both, self.side, {"units": "1"}),
+                "first": (along, self.first, amplitude),
+                "left_out": (along, self.left_out, {"units": "1"}),
+                "left_out_width": (along, self.left_out_width, {"units": "1"}),
+                "undecided": (along, self.undecided, {"units": "1"}),
+            },
+            coords={
+                "frequency_ratio": (along, self.frequency_ratio, {"long_name": "omega/p"}),
+                "window": ("window", np.arange(self.low.shape[1])),
+            },
+            attrs={
+                "pulse": self.pulse.shape,
+                "restitution": self.block.restitution,
+                "amplitudes": list(self.amplitudes),
+                "resolution": self.resolution,
+            },
+        )
+
+    def _repr_html_(self) -> str:
+        """Return a small table for notebooks."""
+        rows = "".join(
+            f"<tr><td>{ratio:.6g}</td><td>"
+            + ", ".join(f"{low:.6g} to {high:.6g}" for low, high in self.intervals(index))
+            + "</td></tr>"
+            for index, ratio in enumerate(self.frequency_ratio.tolist())
+        )
+        caption = f"Amplitudes at which a {self.pulse.shape} pulse overturns the block"
+        heads = "<tr><th>omega/p</th><th>a/(alpha g)</th></tr>"
+        return f"<table><caption>{caption}</caption>{heads}{rows}</table>"
+
+
+def overturning_windows(
+    block: Block | DimensionlessBlock,
+    pulse: Pulse | str,
+    frequency_ratios: ArrayLike,
+    *,
+    amplitudes: tuple[float, float] = AMPLITUDES,
+    resolution: float = RESOLUTION,
+    executor: str = "threads",
+    workers: int | None = None,
+    store: Store | Path | str | None = None,
+    done: Done | None = None,
+) -> OverturningWindows:
+    r"""Return all windows of amplitude in which a pulse overturns a block, over the frequency.
+
+    The amplitudes at which a block stands are not an interval [1]_: under a one-sine pulse it may
+    fall after one impact, stand under a stronger pulse, and fall without an impact under a still
+    stronger one.  At each frequency ratio the borders are found to rounding.  They are searched on
+    a grid of amplitudes that is refined wherever the fate, the impacts on the way or the margin by
+    which the block stands or falls leave a doubt: `rocksteady.dynamics.overturning.scan` says how,
+    and which windows could still be missed.  Long pulses with many impacts, below omega/p = 1 or of
+    several cycles, have windows without end to their number: there the result is those that the
+    resolution shows.
+
+    Parameters
+    ----------
+    block
+        The block, at rest at first; its restitution counts.
+    pulse
+        The name of a shape, or a `Pulse` for its shape, oscillations, phase and tolerance.
+    frequency_ratios
+        omega/p, ascending, shape (frequencies,), from 0.01 to 5000.
+    amplitudes
+        Range of a_max/(alpha g) to search, from 0 to 1e6; below 1 no block lifts.  Where a window
+        reaches its end, nothing is known beyond.
+    resolution
+        Largest step of the first amplitudes, as a part of them, from 1e-6 to 0.1.
+    executor, workers, store, done
+        As for `rocksteady.sweep.evaluate.evaluate`; a cell is a frequency.
+
+    Returns
+    -------
+    OverturningWindows
+        The windows with the impacts before overturning and the side of each.
+
+    Raises
+    ------
+    InputError
+        If an argument is outside its range, or the ratios do not ascend.
+    ModelError, OutputError, UnfinishedError
+        As for `Pulse` and `rocksteady.sweep.evaluate.evaluate`.
+
+    References
+    ----------
+    .. [1] J. Zhang and N. Makris, J. Eng. Mech. 127, 473-483 (2001).
+
+    Examples
+    --------
+    >>> from rocksteady import DimensionlessBlock, overturning_windows
+    >>> found = overturning_windows(DimensionlessBlock(restitution=0.9), "one-sine", [2.0, 5.0])
+    >>> for window in found.at(1):
+    ...     print(f"{window.low:.6f} to {window.high:.6f}, {window.impacts} impacts")
+    3.018600 to 6.318071, 1 impacts
+    7.168129 to 20.000000, 0 impacts
+    """
+    bare = bare_block(block)
+    axis = _ratios(frequency_ratios)
+    unit = _unit(pulse, axis.points)
+    low, high = _range(amplitudes)
+    hint = "give a part of the amplitude, as 0.002"
+    step = in_range("resolution", resolution, 1e-6, 0.1, "[]", hint=hint)
+    load_kernel(bare, unit)
+    data = evaluate(
+        functools.partial(windows_at, block=bare, pulse=unit, low=low, high=high, resolution=step),
+        Grid(axes=(axis,)),
+        OUTPUTS,
+        executor=executor,
+        workers=workers,
+        store=store,
+        batch=BATCH,
+        done=done,
+    )
+    kept = max(1, int(data["windows"].values.max()))
+    way = np.stack([data[f"way_{k}"].values for k in range(kept)], axis=1).astype(np.int64)
+    return OverturningWindows(
+        block=block,
+        pulse=unit,
+        frequency_ratio=axis.points,
+        amplitudes=(low, high),
+        resolution=step,
+        low=np.stack([data[f"low_{k}"].values for k in range(kept)], axis=1),
+        high=np.stack([data[f"high_{k}"].values for k in range(kept)], axis=1),
+        impacts=np.abs(way) - 1,
+        side=np.sign(way),
+        first=data["first"].values,
+        left_out=data["left_out"].values.astype(np.int64),
+        left_out_width=data["left_out_width"].values,
+        undecided=data["undecided"].values.astype(np.int64),
+    )
+
+
+def _unit(pulse: Pulse | str, ratios: Floats) -> Pulse:
+    """Return the pulse of amplitude 1 and frequency ratio 1, at which the table is made."""
+    given = pulse
+    if isinstance(given, str):
+        given = Pulse(shape=given, amplitude=1.0, frequency_ratio=1.0)
+    if not isinstance(given, Pulse):
+        raise InputError(
+            name="pulse",
+            value=pulse,
+            valid="it must be a Pulse or the name of one",
+            hint="give a name, as 'one-sine'",
+        )
+    shape: dict[str, Any] = {
+        "shape": given.shape,
+        "amplitude": 1.0,
+        "oscillations": given.oscillations,
+        "phase": given.phase,
+        "tolerance": given.tolerance,
+    }
+    for ratio in (ratios.min(), ratios.max()):
+        Pulse(frequency_ratio=float(ratio), **shape)  # refuses what is outside its range
+    return Pulse(frequency_ratio=1.0, **shape)
+
+
+def _ratios(frequency_ratios: ArrayLike) -> Axis:
+    """Return the axis of frequency ratios."""
+    axis = Axis(name="frequency_ratio", values=np.atleast_1d(frequency_ratios), long_name="omega/p")
+    if axis.points.dtype.kind != "f" or (np.diff(axis.points) <= 0.0).any():
+        raise InputError(
+            name="frequency_ratios",
+            value=frequency_ratios,
+            valid="they must be numbers that ascend",
+            hint="give them from the lowest to the highest",
+        )
+    return axis
+
+
+def _range(amplitudes: tuple[float, float]) -> tuple[float, float]:
+    """Return the ends of the range of amplitudes."""
+    given: object = amplitudes
+    hint = "give the lowest and the highest a_max/(alpha g), as (1.0, 20.0)"
+    if not isinstance(given, tuple | list) or len(given) != 2:
+        raise InputError(name="amplitudes", value=given, valid="it must be a pair", hint=hint)
+    low = in_range("amplitudes", given[0], 0.0, HIGHEST, "[)", hint=hint)
+    high = in_range("amplitudes", given[1], low, HIGHEST, "(]", hint=hint)
+    return low, high
