@@ -28,7 +28,7 @@ COMMANDS = ("steady", "simulate", "attractor", "orbits", "bifurcate", "basins", 
 """Those that take shaking and a block."""
 ORDERED = ("steady", "simulate", "attractor", "bifurcate")
 """Those that take an order."""
-EVERY_COMMAND = (*COMMANDS, "paper")
+EVERY_COMMAND = (*COMMANDS, "overturn", "paper")
 commands = pytest.mark.parametrize("command", COMMANDS)
 SHAKEN = {name: f"{name} -A 2 -W 4" for name in COMMANDS} | {
     "bifurcate": "bifurcate -A 2 -W 3:5:9",

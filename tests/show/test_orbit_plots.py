@@ -187,7 +187,7 @@ def test_a_section_of_a_trajectory_is_its_impacts_from_a_time_on() -> None:
     impacts = run.impacts
     late = impacts.s >= since
     after = impacts.velocity_after[late]
-    expected = (run.motion.phase + 6.0 * impacts.s[late]) % (2.0 * math.pi)  # type: ignore[attr-defined]
+    expected = (run.motion.phase + 6.0 * impacts.s[late]) % (2.0 * math.pi)  # type: ignore[union-attr]
     positive, negative = marks(axes)
     for line, there in ((positive, after > 0.0), (negative, after < 0.0)):
         np.testing.assert_array_equal(line.get_ydata(), np.abs(after[there]))

@@ -80,15 +80,25 @@ def drawn_corners(axes: Axes) -> Any:
 
 
 @given(
-    alpha=st.floats(0.01, 1.5),
-    radius=st.floats(0.01, 100.0),
+    left=st.floats(0.01, 100.0),
+    right=st.floats(0.01, 100.0),
+    height=st.floats(0.01, 100.0),
     theta=st.floats(-0.5 * math.pi, 0.5 * math.pi),
 )
 def test_corners_are_a_rotation_about_the_pivot_in_the_complex_plane(
-    alpha: float, radius: float, theta: float
+    left: float, right: float, height: float, theta: float
 ) -> None:
-    shape = Shape(alpha=alpha, radius=radius, travel=1.0, unit="m")
-    b, h = radius * math.sin(alpha), 2.0 * radius * math.cos(alpha)
+    radius = left + right + height
+    shape = Shape(
+        alpha=math.atan2(left, 0.5 * height),
+        radius=math.hypot(left, 0.5 * height),
+        left=left,
+        right=right,
+        height=height,
+        travel=1.0,
+        unit="m",
+    )
+    b, h = 0.5 * (left + right), height
     pivot = b if theta < 0.0 else -b
     standing = np.array([-b, b, b + 1j * h, -b + 1j * h])
     turned = pivot + (standing - pivot) * cmath.exp(1j * theta)

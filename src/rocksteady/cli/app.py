@@ -20,6 +20,7 @@ from rocksteady.cli import (
     bifurcate,
     maps,
     orbits,
+    overturn,
     paper,
     simulate,
     steady,
@@ -44,7 +45,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for command in (steady, simulate, attractor, orbits, bifurcate, basins, maps, paper):
+for command in (steady, simulate, attractor, orbits, bifurcate, basins, maps, overturn, paper):
     name = command.__name__.rpartition(".")[2]
     function = getattr(command, name)
     app.command("map" if command is maps else name, help=command.HELP, epilog=command.EXAMPLES)(

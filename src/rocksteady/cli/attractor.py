@@ -57,6 +57,7 @@ SHOWN_PERIODS = 30
 MEANING = {
     "symmetric": "Half of the motion is the mirror image of the other half.",
     "unsymmetric": "The block leans to one side; the mirror image is an attractor too.",
+    "asymmetric block": "The motion repeats; of a block whose sides differ none is symmetric.",
     "rest": "The block comes to rest, and the shaking does not lift it again.",
     "overturned": "The block falls: it is proved that it cannot come back to its base.",
     "aperiodic": "The motion does not repeat: motions beside it part at the rate of the exponent.",
@@ -102,7 +103,7 @@ def attractor(
     if output.csv is not None:
         write_csv(output.csv, csv_header(body), csv_rows(found, run, body))
     if output.plot is not None:
-        write_figure(output.plot, figure_of(found, run, values))
+        write_figure(output.plot, figure_of(found, run, values, body))
     if output.as_json:
         print_json("attractor", values)
     else:
@@ -159,7 +160,7 @@ def followed(
     return simulate(body.dimensionless(), shaking, start=start, cycles=cycles, side=side)
 
 
-def last_periods(run: "Trajectory") -> "Trajectory":
+def last_periods(run: "Trajectory", body: Block | DimensionlessBlock) -> "Trajectory":
     """Return the end of a run as a run of its own."""
     from rocksteady.dynamics.simulate import simulate
     from rocksteady.dynamics.start import State
@@ -172,14 +173,19 @@ def last_periods(run: "Trajectory") -> "Trajectory":
     here = run(since)
     turned = math.fmod(run.motion.phase + run.frequency_ratio * since, 2.0 * math.pi)
     return simulate(
-        DimensionlessBlock(restitution=float(run.sides[0, 0])),
+        body.dimensionless(),
         replace(run.motion, phase=turned),
         start=State(angle=float(here.angle), velocity=float(here.velocity)),
         cycles=SHOWN_PERIODS,
     )
 
 
-def figure_of(found: "Attractor", run: "Trajectory | None", values: dict[str, Any]) -> "Figure":
+def figure_of(
+    found: "Attractor",
+    run: "Trajectory | None",
+    values: dict[str, Any],
+    body: Block | DimensionlessBlock,
+) -> "Figure":
     """Return the figure of an attractor."""
     from rocksteady.show.figures import cloud_figure, orbit_figure, simulation_figure
 
@@ -191,7 +197,7 @@ def figure_of(found: "Attractor", run: "Trajectory | None", values: dict[str, An
     assert run is not None
     if found.peaks is not None or found.kind == "overturned":
         return simulation_figure(run, title)
-    return cloud_figure(run, last_periods(run), since=0.5 * run.end_s, title=title)
+    return cloud_figure(run, last_periods(run, body), since=0.5 * run.end_s, title=title)
 
 
 def csv_header(body: Block | DimensionlessBlock) -> list[str]:
@@ -244,7 +250,10 @@ def print_summary(values: dict[str, Any], body: Block | DimensionlessBlock) -> N
         table.add_row("Lyapunov exponent", f"{values['lyapunov']:.6g} per forcing period")
     table.add_row("known after", f"{values['settled_after_periods']} forcing periods")
     console.print(table)
-    console.print(values["reason"] or MEANING[values["kind"]], style="dim")
+    kind = values["kind"]
+    if not body.symmetric and kind == "unsymmetric":
+        kind = "asymmetric block"
+    console.print(values["reason"] or MEANING[kind], style="dim")
     if values["growth"] > ROUNDED and values["kind"] not in ("aperiodic", "undecided"):
         console.print(
             f"On the way small differences grew {values['growth']:.0e}-fold: where several\n"

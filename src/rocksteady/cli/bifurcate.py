@@ -159,6 +159,13 @@ def bifurcate(
     """Run `rocksteady bifurcate`; `HELP` is what its users read."""
     output.check()
     span = range_of(shaking, block)
+    if not span.body.symmetric:
+        raise ModelError(
+            name="the block",
+            value="its sides differ",
+            valid="branches are followed of symmetric blocks alone",
+            hint="draw a diagram of what it settles to with `rocksteady map`, and one axis",
+        )
     start.check(shaken=True)
     hint = "give a whole number"
     order = whole_number(

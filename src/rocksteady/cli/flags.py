@@ -21,9 +21,15 @@ FLAG_OF_ARGUMENT = {
     "radius": "--radius-m",
     "p": "--p-rad-s",
     "gravity": "--gravity-m-s2",
+    "left": "--left-m",
+    "right": "--right-m",
+    "gyration": "--gyration-m",
+    "negative_restitution": "--restitution/-r",
     "acceleration_m_s2": "--accel-g",
     "frequency_hz": "--freq-hz",
     "phase": "--phase",
+    "shape": "--pulse",
+    "oscillations": "--oscillations",
     "cycles": "--cycles",
     "start": "--start",
     "angle": "--start",
@@ -40,6 +46,8 @@ FLAG_OF_ARGUMENT = {
     "angles": "--angles",
     "velocities": "--velocities",
     "amplitudes": "--amplitude/-A",
+    "frequency_ratios": "--frequency-ratio/-W",
+    "resolution": "--resolution",
     "name": "--block",
     "per_unit": "--samples",
     "speed": "--speed",
@@ -92,6 +100,28 @@ FreqHz = Annotated[
         rich_help_panel=MOTION,
     ),
 ]
+PulseName = Annotated[
+    str | None,
+    typer.Option(
+        "--pulse",
+        metavar="NAME",
+        help="A single pulse instead of endless shaking, after which the base stands still; its "
+        "size and frequency are those of -A and -W, or --accel-g and --freq-hz. "
+        "Half a period: rectangle, half-sine, versed-sine, triangle, decaying-ramp. A period: "
+        "one-sine, one-cosine. About n + 1/2 periods: type-c1, type-c2, type-c3, ... Wavelets: "
+        "ricker, ricker-antisymmetric, mavroeidis-papageorgiou (whose nu is --phase).",
+        rich_help_panel=MOTION,
+    ),
+]
+Oscillations = Annotated[
+    float | None,
+    typer.Option(
+        "--oscillations",
+        metavar="GAMMA",
+        help="gamma of --pulse mavroeidis-papageorgiou, above 1, default 2.",
+        rich_help_panel=MOTION,
+    ),
+]
 Restitution = Annotated[
     str | None,
     typer.Option(
@@ -99,7 +129,8 @@ Restitution = Annotated[
         "-r",
         metavar="R",
         help="Ratio of angular velocities after and before an impact, in (0, 1], or 'housner' "
-        "(default where a block is given).",
+        "(default where a block is given); two with a comma, as 0.8,0.9, for the impact that ends "
+        "positive rotation and for the other.",
         rich_help_panel=BLOCK,
     ),
 ]
@@ -180,6 +211,36 @@ WidthM = Annotated[
 HeightM = Annotated[
     str | None,
     typer.Option("--height-m", metavar="M", help="Full height \\[m].", rich_help_panel=BLOCK),
+]
+LeftM = Annotated[
+    float | None,
+    typer.Option(
+        "--left-m",
+        metavar="M",
+        help="Horizontal distance from the left edge to the mass centre \\[m], with --right-m and "
+        "--height-m (twice the height of the mass centre): a block whose sides differ. The left "
+        "edge is the pivot of positive rotation, and its side the unit of angles and times.",
+        rich_help_panel=BLOCK,
+    ),
+]
+RightM = Annotated[
+    float | None,
+    typer.Option(
+        "--right-m",
+        metavar="M",
+        help="Horizontal distance from the right edge to the mass centre \\[m].",
+        rich_help_panel=BLOCK,
+    ),
+]
+GyrationM = Annotated[
+    float | None,
+    typer.Option(
+        "--gyration-m",
+        metavar="M",
+        help="Radius of gyration about the mass centre \\[m], with --left-m; default that of the "
+        "homogeneous rectangle of this base and height.",
+        rich_help_panel=BLOCK,
+    ),
 ]
 AlphaRad = Annotated[
     str | None,

@@ -3,7 +3,7 @@
 import math
 
 from rocksteady.errors import InputError
-from rocksteady.model.block import Restitution
+from rocksteady.model.block import Restitution, Restitutions
 
 MOST_AXIS_POINTS = 1_000_000
 
@@ -75,8 +75,8 @@ def axis(flag: str, text: str) -> list[float]:
     return [start, *(start + (stop - start) * i / last for i in range(1, last)), stop]
 
 
-def restitution_from(text: str | None, *, default: Restitution | None) -> Restitution:
-    """Return a restitution: a number, "housner", or the default where none was given.
+def restitution_from(text: str | None, *, default: Restitution | None) -> Restitutions:
+    """Return a restitution: a number, two, "housner", or the default where none was given.
 
     Raises
     ------
@@ -101,14 +101,15 @@ def restitution_from(text: str | None, *, default: Restitution | None) -> Restit
                 hint="describe a block, or give a number in (0, 1]",
             )
         return "housner"
+    first, comma, second = text.partition(",")
     try:
-        return decimal(text)
+        return (decimal(first), decimal(second)) if comma else decimal(text)
     except ValueError:
         raise InputError(
             name="restitution",
             value=text,
-            valid="it must be a number in (0, 1] or 'housner'",
-            hint="write it as -r 0.8",
+            valid="it must be a number in (0, 1], two of them, or 'housner'",
+            hint="write it as -r 0.8, or -r 0.8,0.9",
         ) from None
 
 

@@ -1,8 +1,10 @@
-"""`rocksteady map`: what a block settles to in every cell of a grid of parameters."""
+"""`rocksteady map`: what a block settles to, or what becomes of it, in every cell of a grid."""
+
+from typing import Annotated
 
 import typer
 
-from rocksteady.cli.attractor import CyclesFlag
+from rocksteady.cli import flags
 from rocksteady.cli.groups import OutputFlags, grouped
 from rocksteady.cli.map_axes import MapCase, MapStartFlags, map_case
 from rocksteady.cli.maps_values import map_values, print_counts, title_of
@@ -22,19 +24,41 @@ from rocksteady.errors import InputError, ModelError
 HELP = (
     "What the block settles to in every cell of a grid.\n\n"
     "Any flags of shaking, block and start may be axes, start:stop:count: two make a map, one a "
-    "bifurcation diagram. With --out the cells are kept on disk as they are finished, and --resume "
-    "continues after whatever ended the run. Exit code 3 where more than 1 cell in 1000 is "
-    "undecided."
+    "bifurcation diagram. With --fate each motion is followed for --cycles periods only, to see "
+    "whether the block falls. With --out the cells are kept on disk as they are finished, and "
+    "--resume continues after whatever ended the run. Exit code 3 where more than 1 cell in 1000 "
+    "is undecided."
 )
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady map -A 0.1:6:150 -W 0.2:8:200 -r 0.8 --plot map.png\n\n"
     "rocksteady map -A 0.1:6:150 -W 0.2:8:200 -r 0.8 --out map.zarr --resume\n\n"
+    "rocksteady map -A 1:6:1000 -W 1:12:1000 -r 0.8 --start 0,w=0.3 --fate --plot fates.png\n\n"
     "rocksteady map --width-m 0.3:0.9:50 --height-m 1:3:50 --accel-g 0.4 --freq-hz 2 --json\n\n"
     "rocksteady map -A 2 -W 1.5:4:500 -r 0.8 --plot diagram.png"
 )
 FEW = 1e-3
 """Share of undecided cells that is no failure."""
+
+FateFlag = Annotated[
+    bool,
+    typer.Option(
+        "--fate",
+        help="Only whether the block still rocks, rests or has fallen after --cycles periods, and "
+        "not what it settles to.",
+        rich_help_panel=flags.START,
+    ),
+]
+MapCycles = Annotated[
+    int | None,
+    typer.Option(
+        "--cycles",
+        metavar="N",
+        help="Periods of the shaking after which a motion counts as aperiodic or undecided, 2000 "
+        "by default; with --fate those that it is followed for, 200 by default.",
+        rich_help_panel=flags.START,
+    ),
+]
 
 
 @grouped
@@ -45,7 +69,8 @@ def maps(
     start: MapStartFlags,
     sweep: SweepFlags,
     output: OutputFlags,
-    cycles: CyclesFlag = 2000,
+    fate: FateFlag = False,
+    cycles: MapCycles = None,
 ) -> None:
     """Run `rocksteady map`; `HELP` is what its users read."""
     sweep.check(output)
@@ -55,19 +80,21 @@ def maps(
     store = sweep.store(force=output.force)
 
     ready_kernels()
+    from rocksteady.dynamics.fates import fate_map
     from rocksteady.dynamics.maps import attractor_map
 
+    periods = (200 if fate else 2000) if cycles is None else cycles
     with (
         sweep.resumable(context.find_root().obj),
         start.as_typed(),
         sweeping("following motions", case.cells) as meter,
     ):
-        found = attractor_map(
+        found = (fate_map if fate else attractor_map)(
             case.body,
             axes={**case.axes, **case.fixed},
             start=case.start.of(case.shaking.frequency_ratio),
             side=case.start.sign,
-            cycles=cycles,
+            cycles=periods,
             housner=case.housner,
             executor=sweep.executor,
             workers=sweep.workers,
@@ -75,7 +102,8 @@ def maps(
             refine=sweep.refine,
             done=meter,
         )
-    values = map_values(case, found, meter) | {"store": store and str(store.path), "cycles": cycles}
+    values = map_values(case, found, meter)
+    values |= {"store": store and str(store.path), "cycles": periods, "fate": fate}
     if output.csv is not None:
         write_cells(output.csv, found)
     if sweep.netcdf is not None:
@@ -83,12 +111,12 @@ def maps(
     if output.plot is not None:
         from rocksteady.show.facets import map_figure
 
-        write_figure(output.plot, map_figure(found, title_of(case)))
+        write_figure(output.plot, map_figure(found, title_of(case, periods if fate else None)))
     if output.as_json:
         print_json("map", values)
     else:
         print_counts(values)
-    if values["counts"]["undecided"] > FEW * values["cells"]:
+    if values["counts"].get("undecided", 0) > FEW * values["cells"]:
         raise typer.Exit(INCOMPLETE)
 
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.map_axes import RESIZED, MapCase
-from rocksteady.cli.values import shaking_values
+from rocksteady.cli.values import block_text, restitution_text, shaking_values
 from rocksteady.dynamics.parameters import SIZES
 
 if TYPE_CHECKING:
@@ -23,19 +23,10 @@ LEANER = frozenset({"width", "height", "alpha"})
 
 def map_values(case: MapCase, found: "xarray.Dataset", meter: "Meter") -> dict[str, Any]:
     """Return what the contract promises of a map, in plain values."""
-    import numpy as np
-
-    flags = found["kind"].attrs
-    words = dict(zip(flags["flag_values"].tolist(), flags["flag_meanings"].split(), strict=True))
-    counts = dict.fromkeys(words.values(), 0)
-    subharmonic = 0
-    for kind, period in slabs(found, "kind", "period"):
-        for code, word in words.items():
-            counts[word] += int(np.count_nonzero(kind == code))
-        subharmonic += int(np.count_nonzero(period > 1))
+    counts, subharmonic = _counted(found)
     return {
         "counts": counts,
-        "subharmonic": subharmonic,
+        **({} if subharmonic is None else {"subharmonic": subharmonic}),
         "cells": case.cells,
         "computed": int(found["met"].sum()) if "met" in found else meter.computed,
         "seconds": meter.seconds,
@@ -45,6 +36,26 @@ def map_values(case: MapCase, found: "xarray.Dataset", meter: "Meter") -> dict[s
         },
         **case_values(case),
     }
+
+
+def _counted(found: "xarray.Dataset") -> tuple[dict[str, int], int | None]:
+    """Return how many cells there are of each kind, and how many are subharmonic.
+
+    Of fates, which have no periods, None.
+    """
+    import numpy as np
+
+    fates = "fate" in found
+    names = ("fate",) if fates else ("kind", "period")
+    flags = found[names[0]].attrs
+    words = dict(zip(flags["flag_values"].tolist(), flags["flag_meanings"].split(), strict=True))
+    counts = dict.fromkeys(words.values(), 0)
+    subharmonic = 0
+    for kind, *period in slabs(found, *names):
+        for code, word in words.items():
+            counts[word] += int(np.count_nonzero(kind == code))
+        subharmonic += sum(int(np.count_nonzero(one > 1)) for one in period)
+    return counts, None if fates else subharmonic
 
 
 def case_values(case: MapCase) -> dict[str, Any]:
@@ -61,6 +72,8 @@ def case_values(case: MapCase) -> dict[str, Any]:
     if axes & set(SIZES):
         values["block"] = None
         moving |= {"restitution"} if case.housner else set()
+    if "restitution" in axes:  # of both impacts
+        moving |= {"negative_restitution"}
     if moving & {"velocity", "angle"}:
         values["start"] = None
     return values | dict.fromkeys(moving & values.keys())
@@ -68,15 +81,15 @@ def case_values(case: MapCase) -> dict[str, Any]:
 
 def slabs(found: "xarray.Dataset", *names: str) -> Iterator[tuple[Any, ...]]:
     """Yield the values of variables in parts that fit into memory."""
-    first = str(found["kind"].dims[0])
-    rows = max(1, SLAB * found.sizes[first] // found["kind"].size)
+    first = str(found[names[0]].dims[0])
+    rows = max(1, SLAB * found.sizes[first] // found[names[0]].size)
     for row in range(0, found.sizes[first], rows):
         part = found.isel({first: slice(row, row + rows)})
         yield tuple(part[name].values for name in names)
 
 
-def title_of(case: MapCase) -> str:
-    """Return what is no axis in a few words."""
+def title_of(case: MapCase, cycles: int | None) -> str:
+    """Return what is no axis in a few words; `cycles` are those after which a fate is seen."""
     values = case_values(case)
     parts = []
     for name, symbol, in_si, unit in (
@@ -88,17 +101,18 @@ def title_of(case: MapCase) -> str:
         elif values.get(in_si) is not None:
             parts.append(f"{values[in_si]:g} {unit}")
     if values["restitution"] is not None:
-        parts.append(f"restitution {values['restitution']:.4g}")
+        parts.append(restitution_text(values))
     elif case.housner:
         parts.append("Housner's restitution")
     block = values.get("block")
     if block is not None:
-        parts.append(f"α = {block['alpha_rad']:.4g} rad, p = {block['p_rad_s']:.4g} rad/s")
+        parts.append(block_text(block))
     if values["start"] is not None:
         parts.append(f"from {values['start']}")
     if values["phase"]:
         parts.append(f"phase {values['phase']:.4g} rad")
-    return "What the block settles to: " + ", ".join(parts)
+    asked = "What the block settles to" if cycles is None else f"The block after {cycles} periods"
+    return f"{asked}: " + ", ".join(parts)
 
 
 def print_counts(values: dict[str, Any]) -> None:
@@ -110,13 +124,14 @@ def print_counts(values: dict[str, Any]) -> None:
     axes = " x ".join(f"{axis['count']} {name}" for name, axis in values["axes"].items())
     console.print(f"{values['cells']:,} cells: {axes}")
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
-    for heading in ("kind", "cells", "share"):
-        table.add_column(heading, justify="left" if heading == "kind" else "right", no_wrap=True)
+    first = "kind" if "subharmonic" in values else "fate"
+    for heading in (first, "cells", "share"):
+        table.add_column(heading, justify="left" if heading == first else "right", no_wrap=True)
     for kind, count in values["counts"].items():
         if count:
             table.add_row(kind, f"{count:,}", f"{100.0 * count / values['cells']:.2f} %")
     console.print(table)
-    if values["subharmonic"]:
+    if values.get("subharmonic"):
         share = 100.0 * values["subharmonic"] / values["cells"]
         console.print(f"Of these {values['subharmonic']:,} ({share:.2f} %) are subharmonic.")
     rate = values["computed"] / values["seconds"] if values["seconds"] else 0.0

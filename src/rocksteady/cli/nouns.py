@@ -1,5 +1,6 @@
 """What moves and what shakes it: flags that become nouns of the model."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from typing import Any
@@ -9,9 +10,10 @@ from rocksteady.cli.flags import FLAG_OF_ARGUMENT
 from rocksteady.cli.inputs import MOST_AXIS_POINTS, axis, restitution_from, single
 from rocksteady.dynamics.parameters import SIZES
 from rocksteady.errors import InputError, ModelError
-from rocksteady.model.block import STANDARD_GRAVITY, Block, DimensionlessBlock
+from rocksteady.model.block import STANDARD_GRAVITY, Block, DimensionlessBlock, Restitution
 from rocksteady.model.examples import example_block
 from rocksteady.model.motions import Harmonic
+from rocksteady.model.pulses import Pulse
 from rocksteady.model.validation import LARGEST, in_range, non_negative
 
 FIELDS = {name: FLAG_OF_ARGUMENT[name].removeprefix("--").replace("-", "_") for name in SIZES}
@@ -114,6 +116,48 @@ class ShakingFlags:
         return Harmonic(amplitude=amplitude, frequency_ratio=ratio, phase=phase)
 
 
+@dataclass(frozen=True, kw_only=True)
+class PulseFlags:
+    """A pulse in place of endless shaking."""
+
+    pulse: flags.PulseName = None
+    oscillations: flags.Oscillations = None
+
+    @property
+    def given(self) -> bool:
+        """Whether there is a pulse.
+
+        Raises
+        ------
+        ModelError
+            If there is none, and something that only a pulse has.
+        """
+        if self.pulse is None and self.oscillations is not None:
+            raise ModelError(
+                name="oscillations",
+                value=self.oscillations,
+                valid="without --pulse it has no meaning",
+                hint="add --pulse mavroeidis-papageorgiou, or leave it out",
+            )
+        return self.pulse is not None
+
+    def of(self, size: Harmonic, *, phase: float | None) -> Pulse:
+        """Return the pulse with the amplitude and the frequency of some shaking.
+
+        Raises
+        ------
+        InputError, ModelError
+            If there is no pulse of that name, or it cannot have the oscillations or the phase.
+        """
+        return Pulse(
+            shape=self.pulse or "",
+            amplitude=size.amplitude,
+            frequency_ratio=size.frequency_ratio,
+            oscillations=self.oscillations,
+            phase=phase,
+        )
+
+
 def _felt(
     block: Block | DimensionlessBlock, acceleration_m_s2: float, frequency_hz: float | None = None
 ) -> Harmonic:
@@ -131,6 +175,9 @@ class BlockFlags:
     block: flags.NamedBlock = None
     width_m: flags.WidthM = None
     height_m: flags.HeightM = None
+    left_m: flags.LeftM = None
+    right_m: flags.RightM = None
+    gyration_m: flags.GyrationM = None
     alpha_rad: flags.AlphaRad = None
     radius_m: flags.RadiusM = None
     p_rad_s: flags.PRadS = None
@@ -147,15 +194,8 @@ class BlockFlags:
             If the flags describe a block in two ways, or half of one.
         """
         gravity = STANDARD_GRAVITY if self.gravity_m_s2 is None else self.gravity_m_s2
-        sizes = {name: single(FLAG_OF_ARGUMENT[name], self.sizes[name]) for name in self.sizes}
-        width, height, alpha, radius, p = (sizes.get(name) for name in SIZES)
-        given = [FLAG_OF_ARGUMENT[name] for name in sizes]
-        if self.block is not None and not given:
-            own = None
-            if self.restitution is not None:
-                own = restitution_from(self.restitution, default="housner")
-            return example_block(self.block, restitution=own, gravity=gravity)
-        if not given:
+        given = [FLAG_OF_ARGUMENT[name] for name in (*self.sizes, *self.unlike)]
+        if not given and self.block is None:
             if self.gravity_m_s2 is not None:
                 raise ModelError(
                     name="--gravity-m-s2",
@@ -164,26 +204,45 @@ class BlockFlags:
                     hint="describe a block, or leave it out",
                 )
             ratio = restitution_from(self.restitution, default=None)
-            return DimensionlessBlock(restitution=float(ratio))
-        if self.block is None and len(given) == 2:
-            ratio = restitution_from(self.restitution, default="housner")
-            if width is not None and height is not None:
-                return Block.rectangle(
-                    width=width, height=height, restitution=ratio, gravity=gravity
-                )
-            if alpha is not None and radius is not None:
-                return Block.from_radius(
-                    alpha=alpha, radius=radius, restitution=ratio, gravity=gravity
-                )
-            if alpha is not None and p is not None:
-                return Block.from_p(alpha=alpha, p=p, restitution=ratio, gravity=gravity)
-        raise ModelError(
-            name="the block",
-            value=" ".join(["--block", *given] if self.block is not None else given),
-            valid="it is described by --width-m with --height-m, by --alpha-rad with --radius-m, "
-            "by --alpha-rad with --p-rad-s, or by --block alone",
-            hint="give one of these pairs",
-        )
+            first, second = ratio if isinstance(ratio, tuple) else (ratio, None)
+            return DimensionlessBlock(restitution=float(first), negative_restitution=second)
+        ratio = restitution_from(self.restitution, default="housner")
+        block = self._sized(ratio[0] if isinstance(ratio, tuple) else ratio, gravity)
+        if block is None:
+            raise ModelError(
+                name="the block",
+                value=" ".join(["--block", *given] if self.block is not None else given),
+                valid="it is described by --width-m with --height-m, by --alpha-rad with "
+                "--radius-m, by --alpha-rad with --p-rad-s, by --left-m and --right-m with "
+                "--height-m, or by --block alone",
+                hint="give one of these pairs, or the three",
+            )
+        return block.with_restitution(ratio) if isinstance(ratio, tuple) else block
+
+    def _sized(self, ratio: Restitution, gravity: float) -> Block | None:
+        """Return the block of the sizes that are given; None where they are not those of one."""
+        sizes = {name: single(FLAG_OF_ARGUMENT[name], self.sizes[name]) for name in self.sizes}
+        if self.block is not None:
+            own = None if self.restitution is None else ratio
+            named = not sizes and not self.unlike
+            return example_block(self.block, restitution=own, gravity=gravity) if named else None
+        whole = {"left", "right", *self.unlike} == self.unlike.keys()
+        makers: dict[tuple[str, ...], Callable[..., Block]] = {
+            ("width", "height"): Block.rectangle,
+            ("alpha", "radius"): Block.from_radius,
+            ("alpha", "p"): Block.from_p,
+        }
+        if self.unlike:
+            makers = {("height",): Block.asymmetric} if whole else {}
+        make = makers.get(tuple(sizes))
+        rest: dict[str, Any] = {"restitution": ratio, "gravity": gravity}
+        return None if make is None else make(**sizes, **self.unlike, **rest)
+
+    @property
+    def unlike(self) -> dict[str, float]:
+        """The measures that are given of a block whose sides differ."""
+        values = {"left": self.left_m, "right": self.right_m, "gyration": self.gyration_m}
+        return {name: value for name, value in values.items() if value is not None}
 
     @cached_property
     def sizes(self) -> dict[str, list[float]]:

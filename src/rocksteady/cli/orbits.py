@@ -193,9 +193,12 @@ def print_table(values: dict[str, Any]) -> None:
                 style=None if orbit["admissible"] else "dim",
             )
         console.print(table)
+    # A block whose sides differ has no mirror images.
+    asymmetric = "negative_restitution" in values or "negative" in values.get("block", {})
+    images = "." if asymmetric else ";\nof two mirror images one is listed."
     console.print(
         f"Angles are in units of alpha. A search from {values['seeds']} x {values['seeds']} states "
-        "may miss motions;\nof two mirror images one is listed.",
+        f"may miss motions{images}",
         style="dim",
     )
 

@@ -8,7 +8,7 @@ import typer
 
 from rocksteady.cli import flags
 from rocksteady.cli.groups import AnimationFlags, OutputFlags, grouped
-from rocksteady.cli.nouns import BlockFlags, ShakingFlags
+from rocksteady.cli.nouns import BlockFlags, PulseFlags, ShakingFlags
 from rocksteady.cli.outputs import (
     INCOMPLETE,
     announce_compilation,
@@ -18,10 +18,11 @@ from rocksteady.cli.outputs import (
     write_film,
 )
 from rocksteady.cli.starts import StartFlags, refuse_without_shaking
-from rocksteady.cli.values import block_values, case_text, shaking_values
-from rocksteady.errors import InputError, Status
+from rocksteady.cli.values import block_values, case_text, restitution_values, shaking_values
+from rocksteady.errors import InputError, ModelError, Status
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic, Motion, Still
+from rocksteady.model.pulses import Pulse
 from rocksteady.model.validation import whole_number
 
 if TYPE_CHECKING:
@@ -31,12 +32,13 @@ if TYPE_CHECKING:
 HELP = (
     "One time history: every flight in closed form, every impact, overturning proved.\n\n"
     "Without shaking (-A and -W, or --accel-g and --freq-hz) a block that is let go rocks freely "
-    "until it rests or overturns."
+    "until it rests or overturns. After a pulse (--pulse) too it is followed until then."
 )
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady simulate -A 2 -W 1.9 -r 0.8 --start steady --cycles 40 --plot run.png\n\n"
     "rocksteady simulate --width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 1 --csv run.csv\n\n"
+    "rocksteady simulate --block zhang-makris-2001 --pulse one-sine --accel-g 2 --freq-hz 1.7\n\n"
     "rocksteady simulate --block zhang-makris-2001 --start 0.6,w=0 --json\n\n"
     "rocksteady simulate --block tso-wong-1989 -A 4 -W 1.5 --animate fall.gif"
 )
@@ -55,8 +57,8 @@ SamplesFlag = Annotated[
     typer.Option(
         "--samples",
         metavar="N",
-        help="Rows of --csv per period of the shaking (per pt = 1 without shaking); impacts are "
-        "always rows.",
+        help="Rows of --csv per period of the shaking (per pt = 1 without shaking and around a "
+        "pulse); impacts are always rows.",
         rich_help_panel=flags.OUTPUT,
     ),
 ]
@@ -65,6 +67,7 @@ SamplesFlag = Annotated[
 @grouped
 def simulate(
     shaking: ShakingFlags,
+    pulse: PulseFlags,
     block: BlockFlags,
     output: OutputFlags,
     film: AnimationFlags,
@@ -77,10 +80,13 @@ def simulate(
     film.check(output)
     body = block.described()
     motion: Motion = Still()
-    if shaking.given:
+    if pulse.given:
+        motion = pulse.of(shaking.at(body), phase=start.phase)
+        refuse_cycles_of_pulse(cycles)
+    elif shaking.given:
         motion = shaking.at(body, phase=start.first_phase)
-    start.check(shaken=shaking.given)
-    if not shaking.given:
+    start.check(shaken=not isinstance(motion, Still))
+    if isinstance(motion, Still):
         refuse_without_shaking("--cycles", cycles)
     whole_number("per_unit", samples, at_least=1, hint="give rows per period")
 
@@ -116,6 +122,23 @@ def simulate(
         raise typer.Exit(INCOMPLETE)
 
 
+def refuse_cycles_of_pulse(cycles: float | None) -> None:
+    """Refuse a number of cycles for a motion that ends.
+
+    Raises
+    ------
+    ModelError
+        If there is one.
+    """
+    if cycles is not None:
+        raise ModelError(
+            name="--cycles",
+            value=cycles,
+            valid="a pulse ends, and the block is followed to rest or overturning",
+            hint="leave it out",
+        )
+
+
 def film_of_run(trajectory: "Trajectory", flags_of_film: AnimationFlags) -> "Film":
     """Return the film of a whole run.
 
@@ -149,11 +172,18 @@ def trajectory_values(trajectory: "Trajectory", body: Block | DimensionlessBlock
         "peak": trajectory.peak,
         "impacts": len(trajectory.impacts),
         "flights": len(trajectory.rows),
-        "restitution": body.restitution,
+        **restitution_values(body),
     }
+    if not body.symmetric:
+        values["side_peaks"] = list(trajectory.side_peaks)
     if isinstance(motion, Harmonic):
         values |= shaking_values(body, motion)
         values["phase"] = motion.phase
+    elif isinstance(motion, Pulse):
+        values |= {"pulse": motion.shape} | shaking_values(body, motion)
+        values["duration_pt"] = motion.duration
+        if isinstance(body, Block):
+            values["duration_s"] = motion.duration / body.p
     elif isinstance(body, Block):
         values["block"] = block_values(body)
     if block is None:
@@ -163,7 +193,9 @@ def trajectory_values(trajectory: "Trajectory", body: Block | DimensionlessBlock
     else:
         values["overturn_time_s"] = trajectory.overturn_time_s
         values["rest_time_s"] = None if trajectory.rest_s is None else trajectory.rest_s / block.p
-        values["peak_rad"] = trajectory.peak * block.alpha
+        sides = zip(trajectory.side_peaks, (block.positive, block.negative), strict=True)
+        # The larger angle may be the smaller part of its alpha.
+        values["peak_rad"] = max(peak * side.alpha for peak, side in sides)
     return values
 
 
@@ -176,8 +208,15 @@ def print_summary(values: dict[str, Any], trajectory: "Trajectory") -> None:
     table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
     table.add_row("status", f"[bold]{values['status']}[/bold]")
     peak = f"{values['peak']:.10g} alpha"
-    if "peak_rad" in values:
+    if "side_peaks" in values:  # each in its own alpha
+        left, right = values["side_peaks"]
+        table.add_row("peak, left edge", f"{left:.10g} alpha")
+        table.add_row("peak, right edge", f"{right:.10g} alpha")
+        peak = f"{values['peak']:.10g} alpha of its side"
+    if "peak_rad" in values and "side_peaks" not in values:
         peak += f" = {values['peak_rad']:.6g} rad"
+    if trajectory.overturn_s is not None:
+        peak += ", up to overturning"
     table.add_row("peak", peak)
     table.add_row("impacts", str(values["impacts"]))
     if trajectory.overturn_s is not None:

@@ -54,6 +54,13 @@ def steady(
     """Run `rocksteady steady`; `HELP` is what its users read."""
     output.check()
     body = block.described()
+    if not body.symmetric:  # told before the kernels are loaded
+        raise ModelError(
+            name="the block",
+            value="its sides differ",
+            valid="the closed forms are those of symmetric motions, and it has none",
+            hint="ask for its periodic motions with `rocksteady orbits`",
+        )
     amplitudes, ratios = shaking.of(body)
     if output.plot is not None and len(amplitudes) > 1 and len(ratios) == 1:
         raise ModelError(

@@ -4,27 +4,42 @@ from typing import TYPE_CHECKING, Any
 
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
+from rocksteady.model.pulses import Pulse
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.orbit import Orbit
 
 
 def block_values(block: Block) -> dict[str, Any]:
-    """Return a block's measures in SI."""
-    return {
-        "alpha_rad": block.alpha,
-        "radius_m": block.radius,
-        "p_rad_s": block.p,
-        "restitution": block.restitution,
-    }
+    """Return a block's measures in SI; of one whose sides differ those of both."""
+    positive, negative = (
+        {
+            "alpha_rad": side.alpha,
+            "radius_m": side.radius,
+            "p_rad_s": side.p,
+            "restitution": side.restitution,
+        }
+        for side in (block.positive, block.negative)
+    )
+    if block.symmetric:
+        return positive
+    distances = {"left_m": block.positive.distance, "right_m": block.negative.distance}
+    return {**positive, **distances, "height_m": block.height, "negative": negative}
 
 
-def shaking_values(block: Block | DimensionlessBlock, shaking: Harmonic) -> dict[str, Any]:
+def restitution_values(block: Block | DimensionlessBlock) -> dict[str, Any]:
+    """Return the restitution, or that of either impact where they differ."""
+    first, second = (restitution for restitution, _, _ in block.dimensionless().sides)
+    found = {"restitution": first}
+    return found if first == second else {**found, "negative_restitution": second}
+
+
+def shaking_values(block: Block | DimensionlessBlock, shaking: Harmonic | Pulse) -> dict[str, Any]:
     """Return block and shaking without its phase, in SI too where the block has a size."""
     values: dict[str, Any] = {
         "amplitude": shaking.amplitude,
         "frequency_ratio": shaking.frequency_ratio,
-        "restitution": block.restitution,
+        **restitution_values(block),
     }
     if isinstance(block, Block):
         values["block"] = block_values(block)
@@ -75,15 +90,31 @@ def multipliers_text(multipliers: list[complex], digits: int = 6) -> str:
 
 def case_text(values: dict[str, Any]) -> str:
     """Return block and shaking in a few words, for a title."""
-    parts = [f"restitution {values['restitution']:.4g}"]
+    parts = [restitution_text(values)]
     if "amplitude" in values:
         parts.insert(0, f"A = {values['amplitude']:g}, Ω = {values['frequency_ratio']:g}")
     else:
         parts.insert(0, "free rocking")
+    if "pulse" in values:
+        parts.insert(0, f"{values['pulse']} pulse")
     if "block" in values:
-        block = values["block"]
-        parts.append(f"α = {block['alpha_rad']:.4g} rad, p = {block['p_rad_s']:.4g} rad/s")
+        parts.append(block_text(values["block"]))
     return ", ".join(parts)
+
+
+def restitution_text(values: dict[str, Any]) -> str:
+    """Return what an impact leaves, of either impact where they differ."""
+    other = values.get("negative_restitution")
+    if other is None:
+        return f"restitution {values['restitution']:.4g}"
+    return f"restitution {values['restitution']:.3g}/{other:.3g}"
+
+
+def block_text(block: dict[str, Any]) -> str:
+    """Return slenderness and rate of a block; where its sides differ both slendernesses."""
+    if "negative" in block:  # four numbers leave no room for what else a title says
+        return f"α = {block['alpha_rad']:.3g}/{block['negative']['alpha_rad']:.3g} rad"
+    return f"α = {block['alpha_rad']:.4g} rad, p = {block['p_rad_s']:.4g} rad/s"
 
 
 def periods_text(period: int, seconds: float | None) -> str:

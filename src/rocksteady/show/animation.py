@@ -6,6 +6,8 @@ import numpy as np
 
 from rocksteady.dynamics.trajectory import Trajectory
 from rocksteady.model.motions import Harmonic, Still
+from rocksteady.model.pulses import Pulse
+from rocksteady.model.record import Record
 from rocksteady.show import palette
 from rocksteady.show.playback import FRAMES_PER_SECOND, Reel, reel_of, speed_text, speed_unit
 from rocksteady.show.plots.motion import plot_trajectory, time_axis
@@ -102,7 +104,10 @@ class Film:
             {"marker": (3, 0, -90), "color": palette.BASE, "lw": 3.0, "ms": 6.0, "ls": "-"},
             {"marker": "|", "mec": palette.FAINT, "mew": 1.0, "ms": 7.0},
         ]
-        words = ["mass centre", "pivot", "impact", "base acceleration a", "a = ±αg: uplift"]
+        alike = self.scene.symbol == "α"
+        uplift = "a = ±αg: uplift" if alike else "a = α₊g, −α₋g: uplift"
+        inside = "|θ| < α" if alike else "−α₋ < θ < α₊"
+        words = ["mass centre", "pivot", "impact", "base acceleration a", uplift]
         if self.scene.largest == 0.0:
             looks, words = looks[:3], words[:3]
         handles: list[Artist] = [
@@ -110,7 +115,8 @@ class Film:
             for look, word in zip(looks, words, strict=True)
         ]
         handles.insert(
-            1, Patch(color=palette.SYMMETRIC, alpha=0.35, lw=0, label="mass centre inside: |θ| < α")
+            1,
+            Patch(color=palette.SYMMETRIC, alpha=0.35, lw=0, label=f"mass centre inside: {inside}"),
         )
         legend = axes.legend(
             handles=handles,
@@ -141,27 +147,40 @@ class Film:
 
 def title(scene: BlockScene) -> str:
     """Return what moves, in one line."""
-    trajectory = scene.trajectory
-    motion, block = trajectory.motion, trajectory.block
+    motion = scene.trajectory.motion
+    if isinstance(motion, Pulse):  # its name leaves no room for the block
+        return f"Pulse {motion.shape}, A = {motion.amplitude:.4g}, Ω = {motion.frequency_ratio:.4g}"
     if isinstance(motion, Harmonic):
         parts = [f"A = {motion.amplitude:.4g}, Ω = {motion.frequency_ratio:.4g}"]
     elif isinstance(motion, Still):
         parts = ["Free rocking"]
+    elif isinstance(motion, Record):
+        parts = [motion.name or f"Record of {motion.duration_s:.4g} s"]
     else:
         pieces = len(motion.segments())
         parts = [f"Base motion of {pieces} segment{'' if pieces == 1 else 's'}"]
-    parts.append(f"restitution {float(trajectory.sides[0, 0]):.4g}")
+    return ", ".join([*parts, *block_words(scene)])
+
+
+def block_words(scene: BlockScene) -> list[str]:
+    """Return restitution and size of the block."""
+    trajectory, block = scene.trajectory, scene.trajectory.block
+    first, second = trajectory.sides[:, 0].tolist()
+    parts = [
+        f"restitution {first:.4g}" if first == second else f"restitution {first:.3g}/{second:.3g}"
+    ]
     if block is None:
-        parts.append(f"drawn with α = {scene.shape.alpha:.4g} rad")
-    else:
-        parts.append(f"α = {block.alpha:.4g} rad, p = {block.p:.4g} rad/s")
-    return ", ".join(parts)
+        return [*parts, f"drawn with {scene.symbol} = {scene.shape.alpha:.4g} rad"]
+    if block.symmetric:
+        return [*parts, f"α = {block.alpha:.4g} rad, p = {block.p:.4g} rad/s"]
+    return [*parts, f"α = {block.alpha:.3g}/{block.negative.alpha:.3g} rad"]
 
 
 def caption(scene: BlockScene, reel: Reel) -> str:
     """Return how it is shown, in one line: every length is true, and the speed is named."""
     trajectory = scene.trajectory
-    parts = ["true scale", speed_text(trajectory, reel.speed)]
+    parts = block_words(scene) if isinstance(trajectory.motion, Pulse) else []
+    parts += ["true scale", speed_text(trajectory, reel.speed)]
     if scene.camera != "fixed":
         unit = "m" if trajectory.block is not None else "R"
         parts.append(f"camera moves with the ground (over {scene.travelled:.3g} {unit})")

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.attractor import AttractorKind
 from rocksteady.dynamics.settled import KIND_FLAGS, NO_START
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, Status
 from rocksteady.show import palette
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ FILLS = {
     AttractorKind.UNDECIDED: palette.UNDECIDED,
 }
 BLANK = -128
-"""Kind of a cell that has not been computed, in a map that is not finished."""
+"""Kind or fate of a cell that has not been computed, in a map that is not finished."""
 
 
 class CellClass(IntEnum):
@@ -39,10 +39,11 @@ class CellClass(IntEnum):
     UNSYMMETRIC = 2
     SUBHARMONIC = 3
     APERIODIC = 4
-    OVERTURNED = 5
-    UNDECIDED = 6
-    NO_START = 7
-    NOT_COMPUTED = 8
+    ROCKING = 5
+    OVERTURNED = 6
+    UNDECIDED = 7
+    NO_START = 8
+    NOT_COMPUTED = 9
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -85,6 +86,7 @@ LOOKS = {
         dot=palette.SUBHARMONIC_LINES[0],
     ),
     CellClass.APERIODIC: Look(words="aperiodic", fill=palette.APERIODIC, dot=palette.APERIODIC),
+    CellClass.ROCKING: Look(words="still rocking", fill=palette.ROCKING, dot=palette.LINES[2]),
     CellClass.OVERTURNED: Look(words="overturned", fill=palette.OVERTURNED, dot=palette.OVERTURNED),
     CellClass.UNDECIDED: Look(
         words="undecided",
@@ -108,6 +110,9 @@ MEANINGS = {
     AttractorKind.OVERTURNED.value: CellClass.OVERTURNED,
     AttractorKind.UNDECIDED.value: CellClass.UNDECIDED,
     KIND_FLAGS[NO_START]: CellClass.NO_START,
+    Status.ROCKING.label: CellClass.ROCKING,
+    Status.AT_REST.label: CellClass.REST,
+    Status.OVERTURNED.label: CellClass.OVERTURNED,
 }
 """The class of each of a map's ``flag_meanings``; subharmonic ones are told by their period."""
 
@@ -168,7 +173,8 @@ def map_cells(found: "xarray.Dataset") -> MapCells:
     Parameters
     ----------
     found
-        From `rocksteady.attractor_map`; of its variables only ``kind`` and ``period`` are read.
+        From `rocksteady.attractor_map` or `rocksteady.fate_map`; of its variables only ``kind`` and
+        ``period``, or ``fate``, are read.
 
     Raises
     ------
@@ -183,12 +189,15 @@ def map_cells(found: "xarray.Dataset") -> MapCells:
     >>> cells = map_cells(found)
     >>> cells.names, cells.classes
     (('amplitude', 'frequency_ratio'), array([[0, 0, 0],
-           [5, 1, 1]], dtype=int8))
+           [6, 1, 1]], dtype=int8))
     """
-    variables = validated_map(found, ("kind", "period"))
-    names = tuple(str(name) for name in variables["kind"].dims)
-    kind = variables["kind"]
-    classes = _classes(kind.values, variables["period"].transpose(*names).values, _flags_of(kind))
+    read = ("fate",) if has_fates(found) else ("kind", "period")
+    variables = validated_map(found, read)
+    kind = variables[read[0]]
+    names = tuple(str(name) for name in kind.dims)
+    classes = _classes(kind.values, _flags_of(kind))
+    for name in read[1:]:
+        _mark_subharmonic(classes, variables[name].transpose(*names).values)
     values = []
     for axis, name in enumerate(names):
         points = variables[name].values.astype(np.float64)
@@ -199,6 +208,13 @@ def map_cells(found: "xarray.Dataset") -> MapCells:
     return MapCells(
         names=names, values=tuple(values), classes=classes, fixed=fixed_values(variables)
     )
+
+
+def has_fates(found: object) -> bool:
+    """Return whether a map is one of fates; else it is one of attractors, or none."""
+    import xarray
+
+    return isinstance(found, xarray.Dataset) and "fate" in found
 
 
 def fixed_values(variables: "xarray.Dataset") -> tuple[tuple[str, float], ...]:
@@ -225,7 +241,7 @@ def validated_map(found: object, names: Sequence[str]) -> "xarray.Dataset":
             name="found",
             value=sorted(map(str, found)) if isinstance(found, xarray.Dataset) else found,
             valid=f"a map is a dataset with {' and '.join(names)}",
-            hint="give what attractor_map returned, whole",
+            hint="give what attractor_map or fate_map returned, whole",
         )
     variables = found[list(names)].squeeze()
     if variables[names[0]].ndim == 0 or 0 in variables[names[0]].shape:
@@ -258,20 +274,17 @@ def _flags_of(kind: "xarray.DataArray") -> dict[int, CellClass]:
             name="found",
             value=unknown[0] if unknown else "kind without flag_meanings",
             valid=f"the kinds of a map are {', '.join(MEANINGS)}",
-            hint="give what attractor_map returned, attributes included",
+            hint="give what the map returned, attributes included",
         )
     codes = np.ravel(kind.attrs.get("flag_values", range(len(words)))).tolist()
     return {int(code): MEANINGS[word] for code, word in zip(codes, words, strict=True)}
 
 
-def _classes(kind: NDArray[Any], period: NDArray[Any], flags: dict[int, CellClass]) -> Classes:
+def _classes(kind: NDArray[Any], flags: dict[int, CellClass]) -> Classes:
     """Return the class of each cell; a large map holds no more than bytes and truth values."""
     classes = np.full(kind.shape, CellClass.NOT_COMPUTED, dtype=np.int8)
     for code, one in flags.items():
         classes[kind == code] = one
-    again = period > 1
-    again &= (classes == CellClass.SYMMETRIC) | (classes == CellClass.UNSYMMETRIC)
-    classes[again] = CellClass.SUBHARMONIC
     left = kind[classes == CellClass.NOT_COMPUTED]
     strange = left[(left != BLANK) & ~np.isnan(left)]
     if strange.size:
@@ -279,6 +292,13 @@ def _classes(kind: NDArray[Any], period: NDArray[Any], flags: dict[int, CellClas
             name="found",
             value=strange[0].item(),
             valid=f"a kind is one of {', '.join(map(str, flags))}, and {BLANK} where none is known",
-            hint="give what attractor_map returned, unchanged",
+            hint="give what the map returned, unchanged",
         )
     return classes
+
+
+def _mark_subharmonic(classes: Classes, period: NDArray[Any]) -> None:
+    """Tell orbits of several forcing periods from the others."""
+    again = period > 1
+    again &= (classes == CellClass.SYMMETRIC) | (classes == CellClass.UNSYMMETRIC)
+    classes[again] = CellClass.SUBHARMONIC

@@ -1,4 +1,4 @@
-"""Figures of maps of attractors, a third axis as panels side by side."""
+"""Figures of maps of attractors and of fates, a third axis as panels side by side."""
 
 import math
 from collections.abc import Mapping
@@ -28,7 +28,7 @@ ACROSS = {1: 1, 2: 2, 3: 3, 4: 2, 5: 3, 6: 3, 7: 4, 8: 4, 9: 3, 10: 4, 11: 4, 12
 
 
 def map_figure(found: "xarray.Dataset", title: str = "") -> "Figure":
-    """Return a figure of a map of attractors over one, two or three axes with several values.
+    """Return a figure of a map over one, two or three axes with several values.
 
     Over three there is a panel for each value of the axis that has fewest (of those that are
     neither amplitude nor frequency, where they are equal), with one legend, whose shares are of
@@ -37,7 +37,7 @@ def map_figure(found: "xarray.Dataset", title: str = "") -> "Figure":
     Parameters
     ----------
     found
-        From `rocksteady.attractor_map`.
+        From `rocksteady.attractor_map` or `rocksteady.fate_map`.
     title
         Above the panels.
 

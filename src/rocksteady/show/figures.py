@@ -10,6 +10,7 @@ from rocksteady.dynamics.basins import Basins
 from rocksteady.dynamics.continuation.points import Branch
 from rocksteady.dynamics.erosion import Drop, Erosion
 from rocksteady.dynamics.orbit import Orbit
+from rocksteady.dynamics.overturning.windows import OverturningWindows
 from rocksteady.dynamics.regions import RegionMap
 from rocksteady.dynamics.response import ResponseCurve
 from rocksteady.dynamics.steady import SteadyOrbit
@@ -20,6 +21,7 @@ from rocksteady.show.plots.basins import plot_basins, plot_erosion, plot_safe_ba
 from rocksteady.show.plots.bifurcations import plot_bifurcations
 from rocksteady.show.plots.motion import plot_base, plot_phase_portrait, plot_trajectory
 from rocksteady.show.plots.orbits import plot_multipliers, plot_section
+from rocksteady.show.plots.overturning import plot_overturning
 from rocksteady.show.plots.steady import (
     LOGARITHMIC_SPAN,
     plot_orbit,
@@ -243,6 +245,18 @@ def erosion_figure(erosion: Erosion, drops: Sequence[Drop] = (), title: str = ""
             if column:
                 axes.set_ylabel("")
                 axes.tick_params(labelleft=False)
+        if title:
+            figure.suptitle(title, x=0.01, ha="left", fontsize=10)
+    return figure
+
+
+def overturning_figure(windows: OverturningWindows, title: str = "") -> "Figure":
+    """Return a figure of an overturning spectrum."""
+    from matplotlib.figure import Figure
+
+    with palette.style():
+        figure = Figure(figsize=(8.0, 4.6))
+        plot_overturning(windows, figure.add_subplot())
         if title:
             figure.suptitle(title, x=0.01, ha="left", fontsize=10)
     return figure

@@ -25,9 +25,13 @@ class Shape:
     Attributes
     ----------
     alpha
-        Slenderness [rad].
+        Slenderness of the positive side [rad], the unit of angles.
     radius
-        Half-diagonal.
+        Distance from the left corner to the mass centre: half the diagonal of a symmetric block.
+    left, right
+        Horizontal distances from the corners to the mass centre.
+    height
+        Of the rectangle: twice that of the mass centre.
     travel
         Length of alpha g/p^2, the unit of the ground's displacement.
     unit
@@ -36,18 +40,21 @@ class Shape:
 
     alpha: float
     radius: float
+    left: float
+    right: float
+    height: float
     travel: float
     unit: str
 
     @property
     def half_width(self) -> float:
         """Half the distance between the pivots."""
-        return self.radius * math.sin(self.alpha)
+        return 0.5 * (self.left + self.right)
 
     @property
-    def height(self) -> float:
-        """Of the rectangle: twice that of the mass centre."""
-        return 2.0 * self.radius * math.cos(self.alpha)
+    def offset(self) -> float:
+        """How far to the right of the middle between the pivots the mass centre is."""
+        return 0.5 * (self.left - self.right)
 
     def corners(self, theta: ArrayLike) -> Floats:
         """Return the corners of the block at rotations [rad], seen from the ground.
@@ -75,18 +82,34 @@ def shape_of(trajectory: Trajectory, alpha: float | None = None) -> Shape:
     Raises
     ------
     InputError
-        If alpha is outside (0, pi/2).
+        If alpha is outside (0, pi/2), or so large that the other side's is.
     ModelError
         If it is given for a block that has its own.
     """
     block = trajectory.block
     if block is None:
+        lean = -trajectory.balances[0]
+        widest = max(lean, 1.0)  # the alpha of either side stays below a right angle
         hint = "give the slenderness in radians of the rectangle to draw"
         slenderness = in_range(
-            "alpha", ALPHA if alpha is None else alpha, 0.0, LYING, "()", hint=hint
+            "alpha",
+            ALPHA / widest if alpha is None else alpha,
+            0.0,
+            LYING / widest,
+            "()",
+            hint=hint,
         )
-        # g/(p^2 R) of a homogeneous rectangle is 4/3.
-        return Shape(alpha=slenderness, radius=1.0, travel=slenderness * 4.0 / 3.0, unit="radius")
+        centre = math.cos(slenderness)
+        return Shape(
+            alpha=slenderness,
+            radius=1.0,
+            left=math.sin(slenderness),
+            right=math.sin(slenderness) if lean == 1.0 else centre * math.tan(lean * slenderness),
+            height=2.0 * centre,
+            # g/(p^2 R) of a homogeneous rectangle is 4/3.
+            travel=slenderness * 4.0 / 3.0,
+            unit="radius",
+        )
     if alpha is not None:
         raise ModelError(
             name="alpha",
@@ -94,5 +117,12 @@ def shape_of(trajectory: Trajectory, alpha: float | None = None) -> Shape:
             valid=f"the block has its own slenderness, {block.alpha:.6g} rad",
             hint="leave alpha out; it is for a dimensionless block",
         )
-    travel = block.uplift_acceleration / block.p**2
-    return Shape(alpha=block.alpha, radius=block.radius, travel=travel, unit="m")
+    return Shape(
+        alpha=block.alpha,
+        radius=block.radius,
+        left=block.positive.distance,
+        right=block.negative.distance,
+        height=block.height,
+        travel=block.uplift_acceleration / block.p**2,
+        unit="m",
+    )

@@ -13,6 +13,7 @@ SYMMETRIC = "#76c6fe"
 UNSYMMETRIC = "#bda613"
 SUBHARMONIC = "#477f68"
 APERIODIC = "#6f3584"
+ROCKING = "#8fd0c6"
 OVERTURNED = "#272728"
 UNDECIDED = "#9a9a9a"
 
@@ -46,6 +47,9 @@ LABELS = {
     "frequency_ratio": r"frequency ratio  $\Omega = \omega/p$",
     "frequency_hz": "frequency [Hz]",
     "restitution": r"restitution  $\delta$",
+    "alpha_ratio": r"ratio of slendernesses  $\alpha_-/\alpha_+$",
+    "p_ratio": r"ratio of rates  $p_-/p_+$",
+    "negative_restitution": r"restitution, negative side  $\delta_-$",
     "angle": r"angle  $\theta/\alpha$",
     "velocity": r"velocity  d$(\theta/\alpha)$/d$(pt)$",
     "velocity_tau": r"velocity  d$(\theta/\alpha)$/d$(\omega t)$",
@@ -64,6 +68,7 @@ LABELS = {
     "width": "width [m]",
     "height": "height [m]",
     "orbit_extremes": r"highest and lowest  $\theta/\alpha$  of the orbit",
+    "impacts": "number of impacts",
     "periods_short": "time [periods]",
     "half_cycle": r"time since impact  $\omega t/2\pi$ [excitation periods]",
     "pivot_time": "pivot time  $pt$",
@@ -78,6 +83,8 @@ LABELS = {
     "phase": "phase of the shaking at the impact [rad]",
     "speed": r"speed after the impact  $|$d$(\theta/\alpha)$/d$(pt)|$",
     "integrity": "integrity (1 on a still base)",
+    "free_amplitude": r"amplitude  $\theta_0/\alpha$",
+    "free_period": "period  $pT$",
     "multiplier_real": r"real part of the multipliers  Re $\mu$",
     "multiplier_imaginary": r"imaginary part  Im $\mu$",
 }

@@ -6,10 +6,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.ground import segment_starts
 from rocksteady.dynamics.trajectory import Trajectory
 from rocksteady.errors import InputError
 from rocksteady.kernels import march as columns
 from rocksteady.model.motions import Harmonic
+from rocksteady.model.pulses import Pulse
 from rocksteady.model.validation import finite, in_range, positive
 
 Floats = NDArray[np.float64]
@@ -57,15 +59,19 @@ def speed_unit(trajectory: Trajectory) -> float:
 
 
 def shortest_period(trajectory: Trajectory, start: float, end: float) -> float:
-    """Return the pivot time of the quickest motion in a span: the forcing's period, or 2 pi.
+    """Return the pivot time of the quickest motion in a span: a period of the base, or 2 pi.
 
     A block that is let go rocks with periods of that order, until its bounces die out.
     """
     table = trajectory.segments
-    starts = np.concatenate([[0.0], np.cumsum(table[:-1, columns.DURATION])])
+    starts = segment_starts(table)
     ends = np.append(starts[1:], math.inf)
     within = (starts < end) & (ends > start)
-    return 2.0 * math.pi / float(table[within, columns.FREQUENCY].max(initial=1.0))
+    quickest = float(table[within, columns.FREQUENCY].max(initial=1.0))
+    motion = trajectory.motion
+    if isinstance(motion, Pulse) and start < motion.duration:
+        quickest = max(quickest, motion.frequency_ratio)  # which straight lines do not say
+    return 2.0 * math.pi / quickest
 
 
 def reel_of(

@@ -69,6 +69,10 @@ class BlockScene:
         self.shape = shape_of(trajectory, alpha)
         self.strongest = float(np.abs(trajectory.impacts.velocity_before).max(initial=0.0))
         self.largest = largest_acceleration(trajectory.segments)
+        negative, positive = trajectory.balances
+        # Arrows fit in beside the marks of both uplift accelerations.
+        self.strongest_push = max(self.largest, positive, -negative)
+        self.symbol = "α" if -negative == positive else "α₊"
         self._view(times)
         before = set(axes.get_children())
         self._draw()
@@ -190,7 +194,7 @@ class BlockScene:
         axes.add_patch(self.body)
         (self.lever,) = axes.plot([], [], color=palette.INK, lw=0.8, transform=block, zorder=3.5)
         (self.mass,) = axes.plot(
-            [0.0],
+            [shape.offset],
             [0.5 * h],
             marker="o",
             ms=6.5,
@@ -258,8 +262,9 @@ class BlockScene:
             visible=self.largest > 0.0,
         )
         axes.add_patch(self.arrow)
-        lifts = self.arrow_length / max(self.largest, 1.0)
-        for x, reach in ((-lifts, 0.055), (0.0, 0.09), (lifts, 0.055)):
+        lifts = self.arrow_length / self.strongest_push
+        negative, positive = self.trajectory.balances
+        for x, reach in ((negative * lifts, 0.055), (0.0, 0.09), (positive * lifts, 0.055)):
             axes.plot(
                 [x, x],
                 [self.arrow_y - reach * r, self.arrow_y + reach * r],
@@ -283,7 +288,8 @@ class BlockScene:
         fallen = over is not None and s >= over
         self.body.set_facecolor(palette.OVERTURNED if fallen else palette.BLOCK)
         self.lever.set_color("white" if fallen else palette.INK)
-        self.lever.set_data(([-side * b, 0.0], [0.0, 0.5 * h]) if side else ([], []))
+        centre = self.shape.offset
+        self.lever.set_data(([-side * b, centre], [0.0, 0.5 * h]) if side else ([], []))
         corners = [-side * b] if side else [-b, b]
         self.pivots.set_data(corners, [0.0] * len(corners))
         self._flash(s)
@@ -291,7 +297,7 @@ class BlockScene:
         angle = float(self.trajectory(s).angle)
         self.clock.set_text(self._time(s))
         degrees = math.degrees(angle * self.shape.alpha)
-        self.tilt.set_text(f"θ = {signed(angle, 2)} α = {signed(degrees, 1)}°")
+        self.tilt.set_text(f"θ = {signed(angle, 2)} {self.symbol} = {signed(degrees, 1)}°")
         self.verdict.set_text("overturned" if fallen else "" if side else "at rest")
         return self.moving
 
@@ -322,12 +328,13 @@ class BlockScene:
 
     def _push(self, acceleration: float) -> None:
         """Draw the arrow of the base acceleration, in units of alpha g."""
-        r, tip = self.shape.radius, self.arrow_length * acceleration / max(self.largest, 1.0)
+        r, tip = self.shape.radius, self.arrow_length * acceleration / self.strongest_push
         head = math.copysign(min(abs(tip), 0.15 * r), tip)
         x = np.array([0.0, tip - head, tip - head, tip, tip - head, tip - head, 0.0])
         y = np.array([0.024, 0.024, 0.075, 0.0, -0.075, -0.024, -0.024]) * r
         self.arrow.set_xy(np.column_stack([x, self.arrow_y + y]))
-        self.push.set_text(f"a = {signed(acceleration, 2)} αg" if self.largest > 0.0 else "")
+        pushed = f"a = {signed(acceleration, 2)} {self.symbol}g"
+        self.push.set_text(pushed if self.largest > 0.0 else "")
 
 
 def signed(value: float, digits: int) -> str:

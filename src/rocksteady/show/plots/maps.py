@@ -1,4 +1,4 @@
-"""Plots of maps of attractors: over two axes filled cells, over one what its orbits reach."""
+"""Plots of maps of attractors and of fates: filled cells over two axes, a diagram over one."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +11,7 @@ from rocksteady.show.classes import (
     LOOKS,
     CellClass,
     MapCells,
+    has_fates,
     map_cells,
     share_text,
     validated_map,
@@ -57,7 +58,8 @@ def plot_map(found: "xarray.Dataset", ax: "Axes | None" = None) -> "Axes":
 
     Over one axis there are two dots for each orbit, its highest and its lowest theta/alpha, as in a
     bifurcation diagram by simulation, and a strip along the upper edge with the class of each
-    value: where the block overturned or its motion is aperiodic there is no orbit to draw.
+    value: where the block overturned or its motion is aperiodic there is no orbit to draw.  Of a
+    map of fates the dots are numbers of impacts.
 
     An axis is logarithmic where its values are spaced by ratio, as `numpy.geomspace` does.  Axes
     with a single value, and values that were selected, stand in the title.  The legend, to the
@@ -66,7 +68,7 @@ def plot_map(found: "xarray.Dataset", ax: "Axes | None" = None) -> "Axes":
     Parameters
     ----------
     found
-        From `rocksteady.attractor_map`; its arrays are read once.
+        From `rocksteady.attractor_map` or `rocksteady.fate_map`; its arrays are read once.
     ax
         Axes to draw on; those of a new figure without.
 
@@ -198,20 +200,26 @@ def draw_cells(axes: "Axes", given: MapCells) -> None:
 
 
 def draw_diagram(axes: "Axes", cells: MapCells, found: "xarray.Dataset") -> None:
-    """Draw what the orbits of a map of one axis reach, and the class of each cell above them."""
+    """Draw a map of one axis: what its orbits reach, or how many impacts there were, as dots, and
+    the class of each cell above them.
+    """  # noqa: D205 -- one sentence
     from matplotlib.patches import Rectangle
 
     (name,), (values,) = cells.names, cells.values
-    extremes = validated_map(found, ("highest", "lowest"))
-    order = np.argsort(extremes[name].values)
-    reached = np.array([extremes[which].values[order] for which in ("highest", "lowest")], float)
+    fates = has_fates(found)
+    which = ("impacts",) if fates else ("highest", "lowest")
+    drawn = validated_map(found, which)
+    order = np.argsort(drawn[name].values)
+    reached = np.array([drawn[one].values[order] for one in which], float)
     reached[:, cells.classes >= CellClass.NO_START] = np.nan  # whatever is stored there
+    if fates:  # of a refined map the lowest integer, where a class is that of its neighbours
+        reached[reached < 0.0] = np.nan
     spacing = spacing_of(values)
     prepare_axis(axes, "x", name, values, spacing)
     size = min(5.0, max(1.8, 1000.0 / len(values)))
     for one in cells.shares():
         chosen = cells.classes == one
-        x, y = np.tile(values[chosen], 2), reached[:, chosen].ravel()
+        x, y = np.tile(values[chosen], len(which)), reached[:, chosen].ravel()
         if np.isfinite(y).any():
             style: dict[str, Any] = {"color": LOOKS[one].dot, "ms": size, "mew": 0.0, "ls": "none"}
             axes.plot(x, y, "o", rasterized=len(values) > MOST_DRAWN, **style)
@@ -239,8 +247,8 @@ def draw_diagram(axes: "Axes", cells: MapCells, found: "xarray.Dataset") -> None
         )
     )
     largest = float(np.nanmax(np.abs(reached), initial=0.0)) or 1.0
-    axes.set_ylim(-1.05 * largest, 1.12 * largest)
-    axes.set_ylabel(palette.LABELS["orbit_extremes"])
+    axes.set_ylim(-0.05 * largest if fates else -1.05 * largest, 1.12 * largest)
+    axes.set_ylabel(palette.LABELS["impacts" if fates else "orbit_extremes"])
 
 
 def _draw_pattern(

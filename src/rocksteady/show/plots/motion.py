@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics import ground
 from rocksteady.dynamics.trajectory import Trajectory
 from rocksteady.errors import Status
 from rocksteady.model.motions import Harmonic
@@ -36,6 +37,13 @@ def time_axis(trajectory: Trajectory) -> tuple[float, str]:
     return 1.0, palette.LABELS["pivot_time"]
 
 
+def label_of(trajectory: Trajectory, name: str) -> str:
+    """Return the label of an axis; where the block's sides differ it says whose alpha it is."""
+    negative, positive = trajectory.balances
+    text = palette.LABELS[name]
+    return text if -negative == positive else text.replace(r"\alpha", r"\alpha_+")
+
+
 def plot_trajectory(
     trajectory: Trajectory,
     ax: "Axes | None" = None,
@@ -45,7 +53,8 @@ def plot_trajectory(
 ) -> "Axes":
     """Draw angle against time with every impact, and where the block comes to rest or overturns.
 
-    Between the dashed lines, |theta| = alpha, a block left alone falls back onto its base.
+    Between the dashed lines, |theta| = alpha, a block left alone falls back onto its base.  Each
+    line is at the alpha of its side; the unit is that of the positive one.
 
     Parameters
     ----------
@@ -78,8 +87,8 @@ def plot_trajectory(
     scale, label = time_axis(trajectory)
     motion = trajectory(trajectory.times(span=span))
     start, end = float(motion.s[0]), float(motion.s[-1])
-    axes.axhspan(-1.0, 1.0, color=palette.SYMMETRIC, alpha=0.12, lw=0)
-    for level in (-1.0, 1.0):
+    axes.axhspan(*trajectory.balances, color=palette.SYMMETRIC, alpha=0.12, lw=0)
+    for level in trajectory.balances:
         axes.axhline(level, color=palette.FAINT, lw=0.8, ls=(0, (4, 3)))
     axes.plot(motion.s * scale, motion.angle, color=palette.LINES[0])
     impacts = trajectory.impacts.s
@@ -111,7 +120,7 @@ def plot_trajectory(
         axes.axvline(rest * scale, color=palette.FAINT, lw=0.8, label="at rest")
     axes.set(
         xlabel=label,
-        ylabel=palette.LABELS["angle"],
+        ylabel=label_of(trajectory, "angle"),
         ylim=angle_limits(trajectory, motion.angle, headroom=HEADROOM if key else 0.0),
         xlim=time_limits(trajectory, start * scale, end * scale),
     )
@@ -131,10 +140,11 @@ def angle_limits(
 ) -> tuple[float, float]:
     """Return the ends of the angle axis: what is there, the band of balance, and headroom."""
     lowest, highest = float(angle.min()), float(angle.max())
-    if max(-lowest, highest) > 1.0 and trajectory.status is Status.OVERTURNED:
-        return min(-1.15, 1.1 * lowest), max(1.15, 1.1 * highest)
+    negative, positive = trajectory.balances
+    if trajectory.status is Status.OVERTURNED and (lowest < negative or highest > positive):
+        return min(1.15 * negative, 1.1 * lowest), max(1.15 * positive, 1.1 * highest)
     # A block that hardly rocks fills the picture; one that does not move has no scale of its own.
-    least = 0.0 if 0.0 < trajectory.peak < 0.6 else 1.0
+    least = 0.0 if 0.0 < trajectory.peak < 0.6 else max(positive, -negative)
     reach = 1.12 * max(-lowest, highest, least)
     if reach == 0.0:  # at rest in this part of the run
         reach = 1.12 * trajectory.peak
@@ -162,7 +172,8 @@ def plot_base(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
     -------
     matplotlib.axes.Axes
         The axes: time as in `plot_trajectory`, the acceleration in units of alpha g; dashed at -1
-        and 1, where a block at rest lifts off.
+        and 1 (of a block whose sides differ at their own alpha), where a block at rest lifts off.
+        Impulses are arrows without a scale.
 
     Examples
     --------
@@ -176,13 +187,21 @@ def plot_base(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
     """
     axes = axes_or_new(ax)
     scale, label = time_axis(trajectory)
-    times = trajectory.times()
-    axes.plot(times * scale, trajectory.base_acceleration(times), color=palette.BASE, lw=1.0)
-    for level in (-1.0, 1.0):
+    times, acceleration = ground.base_course(trajectory.segments, trajectory.times())
+    axes.plot(times * scale, acceleration, color=palette.BASE, lw=1.0)
+    struck, velocities = ground.impulses(trajectory.segments)
+    height = 1.5 * max(1.0, float(np.abs(acceleration).max()))
+    for sign, marker in ((1.0, "^"), (-1.0, "v")):
+        at = struck[(sign * velocities > 0.0) & (struck <= times[-1])] * scale
+        if len(at) > 0:
+            axes.vlines(at, 0.0, sign * height, color=palette.BASE, lw=1.4)
+            heads = np.full(len(at), sign * height)
+            axes.plot(at, heads, marker, ms=6.0, color=palette.BASE, clip_on=False)
+    for level in trajectory.balances:
         axes.axhline(level, color=palette.FAINT, lw=0.8, ls=(0, (4, 3)))
     axes.set(
         xlabel=label,
-        ylabel=palette.LABELS["base"],
+        ylabel=label_of(trajectory, "base"),
         xlim=time_limits(trajectory, times[0] * scale, times[-1] * scale),
     )
     return axes
@@ -234,7 +253,7 @@ def plot_phase_portrait(
             ls="none",
             label="after an impact",
         )
-    axes.set(xlabel=palette.LABELS["angle"], ylabel=palette.LABELS["velocity"])
+    axes.set(xlabel=label_of(trajectory, "angle"), ylabel=label_of(trajectory, "velocity"))
     if mark == "start":
         size = extent(axes, width=52.0, height=22.0)
         legend_inside(axes, emptiest_corner(axes, (angle, velocity), size))

@@ -1,0 +1,256 @@
+"""Plots of overturning spectra and of free rocking."""
+
+import math
+from collections import Counter
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.free_rocking import free_rocking_peaks, free_rocking_period
+from rocksteady.dynamics.overturning.thresholds import THRESHOLDS, overturning_threshold
+from rocksteady.dynamics.overturning.windows import OverturningWindow, OverturningWindows
+from rocksteady.errors import InputError
+from rocksteady.show import palette
+from rocksteady.show.layout import (
+    axes_or_new,
+    legend_inside,
+    spaced_by_ratio,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Floats = NDArray[np.float64]
+
+MODES = (
+    ("overturns without an impact", palette.tinted(palette.OVERTURNED, 0.45), 0),
+    ("overturns after one impact", palette.SYMMETRIC, 1),
+    ("overturns after two or more", palette.UNSYMMETRIC, 2),
+)
+"""Words, fill and least number of impacts of each way of overturning, as the legend has them."""
+TALL = 5.0
+"""Ratio of the ends of an axis of amplitudes from which on it is logarithmic."""
+LONGEST_PERIOD = 20.0
+"""Up to which p T is drawn: towards theta0 = alpha it has no bound."""
+
+
+def plot_overturning(
+    windows: OverturningWindows, ax: "Axes | None" = None, *, closed_form: bool = True
+) -> "Axes":
+    """Draw the amplitudes at which a pulse overturns a block, over the frequency ratio.
+
+    Each way of overturning has its fill; where the block stands the paper is white.  Where the
+    pulse has one, the closed form of overturning without an impact is drawn over it.
+
+    Parameters
+    ----------
+    windows
+        From `rocksteady.overturning_windows`, of two frequencies or more.
+    ax
+        Axes to draw on; those of a new figure without.
+    closed_form
+        Whether to draw `rocksteady.overturning_threshold`.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: omega/p and a_max/(alpha g).
+
+    Raises
+    ------
+    InputError
+        If there is one frequency only.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import DimensionlessBlock, overturning_windows
+    >>> found = overturning_windows(DimensionlessBlock(restitution=0.9), "one-sine", [2, 3, 4])
+    >>> axes = plot_overturning(found, Figure().add_subplot())
+    >>> [text.get_text() for text in axes.get_legend().get_texts()][:2]
+    ['overturns without an impact', 'without an impact, closed form']
+    """
+    from matplotlib.collections import PolyCollection
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    w = windows.frequency_ratio
+    if len(w) < 2:
+        raise InputError(
+            name="windows",
+            value=f"{len(w)} frequency ratio",
+            valid="a spectrum has two or more",
+            hint="compute overturning_windows over an axis",
+        )
+    axes = axes_or_new(ax)
+    by_ratio = len(w) > 2 and spaced_by_ratio(w)
+    low, high = windows.amplitudes
+    low = max(low, 1.0) if high > 1.0 else low
+    parts = _parts(windows, by_ratio=by_ratio)
+    handles: list[Patch | Line2D] = []
+    for words, colour, least in MODES:
+        if not parts[least]:
+            continue
+        axes.add_collection(
+            PolyCollection(
+                parts[least], facecolors=colour, edgecolors=colour, linewidths=0.2, zorder=1.5
+            ),
+            autolim=False,
+        )
+        handles.append(Patch(facecolor=colour, edgecolor="none", label=words))
+    if closed_form and windows.pulse.shape in THRESHOLDS:
+        spread = np.geomspace if by_ratio else np.linspace
+        fine = spread(w[0], w[-1], 400)
+        (line,) = axes.plot(
+            fine,
+            overturning_threshold(windows.pulse.shape, fine),
+            color=palette.INK,
+            lw=1.4,
+            zorder=3.0,
+            label="without an impact, closed form",
+        )
+        handles.insert(1 if parts[0] else 0, line)
+    if by_ratio:
+        axes.set_xscale("log")
+    if high > TALL * low > 0.0:
+        axes.set_yscale("log")
+    axes.set(
+        xlabel=palette.LABELS["frequency_ratio"],
+        ylabel=palette.LABELS["amplitude"],
+        xlim=(float(w[0]), float(w[-1])),
+        ylim=(low, high),
+    )
+    _plain_ticks(axes)
+    handles.append(Patch(facecolor="white", edgecolor=palette.FAINT, lw=0.6, label="stands"))
+    axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0)
+    return axes
+
+
+def plot_free_rocking(
+    restitutions: ArrayLike = (), ax: "Axes | None" = None, *, impacts: int = 12
+) -> "Axes":
+    """Draw the period of free rocking against its amplitude, and how blocks run down that curve.
+
+    Parameters
+    ----------
+    restitutions
+        Of blocks let go at .9 alpha: each has a mark where every half cycle has its peak.
+    ax
+        Axes to draw on; those of a new figure without.
+    impacts
+        Up to which these go.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: theta0/alpha and p T.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> axes = plot_free_rocking([0.9], Figure().add_subplot())
+    >>> axes.get_legend().get_texts()[0].get_text()
+    'restitution 0.9'
+    """
+    axes = axes_or_new(ax)
+    # Denser at the ends: the slope is infinite at both.
+    amplitude = 0.5 - 0.5 * np.cos(np.linspace(0.0, math.pi, 801))[:-6]
+    axes.plot(amplitude, free_rocking_period(amplitude), color=palette.INK)
+    given = np.atleast_1d(np.asarray(restitutions, dtype=np.float64)).tolist()
+    for series, ratio in enumerate(given):
+        peaks = free_rocking_peaks(0.9, ratio, impacts)
+        axes.plot(
+            peaks,
+            free_rocking_period(peaks),
+            palette.MARKS[series % len(palette.MARKS)],
+            color=palette.LINES[series % len(palette.LINES)],
+            ms=5.0,
+            mec="white",
+            mew=0.6,
+            ls="none",
+            zorder=3.0,
+            label=f"restitution {ratio:g}",
+        )
+    axes.set(
+        xlabel=palette.LABELS["free_amplitude"],
+        ylabel=palette.LABELS["free_period"],
+        xlim=(0.0, 1.0),
+        ylim=(0.0, LONGEST_PERIOD),
+    )
+    if given:
+        legend_inside(axes, "upper left")
+    return axes
+
+
+def _parts(windows: OverturningWindows, *, by_ratio: bool) -> dict[int, list[Floats]]:
+    """Return polygons of the windows, by the least number of impacts of their way.
+
+    A window goes on at the next frequency where there is one window of its way that overlaps it,
+    and no other does; between the two its borders are straight lines.  Where it does not go on, it
+    reaches half-way to the next frequency, and comes to a point if nothing overturns there.
+    """
+    w = windows.frequency_ratio
+    found: dict[int, list[Floats]] = {least: [] for _, _, least in MODES}
+    columns = [windows.at(k) for k in range(len(w))]
+    growing: dict[int, list[tuple[float, float, float]]] = {}  # by their place in this column
+    for k, column in enumerate(columns):
+        before = _between(w, k - 1, by_ratio=by_ratio)
+        after = _between(w, k, by_ratio=by_ratio)
+        following = _partners(column, columns[k + 1]) if k + 1 < len(w) else {}
+        grown: dict[int, list[tuple[float, float, float]]] = {}
+        for place, window in enumerate(column):
+            path = growing.get(place, [(before, *_end(window, columns[max(k - 1, 0)]))])
+            path.append((float(w[k]), window.low, window.high))
+            if place in following:
+                grown[following[place]] = path
+                continue
+            path.append((after, *_end(window, columns[min(k + 1, len(w) - 1)])))
+            x, low, high = np.array(path).T
+            outline = np.column_stack(
+                [np.concatenate([x, x[::-1]]), np.concatenate([low, high[::-1]])]
+            )
+            found[min(window.impacts, 2)].append(outline)
+        growing = grown
+    return found
+
+
+def _between(w: Floats, k: int, *, by_ratio: bool) -> float:
+    """Return the middle between a frequency and the next one; the first or last at the ends."""
+    here, there = float(w[max(k, 0)]), float(w[min(k + 1, len(w) - 1)])
+    return math.sqrt(here * there) if by_ratio else 0.5 * (here + there)
+
+
+def _end(window: OverturningWindow, beyond: Sequence[OverturningWindow]) -> tuple[float, float]:
+    """Return the borders of a window half-way to a frequency at which it does not go on."""
+    if any(other.low <= window.high and window.low <= other.high for other in beyond):
+        return window.low, window.high
+    middle = math.sqrt(window.low * window.high) if window.low > 0.0 else 0.5 * window.high
+    return middle, middle
+
+
+def _partners(
+    here: Sequence[OverturningWindow], there: Sequence[OverturningWindow]
+) -> dict[int, int]:
+    """Return which window of one frequency goes on as which of the next."""
+    pairs = [
+        (i, k)
+        for i, one in enumerate(here)
+        for k, other in enumerate(there)
+        if (min(one.impacts, 2), one.side) == (min(other.impacts, 2), other.side)
+        and max(one.low, other.low) <= min(one.high, other.high)
+    ]
+    first, second = Counter(i for i, _ in pairs), Counter(k for _, k in pairs)
+    return {i: k for i, k in pairs if first[i] == 1 and second[k] == 1}
+
+
+def _plain_ticks(axes: "Axes") -> None:
+    """Write the ticks of logarithmic axes as numbers."""
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+    for axis, scale in ((axes.xaxis, axes.get_xscale()), (axes.yaxis, axes.get_yscale())):
+        if scale == "log":
+            axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+            axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+            axis.set_minor_formatter(NullFormatter())
