@@ -1,10 +1,14 @@
-"""The march: work units B1 and B2, with the package's kernel and with a plain sampling march.
+"""The march: work units B1 and B2, by the package's kernels and by a plain sampling march.
 
 Each unit is 100 x 100 cells (Omega from 1 to 12, A from 1 to 6) of 200 forcing periods, restitution
 0.8, angle 0 and phase 0 at the start: B1 with velocity d(theta/alpha)/d(pt) = 0.3, B2 from rest.
 Both marches run on one core and are timed in CPU time, which a busy machine disturbs least.
+
+Sampled motions are marched as runs of samples, the same with peaks kept, and one segment at a time,
+as any other motion.
 """
 
+import math
 import time
 from typing import Any, NamedTuple
 
@@ -13,8 +17,14 @@ import pytest
 from numpy.typing import NDArray
 
 from bench.sampling_march import SAMPLES, sampled_fates
+from rocksteady.dynamics.lowering import record_table
 from rocksteady.errors import Status
-from rocksteady.kernels.cells import harmonic_fates
+from rocksteady.kernels.cells import NO_LIMIT, harmonic_fates
+from rocksteady.kernels.lanes.fates import lane_fates
+from rocksteady.kernels.march import ALIKE, ROW_COLUMNS, March, march
+from rocksteady.kernels.shaken import record_fates
+from rocksteady.model.record import Record
+from tests.records import synthetic
 
 UNITS = {"B1": 0.3, "B2": 0.0}
 SIDE = 100  # cells along either axis
@@ -64,6 +74,23 @@ def run_kernel(unit: Cells) -> None:
     )
 
 
+def run_lanes(unit: Cells, leaping: bool) -> None:
+    lane_fates(
+        unit.amplitude,
+        unit.frequency_ratio,
+        unit.restitution,
+        unit.zeros,
+        unit.velocity,
+        unit.zeros,
+        CYCLES,
+        leaping,
+        NO_LIMIT,
+        unit.status,
+        unit.impacts,
+        np.empty((unit.amplitude.size, 3)),
+    )
+
+
 def run_sampling(unit: Cells) -> None:
     sampled_fates(
         unit.amplitude,
@@ -97,6 +124,17 @@ def test_march(benchmark: Any, name: str) -> None:
     note(benchmark, unit)
 
 
+@pytest.mark.parametrize("leaping", [False, True], ids=["in_full", "leaping"])
+@pytest.mark.parametrize("name", UNITS)
+@pytest.mark.benchmark(group="march", timer=time.process_time)
+def test_lanes(benchmark: Any, name: str, leaping: bool) -> None:
+    unit, plain = cells(name), cells(name)
+    run_kernel(plain)
+    benchmark.pedantic(run_lanes, args=(unit, leaping), rounds=7, warmup_rounds=1)
+    note(benchmark, unit)
+    benchmark.extra_info["same_fate"] = float(np.mean(unit.status == plain.status))
+
+
 @pytest.mark.parametrize("name", UNITS)
 @pytest.mark.benchmark(group="march", timer=time.process_time)
 def test_march_thinned(benchmark: Any, name: str) -> None:
@@ -118,3 +156,66 @@ def test_sampling_march(benchmark: Any, name: str) -> None:
     benchmark.extra_info["samples_per_period"] = SAMPLES
     benchmark.extra_info["same_fate"] = float(np.mean(fell == falls))
     benchmark.extra_info["same_impacts"] = float(np.mean(unit.impacts == exact.impacts))
+
+
+class Shaken(NamedTuple):
+    """A record in the units of a block, the block's sides, and where it begins."""
+
+    segments: NDArray[np.float64]
+    sides: NDArray[np.float64]
+    start: March
+
+
+def shaken(name: str) -> Shaken:
+    """Return a case that is nothing but flight, rest or chatter, or an earthquake."""
+    rng = np.random.default_rng(1940)
+    if name in {"flight", "rest"}:
+        # In flight the block is so slow that the record is over before it comes down.
+        noise = Record(acceleration_m_s2=rng.normal(0.0, 0.01, 100_000), dt_s=0.001)
+        flying = name == "flight"
+        side = (0.9, 1.0, 0.005 if flying else 1.0)
+        start = March(int(flying), 0.5 * flying, 0.0, 0, 0, 0.0, 0, 0)
+        return Shaken(record_table(noise), np.array([side, side]), start)
+    quake = Record(acceleration_m_s2=synthetic(rng, 5400, 0.01, 3.4), dt_s=0.01)
+    # Chatter: a block that is hardly lifted, and bounces on for long.
+    uplift, rate, restitution = (3.0, 8.0, 0.97) if name == "chatter" else (2.0, 2.0, 0.9)
+    sides = np.array([(restitution, 1.0, 1.0)] * 2)
+    table = record_table(quake, rate=rate, acceleration=uplift)
+    return Shaken(table, sides, March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0))
+
+
+@pytest.mark.parametrize("way", ["runs", "runs with peaks", "segments"])
+@pytest.mark.parametrize("name", ["flight", "rest", "chatter", "earthquake"])
+@pytest.mark.benchmark(group="samples", timer=time.process_time)
+def test_samples(benchmark: Any, name: str, way: str) -> None:
+    case = shaken(name)
+    if way == "segments":
+        case.segments[:, ALIKE] = 0.0
+    peaks = np.zeros(2 if "peaks" in way else 0)
+    stop = 0.0 if name in {"flight", "rest"} else math.inf
+    none = np.zeros((0, ROW_COLUMNS))
+    arguments = (*case, 0, stop, 1e-8, 10**9, none, peaks)
+    _, end = march(*arguments)
+    benchmark.pedantic(march, args=arguments, rounds=50, iterations=4, warmup_rounds=1)
+    benchmark.extra_info["samples"] = len(case.segments)
+    benchmark.extra_info["impacts"] = end.impacts
+
+
+@pytest.mark.parametrize("way", ["runs with peaks", "segments"])
+@pytest.mark.benchmark(group="samples", timer=time.process_time)
+def test_samples_400_blocks(benchmark: Any, way: str) -> None:
+    """Blocks of 20 sizes and 20 slendernesses on one earthquake, the work of a spectrum."""
+    values = synthetic(np.random.default_rng(1940), 5400, 0.01, 3.4)
+    segments = record_table(Record(acceleration_m_s2=values, dt_s=0.01))
+    if way == "segments":
+        segments[:, ALIKE] = 0.0
+    uplift, rate = (
+        grid.ravel() for grid in np.meshgrid(np.linspace(0.5, 3.3, 20), np.linspace(1.0, 8.0, 20))
+    )
+    count = len(uplift)
+    same, impacts = np.ones(count), np.zeros(count, np.int64)
+    arguments = (segments, uplift, rate, 0.9 * same, 1e15 * same, 10**7)
+    results = (np.zeros(count, np.int64), impacts, np.zeros((count, 2)))
+    benchmark.pedantic(record_fates, args=(*arguments, *results), rounds=7, warmup_rounds=1)
+    benchmark.extra_info["samples"] = count * len(segments)
+    benchmark.extra_info["impacts"] = int(impacts.sum())

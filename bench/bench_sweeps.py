@@ -13,7 +13,17 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady import Axis, DimensionlessBlock, Grid, Output, Store, attractor_map, evaluate
+from rocksteady import (
+    Axis,
+    DimensionlessBlock,
+    Grid,
+    Output,
+    State,
+    Store,
+    attractor_map,
+    evaluate,
+    fate_map,
+)
 
 Floats = NDArray[np.float64]
 
@@ -51,6 +61,21 @@ def test_map(benchmark: Any, way: str, scheduler: str, tmp_path: Path) -> None:
         warmup_rounds=1,
     )
     benchmark.extra_info["cells"] = found.kind.size
+
+
+@pytest.mark.parametrize("where", ["memory", "store"])
+@pytest.mark.benchmark(group="sweeps", timer=time.perf_counter)
+def test_fates(benchmark: Any, where: str, tmp_path: Path) -> None:
+    axes = {"amplitude": np.linspace(1.0, 6.0, 400), "frequency_ratio": np.linspace(1.0, 12.0, 400)}
+    how = {"store": Store(tmp_path / "fates.zarr", overwrite=True)} if where == "store" else {}
+    found = benchmark.pedantic(
+        fate_map,
+        args=(DimensionlessBlock(restitution=0.8),),
+        kwargs={"axes": axes, "start": State(angle=0.0, velocity=0.3), **how},
+        rounds=3,
+        warmup_rounds=1,
+    )
+    benchmark.extra_info["cells"] = found.fate.size
 
 
 def cheap(a: Floats, b: Floats) -> dict[str, Any]:

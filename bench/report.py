@@ -31,23 +31,30 @@ march and the steady states, elapsed time for the starts of a process.
 
 **B1**: 100 x 100 cells of (Omega from 1 to 12, A from 1 to 6), 200 forcing periods each,
 restitution 0.8, phase 0, angle 0 and velocity d(theta/alpha)/d(pt) = 0.3 at the start. **B2**: the
-same from rest. **Sampling**: the closed form between impacts, {samples} samples per forcing period,
+same from rest. **Lanes**: the same cells with trajectories side by side in vector registers;
+leaping, over the periods of those that have become periodic.
+**Sampling**: the closed form between impacts, {samples} samples per forcing period,
 bisection to the last bit where the sign changes, overturned above an angle of 10 alpha
 (`bench/sampling_march.py`). Its row and the one above it run every fourth cell of either axis,
 {thinned} cells: their fate (overturned or not) agrees in {fates} (B1 and B2), their number of
-impacts in {counts}. **Steady**: Omega from 0.014 to 14, A from 0.006 to 6, restitution 0.8, n = 1;
-*with shapes* adds peak, number of extrema and admissibility to phase, velocity and the trace that
-decides on stability, for both branches. **Attractors**: what a block settles to from rest, A from
-0.5 to 6, Omega from 0.5 to 10, restitution 0.8. **Orbits**: up to 3 forcing periods and 6 impacts
-at A = 1, Omega = 2, restitution 0.8, from 96 x 96 seeds. **Branch**: the harmonic symmetric orbit
-of A = 2, restitution 0.8 over Omega, with multipliers and admissibility of each point; **cascade**:
-the doublings that end near Omega = 1.7717. **Basins**, **erosion**, **map**: elapsed time on all
-cores. Basins are 200 x 200 states over 200 periods, periodic at A = 1, Omega = 2, restitution 0.8
-and chaotic at A = 6, Omega = 6, restitution 0.25; the erosion has 17 amplitudes up to 1.6 at
-Omega = 2, restitution 0.9, with 200 x 200 states over 100 periods each; the map has the
-axes of the attractors. **Sweeps**: one map of attractors from rest, restitution 0.8, A from 1.2 to
-6, Omega from 0.5 to 8, up to 2000 periods, in each of the ways to compute and to keep it; and what
-the engine costs where a cell costs nothing.
+impacts in {counts}. **Samples**: white noise in flight and at rest, and coloured noise of 54 s like
+an earthquake (5400 samples of 0.01 s, 3.4 m/s²) on a block that lifts at 2 m/s² (p = 2/s,
+restitution 0.9), for chatter at 3 m/s² (8/s, 0.97); as *runs* of samples, the same keeping the
+peaks, and as single *segments*; 400 blocks on the latter noise, with uplift from 0.5 to 3.3 m/s²
+and p from 1 to 8/s, come to rest where that is proved, as for a spectrum.
+**Steady**: Omega from 0.014 to 14, A from 0.006 to 6, restitution
+0.8, n = 1; *with shapes* adds peak, number of extrema and admissibility to phase, velocity and the
+trace that decides on stability, for both branches. **Attractors**: what a block settles to from
+rest, A from 0.5 to 6, Omega from 0.5 to 10, restitution 0.8. **Orbits**: up to 3 forcing periods
+and 6 impacts at A = 1, Omega = 2, restitution 0.8, from 96 x 96 seeds. **Branch**: the harmonic
+symmetric orbit of A = 2, restitution 0.8 over Omega, with multipliers and admissibility of each
+point; **cascade**: the doublings that end near Omega = 1.7717. **Basins**, **erosion**, **map**:
+elapsed time on all cores. Basins are 200 x 200 states over 200 periods, periodic at A = 1,
+Omega = 2, restitution 0.8 and chaotic at A = 6, Omega = 6, restitution 0.25; the erosion has 17
+amplitudes up to 1.6 at Omega = 2, restitution 0.9, with 200 x 200 states over 100 periods each; the
+map has the axes of the attractors. **Sweeps**: one map of attractors from rest, restitution 0.8, A
+from 1.2 to 6, Omega from 0.5 to 8, up to 2000 periods, in each of the ways to compute and to keep
+it; and what the engine costs where a cell costs nothing.
 """
 
 
@@ -68,10 +75,20 @@ def main(source: Path, target: Path) -> None:
     march = {name: b for (group, name), b in results.items() if group == "march"}
     lines = []
     ratios = []
+    alone = {
+        "orbits": orbits_line,
+        "continuation": continuation_line,
+        "grids": grid_line,
+        "overturning": overturning_line,
+    }
     for unit in ("B1", "B2"):
         if f"march[{unit}]" not in march:
             continue
         lines.append(march_line(f"march {unit}", march[f"march[{unit}]"], guide(unit)))
+        for mode, words in (("in_full", "lanes"), ("leaping", "lanes, leaping")):
+            lanes = march[f"lanes[{unit}-{mode}]"]
+            faster = march[f"march[{unit}]"]["stats"]["median"] / lanes["stats"]["median"]
+            lines.append(march_line(f"{words}, {unit}", lanes, f"{faster:.1f} x the march"))
         ours, plain = march[f"march_thinned[{unit}]"], march[f"sampling_march[{unit}]"]
         ratio = plain["stats"]["median"] / ours["stats"]["median"]
         ratios.append(ratio)
@@ -87,12 +104,10 @@ def main(source: Path, target: Path) -> None:
             goal = "guide 3 s" if "shapes" in label else "guide 0.1 s"
             each = f"{1e6 * seconds / points:.3f} µs a point"
             lines.append(Line(f"steady 1000 x 1000, {label}", duration(seconds), each, "", goal))
-        elif group == "orbits":
-            lines.append(orbits_line(name, b))
-        elif group == "continuation":
-            lines.append(continuation_line(name, b))
-        elif group == "grids":
-            lines.append(grid_line(name, b))
+        elif group == "samples":
+            lines.append(samples_line(name, b, results))
+        elif group in alone:
+            lines.append(alone[group](name, b))
         elif group == "sweeps":
             lines.append(sweep_line(name, b, results[group, "map[one thread]"]))
         elif group == "start":
@@ -104,6 +119,37 @@ def main(source: Path, target: Path) -> None:
     write_section(target, PACKAGE, section(lines, machine, march))
     if ratios and min(ratios) < NEEDED_RATIO:
         print(f"Sampling is {min(ratios):.1f} x slower where {NEEDED_RATIO:.0f} x is asked.")
+
+
+def overturning_line(name: str, result: dict[str, Any]) -> Line:
+    """Return the row of the windows of one pulse."""
+    seconds, frequencies = result["stats"]["median"], result["extra_info"]["frequencies"]
+    shape = name.removeprefix("windows[").removesuffix("]")
+    return Line(
+        f"windows of {shape}, {frequencies} frequencies",
+        duration(seconds),
+        f"{1e3 * seconds / frequencies:.1f} ms a frequency",
+        "",
+        "guide 10 s",
+    )
+
+
+def samples_line(
+    name: str, result: dict[str, Any], results: dict[tuple[str, str], dict[str, Any]]
+) -> Line:
+    """Return the row of one march over samples, beside that over single segments."""
+    info, seconds = result["extra_info"], result["stats"]["median"]
+    case, _, way = name.removesuffix("]").replace("[", "-").rpartition("-")
+    plain = results["samples", f"{name[: -len(way) - 1]}segments]"]["stats"]["median"]
+    label = case.removeprefix("samples").strip("-_").replace("_", " ")
+    impacts = info["impacts"]
+    return Line(
+        f"{info['samples']} samples, {label}, {way}",
+        duration(seconds) if seconds > 1e-3 else f"{1e6 * seconds:.0f} µs",
+        f"{1e9 * seconds / info['samples']:.1f} ns a sample",
+        f"{1e9 * seconds / impacts:.0f} ns" if impacts else "",
+        f"{plain / seconds:.1f} x faster than segments" if way != "segments" else "",
+    )
 
 
 def orbits_line(name: str, result: dict[str, Any]) -> Line:

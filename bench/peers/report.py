@@ -26,7 +26,8 @@ HEADINGS = (
     "same impacts",
     "last impact [rad]",
 )
-AGAINST, NEEDED_RATIO = "heyoka", 200.0
+AGAINST = "heyoka"
+AIMS = {"rocksteady": 200.0, "rocksteady, leaping": 500.0}  # times as fast, in one run
 LEFT = 3  # so many columns hold words
 
 INTRODUCTION = """\
@@ -34,8 +35,8 @@ Written by `make bench-peers`; do not edit. Work unit B1 in other solvers, each 
 would at its best (`bench/peers`): CPU time of one core, every trajectory run to its end of 200
 forcing periods or to overturning. *Set-up*, import and compilation, is not in the times (heyoka and
 the package keep compiled code on disk: their first set-up takes longer). Slow solvers run every
-{thinnings} cell of either axis. *Rocksteady there* is the package on the same
-cells, right before and after, and *ratio* is against that. *Same class*: the share of cells whose
+{thinnings} cell of either axis. *Rocksteady there* is the package on the same cells as in its first
+row, right before and after, and *ratio* is against that. *Same class*: the share of cells whose
 fate, overturned or not, is right; *same impacts*: the share whose number of impacts is, without the
 {rested} cells of the map that come to rest, where it is a matter of the rest rule; *last impact*:
 its error as a phase of the shaking, median and largest over the cells with the right number. The
@@ -46,8 +47,8 @@ the package.
 What is right is what the package finds, settled by a march in {digits} digits that shares no code
 with it and cannot miss an impact (`bench/peers/reference.py`): on every fourth cell of either axis,
 {checked} cells, and in {more_digits} digits on the {disputed} in which a solver disagrees with the
-package or has its largest errors. The row of the package is for these cells. {unchanged} of {again}
-come out the same in {digits} and in {more_digits} digits.
+package or has its largest errors. The rows of the package are for these cells. {unchanged} of
+{again} come out the same in {digits} and in {more_digits} digits.
 """
 
 CONTACT = """\
@@ -73,10 +74,7 @@ def main(source: Path, target: Path) -> None:
         table.add_row(*cells)
     Console(width=None if sys.stdout.isatty() else 160).print(table)
     write_section(target, PEERS, section(data, lines, machine))
-    fastest = [row for row in data["rows"] if row["name"].startswith(AGAINST)]
-    ratios = [row["ratio"] for row in fastest if "ratio" in row]
-    if ratios and min(ratios) < NEEDED_RATIO:
-        print(f"{AGAINST} takes {min(ratios):.0f} x as long where {NEEDED_RATIO:.0f} x is asked.")
+    print("\n".join(shortfalls(data)))
 
 
 def line(row: dict[str, Any]) -> list[str]:
@@ -125,7 +123,24 @@ def section(data: dict[str, Any], lines: list[list[str]], machine: str) -> str:
         for row in data["rows"]
         if "linear_class" in row
     ]
-    return "\n".join([introduction, f"{machine}.", "", *rows, "", *notes])
+    return "\n".join([introduction, f"{machine}.", "", *rows, "", *shortfalls(data), *notes])
+
+
+def shortfalls(data: dict[str, Any]) -> list[str]:
+    """Return what was aimed at and is not reached, with and without leaps."""
+    rows = {row["name"]: row for row in data["rows"] if "us" in row}
+    lines = []
+    for name, aim in AIMS.items():
+        ratios = [
+            rows[solver]["us"] / rows[name]["us"] for solver in rows if solver.startswith(AGAINST)
+        ]
+        if ratios and min(ratios) < aim:
+            reached = " and ".join(f"{ratio:.0f}" for ratio in ratios)
+            lines.append(
+                f"Short of its aim: {AGAINST} takes {reached} times as long as *{name}*; aimed at "
+                f"are {aim:.0f} times."
+            )
+    return [*lines, ""] if lines else []
 
 
 def figure(value: float) -> str:

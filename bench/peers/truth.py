@@ -17,8 +17,8 @@ class Truth:
 
     def __init__(self) -> None:
         self.cells = cells()
-        outcome, flights = kernel.run(self.cells), kernel.record(self.cells)
-        self.package = outcome, flights
+        outcome, flights = kernel.scalar(self.cells), kernel.record(self.cells)
+        self.flights = flights
         self.overturned = outcome.status == OVERTURNED
         self.impacts = outcome.impacts.copy()
         self.last_phase = flights.last_phase.copy()
@@ -65,17 +65,17 @@ class Truth:
             found["last_impact"] = {"median": float(np.median(off)), "largest": float(off.max())}
         return found
 
-    def own_agreement(self) -> dict[str, object]:
+    def own_agreement(self, outcome: Outcome) -> dict[str, object]:
         """Return what the package got right among the cells that were settled without it."""
         at = np.flatnonzero(self.settled)
-        outcome, flights = self.package
         chosen = Cells(self.cells.amplitude[at], self.cells.frequency_ratio[at], at)
+        phases = kernel.last_phases(self.cells, outcome, self.flights)
         return self.agreement(
             chosen,
             Outcome(
                 status=outcome.status[at],
                 impacts=outcome.impacts[at],
-                last_phase=flights.last_phase[at],
+                last_phase=phases[at],
                 seconds=outcome.seconds,
             ),
         )

@@ -44,6 +44,7 @@ class Outcome:
     last_phase: NDArray[np.float64] | None  # of the last impact, in [0, 2 pi); NaN without one
     seconds: float
     remark: str = ""
+    final: NDArray[np.float64] | None = None  # of the package: angle, velocity, phase at the end
 
 
 @dataclass(frozen=True, kw_only=True)
