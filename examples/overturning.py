@@ -1,0 +1,42 @@
+"""Overturning spectra of two pulses, and free rocking.
+
+Writes docs/images/overturning.png and docs/images/free-rocking.png; run it from the root of the
+repository.
+"""
+
+from pathlib import Path
+
+import numpy as np
+from matplotlib.figure import Figure
+
+import rocksteady as rs
+from rocksteady.show import palette
+
+RATIOS = np.geomspace(0.5, 8.0, 400)
+
+
+def main() -> None:
+    block = rs.DimensionlessBlock(restitution=0.9)
+    with palette.style():
+        figure = Figure(figsize=(9.6, 4.6))
+        left, right = figure.subplots(1, 2, sharey=True)
+        for axes, shape in ((left, "one-sine"), (right, "one-cosine")):
+            found = rs.overturning_windows(block, shape, RATIOS, amplitudes=(1.0, 12.0))
+            rs.plot_overturning(found, axes)
+            axes.set_title(f"{shape} pulse, restitution {block.restitution:g}")
+            axes.grid(visible=False)
+        left.get_legend().remove()
+        right.set_ylabel("")
+        handles = right.get_legend().legend_handles
+        right.get_legend().remove()
+        words = [handle.get_label() for handle in handles]
+        figure.legend(handles, words, loc="outside lower center", ncols=5, columnspacing=1.4)
+        figure.savefig(Path("docs/images/overturning.png"), dpi=150)
+
+        figure = Figure(figsize=(5.6, 3.6))
+        rs.plot_free_rocking([0.95, 0.8], figure.add_subplot())
+        figure.savefig(Path("docs/images/free-rocking.png"), dpi=150)
+
+
+if __name__ == "__main__":
+    main()
