@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from rocksteady.dynamics.continuation.diagram import bifurcation_branches
     from rocksteady.dynamics.continuation.points import Branch, BranchPoint, PointType
     from rocksteady.dynamics.continuation.stretches import Stretch, stretches
+    from rocksteady.dynamics.courses import Flights, Impacts, Motions
     from rocksteady.dynamics.erosion import Drop, Erosion, erosion
     from rocksteady.dynamics.fates import fate_map
     from rocksteady.dynamics.free_rocking import (
@@ -52,7 +53,7 @@ if TYPE_CHECKING:
     from rocksteady.dynamics.start import Rest, State, Steady
     from rocksteady.dynamics.steady import SteadyOrbit, SteadyStates, steady_orbit, steady_states
     from rocksteady.dynamics.trail import AttractorTrail, attractor_trail
-    from rocksteady.dynamics.trajectory import Flights, Impacts, Motions, Trajectory
+    from rocksteady.dynamics.trajectory import Trajectory
     from rocksteady.errors import (
         InputError,
         ModelError,
@@ -231,16 +232,16 @@ _DEFINED_IN = {
     "DoublingCascade": "rocksteady.dynamics.continuation.cascade",
     "Drop": "rocksteady.dynamics.erosion",
     "Erosion": "rocksteady.dynamics.erosion",
-    "Flights": "rocksteady.dynamics.trajectory",
+    "Flights": "rocksteady.dynamics.courses",
     "Fraction": "rocksteady.dynamics.basins",
     "Grid": "rocksteady.sweep.grid",
     "Harmonic": "rocksteady.model.motions",
     "ImpactState": "rocksteady.dynamics.return_map",
-    "Impacts": "rocksteady.dynamics.trajectory",
+    "Impacts": "rocksteady.dynamics.courses",
     "Impulses": "rocksteady.model.impulses",
     "InputError": "rocksteady.errors",
     "ModelError": "rocksteady.errors",
-    "Motions": "rocksteady.dynamics.trajectory",
+    "Motions": "rocksteady.dynamics.courses",
     "Orbit": "rocksteady.dynamics.orbit",
     "Output": "rocksteady.sweep.outputs",
     "OutputError": "rocksteady.errors",

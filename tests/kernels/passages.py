@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.kernels.march import clock
+from rocksteady.kernels.clock import clock
 from rocksteady.kernels.section import Section, System, make_system
 from tests.kernels.tables import both_sides
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.kernels.clock import clock, segment_start
 from rocksteady.kernels.march import (
     ALIKE,
     AMPLITUDE,
@@ -28,9 +29,7 @@ from rocksteady.kernels.march import (
     SEGMENT_COLUMNS,
     SLOPE,
     March,
-    clock,
     march,
-    segment_start,
 )
 from tests.oracles import ExactSegment, mp
 

@@ -17,7 +17,8 @@ from rocksteady.kernels.attractors import (
     arrives,
     settle,
 )
-from rocksteady.kernels.march import March, clock, march
+from rocksteady.kernels.clock import clock
+from rocksteady.kernels.march import March, march
 from rocksteady.kernels.periodic import ORBIT_COLUMNS, distance, mirror, state_at
 from rocksteady.kernels.section import (
     GRAZE,

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from rocksteady.kernels.clock import clock
 from rocksteady.kernels.march import (
     AT_REST,
     OVERTURNED,
@@ -17,7 +18,6 @@ from rocksteady.kernels.march import (
     ROW_SIDE,
     ROW_VELOCITY,
     March,
-    clock,
     march,
 )
 from rocksteady.kernels.symmetric import symmetric_orbit, symmetry_breaking

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from rocksteady.kernels.clock import segment_start
 from rocksteady.kernels.march import (
     AT_REST,
     LEAN,
@@ -14,7 +15,6 @@ from rocksteady.kernels.march import (
     UNDECIDED,
     March,
     march,
-    segment_start,
 )
 from rocksteady.kernels.pulsed import pulse_fates
 from tests.kernels.tables import Piece, both_sides, table

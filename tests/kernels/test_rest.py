@@ -17,10 +17,9 @@ from rocksteady.kernels.march import (
     ROW_EVENT,
     ROW_PHASE,
     ROW_SIDE,
-    STILL,
     UNDECIDED,
 )
-from rocksteady.kernels.rest import bounce_bounds, settles, uplift_time
+from rocksteady.kernels.rest import STILL, bounce_bounds, settles, uplift_time
 from tests.kernels.tables import Piece, Run, both_sides, exact_segments, harmonic, run, table
 from tests.oracles import exact_march, mp
 from tests.strategies import amplitudes, logarithmic, phases, sample_size

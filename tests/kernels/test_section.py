@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from rocksteady.kernels.clock import clock
 from rocksteady.kernels.march import (
     ENDED_BY_IMPACT,
     ROW_ANGLE,
@@ -20,7 +21,6 @@ from rocksteady.kernels.march import (
     ROW_SIDE,
     ROW_VELOCITY,
     March,
-    clock,
     march,
 )
 from rocksteady.kernels.section import (

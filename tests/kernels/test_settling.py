@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 
 from rocksteady import DimensionlessBlock, Harmonic, State, attractor
 from rocksteady.kernels.attractors import LONGEST_ORBIT, MEMORY, PERIODIC, settle
-from rocksteady.kernels.march import RESTITUTION, clock
+from rocksteady.kernels.clock import clock
+from rocksteady.kernels.march import RESTITUTION
 from rocksteady.kernels.periodic import ORBIT_COLUMNS, distance, state_at
 from rocksteady.kernels.section import Section, make_system
 from rocksteady.kernels.settling import (

@@ -7,6 +7,7 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.dynamics.nonlinear import ModelName, model_name
 from rocksteady.dynamics.orbit import Orbit, orbit_from
 from rocksteady.dynamics.return_map import (
     ImpactState,
@@ -143,6 +144,7 @@ def attractor(
     start: Start | None = None,
     side: int = 1,
     cycles: int = 2000,
+    model: ModelName = "linear",
 ) -> Attractor:
     """Follow a motion until it is known what it settles to.
 
@@ -163,6 +165,8 @@ def attractor(
         +1 or -1, the side on which an unstable steady state is left.
     cycles
         Forcing periods after which the motion counts as aperiodic or undecided.
+    model
+        "linear" (default) or "nonlinear", which needs the block's slenderness.
 
     Returns
     -------
@@ -186,13 +190,14 @@ def attractor(
     bare, shaken = bare_block(block), harmonic(shaking)
     periods = cycles_value(cycles)
     side_value(side)
+    equations = model_name(model)
     motion, begin = initial_march(Rest() if start is None else start, bare, shaken, side)
     shaken = harmonic(motion)
     memory, table = (
         np.empty((rows, ORBIT_COLUMNS)) for rows in (kernel.MEMORY, kernel.LONGEST_ORBIT)
     )
     found = kernel.settle(
-        make_system(bare, shaken),
+        make_system(block, shaken, equations),
         begin.side,
         begin.half_cycles,
         begin.phase,
@@ -204,7 +209,9 @@ def attractor(
     )
     orbit = None
     if found.outcome == kernel.PERIODIC:
-        orbit = orbit_from(block, shaken, table[: found.passages], found.periods, found.residual)
+        orbit = orbit_from(
+            block, shaken, table[: found.passages], found.periods, found.residual, equations
+        )
     symmetric = orbit is not None and orbit.symmetric
     least = min(restitution for restitution, _, _ in bare.sides)
     kind = KINDS[int(kind_codes(found.outcome, symmetric, found.least, least))]

@@ -7,7 +7,7 @@ from rocksteady.dynamics.lowering import alike
 from rocksteady.errors import Status
 from rocksteady.kernels.cells import fates_of_sides
 from rocksteady.kernels.lanes.fates import lane_fates
-from rocksteady.kernels.tables import RESTITUTION
+from rocksteady.kernels.tables import RESTITUTION, SIDE_COLUMNS
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -37,15 +37,16 @@ def ends_of(
 ) -> tuple[Integers, Integers]:
     """Return how motions end, and their numbers of impacts.
 
-    Symmetric blocks are followed side by side, others one by one: a cell's answer depends on
-    nothing but the cell.
+    Symmetric blocks are followed side by side in the linear model, all others one by one: a cell's
+    answer depends on nothing but the cell.
 
     Parameters
     ----------
     amplitude, frequency_ratio
         Shape (cells,).
     sides
-        Of the block of each cell, as `side_table` has them, shape (cells, 2, 3).
+        Of the block of each cell, as `rocksteady.dynamics.nonlinear.sides_of` has them, shape
+        (cells, 2, 3), or (cells, 2, 5) in the nonlinear model.
     angle, velocity, phase
         theta/alpha, its derivative by pivot time, and the phase of the shaking [rad] at the start.
     cycles
@@ -59,7 +60,8 @@ def ends_of(
     """
     count = len(amplitude)
     status, impacts = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int64)
-    same = alike(sides)
+    # Lanes know the linear model alone, which is told by the columns of its sides.
+    same = alike(sides) & (sides.shape[2] == SIDE_COLUMNS)
     for in_lanes, cells in ((True, same), (False, ~same)):
         if count and not cells.any():  # without any cells at all both are to be loaded
             continue

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.ends import ENDS, batch_size, ends_of, load_kernel
 from rocksteady.dynamics.mapping import Question, map_of
+from rocksteady.dynamics.nonlinear import ModelName
 from rocksteady.dynamics.scenarios import Scenario
 from rocksteady.dynamics.start import Start
 from rocksteady.model.block import Block, DimensionlessBlock
@@ -39,6 +40,7 @@ def fate_map(
     workers: int | None = None,
     store: Store | Path | str | None = None,
     refine: int | None = None,
+    model: ModelName = "linear",
     done: Done | None = None,
 ) -> "xarray.Dataset":
     """Return whether a block still rocks, rests or has fallen, over a grid of parameters.
@@ -56,6 +58,8 @@ def fate_map(
         As for `rocksteady.sweep.evaluate.evaluate`.
     refine
         As for `attractor_map`; a border is one of fates.
+    model
+        As for `attractor_map`.
 
     Returns
     -------
@@ -113,6 +117,7 @@ def fate_map(
         workers=workers,
         store=store,
         refine=refine,
+        model=model,
         done=done,
     )
 

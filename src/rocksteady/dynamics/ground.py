@@ -9,7 +9,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.kernels import march as columns
+from rocksteady.kernels import tables as columns
 
 Floats = NDArray[np.float64]
 
@@ -60,6 +60,16 @@ def base_acceleration(segments: Floats, s: ArrayLike) -> Floats:
         + row[..., columns.AMPLITUDE]
         * np.sin(row[..., columns.FREQUENCY] * since + row[..., columns.PHASE])
     )
+    return result
+
+
+def lift(segments: Floats, s: ArrayLike) -> Floats:
+    """Return the vertical base acceleration over g at pivot times; 0 where a table has none."""
+    index, since = _place(segments, s)
+    if segments.shape[1] <= columns.LIFT:
+        return np.zeros(np.shape(index))
+    row = segments[index]
+    result: Floats = row[..., columns.LIFT] + row[..., columns.LIFT_SLOPE] * since
     return result
 
 

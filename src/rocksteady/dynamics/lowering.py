@@ -54,7 +54,7 @@ def segment_table(
         # Kept at amplitude 0 too: it is the clock by which harmonic shaking counts its cycles.
         row[columns.FREQUENCY] = segment.frequency
         row[columns.PHASE] = segment.phase if segment.frequency else 0.0
-    table[:, columns.CEILING] = _ceilings(table)
+    table[:, columns.CEILING] = ceilings(table)
     table[:, columns.ALIKE] = _alike(table)
     return table
 
@@ -83,7 +83,7 @@ def record_table(record: Record, *, rate: float = 1.0, acceleration: float = 1.0
     table[-1, columns.DURATION] = math.inf
     table[:-1, columns.CONSTANT] = samples[:-1]
     table[:-1, columns.SLOPE] = np.diff(samples) / step
-    table[:, columns.CEILING] = _ceilings(table)
+    table[:, columns.CEILING] = ceilings(table)
     table[:, columns.ALIKE] = _alike(table)
     return table
 
@@ -133,7 +133,7 @@ def _alike(table: Floats) -> Floats:
     return alike
 
 
-def _ceilings(table: Floats) -> Floats:
+def ceilings(table: Floats) -> Floats:
     """Return an upper bound of |a| from each segment's start on; infinite before a jump to come."""
     start = table[:, columns.CONSTANT]
     endless = np.isinf(table[:, columns.DURATION])  # without a slope, whose product would be nan

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import ArrayLike
 
 from rocksteady.dynamics.attractor import cycles_value
+from rocksteady.dynamics.nonlinear import ModelName
 from rocksteady.dynamics.parameters import AXES, validated_axes
 from rocksteady.dynamics.scenarios import Scenario
 from rocksteady.dynamics.start import Rest, Start
@@ -67,6 +68,7 @@ def map_of(
     workers: int | None,
     store: Store | Path | str | None,
     refine: int | None,
+    model: ModelName,
     done: Done | None,
 ) -> "xarray.Dataset":
     """Return the answers to a question over a grid of parameters.
@@ -82,6 +84,7 @@ def map_of(
         fixed=fixed,
         side=side,
         housner=housner,
+        model=model,
     )
     scenario.check({axis.name: axis.points for axis in grid.axes})
     periods = cycles_value(cycles)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.mapping import Question, map_of
+from rocksteady.dynamics.nonlinear import ModelName
 from rocksteady.dynamics.scenarios import Scenario
 from rocksteady.dynamics.settled import (
     NO_START,
@@ -41,6 +42,7 @@ def attractor_map(
     workers: int | None = None,
     store: Store | Path | str | None = None,
     refine: int | None = None,
+    model: ModelName = "linear",
     done: Done | None = None,
 ) -> "xarray.Dataset":
     """Return what a block settles to over a grid of parameters.
@@ -89,6 +91,8 @@ def attractor_map(
         With a power of two, as 8, every eighth cell along each axis is computed, and of the others
         those alone that are near a border of kinds, periods or numbers of impacts; see
         `rocksteady.sweep.refine.refined`.  Not with a store.
+    model
+        "linear" (default) or "nonlinear", which needs a `Block` and takes some forty times as long.
 
     Returns
     -------
@@ -152,6 +156,7 @@ def attractor_map(
         workers=workers,
         store=store,
         refine=refine,
+        model=model,
         done=done,
     )
 

@@ -8,7 +8,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.lowering import segment_table, side_table
+from rocksteady.dynamics.lowering import segment_table
+from rocksteady.dynamics.nonlinear import ModelName, nonlinear_segment_table, sides_of
 from rocksteady.dynamics.return_map import ImpactState, make_system, section_of, state_of
 from rocksteady.dynamics.simulate import simulate
 from rocksteady.dynamics.start import State
@@ -55,6 +56,8 @@ class Orbit:
         False for a solution of the symmetric algebra that passes through the floor: no motion.
     branch
         1 or 2 for the symmetric solutions in closed form; None for others.
+    model
+        Which equations of motion hold: "linear" or "nonlinear".
     """
 
     block: Block | DimensionlessBlock
@@ -69,6 +72,7 @@ class Orbit:
     residual: float
     admissible: bool = True
     branch: int | None = None
+    model: ModelName = "linear"
 
     @property
     def kind(self) -> str:
@@ -175,8 +179,12 @@ class Orbit:
             block=self.block if isinstance(self.block, Block) else None,
             motion=self.shaking,
             status=Status.ROCKING,
-            segments=segment_table(self.shaking),
-            sides=side_table(self.block.dimensionless()),
+            segments=(
+                segment_table(self.shaking)
+                if self.model == "linear"
+                else nonlinear_segment_table(self.shaking, self.block)
+            ),
+            sides=sides_of(self.block, self.model),
             rows=np.array(list(_course(self))),
         )
 
@@ -201,6 +209,7 @@ def orbit_from(
     table: Floats,
     periods: int,
     residual: float,
+    model: ModelName = "linear",
 ) -> Orbit:
     """Return the orbit of a table that the kernels have filled.
 
@@ -214,8 +223,10 @@ def orbit_from(
         Forcing periods of the orbit.
     residual
         With which it was found.
+    model
+        In which.
     """
-    system, passages = make_system(block.dimensionless(), shaking), len(table)
+    system, passages = make_system(block, shaking, model), len(table)
     fixed = periodic.measured(system, passages, periods, table)
     periodic.fill_peaks(system, passages, table)
     states = tuple(state_of(periodic.state_at(table, k)) for k in range(passages))
@@ -233,6 +244,7 @@ def orbit_from(
         lowest=0.0 - float(np.where(positive, other, peak).max()),
         multipliers=ordered(*periodic.multipliers(fixed.jacobian, determinant)),
         residual=residual,
+        model=model,
     )
 
 
@@ -247,7 +259,7 @@ def ordered(first: complex, second: complex) -> NDArray[np.complex128]:
 
 def _course(orbit: Orbit) -> Iterator[list[float]]:
     """Yield the rows of a trajectory's table, one a flight and the state at the end."""
-    system = make_system(orbit.block.dimensionless(), orbit.shaking)
+    system = make_system(orbit.block, orbit.shaking, orbit.model)
     begin = section_of(orbit.states[0])
     half, phase = begin.half_cycles, begin.phase
     for state in orbit.states:
@@ -270,7 +282,8 @@ def _to_rest(orbit: Orbit, state: ImpactState, time: float, passed: int) -> Iter
     start = State(angle=0.0, velocity=state.side * state.speed)
     # A little longer than until the uplift, so that the rest is seen to end.
     periods = 1.001 * time * shaking.frequency_ratio / (2.0 * math.pi)
-    for row in simulate(orbit.block, shaking, start=start, cycles=periods).rows.tolist():
+    run = simulate(orbit.block, shaking, start=start, cycles=periods, model=orbit.model)
+    for row in run.rows.tolist():
         row[columns.ROW_HALF_CYCLES] += passed
         yield row
         if row[columns.ROW_EVENT] == columns.ENDED_BY_UPLIFT:

@@ -8,10 +8,10 @@ from enum import IntEnum
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.lowering import side_table
+from rocksteady.dynamics.nonlinear import ModelName, model_name, sides_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels import section
-from rocksteady.kernels.march import clock
+from rocksteady.kernels.clock import clock
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 from rocksteady.model.validation import finite, in_range, whole_number
@@ -127,14 +127,17 @@ class ReturnMap:
     Parameters
     ----------
     block
-        Its sides and their restitution count.
+        Its sides and their restitution count; in the nonlinear model their slenderness too.
     shaking
         Its phase does not: the states have theirs.
+    model
+        "linear" (default) or "nonlinear".
 
     Raises
     ------
     InputError, ModelError
-        If the block is none, or the motion is not harmonic.
+        If the block is none, or has no slenderness for the nonlinear model, the motion is not
+        harmonic, or there is no such model.
 
     Examples
     --------
@@ -149,10 +152,13 @@ class ReturnMap:
     -0.521789 -0.521789
     """
 
-    def __init__(self, block: Block | DimensionlessBlock, shaking: Harmonic) -> None:
+    def __init__(
+        self, block: Block | DimensionlessBlock, shaking: Harmonic, *, model: ModelName = "linear"
+    ) -> None:
         self.block = bare_block(block)
         self.shaking = harmonic(shaking)
-        self.system = make_system(self.block, self.shaking)
+        self.model = model_name(model)
+        self.system = make_system(block, self.shaking, self.model)
 
     def __call__(self, state: ImpactState, steps: int = 1) -> Passage:
         """Return what a number of steps from a state come to.
@@ -247,9 +253,18 @@ def harmonic(shaking: object) -> Harmonic:
     return shaking
 
 
-def make_system(block: DimensionlessBlock, shaking: Harmonic) -> section.System:
-    """Return block and shaking as the kernels see them."""
-    return section.make_system(shaking.amplitude, shaking.frequency_ratio, side_table(block))
+def make_system(
+    block: Block | DimensionlessBlock, shaking: Harmonic, model: ModelName = "linear"
+) -> section.System:
+    """Return block and shaking as the kernels see them.
+
+    Raises
+    ------
+    ModelError
+        If the nonlinear model meets a block without slenderness.
+    """
+    sides = sides_of(block, model)
+    return section.make_system(shaking.amplitude, shaking.frequency_ratio, sides)
 
 
 def section_of(state: ImpactState) -> section.Section:

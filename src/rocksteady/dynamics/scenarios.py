@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.attractor import side_value
 from rocksteady.dynamics.beginnings import at_phases, on_orbits
 from rocksteady.dynamics.grids import order_of_orbit
-from rocksteady.dynamics.lowering import side_table
+from rocksteady.dynamics.nonlinear import ModelName, model_name, sides_of, slender_block
 from rocksteady.dynamics.parameters import UNLIKE, shaking_of, validated_axes
 from rocksteady.dynamics.return_map import bare_block, harmonic
 from rocksteady.dynamics.settled import Beginnings
@@ -20,7 +20,7 @@ from rocksteady.dynamics.sizes import block_of, check_sizes, measures_of, sizes_
 from rocksteady.dynamics.start import Rest, Start, State, Steady, validated_start
 from rocksteady.dynamics.steady import refuse_unlike_sides
 from rocksteady.errors import InputError, ModelError
-from rocksteady.kernels.tables import LEAN, RATE, RESTITUTION
+from rocksteady.kernels.tables import ALPHA, LEAN, RATE, RESTITUTION
 from rocksteady.model.block import Block, DimensionlessBlock, Restitution, housner_restitution
 from rocksteady.model.motions import Harmonic
 from rocksteady.model.validation import finite
@@ -41,7 +41,8 @@ class Cells:
     amplitude, frequency_ratio
         A and Omega.
     sides
-        Of the blocks, as `rocksteady.dynamics.lowering.side_table` has them, shape (cells, 2, 3).
+        Of the blocks, as `rocksteady.dynamics.nonlinear.sides_of` has them, shape (cells, 2, 3), or
+        (cells, 2, 5) in the nonlinear model.
     angle, velocity, phase
         theta/alpha and its derivative by pivot time at the start, and where the shaking is then
         [rad].
@@ -88,6 +89,8 @@ class Scenario:
         +1 or -1, on which an unstable steady state is left.
     housner
         Whether the restitution follows from the slenderness, in place of the block's own.
+    model
+        "linear" or "nonlinear", which needs a `Block`.
 
     Raises
     ------
@@ -111,6 +114,7 @@ class Scenario:
     fixed: tuple[tuple[str, float], ...] = ()
     side: int = 1
     housner: bool = False
+    model: ModelName = "linear"
 
     def __post_init__(self) -> None:
         """Validate each part, and whether they go together."""
@@ -125,6 +129,9 @@ class Scenario:
         validated_start(self.start)
         object.__setattr__(self, "side", side_value(self.side))
         object.__setattr__(self, "housner", bool(self.housner))
+        object.__setattr__(self, "model", model_name(self.model))
+        if self.model == "nonlinear":
+            slender_block(self.block)
         check_sizes(self.block, self.given)
         self._check_restitution()
         self._check_shaking()
@@ -192,6 +199,8 @@ class Scenario:
         else:
             moved = isinstance(self.start, State) or STATE & set(self.given)
             found["start"] = "state" if moved else "rest"
+        if self.model == "nonlinear":
+            found["model"] = self.model
         return {**found, "side": self.side}
 
     def at(self, cell: Mapping[str, float]) -> tuple[Block | DimensionlessBlock, Harmonic, Start]:
@@ -249,6 +258,7 @@ class Scenario:
                 given["frequency_ratio"] = 2.0 * math.pi * given["frequency_hz"] / felt.p
             if self.sizes:
                 given.setdefault("restitution", felt.restitution)
+                given.setdefault("alpha", felt.alpha)
         full = {name: np.full(count, value) for name, value in given.items()}
         sides = self._sides(full, count)
         shaken = full["amplitude"], full["frequency_ratio"], sides[:, 0, RESTITUTION]
@@ -271,14 +281,17 @@ class Scenario:
         )
 
     def _sides(self, given: Mapping[str, Floats], count: int) -> Floats:
-        """Return the sides of the blocks of many cells, shape (cells, 2, 3)."""
-        sides = np.empty((count, 2, 3))
-        sides[:] = side_table(self.block.dimensionless())
+        """Return the sides of the blocks of many cells."""
+        own = sides_of(self.block, self.model)
+        sides = np.empty((count, *own.shape))
+        sides[:] = own
         if "restitution" in given:
             sides[:, :, RESTITUTION] = given["restitution"][:, np.newaxis]
         for name, column in zip(UNLIKE, (RESTITUTION, LEAN, RATE), strict=True):
             if name in given:
                 sides[:, 1, column] = given[name]
+        if self.model == "nonlinear" and "alpha" in given:
+            sides[:, :, ALPHA] = given["alpha"][:, np.newaxis]
         return sides
 
     def _check_restitution(self) -> None:

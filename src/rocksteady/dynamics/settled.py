@@ -86,8 +86,8 @@ def settled_cells(
     amplitude, frequency_ratio
         Shape (cells,).
     sides
-        Of the block of all of them, or of each, as `side_table` has them, shape (2, 3) or
-        (cells, 2, 3).
+        Of the block of all of them, or of each, as `rocksteady.dynamics.nonlinear.sides_of` has
+        them, shape (2, 3) or (cells, 2, 3), with five columns in the nonlinear model.
     begin
         Where they start.
     cycles
@@ -96,7 +96,7 @@ def settled_cells(
     cells = len(amplitude)
     whole = np.empty((cells, column.WHOLE_COLUMNS), dtype=np.int64)
     real = np.empty((cells, column.REAL_COLUMNS))
-    tables = np.ascontiguousarray(np.broadcast_to(sides, (cells, 2, 3)))
+    tables = np.ascontiguousarray(np.broadcast_to(sides, (cells, *sides.shape[-2:])))
     column.settle_cells(
         amplitude,
         frequency_ratio,

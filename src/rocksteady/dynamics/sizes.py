@@ -150,6 +150,7 @@ class Measures(NamedTuple):
     p: float | Floats
     """Frequency parameter [rad/s]."""
     restitution: float | Floats
+    alpha: float | Floats
 
 
 def measures_of(
@@ -178,7 +179,7 @@ def measures_of(
     [3.3638 3.4485] [0.7781 0.9118]
     """
     if not sizes:
-        return Measures(block.uplift_acceleration, block.p, block.restitution)
+        return Measures(block.uplift_acceleration, block.p, block.restitution, block.alpha)
     first, second = (given[name] for name in sizes)
     gravity = block.gravity
     if "p" in sizes:
@@ -194,7 +195,7 @@ def measures_of(
     if housner:
         squared = _each(math.pow, _each(math.sin, alpha), 2.0)
         restitution = 1.0 - 2.0 * (p * p * radius / gravity) * squared
-    return Measures(alpha * gravity, p, restitution)
+    return Measures(alpha * gravity, p, restitution, alpha)
 
 
 def _each(function: Callable[..., float], *arguments: float | Floats) -> float | Floats:

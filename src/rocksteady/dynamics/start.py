@@ -3,18 +3,25 @@
 import math
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import NDArray
+
 from rocksteady.dynamics.steady import (
     refuse_unlike_sides,
     steady_states,
     validated_branch,
 )
 from rocksteady.errors import InputError, ModelError
-from rocksteady.kernels.march import March, clock
+from rocksteady.kernels.clock import clock
+from rocksteady.kernels.march import March
+from rocksteady.kernels.nonlinear.drive import jump_share
 from rocksteady.kernels.symmetric import half_cycle_jacobian, symmetric_orbit
 from rocksteady.model.block import DimensionlessBlock
 from rocksteady.model.motions import Harmonic, Motion
 from rocksteady.model.record import Record
 from rocksteady.model.validation import LARGEST, in_range, odd_order, positive
+
+Floats = NDArray[np.float64]
 
 KICK = 1e-6
 """How far from an unstable orbit a block is set off, where nobody says."""
@@ -127,7 +134,11 @@ def validated_start(start: object) -> Start:
 
 
 def initial_march(
-    start: Start, block: DimensionlessBlock, motion: Motion | Record, side: int
+    start: Start,
+    block: DimensionlessBlock,
+    motion: Motion | Record,
+    side: int,
+    sides: Floats | None = None,
 ) -> tuple[Motion | Record, March]:
     """Return the motion, given its phase where the start decides on that, and the initial state.
 
@@ -139,6 +150,9 @@ def initial_march(
         What moves.
     side
         +1 or -1: the side on which an unstable state is left.
+    sides
+        Of the block in the nonlinear model, shape (2, 5): an impulse at the start turns it by the
+        part of it that its angle lets act.  None in the linear model, where all of it does.
 
     Raises
     ------
@@ -159,8 +173,11 @@ def initial_march(
     for first in () if isinstance(motion, Record) else motion.segments()[:1]:
         # Each side takes an impulse of the base by its own p^2.
         leaning = state.angle or velocity + first.jump
-        rate = block.sides[0 if leaning > 0.0 else 1][2]
-        velocity += first.jump * (rate * rate)
+        _, lean, rate = block.sides[0 if leaning > 0.0 else 1]
+        jump = first.jump * (rate * rate)
+        if sides is not None:
+            jump *= jump_share(sides, 1 if leaning > 0.0 else -1, abs(state.angle) / lean)
+        velocity += jump
         if first.frequency:
             half, phase = clock(first.phase)
     standing = state.angle == 0.0 and velocity == 0.0

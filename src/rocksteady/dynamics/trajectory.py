@@ -8,9 +8,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics import ground
+from rocksteady.dynamics.courses import Flights, Impacts, Motions
+from rocksteady.dynamics.nonlinear import ModelName
 from rocksteady.errors import InputError, ModelError, Status
-from rocksteady.kernels import march as columns
+from rocksteady.kernels import tables as columns
+from rocksteady.kernels.clock import segment_start
 from rocksteady.kernels.history import fill_states, last_crossing, side_peaks
+from rocksteady.kernels.tables import is_nonlinear
 from rocksteady.model.block import Block
 from rocksteady.model.motions import Harmonic, Motion
 from rocksteady.model.record import Record
@@ -20,104 +24,6 @@ Floats = NDArray[np.float64]
 
 OVERTURNED_SHOWN_TO = 2.0
 """|theta|/alpha up to which a fall is followed; the linear model means nothing much further on."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Motions:
-    """The block's motion at given times, arrays of the shape of the times.
-
-    Attributes
-    ----------
-    s
-        Pivot time p t since the start.
-    tau
-        omega t of harmonic shaking; None for other motions.
-    t_s
-        Time [s]; None without a block.
-    angle
-        u = theta/alpha, with alpha of the positive side on either side.
-    velocity, acceleration
-        du/ds and d2u/ds2; at an impact the value just after it.
-    base_acceleration
-        In units of alpha g.
-    energy
-        Kinetic and potential energy above rest, in units of I_0 (p alpha)^2:
-        ``velocity^2/2 + |angle| - angle^2/2``.  The upright position has 1/2.  On the other side of
-        an asymmetric block it is over that side's I_0, which an impact without loss of velocity
-        leaves as it is: ``velocity^2/2 + rho^2 (lambda |angle| - angle^2/2)`` with its alpha and p
-        over the reference's, lambda and rho.
-    """
-
-    s: Floats
-    tau: Floats | None
-    t_s: Floats | None
-    angle: Floats
-    velocity: Floats
-    acceleration: Floats
-    base_acceleration: Floats
-    energy: Floats
-
-
-@dataclass(frozen=True, kw_only=True)
-class Flights:
-    """All flights and rests in order, as arrays of shape (flights,).
-
-    A flight that crosses from one segment of the base motion into the next is two of them.
-
-    Attributes
-    ----------
-    s
-        Pivot time at the start.
-    duration
-        In pivot time; infinite for the last flight of a block that overturns.
-    side
-        +1, -1, or 0 at rest.
-    angle, velocity
-        u and du/ds at the start.
-    ended_by
-        0 the end of the segment or of the run, 1 an impact, 2 proof that the block never comes
-        back, 3 uplift from rest.
-    """
-
-    s: Floats
-    duration: Floats
-    side: NDArray[np.int64]
-    angle: Floats
-    velocity: Floats
-    ended_by: NDArray[np.int64]
-
-    def __len__(self) -> int:
-        """Return the number of flights and rests."""
-        return len(self.s)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Impacts:
-    """All impacts in order, as arrays of shape (impacts,).
-
-    Attributes
-    ----------
-    s
-        Pivot time since the start.
-    half_cycles, phase
-        Harmonic motion: whole half periods of the shaking and the phase within the next [rad],
-        which lose no digits however long the run; otherwise the segment's index and the time in it.
-    side
-        The side the block falls from, +1 or -1.
-    velocity_before, velocity_after
-        du/ds.
-    """
-
-    s: Floats
-    half_cycles: NDArray[np.int64]
-    phase: Floats
-    side: NDArray[np.int64]
-    velocity_before: Floats
-    velocity_after: Floats
-
-    def __len__(self) -> int:
-        """Return the number of impacts."""
-        return len(self.s)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -140,6 +46,8 @@ class Trajectory:
         The tables that the kernels saw.
     rows
         The flights and rests, shape (flights, 8), with the columns of `rocksteady.kernels.march`.
+    vertical
+        The vertical base motion, if any.
     """
 
     block: Block | None
@@ -148,6 +56,12 @@ class Trajectory:
     segments: Floats
     sides: Floats
     rows: Floats
+    vertical: Motion | Record | None = None
+
+    @property
+    def model(self) -> ModelName:
+        """Which equations of motion held: "linear" or "nonlinear"."""
+        return "nonlinear" if is_nonlinear(self.sides) else "linear"
 
     @cached_property
     def flights(self) -> Flights:
@@ -155,7 +69,7 @@ class Trajectory:
         segment_starts = ground.segment_starts(self.segments)
         first_half, first_phase = np.zeros((2, len(self.segments)))
         for i in np.flatnonzero(self.segments[:, columns.FREQUENCY]).tolist():
-            first_half[i], first_phase[i] = columns.segment_start(self.segments, i)
+            first_half[i], first_phase[i] = segment_start(self.segments, i)
         index = self.rows[:, columns.ROW_SEGMENT].astype(np.int64)
         frequency = self.segments[index, columns.FREQUENCY]
         # Half cycles are counted as integers, so that a long run loses no digits before the end.
@@ -183,6 +97,8 @@ class Trajectory:
         side = 0 if self.rows[-1, columns.ROW_SIDE] > 0.0 else 1
         tilt = abs(float(self.rows[-1, columns.ROW_ANGLE])) / float(self.sides[side, columns.LEAN])
         level = max(OVERTURNED_SHOWN_TO, 1.0 + tilt)
+        if is_nonlinear(self.sides):  # further than on its side no block falls
+            level = min(level, 0.5 * math.pi / float(self.sides[side, columns.ALPHA]))
         row, since = last_crossing(self.segments, self.sides, self.rows, level)
         return since if row == len(self.rows) - 1 else 0.0
 
@@ -204,7 +120,9 @@ class Trajectory:
         Those still to come last ``2 v (1/(1 - a) + r/(1 + a))/(1 - r^2)``, with the velocity v
         after the last recorded impact and the base acceleration a towards the side of the next
         bounce; what this leaves out is of the order of v times that.  Of a block whose sides differ
-        1 - a is the pull of that side, ``rho^2 (lambda - a)``, and r^2 the product of both.
+        1 - a is the pull of that side, ``rho^2 (lambda - a)``, and r^2 the product of both.  In the
+        nonlinear model lambda is times ``sin(alpha)/alpha`` and the weight of the block in the
+        vertical motion, a times ``cos(alpha)``.
         """
         if self.status is not Status.AT_REST:
             return None
@@ -216,12 +134,20 @@ class Trajectory:
         velocity = abs(float(self.impacts.velocity_after[-1]))
         towards = -float(self.flights.side[first - 1]) * float(self.base_acceleration(start))
         last = 0 if self.flights.side[first - 1] > 0 else 1
-        here, near, fast = map(float, self.sides[1 - last])
-        there, far, slow = map(float, self.sides[last])
-        bounces = 1.0 / (fast * fast * (near - towards)) + here / (slow * slow * (far + towards))
+        here, there = map(float, self.sides[[1 - last, last], columns.RESTITUTION])
+        near, far = self._pull(1 - last, start, towards), self._pull(last, start, -towards)
         # The loss of two impacts, 1 - here there, in a form that does not cancel.
         lost = (1.0 - here) * (1.0 + there) + (here - there)
-        return start + 2.0 * velocity * bounces / lost
+        return start + 2.0 * velocity * (1.0 / near + here / far) / lost
+
+    def _pull(self, row: int, s: float, push: float) -> float:
+        """Return how strongly a block on its base is pulled back from a side, against a push."""
+        lean, rate = self.sides[row, [columns.LEAN, columns.RATE]].tolist()
+        if not is_nonlinear(self.sides):
+            return float(rate * rate * (lean - push))
+        alpha, weight = float(self.sides[row, columns.ALPHA]), 1.0 + ground.lift(self.segments, s)
+        own = lean * (weight * math.sin(alpha) / alpha)
+        return float(rate * rate * (own - push * math.cos(alpha)))
 
     @cached_property
     def _overturning(self) -> tuple[int, float] | None:
@@ -288,6 +214,19 @@ class Trajectory:
         """
         positive, negative = self.sides[:, columns.LEAN].tolist()
         return -negative, positive
+
+    @property
+    def uplifts(self) -> tuple[float, float]:
+        """Base accelerations that lift the block to the negative and to the positive side.
+
+        In units of alpha g.  In the linear model they are the `balances`; in the nonlinear one
+        those times ``tan(alpha)/alpha`` of the side, as long as the base does not move vertically.
+        """
+        negative, positive = self.balances
+        if not is_nonlinear(self.sides):
+            return negative, positive
+        first, second = self.sides[:, columns.ALPHA].tolist()
+        return negative * (math.tan(second) / second), positive * (math.tan(first) / first)
 
     @cached_property
     def impacts(self) -> Impacts:
@@ -375,8 +314,6 @@ class Trajectory:
         fill_states(self.segments, self.sides, self.rows, index, since, states)
         angle, velocity, acceleration = states.reshape(3, *times.shape)
         harmonic = isinstance(self.motion, Harmonic)
-        own = self.sides[np.where(angle < 0.0, 1, 0)]
-        lean, square = own[..., columns.LEAN], own[..., columns.RATE] ** 2
         return Motions(
             s=times,
             tau=times * self.frequency_ratio if harmonic else None,
@@ -385,8 +322,22 @@ class Trajectory:
             velocity=velocity,
             acceleration=acceleration,
             base_acceleration=self.base_acceleration(times),
-            energy=0.5 * velocity**2 + square * lean * np.abs(angle) - 0.5 * square * angle**2,
+            energy=self._energy(angle, velocity),
         )
+
+    def _energy(self, angle: Floats, velocity: Floats) -> Floats:
+        """Return kinetic and potential energy above rest."""
+        own = self.sides[np.where(angle < 0.0, 1, 0)]
+        lean, square = own[..., columns.LEAN], own[..., columns.RATE] ** 2
+        energy: Floats
+        if is_nonlinear(self.sides):
+            alpha, tilt = own[..., columns.ALPHA], np.abs(angle) / lean
+            # cos x - cos y as a product, which keeps the digits of small angles.
+            raised = np.sin(alpha * (1.0 - 0.5 * tilt)) * np.sin(0.5 * alpha * tilt)
+            energy = 0.5 * velocity**2 + 2.0 * square * lean**2 * raised / alpha**2
+        else:
+            energy = 0.5 * velocity**2 + square * lean * np.abs(angle) - 0.5 * square * angle**2
+        return energy
 
     def phase_path(self, per_unit: int = 100) -> tuple[Floats, Floats]:
         """Return angle and velocity in the order of time, both states of each impact included.

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.errors import InputError
-from rocksteady.kernels.march import clock
+from rocksteady.kernels.clock import clock
 from rocksteady.model.motions import Harmonic
 from rocksteady.model.validation import LARGEST, in_range
 from rocksteady.sweep.axes import Axis

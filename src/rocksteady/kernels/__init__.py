@@ -13,8 +13,13 @@ modules import integer status codes only.
 `zeros`             the first zero of a flight, which cannot be missed; the proof of no return
 `extrema`           peaks and level crossings, by the same isolation argument
 `saltation`         exact derivatives of a flight through its impact
+`tables`            columns of segments, sides and recorded flights, and the state between two
+`clock`             time on a segment: whole half cycles and the phase within one
 `rest`              uplift from rest, and the bound that ends chatter
+`samples`           runs of samples at a few products each
 `march`             flights strung together by impacts, uplifts and segment ends
+`nonlinear`         flights, proofs and derivatives of the full equations
+`history`           what a recorded march tells
 `symmetric`         Tso and Wong's closed forms for one symmetric steady state (eqs 12 to 25)
 `arcs`              flights between two impacts whose phases are known
 `chains`            periodic orbits as closed chains of arcs: what continuation solves

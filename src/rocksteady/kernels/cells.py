@@ -9,6 +9,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.kernels.clock import clock
 from rocksteady.kernels.compilation import compiled
 from rocksteady.kernels.march import (
     AMPLITUDE,
@@ -18,12 +19,11 @@ from rocksteady.kernels.march import (
     PHASE,
     RESTITUTION,
     ROW_COLUMNS,
-    SEGMENT_COLUMNS,
     Floats,
     March,
-    clock,
     march,
 )
+from rocksteady.kernels.tables import NONLINEAR_SEGMENT_COLUMNS, SIDE_COLUMNS
 
 NO_LIMIT = 2**62
 
@@ -60,7 +60,8 @@ def fates_of_sides(
     amplitude, frequency_ratio, angle, velocity, phase
         One value a cell, shape (cells,); `velocity` is d(theta/alpha)/ds.
     sides
-        Of the block of each cell, shape (cells, 2, 3), as in `rocksteady.kernels.tables`.
+        Of the block of each cell, shape (cells, 2, 3) or, in the nonlinear model, (cells, 2, 5), as
+        in `rocksteady.kernels.tables`.
     cycles
         Forcing periods to run.
     most
@@ -69,7 +70,8 @@ def fates_of_sides(
         Receive the status code, the number of impacts and, in shape (cells, 3), the final angle,
         velocity and phase.
     """
-    segments = np.zeros((1, SEGMENT_COLUMNS))
+    # On a base without vertical motion; the linear model does not look at its columns.
+    segments = np.zeros((1, NONLINEAR_SEGMENT_COLUMNS))
     rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
     for i in range(len(amplitude)):
         harmonic_segment(segments, amplitude[i], frequency_ratio[i], phase[i])
@@ -119,7 +121,7 @@ def harmonic_fates(
     amplitude, frequency_ratio, angle, velocity, phase, cycles, status, impacts, final
         As for `fates_of_sides`.
     """
-    sides = np.ones((len(amplitude), 2, 3))
+    sides = np.ones((len(amplitude), 2, SIDE_COLUMNS))
     for i in range(len(amplitude)):
         sides[i, :, RESTITUTION] = restitution[i]
     fates_of_sides(

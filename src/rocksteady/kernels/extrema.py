@@ -16,6 +16,7 @@ from rocksteady.kernels.flight import (
     wrapped,
 )
 from rocksteady.kernels.forcing import Forcing
+from rocksteady.kernels.tables import PEAK_ANGLE, PEAK_SPEED, Floats
 from rocksteady.kernels.zeros import FOUND, Zero, next_zero
 
 
@@ -85,6 +86,19 @@ def flight_peaks(
         max(angle, y, end_angle, top),
         max(speed, v, abs(end_velocity), swiftest, -slowest),
     )
+
+
+@compiled
+def keep_peaks(
+    flight: Flight, forcing: Forcing, zero: Zero, lean: float, rate: float, peaks: Floats
+) -> None:
+    """Raise `peaks` to the largest angle and speed of a flight, in reference units."""
+    top_angle, top_speed = peaks[PEAK_ANGLE] / lean, peaks[PEAK_SPEED] / (lean * rate)
+    angle, speed = flight_peaks(
+        flight, forcing, zero.time, zero.angle, zero.velocity, top_angle, top_speed
+    )
+    peaks[PEAK_ANGLE] = max(peaks[PEAK_ANGLE], angle * lean)
+    peaks[PEAK_SPEED] = max(peaks[PEAK_SPEED], speed * lean * rate)
 
 
 @compiled

@@ -5,6 +5,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.kernels.clock import elapsed_time, segment_start, side_phase
 from rocksteady.kernels.compilation import compiled
 from rocksteady.kernels.extrema import highest_angle, last_rise
 from rocksteady.kernels.flight import Flight, flight_acceleration, flight_state, make_flight
@@ -25,11 +26,20 @@ from rocksteady.kernels.march import (
     ROW_SIDE,
     ROW_VELOCITY,
     Floats,
-    elapsed_time,
-    segment_start,
     side_forcing,
-    side_phase,
 )
+from rocksteady.kernels.nonlinear.drive import Drive, acceleration, side_drive
+from rocksteady.kernels.nonlinear.flight import phase_at
+from rocksteady.kernels.nonlinear.history import (
+    Leg,
+    highest_of,
+    last_rise_of,
+    leg_after,
+    leg_from,
+)
+from rocksteady.kernels.nonlinear.proofs import point_of_no_return
+from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS, angle_at
+from rocksteady.kernels.tables import LEFT_OUT, is_nonlinear
 
 
 @compiled
@@ -59,6 +69,68 @@ def row_flight(
 
 
 @compiled
+def row_start(
+    segments: Floats, sides: Floats, rows: Floats, index: int
+) -> tuple[Drive, float, float, float, float, float]:
+    """Return a recorded nonlinear flight: drive, phase and state, and the side's lean and rate."""
+    segment = int(rows[index, ROW_SEGMENT])
+    half, phase = int(rows[index, ROW_HALF_CYCLES]), rows[index, ROW_PHASE]
+    side = 1 if rows[index, ROW_SIDE] > 0.0 else -1
+    row = 0 if side > 0 else 1
+    lean, rate = sides[row, LEAN], sides[row, RATE]
+    frequency = segments[segment, FREQUENCY]
+    first_half, first_phase = segment_start(segments, segment)
+    since = elapsed_time(half, phase, first_half, first_phase, frequency)
+    seen, _ = side_phase(half, phase, side, frequency)
+    return (
+        side_drive(segments, segment, sides, side, since),
+        seen,
+        side * rows[index, ROW_ANGLE] / lean,
+        side * rows[index, ROW_VELOCITY] / (lean * rate),
+        lean,
+        rate,
+    )
+
+
+@compiled
+def fill_nonlinear(
+    segments: Floats,
+    sides: Floats,
+    rows: Floats,
+    index: NDArray[np.int64],
+    since: Floats,
+    states: Floats,
+) -> None:
+    """Fill what `fill_states` fills; times in order are reached in one pass over each flight."""
+    work = np.empty((WORK_ROWS, TERMS))
+    left_out = sides[0, LEFT_OUT]
+    row = -1  # whose step the working space holds
+    drive, seen, _, _, lean, rate = row_start(segments, sides, rows, 0)
+    span, side = 0.0, 0.0
+    leg = Leg(0.0, 0.0, 0, 0.0, 0.0)
+    for i in range(len(index)):
+        if rows[index[i], ROW_SIDE] == 0.0:
+            states[0, i] = states[1, i] = states[2, i] = 0.0
+            continue
+        if index[i] != row or since[i] * rate < leg.start:
+            row = index[i]
+            side = rows[row, ROW_SIDE]
+            drive, seen, y, v, lean, rate = row_start(segments, sides, rows, row)
+            span = rows[row, ROW_DURATION] * rate
+            leg = leg_from(drive, seen, 0.0, y, v, span, left_out, work)
+        time = since[i] * rate
+        while time > leg.start + leg.step and leg.start + leg.step < span:
+            leg = leg_after(leg, drive, seen, span, left_out, work)
+        angle, velocity = angle_at(work, leg.degree, time - leg.start)
+        _, turned = phase_at(drive, seen, time)
+        states[0, i] = side * lean * angle
+        states[1, i] = side * lean * rate * velocity
+        states[2, i] = (
+            side * lean * rate * rate * acceleration(drive, time, angle, math.sin(turned))
+        )
+
+
+@compiled
 def fill_states(
     segments: Floats,
     sides: Floats,
@@ -71,6 +143,9 @@ def fill_states(
 
     `index` names the row in which each time lies, `since` the time since that row's start.
     """
+    if is_nonlinear(sides):
+        fill_nonlinear(segments, sides, rows, index, since, states)
+        return
     for i in range(len(index)):
         side = rows[index[i], ROW_SIDE]
         if side == 0.0:
@@ -96,9 +171,16 @@ def last_crossing(segments: Floats, sides: Floats, rows: Floats, level: float) -
     """
     index = len(rows) - 1
     while True:
-        flight, forcing, _, rate = row_flight(segments, sides, rows, index)
-        endless = rows[index, ROW_EVENT] == ENDED_BY_NO_RETURN
-        time = last_rise(flight, forcing, level, rows[index, ROW_DURATION] * rate, endless)
+        if is_nonlinear(sides):
+            drive, seen, y, v, _, rate = row_start(segments, sides, rows, index)
+            span = rows[index, ROW_DURATION] * rate
+            side = 1 if rows[index, ROW_SIDE] > 0.0 else -1
+            lost = point_of_no_return(segments, int(rows[index, ROW_SEGMENT]), sides, side)
+            time = last_rise_of(drive, seen, y, v, span, sides[0, LEFT_OUT], level, lost)
+        else:
+            flight, forcing, _, rate = row_flight(segments, sides, rows, index)
+            endless = rows[index, ROW_EVENT] == ENDED_BY_NO_RETURN
+            time = last_rise(flight, forcing, level, rows[index, ROW_DURATION] * rate, endless)
         if time >= 0.0:
             return index, time / rate
         before = rows[index - 1, ROW_EVENT] if index > 0 else ENDED_BY_IMPACT
@@ -120,9 +202,13 @@ def side_peaks(
     for index in range(len(rows)):
         if rows[index, ROW_SIDE] == 0.0:
             continue
-        flight, forcing, _, rate = row_flight(segments, sides, rows, index)
         duration = last_duration if index == len(rows) - 1 else rows[index, ROW_DURATION]
-        angle, _ = highest_angle(flight, forcing, duration * rate)
+        if is_nonlinear(sides):
+            drive, seen, y, v, _, rate = row_start(segments, sides, rows, index)
+            angle = highest_of(drive, seen, y, v, duration * rate, sides[0, LEFT_OUT])
+        else:
+            flight, forcing, _, rate = row_flight(segments, sides, rows, index)
+            angle, _ = highest_angle(flight, forcing, duration * rate)
         if rows[index, ROW_SIDE] > 0.0:
             positive = max(positive, angle)
         else:

@@ -14,9 +14,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.kernels.clock import clock
 from rocksteady.kernels.compilation import compiled
 from rocksteady.kernels.forcing import TWO_PI
-from rocksteady.kernels.march import Floats, clock
+from rocksteady.kernels.march import Floats
 from rocksteady.kernels.section import (
     FALL,
     GRAZE,

@@ -24,8 +24,9 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.kernels.clock import segment_start
 from rocksteady.kernels.compilation import compiled
-from rocksteady.kernels.march import march, segment_start
+from rocksteady.kernels.march import march
 from rocksteady.kernels.tables import (
     AT_REST,
     LEAN,

@@ -18,8 +18,10 @@ estimate: where it does not fit, the march goes on bouncing.  restitution = 1 gi
 
 import math
 
-from rocksteady.kernels.compilation import compiled
+from rocksteady.kernels.clock import side_phase
+from rocksteady.kernels.compilation import compiled, inlined
 from rocksteady.kernels.forcing import (
+    HALF_PI,
     LINE,
     MIXED,
     SINE,
@@ -30,6 +32,10 @@ from rocksteady.kernels.forcing import (
     starts_positive,
     steepest_forcing,
 )
+from rocksteady.kernels.tables import RATE, Floats
+
+# A bounce this slow lasts less than any clock resolves, and its square underflows.
+STILL = 1e-100
 
 
 @compiled
@@ -49,6 +55,76 @@ def uplift_time(forcing: Forcing, phase: float, span: float) -> float:
     elif forcing.kind == MIXED:
         time = mixed_node(forcing, phase, 0.0, False, span)
     return time if time < span else math.inf
+
+
+@compiled
+def next_uplift(
+    positive: Forcing,
+    negative: Forcing,
+    sides: Floats,
+    half: int,
+    phase: float,
+    frequency: float,
+    span: float,
+) -> tuple[int, float]:
+    """Return the side that lifts first and when; side 0 and `span` where none lifts before that."""
+    if span <= 0.0:
+        return 0, 0.0
+    plus_phase, _ = side_phase(half, phase, 1, frequency)
+    minus_phase, _ = side_phase(half, phase, -1, frequency)
+    plus = uplift_time(positive, plus_phase, span * sides[0, RATE]) / sides[0, RATE]
+    minus = uplift_time(negative, minus_phase, span * sides[1, RATE]) / sides[1, RATE]
+    if min(plus, minus) >= span:
+        return 0, span
+    return (1, plus) if plus <= minus else (-1, minus)
+
+
+@inlined
+def chatter_ends(
+    restitution: float,
+    speed_here: float,
+    speed_there: float,
+    rate_here: float,
+    rate_there: float,
+    span: float,
+    forcing_here: Forcing,
+    forcing_there: Forcing,
+    seen_phase: float,
+    sine: float,
+) -> bool:
+    """Return whether the bounces that start now are proved to die out within `span`.
+
+    `seen_phase` and its `sine` are those of the forcing seen from the side of the first bounce.
+    """
+    if speed_here < STILL:
+        return True
+    # Most impacts are told apart here.  The bound needs shaking below uplift and, with the pull of
+    # now in place of the least one to come, bounces that shrink.
+    pull_here = -(forcing_here.constant + forcing_here.amplitude * sine)
+    pull_there = -(forcing_there.constant - forcing_there.amplitude * sine)
+    if pull_here <= speed_here or pull_there <= speed_there:
+        return False
+    shrunk = restitution * restitution
+    drift_here = 4.0 * steepest_forcing(forcing_here) * speed_here
+    drift_there = 4.0 * steepest_forcing(forcing_there) * speed_there
+    if (
+        shrunk * (pull_here * pull_here + drift_here) >= pull_here * pull_here
+        or shrunk * (pull_there * pull_there + drift_there) >= pull_there * pull_there
+    ):
+        return False
+    phase_there = seen_phase + math.pi if seen_phase < HALF_PI else seen_phase - math.pi
+    return settles(
+        restitution,
+        span,
+        forcing_here,
+        seen_phase,
+        speed_here,
+        rate_here,
+        forcing_there,
+        phase_there,
+        speed_there,
+        rate_there,
+    )
 
 
 @compiled

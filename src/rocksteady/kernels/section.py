@@ -14,22 +14,26 @@ does not exist.
 import math
 from typing import NamedTuple
 
+from rocksteady.kernels.clock import clock, side_phase, uplift_clock
 from rocksteady.kernels.compilation import compiled, inlined
 from rocksteady.kernels.extrema import highest_angle
 from rocksteady.kernels.flight import Flight, make_flight
 from rocksteady.kernels.forcing import SINE, Forcing, make_forcing, starts_positive
-from rocksteady.kernels.march import (
+from rocksteady.kernels.nonlinear.drive import Drive, foot_forcing
+from rocksteady.kernels.nonlinear.history import highest_of as nonlinear_highest
+from rocksteady.kernels.nonlinear.landing import fly_to_landing, landing_derivative
+from rocksteady.kernels.nonlinear.proofs import bounces_settle
+from rocksteady.kernels.rest import chatter_ends, uplift_time
+from rocksteady.kernels.saltation import landing_jacobian
+from rocksteady.kernels.tables import (
+    ALPHA,
     LEAN,
+    LEFT_OUT,
     RATE,
     RESTITUTION,
     Floats,
-    chatter_ends,
-    clock,
-    side_phase,
-    uplift_clock,
+    is_nonlinear,
 )
-from rocksteady.kernels.rest import uplift_time
-from rocksteady.kernels.saltation import landing_jacobian
 from rocksteady.kernels.zeros import FOUND, NO_RETURN, next_zero
 
 # What a passage was.
@@ -52,7 +56,10 @@ ENDLESS = 1e15
 
 
 class System(NamedTuple):
-    """Harmonic shaking seen from both sides of a block."""
+    """Harmonic shaking seen from both sides of a block.
+
+    Of the nonlinear model the forcings are those of a block on its base.
+    """
 
     positive: Forcing
     negative: Forcing
@@ -60,6 +67,10 @@ class System(NamedTuple):
     restitution: tuple[float, float]  # of the positive and the negative side
     lean: tuple[float, float]
     rate: tuple[float, float]
+    # Of the nonlinear model; 0 in the linear one.
+    alpha: tuple[float, float]
+    amplitude: float  # A of the reference
+    left_out: float
 
 
 class Section(NamedTuple):
@@ -92,14 +103,28 @@ class Passage(NamedTuple):
 
 @compiled
 def make_system(amplitude: float, frequency: float, sides: Floats) -> System:
-    """Return the system of shaking ``A sin(Omega s + phi)`` and a table of sides, shape (2, 3)."""
+    """Return the system of shaking ``A sin(Omega s + phi)`` and a table of sides."""
+    size_here, turn_here = amplitude / sides[0, LEAN], frequency / sides[0, RATE]
+    size_there, turn_there = amplitude / sides[1, LEAN], frequency / sides[1, RATE]
+    alpha_here = alpha_there = left_out = 0.0
+    if is_nonlinear(sides):
+        alpha_here, alpha_there, left_out = sides[0, ALPHA], sides[1, ALPHA], sides[0, LEFT_OUT]
+        here = Drive(alpha_here, 0.0, 0.0, size_here, turn_here, 0.0, 0.0)
+        there = Drive(alpha_there, 0.0, 0.0, size_there, turn_there, 0.0, 0.0)
+        positive, negative = foot_forcing(here), foot_forcing(there)
+    else:
+        positive = make_forcing(-1.0, 0.0, size_here, turn_here)
+        negative = make_forcing(-1.0, 0.0, size_there, turn_there)
     return System(
-        make_forcing(-1.0, 0.0, amplitude / sides[0, LEAN], frequency / sides[0, RATE]),
-        make_forcing(-1.0, 0.0, amplitude / sides[1, LEAN], frequency / sides[1, RATE]),
+        positive,
+        negative,
         frequency,
         (sides[0, RESTITUTION], sides[1, RESTITUTION]),
         (sides[0, LEAN], sides[1, LEAN]),
         (sides[0, RATE], sides[1, RATE]),
+        (alpha_here, alpha_there),
+        amplitude,
+        left_out,
     )
 
 
@@ -133,6 +158,21 @@ def like_sides(system: System) -> bool:
         system.restitution[0] == system.restitution[1]
         and system.lean[0] == system.lean[1]
         and system.rate[0] == system.rate[1]
+        and system.alpha[0] == system.alpha[1]
+    )
+
+
+@compiled
+def drive_of(system: System, row: int) -> Drive:
+    """Return what drives the side of a row in the nonlinear model."""
+    return Drive(
+        system.alpha[row],
+        0.0,
+        0.0,
+        system.amplitude / system.lean[row],
+        system.frequency / system.rate[row],
+        0.0,
+        0.0,
     )
 
 
@@ -213,7 +253,17 @@ def passage_of(
     """Return the passage at the end of a flight on the side of a row."""
     side = 1 if row == 0 else -1
     lifting = flight.angle == 0.0 and flight.velocity == 0.0
-    zero = next_zero(flight, forcing, LONGEST_FLIGHT, True, lifting, guess)
+    if system.left_out > 0.0:
+        zero = fly_to_landing(
+            drive_of(system, row),
+            flight.angle,
+            flight.velocity,
+            flight.phase,
+            LONGEST_FLIGHT,
+            system.left_out,
+        )
+    else:
+        zero = next_zero(flight, forcing, LONGEST_FLIGHT, True, lifting, guess)
     lean, rate = system.lean[row], system.rate[row]
     unit = lean * rate
     if zero.event != FOUND:
@@ -229,9 +279,14 @@ def passage_of(
     # Fast shaking moves the block little: a speed counts against what a period's work can give.
     if landing <= GRAZING_SPEED * min(1.0, (1.0 + forcing.amplitude) / forcing.frequency):
         return Passage(GRAZE, after, zero.time / rate, landing, Jacobian(0.0, 0.0, 0.0, 0.0))
-    j11, j12, j21, j22 = landing_jacobian(
-        forcing, restitution, flight, zero.time, zero.velocity, zero.sine, zero.cosine
-    )
+    if system.left_out > 0.0:
+        j11, j12, j21, j22 = landing_derivative(
+            drive_of(system, row), restitution, flight.velocity, flight.phase, zero, system.left_out
+        )
+    else:
+        j11, j12, j21, j22 = landing_jacobian(
+            forcing, restitution, flight, zero.time, zero.velocity, zero.sine, zero.cosine
+        )
     return Passage(
         IMPACT, after, zero.time / rate, landing, Jacobian(j11, j12 / unit, j21 * unit, j22)
     )
@@ -244,6 +299,20 @@ def comes_to_rest(system: System, state: Section) -> bool:
     other = 1 - row
     forcing, opposite = forcing_of(system, state.side), forcing_of(system, -state.side)
     seen, _ = side_phase(state.half_cycles, state.phase, state.side, system.frequency)
+    if system.left_out > 0.0:
+        across, _ = side_phase(state.half_cycles, state.phase, -state.side, system.frequency)
+        return bounces_settle(
+            max(system.restitution[0], system.restitution[1]),
+            ENDLESS,
+            drive_of(system, row),
+            seen,
+            state.speed / (system.lean[row] * system.rate[row]),
+            system.rate[row],
+            drive_of(system, other),
+            across,
+            state.speed / (system.lean[other] * system.rate[other]),
+            system.rate[other],
+        )
     return chatter_ends(
         max(system.restitution[0], system.restitution[1]),
         state.speed / (system.lean[row] * system.rate[row]),
@@ -318,6 +387,16 @@ def highest_after(system: System, state: Section, passage: Passage) -> tuple[flo
 def highest_of(system: System, state: Section, time: float) -> float:
     """Return the largest |theta|/alpha of the flight that a state begins, up to a pivot time."""
     row = 0 if state.side > 0 else 1
+    if system.left_out > 0.0:
+        flight = flight_from(system, state)
+        return system.lean[row] * nonlinear_highest(
+            drive_of(system, row),
+            flight.phase,
+            flight.angle,
+            flight.velocity,
+            time * system.rate[row],
+            system.left_out,
+        )
     angle, _ = highest_angle(
         flight_from(system, state), forcing_of(system, state.side), time * system.rate[row]
     )

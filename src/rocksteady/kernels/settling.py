@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.kernels.attractors import LONGEST_ORBIT, MEMORY, PERIODIC, settle
+from rocksteady.kernels.clock import clock
 from rocksteady.kernels.compilation import compiled
-from rocksteady.kernels.march import Floats, clock
 from rocksteady.kernels.periodic import (
     ORBIT_COLUMNS,
     OTHER_PEAK,
@@ -19,6 +19,7 @@ from rocksteady.kernels.periodic import (
     state_at,
 )
 from rocksteady.kernels.section import make_system
+from rocksteady.kernels.tables import Floats
 
 # Columns of the whole numbers of a cell.
 OUTCOME = 0
@@ -68,7 +69,8 @@ def settle_cells(
     amplitude, frequency_ratio
         One value a cell, shape (cells,).
     sides
-        Of the block of each cell, shape (cells, 2, 3), as in `rocksteady.kernels.tables`.
+        Of the block of each cell, shape (cells, 2, 3) or, in the nonlinear model, (cells, 2, 5), as
+        in `rocksteady.kernels.tables`.
     side, angle, velocity, half_cycles, phase
         The state at the start, as in `rocksteady.kernels.march.March`; `side` 0 at rest.
     cycles

@@ -2,6 +2,10 @@
 
 A motion is a table of segments, the block two rows of side parameters, a recorded march a table of
 flights, all float64 with the columns below.
+
+The tables say which equation of motion holds.  The nonlinear one needs each side's slenderness and
+the vertical motion of the base, in further columns of both tables; tables without these columns are
+those of the linear one.
 """
 
 from typing import NamedTuple
@@ -26,11 +30,21 @@ PHASE = 6
 CEILING = 7  # max |a| from this segment's start on; infinite while a later one has a jump
 ALIKE = 8  # samples like this one that follow at once: as long, without sinusoid and without jump
 SEGMENT_COLUMNS = 9
+# Nonlinear model only: the vertical acceleration of the base, upwards, over g.
+LIFT = 9  # at the segment's start
+LIFT_SLOPE = 10
+LIFT_CEILING = 11  # max of its absolute value from this segment's start on
+NONLINEAR_SEGMENT_COLUMNS = 12
 
 # Columns of the side table; row 0 is the positive side, row 1 the negative one.
 RESTITUTION = 0  # of the impact that ends a flight on this side
 LEAN = 1  # this side's alpha over the reference alpha
 RATE = 2  # this side's p over the reference p
+SIDE_COLUMNS = 3
+# Nonlinear model only.
+ALPHA = 3  # this side's alpha [rad]
+LEFT_OUT = 4  # what a step may leave out of the motion in it, as a part of that motion
+NONLINEAR_SIDE_COLUMNS = 5
 
 # Columns of a recorded flight, in reference units.
 ROW_SEGMENT = 0
@@ -58,6 +72,7 @@ ROCKING = int(Status.ROCKING)
 AT_REST = int(Status.AT_REST)
 OVERTURNED = int(Status.OVERTURNED)
 UNDECIDED = int(Status.UNDECIDED)
+LOST_CONTACT = int(Status.LOST_CONTACT)
 
 
 class March(NamedTuple):
@@ -71,6 +86,12 @@ class March(NamedTuple):
     phase: float  # within the half cycle, or time within a segment without sinusoid
     impacts: int
     flights: int  # flights and rests: the rows that a record of the march has
+
+
+@inlined
+def is_nonlinear(sides: Floats) -> bool:
+    """Return whether a side table asks for the nonlinear equation of motion."""
+    return bool(sides.shape[1] > SIDE_COLUMNS)
 
 
 @inlined

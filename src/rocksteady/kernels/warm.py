@@ -21,6 +21,7 @@ from rocksteady.kernels.chains import (
     side_of,
     turned_over,
 )
+from rocksteady.kernels.clock import clock
 from rocksteady.kernels.compilation import cache_folder
 from rocksteady.kernels.history import fill_states, last_crossing, side_peaks
 from rocksteady.kernels.lanes.fates import lane_fates
@@ -29,7 +30,6 @@ from rocksteady.kernels.march import (
     ROW_COLUMNS,
     SEGMENT_COLUMNS,
     March,
-    clock,
     march,
 )
 from rocksteady.kernels.periodic import (

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.orbit import ordered
 from rocksteady.kernels import chains as kernel
-from rocksteady.kernels.march import clock
+from rocksteady.kernels.clock import clock
 from rocksteady.kernels.section import Section
 from rocksteady.kernels.section import make_system as system_of
 

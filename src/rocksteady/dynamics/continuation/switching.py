@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.continuation.chain import MERGED, Chain
 from rocksteady.dynamics.continuation.points import PointType
 from rocksteady.errors import ModelError
-from rocksteady.kernels.march import clock
+from rocksteady.kernels.clock import clock
 
 Floats = NDArray[np.float64]
 

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.kernels.cells import harmonic_segment
+from rocksteady.kernels.clock import clock
 from rocksteady.kernels.compilation import compiled, fused
 from rocksteady.kernels.lanes.launching import begin_special, launch
 from rocksteady.kernels.lanes.loading import at_the_end, load, put, taken
@@ -43,13 +44,12 @@ from rocksteady.kernels.march import (
     ROCKING,
     ROW_COLUMNS,
     SEGMENT_COLUMNS,
-    STILL,
     UNDECIDED,
     Floats,
     March,
-    clock,
     march,
 )
+from rocksteady.kernels.rest import STILL
 
 Integers = NDArray[np.int64]
 

@@ -1,5 +1,6 @@
 """What a flight begins with: its piece between two nodes, or an end in rest or with the run."""
 
+from rocksteady.kernels.clock import PI_HIGH
 from rocksteady.kernels.compilation import fused
 from rocksteady.kernels.forcing import HALF_PI, TWO_PI
 from rocksteady.kernels.lanes.table import (
@@ -34,7 +35,7 @@ from rocksteady.kernels.lanes.table import (
     VELOCITY,
     weight,
 )
-from rocksteady.kernels.march import PI_HIGH, Floats
+from rocksteady.kernels.march import Floats
 
 WINDOW = 3.0  # times v / (pull (1 - delta)): how long chatter is given to die out
 

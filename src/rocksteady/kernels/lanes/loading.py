@@ -2,6 +2,7 @@
 
 import math
 
+from rocksteady.kernels.clock import PI_HIGH, clock, side_phase
 from rocksteady.kernels.compilation import compiled
 from rocksteady.kernels.forcing import make_forcing
 from rocksteady.kernels.lanes.elementary import growth_and_decay, sine_cosine
@@ -43,7 +44,7 @@ from rocksteady.kernels.lanes.table import (
     TIME,
     VELOCITY,
 )
-from rocksteady.kernels.march import PI_HIGH, Floats, March, clock, side_phase
+from rocksteady.kernels.march import Floats, March
 
 
 @compiled

@@ -1,5 +1,6 @@
 """The ends of pieces: whether a zero lies in one, or none can follow."""
 
+from rocksteady.kernels.clock import PI_HIGH
 from rocksteady.kernels.compilation import fused, fused_inlined
 from rocksteady.kernels.forcing import TWO_PI
 from rocksteady.kernels.lanes.elementary import growth_and_decay, nearest_whole
@@ -52,7 +53,7 @@ from rocksteady.kernels.lanes.table import (
     VELOCITY_THERE,
     weight,
 )
-from rocksteady.kernels.march import PI_HIGH, Floats
+from rocksteady.kernels.march import Floats
 
 
 @fused_inlined

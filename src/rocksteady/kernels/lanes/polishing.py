@@ -1,5 +1,6 @@
 """Steps towards an impact: the state at a time, and where it leads."""
 
+from rocksteady.kernels.clock import PI_HIGH, PI_LOW
 from rocksteady.kernels.compilation import fused
 from rocksteady.kernels.forcing import HALF_PI, TWO_PI
 from rocksteady.kernels.lanes.elementary import (
@@ -42,7 +43,7 @@ from rocksteady.kernels.lanes.table import (
     VELOCITY,
     VELOCITY_THERE,
 )
-from rocksteady.kernels.march import PI_HIGH, PI_LOW, Floats
+from rocksteady.kernels.march import Floats
 from rocksteady.kernels.zeros import reversion
 
 SHORTEST = 0.25  # below it, in t and Omega t, cancellation asks for Taylor's polynomial ...

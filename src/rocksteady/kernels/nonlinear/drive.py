@@ -1,0 +1,103 @@
+"""The nonlinear equation of motion on one side, and the base motion that drives it.
+
+With ``y = |theta|/alpha`` in the side's own units and side time t (eqs 1, 2 of Tso and Wong, with
+vertical motion added)::
+
+    y'' = -(1 + l) sin(alpha (1 - y))/alpha + h cos(alpha (1 - y)),
+
+where l is the vertical acceleration of the base over g and h the horizontal one over alpha g, seen
+from the side.  The same, written around the base::
+
+    y'' = r cos(alpha y) + k sin(alpha y)/alpha,
+    r = h cos(alpha) - (1 + l) sin(alpha)/alpha,    k = (1 + l) cos(alpha) + alpha h sin(alpha).
+
+At y = 0 only r is left: it decides on uplift, and takes the place that the forcing has in the
+linear model, ``y'' = r + y``, which is the limit of small alpha.
+"""
+
+import math
+from typing import NamedTuple
+
+from rocksteady.kernels.compilation import compiled
+from rocksteady.kernels.forcing import Forcing, make_forcing
+from rocksteady.kernels.tables import (
+    ALPHA,
+    AMPLITUDE,
+    CONSTANT,
+    DURATION,
+    FREQUENCY,
+    LEAN,
+    LIFT,
+    LIFT_SLOPE,
+    RATE,
+    SLOPE,
+    Floats,
+)
+
+
+class Drive(NamedTuple):
+    """Base motion of one segment seen from one side, time counted from a flight's start."""
+
+    alpha: float
+    constant: float  # h = constant + slope t + amplitude sin(phase + frequency t)
+    slope: float
+    amplitude: float
+    frequency: float
+    lift: float  # l = lift + lift_slope t
+    lift_slope: float
+
+
+@compiled
+def side_drive(segments: Floats, index: int, sides: Floats, side: int, elapsed: float) -> Drive:
+    """Return what drives a side on a segment, from the time `elapsed` since the segment's start."""
+    row = 0 if side > 0 else 1
+    lean, rate = sides[row, LEAN], sides[row, RATE]
+    slope, lift_slope = segments[index, SLOPE], segments[index, LIFT_SLOPE]
+    return Drive(
+        sides[row, ALPHA],
+        side * (segments[index, CONSTANT] + slope * elapsed) / lean,
+        side * slope / (lean * rate),
+        segments[index, AMPLITUDE] / lean,
+        segments[index, FREQUENCY] / rate,
+        segments[index, LIFT] + lift_slope * elapsed,
+        lift_slope / rate,
+    )
+
+
+@compiled
+def foot_forcing(drive: Drive) -> Forcing:
+    """Return r, the acceleration of a block that stands on its base."""
+    sine, cosine = math.sin(drive.alpha) / drive.alpha, math.cos(drive.alpha)
+    return make_forcing(
+        drive.constant * cosine - (1.0 + drive.lift) * sine,
+        drive.slope * cosine - drive.lift_slope * sine,
+        drive.amplitude * cosine,
+        drive.frequency,
+    )
+
+
+@compiled
+def acceleration(drive: Drive, time: float, angle: float, sine: float) -> float:
+    """Return y'' at `time`, where the sinusoid has this sine."""
+    tilt = drive.alpha * (1.0 - angle)
+    h = drive.constant + drive.slope * time + drive.amplitude * sine
+    weight = 1.0 + drive.lift + drive.lift_slope * time
+    return h * math.cos(tilt) - weight * math.sin(tilt) / drive.alpha
+
+
+@compiled
+def loss_of_contact(segments: Floats, index: int) -> float:
+    """Return the time since a segment's start at which the base falls away: 1 + l is 0; or inf."""
+    weight: float = 1.0 + segments[index, LIFT]
+    slope: float = segments[index, LIFT_SLOPE]
+    if weight <= 0.0:
+        return 0.0
+    if slope >= 0.0 or weight > -slope * segments[index, DURATION]:
+        return math.inf
+    return -weight / slope
+
+
+@compiled
+def jump_share(sides: Floats, side: int, angle: float) -> float:
+    """Return the part of a horizontal impulse that turns the block: cos(alpha (1 - y))."""
+    return math.cos(sides[0 if side > 0 else 1, ALPHA] * (1.0 - angle))

@@ -1,0 +1,140 @@
+"""A nonlinear flight: steps of its Taylor series up to the first zero, and not past one."""
+
+import math
+
+from rocksteady.kernels.compilation import compiled
+from rocksteady.kernels.forcing import TWO_PI
+from rocksteady.kernels.nonlinear.drive import Drive
+from rocksteady.kernels.nonlinear.isolation import first_rise, first_zero, largest
+from rocksteady.kernels.nonlinear.proofs import HALF_PI, falls_on_still_base
+from rocksteady.kernels.nonlinear.series import angle_at, angle_bound, expand
+from rocksteady.kernels.tables import PEAK_ANGLE, PEAK_SPEED, Floats
+from rocksteady.kernels.zeros import FOUND, NO_RETURN, SPAN_END, Zero
+
+LONGEST_STEP = 1e12
+"""Of a block that stands upright to the last bit; any other motion takes shorter ones."""
+
+
+@compiled
+def phase_at(drive: Drive, phase: float, time: float) -> tuple[int, float]:
+    """Return whole turns and the phase beyond them, in [-pi/2, 3 pi/2), at a time of a flight."""
+    turned = phase + drive.frequency * time
+    if turned < 3.0 * HALF_PI:
+        return 0, turned
+    cycle = int((turned + HALF_PI) / TWO_PI)
+    return cycle, turned - TWO_PI * cycle
+
+
+@compiled
+def is_lost(drive: Drive, lost_from: float, angle: float, velocity: float) -> bool:
+    """Return whether a block is proved to overturn on a base motion that goes on for ever.
+
+    `lost_from` is the angle of `rocksteady.kernels.nonlinear.proofs.point_of_no_return`.
+    """
+    if angle > lost_from and velocity >= 0.0:
+        return True
+    still = drive.amplitude == 0.0 and drive.constant == 0.0 and drive.lift == 0.0
+    return still and falls_on_still_base(drive.alpha, angle, velocity)
+
+
+@compiled
+def fly(
+    drive: Drive,
+    angle: float,
+    velocity: float,
+    phase: float,
+    span: float,
+    endless: bool,
+    lost_from: float,
+    lifting: bool,
+    left_out: float,
+    peaks: Floats,
+    lean: float,
+    rate: float,
+    work: Floats,
+) -> Zero:
+    """Fly from a state to the first zero, to the end of the span or until the block is lost.
+
+    Parameters
+    ----------
+    drive
+        The side and its base motion, from the start of the flight.
+    angle, velocity
+        y and y' at the start, y >= 0.
+    phase
+        Of the sinusoid at the start, in [-pi/2, 3 pi/2).
+    span
+        Side time to the end of the segment.
+    endless
+        The base motion goes on for ever, so that a loss may be concluded.
+    lost_from
+        Angle beyond which a block that moves on is then lost.
+    lifting
+        The block lifts off from rest at this instant.
+    left_out
+        Part of the motion that a step may leave out.
+    peaks
+        As for `rocksteady.kernels.march.march`, in reference units; lean and rate convert.
+    lean, rate
+        Of the side.
+    work
+        Working space, shape (5, 24).
+
+    Returns
+    -------
+    Zero
+        Its event, and the state there.  The time of NO_RETURN is infinite where it is proved, and
+        that of the block lying on its side where it has come to that.
+    """
+    flat = HALF_PI / drive.alpha
+    time, cycle = 0.0, 0
+    watch = len(peaks) > 0
+    here = phase
+    sine, cosine = math.sin(phase), math.cos(phase)
+    while True:
+        if angle >= flat:
+            return Zero(NO_RETURN, time, cycle, here, sine, cosine, angle, velocity)
+        if endless and is_lost(drive, lost_from, angle, velocity):
+            return Zero(NO_RETURN, math.inf, cycle, here, sine, cosine, angle, velocity)
+        left = span - time
+        if left <= 0.0:
+            return Zero(SPAN_END, span, cycle, here, sine, cosine, angle, velocity)
+        degree, step = expand(
+            drive,
+            time,
+            angle,
+            velocity,
+            sine,
+            cosine,
+            lifting and time == 0.0,
+            min(left, LONGEST_STEP),
+            left_out,
+            work,
+        )
+        event = SPAN_END
+        zero = first_zero(work, degree, step)
+        ends = step if zero < 0.0 else zero
+        if zero >= 0.0:
+            event = FOUND
+        if angle_bound(work, degree, ends) >= flat:
+            fallen = first_rise(work, degree, ends, flat)
+            if fallen >= 0.0:
+                event, ends = NO_RETURN, fallen
+        if watch:
+            top_angle, top_speed = largest(
+                work, degree, ends, peaks[PEAK_ANGLE] / lean, peaks[PEAK_SPEED] / (lean * rate)
+            )
+            peaks[PEAK_ANGLE] = max(peaks[PEAK_ANGLE], top_angle * lean)
+            peaks[PEAK_SPEED] = max(peaks[PEAK_SPEED], top_speed * lean * rate)
+        angle, velocity = angle_at(work, degree, ends)
+        time = span if event == SPAN_END and step >= left else time + ends
+        if drive.frequency > 0.0:
+            cycle, here = phase_at(drive, phase, time)
+            sine, cosine = math.sin(here), math.cos(here)
+        if event == FOUND:
+            return Zero(FOUND, time, cycle, here, sine, cosine, 0.0, min(velocity, 0.0))
+        if event == NO_RETURN:
+            return Zero(NO_RETURN, time, cycle, here, sine, cosine, angle, velocity)
+        angle = max(angle, 0.0)
+        if time == span:
+            return Zero(SPAN_END, span, cycle, here, sine, cosine, angle, velocity)

@@ -1,0 +1,168 @@
+"""What is proved of a nonlinear motion to come: that it overturns, that it comes to rest.
+
+**Overturning.**  A block that has turned by pi/2 lies on its side.  Before that it is lost where
+nothing to come can bring it back.  With |h| <= H and |l| <= L < 1 for ever, and ``w = alpha (y -
+1)`` in (0, pi/2)::
+
+    alpha y'' = (1 + l) sin w + alpha h cos w >= (1 - L) sin w - alpha H cos w,
+
+which is positive for ``tan w > alpha H/(1 - L)``: from there on a block that does not come back
+never does.  On a base that stands still for ever the energy decides: from ``|y'| = 2 sin(alpha |1 -
+y|/2)/alpha``, on which it would reach the upright position and stay there, a block that is faster
+towards that position passes it, and one beyond that is slower does not come back.
+
+**Rest.**  The argument is that of `rocksteady.kernels.rest`.  With c > 0 the least of -r and K the
+largest of ``max(1, k + c alpha^2/2)`` over the window, ``y'' <= -c + K y`` while 0 <= y <= 1, since
+``cos x >= 1 - x^2/2`` and ``sin x <= x``.  So a bounce with velocity v rises to ``Y <= v^2/c`` at
+most, which has to be below 1, and lasts no longer than ``2 v/sqrt(c^2 - K v^2)``; the square of its
+landing velocity exceeds v^2 by twice the integral of ``r' sin(alpha y)/alpha + k' (1 - cos(alpha
+y))/alpha^2``, which is at most ``2 (max |r'| + max |k'|) Y`` times the duration.
+"""
+
+import math
+
+from rocksteady.kernels.compilation import compiled
+from rocksteady.kernels.forcing import largest_forcing, steepest_forcing
+from rocksteady.kernels.nonlinear.drive import Drive, foot_forcing, side_drive
+from rocksteady.kernels.tables import (
+    ALPHA,
+    CEILING,
+    LEAN,
+    LIFT_CEILING,
+    RATE,
+    RESTITUTION,
+    Floats,
+)
+
+HALF_PI = 0.5 * math.pi
+
+
+@compiled
+def point_of_no_return(segments: Floats, index: int, sides: Floats, side: int) -> float:
+    """Return the y beyond which a block that moves on never comes back, from a segment's start on.
+
+    Infinite where the base may yet fall away under the block, or a jump is to come.
+    """
+    row = 0 if side > 0 else 1
+    alpha: float = sides[row, ALPHA]
+    ceiling: float = segments[index, CEILING] / sides[row, LEAN]
+    weight = 1.0 - segments[index, LIFT_CEILING]
+    if weight <= 0.0 or ceiling == math.inf:
+        return math.inf
+    return 1.0 + math.atan2(alpha * ceiling, weight) / alpha
+
+
+@compiled
+def falls_on_still_base(alpha: float, angle: float, velocity: float) -> bool:
+    """Return whether energy proves that a block overturns on a base that stands still for ever."""
+    barrier = 2.0 * math.sin(0.5 * alpha * abs(1.0 - angle)) / alpha
+    if angle < 1.0:
+        return velocity > barrier
+    return angle > 1.0 and velocity > -barrier
+
+
+@compiled
+def bounces_end(
+    segments: Floats,
+    index: int,
+    sides: Floats,
+    side: int,
+    elapsed: float,
+    speed: float,
+    phase_here: float,
+    phase_there: float,
+    span: float,
+) -> bool:
+    """Return whether the bounces that start now are proved to die out within `span`.
+
+    Parameters
+    ----------
+    segments, index, sides
+        The tables and the segment.
+    side
+        That of the first bounce.
+    elapsed
+        Time since the segment's start.
+    speed
+        |d(theta/alpha)/ds| with which the first bounce begins.
+    phase_here, phase_there
+        Phase of the sinusoid seen from the side of the first bounce, and from the other.
+    span
+        Time in which they have to end.
+    """
+    row = 0 if side > 0 else 1
+    return bounces_settle(
+        max(sides[0, RESTITUTION], sides[1, RESTITUTION]),
+        span,
+        side_drive(segments, index, sides, side, elapsed),
+        phase_here,
+        speed / (sides[row, LEAN] * sides[row, RATE]),
+        sides[row, RATE],
+        side_drive(segments, index, sides, -side, elapsed),
+        phase_there,
+        speed / (sides[1 - row, LEAN] * sides[1 - row, RATE]),
+        sides[1 - row, RATE],
+    )
+
+
+@compiled
+def bounces_settle(
+    restitution: float,
+    span: float,
+    here: Drive,
+    phase_here: float,
+    speed_here: float,
+    rate_here: float,
+    there: Drive,
+    phase_there: float,
+    speed_there: float,
+    rate_there: float,
+) -> bool:
+    """Return whether the coming bounces are proved to end before an uplift and within `span`.
+
+    The parameters are those of `rocksteady.kernels.rest.settles`, with drives for forcings.
+    """
+    if restitution >= 1.0:
+        return False
+    pull_here: float = -largest_forcing(foot_forcing(here), phase_here, 0.0)
+    pull_there = -largest_forcing(foot_forcing(there), phase_there, 0.0)
+    if pull_here <= speed_here or pull_there <= speed_there:
+        return False
+    window = (
+        4.0
+        * max(speed_here / (pull_here * rate_here), speed_there / (pull_there * rate_there))
+        / (1.0 - restitution)
+    )
+    if window > span:
+        return False
+    growth_here, lasts_here = bounce_bounds(
+        here, phase_here, speed_here, rate_here, window * rate_here
+    )
+    growth_there, lasts_there = bounce_bounds(
+        there, phase_there, speed_there, rate_there, window * rate_there
+    )
+    kappa: float = restitution * math.sqrt(max(growth_here, growth_there))
+    return kappa < 1.0 and max(lasts_here, lasts_there) <= (1.0 - kappa) * window
+
+
+@compiled
+def bounce_bounds(
+    drive: Drive, phase: float, velocity: float, rate: float, window: float
+) -> tuple[float, float]:
+    """Return upper bounds of a bounce's growth of velocity squared and of its duration."""
+    forcing = foot_forcing(drive)
+    pull = -largest_forcing(forcing, phase, window)
+    sine, cosine, alpha = math.sin(drive.alpha), math.cos(drive.alpha), drive.alpha
+    shaking = abs(drive.constant) + abs(drive.slope) * window + drive.amplitude
+    weight = 1.0 + abs(drive.lift) + abs(drive.lift_slope) * window
+    stiffness = max(1.0, weight * cosine + alpha * sine * shaking + 0.5 * pull * alpha * alpha)
+    faster = math.sqrt(stiffness) * velocity
+    if pull <= faster or velocity * velocity >= pull:
+        return math.inf, math.inf
+    root = math.sqrt((pull - faster) * (pull + faster))
+    drift = (
+        steepest_forcing(forcing)
+        + abs(drive.lift_slope) * (cosine + sine / alpha)
+        + alpha * sine * (abs(drive.slope) + drive.amplitude * drive.frequency)
+    )
+    return 1.0 + 4.0 * drift * velocity / (pull * root), 2.0 * velocity / (root * rate)

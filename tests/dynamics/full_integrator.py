@@ -1,0 +1,79 @@
+"""The full equations by an adaptive integrator with events, in seconds and radians."""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
+
+import numpy as np
+from scipy.integrate import solve_ivp
+
+from rocksteady import Block
+
+Ground = Callable[[float], float]
+
+
+def still(_t: float) -> float:
+    return 0.0
+
+
+def impacts_by_integrator(
+    horizontal: Ground,
+    *,
+    block: Block,
+    angle: float,
+    velocity: float,
+    breaks: Sequence[float],
+    vertical: Ground = still,
+    longest_step: float,
+    count: int,
+    jumps: Mapping[float, float] | None = None,
+) -> list[float]:
+    """Return the times of the first impacts [s] up to the last break.
+
+    `horizontal` and `vertical` are base accelerations over g, smooth between neighbouring breaks;
+    angle [rad] and velocity [rad/s] are not both zero.  `jumps` are sudden changes of the base's
+    velocity over g [s] at breaks.
+    """
+    side = math.copysign(1.0, angle if angle != 0.0 else velocity)
+    state = [angle, velocity]
+    found: list[float] = []
+    for begin, end in pairwise(breaks):
+        now = begin
+        own = block.positive if side > 0.0 else block.negative
+        push = 0.0 if jumps is None else jumps.get(begin, 0.0)
+        state[1] += own.p**2 * push * math.cos(own.alpha - side * state[0])
+        while now < end:
+            own = block.positive if side > 0.0 else block.negative
+            alpha, p = own.alpha, own.p
+
+            def motion(
+                t: float, y: np.ndarray, side: float = side, alpha: float = alpha, p: float = p
+            ) -> list[float]:
+                tilt = alpha - side * y[0]
+                pull = -side * (1.0 + vertical(t)) * math.sin(tilt)
+                return [y[1], p * p * (pull + horizontal(t) * math.cos(tilt))]
+
+            def landing(_t: float, y: np.ndarray) -> float:
+                return float(y[0])
+
+            landing.terminal = True  # type: ignore[attr-defined]
+            landing.direction = -side  # type: ignore[attr-defined]
+            run = solve_ivp(
+                motion,
+                (now, end),
+                state,
+                method="DOP853",
+                rtol=1e-12,
+                atol=1e-15,
+                events=landing,
+                max_step=longest_step,
+            )
+            now = float(run.t[-1])
+            state = [float(run.y[0, -1]), float(run.y[1, -1])]
+            if run.status == 1:
+                found.append(now)
+                if len(found) == count:
+                    return found
+                state = [0.0, own.restitution * state[1]]
+                side = -side
+    return found

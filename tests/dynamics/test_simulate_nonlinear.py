@@ -1,0 +1,280 @@
+"""The nonlinear model against an adaptive integrator, the linear one, energy and symmetry."""
+
+import math
+
+import numpy as np
+import pytest
+
+from rocksteady import (
+    Block,
+    DimensionlessBlock,
+    Harmonic,
+    Impulses,
+    InputError,
+    ModelError,
+    Piecewise,
+    Pulse,
+    Record,
+    Segment,
+    State,
+    Status,
+    Steady,
+    Still,
+    Trajectory,
+    simulate,
+)
+from rocksteady.model.motions import Motion
+from tests.dynamics.full_integrator import impacts_by_integrator
+from tests.records import synthetic
+
+G = 9.80665
+
+
+def full(block: Block, motion: Motion | Record, **given: object) -> Trajectory:
+    return simulate(block, motion, model="nonlinear", **given)  # type: ignore[arg-type]
+
+
+def drawn(seed: int) -> tuple[Block, State, np.random.Generator]:
+    rng = np.random.default_rng(seed)
+    block = Block.from_p(
+        alpha=rng.uniform(0.05, 0.6), p=rng.uniform(1.0, 5.0), restitution=rng.uniform(0.7, 0.95)
+    )
+    state = State(angle=rng.uniform(-0.5, 0.5), velocity=rng.uniform(-0.3, 0.3))
+    return block, state, rng
+
+
+def same_impacts(run: Trajectory, expected: list[float]) -> None:
+    assert run.block is not None
+    assert len(expected) >= 1
+    assert len(run.impacts) >= len(expected)
+    np.testing.assert_allclose(
+        run.impacts.s[: len(expected)] / run.block.p, expected, rtol=0.0, atol=1e-9
+    )
+
+
+# ------------------------------------------------------------------- an adaptive integrator
+
+
+@pytest.mark.parametrize("seed", range(7))
+def test_impacts_of_harmonic_shaking(seed: int) -> None:
+    block, state, rng = drawn(seed)
+    a, w, phase = rng.uniform(0.5, 3.0), rng.uniform(2.0, 10.0), rng.uniform(0.0, 6.0)
+    expected = impacts_by_integrator(
+        lambda t: a * block.alpha * math.sin(w * block.p * t + phase),
+        block=block,
+        angle=state.angle * block.alpha,
+        velocity=state.velocity * block.alpha * block.p,
+        breaks=(0.0, 6.0 / block.p),
+        longest_step=0.02 / block.p,
+        count=8,
+    )
+    run = full(block, Harmonic(amplitude=a, frequency_ratio=w, phase=phase), start=state)
+    same_impacts(run, expected)
+
+
+@pytest.mark.parametrize("shape", ["half-sine", "one-sine", "one-cosine", "triangle"])
+def test_impacts_of_pulses(shape: str) -> None:
+    block, state, _ = drawn(len(shape))
+    pulse = Pulse(shape=shape, amplitude=1.4, frequency_ratio=4.0)
+    segments = pulse.segments()
+    ends = np.concatenate([[0.0], np.cumsum([segment.duration for segment in segments])])
+
+    def ground(t: float) -> float:
+        s = t * block.p
+        k = int(np.searchsorted(ends, s, side="right")) - 1
+        if k >= len(segments):
+            return 0.0
+        part, since = segments[k], s - ends[k]
+        wave = part.amplitude * math.sin(part.frequency * since + part.phase)
+        return float(block.alpha * (part.constant + part.slope * since + wave))
+
+    expected = impacts_by_integrator(
+        # A break belongs to the segment that ends at it, too: step a little aside of it.
+        ground,
+        block=block,
+        angle=state.angle * block.alpha,
+        velocity=state.velocity * block.alpha * block.p,
+        breaks=(*(ends[:-1] / block.p), ends[-1] / block.p * (1.0 + 1e-15), 8.0 / block.p),
+        longest_step=0.02 / block.p,
+        count=6,
+    )
+    same_impacts(full(block, pulse, start=state), expected)
+
+
+@pytest.mark.parametrize("lifted", [False, True])
+@pytest.mark.parametrize("seed", range(5))
+def test_impacts_of_records(seed: int, lifted: bool) -> None:
+    block, state, rng = drawn(50 + seed)
+    dt, n = 0.02, 100
+    flat = synthetic(rng, n, dt, 1.5 * block.alpha * G)
+    up = synthetic(rng, n, dt, 0.6 * G)
+    times = dt * np.arange(n)
+    expected = impacts_by_integrator(
+        lambda t: float(np.interp(t, times, flat / G)),
+        vertical=lambda t: float(np.interp(t, times, up / G)) if lifted else 0.0,
+        block=block,
+        angle=state.angle * block.alpha,
+        velocity=state.velocity * block.alpha * block.p,
+        breaks=tuple(times),
+        longest_step=0.01,
+        count=6,
+    )
+    record = Record(acceleration_m_s2=flat, dt_s=dt)
+    vertical = Record(acceleration_m_s2=up, dt_s=dt) if lifted else None
+    same_impacts(full(block, record, start=state, vertical=vertical), expected)
+
+
+# ------------------------------------------------------------------------ energy, symmetry
+
+
+@pytest.mark.parametrize("alpha", [0.05, 0.3, 0.7])
+def test_energy_is_constant_over_a_thousand_impacts_without_loss(alpha: float) -> None:
+    block = Block.from_p(alpha=alpha, p=2.0, restitution=1.0)
+    run = full(block, Still(), start=State(angle=0.7, velocity=0.0), flight_limit=1002)
+    assert len(run.impacts) >= 1000
+    energy = run(run.times(2, span=(0.0, float(run.impacts.s[999])))).energy
+    assert np.ptp(energy) <= 1e-10 * energy[0]
+
+
+def test_small_slenderness_is_the_linear_model() -> None:
+    motion = Harmonic(amplitude=2.0, frequency_ratio=5.0, phase=0.3)
+    start = State(angle=0.2, velocity=0.1)
+    bare = simulate(DimensionlessBlock(restitution=0.8), motion, start=start, cycles=4)
+    errors = []
+    for alpha in (1e-6, 1e-2, 2e-2):
+        run = full(Block.from_p(alpha=alpha, p=1.0, restitution=0.8), motion, start=start, cycles=4)
+        assert len(run.impacts) == len(bare.impacts)
+        errors.append(np.abs(run.impacts.s - bare.impacts.s).max())
+    assert errors[0] < 1e-10
+    assert errors[2] / errors[1] == pytest.approx(4.0, rel=0.05)
+
+
+def test_turned_round_everything_is_a_mirror_image_to_the_last_bit() -> None:
+    block, state, rng = drawn(3)
+    flat = synthetic(rng, 300, 0.02, 1.6 * block.alpha * G)
+    up = Record(acceleration_m_s2=synthetic(rng, 300, 0.02, 0.5 * G), dt_s=0.02)
+    record = Record(acceleration_m_s2=flat, dt_s=0.02)
+    here = full(block, record, start=state, vertical=up)
+    mirrored = State(angle=-state.angle, velocity=-state.velocity)
+    there = full(block, record.reversed(), start=mirrored, vertical=up)
+    assert np.array_equal(here.impacts.s, there.impacts.s)
+    assert np.array_equal(here.impacts.velocity_after, -there.impacts.velocity_after)
+    assert here.peak == there.peak
+
+
+def test_the_motion_is_continuous_and_obeys_the_equation() -> None:
+    block = Block.from_p(alpha=0.4, p=2.0, restitution=0.8)
+    run = full(block, Harmonic(amplitude=2.0, frequency_ratio=3.0), cycles=5)
+    s = np.linspace(0.0, run.end_s, 4001)
+    motion = run(s)
+    backwards = run(s[::-1])
+    np.testing.assert_allclose(backwards.angle[::-1], motion.angle, rtol=0.0, atol=1e-14)
+    side = np.sign(motion.angle)
+    tilt = block.alpha * (1.0 - np.abs(motion.angle))
+    expected = motion.base_acceleration * np.cos(tilt) - side * np.sin(tilt) / block.alpha
+    moving = side != 0.0
+    np.testing.assert_allclose(motion.acceleration[moving], expected[moving], atol=1e-12)
+    assert np.abs(motion.angle).max() <= run.peak * (1.0 + 1e-14)
+    assert np.abs(motion.angle).max() >= run.peak * (1.0 - 1e-4)
+
+
+# ------------------------------------------------------------------------------ its limits
+
+
+def test_a_block_stays_at_rest_up_to_its_own_uplift() -> None:
+    block = Block.from_p(alpha=0.5, p=2.0)
+    just = math.tan(0.5) / 0.5  # in units of alpha g
+    for factor, impacts in ((1.0 - 1e-12, False), (1.0 + 1e-6, True)):
+        run = full(block, Harmonic(amplitude=just * factor, frequency_ratio=4.0), cycles=3)
+        assert (len(run.impacts) > 0) is impacts
+
+
+def test_the_base_falls_away_under_the_block() -> None:
+    block = Block.from_p(alpha=0.3, p=2.0)
+    flat = Record(acceleration_m_s2=np.array([0.0, 1.0, 0.0, 0.0]), dt_s=0.1)
+    up = Record(acceleration_m_s2=np.array([0.0, 0.0, -2.0 * G, 0.0]), dt_s=0.1)
+    for start in (None, State(angle=0.5, velocity=0.0)):
+        run = full(block, flat, vertical=up, start=start)
+        assert run.status is Status.LOST_CONTACT
+        assert run.end_s / block.p == pytest.approx(0.15, abs=1e-14)
+
+
+def test_a_heavier_base_holds_the_block_longer() -> None:
+    block = Block.from_p(alpha=0.3, p=2.0)
+    flat = Record(acceleration_m_s2=np.array([0.0, 0.0, 6.0, 0.0]), dt_s=0.1)
+    up = Record(acceleration_m_s2=np.array([0.5 * G] * 3 + [0.0]), dt_s=0.1)
+    lifted = full(block, flat, vertical=up).flights
+    expected = 0.1 + 0.1 * 1.5 * math.tan(0.3) * G / 6.0
+    assert lifted.s[np.flatnonzero(lifted.side)[0]] / block.p == pytest.approx(expected, rel=1e-12)
+
+
+def test_vertical_samples_need_not_lie_where_the_horizontal_ones_do() -> None:
+    block = Block.from_p(alpha=0.3, p=2.0, restitution=0.9)
+    start = State(angle=0.4, velocity=0.0)
+    rng = np.random.default_rng(4)
+    flat = Record(acceleration_m_s2=synthetic(rng, 50, 0.04, 2.0), dt_s=0.04)
+    up = synthetic(rng, 50, 0.04, 4.0)
+    coarse = Record(acceleration_m_s2=up, dt_s=0.04)
+    fine = np.interp(0.016 * np.arange(123), 0.04 * np.arange(50), up)
+    whole = np.interp(0.01 * np.arange(197), 0.04 * np.arange(50), up)
+    one = full(block, flat, vertical=coarse, start=start)
+    same = full(block, flat, vertical=Record(acceleration_m_s2=whole, dt_s=0.01), start=start)
+    other = full(block, flat, vertical=Record(acceleration_m_s2=fine, dt_s=0.016), start=start)
+    np.testing.assert_allclose(same.impacts.s[:5], one.impacts.s[:5], rtol=1e-12)
+    assert np.abs(other.impacts.s[:5] - one.impacts.s[:5]).max() < 0.02
+
+
+def test_overturning_is_proved_and_timed() -> None:
+    block = Block.from_p(alpha=0.3, p=2.0)
+    run = full(block, Impulses(velocities=(2.0,)))
+    assert run.status is Status.OVERTURNED
+    assert run.overturn_s is not None
+    assert run(run.overturn_s).angle == pytest.approx(1.0, abs=1e-12)
+    assert run.peak == pytest.approx(1.0, abs=1e-12)
+    assert run(run.end_s).angle == pytest.approx(2.0, abs=1e-12)
+
+
+def test_a_stocky_block_is_followed_until_it_lies_on_its_side() -> None:
+    block = Block.from_p(alpha=1.2, p=2.0, restitution=0.5)
+    run = full(block, Still(), start=State(angle=1.05, velocity=0.0))
+    assert run.status is Status.OVERTURNED
+    assert run(run.end_s).angle == pytest.approx(0.5 * math.pi / 1.2, abs=1e-12)
+
+
+def test_a_push_during_a_strong_motion_may_lay_the_block_down() -> None:
+    block = Block.from_p(alpha=0.4, p=2.0)
+    push = Piecewise(pieces=(Segment(duration=20.0, constant=3.0),))
+    run = full(block, push)
+    assert run.status is Status.OVERTURNED
+    assert run(run.end_s).angle == pytest.approx(2.0, abs=1e-10) or run.end_s < 20.0
+
+
+def test_looser_tolerances_give_larger_errors_within_them() -> None:
+    block = Block.from_p(alpha=0.4, p=2.0, restitution=0.8)
+    motion, start = Harmonic(amplitude=2.0, frequency_ratio=4.0), Steady()
+    exact = full(block, motion, start=start, cycles=20, tolerance=1e-11)
+    for tolerance in (1e-3, 1e-6, 1e-9):
+        run = full(block, motion, start=start, cycles=20, tolerance=tolerance)
+        error = np.abs(run.impacts.s - exact.impacts.s).max()
+        assert error <= tolerance
+
+
+# ------------------------------------------------------------------------------ refusals
+
+
+def test_what_is_refused_says_why() -> None:
+    block = Block.from_p(alpha=0.3, p=2.0)
+    record = Record(acceleration_m_s2=np.array([0.0, 1.0, 0.0]), dt_s=0.1)
+    shaking = Harmonic(amplitude=1.0, frequency_ratio=2.0)
+    with pytest.raises(ModelError, match="needs the block's slenderness"):
+        simulate(DimensionlessBlock(restitution=0.9), shaking, model="nonlinear")
+    with pytest.raises(ModelError, match="linear equations of motion have no term"):
+        simulate(block, record, vertical=record)
+    with pytest.raises(ModelError, match="linear between samples"):
+        full(block, record, vertical=shaking)
+    with pytest.raises(InputError, match="vertical"):
+        full(block, record, vertical=3)
+    with pytest.raises(InputError, match="two equations"):
+        simulate(block, record, model="quadratic")  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="tolerance"):
+        full(block, record, tolerance=1e-15)

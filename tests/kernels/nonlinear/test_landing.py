@@ -1,0 +1,74 @@
+"""The return map of the nonlinear model: its determinant, differences, and the linear limit."""
+
+import math
+
+import numpy as np
+import pytest
+
+from rocksteady.kernels.section import IMPACT, Section, System, make_system, next_passage
+
+
+def system_of(alpha: float, amplitude: float, frequency: float, restitution: float) -> System:
+    row = (restitution, 1.0, 1.0, alpha, 1e-15)
+    return make_system(amplitude, frequency, np.array([row, row]))
+
+
+def drawn(seed: int) -> tuple[float, float, float, float, Section]:
+    rng = np.random.default_rng(seed)
+    state = Section(
+        int(rng.choice([-1, 1])), 0, float(rng.uniform(0.0, math.pi)), float(rng.uniform(0.2, 0.8))
+    )
+    return (
+        float(rng.uniform(0.02, 1.0)),
+        float(rng.uniform(0.1, 3.0)),
+        float(rng.uniform(1.0, 12.0)),
+        float(rng.uniform(0.5, 1.0)),
+        state,
+    )
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_the_flow_keeps_the_area(seed: int) -> None:
+    *parameters, state = drawn(seed)
+    system = system_of(*parameters)
+    found = next_passage(system, state, -1.0)
+    if found.kind != IMPACT:
+        pytest.skip("no impact follows")
+    j11, j12, j21, j22 = found.jacobian
+    expected = parameters[3] ** 2 * state.speed / found.state.speed
+    size = abs(j11 * j22) + abs(j12 * j21)
+    assert j11 * j22 - j12 * j21 == pytest.approx(expected, abs=2e-13 * size)
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_the_derivative_is_that_of_differences(seed: int) -> None:
+    *parameters, state = drawn(seed)
+    system = system_of(*parameters)
+    found = next_passage(system, state, -1.0)
+    if found.kind != IMPACT:
+        pytest.skip("no impact follows")
+
+    def landed(phase: float, speed: float) -> np.ndarray:
+        moved = Section(state.side, 0, state.phase + phase, state.speed + speed)
+        after = next_passage(system, moved, -1.0).state
+        return np.array([math.pi * after.half_cycles + after.phase, after.speed])
+
+    h = 1e-5
+    columns = [(landed(h, 0.0) - landed(-h, 0.0)), (landed(0.0, h) - landed(0.0, -h))]
+    jacobian = np.array(found.jacobian).reshape(2, 2)
+    difference = np.column_stack(columns) / (2.0 * h)
+    np.testing.assert_allclose(difference, jacobian, atol=1e-6 * np.abs(jacobian).max())
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_small_slenderness_is_the_linear_map(seed: int) -> None:
+    _, *parameters, state = drawn(seed)
+    amplitude, frequency, restitution = parameters
+    full = next_passage(system_of(1e-7, amplitude, frequency, restitution), state, -1.0)
+    row = (restitution, 1.0, 1.0)
+    plain = next_passage(make_system(amplitude, frequency, np.array([row, row])), state, -1.0)
+    assert full.kind == plain.kind
+    if full.kind == IMPACT:
+        assert full.time == pytest.approx(plain.time, rel=1e-12)
+        size = np.abs(plain.jacobian).max()
+        np.testing.assert_allclose(full.jacobian, plain.jacobian, atol=1e-11 * size)

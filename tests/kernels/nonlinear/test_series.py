@@ -1,0 +1,73 @@
+"""Taylor steps against 25 digits, and against the equation of motion itself."""
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+
+from rocksteady.kernels.nonlinear.drive import Drive, acceleration, foot_forcing
+from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS, angle_at, expand
+
+mp = mpmath.mp.clone()
+mp.dps = 25
+
+
+def drawn(seed: int) -> tuple[Drive, float, float, float]:
+    rng = np.random.default_rng(seed)
+    drive = Drive(
+        alpha=rng.uniform(0.01, 1.2),
+        constant=rng.normal(),
+        slope=rng.normal(),
+        amplitude=rng.uniform(0.0, 4.0) if seed % 3 else 0.0,
+        frequency=rng.uniform(0.5, 30.0) if seed % 3 else 0.0,
+        lift=0.3 * rng.normal() if seed % 2 else 0.0,
+        lift_slope=rng.normal() if seed % 2 else 0.0,
+    )
+    return drive, rng.uniform(0.0, 1.5), rng.normal(), rng.uniform(0.0, 6.0)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_step_is_as_exact_as_asked_for(seed: int) -> None:
+    drive, angle, velocity, phase = drawn(seed)
+    work = np.zeros((WORK_ROWS, TERMS))
+    degree, step = expand(
+        drive, 0.0, angle, velocity, math.sin(phase), math.cos(phase), False, 10.0, 1e-15, work
+    )
+    assert 0.0 < step < 10.0
+
+    def motion(t: mpmath.mpf, y: list[mpmath.mpf]) -> list[mpmath.mpf]:
+        tilt = drive.alpha * (1 - y[0])
+        h = drive.constant + drive.slope * t
+        h += drive.amplitude * mp.sin(mp.mpf(phase) + drive.frequency * t)
+        weight = 1 + drive.lift + drive.lift_slope * t
+        return [y[1], h * mp.cos(tilt) - weight * mp.sin(tilt) / drive.alpha]
+
+    exact = mp.odefun(motion, 0, [mp.mpf(angle), mp.mpf(velocity)], tol=mp.mpf(10) ** -19)
+    for part in (0.5, 1.0):
+        state = exact(mp.mpf(part * step))
+        y, v = angle_at(work, degree, part * step)
+        scale = max(abs(angle), abs(velocity) * step)
+        assert abs(y - state[0]) <= 2e-14 * scale
+        assert abs(v - state[1]) <= 4e-13 * scale / step
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_the_first_curvature_is_the_equation_of_motion(seed: int) -> None:
+    drive, angle, velocity, phase = drawn(seed)
+    work = np.zeros((WORK_ROWS, TERMS))
+    sine = math.sin(phase)
+    expand(drive, 0.0, angle, velocity, sine, math.cos(phase), False, 1.0, 1e-15, work)
+    assert 2.0 * work[0, 2] == pytest.approx(acceleration(drive, 0.0, angle, sine), rel=1e-14)
+    r = foot_forcing(drive)
+    assert r.constant + r.amplitude * sine == pytest.approx(
+        acceleration(drive, 0.0, 0.0, sine), rel=1e-13, abs=1e-14
+    )
+
+
+def test_short_steps_take_few_terms() -> None:
+    drive = Drive(0.3, -0.4, 30.0, 0.0, 0.0, 0.0, 0.0)
+    work = np.zeros((WORK_ROWS, TERMS))
+    degree, step = expand(drive, 0.0, 0.5, 0.3, 0.0, 1.0, False, 0.01, 1e-15, work)
+    assert step == 0.01
+    assert degree <= 9
