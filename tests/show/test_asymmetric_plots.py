@@ -110,6 +110,24 @@ def test_the_marks_of_uplift_are_at_the_alpha_of_either_side() -> None:
     assert marks[1] == 0.0
 
 
+def test_in_the_nonlinear_model_it_lifts_at_the_tangent_of_either_alpha() -> None:
+    run = simulate(BLOCK, SHAKEN, cycles=3, model="nonlinear")
+    lifts = [
+        -math.tan(BLOCK.negative.alpha) / BLOCK.alpha,
+        math.tan(BLOCK.positive.alpha) / BLOCK.alpha,
+    ]
+    levels = [np.unique(np.asarray(line.get_ydata())) for line in plot_base(run, new_axes()).lines]
+    flat = sorted(level.item() for level in levels if level.size == 1 and level[0] != 0.0)
+    assert flat == pytest.approx(lifts)
+    film = film_of(run, fps=10)
+    places = [np.asarray(line.get_xdata(), dtype=float) for line in film.scene.axes.lines]
+    marks = sorted(float(x[0]) for x in places if len(x) == 2 and x[0] == x[1])
+    assert marks[0] / marks[2] == pytest.approx(lifts[0] / lifts[1])
+    legend = film.scene.axes.get_legend()
+    assert legend is not None
+    assert any("g tan α₊, −g tan α₋" in text.get_text() for text in legend.get_texts())
+
+
 def test_words_of_a_film_tell_both_sides() -> None:
     film = film_of(simulate(BLOCK, SHAKEN, cycles=3), fps=10)
     title = film.figure.texts[0].get_text()

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import typer
 
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from rocksteady.dynamics.attractor import Attractor
+    from rocksteady.dynamics.nonlinear import ModelName
     from rocksteady.dynamics.start import Start
     from rocksteady.dynamics.trajectory import Trajectory
 
@@ -81,6 +82,7 @@ def attractor(
     output: OutputFlags,
     start: StartFlags,
     cycles: CyclesFlag = 2000,
+    model: flags.Model = "linear",
 ) -> None:
     """Run `rocksteady attractor`; `HELP` is what its users read."""
     output.check()
@@ -94,12 +96,19 @@ def attractor(
 
     begin = start.of(motion.frequency_ratio)
     with start.as_typed():
-        found = settle(body, motion, start=begin, side=start.sign, cycles=cycles)
+        found = settle(
+            body,
+            motion,
+            start=begin,
+            side=start.sign,
+            cycles=cycles,
+            model=cast("ModelName", model),
+        )
     values = attractor_values(found, body, motion)
-    values |= {**start.values(found.shaking.phase), "cycles": cycles}
+    values |= {**start.values(found.shaking.phase), "cycles": cycles, "model": model}
     run = None
     if found.orbit is None and (output.csv is not None or output.plot is not None):
-        run = followed(found, body, motion, begin, start.sign)
+        run = followed(found, body, motion, begin, start.sign, cast("ModelName", model))
     if output.csv is not None:
         write_csv(output.csv, csv_header(body), csv_rows(found, run, body))
     if output.plot is not None:
@@ -152,12 +161,14 @@ def followed(
     shaking: Harmonic,
     start: "Start",
     side: int,
+    model: "ModelName",
 ) -> "Trajectory":
     """Return the run that a motion without an orbit makes."""
     from rocksteady.dynamics.simulate import simulate
 
     cycles = min(found.after + 5, LONGEST_CLOUD)
-    return simulate(body.dimensionless(), shaking, start=start, cycles=cycles, side=side)
+    block = body.dimensionless() if model == "linear" else body
+    return simulate(block, shaking, start=start, cycles=cycles, side=side, model=model)
 
 
 def last_periods(run: "Trajectory", body: Block | DimensionlessBlock) -> "Trajectory":
@@ -173,10 +184,11 @@ def last_periods(run: "Trajectory", body: Block | DimensionlessBlock) -> "Trajec
     here = run(since)
     turned = math.fmod(run.motion.phase + run.frequency_ratio * since, 2.0 * math.pi)
     return simulate(
-        body.dimensionless(),
+        body if run.model == "nonlinear" else body.dimensionless(),
         replace(run.motion, phase=turned),
         start=State(angle=float(here.angle), velocity=float(here.velocity)),
         cycles=SHOWN_PERIODS,
+        model=run.model,
     )
 
 

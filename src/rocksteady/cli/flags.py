@@ -51,6 +51,8 @@ FLAG_OF_ARGUMENT = {
     "name": "--block",
     "per_unit": "--samples",
     "speed": "--speed",
+    "model": "--model",
+    "tolerance": "--tolerance",
     "out": "--out",
     "only": "--only",
     "store": "--out",
@@ -111,6 +113,16 @@ PulseName = Annotated[
         "one-sine, one-cosine. About n + 1/2 periods: type-c1, type-c2, type-c3, ... Wavelets: "
         "ricker, ricker-antisymmetric, mavroeidis-papageorgiou (whose nu is --phase).",
         rich_help_panel=MOTION,
+    ),
+]
+Model = Annotated[
+    str,
+    typer.Option(
+        "--model",
+        metavar="NAME",
+        help="Equations of motion: linear (slender blocks, in closed form) or nonlinear (the full "
+        "equations, which need a block).",
+        rich_help_panel=BLOCK,
     ),
 ]
 Oscillations = Annotated[

@@ -1,6 +1,6 @@
 """`rocksteady map`: what a block settles to, or what becomes of it, in every cell of a grid."""
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, cast
 
 import typer
 
@@ -20,6 +20,9 @@ from rocksteady.cli.outputs import (
 from rocksteady.cli.progress import sweeping
 from rocksteady.cli.sweeps import SweepFlags
 from rocksteady.errors import InputError, ModelError
+
+if TYPE_CHECKING:
+    from rocksteady.dynamics.nonlinear import ModelName
 
 HELP = (
     "What the block settles to in every cell of a grid.\n\n"
@@ -71,6 +74,7 @@ def maps(
     output: OutputFlags,
     fate: FateFlag = False,
     cycles: MapCycles = None,
+    model: flags.Model = "linear",
 ) -> None:
     """Run `rocksteady map`; `HELP` is what its users read."""
     sweep.check(output)
@@ -100,10 +104,12 @@ def maps(
             workers=sweep.workers,
             store=store,
             refine=sweep.refine,
+            model=cast("ModelName", model),
             done=meter,
         )
     values = map_values(case, found, meter)
     values |= {"store": store and str(store.path), "cycles": periods, "fate": fate}
+    values["model"] = model
     if output.csv is not None:
         write_cells(output.csv, found)
     if sweep.netcdf is not None:

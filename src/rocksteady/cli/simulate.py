@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import typer
 
@@ -26,11 +26,13 @@ from rocksteady.model.pulses import Pulse
 from rocksteady.model.validation import whole_number
 
 if TYPE_CHECKING:
+    from rocksteady.dynamics.nonlinear import ModelName
     from rocksteady.dynamics.trajectory import Trajectory
     from rocksteady.show.animation import Film
 
 HELP = (
-    "One time history: every flight in closed form, every impact, overturning proved.\n\n"
+    "One time history: every flight in closed form (of the full equations with --model nonlinear: "
+    "to within a tolerance), every impact, overturning proved.\n\n"
     "Without shaking (-A and -W, or --accel-g and --freq-hz) a block that is let go rocks freely "
     "until it rests or overturns. After a pulse (--pulse) too it is followed until then."
 )
@@ -40,6 +42,7 @@ EXAMPLES = (
     "rocksteady simulate --width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 1 --csv run.csv\n\n"
     "rocksteady simulate --block zhang-makris-2001 --pulse one-sine --accel-g 2 --freq-hz 1.7\n\n"
     "rocksteady simulate --block zhang-makris-2001 --start 0.6,w=0 --json\n\n"
+    "rocksteady simulate --width-m 0.4 --height-m 0.8 -A 2 -W 4 --model nonlinear\n\n"
     "rocksteady simulate --block tso-wong-1989 -A 4 -W 1.5 --animate fall.gif"
 )
 
@@ -62,6 +65,15 @@ SamplesFlag = Annotated[
         rich_help_panel=flags.OUTPUT,
     ),
 ]
+ToleranceFlag = Annotated[
+    float | None,
+    typer.Option(
+        "--tolerance",
+        metavar="X",
+        help="Error that the nonlinear motion may have, as a part of it; default 1e-10.",
+        rich_help_panel=flags.START,
+    ),
+]
 
 
 @grouped
@@ -74,6 +86,8 @@ def simulate(
     start: StartFlags,
     cycles: CyclesFlag = None,
     samples: SamplesFlag = 100,
+    model: flags.Model = "linear",
+    tolerance: ToleranceFlag = None,
 ) -> None:
     """Run `rocksteady simulate`; `HELP` is what its users read."""
     output.check()
@@ -89,6 +103,7 @@ def simulate(
     if isinstance(motion, Still):
         refuse_without_shaking("--cycles", cycles)
     whole_number("per_unit", samples, at_least=1, hint="give rows per period")
+    refuse_of_linear(model, "--tolerance", tolerance)
 
     announce_compilation()
     from rocksteady.dynamics.simulate import simulate as run
@@ -101,6 +116,8 @@ def simulate(
             start=begin,
             cycles=50.0 if cycles is None else cycles,
             side=start.sign,
+            model=cast("ModelName", model),
+            tolerance=1e-10 if tolerance is None else tolerance,
         )
     values = trajectory_values(trajectory, body)
     # Made before any file is written: a run that is too long to be shown is refused here.
@@ -111,6 +128,8 @@ def simulate(
         from rocksteady.show.figures import simulation_figure
 
         title = f"Rocking block: {case_text(values)}"
+        if trajectory.model == "nonlinear":
+            title += ", nonlinear"
         write_figure(output.plot, simulation_figure(trajectory, title))
     if moving is not None and film.animate is not None:
         write_film(film.animate, moving)
@@ -120,6 +139,23 @@ def simulate(
         print_summary(values, trajectory)
     if trajectory.status is Status.UNDECIDED:
         raise typer.Exit(INCOMPLETE)
+
+
+def refuse_of_linear(model: str, name: str, value: object) -> None:
+    """Refuse what only the nonlinear model has.
+
+    Raises
+    ------
+    ModelError
+        If it is given with the linear model.
+    """
+    if model == "linear" and value is not None:
+        raise ModelError(
+            name=name,
+            value=value,
+            valid="only the nonlinear model has it",
+            hint="leave it out, or take --model nonlinear",
+        )
 
 
 def refuse_cycles_of_pulse(cycles: float | None) -> None:
@@ -168,6 +204,7 @@ def trajectory_values(trajectory: "Trajectory", body: Block | DimensionlessBlock
     """Return what the contract promises, in plain values."""
     motion, block = trajectory.motion, trajectory.block
     values: dict[str, Any] = {
+        "model": trajectory.model,
         "status": trajectory.status.label,
         "peak": trajectory.peak,
         "impacts": len(trajectory.impacts),

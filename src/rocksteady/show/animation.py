@@ -104,10 +104,8 @@ class Film:
             {"marker": (3, 0, -90), "color": palette.BASE, "lw": 3.0, "ms": 6.0, "ls": "-"},
             {"marker": "|", "mec": palette.FAINT, "mew": 1.0, "ms": 7.0},
         ]
-        alike = self.scene.symbol == "α"
-        uplift = "a = ±αg: uplift" if alike else "a = α₊g, −α₋g: uplift"
-        inside = "|θ| < α" if alike else "−α₋ < θ < α₊"
-        words = ["mass centre", "pivot", "impact", "base acceleration a", uplift]
+        inside = "|θ| < α" if self.scene.symbol == "α" else "−α₋ < θ < α₊"
+        words = ["mass centre", "pivot", "impact", "base acceleration a", uplift_words(self.scene)]
         if self.scene.largest == 0.0:
             looks, words = looks[:3], words[:3]
         handles: list[Artist] = [
@@ -160,6 +158,14 @@ def title(scene: BlockScene) -> str:
         pieces = len(motion.segments())
         parts = [f"Base motion of {pieces} segment{'' if pieces == 1 else 's'}"]
     return ", ".join([*parts, *block_words(scene)])
+
+
+def uplift_words(scene: BlockScene) -> str:
+    """Return which base accelerations lift the block from rest."""
+    nonlinear = scene.trajectory.model == "nonlinear"
+    if scene.symbol == "α":
+        return "a = ±g tan α: uplift" if nonlinear else "a = ±αg: uplift"
+    return "a = g tan α₊, −g tan α₋: uplift" if nonlinear else "a = α₊g, −α₋g: uplift"
 
 
 def block_words(scene: BlockScene) -> list[str]:

@@ -69,7 +69,7 @@ class BlockScene:
         self.shape = shape_of(trajectory, alpha)
         self.strongest = float(np.abs(trajectory.impacts.velocity_before).max(initial=0.0))
         self.largest = largest_acceleration(trajectory.segments)
-        negative, positive = trajectory.balances
+        negative, positive = self.uplifts = trajectory.uplifts
         # Arrows fit in beside the marks of both uplift accelerations.
         self.strongest_push = max(self.largest, positive, -negative)
         self.symbol = "α" if -negative == positive else "α₊"
@@ -263,7 +263,7 @@ class BlockScene:
         )
         axes.add_patch(self.arrow)
         lifts = self.arrow_length / self.strongest_push
-        negative, positive = self.trajectory.balances
+        negative, positive = self.uplifts
         for x, reach in ((negative * lifts, 0.055), (0.0, 0.09), (positive * lifts, 0.055)):
             axes.plot(
                 [x, x],

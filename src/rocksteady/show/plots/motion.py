@@ -171,9 +171,9 @@ def plot_base(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: time as in `plot_trajectory`, the acceleration in units of alpha g; dashed at -1
-        and 1 (of a block whose sides differ at their own alpha), where a block at rest lifts off.
-        Impulses are arrows without a scale.
+        The axes: time as in `plot_trajectory`, the acceleration in units of alpha g; dashed where a
+        block at rest lifts off: at -1 and 1 in the linear model, of a block whose sides differ at
+        their own alpha.  Impulses are arrows without a scale.
 
     Examples
     --------
@@ -197,7 +197,7 @@ def plot_base(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
             axes.vlines(at, 0.0, sign * height, color=palette.BASE, lw=1.4)
             heads = np.full(len(at), sign * height)
             axes.plot(at, heads, marker, ms=6.0, color=palette.BASE, clip_on=False)
-    for level in trajectory.balances:
+    for level in trajectory.uplifts:
         axes.axhline(level, color=palette.FAINT, lw=0.8, ls=(0, (4, 3)))
     axes.set(
         xlabel=label,
