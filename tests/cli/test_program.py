@@ -179,6 +179,11 @@ def test_a_missing_folder_and_a_folder_for_a_file_are_refused(
 
 
 @commands
+def test_a_dash_is_no_file(command: str) -> None:
+    assert "name a file" in refused(f"{SHAKEN[command]} -r 0.8 --force --csv", Path("-"))
+
+
+@commands
 @pytest.mark.parametrize("flag", ["--plot", "--csv"])
 def test_an_unwritable_folder_is_refused_before_anything_is_computed(
     command: str, flag: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

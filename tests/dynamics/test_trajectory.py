@@ -335,3 +335,11 @@ def test_a_notebook_shows_how_it_ended() -> None:
     assert f"<td>{len(run.impacts)}</td>" in table
     assert f"pt = {run.overturn_s:.6g}" in table
     assert "overturns" not in rocking()._repr_html_()
+
+
+def test_it_is_printed_in_a_line_without_its_tables() -> None:
+    run = rocking()
+    assert repr(run) == (
+        f"Trajectory(model='linear', status='rocking', peak={run.peak:.6g}, "
+        f"impacts={len(run.impacts)}, end_s={run.end_s:.6g})"
+    )

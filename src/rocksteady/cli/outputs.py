@@ -27,10 +27,12 @@ def check_writable(flag: str, file: Path, *, force: bool) -> None:
     Raises
     ------
     OutputError
-        If it exists and `force` is off, or its folder is missing or not writable.
+        If it exists and `force` is off, its folder is missing or not writable, or it is "-".
     """
     folder = file.absolute().parent
-    if not folder.is_dir():
+    if file == Path("-"):  # which elsewhere means standard output
+        valid, hint = "standard output is kept for text and --json", "name a file"
+    elif not folder.is_dir():
         valid, hint = "its folder does not exist", "create the folder"
     elif file.is_dir():
         valid, hint = "it is a folder", "name a file"

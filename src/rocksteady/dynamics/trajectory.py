@@ -26,7 +26,7 @@ OVERTURNED_SHOWN_TO = 2.0
 """|theta|/alpha up to which a fall is followed; the linear model means nothing much further on."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Trajectory:
     """What `rocksteady.simulate` returns: flights, impacts, and the motion at any time.
 
@@ -412,9 +412,17 @@ class Trajectory:
             return ground.swinging_displacement(self.segments, s)
         return ground.displacement_from_rest(self.segments, s)
 
+    def __repr__(self) -> str:
+        """Return how it went, not its tables."""
+        return (
+            f"Trajectory(model={self.model!r}, status={self.status.label!r}, peak={self.peak:.6g}, "
+            f"impacts={len(self.impacts)}, end_s={self.end_s:.6g})"
+        )
+
     def _repr_html_(self) -> str:
         """Return a small table for notebooks."""
         rows = [
+            ("model", self.model),
             ("status", self.status.label),
             ("peak", f"{self.peak:.6g} alpha"),
             ("impacts", str(len(self.impacts))),
