@@ -7,6 +7,7 @@ import pytest
 from scipy.integrate import quad
 
 from rocksteady import (
+    Block,
     DimensionlessBlock,
     InputError,
     State,
@@ -64,6 +65,38 @@ def test_the_peaks_are_those_of_a_time_history(restitution: float) -> None:
     np.testing.assert_allclose(halves, 0.5 * free_rocking_period(peaks[1:]), rtol=1e-12)
 
 
+@pytest.mark.parametrize("alpha", [0.02, 0.2, 0.8, 1.5])
+@pytest.mark.parametrize("phi", [1e-6, 0.01, 0.3, 0.8, 0.98])
+def test_the_tilting_block_is_that_of_a_time_history(alpha: float, phi: float) -> None:
+    start = State(angle=phi, velocity=0.0)
+    block = Block.from_p(alpha=alpha, p=1.0, restitution=1.0)
+    run = simulate(block, Still(), start=start, model="nonlinear", flight_limit=8)
+    period = float(free_rocking_period(phi, alpha=alpha))
+    assert 4.0 * run.impacts.s[0] == pytest.approx(period, rel=1e-11)
+    np.testing.assert_allclose(np.diff(run.impacts.s), 0.5 * period, rtol=1e-11)
+    block = Block.from_p(alpha=alpha, p=1.0, restitution=0.8)
+    run = simulate(block, Still(), start=start, model="nonlinear")
+    peaks = free_rocking_peaks(phi, 0.8, 6, alpha=alpha)
+    halves = np.diff(run.impacts.s[:7])
+    np.testing.assert_allclose(halves, 0.5 * free_rocking_period(peaks[1:], alpha=alpha), rtol=2e-9)
+    times = run.impacts.s[:6] + 0.5 * halves[:6]
+    np.testing.assert_allclose(peaks[1:], np.abs(run(times).angle), rtol=2e-9)
+
+
+def test_the_tilting_period_is_housners_as_published_and_in_the_slender_limit() -> None:
+    p = math.sqrt(0.75 * 9.81)  # R = 1 m
+    quarters = free_rocking_period([0.1, 0.5, 0.9], alpha=0.2) / p / 4.0
+    assert quarters == pytest.approx([0.172705182, 0.486089732, 1.103837474], abs=5.1e-10)
+    phi = np.array([1e-12, 0.1, 0.5, 0.9, 1.0 - 1e-12])
+    np.testing.assert_allclose(
+        free_rocking_period(phi, alpha=1e-9), free_rocking_period(phi), rtol=1e-13
+    )
+    np.testing.assert_allclose(
+        free_rocking_peaks(1.0, 0.9, 50, alpha=1e-9), free_rocking_peaks(1.0, 0.9, 50), rtol=1e-13
+    )
+    assert free_rocking_peaks(0.4, 1.0, 9, alpha=0.7) == pytest.approx(np.full(10, 0.4), rel=1e-14)
+
+
 def test_the_period_is_the_integral_of_energy() -> None:
     # phi' = sqrt((1 - phi)^2 - (1 - phi0)^2) from phi0 to 0, with 1 - phi = (1 - phi0) cosh x
     for phi in (0.2, 0.7):
@@ -108,3 +141,7 @@ def test_bad_input_is_refused() -> None:
         free_rocking_peaks(0.5, 0.9, -1)
     with pytest.raises(InputError, match="restitution"):
         free_rocking_peaks(0.5, 0.0, 3)
+    with pytest.raises(InputError, match=r"^alpha = 1\.6 "):
+        free_rocking_period(0.5, alpha=1.6)
+    with pytest.raises(InputError, match=r"^alpha = 0"):
+        free_rocking_peaks(0.5, 0.9, 3, alpha=0.0)
