@@ -78,7 +78,7 @@ def fly(
     lean, rate
         Of the side.
     work
-        Working space, shape (5, 24).
+        Working space, shape (6, 24).
 
     Returns
     -------

@@ -26,13 +26,14 @@ from rocksteady.kernels.tables import Floats
 TERMS = 24
 HIGHEST = TERMS - 1  # degree of the longest polynomial
 
-# Rows of the working space, shape (5, TERMS).
+# Rows of the working space, shape (6, TERMS).
 ANGLE = 0  # coefficients of y: what the other modules read
 SPEED = 1  # of y'
 SINE = 2  # of S
 COSINE = 3  # of C
 SHAKING = 4  # of h
-WORK_ROWS = 5
+POINTS = 5  # control points of `rocksteady.kernels.nonlinear.bernstein`
+WORK_ROWS = 6
 
 
 @compiled
@@ -67,7 +68,7 @@ def expand(
     left_out
         Part of the motion that may be left out.
     work
-        Working space, shape (5, 24).
+        Working space, shape (6, 24).
 
     Returns
     -------
@@ -90,7 +91,6 @@ def expand(
     largest = max(abs(angle), abs(velocity) * reach)
     small = 0  # terms in a row that are negligible at the reach
     for n in range(HIGHEST - 1):
-        by_sine = by_cosine = force = 0.0
         if shaken:
             if n >= 2:
                 turn = -drive.frequency * drive.frequency / (n * (n - 1))
@@ -100,14 +100,9 @@ def expand(
                 else:
                     swing_odd *= turn
                     work[SHAKING, n] = swing_odd
-            for j in range(n + 1):
-                force += work[SHAKING, j] * work[COSINE, n - j]
-                by_cosine += work[SPEED, j] * work[COSINE, n - j]
-                by_sine += work[SPEED, j] * work[SINE, n - j]
+            force, by_cosine, by_sine = sums_of_three(work, n)
         else:
-            for j in range(n + 1):
-                by_cosine += work[SPEED, j] * work[COSINE, n - j]
-                by_sine += work[SPEED, j] * work[SINE, n - j]
+            by_cosine, by_sine = sums_of_two(work, n)
             force = work[SHAKING, 0] * work[COSINE, n]
             if n > 0:
                 force += work[SHAKING, 1] * work[COSINE, n - 1]
@@ -134,21 +129,71 @@ def expand(
     return HIGHEST, min(reach, _step(left_out, work))
 
 
-@inlined
+@fused_inlined
+def sums_of_three(work: Floats, n: int) -> tuple[float, float, float]:
+    """Return coefficient n of h C, y' C and y' S; even and odd terms by themselves, for speed."""
+    force = work[SHAKING, 0] * work[COSINE, n]
+    by_cosine = work[SPEED, 0] * work[COSINE, n]
+    by_sine = work[SPEED, 0] * work[SINE, n]
+    odd_force = odd_by_cosine = odd_by_sine = 0.0
+    for j in range(1, n, 2):
+        odd_force += work[SHAKING, j] * work[COSINE, n - j]
+        odd_by_cosine += work[SPEED, j] * work[COSINE, n - j]
+        odd_by_sine += work[SPEED, j] * work[SINE, n - j]
+        force += work[SHAKING, j + 1] * work[COSINE, n - j - 1]
+        by_cosine += work[SPEED, j + 1] * work[COSINE, n - j - 1]
+        by_sine += work[SPEED, j + 1] * work[SINE, n - j - 1]
+    if n % 2 == 1:
+        odd_force += work[SHAKING, n] * work[COSINE, 0]
+        odd_by_cosine += work[SPEED, n] * work[COSINE, 0]
+        odd_by_sine += work[SPEED, n] * work[SINE, 0]
+    return force + odd_force, by_cosine + odd_by_cosine, by_sine + odd_by_sine
+
+
+@fused_inlined
+def sums_of_two(work: Floats, n: int) -> tuple[float, float]:
+    """Return coefficient n of y' C and y' S; even and odd terms by themselves, for speed."""
+    by_cosine = work[SPEED, 0] * work[COSINE, n]
+    by_sine = work[SPEED, 0] * work[SINE, n]
+    odd_by_cosine = odd_by_sine = 0.0
+    for j in range(1, n, 2):
+        odd_by_cosine += work[SPEED, j] * work[COSINE, n - j]
+        odd_by_sine += work[SPEED, j] * work[SINE, n - j]
+        by_cosine += work[SPEED, j + 1] * work[COSINE, n - j - 1]
+        by_sine += work[SPEED, j + 1] * work[SINE, n - j - 1]
+    if n % 2 == 1:
+        odd_by_cosine += work[SPEED, n] * work[COSINE, 0]
+        odd_by_sine += work[SPEED, n] * work[SINE, 0]
+    return by_cosine + odd_by_cosine, by_sine + odd_by_sine
+
+
+@compiled
 def _step(left_out: float, work: Floats) -> float:
     """Return the step at which the last two terms are just negligible; infinite without motion."""
+    # In logarithms: of the smallest that each of the first four terms lets the last ones be.
+    part = math.log(left_out)
+    angle = _logarithm(work[ANGLE, 0]) + part
+    velocity = _logarithm(work[ANGLE, 1]) + part
+    bend = _logarithm(work[ANGLE, 2]) + part
+    third = _logarithm(work[ANGLE, 3]) + part
     step = math.inf
     for n in range(HIGHEST - 1, HIGHEST + 1):
-        last = abs(work[ANGLE, n])
-        if last == 0.0:
-            continue
-        holds = 0.0
-        for k in range(4):
-            ratio = left_out * (abs(work[ANGLE, k]) / last)
-            if ratio > 0.0:
-                holds = max(holds, math.exp(math.log(ratio) / (n - k)))
-        step = min(step, holds)
-    return step
+        last = _logarithm(work[ANGLE, n])
+        if last > -math.inf:
+            holds = max(
+                (angle - last) / n,
+                (velocity - last) / (n - 1),
+                (bend - last) / (n - 2),
+                (third - last) / (n - 3),
+            )
+            step = min(step, holds)
+    return math.exp(step) if step < 700.0 else math.inf
+
+
+@inlined
+def _logarithm(value: float) -> float:
+    """Return ln |value|, minus infinity of 0."""
+    return math.log(abs(value)) if value != 0.0 else -math.inf
 
 
 @fused_inlined
@@ -169,6 +214,16 @@ def speed_at(work: Floats, degree: int, time: float) -> tuple[float, float]:
         bend = bend * time + velocity
         velocity = velocity * time + n * work[ANGLE, n]
     return velocity, bend
+
+
+@fused_inlined
+def bend_at(work: Floats, degree: int, time: float) -> tuple[float, float]:
+    """Return y'' and the third derivative of the polynomial."""
+    bend, third = degree * (degree - 1) * work[ANGLE, degree], 0.0
+    for n in range(degree - 1, 1, -1):
+        third = third * time + bend
+        bend = bend * time + n * (n - 1) * work[ANGLE, n]
+    return bend, third
 
 
 @compiled
