@@ -7,7 +7,7 @@ MARKS ?= not slow
 
 BIN := .venv/bin
 STAMP := .venv/.installed
-EXTRAS := bench,cluster,dev
+EXTRAS := bench,cluster,dev,records
 PEERS := heyoka mujoco
 CHECKS := lint types layers tests tests-nojit
 

@@ -7,6 +7,7 @@ The tree::
 
     RocksteadyError
     ├── InputError      an argument is outside its valid range (also a ValueError)
+    │   └── RecordFileError a ground-motion file cannot be read
     ├── ModelError      arguments valid alone are refused together (also a ValueError)
     ├── OutputError     a file or a folder cannot be written
     └── UnfinishedError a long computation was stopped; what is finished is kept, and can be resumed
@@ -22,6 +23,7 @@ __all__ = [
     "InputError",
     "ModelError",
     "OutputError",
+    "RecordFileError",
     "RocksteadyError",
     "Status",
     "UnfinishedError",
@@ -91,6 +93,70 @@ ratio of the angular velocities after and before an impact
     """
 
     _verdict = "is not valid"
+
+
+class RecordFileError(InputError):
+    """A ground-motion file cannot be read: it is not there, not what it should be, or incomplete.
+
+    The message reads ``record = PATH cannot be read: line LINE, FOUND: VALID; HINT``, without the
+    line where the whole file is meant.
+
+    Parameters
+    ----------
+    path
+        The file.
+    valid
+        What is wrong, or what it must be, as a clause.
+    hint
+        What to do next, as a clause.
+    line
+        Number of the line, the first one being 1.
+    found
+        What stands there.
+
+    Examples
+    --------
+    >>> raise RecordFileError(
+    ...     path="hut.AT2",
+    ...     line=4,
+    ...     found="NPTS= 12",
+    ...     valid="it must state the number of samples and their interval",
+    ...     hint="write it as NPTS= 12, DT= .01 SEC",
+    ... )
+    Traceback (most recent call last):
+    ...
+    rocksteady.errors.RecordFileError: record = 'hut.AT2' cannot be read: line 4, 'NPTS= 12': it \
+must state the number of samples and their interval; write it as NPTS= 12, DT= .01 SEC
+    """
+
+    _verdict = "cannot be read"
+
+    def __init__(
+        self,
+        *,
+        path: str | PathLike[str],
+        valid: str,
+        hint: str,
+        line: int | None = None,
+        found: str | None = None,
+    ) -> None:
+        self.path = path
+        self.line = line
+        self.found = found
+        self._clause = valid
+        place = "" if line is None else f"line {line}"
+        if found is not None:
+            place = f"{place}, {_shown(found)}" if place else _shown(found)
+        super().__init__(
+            name="record",
+            value=fspath(path),
+            valid=f"{place}: {valid}" if place else valid,
+            hint=hint,
+        )
+
+    def __reduce__(self) -> tuple[object, ...]:
+        parts = (self.path, self._clause, self.hint, self.line, self.found)
+        return _rebuilt_of_file, parts, self.__dict__
 
 
 class ModelError(RocksteadyError, ValueError):
@@ -191,3 +257,10 @@ def _rebuilt(
 ) -> RocksteadyError:
     """Make an error again from its parts, for pickle."""
     return kind(name=name, value=value, valid=valid, hint=hint)
+
+
+def _rebuilt_of_file(
+    path: str | PathLike[str], valid: str, hint: str, line: int | None, found: str | None
+) -> RecordFileError:
+    """Make the error of a file again from its parts, for pickle."""
+    return RecordFileError(path=path, valid=valid, hint=hint, line=line, found=found)

@@ -6,9 +6,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from rocksteady import Record, read_record
+
 Floats = NDArray[np.float64]
 
-FOLDER = Path(__file__).parents[2] / "shared" / "records"
+FOLDER = Path(__file__).parents[3] / "shared" / "records"
 """Real records, which may not be passed on with the package."""
 
 
@@ -39,3 +41,11 @@ def rinaldi() -> tuple[Floats, float]:
     if not path.is_file():
         pytest.skip(f"there is no {path.name} in ../shared/records")
     return np.array(path.read_text().split(), dtype=np.float64), 0.005
+
+
+def peer(name: str) -> Record:
+    """Return a record of PEER's by a part of its file's name; the test is skipped without it."""
+    found = sorted((FOLDER / "peer_at2").glob(f"*{name}*.AT2"))
+    if not found:
+        pytest.skip(f"there is no {name} in ../shared/records")
+    return read_record(found[0])

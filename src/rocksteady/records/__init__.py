@@ -1,0 +1,1 @@
+"""Ground-motion files: readers of the formats that networks publish, one module a format."""

@@ -1,0 +1,246 @@
+"""From the numbers of a file to a recording: units, interval, and what is odd about them."""
+
+from dataclasses import dataclass
+from datetime import datetime
+from typing import TYPE_CHECKING, Final
+
+from rocksteady.errors import InputError
+from rocksteady.model.record import Record
+from rocksteady.model.validation import positive
+from rocksteady.records.directions import direction
+from rocksteady.records.numbers import numbers
+from rocksteady.records.recording import Orientation, Recording
+from rocksteady.records.text import RecordText
+from rocksteady.records.units import UNITS, acceleration_unit, in_m_s2
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+__all__ = ["Channel", "Given", "built", "counted", "interval", "unit"]
+
+_LARGEST_PEAK_G: Final = 10.0
+_LONGEST_WORD: Final = 40
+_NO_RECORD_G: Final = 1000.0
+_INTERVALS: Final = (1.0e-4, 0.1)
+_PEAK_AGREES: Final = 0.01
+
+
+@dataclass(frozen=True, kw_only=True)
+class Given:
+    """What the caller says about a file that does not say it itself, or says it wrongly.
+
+    Parameters
+    ----------
+    units
+        Unit of its numbers.
+    dt_s
+        Interval between its samples [s].
+    column
+        Which column of a table holds the acceleration: its number from 1, or its name.
+    resample
+        Whether samples at unequal intervals may be brought to equal ones.
+    """
+
+    units: str | None = None
+    dt_s: float | None = None
+    column: str | int | None = None
+    resample: bool = False
+
+    def __post_init__(self) -> None:
+        """Refuse a unit or an interval that is none, before any file is opened."""
+        if self.units is not None:
+            in_m_s2(self.units)
+        if self.dt_s is not None:
+            positive("dt_s", self.dt_s, hint="give the time between samples in seconds")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Channel:
+    """What a reader has found of one channel, in the file's own units.
+
+    Parameters
+    ----------
+    values
+        Shape (samples,), in the unit of the file.
+    units
+        The unit as the file has it, or None where it does not say.
+    dt_s
+        Interval as the file has it, or None where it does not say.
+    stated_peak
+        Largest absolute value by the header, in the same unit.
+    counts
+        Whether the file holds an instrument's counts, which the reader has scaled.
+    component, orientation, azimuth_deg, station, event, start_time, warnings, processing
+        As for `~rocksteady.records.recording.Recording`; the orientation is found from the
+        component where it is None.
+    """
+
+    values: "Floats"
+    units: str | None
+    dt_s: float | None
+    stated_peak: float | None = None
+    units_in_file: str | None = None
+    component: str | None = None
+    orientation: Orientation | None = None
+    azimuth_deg: float | None = None
+    station: str | None = None
+    event: str | None = None
+    start_time: datetime | None = None
+    warnings: tuple[str, ...] = ()
+    processing: tuple[str, ...] = ()
+
+
+def built(text: RecordText, format_name: str, channel: Channel, given: Given) -> Recording:
+    """Return the recording of a channel.
+
+    Raises
+    ------
+    RecordFileError
+        If neither the file nor the caller states unit and interval, or the numbers are no record.
+    """
+    import numpy as np
+
+    units, unit_warnings = unit(text, channel.units, given)
+    dt_s, interval_warnings = interval(text, channel.dt_s, given)
+    size = in_m_s2(units)
+    values = np.asarray(channel.values, dtype=np.float64) * size
+    try:
+        record = Record(acceleration_m_s2=values, dt_s=dt_s, name=text.path.stem)
+    except InputError as error:
+        hint = "see whether this is the whole file"
+        raise text.error(f"its samples are no record, {error.valid}", hint) from error
+    if record.peak_acceleration_m_s2 > _NO_RECORD_G * UNITS["g"]:
+        valid = f"a peak of {record.peak_acceleration_m_s2 / UNITS['g']:.3g} g is none of a record"
+        raise text.error(valid, f"see whether its numbers are in {units}, and not garbled")
+    stated = None if channel.stated_peak is None else abs(channel.stated_peak) * size
+    found, azimuth = direction(channel.component)
+    if channel.orientation is not None:
+        found, azimuth = channel.orientation, None
+    if channel.azimuth_deg is not None:
+        azimuth = channel.azimuth_deg % 360.0
+    return Recording(
+        record=record,
+        format=format_name,
+        path=text.path,
+        units_in_file=channel.units_in_file or units,
+        component=channel.component,
+        orientation=found,
+        azimuth_deg=azimuth,
+        station=channel.station,
+        event=channel.event,
+        start_time=channel.start_time,
+        stated_peak_m_s2=stated,
+        warnings=(
+            *channel.warnings,
+            *unit_warnings,
+            *interval_warnings,
+            *_doubts_about_peak(record, stated, units),
+        ),
+        processing=channel.processing,
+    )
+
+
+def unit(text: RecordText, stated: str | None, given: Given) -> tuple[str, tuple[str, ...]]:
+    """Return the unit of a file's numbers, and a warning where the caller's differs from its own.
+
+    Raises
+    ------
+    RecordFileError
+        If neither states it.
+    """
+    of_file = None if stated is None else acceleration_unit(stated)
+    if given.units is not None:
+        chosen = acceleration_unit(given.units) or given.units
+        if of_file is not None and UNITS[of_file] != UNITS[chosen]:
+            return chosen, (f"the file says {of_file}; its numbers are taken in {chosen}, as told",)
+        return chosen, ()
+    if of_file is None:
+        says = "the file does not state the unit of its numbers"
+        if stated is not None:
+            says = f"the unit that the file states, {stated!r}, is none of acceleration"
+        raise text.error(says, f"give units: {', '.join(UNITS)}")
+    return of_file, ()
+
+
+def interval(text: RecordText, stated: float | None, given: Given) -> tuple[float, tuple[str, ...]]:
+    """Return the interval between samples [s], and a warning where it is odd or overruled.
+
+    Raises
+    ------
+    RecordFileError
+        If neither the file nor the caller states it, or the file's is not above 0.
+    """
+    warnings: tuple[str, ...] = ()
+    if given.dt_s is not None:
+        if stated is not None and abs(stated - given.dt_s) > 1.0e-6 * given.dt_s:
+            warnings = (
+                f"the file says {stated:g} s between samples; {given.dt_s:g} s are taken, as told",
+            )
+        return given.dt_s, warnings
+    if stated is None:
+        raise text.error(
+            "the file does not state the interval between samples", "give dt_s, in seconds"
+        )
+    if not stated > 0.0:
+        raise text.error(
+            f"the interval between samples that it states, {stated:g} s, is not above 0",
+            "give dt_s, in seconds",
+        )
+    if not _INTERVALS[0] <= stated <= _INTERVALS[1]:
+        warnings = (f"samples {stated:g} s apart are unusual: see whether the header is right",)
+    return stated, warnings
+
+
+def counted(
+    text: RecordText, values: "Floats", stated: int, *, at: int, end: int
+) -> tuple["Floats", tuple[str, ...]]:
+    """Return as many samples as the header states, and a warning where the file holds more.
+
+    Parameters
+    ----------
+    text
+        The file.
+    values
+        What has been read, shape (samples,).
+    stated
+        The header's count.
+    at
+        Index of the header's line.
+    end
+        Index of the line at which reading stopped.
+
+    Raises
+    ------
+    RecordFileError
+        If there are fewer.
+    """
+    if stated < 2:
+        raise text.error(f"{stated} samples are no record", "see whether the file is whole", at=at)
+    if len(values) < stated:
+        valid = f"{len(values)} samples are read so far, and line {at + 1} states {stated}"
+        if end < len(text.lines):
+            words = text.heads[end].split()
+            odd = next((word for word in words if numbers(word) is None), words[-1])
+            valid = f"{odd[:_LONGEST_WORD]!r} is no number; {valid}"
+        raise text.error(valid, "fetch the file anew: it is cut or garbled", at=end)
+    if len(values) > stated:
+        more = f"the file holds more than the {stated} samples that its header states; the rest is"
+        return values[:stated], (f"{more} left out",)
+    return values, ()
+
+
+def _doubts_about_peak(record: Record, stated: float | None, units: str) -> tuple[str, ...]:
+    """Return a sentence on a peak that is not the header's, or larger than any ever recorded."""
+    peak = record.peak_acceleration_m_s2
+    doubts = []
+    if peak > _LARGEST_PEAK_G * UNITS["g"]:
+        doubts.append(
+            f"its peak is {peak / UNITS['g']:.3g} g, more than any earthquake has caused: see "
+            f"whether its numbers are in {units}"
+        )
+    if stated is not None and abs(peak - stated) > _PEAK_AGREES * stated:
+        doubts.append(f"its peak is {peak:.6g} m/s^2, and the header states {stated:.6g} m/s^2")
+    return tuple(doubts)

@@ -1,0 +1,337 @@
+"""Tables of numbers: CSV with names of columns, or plain columns; with times, or samples alone.
+
+What a file does not say is asked for: the unit of its numbers, and the interval where it has no
+times. Names are understood with their unit, as in ``time [s]``, ``Acc (g)`` or ``accel_cm/s2``.
+"""
+
+import re
+from dataclasses import replace
+from itertools import pairwise
+from typing import TYPE_CHECKING, Final
+
+from rocksteady.errors import InputError
+from rocksteady.records.building import Channel, Given, built, counted
+from rocksteady.records.directions import direction
+from rocksteady.records.numbers import NUMBER, number
+from rocksteady.records.recording import Recording
+from rocksteady.records.spacing import evenly_spaced
+from rocksteady.records.table import Table, table
+from rocksteady.records.text import RecordText
+from rocksteady.records.units import acceleration_unit
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+__all__ = ["COLUMNS", "CSV", "read", "recognises"]
+
+CSV: Final = "csv"
+COLUMNS: Final = "columns"
+
+_BEGINS: Final = re.compile(r"""\s*["']?[+-]?\.?\d""")
+_AS_CHANNELS: Final = 4
+"""Columns without names that may be channels as well as consecutive samples."""
+
+_TIME: Final = re.compile(
+    r"(?:t|s|time|times|zeit|temps|tempo|tiempo|seconds?|secs?)(?:\b|_).*", re.IGNORECASE
+)
+_ACCELERATION: Final = re.compile(r"\ba(?:cc|ccel\w*|cceler\w*|g|[xyz]|h|v)?\b|acc", re.IGNORECASE)
+_OTHER: Final = re.compile(r"\b(vel\w*|disp\w*|speed)\b|(?:^|_)(?:vel|disp)", re.IGNORECASE)
+_UNIT: Final = re.compile(r"[(\[]\s*([^()\[\]]*?)\s*[)\]]|[_,]\s*([A-Za-z]+[A-Za-z0-9/^*_ ]*)$")
+_TEXT_UNIT: Final = re.compile(
+    r"(?:[(\[]?\s*units?\s*(?:are|is|of|in)?\s*[:=]?\s*(?:in\s+)?"
+    r"|\bin\s+(?:units\s+of\s+)?|[(\[])\s*"
+    r"([A-Za-z]+(?:\s*[/*^.]\s*[A-Za-z0-9*^-]+)*(?:\^?-?2)?)",
+    re.IGNORECASE,
+)
+_TEXT_INTERVAL: Final = re.compile(
+    r"\b(?:dt|delta(?:\s*t)?|time[ -]?step|time[ -]?interval"
+    r"|sampling[ _-](?:interval|period|step))"
+    rf"\b\s*(?:\(?\s*(?:s|sec|seconds)\s*\)?)?\s*[:=]?\s*({NUMBER})\s*(ms\b|milli)?",
+    re.IGNORECASE,
+)
+_TEXT_RATE: Final = re.compile(
+    r"\b(?:sampling[ _-](?:rate|freq\w*)|sample rate|fs)\b"
+    rf"\s*(?:\(?\s*hz\s*\)?)?\s*[:=]?\s*({NUMBER})",
+    re.IGNORECASE,
+)
+_MILLISECONDS: Final = re.compile(r"(?<![A-Za-z])m(?:s|secs?)\b|millisec", re.IGNORECASE)
+
+
+def recognises(text: RecordText) -> bool:
+    """Return whether a file has a line that begins with a number."""
+    return any(_BEGINS.match(line) for line in text.heads)
+
+
+def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
+    """Return the channels of a table.
+
+    Raises
+    ------
+    RecordFileError
+        If it is no table, a row of it is no row of numbers, or what it does not state is not given.
+    InputError
+        If the column that is asked for is not there.
+    """
+    _refuse_geonet(text)
+    found = table(text)
+    if found is None:
+        raise text.error("it holds no rows of numbers", "give a record as text")
+    at = found.lines[0]
+    count, interval, found = _without_counts(text, found)
+    named = found.columns > 1 and bool(found.names)
+    format_name = CSV if named or found.separator is not None else COLUMNS
+    _refuse_other_quantities(text, found)
+    if count is None:
+        _refuse_short_rows(text, found)
+    values, interval, notes, picked = _values(
+        text, found, given, interval or _stated_interval(found)
+    )
+    warnings: tuple[str, ...] = ()
+    if len(picked) == 1 and not picked[0] and 1 < found.columns <= _AS_CHANNELS:
+        what = f"{found.columns} numbers a line are taken as samples that follow each other"
+        warnings = (f"{what}; give column where they are channels",)
+    if count is not None:
+        values, warnings = counted(text, values, count, at=at, end=len(text.lines))
+    recordings = []
+    for index, name in enumerate(picked):
+        component = _without_unit(name) or name
+        orientation, azimuth = direction(component)
+        channel = Channel(
+            values=values[:, index],
+            units=_unit_of(name, found),
+            dt_s=interval,
+            component=component or None,
+            orientation=orientation,
+            azimuth_deg=azimuth,
+            warnings=warnings,
+            processing=notes,
+        )
+        recordings.append(built(text, format_name, channel, given))
+    return tuple(recordings)
+
+
+def _values(
+    text: RecordText, found: Table, given: Given, stated: float | None
+) -> tuple["Floats", float | None, tuple[str, ...], tuple[str, ...]]:
+    """Return the samples (samples, channels), their interval, notes, and the channels' names."""
+    import numpy as np
+
+    width = found.columns
+    alone = width == 1 or (not found.names and given.column is None and not _has_times(found))
+    if alone:
+        if found.names and _OTHER.search(found.names[0]) and given.column is None:
+            raise _no_acceleration(text, found)
+        if given.column is not None:
+            _asked_for(found, given.column)
+        flat = np.array([value for row in found.rows for value in row], dtype=np.float64)
+        return flat[:, None], stated, (), (found.names[0] if found.names else "",)
+    _refuse_short_rows(text, found, last=True)
+    numbers = np.array(found.rows, dtype=np.float64)
+    time = _time_column(found)
+    columns = _columns(text, found, given, time)
+    names = tuple(
+        found.names[column] if found.names else f"column {column + 1}" for column in columns
+    )
+    chosen = numbers[:, list(columns)]
+    if time is None:
+        return chosen, stated, (), names
+    size = 0.001 if found.names and _MILLISECONDS.search(found.names[time]) else 1.0
+    even, interval, notes = evenly_spaced(
+        text,
+        numbers[:, time] * size,
+        chosen,
+        given,
+        rounding=0.5 * size * _last_digit(text, found, time),
+        line_of=lambda row: found.lines[row],
+    )
+    return even, interval, notes, names
+
+
+def _has_times(found: Table) -> bool:
+    """Return whether a table without names has times in its first column."""
+    rows = found.rows[: 2000 if len(found.rows) > 2 else 0]
+    if any(len(row) < 2 for row in rows[:-1]) or len(rows) < 3:
+        return False
+    times = [row[0] for row in rows]
+    steps = sorted(later - before for before, later in pairwise(times))
+    # Times grow, and nearly all by the same; samples of a record do neither for long.
+    usual = steps[len(steps) // 2]
+    near = sum(abs(step - usual) <= 0.5 * usual for step in steps)
+    return usual > 0.0 and (steps[0] >= 0.0 or near >= 0.9 * len(steps))
+
+
+def _time_column(found: Table) -> int | None:
+    """Return which column holds the times, or None."""
+    named = [at for at, name in enumerate(found.names) if _TIME.fullmatch(name.strip())]
+    if named:
+        return named[0]
+    return 0 if not found.names and _has_times(found) else None
+
+
+def _columns(text: RecordText, found: Table, given: Given, time: int | None) -> tuple[int, ...]:
+    """Return the columns of acceleration."""
+    if given.column is not None:
+        return (_asked_for(found, given.column),)
+    others = [at for at in range(found.columns) if at != time]
+    if not found.names:
+        return tuple(others)
+    said = [at for at in others if _is_acceleration(found.names[at])]
+    if said:
+        return tuple(said)
+    unsaid = [at for at in others if not _OTHER.search(found.names[at])]
+    if len(unsaid) == 1:
+        return tuple(unsaid)
+    raise _no_acceleration(text, found)
+
+
+def _no_acceleration(text: RecordText, found: Table) -> InputError:
+    """Return the error that no column is one of acceleration."""
+    return text.error(
+        f"none of its columns is called an acceleration: {', '.join(found.names)}",
+        "give column, by its name or its number from 1",
+    )
+
+
+def _is_acceleration(name: str) -> bool:
+    """Return whether the name of a column says that it is an acceleration."""
+    if _OTHER.search(name):
+        return False
+    said = _unit_in(name) is not None or _ACCELERATION.search(name) is not None
+    return said or direction(_without_unit(name))[0] is not None
+
+
+def _asked_for(found: Table, column: str | int) -> int:
+    """Return the index of the column that the caller names.
+
+    Raises
+    ------
+    InputError
+        If there is none.
+    """
+    lowered = [name.lower() for name in found.names]
+    wanted = str(column).strip().lower()
+    if wanted in lowered:
+        return lowered.index(wanted)
+    if wanted.isdecimal() and 1 <= int(wanted) <= found.columns:
+        return int(wanted) - 1
+    listed = ", ".join(found.names) or f"1 to {found.columns}"
+    raise InputError(
+        name="column",
+        value=column,
+        valid="the table has no such column",
+        hint=f"choose one of these: {listed}",
+    )
+
+
+def _unit_in(name: str) -> str | None:
+    """Return the unit of acceleration that the name of a column states."""
+    for bracketed, tail in _UNIT.findall(name):
+        written = bracketed or tail.replace("_", "/", 1)
+        if unit := acceleration_unit(written):
+            return unit
+    *before, last = name.split() or [""]
+    # After a number it is the unit of that number: "acceleration in m/s^2, peak 0.3 g".
+    return None if before and number(before[-1]) is not None else acceleration_unit(last)
+
+
+def _without_unit(name: str) -> str:
+    """Return the name of a column without the unit in brackets."""
+    return name.partition("(")[0].partition("[")[0].strip()
+
+
+def _unit_of(name: str, found: Table) -> str | None:
+    """Return the unit of a column: by its name, else by the words above the table."""
+    if unit := _unit_in(name):
+        return unit
+    for line in found.header:
+        for written in _TEXT_UNIT.findall(line):
+            if unit := acceleration_unit(written):
+                return unit
+    return None
+
+
+def _stated_interval(found: Table) -> float | None:
+    """Return the interval that the words above the table state [s]."""
+    interval = None
+    for line in found.header:
+        if stated := _TEXT_INTERVAL.search(line):
+            interval = (number(stated[1]) or 0.0) * (0.001 if stated[2] else 1.0)
+        elif (rate := _TEXT_RATE.search(line)) and (hertz := number(rate[1])):
+            interval = 1.0 / hertz
+    return interval
+
+
+def _without_counts(text: RecordText, found: Table) -> tuple[int | None, float | None, Table]:
+    """Return what a row of count and interval above the samples states, and the table without it.
+
+    Some programs write such a row: a whole number, and mostly the interval after it.
+    """
+    first, rest = found.rows[0], found.rows[1:]
+    if len(first) > 3 or len(rest) < 2:
+        return None, None, found
+    words, next_words = (text.lines[at].replace(",", " ").split() for at in found.lines[:2])
+    whole = words[0].isdecimal() and first[0] >= 2.0 and all("." in word for word in next_words)
+    unlike = len(first) != len(rest[0]) or (len(first) == 1 and first[0] > 99.0)
+    # Above times and samples the row is as wide as theirs, and counts them.
+    unlike = unlike or (len(first) == 2 and first[0] == len(rest))
+    if not (whole and unlike and all(0.0 < value <= 1.0 for value in first[1:2])):
+        return None, None, found
+    interval = first[1] if len(first) > 1 else None
+    names = found.names if len(found.names) == max(map(len, rest)) else ()
+    return int(first[0]), interval, replace(found, rows=rest, lines=found.lines[1:], names=names)
+
+
+def _refuse_short_rows(text: RecordText, found: Table, *, last: bool = False) -> None:
+    """Raise where a row has fewer numbers than others; the last one may, unless `last` says not."""
+    columns = found.columns
+    rows = list(zip(found.rows, found.lines, strict=True))
+    for row, at in rows if last else rows[:-1]:
+        if len(row) != columns:
+            valid = f"it has {len(row)} numbers, and the table has {columns} columns"
+            raise text.error(valid, "fetch the file anew, or take out what is no sample", at=at)
+
+
+def _refuse_geonet(text: RecordText) -> None:
+    """Raise where the numbers of a header would pass for samples, as in New Zealand's files."""
+    if re.match(r"\s*(?:un)?corrected accelerogram", text.first, re.IGNORECASE) and any(
+        re.match(r"\s*number of points\s+\d", line, re.IGNORECASE) for line in text.heads[:20]
+    ):
+        raise text.error(
+            "it is one of GeoNet's files (V1A, V2A), which are not read",
+            "give its samples of acceleration as a table",
+        )
+
+
+def _refuse_other_quantities(text: RecordText, found: Table) -> None:
+    """Raise where the words above say counts, or velocity or displacement and no acceleration."""
+    words = " ".join(found.header)
+    if re.search(r"\(\s*gal\s*\)\s*/\s*\d", words, re.IGNORECASE):
+        valid = "its header states the scale of an instrument's counts, which is not applied here"
+        raise text.error(valid, "give the file as its network publishes it (K-NET, KiK-net)")
+    if found.names or not words or re.search("acc", words, re.IGNORECASE):
+        return
+    if re.search(r"velocit|displacement", words, re.IGNORECASE):
+        valid = "its header speaks of another quantity, and the base moves by its acceleration"
+        raise text.error(valid, "give the file of acceleration")
+
+
+def _last_digit(text: RecordText, found: Table, column: int) -> float:
+    """Return one unit of the last digit that the times are written with."""
+    finest = 1.0
+    for at in (*found.lines[:200], *found.lines[-200:]):
+        line = text.lines[at].replace(",", ".") if found.comma else text.lines[at]
+        fields = line.split(found.separator) if found.separator else line.split()
+        if column < len(fields):
+            finest = min(finest, _unit_of_last_place(fields[column].strip().strip('"')))
+    return finest
+
+
+def _unit_of_last_place(written: str) -> float:
+    """Return one unit of the last digit of a number."""
+    mantissa, _, exponent = written.lower().replace("d", "e").partition("e")
+    decimals = len(mantissa.partition(".")[2])
+    power = int(exponent) if re.fullmatch(r"[+-]?\d{1,3}", exponent) else 0
+    return float(10.0 ** (power - decimals))

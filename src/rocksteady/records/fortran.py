@@ -1,0 +1,42 @@
+"""Fortran's formats as files state them, and header values laid out by them."""
+
+import re
+from typing import Final
+
+__all__ = ["fixed_values", "stated_width"]
+
+_FORMAT: Final = re.compile(r"\(\s*(?:\d+\s*[pP]\s*,?)?\s*(\d*)\s*[iIfFeEgGdD]\s*(\d+)")
+
+
+def stated_width(line: str) -> int | None:
+    """Return the characters of one number by the format that a line states.
+
+    Examples
+    --------
+    >>> stated_width("units=cm/sec2(04),Format=(8F10.5)"), stated_width("in cm/sec2.")
+    (10, None)
+    """
+    found = _FORMAT.search(line)
+    width = 0 if found is None else int(found[2])
+    return width if 1 <= width <= 80 else None
+
+
+def fixed_values(lines: tuple[str, ...], width: int) -> list[float | None]:
+    """Return the numbers of lines of columns, None for each that is blank or no number.
+
+    Parameters
+    ----------
+    lines
+        Lines of a header.
+    width
+        Characters of one number.
+    """
+    values: list[float | None] = []
+    for line in lines:
+        text = line.rstrip()
+        for at in range(0, len(text), width):
+            try:
+                values.append(float(text[at : at + width]))
+            except ValueError:
+                values.append(None)
+    return values

@@ -1,0 +1,164 @@
+"""What may be done to a record, when it is asked for: a baseline taken off, another interval."""
+
+import math
+from typing import TYPE_CHECKING, Final, Literal
+
+from rocksteady.errors import InputError
+from rocksteady.model.record import Record
+from rocksteady.model.validation import positive
+from rocksteady.records.recording import Recording
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+__all__ = ["BASELINES", "ResamplingMethod", "baseline_corrected", "resampled"]
+
+BASELINES: Final = ("none", "mean", "linear", "polynomial:2", "polynomial:3", "polynomial:4")
+"""What can be asked for; a polynomial may have any order up to 10."""
+
+_HIGHEST_ORDER: Final = 10
+_MOST_SAMPLES: Final = 20_000_000
+
+ResamplingMethod = Literal["linear", "filtered"]
+"""Straight lines between the samples, or a low-pass filter below half the new rate."""
+
+
+def baseline_corrected(recording: Recording, baseline: str) -> Recording:
+    """Return a recording whose baseline, fitted by least squares, is taken off.
+
+    Parameters
+    ----------
+    recording
+        The recording.
+    baseline
+        ``none`` (nothing is done), ``mean``, ``linear`` or ``polynomial:N`` with the order N.
+
+    Returns
+    -------
+    Recording
+        Its `processing` says what has been taken off.
+
+    Raises
+    ------
+    InputError
+        If it is none of these.
+    """
+    order = _order(baseline)
+    if order is None:
+        return recording
+    import numpy as np
+    from numpy.polynomial import Legendre
+
+    record = recording.record
+    values = record.acceleration_m_s2
+    time = np.linspace(-1.0, 1.0, len(values))
+    fitted = Legendre.fit(time, values, min(order, len(values) - 1))(time)
+    corrected = Record(acceleration_m_s2=values - fitted, dt_s=record.dt_s, name=record.name)
+    largest = float(np.abs(fitted).max())
+    what = {0: "the mean", 1: "a straight line"}.get(order, f"a polynomial of order {order}")
+    note = f"baseline: {what}, fitted by least squares, taken off ({largest:.3g} m/s^2 at most)"
+    return recording.processed(corrected, note)
+
+
+def resampled(
+    recording: Recording, dt_s: float, *, method: ResamplingMethod = "linear"
+) -> Recording:
+    """Return a recording with another interval between its samples.
+
+    A record is straight between its samples, so a finer interval that divides the old one leaves
+    the motion as it is with ``linear``. A coarser one drops what lies between the new samples;
+    ``filtered`` first takes off what they cannot show (`scipy.signal.resample_poly`).
+
+    Parameters
+    ----------
+    recording
+        The recording.
+    dt_s
+        The new interval [s]; the record itself comes back where it is the old one.
+    method
+        ``linear`` or ``filtered``.
+
+    Returns
+    -------
+    Recording
+        Its `processing` names the method; the record ends with its last whole interval.
+
+    Raises
+    ------
+    InputError
+        If the interval is not positive, leaves fewer than two samples or more than 2e7, or the
+        method is not known.
+    """
+    step = positive("dt_s", dt_s, hint="give the new time between samples in seconds")
+    if method not in ("linear", "filtered"):
+        raise InputError(
+            name="method",
+            value=method,
+            valid="it must be a way of resampling",
+            hint="use linear or filtered",
+        )
+    record = recording.record
+    if math.isclose(step, record.dt_s, rel_tol=1.0e-9):
+        return recording
+    import numpy as np
+
+    # A duration of a whole number of steps stays one, in spite of rounding.
+    count = math.floor(record.duration_s / step * (1.0 + 1.0e-12) + 1.0e-9) + 1
+    if not 2 <= count <= _MOST_SAMPLES:
+        raise InputError(
+            name="dt_s",
+            value=dt_s,
+            valid=f"{record.duration_s:g} s would have {count} samples",
+            hint=f"give an interval near the record's, {record.dt_s:g} s",
+        )
+    values = record.acceleration_m_s2
+    if method == "linear":
+        old = np.arange(len(values)) * record.dt_s
+        new = np.interp(np.arange(count) * step, old, values)
+    else:
+        new = _filtered(values, record.dt_s, step)[:count]
+    note = f"resampled from {record.dt_s:g} s to {step:g} s ({method})"
+    return recording.processed(Record(acceleration_m_s2=new, dt_s=step, name=record.name), note)
+
+
+def _order(baseline: str) -> int | None:
+    """Return the order of the polynomial to take off, or None for none."""
+    word, _, order = str(baseline).partition(":")
+    plain = {"none": None, "mean": 0, "linear": 1}
+    if word in plain and not order:
+        return plain[word]
+    if word == "polynomial" and order.isdecimal() and 0 <= int(order) <= _HIGHEST_ORDER:
+        return int(order)
+    raise InputError(
+        name="baseline",
+        value=baseline,
+        valid="it must be a way of taking off a baseline",
+        hint=f"use none, mean, linear or polynomial:N with N up to {_HIGHEST_ORDER}",
+    )
+
+
+def _filtered(values: "Floats", old: float, new: float) -> "Floats":
+    """Return the samples at another rate, low-pass filtered below half of it.
+
+    Raises
+    ------
+    InputError
+        If the ratio of the two intervals is not one of small whole numbers.
+    """
+    from fractions import Fraction
+
+    from scipy.signal import resample_poly
+
+    ratio = Fraction(old / new).limit_denominator(1000)
+    if ratio.numerator > 1000 or abs(float(ratio) * new / old - 1.0) > 1.0e-9:
+        raise InputError(
+            name="dt_s",
+            value=new,
+            valid=f"its ratio to {old:g} s must be one of whole numbers up to 1000",
+            hint="give such an interval, or method linear",
+        )
+    result: Floats = resample_poly(values, ratio.numerator, ratio.denominator, padtype="line")
+    return result

@@ -1,0 +1,215 @@
+"""Reading a ground-motion file: its format by what stands in it, and all its channels."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from os import PathLike
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+
+from rocksteady.errors import InputError, RecordFileError
+from rocksteady.model.record import Record
+from rocksteady.records import columns, cosmos, csmip, esm, knet, peer, smc, waveforms
+from rocksteady.records.building import Given
+from rocksteady.records.processing import baseline_corrected
+from rocksteady.records.recording import Recording
+from rocksteady.records.text import RecordText, as_text, file_bytes
+
+__all__ = ["FORMATS", "chosen", "read_record", "read_recordings"]
+
+Reader = Callable[[RecordText, Given], tuple[Recording, ...]]
+Recogniser = Callable[[RecordText], bool]
+
+_READERS: Final[tuple[tuple[tuple[str, ...], Recogniser, Reader], ...]] = (
+    ((knet.KNET, knet.KIKNET), knet.recognises, knet.read),
+    ((esm.FORMAT,), esm.recognises, esm.read),
+    (cosmos.FORMATS, cosmos.recognises, cosmos.read),
+    (csmip.FORMATS, csmip.recognises, csmip.read),
+    ((smc.FORMAT,), smc.recognises, smc.read),
+    ((peer.FORMAT,), peer.recognises, peer.read),
+    ((columns.CSV, columns.COLUMNS), columns.recognises, columns.read),
+)
+"""Formats of text, in the order of trial: short names, what tells them, what reads them."""
+
+FORMATS: Final = (
+    *(name for names, _, _ in _READERS for name in names),
+    waveforms.MSEED,
+    waveforms.SAC,
+)
+"""Short names of the formats that can be read."""
+
+
+def read_recordings(
+    path: str | PathLike[str],
+    *,
+    format: str | None = None,  # noqa: A002 -- the word that users have for it
+    units: str | None = None,
+    dt_s: float | None = None,
+    column: str | int | None = None,
+    resample: bool = False,
+) -> tuple[Recording, ...]:
+    r"""Read all channels of acceleration of a ground-motion file, in the file's order.
+
+    Parameters
+    ----------
+    path
+        The file.
+    format
+        Its format by short name; by default found from what stands in it, never from its name.
+    units
+        Unit of its numbers, where it does not state them, or states them wrongly: ``g``, ``mg``,
+        ``m/s^2``, ``cm/s^2``, ``mm/s^2``, ``gal``, ``mgal``, ``in/s^2``, ``ft/s^2``.
+    dt_s
+        Interval between its samples [s], where it does not state it, or states it wrongly.
+    column
+        Of a table: the column with the acceleration, by its number from 1 or its name.
+    resample
+        Whether a table whose times are unevenly spaced may be interpolated to even ones.
+
+    Returns
+    -------
+    tuple of Recording
+        One a channel, with warnings about what is odd and notes on what has been done.
+
+    Raises
+    ------
+    RecordFileError
+        If the file cannot be read, is in no known format, holds no acceleration, or does not state
+        what is needed; the message names the line.
+    InputError
+        If an argument is not valid.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> path = Path(tempfile.mkdtemp()) / "hut.AT2"
+    >>> head = "PEER\nSomewhere, 1/2/1990, Hut, 090\nACCELERATION IN UNITS OF G\n"
+    >>> _ = path.write_text(head + "3 .01 NPTS, DT\n .1-.2 .05\n")
+    >>> (recording,) = read_recordings(path)
+    >>> recording.station, recording.component, recording.record
+    ('Hut', '090', Record(name='hut', samples=3, dt_s=0.01, peak_acceleration_m_s2=1.96133))
+    """
+    given = Given(units=units, dt_s=dt_s, column=column, resample=resample)
+    if format is not None and format not in FORMATS:
+        hint = f"use one of {', '.join(FORMATS)}, or leave it out"
+        raise InputError(
+            name="format", value=format, valid="it must be a format that can be read", hint=hint
+        )
+    file = Path(path)
+    data = file_bytes(file)
+    # What overflows is refused when the record is made.
+    with np.errstate(all="ignore"):
+        found = _found(file, data, format, given)
+    if found is not None:
+        return _told_apart(found)
+    raise RecordFileError(
+        path=file,
+        valid="it is in no format that can be read",
+        hint=f"give a file of one of these: {', '.join(FORMATS)}",
+    )
+
+
+def read_record(
+    path: str | PathLike[str],
+    *,
+    channel: str | int | None = None,
+    format: str | None = None,  # noqa: A002 -- as above
+    units: str | None = None,
+    dt_s: float | None = None,
+    column: str | int | None = None,
+    resample: bool = False,
+    baseline: str = "none",
+) -> Record:
+    """Read one channel of acceleration of a ground-motion file.
+
+    Parameters
+    ----------
+    path, format, units, dt_s, column, resample
+        As for `read_recordings`.
+    channel
+        Which one, where the file holds several: its number from 1, or its component.
+    baseline
+        What to take off: ``none``, ``mean``, ``linear`` or ``polynomial:N``.
+
+    Returns
+    -------
+    Record
+        The samples [m/s^2] and their interval.
+
+    Raises
+    ------
+    RecordFileError
+        As for `read_recordings`.
+    InputError
+        If the file holds several channels and none is chosen, or not the one that is.
+    """
+    recordings = read_recordings(
+        path, format=format, units=units, dt_s=dt_s, column=column, resample=resample
+    )
+    return baseline_corrected(chosen(recordings, channel), baseline).record
+
+
+def _found(
+    file: Path, data: bytes, wanted: str | None, given: Given
+) -> tuple[Recording, ...] | None:
+    """Return what the reader of a format makes of a file, or None where none recognises it."""
+    binary = waveforms.recognised(data) if wanted is None else wanted
+    if binary in {waveforms.MSEED, waveforms.SAC}:
+        return waveforms.read(file, data, binary, given)
+    text = as_text(file, data)
+    for names, recognises, read in _READERS:
+        if wanted in names or (wanted is None and recognises(text)):
+            return read(text, given)
+    return None
+
+
+def _told_apart(recordings: tuple[Recording, ...]) -> tuple[Recording, ...]:
+    """Return recordings of one file with names of their own: the file's, and their component's."""
+    if len(recordings) < 2:
+        return recordings
+    return tuple(
+        replace(
+            one,
+            record=replace(
+                one.record, name=f"{one.record.name} {one.component or f'channel {position}'}"
+            ),
+        )
+        for position, one in enumerate(recordings, 1)
+    )
+
+
+def chosen(recordings: tuple[Recording, ...], channel: str | int | None) -> Recording:
+    """Return the channel that a caller means, by its number from 1 or its component.
+
+    Raises
+    ------
+    InputError
+        If there are several and none is named, or there is no such channel.
+    """
+    listed = ", ".join(
+        f"{position} ({recording.component or recording.record.name})"
+        for position, recording in enumerate(recordings, 1)
+    )
+    if channel is None:
+        if len(recordings) == 1:
+            return recordings[0]
+        raise InputError(
+            name="channel",
+            value="not given",
+            valid=f"{recordings[0].path} holds {len(recordings)} channels",
+            hint=f"choose one: {listed}",
+        )
+    wanted = str(channel).strip().lower()
+    if isinstance(channel, str):
+        named = [one for one in recordings if (one.component or "").strip().lower() == wanted]
+        if len(named) == 1:
+            return named[0]
+    if wanted.isdecimal() and 1 <= int(wanted) <= len(recordings):
+        return recordings[int(wanted) - 1]
+    raise InputError(
+        name="channel",
+        value=channel,
+        valid=f"{recordings[0].path} has no such channel",
+        hint=f"choose one: {listed}",
+    )

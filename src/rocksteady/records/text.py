@@ -1,0 +1,136 @@
+"""A ground-motion file as lines of text, however they end and are encoded."""
+
+import re
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Final
+
+from rocksteady.errors import RecordFileError
+
+__all__ = ["LARGEST_FILE", "RecordText", "as_text", "file_bytes"]
+
+LARGEST_FILE: Final = 64 * 2**20
+"""Bytes of the largest file that is read; three channels of an hour at 200 Hz take some 26 MB."""
+
+_BEGINNING: Final = 4096
+_LONGEST_HEAD: Final = 400
+# More than one \r is what a conversion to DOS makes of a file that was one already.
+_LINE_ENDS: Final = re.compile(r"\r+\n|\n|\r")
+# What nothing but text files end with: a fill of zeros, and the mark that DOS wrote.
+_PADDING: Final = "\x00\x1a"
+
+
+@dataclass(frozen=True, kw_only=True)
+class RecordText:
+    """The lines of a file; errors about it name the line that they are about.
+
+    Parameters
+    ----------
+    path
+        The file.
+    lines
+        Its lines without their ends.
+    """
+
+    path: Path
+    lines: tuple[str, ...]
+
+    @cached_property
+    def heads(self) -> tuple[str, ...]:
+        """The lines, each cut to its first 400 characters: what the headers' patterns look at.
+
+        No header has longer lines, and some of the patterns take a time that grows with the square
+        of a line's length.
+        """
+        return tuple(line[:_LONGEST_HEAD] for line in self.lines)
+
+    @property
+    def first(self) -> str:
+        """The first line that is not blank, cut as `heads` are."""
+        return next((line for line in self.heads if line.strip()), "")
+
+    def error(self, valid: str, hint: str, *, at: int | None = None) -> RecordFileError:
+        """Return the error about a line.
+
+        Parameters
+        ----------
+        valid, hint
+            As for `~rocksteady.errors.RecordFileError`.
+        at
+            Index of the line, the first one being 0; one past the last means the end of the file.
+        """
+        if at is None:
+            return RecordFileError(path=self.path, valid=valid, hint=hint)
+        if at >= len(self.lines):
+            return RecordFileError(
+                path=self.path,
+                line=len(self.lines),
+                valid=f"the file ends here: {valid}",
+                hint=hint,
+            )
+        found = self.heads[at].strip()
+        return RecordFileError(path=self.path, line=at + 1, found=found, valid=valid, hint=hint)
+
+
+def file_bytes(path: Path) -> bytes:
+    """Return what a file holds.
+
+    Raises
+    ------
+    RecordFileError
+        If it is not there, not a file, empty, too large or cannot be read.
+    """
+    try:
+        problem, size, data = _problem(path), 0, b""
+        if not problem:
+            size = path.stat().st_size
+            data = b"" if size > LARGEST_FILE else path.read_bytes()
+    except (OSError, ValueError) as error:  # ValueError: a path with a zero in it
+        reason = getattr(error, "strerror", None) or str(error)
+        hint = "see whether the path is right and may be read"
+        raise RecordFileError(path=path, valid=str(reason), hint=hint) from error
+    if problem:
+        raise RecordFileError(path=path, valid=problem, hint="give the path of a record")
+    if size > LARGEST_FILE:
+        valid = f"it has {size} bytes, and {LARGEST_FILE} are the most"
+        raise RecordFileError(path=path, valid=valid, hint="give a file of one record")
+    if not data.strip(b"\x00\x1a \t\r\n"):
+        raise RecordFileError(path=path, valid="it is empty", hint="fetch it anew")
+    return data
+
+
+def _problem(path: Path) -> str:
+    """Return what keeps a path from being a file; nothing where it is one."""
+    if path.is_file():
+        return ""
+    if path.is_dir():
+        return "it is a folder"
+    return "it is not a regular file" if path.exists() else "there is no such file"
+
+
+def as_text(path: Path, data: bytes) -> RecordText:
+    """Return the lines of a file: UTF-8, UTF-16 with its mark, else Latin-1.
+
+    Raises
+    ------
+    RecordFileError
+        If it is not text.
+    """
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        content = data.decode("utf-16", errors="replace")
+    else:
+        try:
+            content = data.decode("utf-8-sig")
+        except UnicodeDecodeError:
+            content = data.decode("latin-1")
+    content = content.rstrip(_PADDING + " \t\r\n")
+    beginning = content[:_BEGINNING]
+    odd = sum(character < " " and character not in "\t\r\n\f\v" for character in beginning)
+    if odd > len(beginning) // 100:
+        raise RecordFileError(
+            path=path,
+            valid="it is not text",
+            hint="give a record as its network publishes it, unpacked",
+        )
+    return RecordText(path=path, lines=tuple(_LINE_ENDS.split(content)))

@@ -1,0 +1,292 @@
+"""Tables: separators, decimal commas, names with units, times; what is asked for and refused."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rocksteady import InputError, RecordFileError, Recording, read_record, read_recordings
+from tests.records.writers import csv, samples
+
+G = 9.80665
+THREE = [1.0, -2.5, 0.5]
+
+
+def read(tmp_path: Path, text: str, **given: object) -> tuple[Recording, ...]:
+    path = tmp_path / "table.txt"
+    path.write_text(text, encoding="utf-8")
+    return read_recordings(path, **given)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("text", "unit"),
+    [
+        ("time,acc (g)\n0,1.0\n0.01,-2.5\n0.02,0.5\n", "g"),
+        ("Time [s];Acc [m/s\N{SUPERSCRIPT TWO}]\n0;1\n0,01;-2,5\n0,02;0,5\n", "m/s^2"),
+        ("t (ms)\tvel (cm/s)\tacc (cm/s2)\n0\t9\t1\n10\t9\t-2.5\n20\t9\t0.5\n", "cm/s^2"),
+        ("time accel_cm/s2\n0 1\n0.01 -2.5\n0.02 0.5\n", "cm/s^2"),
+        ("Time  Acceleration (mm/s/s)\n0 1\n0.01 -2.5\n0.02 0.5\n", "mm/s^2"),
+        ("# a comment\n# t, a_g\n0,1\n0.01,-2.5\n0.02,0.5\n", "g"),
+        ('"Time","Acceleration (gal)"\n"0.00","1.0"\n"0.01","-2.5"\n"0.02","0.5"\n', "gal"),
+        ("Time,Acc\n(s),(g)\n0.00,1.0\n0.01,-2.5\n0.02,0.5\n", "g"),
+        ("time_s,acc_m_s2\n0.00,1.0\n0.01,-2.5\n0.02,0.5\n", "m/s^2"),
+        ("NPTS: 3\nDT: 0.01\nUnits: g\n1.0\n-2.5\n0.5\n", "g"),
+        ("s,g\n0.00,1.0,\n0.01,-2.5,\n0.02,0.5,\n", "g"),
+        ("\ufefftime,acc (g)\r\n0,1.0\r\n0.01,-2.5\r\n0.02,0.5\r\n\r\n", "g"),
+        ("made by hand\nunits: cm/s^2\n0.00 1.0\n0.01 -2.5\n0.02 0.5\n", "cm/s^2"),
+    ],
+)
+def test_tables_with_times_and_units(tmp_path: Path, text: str, unit: str) -> None:
+    (found,) = read(tmp_path, text)
+    size = {"g": G, "m/s^2": 1.0, "cm/s^2": 0.01, "mm/s^2": 0.001, "gal": 0.01}[unit]
+    np.testing.assert_allclose(found.record.acceleration_m_s2, np.array(THREE) * size)
+    assert (found.record.dt_s, found.units_in_file) == (0.01, unit)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "1.0\n-2.5\n0.5\n",
+        "1.0 -2.5 0.5\n",
+        "1.0 -2.5\n0.5\n",
+        "1.0-2.5+0.5\n",
+        "1,0\n-2,5\n0,5\n",
+        "1,0 -2,5\n0,5 0,25\n",
+        "1.0;-2.5\n0.5;0.25\n",
+        "3 0.005\n1.0\n-2.5\n0.5\n",
+        "Time history matched to spectrum\n4 0.0200 656\n1.0 -2.5\n0.5 0.25\n",
+        "1.0E+00\n-2.5D+00\n0.5\n",
+    ],
+)
+def test_samples_alone(tmp_path: Path, text: str) -> None:
+    (found,) = read(tmp_path, text, units="m/s^2", dt_s=0.01)
+    assert found.record.acceleration_m_s2[:3].tolist() == THREE
+    assert found.record.dt_s == 0.01
+    with pytest.raises(RecordFileError, match="does not state the unit of its numbers"):
+        read(tmp_path, text, dt_s=0.01)
+
+
+@pytest.mark.parametrize(
+    ("head", "dt"),
+    [
+        ("dt = 0.005 s", 0.005),
+        ("# Time step: 5 ms", 0.005),
+        ("sampling rate 200 Hz", 0.005),
+        ("Sampling frequency (Hz): 200", 0.005),
+        ("% DT=.005", 0.005),
+    ],
+)
+def test_intervals_in_words(tmp_path: Path, head: str, dt: float) -> None:
+    (found,) = read(tmp_path, f"{head}\n1.0\n-2.5\n0.5\n", units="g")
+    assert found.record.dt_s == dt
+
+
+def test_the_interval_is_asked_for(tmp_path: Path) -> None:
+    with pytest.raises(RecordFileError, match=r"does not state the interval.*give dt_s"):
+        read(tmp_path, "1.0\n2.0\n", units="g")
+
+
+def test_several_columns_are_channels(tmp_path: Path) -> None:
+    text = "t,ax,ay,vel\n" + "".join(f"{0.01 * n:.2f},{n},{-n},7\n" for n in range(9))
+    first, second = read(tmp_path, text, units="g")
+    assert [first.component, second.component] == ["ax", "ay"]
+    path = tmp_path / "table.txt"
+    with pytest.raises(InputError, match=r" holds 2 channels; choose one: 1 \(ax\), 2 \(ay\)"):
+        read_record(path, units="g")
+    assert read_record(path, units="g", channel="AY") == second.record
+    assert read_record(path, units="g", channel=1) == first.record
+    (by_name,) = read(tmp_path, text, units="g", column="vel")
+    assert set(by_name.record.acceleration_m_s2) == {7 * G}
+    (by_number,) = read(tmp_path, text, units="g", column=3)
+    np.testing.assert_array_equal(
+        by_number.record.acceleration_m_s2, second.record.acceleration_m_s2
+    )
+    with pytest.raises(InputError, match="no such column; choose one of these: t, ax, ay, vel"):
+        read(tmp_path, text, units="g", column="az")
+    with pytest.raises(InputError, match="no such channel"):
+        read_record(path, units="g", channel="3")
+
+
+def test_a_single_column_is_the_first_and_no_other(tmp_path: Path) -> None:
+    text = "1.0\n2.0\n-1.0\n"
+    (plain,), (first,) = (
+        read(tmp_path, text, units="g", dt_s=0.01, column=column) for column in (None, 1)
+    )
+    assert plain.record == first.record
+    with pytest.raises(InputError, match="no such column; choose one of these: 1 to 1"):
+        read(tmp_path, text, units="g", dt_s=0.01, column=2)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("1.0\nabc\n2.0\n3.0\n", "line 2, 'abc'"),
+        ("1.0\n2.0\nnan\n3.0\n", "line 3, 'nan'"),
+        ("t,acc (g)\n0,1\n.01,\n.02,3\n", "line 3, '.01,'"),
+        ("t,acc (g)\n0,1\n.01,,2\n.02,3\n", "line 3, '.01,,2'"),
+        ("t,acc (g)\n0,1\n.01,2\n.01,3\n", "line 4, .*does not come after"),
+        ("t,acc (g)\n0,1\n.01,2\n.03,3\n.04,2\n.05,2\n", "line 4, .*is 0.02 s after"),
+        ("time,velocity (cm/s)\n0,1\n.01,2\n.02,3\n", "none of its columns is called"),
+        ("velocity in cm/s\n1\n2\n3\n", "speaks of another quantity|none of its columns"),
+        ("just words\nand more\n", "in no format"),
+        ("t,acc (g)\n0,1\n", "one sample|no record"),
+        ("5 0.01\n1.0\n2.0\n3.0\n", "3 samples are read so far, and line 1 states 5"),
+    ],
+)
+def test_what_is_wrong_is_said_with_its_line(tmp_path: Path, text: str, message: str) -> None:
+    dt_s = 0.01 if "t" not in text.split("\n", maxsplit=1)[0] else None
+    with pytest.raises(RecordFileError, match=message):
+        read(tmp_path, text, units="g", **({} if dt_s is None else {"dt_s": dt_s}))
+
+
+def test_resampling_is_never_silent(tmp_path: Path) -> None:
+    times = np.array([0.0, 0.01, 0.03, 0.04, 0.05])
+    text = "t,acc (m/s2)\n" + "".join(f"{time},{3.0 * time + 1.0}\n" for time in times)
+    with pytest.raises(RecordFileError, match="ask for resampling"):
+        read(tmp_path, text)
+    (found,) = read(tmp_path, text, resample=True)
+    # What is straight stays straight.
+    np.testing.assert_allclose(found.record.acceleration_m_s2, 3.0 * 0.01 * np.arange(6) + 1.0)
+    assert found.processing[0].startswith("resampled from intervals of 0.01 to 0.02 s to 0.01 s")
+
+
+def test_times_that_are_written_coarsely(tmp_path: Path) -> None:
+    # 200 samples a second, times with two digits: 0.00, 0.00, 0.01, 0.02, ...
+    values = samples(2000)
+    text = "".join(f"{0.005 * n + 1e-9:.2f} {value:.6f}\n" for n, value in enumerate(values))
+    (found,) = read(tmp_path, "time acc_g\n" + text)
+    assert found.record.dt_s == pytest.approx(0.005, rel=1e-3)
+    # The same with a row lost in the middle at an interval that two digits show.
+    lines = [f"{0.01 * n:.2f} {value:.6f}\n" for n, value in enumerate(values)]
+    del lines[1000]
+    with pytest.raises(RecordFileError, match="line 1002"):
+        read(tmp_path, "time acc_g\n" + "".join(lines))
+
+
+@given(
+    values=st.lists(st.integers(-9999, 9999), min_size=3, max_size=50).filter(any),
+    dt=st.sampled_from([0.001, 0.0025, 0.005, 0.01, 0.02]),
+    start=st.sampled_from([0.0, 0.01, -3.0, 100.0]),
+    separator=st.sampled_from([",", ";", "\t", " ", "   "]),
+)
+def test_what_is_written_is_read(
+    tmp_path_factory: pytest.TempPathFactory,
+    values: list[int],
+    dt: float,
+    start: float,
+    separator: str,
+) -> None:
+    path = tmp_path_factory.mktemp("table") / "table.csv"
+    lines = [f"{start + dt * at:.4f}{separator}{n / 1000:.3f}" for at, n in enumerate(values)]
+    path.write_text(f"time{separator}acc_g\n" + "\n".join(lines))
+    record = read_record(path)
+    np.testing.assert_allclose(record.acceleration_m_s2, np.array(values) * G / 1000)
+    assert record.dt_s == pytest.approx(dt, rel=1e-12)
+
+
+def test_a_table_of_a_writer(tmp_path: Path) -> None:
+    values = samples(4000)
+    (found,) = read(tmp_path, csv(values, 0.004))
+    np.testing.assert_allclose(found.record.acceleration_m_s2, values * G, atol=1e-5)
+    assert (found.format, found.record.dt_s) == ("csv", 0.004)
+
+
+def test_columns_named_by_their_directions(tmp_path: Path) -> None:
+    text = "Time(s),EW (cm/s/s),NS,UD\n0,1,2,3\n0.01,2,3,4\n0.02,-1,2,3\n"
+    found = read(tmp_path, text)
+    assert [one.orientation for one in found] == ["horizontal", "horizontal", "vertical"]
+    assert [one.units_in_file for one in found] == ["cm/s^2"] * 3
+    assert found[0].azimuth_deg == 90.0
+
+
+def test_lines_of_a_few_numbers_without_names_are_doubted(tmp_path: Path) -> None:
+    text = "".join(f"{value:.3f} {value / 2:.3f}\n" for value in samples(20))
+    (found,) = read(tmp_path, text, units="g", dt_s=0.01)
+    assert len(found.record.acceleration_m_s2) == 40
+    assert "give column where they are channels" in found.warnings[0]
+    (one,) = read(tmp_path, text, units="g", dt_s=0.01, column=2)
+    assert (len(one.record.acceleration_m_s2), one.warnings) == (20, ())
+
+
+def test_a_comma_in_one_number_is_no_second_number(tmp_path: Path) -> None:
+    with pytest.raises(RecordFileError, match=r"line 2, '1,5'"):
+        read(tmp_path, "1.25\n1,5\n1.75\n2.0\n2.25\n", units="g", dt_s=0.01)
+
+
+def test_blank_lines_of_a_spreadsheet(tmp_path: Path) -> None:
+    (found,) = read(tmp_path, "sep=,\ntime,acc (g)\n,,\n0,1,\n0.01,-2.5,\n0.02,0.5,\n,,\n,\n")
+    assert (len(found.record.acceleration_m_s2), found.record.dt_s) == (3, 0.01)
+
+
+def test_an_interval_that_the_times_contradict(tmp_path: Path) -> None:
+    text = csv(samples(100), 0.01)
+    (told,) = read(tmp_path, text, dt_s=0.02)
+    assert told.record.dt_s == 0.02
+    assert told.warnings == ("the file says 0.01 s between samples; 0.02 s are taken, as told",)
+    (finer,) = read(tmp_path, text, dt_s=0.005, resample=True)
+    assert (finer.record.dt_s, len(finer.record.acceleration_m_s2)) == (0.005, 199)
+    assert finer.processing == (
+        "resampled from 0.01 s to 0.005 s (straight lines between the samples)",
+    )
+    assert finer.warnings == ()
+
+
+def test_milliseconds_by_their_other_name(tmp_path: Path) -> None:
+    (found,) = read(tmp_path, "time (msec),acc (g)\n0,1.0\n10,-2.5\n20,0.5\n")
+    assert found.record.dt_s == 0.01
+
+
+@pytest.mark.parametrize(
+    ("head", "unit"),
+    [
+        ("Acceleration in m/s^2, PGA = 0.35 g", "m/s^2"),
+        ("Concepcion, NS (UNITS: CM/SEC/SEC)", "cm/s^2"),
+        ("horizontal acceleration g", "g"),
+    ],
+)
+def test_the_unit_of_a_peak_is_not_that_of_the_samples(
+    tmp_path: Path, head: str, unit: str
+) -> None:
+    (found,) = read(tmp_path, f"{head}\n1.0\n-2.5\n0.5\n", dt_s=0.01)
+    assert found.units_in_file == unit
+
+
+def test_a_count_above_times_and_samples(tmp_path: Path) -> None:
+    (found,) = read(tmp_path, "3 0.01\n0.00 1.0\n0.01 -2.5\n0.02 0.5\n", units="m/s^2")
+    assert found.record.acceleration_m_s2.tolist() == THREE
+
+
+def test_a_title_above_a_count_is_no_component(tmp_path: Path) -> None:
+    (found,) = read(tmp_path, "my record\n3 0.0100\n1.0\n-2.5\n0.5\n", units="m/s^2")
+    assert (found.component, found.record.dt_s) == (None, 0.01)
+    assert found.record.acceleration_m_s2.tolist() == THREE
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("t,acc (g)\n0.00,NaN\n0.01,2.0\n0.02,3.0\n0.03,1.0\n", 2),
+        ("t;acc (g)\n0,00;1,0x\n0,01;2,0\n0,02;3,0\n0,03;1,0\n", 2),
+        ("acc (g)\n*****\n0.2\n0.3\n0.1\n", 2),
+        ("0.1 0.2 0.3\n0.1 0.2\n0.1 0.2 0.3\n0.1\n", 2),
+    ],
+)
+def test_no_sample_is_lost_without_a_word(tmp_path: Path, text: str, line: int) -> None:
+    with pytest.raises(RecordFileError, match=rf"line {line},"):
+        read(tmp_path, text, units="g", dt_s=0.01)
+
+
+def test_a_header_of_numbers_is_not_taken_for_samples(tmp_path: Path) -> None:
+    words = "Corrected accelerogram 20180212_211554_WPWS_20 GNS Science\nNumber of points  4\n"
+    text = words + "    2018       2      12\n   200.0    0.70    0.00\n     0.1    -0.2     0.1\n"
+    with pytest.raises(RecordFileError, match="GeoNet"):
+        read(tmp_path, text, units="mm/s^2", dt_s=0.02)
+
+
+def test_a_channel_is_chosen_by_its_name_without_the_unit(tmp_path: Path) -> None:
+    text = "t (s),NS (gal),UD (gal)\n0.00,1.0,3.0\n0.01,-2.5,3.0\n0.02,0.5,3.0\n"
+    north, up = read(tmp_path, text)
+    assert (north.component, north.azimuth_deg, up.component) == ("NS", 0.0, "UD")
+    assert read_record(tmp_path / "table.txt", channel="ns") == north.record

@@ -1,0 +1,191 @@
+"""PEER's AT2: every form of its header, what follows its samples, and what is refused."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rocksteady import RecordFileError, read_record, read_recordings
+from tests.records.writers import at2, samples
+
+G = 9.80665
+HEADERS = [
+    "NPTS= {count:6d}, DT= {dt:.5f} SEC",
+    "NPTS= {count:6d}, dt= {dt:.5f}",
+    "NPTS=   {count}, DT=   {dt:.4f} SEC,                        ",
+    "NPTS= {count}, DT= {dt:.3f}SEC",
+    "NPTS={count},DT={dt:.3f}",
+    "{count}    {dt:.4f}    NPTS, DT",
+    "  {count}  {dt:.4f}  NPTS, DT (SEC)",
+    "NPTS= {count} , DT= 1.0E-02 SEC",
+    "NPTS= {count}., DT= .01 SEC",
+    "NPTS= {count}, DELTA T= {dt:.4f} SEC",
+    "DT= {dt:.4f} SEC, NPTS= {count}",
+    "NPTS=   {count}\nDT=   {dt:.4f} SEC",
+    "DT=   {dt:.4f} SEC\nNPTS=   {count}",
+]
+
+
+def written(tmp_path: Path, text: str) -> Path:
+    path = tmp_path / "hut.AT2"
+    path.write_text(text)
+    return path
+
+
+@pytest.mark.parametrize("counts", HEADERS)
+@pytest.mark.parametrize("count", [2, 5, 403])
+def test_every_header(tmp_path: Path, counts: str, count: int) -> None:
+    values = samples(403)[:count]
+    (found,) = read_recordings(written(tmp_path, at2(values, counts=counts)))
+    np.testing.assert_allclose(found.record.acceleration_m_s2, values * G, rtol=1e-7)
+    assert (found.record.dt_s, found.format, found.units_in_file) == (0.01, "peer-at2", "g")
+    assert (found.station, found.event) == ("Hut - Far, West", "Somewhere-01, 1/17/1994")
+    assert (found.component, found.orientation, found.azimuth_deg) == ("090", "horizontal", 90.0)
+    assert found.warnings == found.processing == ()
+
+
+@given(
+    values=st.lists(
+        st.floats(-5.0, 5.0).map(lambda value: round(value, 9)), min_size=2, max_size=60
+    ).filter(any),
+    per_line=st.integers(1, 9),
+    dt=st.sampled_from([0.0025, 0.004, 0.005, 0.01, 0.02]),
+    ends=st.sampled_from(["\n", "\r\n", "\r", "\r\r\n"]),
+    form=st.sampled_from(["{:17.9E}", "{:+.9f}", " {:.9f}"]),
+)
+def test_what_is_written_is_read(
+    tmp_path_factory: pytest.TempPathFactory,
+    values: list[float],
+    per_line: int,
+    dt: float,
+    ends: str,
+    form: str,
+) -> None:
+    text = at2(np.array(values), dt, form=form, per_line=per_line)
+    path = tmp_path_factory.mktemp("at2") / "a.at2"
+    path.write_bytes(text.replace("\n", ends).encode())
+    record = read_record(path)
+    np.testing.assert_allclose(record.acceleration_m_s2, np.array(values) * G, atol=1e-8)
+    assert record.dt_s == dt
+
+
+def test_negatives_that_run_together(tmp_path: Path) -> None:
+    text = at2(np.array([1.234, -5.678, -0.5, 0.25]), form="{:.3f}")
+    assert "1.234-5.678-0.500" in text
+    record = read_record(written(tmp_path, text.replace("0.5000.250", "0.500 0.250")))
+    assert (record.acceleration_m_s2 / G).round(9).tolist() == [1.234, -5.678, -0.5, 0.25]
+
+
+def test_more_values_than_stated_are_a_warning(tmp_path: Path) -> None:
+    values = samples(40)
+    for stated in (39, 35, 31):
+        text = at2(values).replace("NPTS=     40", f"NPTS=     {stated}")
+        (found,) = read_recordings(written(tmp_path, text))
+        assert len(found.record.acceleration_m_s2) == stated
+        assert "more than" in found.warnings[0] or "more samples" in found.warnings[0]
+
+
+def test_fewer_values_than_stated_are_refused(tmp_path: Path) -> None:
+    text = at2(samples(40)).replace("NPTS=     40", "NPTS=     41")
+    with pytest.raises(RecordFileError, match=r"line 12.*40 samples are read.*line 4 states 41"):
+        read_recordings(written(tmp_path, text))
+
+
+def test_a_count_beyond_all_bounds_allocates_nothing(tmp_path: Path) -> None:
+    for count in ("1000000000000", "9" * 40):
+        text = at2(samples(40)).replace("NPTS=     40", f"NPTS= {count}")
+        with pytest.raises(RecordFileError, match="40 samples are read"):
+            read_recordings(written(tmp_path, text))
+
+
+def test_times_beside_the_samples_are_refused(tmp_path: Path) -> None:
+    values = samples(40)
+    rows = "".join(f"{0.01 * at:8.3f} {value:15.7E}\n" for at, value in enumerate(values))
+    head = "".join(at2(values).splitlines(keepends=True)[:4])
+    with pytest.raises(RecordFileError, match=r"line 5.*times stand beside the samples"):
+        read_recordings(written(tmp_path, head + rows))
+
+
+def test_blank_lines_in_the_header(tmp_path: Path) -> None:
+    (found,) = read_recordings(written(tmp_path, "\n\n" + at2(samples(40))))
+    assert (found.station, found.component) == ("Hut - Far, West", "090")
+
+
+def test_what_follows_the_samples_is_left_out_with_a_warning(tmp_path: Path) -> None:
+    (found,) = read_recordings(written(tmp_path, at2(samples(40)) + "\n\nEND OF FILE\n"))
+    assert len(found.record.acceleration_m_s2) == 40
+    assert "from line 13, is left out" in found.warnings[0]
+    (found,) = read_recordings(written(tmp_path, at2(samples(40)) + "\n\n\x1a\x00\x00"))
+    assert found.warnings == ()
+
+
+def test_words_after_the_last_sample_on_its_own_line(tmp_path: Path) -> None:
+    text = at2(samples(38))
+    record = read_record(written(tmp_path, text.rstrip() + " END\n"))
+    assert record == read_record(written(tmp_path, text))
+    with pytest.raises(RecordFileError, match=r"line 5, .*0 samples are read"):
+        read_record(written(tmp_path, text.replace("\n", " END\n")))
+
+
+def test_a_letter_among_the_samples_is_refused_with_its_line(tmp_path: Path) -> None:
+    lines = at2(samples(40)).split("\n")
+    lines[7] = lines[7].replace("E", "X", 1)
+    with pytest.raises(RecordFileError, match=r"line 8, .*X") as refused:
+        read_recordings(written(tmp_path, "\n".join(lines)))
+    assert refused.value.line == 8
+    assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    "quantity",
+    [
+        "VELOCITY TIME SERIES IN UNITS OF CM/S",
+        "DISPLACEMENT TIME SERIES IN UNITS OF CM",
+        "Velocity",
+        "PSEUDO SPECTRAL ACCELERATION IN UNITS OF G",
+        "RESPONSE SPECTRUM, 5 PERCENT, IN UNITS OF G",
+    ],
+)
+def test_velocity_and_displacement_are_refused(tmp_path: Path, quantity: str) -> None:
+    with pytest.raises(RecordFileError, match=r"line 3, .*moves by its acceleration"):
+        read_recordings(written(tmp_path, at2(samples(40), quantity=quantity)))
+
+
+def test_units_of_the_file_those_asked_for_and_those_given(tmp_path: Path) -> None:
+    values = 100.0 * samples(40)
+    in_cm = at2(values, quantity="ACCELERATION TIME HISTORY IN UNITS OF CM/S/S")
+    record = read_record(written(tmp_path, in_cm))
+    np.testing.assert_allclose(record.acceleration_m_s2, 0.01 * values, rtol=1e-6)
+    nothing = at2(values, quantity="ACCELERATION TIME HISTORY")
+    with pytest.raises(RecordFileError, match="does not state the unit of its numbers; give units"):
+        read_record(written(tmp_path, nothing))
+    (found,) = read_recordings(written(tmp_path, nothing), units="gal")
+    assert found.warnings == ()
+    (found,) = read_recordings(written(tmp_path, in_cm), units="mm/s^2", dt_s=0.02)
+    assert found.record.dt_s == 0.02
+    assert found.warnings == (
+        "the file says cm/s^2; its numbers are taken in mm/s^2, as told",
+        "the file says 0.01 s between samples; 0.02 s are taken, as told",
+    )
+
+
+@pytest.mark.parametrize("odd", ["1.0E+06", "1.0E+307", "-9.9E+300"])
+def test_numbers_that_no_record_holds_are_refused(tmp_path: Path, odd: str) -> None:
+    lines = at2(samples(40)).split("\n")
+    lines[6] = f" {odd}" * 5
+    with pytest.raises(RecordFileError, match=r"is none of a record|not a finite number"):
+        read_record(written(tmp_path, "\n".join(lines)))
+
+
+def test_a_peak_beyond_belief_is_doubted(tmp_path: Path) -> None:
+    (found,) = read_recordings(written(tmp_path, at2(samples(40, peak=300.0))))
+    assert "more than any earthquake has caused" in found.warnings[0]
+
+
+@pytest.mark.parametrize("dt", ["0.0", "-.01", "x"])
+def test_an_interval_that_is_none_is_refused(tmp_path: Path, dt: str) -> None:
+    text = at2(samples(40)).replace("DT= 0.01000", f"DT= {dt}")
+    with pytest.raises(RecordFileError):
+        read_recordings(written(tmp_path, text))

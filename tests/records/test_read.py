@@ -1,0 +1,126 @@
+"""Files of any kind: their format by what stands in them, their encodings, and what is refused."""
+
+import pickle
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rocksteady import InputError, RecordFileError, read_record, read_recordings
+from rocksteady.records.read import FORMATS
+from rocksteady.records.text import LARGEST_FILE
+from tests.records.writers import at2, cosmos_channel, csv, esm, knet, samples, smc
+
+CM = samples(403, peak=150.0)
+FILES = {
+    "peer-at2": at2(samples(403)),
+    "esm-ascii": esm(CM),
+    "knet": knet(np.rint(1e5 * samples(800)).astype(np.int64)),
+    "cosmos-v2": cosmos_channel(CM),
+    "smc": smc(CM),
+    "csv": csv(samples(403)),
+}
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_the_format_is_found_from_what_stands_in_the_file(tmp_path: Path, name: str) -> None:
+    for wrong_name in ("record.csv", "record.sac", "record", "record.AT2"):
+        path = tmp_path / wrong_name
+        path.write_text(FILES[name])
+        (found,) = read_recordings(path)
+        assert found.format == name
+        assert found.path == path
+        (named,) = read_recordings(path, format=name)
+        assert named.record == found.record
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "latin-1"])
+@pytest.mark.parametrize("ends", ["\n", "\r\n", "\r", "\r\r\n"])
+def test_encodings_and_line_ends(tmp_path: Path, encoding: str, ends: str) -> None:
+    path = tmp_path / "hut.AT2"
+    text = at2(samples(40)).replace("Hut", "H\N{LATIN SMALL LETTER U WITH DIAERESIS}tte")
+    path.write_bytes(text.replace("\n", ends).encode(encoding))
+    (found,) = read_recordings(path)
+    assert len(found.record.acceleration_m_s2) == 40
+    assert found.station == "H\N{LATIN SMALL LETTER U WITH DIAERESIS}tte - Far, West"
+
+
+def test_a_format_that_is_not_the_files_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "hut"
+    for name, text in FILES.items():
+        path.write_text(text)
+        for other in FORMATS:
+            same = other == name or {other, name} <= {"knet", "kiknet"}
+            table = other in {"csv", "columns"}
+            # Read through ObsPy, which may not be installed.
+            binary = other in {"mseed", "sac"}
+            if same or table or binary or other.split("-")[0] == name.split("-")[0]:
+                continue
+            with pytest.raises(RecordFileError):
+                read_recordings(path, format=other)
+    with pytest.raises(InputError, match=r"format = 'at3' is not valid.*use one of knet"):
+        read_recordings(path, format="at3")
+
+
+def test_what_is_no_file(tmp_path: Path) -> None:
+    cases = {
+        tmp_path: "it is a folder",
+        tmp_path / "none": "there is no such file",
+        Path("/dev/null"): "not a regular file|no such file",
+        tmp_path / ("x" * 5000): "(?i)name too long|no such file",
+    }
+    for path, message in cases.items():
+        with pytest.raises(RecordFileError, match=message) as refused:
+            read_recordings(path)
+        assert "\n" not in str(refused.value)
+    with pytest.raises(RecordFileError):
+        read_recordings("a\0b")
+
+
+@pytest.mark.parametrize("data", [b"", b"\n \n", b"\x00" * 5000, b"\x1a"])
+def test_an_empty_file(tmp_path: Path, data: bytes) -> None:
+    path = tmp_path / "empty"
+    path.write_bytes(data)
+    with pytest.raises(RecordFileError, match="it is empty; fetch it anew"):
+        read_recordings(path)
+
+
+def test_files_that_are_too_large_or_no_text(tmp_path: Path) -> None:
+    path = tmp_path / "large"
+    with path.open("wb") as file:
+        file.truncate(LARGEST_FILE + 1)
+    with pytest.raises(RecordFileError, match=f"{LARGEST_FILE} are the most"):
+        read_recordings(path)
+    path.write_bytes(bytes(range(256)) * 40)
+    with pytest.raises(RecordFileError, match="it is not text"):
+        read_recordings(path)
+
+
+@pytest.mark.parametrize(
+    ("given", "name"),
+    [({"units": "furlong"}, "units"), ({"units": 3}, "units"), ({"dt_s": 0.0}, "dt_s")],
+)
+def test_arguments_are_looked_at_before_the_file(given: dict[str, object], name: str) -> None:
+    with pytest.raises(InputError) as refused:
+        read_record("there is none", **given)  # type: ignore[arg-type]
+    assert refused.value.name == name
+
+
+def test_samples_that_are_all_zero_are_no_record(tmp_path: Path) -> None:
+    path = tmp_path / "hut.AT2"
+    path.write_text(at2(np.zeros(40)))
+    with pytest.raises(RecordFileError, match="all samples are zero"):
+        read_record(path)
+
+
+def test_the_error_of_a_file_comes_back_whole_from_another_process(tmp_path: Path) -> None:
+    path = tmp_path / "hut.AT2"
+    path.write_text(at2(samples(40)).replace("NPTS=     40", "NPTS= few"))
+    with pytest.raises(RecordFileError) as refused:
+        read_record(path)
+    error = refused.value
+    again = pickle.loads(pickle.dumps(error))
+    assert str(again) == str(error)
+    assert (again.path, again.line, again.found) == (path, 4, error.found)
+    assert isinstance(again, InputError)
+    assert isinstance(again, ValueError)
