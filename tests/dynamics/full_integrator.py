@@ -7,7 +7,8 @@ from itertools import pairwise
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from rocksteady import Block
+from rocksteady import Block, Pulse, Record, Status, Trajectory, simulate
+from rocksteady.model.motions import Motion
 
 Ground = Callable[[float], float]
 
@@ -77,3 +78,36 @@ def impacts_by_integrator(
                 state = [0.0, own.restitution * state[1]]
                 side = -side
     return found
+
+
+def full(block: Block, motion: Motion | Record, **given: object) -> Trajectory:
+    """Return the run of the nonlinear model."""
+    return simulate(block, motion, model="nonlinear", **given)  # type: ignore[arg-type]
+
+
+def same_impacts(run: Trajectory, expected: list[float]) -> None:
+    """Hold a run's first impacts to those of the integrator [s], of which there are some."""
+    assert run.block is not None
+    assert len(expected) > 1 or run.status is Status.OVERTURNED
+    assert len(run.impacts) >= len(expected) > 0
+    found = run.impacts.s[: len(expected)] / run.block.p
+    np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-9)
+
+
+def pulse_ground(pulse: Pulse, block: Block) -> tuple[Ground, tuple[float, ...]]:
+    """Return the base acceleration over g of a pulse, and the times of its breaks [s]."""
+    segments = pulse.segments()
+    ends = np.concatenate([[0.0], np.cumsum([segment.duration for segment in segments])])
+
+    def ground(t: float) -> float:
+        s = t * block.p
+        k = int(np.searchsorted(ends, s, side="right")) - 1
+        if k >= len(segments):
+            return 0.0
+        part, since = segments[k], s - ends[k]
+        wave = part.amplitude * math.sin(part.frequency * since + part.phase)
+        return float(block.alpha * (part.constant + part.slope * since + wave))
+
+    # A break belongs to the segment that ends at it, too: step a little aside of it.
+    last = ends[-1] / block.p * (1.0 + 1e-15)
+    return ground, (*(ends[:-1] / block.p).tolist(), float(last))

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from rocksteady import (
+    Block,
     DimensionlessBlock,
     Harmonic,
     InputError,
@@ -20,8 +21,10 @@ from rocksteady import (
     Still,
     simulate,
 )
+from rocksteady.dynamics.nonlinear import ModelName
 
 BLOCK = DimensionlessBlock(restitution=0.8)
+MODELS: tuple[ModelName, ...] = ("linear", "nonlinear")
 
 
 @pytest.mark.parametrize("duration", [190.0, 210.0, 1e3, 1e5, 1e6])
@@ -89,6 +92,23 @@ def test_hardly_any_loss_still_ends_at_rest_and_none_at_all_goes_on_rocking() ->
     assert none.status is Status.ROCKING
     assert none.end_s == pytest.approx(1e4)
     np.testing.assert_allclose(np.diff(none.impacts.s), 2.0 * none.impacts.s[0], rtol=1e-9)
+
+
+@pytest.mark.parametrize("velocity", [1e-300, 1e-30, 1e-22, 1e-14])
+def test_what_moves_off_the_balance_by_less_than_rounding_falls_or_comes_back(
+    velocity: float,
+) -> None:
+    block = Block.from_p(alpha=0.2, p=2.0, restitution=0.8)
+    for side in (1, -1):
+        for model in MODELS:
+            outwards, back = (
+                simulate(block, Still(), start=State(angle=side, velocity=v), model=model)
+                for v in (side * velocity, -side * velocity)
+            )
+            assert outwards.status is Status.OVERTURNED
+            assert back.status is Status.AT_REST
+            assert outwards.peak == back.peak == 1.0
+            assert len(outwards.impacts) == 0 < len(back.impacts)
 
 
 def test_a_block_balanced_for_ever_can_be_drawn() -> None:

@@ -10,6 +10,7 @@ from rocksteady import (
     Harmonic,
     Impulses,
     Piecewise,
+    Pulse,
     Record,
     Segment,
     State,
@@ -22,16 +23,16 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.dynamics.return_map import ReturnMap
-from rocksteady.model.motions import Motion
-from tests.dynamics.full_integrator import impacts_by_integrator
+from tests.dynamics.full_integrator import (
+    full,
+    impacts_by_integrator,
+    pulse_ground,
+    same_impacts,
+)
 from tests.records import synthetic
 
 BLOCK = Block.asymmetric(left=0.3, right=0.5, height=1.6, restitution=(0.8, 0.9))
 """alpha .36 and .56: the linear model is off by several per cent, and differently on each side."""
-
-
-def full(block: Block, motion: Motion | Record, **given: object) -> Trajectory:
-    return simulate(block, motion, model="nonlinear", **given)  # type: ignore[arg-type]
 
 
 def drawn(seed: int) -> tuple[Block, State, float, np.random.Generator]:
@@ -48,14 +49,6 @@ def drawn(seed: int) -> tuple[Block, State, float, np.random.Generator]:
     angle = float(rng.choice([-1.0, 1.0])) * float(rng.uniform(0.05, 0.4))
     state = State(angle=angle * least, velocity=float(rng.uniform(-0.2, 0.2)) * least)
     return block, state, least, rng
-
-
-def same_impacts(run: Trajectory, expected: list[float]) -> None:
-    assert run.block is not None
-    assert len(expected) > 2 or run.status is Status.OVERTURNED
-    assert len(run.impacts) >= len(expected)
-    found = run.impacts.s[: len(expected)] / run.block.p
-    assert found == pytest.approx(expected, rel=0.0, abs=1e-9)
 
 
 # ------------------------------------------------------------------- an adaptive integrator
@@ -97,6 +90,23 @@ def test_impacts_of_records_with_vertical_motion(seed: int) -> None:
     )
     record, vertical = (Record(acceleration_m_s2=a, dt_s=dt) for a in (flat, up))
     same_impacts(full(block, record, start=state, vertical=vertical), expected)
+
+
+@pytest.mark.parametrize("shape", ["half-sine", "one-sine", "one-cosine", "triangle"])
+def test_impacts_of_pulses(shape: str) -> None:
+    block, state, least, _ = drawn(60 + len(shape))
+    pulse = Pulse(shape=shape, amplitude=1.2 * least, frequency_ratio=5.0)
+    ground, breaks = pulse_ground(pulse, block)
+    expected = impacts_by_integrator(
+        ground,
+        block=block,
+        angle=state.angle * block.alpha,
+        velocity=state.velocity * block.alpha * block.p,
+        breaks=(*breaks, 8.0 / block.p),
+        longest_step=0.02 / block.p,
+        count=6,
+    )
+    same_impacts(full(block, pulse, start=state), expected)
 
 
 @pytest.mark.parametrize("seed", range(6))

@@ -2,6 +2,7 @@
 
 import math
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pytest
@@ -26,7 +27,7 @@ from tests.dynamics.kicks import apart, around, clearance, departures, follow, k
 HOUSNER = Block.from_radius(alpha=0.2, radius=1.0, gravity=9.81)
 
 
-def at(amplitude: float, frequency: float, restitution: float, **more: int) -> tuple[Orbit, ...]:
+def at(amplitude: float, frequency: float, restitution: float, **more: Any) -> tuple[Orbit, ...]:
     return orbits(
         DimensionlessBlock(restitution=restitution),
         Harmonic(amplitude=amplitude, frequency_ratio=frequency),

@@ -18,20 +18,18 @@ from rocksteady import (
     Segment,
     State,
     Status,
-    Steady,
     Still,
-    Trajectory,
     simulate,
 )
-from rocksteady.model.motions import Motion
-from tests.dynamics.full_integrator import impacts_by_integrator
+from tests.dynamics.full_integrator import (
+    full,
+    impacts_by_integrator,
+    pulse_ground,
+    same_impacts,
+)
 from tests.records import synthetic
 
 G = 9.80665
-
-
-def full(block: Block, motion: Motion | Record, **given: object) -> Trajectory:
-    return simulate(block, motion, model="nonlinear", **given)  # type: ignore[arg-type]
 
 
 def drawn(seed: int) -> tuple[Block, State, np.random.Generator]:
@@ -41,15 +39,6 @@ def drawn(seed: int) -> tuple[Block, State, np.random.Generator]:
     )
     state = State(angle=rng.uniform(-0.5, 0.5), velocity=rng.uniform(-0.3, 0.3))
     return block, state, rng
-
-
-def same_impacts(run: Trajectory, expected: list[float]) -> None:
-    assert run.block is not None
-    assert len(expected) >= 1
-    assert len(run.impacts) >= len(expected)
-    np.testing.assert_allclose(
-        run.impacts.s[: len(expected)] / run.block.p, expected, rtol=0.0, atol=1e-9
-    )
 
 
 # ------------------------------------------------------------------- an adaptive integrator
@@ -76,25 +65,13 @@ def test_impacts_of_harmonic_shaking(seed: int) -> None:
 def test_impacts_of_pulses(shape: str) -> None:
     block, state, _ = drawn(len(shape))
     pulse = Pulse(shape=shape, amplitude=1.4, frequency_ratio=4.0)
-    segments = pulse.segments()
-    ends = np.concatenate([[0.0], np.cumsum([segment.duration for segment in segments])])
-
-    def ground(t: float) -> float:
-        s = t * block.p
-        k = int(np.searchsorted(ends, s, side="right")) - 1
-        if k >= len(segments):
-            return 0.0
-        part, since = segments[k], s - ends[k]
-        wave = part.amplitude * math.sin(part.frequency * since + part.phase)
-        return float(block.alpha * (part.constant + part.slope * since + wave))
-
+    ground, breaks = pulse_ground(pulse, block)
     expected = impacts_by_integrator(
-        # A break belongs to the segment that ends at it, too: step a little aside of it.
         ground,
         block=block,
         angle=state.angle * block.alpha,
         velocity=state.velocity * block.alpha * block.p,
-        breaks=(*(ends[:-1] / block.p), ends[-1] / block.p * (1.0 + 1e-15), 8.0 / block.p),
+        breaks=(*breaks, 8.0 / block.p),
         longest_step=0.02 / block.p,
         count=6,
     )
@@ -199,6 +176,20 @@ def test_the_base_falls_away_under_the_block() -> None:
         assert run.end_s / block.p == pytest.approx(0.15, abs=1e-14)
 
 
+@pytest.mark.parametrize("down", [(0.0, -1.0, 0.0, 0.0), (0.0, -1.0, -1.0, 0.0)])
+def test_a_sample_of_exactly_minus_g_is_lost_contact_whatever_the_slenderness(
+    down: tuple[float, ...],
+) -> None:
+    flat = Record(acceleration_m_s2=np.array([0.0, 1.0, 0.0, 0.0]), dt_s=0.1)
+    up = Record(acceleration_m_s2=G * np.array(down), dt_s=0.1)
+    for alpha in np.linspace(0.05, 1.4, 28).tolist():
+        block = Block.from_p(alpha=alpha, p=2.0, restitution=0.8)
+        for start in (None, State(angle=0.5, velocity=0.0)):
+            run = full(block, flat, vertical=up, start=start)
+            assert run.status is Status.LOST_CONTACT
+            assert run.end_s / block.p == pytest.approx(0.1, abs=1e-14)
+
+
 def test_a_heavier_base_holds_the_block_longer() -> None:
     block = Block.from_p(alpha=0.3, p=2.0)
     flat = Record(acceleration_m_s2=np.array([0.0, 0.0, 6.0, 0.0]), dt_s=0.1)
@@ -251,7 +242,8 @@ def test_a_push_during_a_strong_motion_may_lay_the_block_down() -> None:
 
 def test_looser_tolerances_give_larger_errors_within_them() -> None:
     block = Block.from_p(alpha=0.4, p=2.0, restitution=0.8)
-    motion, start = Harmonic(amplitude=2.0, frequency_ratio=4.0), Steady()
+    motion = Harmonic(amplitude=2.0, frequency_ratio=4.0)
+    start = State(angle=0.1, velocity=0.3)
     exact = full(block, motion, start=start, cycles=20, tolerance=1e-11)
     for tolerance in (1e-3, 1e-6, 1e-9):
         run = full(block, motion, start=start, cycles=20, tolerance=tolerance)

@@ -18,7 +18,8 @@ from rocksteady import (
     simulate,
     steady_states,
 )
-from rocksteady.dynamics.start import KICK, LARGEST_KICK, unstable_direction
+from rocksteady.dynamics.leaving import unstable_direction
+from rocksteady.dynamics.start import KICK, LARGEST_KICK
 
 BLOCK = DimensionlessBlock(restitution=0.8)
 UNSTABLE = [

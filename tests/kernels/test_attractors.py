@@ -31,7 +31,7 @@ from rocksteady.kernels.section import (
     phase_between,
     shifted,
 )
-from rocksteady.kernels.symmetric import symmetric_orbit
+from rocksteady.kernels.symmetric import existence_amplitude, symmetric_orbit
 from tests.kernels.passages import LOPSIDED, even_system, state_at_phase
 from tests.kernels.tables import NONE, both_sides, harmonic
 from tests.strategies import sample_size
@@ -193,6 +193,33 @@ def test_what_a_motion_only_passes_by_it_does_not_arrive_at() -> None:
     # Nor does it on the other side, or where it falls.
     assert not arrives(system, mirror(stable, 1), stable, 2, 0.7)
     assert not arrives(system, Section(1, 0, 1.0, 9.0), stable, 2, 0.7)
+
+
+@pytest.mark.parametrize("below", [1e-3, 1e-5, 1e-6])
+def test_next_to_a_fold_the_unstable_branch_parts_what_arrives_from_what_does_not(
+    below: float,
+) -> None:
+    # Both branches are then close, the stable one attracts weakly, and between them is the border.
+    a = existence_amplitude(4.0, 0.8, math.tanh(math.pi / 8.0)) * (1.0 + below)
+    system, (one, two) = (
+        even_system(a, 4.0, 0.8),
+        (symmetric_orbit(a, 4.0, 0.8, 1, branch) for branch in (1, 2)),
+    )
+    stable = state_at_phase(1, one.phase, 4.0 * one.velocity)
+    largest = larger(one.trace, 0.8) ** 2
+    assert 0.0 < 1.0 - largest < 0.2
+    for share, arrived in ((0.5, True), (0.9, True), (1.1, False), (1.5, False), (-2.0, True)):
+        begin = shifted(
+            stable,
+            share * (two.phase - one.phase),
+            share * 4.0 * (two.velocity - one.velocity),
+        )
+        assert arrives(system, begin, stable, 2, largest) is arrived
+
+
+def larger(trace: float, restitution: float) -> float:
+    """Return the larger multiplier of a half cycle."""
+    return 0.5 * trace + math.sqrt(0.25 * trace * trace - restitution**2)
 
 
 @pytest.mark.parametrize("periods", [1, 3, 5])

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.kernels.history import fill_states, last_crossing, side_peaks
+from rocksteady.kernels.history import fill_states, last_crossing, recorded_peaks
 from rocksteady.kernels.march import OVERTURNED, ROW_DURATION, ROW_SIDE
 from tests.kernels.tables import Piece, Run, both_sides, exact_segments, harmonic, run, table
 from tests.oracles import exact_march, mp
@@ -88,7 +88,7 @@ def test_flights_join_without_a_gap() -> None:
     assert starts[1] == pytest.approx(0.8 * ends[1], abs=1e-14)
 
 
-def test_the_highest_angle_agrees_with_dense_sampling() -> None:
+def test_the_highest_angle_and_speed_agree_with_dense_sampling() -> None:
     rng = np.random.default_rng(1)
     for _ in range(sample_size(40, 5)):
         lean = (1.0, float(rng.uniform(0.5, 1.5)))
@@ -102,16 +102,18 @@ def test_the_highest_angle_agrees_with_dense_sampling() -> None:
         )
         last = float(ran.rows[-1, ROW_DURATION])
         last = 1.0 if math.isinf(last) else last
-        peaks = side_peaks(ran.segments, sides, ran.rows, last)
+        *peaks, speed = recorded_peaks(ran.segments, sides, ran.rows, last)
         peak = max(own * unit for own, unit in zip(peaks, lean, strict=True))
-        best = 0.0
+        best = fastest = 0.0
         for i in range(len(ran.rows)):
             duration = last if i + 1 == len(ran.rows) else float(ran.rows[i, ROW_DURATION])
             samples = np.linspace(0.0, duration, 400)
-            angles = np.abs(states(ran, sides, np.full(400, i), samples)[0])
-            best = max(best, float(angles.max()))
+            angles, speeds, _ = np.abs(states(ran, sides, np.full(400, i), samples))
+            best, fastest = max(best, float(angles.max())), max(fastest, float(speeds.max()))
         assert best <= peak * (1.0 + 1e-14)
         assert best == pytest.approx(peak, rel=1e-4)
+        assert fastest <= speed * (1.0 + 1e-14)
+        assert fastest == pytest.approx(speed, rel=1e-4)
 
 
 @pytest.mark.parametrize("velocity", [1.001, 1.3, 4.0])

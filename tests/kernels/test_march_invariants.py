@@ -7,6 +7,7 @@ import pytest
 
 from rocksteady.kernels.clock import clock
 from rocksteady.kernels.march import (
+    ALIKE,
     AT_REST,
     OVERTURNED,
     ROCKING,
@@ -17,10 +18,12 @@ from rocksteady.kernels.march import (
     ROW_PHASE,
     ROW_SIDE,
     ROW_VELOCITY,
+    UNDECIDED,
     March,
     march,
 )
 from rocksteady.kernels.symmetric import symmetric_orbit, symmetry_breaking
+from rocksteady.kernels.tables import LIFT, LIFT_SLOPE, NONLINEAR_SEGMENT_COLUMNS
 from tests.kernels.tables import (
     NONE,
     Piece,
@@ -85,6 +88,37 @@ def test_the_mirrored_march_is_the_same_to_the_last_bit(
         ):
             assert np.array_equal(one[:, column], factor * other[:, column])
         assert np.array_equal(one[:, ROW_HALF_CYCLES] + 1.0, other[:, ROW_HALF_CYCLES])
+
+
+@pytest.mark.parametrize("nonlinear", [False, True])
+def test_a_march_goes_on_where_another_has_stopped(nonlinear: bool) -> None:
+    # Slopes with and without a sinusoid: what acts within a segment depends on the time since.
+    pieces = [
+        Piece(6.0, -0.1, 0.03, 0.0, 0.0, 0.0),
+        Piece(8.0, 0.2, -0.015, 0.8, 3.0, 0.4),
+        Piece(math.inf, 0.0, 0.0, 1.15, 2.5, 1.0),
+    ]
+    segments, sides = table(*pieces), both_sides(0.85)
+    if nonlinear:
+        segments = np.hstack(
+            [segments[:, :ALIKE], np.zeros((3, NONLINEAR_SEGMENT_COLUMNS - ALIKE))]
+        )
+        segments[:, LIFT] = 0.1, -0.1, 0.0
+        segments[:, LIFT_SLOPE] = -0.05, 0.03, 0.0
+        sides = np.hstack([sides, np.full((2, 1), 0.3), np.full((2, 1), 1e-15)])
+    none, stop = np.zeros((0, 8)), (12, 0.5)
+    start = March(1, 0.6, 0.0, 0, 0, 0.0, 0, 0)
+    whole, last = march(segments, sides, start, *stop, 1e-8, 10_000, none, NONE)
+    here, status, stops = start, UNDECIDED, 0
+    while status == UNDECIDED:
+        limit = here.flights + 1
+        status, here = march(segments, sides, here, *stop, 1e-8, limit, none, NONE)
+        stops += 1
+    assert stops > 10
+    assert whole == ROCKING
+    assert (status, here.side, here.impacts) == (whole, last.side, last.impacts)
+    assert here.angle == pytest.approx(last.angle, abs=1e-11)
+    assert here.velocity == pytest.approx(last.velocity, abs=1e-11)
 
 
 @pytest.mark.parametrize("record", ["flight", "rest"])

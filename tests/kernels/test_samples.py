@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady.kernels.history import fill_states, side_peaks
+from rocksteady.kernels.history import fill_states, recorded_peaks
 from rocksteady.kernels.march import (
     AT_REST,
     CEILING,
@@ -29,7 +29,7 @@ from rocksteady.kernels.march import (
     march,
 )
 from rocksteady.kernels.samples import LONGEST, fly_through, make_stride
-from rocksteady.kernels.tables import LEAN, PEAK_ANGLE, PEAK_SPEED
+from rocksteady.kernels.tables import PEAK_ANGLE, PEAK_SPEED
 from tests.kernels.tables import (
     PLENTY,
     Run,
@@ -353,13 +353,15 @@ def test_peaks_are_those_of_the_recorded_flights() -> None:
         fell += status == OVERTURNED
         proved = ran.rows[-1, ROW_EVENT] == ENDED_BY_NO_RETURN  # in a flight without end
         rows = ran.rows[:-1] if proved else ran.rows
-        own = side_peaks(segments, sides, rows, rows[-1, ROW_DURATION])
-        top = max(np.multiply(own, sides[:, LEAN]).tolist())
+        *own, swift = recorded_peaks(segments, sides, rows, rows[-1, ROW_DURATION])
+        top = max(own)
         if proved:
             assert peaks[PEAK_ANGLE] >= top * (1.0 - 1e-13)
+            assert peaks[PEAK_SPEED] >= swift * (1.0 - 1e-13)
         else:
             fast = sampled_speed(ran, sides)
             assert peaks[PEAK_ANGLE] == pytest.approx(top, rel=1e-13)
+            assert peaks[PEAK_SPEED] == pytest.approx(swift, rel=1e-13)
             assert fast * (1.0 - 1e-14) <= peaks[PEAK_SPEED] <= fast * (1.0 + 1e-3)
         assert end.flights == len(ran.rows)
     assert sample_size(fell, 1) > 0
@@ -387,11 +389,11 @@ def test_peaks_within_samples_are_found_wherever_they_lie() -> None:
         sides = UNLIKE if case % 2 else both_sides(0.8)
         lean, rate = sides[0, 1:]
         # Either peak may be out of reach, so that the other alone calls for a search.
-        before = np.array([angle + abs(rng.normal(0.0, 0.2)), abs(rng.normal(0.0, 3.0))])
+        before = np.array([angle / lean + abs(rng.normal(0.0, 0.2)), abs(rng.normal(0.0, 3.0))])
         before[rng.integers(2)] *= rng.choice([1.0, 100.0])
         peaks, none = before.copy(), np.zeros((0, 8))
         fly_through(segments, sides, 1, angle, velocity, 0, 0, PLENTY, none, peaks)
-        y, v, tops = angle / lean, velocity / (lean * rate), before / [lean, lean * rate]
+        y, v, tops = angle / lean, velocity / (lean * rate), before / [1.0, lean * rate]
         for piece in sampled_pieces(values, step)[:3]:
             t = np.linspace(0.0, step * rate, 4001)
             r, m = piece.constant / lean - 1.0, piece.slope / (lean * rate)
@@ -399,7 +401,7 @@ def test_peaks_within_samples_are_found_wherever_they_lie() -> None:
             speeds = (v + m) * np.cosh(t) + (y + r) * np.sinh(t) - m
             tops = np.maximum(tops, [angles.max(), np.abs(speeds).max()])
             y, v = angles[-1], speeds[-1]
-        np.testing.assert_allclose(peaks / [lean, lean * rate], tops, rtol=1e-6)
+        np.testing.assert_allclose(peaks / [1.0, lean * rate], tops, rtol=1e-6)
 
 
 def test_a_flight_watched_sample_by_sample_peaks_where_the_search_finds_it() -> None:

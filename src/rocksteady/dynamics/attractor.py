@@ -7,7 +7,7 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.nonlinear import ModelName, model_name
+from rocksteady.dynamics.nonlinear import ModelName, model_name, sides_of
 from rocksteady.dynamics.orbit import Orbit, orbit_from
 from rocksteady.dynamics.return_map import (
     ImpactState,
@@ -103,6 +103,8 @@ class Attractor:
     state
         The last state after an impact or at an uplift, from which the motion can be followed on;
         None at rest, and where the block falls without one.
+    model
+        Which equations of motion hold: "linear" or "nonlinear".
     """
 
     block: Block | DimensionlessBlock
@@ -114,6 +116,7 @@ class Attractor:
     growth: float
     reason: str
     state: ImpactState | None
+    model: ModelName = "linear"
 
     @property
     def period(self) -> int | None:
@@ -150,7 +153,8 @@ def attractor(
 
     Recognised by returning states, polished by Newton's method on the return map to a residual of
     1e-12, and believed only if it is stable by its exact multipliers and the motion comes to within
-    1e-7 of it.  An unstable orbit is never returned.
+    1e-7 of it, or nears a weakly attracting one at the rate of its multiplier.  An unstable orbit
+    is never returned.
 
     Parameters
     ----------
@@ -191,7 +195,8 @@ def attractor(
     periods = cycles_value(cycles)
     side_value(side)
     equations = model_name(model)
-    motion, begin = initial_march(Rest() if start is None else start, bare, shaken, side)
+    tilted = sides_of(block, equations) if equations == "nonlinear" else None
+    motion, begin = initial_march(Rest() if start is None else start, bare, shaken, side, tilted)
     shaken = harmonic(motion)
     memory, table = (
         np.empty((rows, ORBIT_COLUMNS)) for rows in (kernel.MEMORY, kernel.LONGEST_ORBIT)
@@ -225,6 +230,7 @@ def attractor(
         growth=math.exp(min(found.growth, 700.0)),
         reason=_reason(found, bare) if kind is AttractorKind.UNDECIDED else "",
         state=state_of(found.state) if found.state.side != 0 else None,
+        model=equations,
     )
 
 

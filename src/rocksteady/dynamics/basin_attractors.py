@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.attractor import KINDS, AttractorKind
+from rocksteady.dynamics.nonlinear import ModelName
 from rocksteady.dynamics.orbit import Orbit, orbit_from
 from rocksteady.dynamics.orbits import SAME
 from rocksteady.dynamics.return_map import ImpactState, make_system, section_of
@@ -80,14 +81,14 @@ class BasinAttractor:
 
 
 def labelled(
-    block: Block | DimensionlessBlock, shaking: Harmonic, cells: Cells
+    block: Block | DimensionlessBlock, shaking: Harmonic, model: ModelName, cells: Cells
 ) -> tuple[Integers, tuple[BasinAttractor, ...]]:
     """Return the labels of cells and the attractors in the order of their labels.
 
     Parameters
     ----------
-    block, shaking
-        What moves.
+    block, shaking, model
+        What moves, and by which equations.
     cells
         What each cell has found, arrays of one shape by the names of
         `rocksteady.dynamics.settled.SettledCells`.
@@ -99,7 +100,8 @@ def labelled(
         if which not in PERIODIC and (kind == KINDS.index(which)).any()
     ]
     found += [
-        (AttractorKind(orbit.kind), orbit, of) for orbit, of in _orbits(block, shaking, cells)
+        (AttractorKind(orbit.kind), orbit, of)
+        for orbit, of in _orbits(block, shaking, model, cells)
     ]
     found.sort(key=lambda one: _order(one[0], one[1]))
     names = _names([(which, orbit) for which, orbit, _ in found])
@@ -145,14 +147,14 @@ def _names(found: list[tuple[AttractorKind, Orbit | None]]) -> Iterator[str]:
 
 
 def _orbits(
-    block: Block | DimensionlessBlock, shaking: Harmonic, cells: Cells
+    block: Block | DimensionlessBlock, shaking: Harmonic, model: ModelName, cells: Cells
 ) -> Iterator[tuple[Orbit, NDArray[np.bool_]]]:
     """Yield each orbit that cells have found, and which cells."""
     left = cells["period"] > 0
     while left.any():
         first = np.unravel_index(int(np.argmax(left)), left.shape)
         one = {name: values[first].item() for name, values in cells.items()}
-        orbit = _orbit(block, shaking, one)
+        orbit = _orbit(block, shaking, model, one)
         same = left.copy()
         for name in ("period", "passages", "rests"):
             same &= cells[name] == one[name]
@@ -177,24 +179,30 @@ def _near(state: ImpactState, side: Integers, phase: Floats, speed: Floats) -> N
     return near
 
 
-def _orbit(block: Block | DimensionlessBlock, shaking: Harmonic, cell: Mapping[str, Any]) -> Orbit:
+def _orbit(
+    block: Block | DimensionlessBlock,
+    shaking: Harmonic,
+    model: ModelName,
+    cell: Mapping[str, Any],
+) -> Orbit:
     """Return the orbit of a cell, started where it would be whichever cell had found it."""
     state = ImpactState(side=cell["side"], phase=cell["phase"], speed=cell["speed"])
-    orbit = _through(block, shaking, state, cell)
+    orbit = _through(block, shaking, model, state, cell)
     # A phase that is 0 but for a rounding may have come out as a whole turn.
     begin = min(orbit.states, key=lambda here: (here.phase + SAME) % TURN)
-    return orbit if begin is orbit.states[0] else _through(block, shaking, begin, cell)
+    return orbit if begin is orbit.states[0] else _through(block, shaking, model, begin, cell)
 
 
 def _through(
     block: Block | DimensionlessBlock,
     shaking: Harmonic,
+    model: ModelName,
     state: ImpactState,
     cell: Mapping[str, Any],
 ) -> Orbit:
     """Return the orbit through a state that lies on it."""
-    system = make_system(block.dimensionless(), shaking)
+    system = make_system(block, shaking, model)
     passages, periods = cell["passages"], cell["period"]
     table = np.zeros((passages, periodic.ORBIT_COLUMNS))
     fixed = periodic.polish(system, section_of(state), passages, periods, table)
-    return orbit_from(block, shaking, table, periods, fixed.residual)
+    return orbit_from(block, shaking, table, periods, fixed.residual, model)

@@ -11,12 +11,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.attractor import AttractorKind, cycles_value
 from rocksteady.dynamics.basin_attractors import BasinAttractor, labelled
-from rocksteady.dynamics.lowering import side_attributes, side_table
+from rocksteady.dynamics.lowering import side_table
+from rocksteady.dynamics.nonlinear import ModelName, attributes_of, model_name, sides_of
 from rocksteady.dynamics.return_map import bare_block, harmonic
 from rocksteady.dynamics.settled import Beginnings, batch_size, settled_cells
 from rocksteady.dynamics.windows import centred, moment, spacing, window_axis, window_of
 from rocksteady.model.block import Block, DimensionlessBlock
-from rocksteady.model.dimensionless import SideRow
 from rocksteady.model.motions import Harmonic
 from rocksteady.model.validation import in_range, whole_number
 from rocksteady.sweep.draws import uniform
@@ -84,6 +84,8 @@ class Basins:
         Forcing periods for which they were followed.
     seed
         With which they were drawn; None for the points of the grid.
+    model
+        Which equations of motion hold: "linear" or "nonlinear".
     """
 
     block: Block | DimensionlessBlock
@@ -96,6 +98,7 @@ class Basins:
     start_velocity: Floats
     cycles: int
     seed: int | None
+    model: ModelName = "linear"
 
     @cached_property
     def states(self) -> NDArray[np.int64]:
@@ -204,7 +207,7 @@ class Basins:
                 "amplitude": self.shaking.amplitude,
                 "frequency_ratio": self.shaking.frequency_ratio,
                 "phase": self.shaking.phase,
-                **side_attributes(self.block),
+                **attributes_of(self.block, self.model),
                 "cycles": self.cycles,
                 "seed": "none" if self.seed is None else str(self.seed),
             },
@@ -232,6 +235,7 @@ def basins(
     seed: int | None = None,
     executor: str = "threads",
     workers: int | None = None,
+    model: ModelName = "linear",
     done: Done | None = None,
 ) -> Basins:
     """Return where the states of a window go that a block may have at a moment of the shaking.
@@ -245,13 +249,15 @@ def basins(
     Parameters
     ----------
     block
-        Its restitution counts, and how unlike its sides are.
+        Its restitution counts, and how unlike its sides are; in the nonlinear model also how
+        slender.
     shaking
         Its phase is that of all initial states.  It is taken modulo a period and to 12 decimals, so
         that phases which are whole periods apart give the same basins to the last bit.
     angles
         u = theta/alpha, shape (n,), evenly spaced.  By default the middles of 200 cells up to
-        1 + A/sqrt(1 + Omega^2) on either side: from that |u + du/ds| on a flight grows for ever.
+        1 + A/sqrt(1 + Omega^2) on either side: from that |u + du/ds| on a flight of the linear
+        model grows for ever.
         Of a block whose sides differ the larger of their bounds.
     velocities
         du/dtau, tau = omega t, shape (m,), evenly spaced.  By default the middles of 200 cells up
@@ -262,6 +268,8 @@ def basins(
         With one, a state is drawn in each cell of the grid, instead of its middle.
     executor, workers, done
         As for `rocksteady.sweep.evaluate.evaluate`.
+    model
+        As for `attractor`.
 
     Returns
     -------
@@ -272,8 +280,8 @@ def basins(
     Raises
     ------
     InputError, ModelError
-        If a number is outside its range, an axis is not evenly spaced, or the shaking is not
-        harmonic.
+        If a number is outside its range, an axis is not evenly spaced, the shaking is not harmonic,
+        or the nonlinear model meets a block without slenderness.
 
     Examples
     --------
@@ -293,6 +301,8 @@ def basins(
     unsymmetric-1b 0.0450 0.029 to 0.070
     """
     bare, shaken = bare_block(block), harmonic(shaking)
+    equations = model_name(model)
+    sides = sides_of(block, equations)
     half, rest = moment(shaken)
     ratio = shaken.frequency_ratio
     widest, fastest = window_of(side_table(bare), shaken.amplitude, ratio)
@@ -306,7 +316,7 @@ def basins(
     cases = functools.partial(
         _settled,
         shaking=shaken,
-        sides=bare.sides,
+        sides=sides,
         half_cycles=half,
         phase=rest,
         cycles=cycles_value(cycles),
@@ -324,7 +334,7 @@ def basins(
         done=done,
     )
     cells = {str(name): data[name].values for name in data.data_vars}
-    label, attractors = labelled(block, start, cells)
+    label, attractors = labelled(block, start, equations, cells)
     return Basins(
         block=block,
         shaking=start,
@@ -336,6 +346,7 @@ def basins(
         start_velocity=cells["start_velocity"],
         cycles=cycles_value(cycles),
         seed=_seed(seed),
+        model=equations,
     )
 
 
@@ -364,7 +375,7 @@ def _settled(
     number: NDArray[np.int64],
     *,
     shaking: Harmonic,
-    sides: tuple[SideRow, SideRow],
+    sides: Floats,
     half_cycles: int,
     phase: float,
     cycles: int,
@@ -380,7 +391,7 @@ def _settled(
     found = settled_cells(
         np.full(count, shaking.amplitude),
         np.full(count, shaking.frequency_ratio),
-        np.array(sides),
+        sides,
         Beginnings.of(angle, velocity * shaking.frequency_ratio, half_cycles, phase),
         cycles,
     )

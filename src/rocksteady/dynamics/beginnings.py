@@ -3,11 +3,13 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.leaving import set_off
 from rocksteady.dynamics.settled import Beginnings
-from rocksteady.dynamics.start import Steady, unstable_direction
+from rocksteady.dynamics.start import Steady
 from rocksteady.dynamics.steady import steady_states
 from rocksteady.errors import ModelError
 from rocksteady.kernels.settling import fill_clocks
+from rocksteady.kernels.tables import RESTITUTION, SIDE_COLUMNS
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -42,7 +44,7 @@ def on_orbits(
     kick: Floats,
     amplitude: Floats,
     frequency_ratio: Floats,
-    restitution: Floats,
+    sides: Floats,
     side: int,
 ) -> tuple[Floats, Floats, Bools]:
     """Return velocity and phase on a steady state at many points, and where it is a start.
@@ -53,8 +55,11 @@ def on_orbits(
         Its branch and order count.
     kick
         In place of its own, shape (cells,).
-    amplitude, frequency_ratio, restitution
-        The points, shape (cells,).
+    amplitude, frequency_ratio
+        Of the shaking, shape (cells,).
+    sides
+        Of the blocks, as `rocksteady.dynamics.nonlinear.sides_of` has them, shape (cells, 2, 3), or
+        (cells, 2, 5) in the nonlinear model.
     side
         +1 or -1, on which an unstable one is left.
 
@@ -69,11 +74,13 @@ def on_orbits(
     Examples
     --------
     >>> one = np.ones(2)
-    >>> points = np.array([0.1, 2.0]), 4 * one, 0.8 * one
+    >>> sides = np.tile([0.8, 1.0, 1.0], (2, 2, 1))
+    >>> points = np.array([0.1, 2.0]), 4 * one, sides
     >>> velocity, phase, there = on_orbits(Steady(), 1e-6 * one, *points, 1)
     >>> print(there, velocity.round(6), phase.round(6))
     [False  True] [0.       0.732389] [0.       2.846543]
     """
+    restitution = sides[:, 0, RESTITUTION]
     states = steady_states(amplitude, frequency_ratio, restitution, order=start.order)
     assert states.admissible is not None
     which = start.branch - 1
@@ -81,19 +88,21 @@ def on_orbits(
     phase = np.where(there, states.phase[which], 0.0)
     velocity = np.where(there, states.velocity[which], 0.0) * frequency_ratio
     unstable = there & ~(states.stable[which] | states.neutral[which])
-    for cell in np.flatnonzero(unstable).tolist():
+    # All others of the linear model are known already.
+    left = there if sides.shape[2] > SIDE_COLUMNS else unstable
+    for cell in np.flatnonzero(left).tolist():
         try:
-            shift_phase, shift_velocity = unstable_direction(
+            phase[cell], velocity[cell] = set_off(
                 amplitude.item(cell),
                 frequency_ratio.item(cell),
-                restitution.item(cell),
-                start.order,
-                start.branch,
+                sides[cell],
+                order=start.order,
+                branch=start.branch,
+                phase=phase.item(cell),
+                velocity=velocity.item(cell),
+                unstable=unstable.item(cell),
+                away=side * kick.item(cell),
             )
-        except ModelError:  # no number says how it is left
+        except ModelError:  # there is none, or no number says how it is left
             there[cell] = False
-            continue
-        away = side * kick.item(cell)
-        phase[cell] += away * shift_phase
-        velocity[cell] += away * shift_velocity
     return np.where(there, velocity, 0.0), np.where(there, phase, 0.0), there

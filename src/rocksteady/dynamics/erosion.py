@@ -9,15 +9,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.attractor import cycles_value
 from rocksteady.dynamics.grids import validated_grid
-from rocksteady.dynamics.lowering import side_attributes
+from rocksteady.dynamics.nonlinear import ModelName, attributes_of, model_name, sides_of
 from rocksteady.dynamics.regions import heteroclinic_amplitude
 from rocksteady.dynamics.return_map import bare_block
 from rocksteady.dynamics.safe_basin import measured, safe_states
 from rocksteady.dynamics.tangency import tangency_amplitude
 from rocksteady.dynamics.windows import POINTS, centred, moment, window_axis
 from rocksteady.errors import InputError, ModelError
+from rocksteady.kernels.tables import LEAN, RATE
 from rocksteady.model.block import Block, DimensionlessBlock
-from rocksteady.model.dimensionless import SideRow
 from rocksteady.model.motions import Harmonic
 from rocksteady.model.validation import in_range, positive
 from rocksteady.sweep.axes import Axis
@@ -28,7 +28,6 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
-Sides = tuple[SideRow, SideRow]
 
 CYCLES = 100
 """Forcing periods that a safe state stands, where nobody says."""
@@ -84,6 +83,8 @@ class Erosion:
         Of the largest circle of safe states, in the plane of u and du/d(p t), shape (amplitudes,).
     still_share, still_radius
         The same two on a still base (A = 0).
+    model
+        Which equations of motion hold: "linear" or "nonlinear".
     """
 
     block: Block | DimensionlessBlock
@@ -98,6 +99,7 @@ class Erosion:
     radius: Floats
     still_share: float
     still_radius: float
+    model: ModelName = "linear"
 
     @property
     def global_integrity(self) -> Floats:
@@ -112,11 +114,14 @@ class Erosion:
         return measure
 
     @property
-    def heteroclinic(self) -> float:
+    def heteroclinic(self) -> float | None:
         """Amplitude of the heteroclinic tangency, in closed form: `heteroclinic_amplitude`.
 
-        Of a block whose sides differ, the lower one of both directions.
+        Of a block whose sides differ, the lower one of both directions.  None in the nonlinear
+        model, which has no closed form of it.
         """
+        if self.model != "linear":
+            return None
         if not self.block.symmetric:
             return tangency_amplitude(self.block.dimensionless().sides, self.frequency_ratio)
         return float(heteroclinic_amplitude(self.frequency_ratio, self.block.restitution))
@@ -194,7 +199,7 @@ class Erosion:
     def _at(self, amplitude: float, measure: str, executor: str, workers: int | None) -> float:
         """Return a measure at one more amplitude."""
         safe = safe_states(
-            sides=self.block.dimensionless().sides,
+            sides=sides_of(self.block, self.model),
             frequency_ratio=self.frequency_ratio,
             phase=self.phase,
             amplitudes=[amplitude],
@@ -214,10 +219,12 @@ class Erosion:
         -------
         xarray.Dataset
             ``global_integrity`` and ``integrity_factor`` over amplitude, ``safe`` over amplitude,
-            velocity (du/dtau) and angle; the heteroclinic amplitude among the attributes.
+            velocity (du/dtau) and angle; the heteroclinic amplitude, where there is a closed form
+            of it, among the attributes.
         """
         import xarray
 
+        tangency = self.heteroclinic
         along = ("amplitude",)
         return xarray.Dataset(
             {
@@ -233,9 +240,9 @@ class Erosion:
             attrs={
                 "frequency_ratio": self.frequency_ratio,
                 "phase": self.phase,
-                **side_attributes(self.block),
+                **attributes_of(self.block, self.model),
                 "cycles": self.cycles,
-                "heteroclinic_amplitude": self.heteroclinic,
+                **({} if tangency is None else {"heteroclinic_amplitude": tangency}),
                 "still_share": self.still_share,
                 "still_radius": self.still_radius,
             },
@@ -252,7 +259,10 @@ class Erosion:
         heads = "".join(
             f"<th>{text}</th>" for text in ("amplitude", "global integrity", "integrity factor")
         )
-        caption = f"Erosion; heteroclinic tangency at A = {self.heteroclinic:.6g}"
+        tangency = self.heteroclinic
+        caption = "Erosion"
+        if tangency is not None:
+            caption += f"; heteroclinic tangency at A = {tangency:.6g}"
         return f"<table><caption>{caption}</caption><tr>{heads}</tr>{rows}</table>"
 
 
@@ -267,6 +277,7 @@ def erosion(
     cycles: int = CYCLES,
     executor: str = "threads",
     workers: int | None = None,
+    model: ModelName = "linear",
     done: Done | None = None,
 ) -> Erosion:
     """Return how the safe basin shrinks and frays as the amplitude grows.
@@ -288,7 +299,8 @@ def erosion(
     Parameters
     ----------
     block
-        Its restitution counts, and how unlike its sides are.
+        Its restitution counts, and how unlike its sides are; in the nonlinear model also how
+        slender.
     frequency_ratio
         Omega = omega/p.
     amplitudes
@@ -305,6 +317,9 @@ def erosion(
         Forcing periods that a safe state stands.
     executor, workers, done
         As for `rocksteady.sweep.evaluate.evaluate`; the still base is cells too.
+    model
+        "linear" (default) or "nonlinear", which needs a `Block` and takes some hundred times as
+        long.
 
     Returns
     -------
@@ -317,7 +332,8 @@ def erosion(
         If a number is outside its range, the amplitudes do not ascend, or an axis is not evenly
         spaced.
     ModelError
-        If no state of the window is safe on a still base.
+        If no state of the window is safe on a still base, or the nonlinear model meets a block
+        without slenderness.
 
     References
     ----------
@@ -335,7 +351,8 @@ def erosion(
     bare = bare_block(block)
     axis = Axis(name="amplitudes", values=amplitudes, long_name="a_max/(alpha g)")
     validated_grid(axis.points, frequency_ratio, bare.restitution, 1)
-    sides = bare.sides
+    equations = model_name(model)
+    sides = sides_of(block, equations)
     if (np.diff(axis.points) <= 0.0).any():
         raise InputError(
             name="amplitudes",
@@ -394,15 +411,17 @@ def erosion(
         radius=radii[shaken],
         still_share=float(shares[0]),
         still_radius=float(radii[0]),
+        model=equations,
     )
 
 
-def _least_half_width(sides: Sides) -> float:
+def _least_half_width(sides: Floats) -> float:
     """Return how far a window reaches at least: in units of the larger side, where they differ."""
-    return HALF_WIDTH * max(lean * max(rate, 1.0) for _, lean, rate in sides)
+    widths = sides[:, LEAN] * np.maximum(sides[:, RATE], 1.0)
+    return HALF_WIDTH * float(widths.max())
 
 
-def _half_width(sides: Sides, executor: str, workers: int | None) -> float:
+def _half_width(sides: Floats, executor: str, workers: int | None) -> float:
     """Return how far a window reaches whose edge does not cut the largest safe circle at A = 0."""
     width = _least_half_width(sides)
     radius = _still_radius(width, sides, executor, workers)
@@ -415,7 +434,7 @@ def _half_width(sides: Sides, executor: str, workers: int | None) -> float:
     return width
 
 
-def _still_radius(width: float, sides: Sides, executor: str, workers: int | None) -> float:
+def _still_radius(width: float, sides: Floats, executor: str, workers: int | None) -> float:
     """Return the radius of the largest safe circle on a still base, in a square window."""
     axis = centred(width)
     safe = safe_states(

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.ground import segment_starts
-from rocksteady.dynamics.lowering import ceilings, segment_table, side_table
+from rocksteady.dynamics.lowering import ceilings, segment_table, side_attributes, side_table
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels import tables as columns
 from rocksteady.model.block import Block, DimensionlessBlock
@@ -70,6 +70,14 @@ def sides_of(
     if model == "linear":
         return side_table(block.dimensionless())
     return nonlinear_side_table(block, tolerance)
+
+
+def attributes_of(block: Block | DimensionlessBlock, model: ModelName) -> dict[str, float | str]:
+    """Return what a dataset says of its block, and of its model where it is not the linear one."""
+    found: dict[str, float | str] = {**side_attributes(block)}
+    if model == "nonlinear":
+        found |= {"model": model, "alpha": slender_block(block).positive.alpha}
+    return found
 
 
 def slender_block(block: Block | DimensionlessBlock) -> Block:
@@ -156,9 +164,7 @@ def nonlinear_segment_table(
     body = slender_block(block)
     flat = segment_table(motion, body)
     if vertical is None:
-        table = np.zeros((len(flat), columns.NONLINEAR_SEGMENT_COLUMNS))
-        table[:, : columns.ALIKE] = flat[:, : columns.ALIKE]
-        return table
+        return lifted_table(flat)
     if not (isinstance(vertical, Record) or hasattr(vertical, "segments")):
         raise InputError(
             name="vertical",
@@ -175,11 +181,29 @@ def nonlinear_segment_table(
             valid="vertical motion is linear between samples, and comes to an end",
             hint="give a Record of its samples, or a Piecewise of straight lines",
         )
-    return _both(flat, lifted, body.positive.alpha)
+    return lifted_table(flat, lifted, body.positive.alpha)
 
 
-def _both(flat: Floats, lifted: Floats, alpha: float) -> Floats:
-    """Return the table of two motions, cut where either has a new segment."""
+def lifted_table(flat: Floats, lifted: Floats | None = None, share: float = 1.0) -> Floats:
+    """Return the table of a horizontal and a vertical motion, cut where either has a new segment.
+
+    Parameters
+    ----------
+    flat, lifted
+        Their tables, shape (segments, 9), in one unit of time and one of acceleration; none for a
+        base that does not move vertically.
+    share
+        What the unit of acceleration is in g: the vertical motion counts in that.
+
+    Returns
+    -------
+    ndarray, shape (segments, 12)
+        As for `nonlinear_segment_table`.
+    """
+    if lifted is None:
+        table = np.zeros((len(flat), columns.NONLINEAR_SEGMENT_COLUMNS))
+        table[:, : columns.ALIKE] = flat[:, : columns.ALIKE]
+        return table
     starts, bends = segment_starts(flat), segment_starts(lifted)
     # A bend that rounding puts beside a start is at the start.
     after = np.searchsorted(starts, bends)
@@ -203,10 +227,10 @@ def _both(flat: Floats, lifted: Floats, alpha: float) -> Floats:
     middle = np.append(0.5 * (cuts[:-1] + cuts[1:]), math.inf)
     above = np.searchsorted(bends, middle, side="right") - 1
     slope = lifted[above, columns.SLOPE]
-    table[:, columns.LIFT] = alpha * (
+    table[:, columns.LIFT] = share * (
         lifted[above, columns.CONSTANT] + slope * np.maximum(cuts - bends[above], 0.0)
     )
-    table[:, columns.LIFT_SLOPE] = alpha * slope
+    table[:, columns.LIFT_SLOPE] = share * slope
     lift = np.zeros((len(cuts), columns.SEGMENT_COLUMNS))
     lift[:, columns.DURATION] = table[:, columns.DURATION]
     lift[:, columns.CONSTANT] = table[:, columns.LIFT]

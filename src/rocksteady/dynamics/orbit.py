@@ -55,7 +55,8 @@ class Orbit:
     admissible
         False for a solution of the symmetric algebra that passes through the floor: no motion.
     branch
-        1 or 2 for the symmetric solutions in closed form; None for others.
+        1 or 2 for the symmetric solutions in closed form, and for those of the nonlinear model to
+        which they lead; None for others.
     model
         Which equations of motion hold: "linear" or "nonlinear".
     """

@@ -7,6 +7,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.leaving import nonlinear_half
+from rocksteady.dynamics.nonlinear import ModelName, model_name, sides_of
 from rocksteady.dynamics.orbit import Orbit, orbit_from, ordered
 from rocksteady.dynamics.return_map import (
     ImpactState,
@@ -18,7 +20,15 @@ from rocksteady.dynamics.return_map import (
 from rocksteady.dynamics.steady import steady_states
 from rocksteady.kernels import periodic
 from rocksteady.kernels.periodic import mirror
-from rocksteady.kernels.section import FALL, STAY, STUCK, UPLIFT, next_passage, uplift_after
+from rocksteady.kernels.section import (
+    FALL,
+    STAY,
+    STUCK,
+    UPLIFT,
+    System,
+    next_passage,
+    uplift_after,
+)
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 from rocksteady.model.validation import whole_number
@@ -40,6 +50,7 @@ def orbits(
     max_period: int = 3,
     max_impacts: int = 6,
     seeds: int = 96,
+    model: ModelName = "linear",
 ) -> tuple[Orbit, ...]:
     """Return the periodic motions at a point, stable and unstable.
 
@@ -51,10 +62,15 @@ def orbits(
     the positive side; `Orbit.mirrored` is the other.  A block whose sides differ has no symmetric
     orbits and no mirror images: all of its orbits are searched for and given.
 
+    In the nonlinear model the symmetric ones are those to which the closed forms lead as the
+    slenderness grows from 0 to the block's own, each with its branch; what passes through the floor
+    is not given.
+
     Parameters
     ----------
     block
-        Its restitution counts, and how unlike its sides are.
+        Its restitution counts, and how unlike its sides are; in the nonlinear model also how
+        slender.
     shaking
         Amplitude and frequency ratio; its phase does not count.
     max_period
@@ -63,7 +79,11 @@ def orbits(
         Most impacts in a period of the orbit.
     seeds
         The search starts from ``seeds x seeds`` states: phases over a period, speeds up to
-        1 + A/sqrt(1 + Omega^2), above which every flight begins with a part that grows for ever.
+        1 + A/sqrt(1 + Omega^2), above which every flight of the linear model begins with a part
+        that grows for ever.
+    model
+        "linear" (default) or "nonlinear", which needs a `Block` and takes some thirty times as
+        long.
 
     Returns
     -------
@@ -74,7 +94,8 @@ def orbits(
     Raises
     ------
     InputError, ModelError
-        If a number is not a whole one from 1 to 1000, or the shaking is not harmonic.
+        If a number is not a whole one from 1 to 1000, the shaking is not harmonic, or the nonlinear
+        model meets a block without slenderness.
 
     Examples
     --------
@@ -88,6 +109,8 @@ def orbits(
     """
     bare_block(block)
     shaken = harmonic(shaking)
+    equations = model_name(model)
+    system = make_system(block, shaken, equations)
     longest, most, count = (
         whole_number(name, value, at_least=1, at_most=MOST, hint=hint)
         for name, value, hint in (
@@ -96,10 +119,16 @@ def orbits(
             ("seeds", seeds, "give a number, as 96"),
         )
     )
-    found = [*_symmetric_orbits(block, shaken, longest)] if block.symmetric else []
+    found: list[Orbit] = []
+    if block.symmetric:
+        symmetric = _symmetric_orbits if equations == "linear" else _nonlinear_symmetric_orbits
+        found += symmetric(block, shaken, system, longest)
     searched = [
-        *_resting_orbits(block, shaken, longest),
-        *_searched_orbits(block, shaken, longest, most, count),
+        orbit_from(block, shaken, table, periods, residual, equations)
+        for table, periods, residual in (
+            *_resting_orbits(system, longest),
+            *_searched_orbits(system, shaken, longest, most, count, mirrors=block.symmetric),
+        )
     ]
     for orbit in sorted(searched, key=lambda orbit: -orbit.highest):
         known = [orbit]
@@ -125,14 +154,12 @@ def _order(orbit: Orbit) -> tuple[object, ...]:
 
 
 def _symmetric_orbits(
-    block: Block | DimensionlessBlock, shaking: Harmonic, longest: int
+    block: Block | DimensionlessBlock, shaking: Harmonic, system: System, longest: int
 ) -> Iterable[Orbit]:
-    """Yield the symmetric orbits with two impacts in closed form."""
+    """Yield the symmetric orbits with two impacts of the linear model, in closed form."""
     if shaking.amplitude == 0.0:
         return
-    bare = block.dimensionless()
-    a, w, r = shaking.amplitude, shaking.frequency_ratio, bare.restitution
-    system = make_system(bare, shaking)
+    a, w, r = shaking.amplitude, shaking.frequency_ratio, block.dimensionless().restitution
     for order in range(1, longest + 1, 2):
         states = steady_states(a, w, r, order=order)
         assert states.peak is not None
@@ -170,11 +197,43 @@ def _symmetric_orbits(
             )
 
 
-def _resting_orbits(
-    block: Block | DimensionlessBlock, shaking: Harmonic, longest: int
+def _nonlinear_symmetric_orbits(
+    block: Block | DimensionlessBlock, shaking: Harmonic, system: System, longest: int
 ) -> Iterable[Orbit]:
+    """Yield the symmetric orbits with two impacts to which those of the linear model lead."""
+    if shaking.amplitude == 0.0:
+        return
+    a, w, r = shaking.amplitude, shaking.frequency_ratio, block.dimensionless().restitution
+    sides = sides_of(block, "nonlinear")
+    for order in range(1, longest + 1, 2):
+        states = steady_states(a, w, r, order=order)
+        assert states.admissible is not None
+        for which in np.flatnonzero(states.admissible).tolist():
+            half = nonlinear_half(
+                a,
+                w,
+                sides,
+                order=order,
+                branch=which + 1,
+                phase=float(states.phase[which]),
+                velocity=float(states.velocity[which]) * w,
+            )
+            if not half.found:
+                continue
+            table = np.zeros((2, periodic.ORBIT_COLUMNS))
+            periodic.put(table, 0, half.state)
+            periodic.put(table, 1, mirror(half.state, order))
+            residual = periodic.measured(system, 2, order, table).residual
+            orbit = orbit_from(block, shaking, table, order, residual, "nonlinear")
+            yield replace(orbit, branch=which + 1)
+
+
+Found = tuple[Floats, int, float]
+"""An orbit as the kernels leave it: its table, periods and residual."""
+
+
+def _resting_orbits(system: System, longest: int) -> Iterable[Found]:
     """Yield the orbits with rest phases: those that come back to an uplift of theirs."""
-    system = make_system(block.dimensionless(), shaking)
     lifting = uplift_after(system, 0, 0.0)
     if lifting.kind == STAY:
         return
@@ -197,15 +256,14 @@ def _resting_orbits(
             table = np.zeros((passages, periodic.ORBIT_COLUMNS))
             fixed = periodic.polish(system, step.state, passages, periods, table)
             if fixed.found and periods <= longest:
-                yield orbit_from(block, shaking, table, periods, fixed.residual)
+                yield table, periods, fixed.residual
             return
 
 
 def _searched_orbits(
-    block: Block | DimensionlessBlock, shaking: Harmonic, longest: int, most: int, seeds: int
-) -> Iterable[Orbit]:
+    system: System, shaking: Harmonic, longest: int, most: int, seeds: int, *, mirrors: bool
+) -> Iterable[Found]:
     """Yield the orbits that Newton's method finds."""
-    system = make_system(block.dimensionless(), shaking)
     w = shaking.frequency_ratio
     fastest = 1.0 + shaking.amplitude / math.hypot(1.0, w)
     steps = np.arange(seeds, dtype=np.float64)
@@ -213,7 +271,7 @@ def _searched_orbits(
     speeds: Floats = (steps + 0.5) * (fastest / seeds)
     found, shape = np.zeros((ROOM, 2)), np.zeros((ROOM, 2), dtype=np.int64)
     table = np.zeros((most, periodic.ORBIT_COLUMNS))
-    mirrors, count = block.symmetric, 0
+    count = 0
     for column in range(seeds):
         for row in range(seeds):  # one state at a time, so that an interruption is heard
             phase, speed = phases[column : column + 1], speeds[row : row + 1]
@@ -226,7 +284,7 @@ def _searched_orbits(
         begin = section_of(ImpactState(side=1, phase=turn, speed=rate))
         fixed = periodic.polish(system, begin, passages, periods, table)
         if fixed.found:
-            yield orbit_from(block, shaking, table[:passages], periods, fixed.residual)
+            yield table[:passages].copy(), periods, fixed.residual
 
 
 def _same(one: Orbit, other: Orbit) -> bool:

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from itertools import combinations
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.block import Block, DimensionlessBlock
@@ -142,9 +142,12 @@ def shaking_of(block: Block | DimensionlessBlock, given: Mapping[str, float]) ->
     return replace(shaking, **known)
 
 
+AnyBlock = TypeVar("AnyBlock", Block, DimensionlessBlock, Block | DimensionlessBlock)
+
+
 def moved_to(
-    block: DimensionlessBlock, shaking: Harmonic, parameter: str, value: float
-) -> tuple[DimensionlessBlock, Harmonic]:
+    block: AnyBlock, shaking: Harmonic, parameter: str, value: float
+) -> tuple[AnyBlock, Harmonic]:
     """Return block and shaking with one of the parameters at a value.
 
     Raises

@@ -8,7 +8,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.ends import batch_size, ends_of
 from rocksteady.errors import Status
-from rocksteady.model.dimensionless import SideRow
 from rocksteady.sweep.axes import Axis
 from rocksteady.sweep.evaluate import Done, evaluate
 from rocksteady.sweep.grid import Grid
@@ -22,7 +21,7 @@ SAFE = Output(name="safe", dtype=np.bool_, long_name="whether the block has not 
 
 def safe_states(
     *,
-    sides: tuple[SideRow, SideRow],
+    sides: Floats,
     frequency_ratio: float,
     phase: float,
     amplitudes: ArrayLike,
@@ -38,7 +37,7 @@ def safe_states(
     Parameters
     ----------
     sides
-        Of the block, as `rocksteady.DimensionlessBlock.sides` has them.
+        Of the block, as `rocksteady.dynamics.nonlinear.sides_of` has them.
     frequency_ratio, phase, cycles
         One number each; the phase is that of the shaking at the start [rad].
     amplitudes, angles, velocities
@@ -71,7 +70,7 @@ def _safe(
     velocities: Floats,
     angles: Floats,
     *,
-    sides: tuple[SideRow, SideRow],
+    sides: Floats,
     frequency_ratio: float,
     phase: float,
     cycles: int,
@@ -81,7 +80,7 @@ def _safe(
     status, _ = ends_of(
         amplitude=amplitudes,
         frequency_ratio=np.full(count, frequency_ratio),
-        sides=np.broadcast_to(np.array(sides), (count, 2, 3)),
+        sides=np.broadcast_to(sides, (count, *sides.shape)),
         angle=angles,
         velocity=velocities * frequency_ratio,
         phase=np.full(count, phase),

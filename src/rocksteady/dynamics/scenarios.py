@@ -261,7 +261,7 @@ class Scenario:
                 given.setdefault("alpha", felt.alpha)
         full = {name: np.full(count, value) for name, value in given.items()}
         sides = self._sides(full, count)
-        shaken = full["amplitude"], full["frequency_ratio"], sides[:, 0, RESTITUTION]
+        shaken = full["amplitude"], full["frequency_ratio"], sides
         upright = np.zeros(count)
         there = np.ones(count, dtype=np.bool_)
         if isinstance(self.start, Steady):

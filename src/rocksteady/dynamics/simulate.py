@@ -6,6 +6,7 @@ import numpy as np
 
 from rocksteady.dynamics.lowering import segment_table
 from rocksteady.dynamics.nonlinear import (
+    TOLERANCE,
     ModelName,
     model_name,
     nonlinear_segment_table,
@@ -47,7 +48,7 @@ def simulate(
     side: int = 1,
     model: ModelName = "linear",
     vertical: Motion | Record | None = None,
-    tolerance: float = 1e-10,
+    tolerance: float = TOLERANCE,
     flight_limit: int = FLIGHT_LIMIT,
 ) -> Trajectory:
     """Follow a block on a moving base, flight by flight.
@@ -66,7 +67,7 @@ def simulate(
         The base motion: `Harmonic`, `Pulse`, `Impulses`, `Piecewise`, `SyntheticMotion`, `Still`,
         anything else with segments, or a `Record`, which needs a `Block`.
     start
-        `Rest` (default), `State` or `Steady`, which is the linear model's steady state in both.
+        `Rest` (default), `State` or `Steady`, a steady state of the model.
     cycles
         Periods of endless harmonic shaking to follow, up to 1e15.  Motions that end are followed
         on a still base to rest or proven overturning; without loss (restitution 1) for p t = 1e4.
@@ -116,12 +117,11 @@ def simulate(
     ...     Block.from_p(alpha=0.2, p=2.0, restitution=0.8),
     ...     Harmonic(amplitude=2.0, frequency_ratio=4.0),
     ...     start=Steady(),
-    ...     cycles=200,
+    ...     cycles=10,
     ...     model="nonlinear",
     ... )
-    >>> last = run(run.times(100, span=(run.end_s - 2.0, run.end_s)))
-    >>> print(f"{abs(last.angle).max():.4f}")
-    0.1836
+    >>> print(f"{run.peak:.6f}")
+    0.183552
     """
     periods = in_range(
         "cycles", cycles, 0.0, LONGEST_RUN, hint="give the number of forcing periods to follow"

@@ -1,11 +1,12 @@
 """Initial states: at rest, anywhere, or on a symmetric steady state."""
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.leaving import set_off
+from rocksteady.dynamics.lowering import side_table
 from rocksteady.dynamics.steady import (
     refuse_unlike_sides,
     steady_states,
@@ -15,7 +16,6 @@ from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.clock import clock
 from rocksteady.kernels.march import March
 from rocksteady.kernels.nonlinear.drive import jump_share
-from rocksteady.kernels.symmetric import half_cycle_jacobian, symmetric_orbit
 from rocksteady.model.block import DimensionlessBlock
 from rocksteady.model.motions import Harmonic, Motion
 from rocksteady.model.record import Record
@@ -78,6 +78,9 @@ class Steady:
     """On a symmetric steady state of harmonic shaking, at the impact that begins its positive half.
 
     Only of a block whose sides are alike.
+
+    In the nonlinear model it is that model's own: the one to which the linear model's leads as the
+    slenderness grows from 0 to the block's.
 
     A stable one is started on exactly.  An unstable one would be left by round-off; it is left
     instead along its unstable direction, on a named side, from a named distance.
@@ -151,8 +154,9 @@ def initial_march(
     side
         +1 or -1: the side on which an unstable state is left.
     sides
-        Of the block in the nonlinear model, shape (2, 5): an impulse at the start turns it by the
-        part of it that its angle lets act.  None in the linear model, where all of it does.
+        Of the block in the nonlinear model, shape (2, 5): its steady states are another's, and an
+        impulse at the start turns it by the part that its angle lets act.  None in the linear
+        model.
 
     Raises
     ------
@@ -163,7 +167,7 @@ def initial_march(
     """
     start = validated_start(start)
     if isinstance(start, Steady):
-        motion, state = _steady_state(start, block, motion, side)
+        motion, state = _steady_state(start, block, motion, side, sides)
     elif isinstance(start, State):
         state = start
     else:
@@ -186,7 +190,11 @@ def initial_march(
 
 
 def _steady_state(
-    start: Steady, block: DimensionlessBlock, motion: Motion | Record, side: int
+    start: Steady,
+    block: DimensionlessBlock,
+    motion: Motion | Record,
+    side: int,
+    sides: Floats | None,
 ) -> tuple[Harmonic, State]:
     """Return the shaking with the orbit's phase, and the state on the orbit."""
     if not isinstance(motion, Harmonic):
@@ -215,45 +223,16 @@ def _steady_state(
             valid="that solution of the algebra passes through the floor and is no motion",
             hint="take the other branch or another order",
         )
-    phase, velocity = float(states.phase[which]), float(states.velocity[which]) * w
-    if not (states.stable[which] or states.neutral[which]):
-        shift_phase, shift_velocity = unstable_direction(a, w, r, start.order, start.branch)
-        phase += side * start.kick * shift_phase
-        velocity += side * start.kick * shift_velocity
+    phase, velocity = set_off(
+        a,
+        w,
+        side_table(block) if sides is None else sides,
+        order=start.order,
+        branch=start.branch,
+        phase=float(states.phase[which]),
+        velocity=float(states.velocity[which]) * w,
+        unstable=not (states.stable[which] or states.neutral[which]),
+        away=side * start.kick,
+    )
     shaken = Harmonic(amplitude=a, frequency_ratio=w, phase=phase)
     return shaken, State(angle=0.0, velocity=velocity)
-
-
-def unstable_direction(
-    amplitude: float, frequency_ratio: float, restitution: float, order: int, branch: int
-) -> tuple[float, float]:
-    """Return the unit eigenvector of the half cycle's larger multiplier, velocity part positive.
-
-    Its measure is (phase, velocity / velocity of the orbit), so that "the positive side" means:
-    with more velocity than the orbit has.
-    """
-    orbit = symmetric_orbit(amplitude, frequency_ratio, restitution, order, branch)
-    velocity = frequency_ratio * orbit.velocity
-    j11, j12, j21, j22 = half_cycle_jacobian(amplitude, frequency_ratio, restitution, order, orbit)
-    entries = (j11, j12 * velocity, j21 / velocity, j22)
-    largest = max(map(abs, entries))
-    if not 0.0 < largest < math.inf:
-        raise ModelError(
-            name="start",
-            value=f"order {order}, branch {branch}",
-            valid=f"at Omega = {frequency_ratio:.6g} its half cycle is so long that no number says "
-            "how it is left",
-            hint="take a lower order, or a State to start from",
-        )
-    # Its entries may be near the overflow; the direction does not depend on their scale.
-    j11, j12, j21, j22 = (entry / largest for entry in entries)
-    half = 0.5 * (j11 + j22)
-    root = math.sqrt(max(0.25 * (j11 - j22) ** 2 + j12 * j21, 0.0))
-    multiplier = half + math.copysign(root, half)
-    # The longer of the two rows of J - multiplier gives the direction.
-    if math.hypot(j11 - multiplier, j12) > math.hypot(j21, j22 - multiplier):
-        x, y = -j12, j11 - multiplier
-    else:
-        x, y = multiplier - j22, j21
-    size = math.copysign(math.hypot(x, y), y)
-    return x / size, y / size * velocity

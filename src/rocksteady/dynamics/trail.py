@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.attractor import Attractor, AttractorKind, attractor
 from rocksteady.dynamics.grids import real_array
+from rocksteady.dynamics.nonlinear import ModelName, model_name, slender_block
 from rocksteady.dynamics.orbit import Orbit
 from rocksteady.dynamics.parameters import PARAMETERS, moved_to
 from rocksteady.dynamics.return_map import (
@@ -93,6 +94,7 @@ def attractor_trail(
     start: Start | None = None,
     side: int = 1,
     cycles: int = 2000,
+    model: ModelName = "linear",
 ) -> AttractorTrail:
     """Move a parameter in small steps, and settle each time from where the motion was.
 
@@ -108,7 +110,7 @@ def attractor_trail(
         "amplitude", "frequency_ratio" or "restitution".
     values
         To go through, in this order.
-    start, side, cycles
+    start, side, cycles, model
         As for `rocksteady.attractor`.
 
     Returns
@@ -119,7 +121,8 @@ def attractor_trail(
     Raises
     ------
     InputError, ModelError
-        If the parameter has another name, there are no values, or one is outside its range.
+        If the parameter has another name, there are no values, one is outside its range, or the
+        nonlinear model meets a block without slenderness.
 
     Examples
     --------
@@ -138,7 +141,9 @@ def attractor_trail(
     1.80 unsymmetric 1
     1.75 overturned None
     """
-    body, shaken = bare_block(block), harmonic(shaking)
+    bare, shaken = bare_block(block), harmonic(shaking)
+    equations = model_name(model)
+    body = bare if equations == "linear" else slender_block(block)
     if parameter not in PARAMETERS:
         valid = "a motion is carried along " + ", ".join(PARAMETERS)
         raise InputError(name="parameter", value=parameter, valid=valid, hint="name one of them")
@@ -153,11 +158,11 @@ def attractor_trail(
     for value in steps.tolist():
         body, shaken = moved_to(body, shaken, parameter, value)
         if carried is None:
-            last = _from_start(body, shaken, begin, side, periods)
+            last = _from_start(body, shaken, begin, side, periods, equations)
         else:
             state = State(angle=0.0, velocity=carried.side * carried.speed)
             here = replace(shaken, phase=carried.phase)
-            last = attractor(body, here, start=state, cycles=periods)
+            last = attractor(body, here, start=state, cycles=periods, model=equations)
         found.append(last)
         if last.kind is AttractorKind.REST:
             begin = Rest()
@@ -173,13 +178,18 @@ def attractor_trail(
 
 
 def _from_start(
-    block: DimensionlessBlock, shaking: Harmonic, start: Start, side: int, cycles: int
+    block: Block | DimensionlessBlock,
+    shaking: Harmonic,
+    start: Start,
+    side: int,
+    cycles: int,
+    model: ModelName,
 ) -> Attractor:
     """Return what the block settles to from a start, or from rest where there is none such."""
     try:
-        return attractor(block, shaking, start=start, side=side, cycles=cycles)
+        return attractor(block, shaking, start=start, side=side, cycles=cycles, model=model)
     except ModelError:
-        return attractor(block, shaking, cycles=cycles)
+        return attractor(block, shaking, cycles=cycles, model=model)
 
 
 def flight_peaks(found: Attractor) -> Floats:
@@ -199,7 +209,7 @@ def flight_peaks(found: Attractor) -> Floats:
         return _peaks_of(found.orbit)
     if found.state is None or found.kind not in CARRIED:
         return np.zeros(0)
-    system = make_system(bare_block(found.block), found.shaking)
+    system = make_system(found.block, found.shaking, found.model)
     here, peaks = section_of(found.state), []
     for _ in range(SHOWN_FLIGHTS):
         step = next_passage(system, here, -1.0)
@@ -211,7 +221,7 @@ def flight_peaks(found: Attractor) -> Floats:
 
 
 def _peaks_of(orbit: Orbit) -> Floats:
-    system = make_system(orbit.block.dimensionless(), orbit.shaking)
+    system = make_system(orbit.block, orbit.shaking, orbit.model)
     peaks = []
     for state in orbit.states:
         here = section_of(state)

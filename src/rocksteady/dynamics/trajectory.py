@@ -13,7 +13,12 @@ from rocksteady.dynamics.nonlinear import ModelName
 from rocksteady.errors import InputError, ModelError, Status
 from rocksteady.kernels import tables as columns
 from rocksteady.kernels.clock import segment_start
-from rocksteady.kernels.history import fill_states, last_crossing, side_peaks
+from rocksteady.kernels.history import (
+    fill_states,
+    last_crossing,
+    peaks_until_overturning,
+    recorded_peaks,
+)
 from rocksteady.kernels.tables import is_nonlinear
 from rocksteady.model.block import Block
 from rocksteady.model.motions import Harmonic, Motion
@@ -184,7 +189,7 @@ class Trajectory:
 
     @property
     def peak(self) -> float:
-        """Largest |theta|/alpha, exact, up to the end; of a block that overturns, up to then.
+        """Largest |theta|/alpha, exact, up to the end; of a block that falls, up to `overturn_s`.
 
         Each side counts in its own alpha, so that 1 is where the block balances.
         """
@@ -196,15 +201,24 @@ class Trajectory:
 
         As for `peak`; 0 of a side to which the block does not go.
         """
-        row, duration = len(self.rows) - 1, self._last_duration
-        if self._overturning is not None:
-            row, duration = self._overturning
-        found = side_peaks(self.segments, self.sides, self.rows[: row + 1], duration)
-        if self._overturning is None:
-            return found
-        positive, negative = found  # it passes 1, to rounding
-        falls = self.flights.side[row] > 0
-        return (max(positive, 1.0), negative) if falls else (positive, max(negative, 1.0))
+        positive, negative, _ = self._peaks
+        return positive, negative
+
+    @property
+    def peak_velocity(self) -> float:
+        """Largest |d(theta/alpha)/d(p t)|, exact, up to where `peak` counts.
+
+        In the positive side's alpha and p on either side.  Times alpha it is the angular velocity
+        over p [rad].
+        """
+        return self._peaks[2]
+
+    @cached_property
+    def _peaks(self) -> tuple[float, float, float]:
+        """Largest |theta|/alpha on either side, and the largest velocity."""
+        if self.status is Status.OVERTURNED:
+            return peaks_until_overturning(self.segments, self.sides, self.rows)
+        return recorded_peaks(self.segments, self.sides, self.rows, self._last_duration)
 
     @property
     def balances(self) -> tuple[float, float]:

@@ -62,7 +62,11 @@ GROWN = 4
 GENERIC = (0.6, 0.8)
 """A direction of (phase, speed) that no flight forgets: one from an uplift forgets the phase."""
 MOST_RETURNS = 200_000
-"""Returns for which the approach to a weakly attracting orbit is followed."""
+"""Returns for which the approach to a weakly attracting orbit is followed ..."""
+MOST_PASSAGES = 2_000_000
+"""... and passages: a second."""
+SLOW = 70.0
+"""Returns in which the distance to a weakly attracting orbit halves."""
 MEASURED = 100
 """Fewest forcing periods over which a Lyapunov exponent means something."""
 
@@ -272,13 +276,25 @@ def recognised(
 
 @compiled
 def arrives(system: System, state: Section, orbit: Section, passages: int, largest: float) -> bool:
-    """Return whether the motion comes to within `ARRIVED` of an orbit by following it on."""
+    """Return whether the motion comes to within `ARRIVED` of an orbit by following it on.
+
+    Of a weakly attracting orbit it is enough that the distance halves in as many returns as the
+    multiplier says, half of them more or less.  What bends the approach, and could turn it back, is
+    of higher order in the distance: it was less than the linear part and only becomes smaller.
+    """
     near = distance(orbit, state)
-    returns = min(MOST_RETURNS, 20 + int(30.0 / (1.0 - largest)))
-    for _ in range(returns):
+    returns = min(MOST_RETURNS, 20 + int(30.0 / (1.0 - largest)), MOST_PASSAGES // passages)
+    halving = math.log(0.5) / math.log(largest) if largest > 0.0 else 0.0
+    half, since = 0.5 * near, 0
+    for count in range(returns):
         apart = distance(orbit, state)
         if apart <= ARRIVED:
             return True
+        slow = halving > SLOW and apart < NEAR
+        if slow and apart <= half and abs(count - since - halving) <= 0.5 * halving:
+            return True
+        if apart <= half or apart > 2.0 * half:  # at first it may grow
+            half, since = 0.5 * apart, count
         if apart > 100.0 * near + ARRIVED:
             return False
         for _ in range(passages):

@@ -44,9 +44,12 @@ def cache_folder() -> Path:
         return fallback
 
 
-def must_compile() -> bool:
-    """Return whether no machine code of this version is kept yet: the first call compiles."""
-    return not config.DISABLE_JIT and not any(cache_folder().rglob("*.nbi"))
+def must_compile(kernel: str) -> bool:
+    """Return whether no machine code of a kernel is kept yet: its first call compiles.
+
+    `kernel` is its module and its name, as "march.march", which begin the name of numba's file.
+    """
+    return not config.DISABLE_JIT and not any(cache_folder().rglob(f"{kernel}-*.nbi"))
 
 
 def compiled(function: FunctionT) -> FunctionT:

@@ -92,12 +92,17 @@ def flight_peaks(
 def keep_peaks(
     flight: Flight, forcing: Forcing, zero: Zero, lean: float, rate: float, peaks: Floats
 ) -> None:
-    """Raise `peaks` to the largest angle and speed of a flight, in reference units."""
-    top_angle, top_speed = peaks[PEAK_ANGLE] / lean, peaks[PEAK_SPEED] / (lean * rate)
+    """Raise `peaks` to the largest angle and speed of a flight on a side of this lean and rate."""
     angle, speed = flight_peaks(
-        flight, forcing, zero.time, zero.angle, zero.velocity, top_angle, top_speed
+        flight,
+        forcing,
+        zero.time,
+        zero.angle,
+        zero.velocity,
+        peaks[PEAK_ANGLE],
+        peaks[PEAK_SPEED] / (lean * rate),
     )
-    peaks[PEAK_ANGLE] = max(peaks[PEAK_ANGLE], angle * lean)
+    peaks[PEAK_ANGLE] = angle
     peaks[PEAK_SPEED] = max(peaks[PEAK_SPEED], speed * lean * rate)
 
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from rocksteady.kernels.clock import elapsed_time, segment_start, side_phase
 from rocksteady.kernels.compilation import compiled
-from rocksteady.kernels.extrema import highest_angle, last_rise
+from rocksteady.kernels.extrema import flight_peaks, last_rise
 from rocksteady.kernels.flight import Flight, flight_acceleration, flight_state, make_flight
 from rocksteady.kernels.forcing import Forcing
 from rocksteady.kernels.march import (
@@ -32,10 +32,10 @@ from rocksteady.kernels.nonlinear.drive import Drive, acceleration, side_drive
 from rocksteady.kernels.nonlinear.flight import phase_at
 from rocksteady.kernels.nonlinear.history import (
     Leg,
-    highest_of,
     last_rise_of,
     leg_after,
     leg_from,
+    peaks_of,
 )
 from rocksteady.kernels.nonlinear.proofs import point_of_no_return
 from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS, angle_at
@@ -191,26 +191,57 @@ def last_crossing(segments: Floats, sides: Floats, rows: Floats, level: float) -
 
 
 @compiled
-def side_peaks(
+def recorded_peaks(
     segments: Floats, sides: Floats, rows: Floats, last_duration: float
-) -> tuple[float, float]:
-    """Return the largest |theta|/alpha on the positive and on the negative side, each in its alpha.
+) -> tuple[float, float, float]:
+    """Return the largest |theta|/alpha on either side, and the largest |velocity|.
 
-    `last_duration` replaces the duration of the last row, which is infinite where the block falls.
+    Each side counts in its own alpha; the velocity is in reference units.  `last_duration` replaces
+    the duration of the last row, which is infinite where the block falls.
     """
-    positive = negative = 0.0
+    positive = negative = speed = 0.0
     for index in range(len(rows)):
         if rows[index, ROW_SIDE] == 0.0:
             continue
+        above = rows[index, ROW_SIDE] > 0.0
+        angle = positive if above else negative
         duration = last_duration if index == len(rows) - 1 else rows[index, ROW_DURATION]
         if is_nonlinear(sides):
-            drive, seen, y, v, _, rate = row_start(segments, sides, rows, index)
-            angle = highest_of(drive, seen, y, v, duration * rate, sides[0, LEFT_OUT])
+            drive, seen, y, v, lean, rate = row_start(segments, sides, rows, index)
+            angle, fast = peaks_of(
+                drive,
+                seen,
+                y,
+                v,
+                duration * rate,
+                sides[0, LEFT_OUT],
+                angle,
+                speed / (lean * rate),
+            )
         else:
-            flight, forcing, _, rate = row_flight(segments, sides, rows, index)
-            angle, _ = highest_angle(flight, forcing, duration * rate)
-        if rows[index, ROW_SIDE] > 0.0:
-            positive = max(positive, angle)
+            flight, forcing, lean, rate = row_flight(segments, sides, rows, index)
+            span = duration * rate
+            turned = flight.phase + forcing.frequency * span
+            y, v = flight_state(flight, forcing, span, math.sin(turned), math.cos(turned))
+            angle, fast = flight_peaks(flight, forcing, span, y, v, angle, speed / (lean * rate))
+        speed = max(speed, fast * lean * rate)
+        if above:
+            positive = angle
         else:
-            negative = max(negative, angle)
-    return positive, negative
+            negative = angle
+    return positive, negative, speed
+
+
+@compiled
+def peaks_until_overturning(
+    segments: Floats, sides: Floats, rows: Floats
+) -> tuple[float, float, float]:
+    """Return what `recorded_peaks` does, until a block that falls passes its alpha for good.
+
+    When the fall is proved depends on the proof; when it passes alpha, on the motion alone.
+    """
+    row, since = last_crossing(segments, sides, rows, 1.0)
+    positive, negative, speed = recorded_peaks(segments, sides, rows[: row + 1], since)
+    if rows[row, ROW_SIDE] > 0.0:  # it passes 1, to rounding
+        return max(positive, 1.0), negative, speed
+    return positive, max(negative, 1.0), speed

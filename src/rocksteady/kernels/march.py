@@ -160,7 +160,8 @@ def march(
     segments, sides
         Tables of shape (segments, 9) and (2, 3); of the nonlinear model (segments, 12) and (2, 5).
     start
-        Where to begin.  At rest `side` is 0; a side with angle and velocity 0 is just lifting off.
+        Where to begin, within a segment too, as where another march has stopped.  At rest `side` is
+        0; a side with angle and velocity 0 is just lifting off.
     stop_half_cycles, stop_phase
         The clock reading on the last segment at which the run ends, where that is endless.
     rest_velocity
@@ -172,8 +173,9 @@ def march(
         Array of shape (flights, 8) that receives the flights, as many as a first march without
         rows (0, 8) has counted: a march does not depend on whether it is recorded.
     peaks
-        Array of shape (2,) in which the largest |angle| and |velocity| are kept, those that it
-        comes with included, up to the end or the proof of overturning; or of shape (0,).
+        Array of shape (2,) in which the largest |theta|/alpha of either side and the largest
+        |velocity| are kept, those that it comes with included, up to the end or the proof of
+        overturning; or of shape (0,).
 
     Returns
     -------
@@ -268,9 +270,10 @@ def _march(
             end_half, end_phase = stop_half_cycles, stop_phase
             if not endless:
                 end_half, end_phase = segment_end(segments, segment)
-            positive = foot_of(segments, segment, sides, 1, 0.0, nonlinear)
-            negative = foot_of(segments, segment, sides, -1, 0.0, nonlinear)
-            since = 0.0
+            # Not 0 where the march begins within a segment.
+            since = elapsed_time(half, phase, first_half, first_phase, frequency)
+            positive = foot_of(segments, segment, sides, 1, since, nonlinear)
+            negative = foot_of(segments, segment, sides, -1, since, nonlinear)
         elif sloped or nonlinear:
             since = elapsed_time(half, phase, first_half, first_phase, frequency)
             if sloped:  # a slope is counted from the start of the flight

@@ -109,7 +109,7 @@ def fly_through(
     record, watch = len(rows) > 0, len(peaks) > 0
     top_angle = top_speed = 0.0
     if watch:
-        top_angle, top_speed = peaks[PEAK_ANGLE] / lean, peaks[PEAK_SPEED] / (lean * rate)
+        top_angle, top_speed = peaks[PEAK_ANGLE], peaks[PEAK_SPEED] / (lean * rate)
     stop = segment + min(int(segments[segment, ALIKE]), limit - flights)
     first, fallen = segment, False
     while segment < stop:
@@ -159,7 +159,7 @@ def fly_through(
             fallen = True  # nothing that is still to come can bring it back
             break
     if watch:
-        peaks[PEAK_ANGLE] = max(peaks[PEAK_ANGLE], top_angle * lean)
+        peaks[PEAK_ANGLE] = top_angle
         peaks[PEAK_SPEED] = max(peaks[PEAK_SPEED], top_speed * lean * rate)
     if segment == first:  # untouched, to the last bit
         return segment, angle, velocity, flights, fallen

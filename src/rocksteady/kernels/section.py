@@ -20,7 +20,7 @@ from rocksteady.kernels.extrema import highest_angle
 from rocksteady.kernels.flight import Flight, make_flight
 from rocksteady.kernels.forcing import SINE, Forcing, make_forcing, starts_positive
 from rocksteady.kernels.nonlinear.drive import Drive, foot_forcing
-from rocksteady.kernels.nonlinear.history import highest_of as nonlinear_highest
+from rocksteady.kernels.nonlinear.history import peaks_of
 from rocksteady.kernels.nonlinear.landing import fly_to_landing, landing_derivative
 from rocksteady.kernels.nonlinear.proofs import bounces_settle
 from rocksteady.kernels.rest import chatter_ends, uplift_time
@@ -389,14 +389,17 @@ def highest_of(system: System, state: Section, time: float) -> float:
     row = 0 if state.side > 0 else 1
     if system.left_out > 0.0:
         flight = flight_from(system, state)
-        return system.lean[row] * nonlinear_highest(
+        highest, _ = peaks_of(
             drive_of(system, row),
             flight.phase,
             flight.angle,
             flight.velocity,
             time * system.rate[row],
             system.left_out,
+            flight.angle,
+            math.inf,
         )
+        return highest * system.lean[row]
     angle, _ = highest_angle(
         flight_from(system, state), forcing_of(system, state.side), time * system.rate[row]
     )

@@ -2,6 +2,9 @@
 
 Rows are not kept: what a spectrum asks for is the status, the impacts and the two peaks.  Chatter
 comes to rest as soon as that is proved, which leaves out impacts of no effect and no peak.
+
+A block that falls is marched once more, with rows, because its peaks are those until it passes its
+slenderness for good, and only the proof of its fall says which passage was the last.
 """
 
 import math
@@ -10,14 +13,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.kernels.compilation import compiled
+from rocksteady.kernels.history import peaks_until_overturning
 from rocksteady.kernels.march import march
 from rocksteady.kernels.tables import (
     LEAN,
+    OVERTURNED,
     PEAK_ANGLE,
     PEAK_COLUMNS,
     PEAK_SPEED,
     RATE,
-    RESTITUTION,
     ROW_COLUMNS,
     Floats,
     March,
@@ -27,52 +31,50 @@ from rocksteady.kernels.tables import (
 @compiled
 def record_fates(
     segments: Floats,
-    lean: Floats,
-    rate: Floats,
-    restitution: Floats,
+    sides: Floats,
     afterwards: Floats,
     limit: int,
     status: NDArray[np.int64],
     impacts: NDArray[np.int64],
     peaks: Floats,
 ) -> None:
-    """March symmetric blocks from rest through one motion and note how each fares.
+    """March blocks from rest through one motion and note how each fares.
 
-    The motion is in units of its own, as seconds and m/s^2, and stays as it is: a block is the
-    pair of its uplift acceleration and its p in them.  To scale the motion is to divide the lean.
+    The motion is in units of its own, as seconds and m/s^2, and stays as it is: a block is its
+    uplift acceleration alpha g and its p in them.  To scale a horizontal motion is to divide the
+    lean.
 
     Parameters
     ----------
     segments
-        Table of the motion, shape (segments, 9); the last segment is a still base without end.
-    lean, rate, restitution
-        Of each block, shape (blocks,): alpha g over the motion's scale, p, and the restitution.
+        Table of the motion, shape (segments, 9), or (segments, 12) in the nonlinear model, whose
+        vertical motion is in g; the last segment is a still base without end.
+    sides
+        Of each block, shape (blocks, 2, 3) or (blocks, 2, 5): alpha g over the motion's scale for
+        lean and p for rate, in the units of the motion.
     afterwards
         Pivot time p t for which each is followed on the still base, shape (blocks,).
     limit
         Flights after which a block is UNDECIDED.
     status, impacts, peaks
         Receive the status code, the number of impacts and, in shape (blocks, 2), the largest
-        |theta|/alpha and |d(theta/alpha)/d(p t)| up to the end or the proof of overturning.
+        |theta|/alpha, each side in its own alpha, and the largest |d(theta/alpha)/d(p t)|, with the
+        positive side's alpha and p, until the end or overturning.
     """
-    sides = np.zeros((2, 3))
-    rows, peak = np.zeros((0, ROW_COLUMNS)), np.zeros(PEAK_COLUMNS)
-    for i in range(len(lean)):
-        sides[:, RESTITUTION] = restitution[i]
-        sides[:, LEAN] = lean[i]
-        sides[:, RATE] = rate[i]
+    none, nothing = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
+    peak = np.zeros(PEAK_COLUMNS)
+    start = March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0)
+    for i in range(len(sides)):
+        own = sides[i]
+        unit = own[0, LEAN] * own[0, RATE]
+        stop = afterwards[i] / own[0, RATE]
         peak[:] = 0.0
-        status[i], end = march(
-            segments,
-            sides,
-            March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0),
-            0,
-            afterwards[i] / rate[i],
-            math.inf,
-            limit,
-            rows,
-            peak,
-        )
+        status[i], end = march(segments, own, start, 0, stop, math.inf, limit, none, peak)
         impacts[i] = end.impacts
-        peaks[i, PEAK_ANGLE] = peak[PEAK_ANGLE] / lean[i]
-        peaks[i, PEAK_SPEED] = peak[PEAK_SPEED] / (lean[i] * rate[i])
+        if status[i] == OVERTURNED:
+            rows = np.zeros((end.flights, ROW_COLUMNS))
+            march(segments, own, start, 0, stop, math.inf, limit, rows, nothing)
+            positive, negative, speed = peaks_until_overturning(segments, own, rows)
+            peak[PEAK_ANGLE], peak[PEAK_SPEED] = max(positive, negative), speed
+        peaks[i, PEAK_ANGLE] = peak[PEAK_ANGLE]
+        peaks[i, PEAK_SPEED] = peak[PEAK_SPEED] / unit

@@ -63,9 +63,9 @@ ENDED_BY_IMPACT = FOUND
 ENDED_BY_NO_RETURN = NO_RETURN
 ENDED_BY_UPLIFT = 3
 
-# What a march keeps of all its flights, in reference units.
-PEAK_ANGLE = 0  # largest |angle|
-PEAK_SPEED = 1  # largest |velocity|
+# What a march keeps of all its flights.
+PEAK_ANGLE = 0  # largest |theta|/alpha, each side in its own alpha
+PEAK_SPEED = 1  # largest |velocity|, in reference units
 PEAK_COLUMNS = 2
 
 ROCKING = int(Status.ROCKING)

@@ -1,6 +1,6 @@
 """Compile every kernel that the package calls, so that later processes load it from disk.
 
-``python -m rocksteady.kernels.warm`` takes up to half a minute once for each version of the
+``python -m rocksteady.kernels.warm`` takes a minute or two, once for each version of the
 sources, and next to nothing from then on.  Test workers started before it would each compile their
 own.  A kernel new to the package's callers belongs into `warm`.
 """
@@ -23,7 +23,13 @@ from rocksteady.kernels.chains import (
 )
 from rocksteady.kernels.clock import clock
 from rocksteady.kernels.compilation import cache_folder
-from rocksteady.kernels.history import fill_states, last_crossing, side_peaks
+from rocksteady.kernels.halves import symmetric_from
+from rocksteady.kernels.history import (
+    fill_states,
+    last_crossing,
+    peaks_until_overturning,
+    recorded_peaks,
+)
 from rocksteady.kernels.lanes.fates import lane_fates
 from rocksteady.kernels.march import (
     DURATION,
@@ -97,7 +103,8 @@ def warm() -> None:
     rows = np.zeros((end.flights, ROW_COLUMNS))
     march(segments, sides, start, half + 2, phase, math.inf, 100, rows, peaks)
     fill_states(segments, sides, rows, np.zeros(1, dtype=np.int64), np.zeros(1), np.zeros((3, 1)))
-    side_peaks(segments, sides, rows, 0.1)
+    recorded_peaks(segments, sides, rows, 0.1)
+    peaks_until_overturning(segments, sides, rows)
     last_crossing(segments, sides, rows, 0.1)
     harmonic_fates(
         2.0 * one,
@@ -140,9 +147,7 @@ def warm() -> None:
     )
     record_fates(
         np.zeros((1, SEGMENT_COLUMNS)),
-        one,
-        one,
-        one,
+        sides[np.newaxis],
         one,
         100,
         np.zeros(1, dtype=np.int64),
@@ -192,6 +197,9 @@ def warm() -> None:
     is_symmetric(system, table, 2, 1)
     multipliers(fixed.jacobian, loss(system, state.side, 2, fixed.rests))
     phase_between(state, next_passage(system, state, -1.0).state)
+
+    slender = np.hstack([sides, np.full((2, 1), 0.1), np.full((2, 1), 1e-15)])
+    symmetric_from(2.0, 4.0, slender, 1, 1, state)
 
     turns, phases, chain = 0 * whole, orbit.phase * one, np.zeros((1, CHAIN_COLUMNS))
     fill_chain(2.0, 4.0, sides, turns, phases, 1, chain)

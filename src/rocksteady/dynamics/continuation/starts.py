@@ -38,8 +38,16 @@ def chain_of(orbit: Orbit) -> Chain:
     Raises
     ------
     ModelError
-        If the orbit comes to rest, or the sides of its block differ.
+        If the orbit is one of the nonlinear model or comes to rest, or the sides of its block
+        differ.
     """
+    if orbit.model != "linear":
+        raise ModelError(
+            name="start",
+            value=f"an orbit of the {orbit.model} model",
+            valid="branches are followed in the linear model alone, whose arcs are in closed form",
+            hint="ask for `orbits` at several values, or move the parameter with `attractor_map`",
+        )
     if not orbit.block.symmetric:
         raise ModelError(
             name="start",

@@ -34,6 +34,9 @@ from rocksteady.kernels.tables import (
     Floats,
 )
 
+WEIGHTLESS = 1e-14
+"""Weight over M g that counts as none: a sample of -g in the units of a block is -g to rounding."""
+
 
 class Drive(NamedTuple):
     """Base motion of one segment seen from one side, time counted from a flight's start."""
@@ -90,11 +93,12 @@ def loss_of_contact(segments: Floats, index: int) -> float:
     """Return the time since a segment's start at which the base falls away: 1 + l is 0; or inf."""
     weight: float = 1.0 + segments[index, LIFT]
     slope: float = segments[index, LIFT_SLOPE]
-    if weight <= 0.0:
+    if weight <= WEIGHTLESS:
         return 0.0
-    if slope >= 0.0 or weight > -slope * segments[index, DURATION]:
+    if slope >= 0.0 or weight + slope * segments[index, DURATION] > WEIGHTLESS:
         return math.inf
-    return -weight / slope
+    duration: float = segments[index, DURATION]
+    return min(-weight / slope, duration)
 
 
 @compiled

@@ -12,7 +12,16 @@ from rocksteady.kernels.tables import PEAK_ANGLE, PEAK_SPEED, Floats
 from rocksteady.kernels.zeros import FOUND, NO_RETURN, SPAN_END, Zero
 
 LONGEST_STEP = 1e12
-"""Of a block that stands upright to the last bit; any other motion takes shorter ones."""
+"""Of a block that stands upright to the last bit."""
+LONGEST_MOVING_STEP = 8.0
+"""Of one that moves.  Only beside the upright position, by less than rounding, might a step be
+longer; in it the motion would grow so much that its nodes lay too close together to be counted."""
+
+
+@compiled
+def reach_of(velocity: float, left: float) -> float:
+    """Return the longest step of use, with `left` the side time to the end of the flight."""
+    return min(left, LONGEST_STEP if velocity == 0.0 else LONGEST_MOVING_STEP)
 
 
 @compiled
@@ -74,9 +83,9 @@ def fly(
     left_out
         Part of the motion that a step may leave out.
     peaks
-        As for `rocksteady.kernels.march.march`, in reference units; lean and rate convert.
+        As for `rocksteady.kernels.march.march`.
     lean, rate
-        Of the side.
+        Of the side; they convert its speed.
     work
         Working space, shape (6, 24).
 
@@ -107,7 +116,7 @@ def fly(
             sine,
             cosine,
             lifting and time == 0.0,
-            min(left, LONGEST_STEP),
+            reach_of(velocity, left),
             left_out,
             work,
         )
@@ -122,9 +131,9 @@ def fly(
                 event, ends = NO_RETURN, fallen
         if watch:
             top_angle, top_speed = largest(
-                work, degree, ends, peaks[PEAK_ANGLE] / lean, peaks[PEAK_SPEED] / (lean * rate)
+                work, degree, ends, peaks[PEAK_ANGLE], peaks[PEAK_SPEED] / (lean * rate)
             )
-            peaks[PEAK_ANGLE] = max(peaks[PEAK_ANGLE], top_angle * lean)
+            peaks[PEAK_ANGLE] = top_angle
             peaks[PEAK_SPEED] = max(peaks[PEAK_SPEED], top_speed * lean * rate)
         angle, velocity = angle_at(work, degree, ends)
         time = span if event == SPAN_END and step >= left else time + ends

@@ -11,7 +11,7 @@ import numpy as np
 
 from rocksteady.kernels.compilation import compiled
 from rocksteady.kernels.nonlinear.drive import Drive
-from rocksteady.kernels.nonlinear.flight import LONGEST_STEP, phase_at
+from rocksteady.kernels.nonlinear.flight import phase_at, reach_of
 from rocksteady.kernels.nonlinear.isolation import largest, last_rise
 from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS, angle_at, expand
 from rocksteady.kernels.tables import Floats
@@ -48,7 +48,7 @@ def leg_from(
         math.sin(turned),
         math.cos(turned),
         angle == 0.0 and velocity == 0.0,
-        min(span - start, LONGEST_STEP),
+        reach_of(velocity, span - start),
         left_out,
         work,
     )
@@ -65,17 +65,23 @@ def leg_after(
 
 
 @compiled
-def highest_of(
-    drive: Drive, phase: float, angle: float, velocity: float, span: float, left_out: float
-) -> float:
-    """Return the largest y of a flight."""
+def peaks_of(
+    drive: Drive,
+    phase: float,
+    angle: float,
+    velocity: float,
+    span: float,
+    left_out: float,
+    top_angle: float,
+    top_speed: float,
+) -> tuple[float, float]:
+    """Return the largest y and |y'| of a flight, or the tops given where these are larger."""
     work = np.empty((WORK_ROWS, TERMS))
-    peak = angle
     leg = leg_from(drive, phase, 0.0, angle, velocity, span, left_out, work)
     while True:
-        peak, _ = largest(work, leg.degree, leg.step, peak, math.inf)
+        top_angle, top_speed = largest(work, leg.degree, leg.step, top_angle, top_speed)
         if leg.start + leg.step >= span:
-            return peak
+            return top_angle, top_speed
         leg = leg_after(leg, drive, phase, span, left_out, work)
 
 

@@ -56,9 +56,9 @@ def point_of_no_return(segments: Floats, index: int, sides: Floats, side: int) -
 def falls_on_still_base(alpha: float, angle: float, velocity: float) -> bool:
     """Return whether energy proves that a block overturns on a base that stands still for ever."""
     barrier = 2.0 * math.sin(0.5 * alpha * abs(1.0 - angle)) / alpha
-    if angle < 1.0:
+    if angle <= 1.0:
         return velocity > barrier
-    return angle > 1.0 and velocity > -barrier
+    return velocity > -barrier
 
 
 @compiled
