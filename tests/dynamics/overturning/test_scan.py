@@ -74,6 +74,45 @@ def test_where_nothing_falls_there_is_no_window() -> None:
     assert ends(scan(fates_of(lambda a: -0.5 / a), 1.0, 20.0, 0.01)) == []
 
 
+def test_a_hump_that_rounding_makes_is_left_alone() -> None:
+    rng = np.random.default_rng(2)
+
+    def noisy(a: Floats) -> Floats:
+        return -0.5 + 0.1 * a / 20.0 + 1e-9 * rng.random(len(a))
+
+    assert scan(fates_of(noisy), 1.0, 20.0, 0.01).tried < 600
+
+
+def test_of_very_many_windows_the_search_ends_and_says_so() -> None:
+    found = scan(fates_of(lambda a: np.sin(2000.0 * a**3)), 1.0, 3.0, 0.01, keep=5)
+    assert found.unsettled > 0
+    assert found.tried < 20_000
+    assert scan(fates_of(lambda a: np.sin(3.0 * a)), 1.0, 3.0, 0.01).unsettled == 0
+    # The ends of the widest are found to rounding all the same.
+    for k in np.argsort(found.high - found.low)[-5:].tolist():
+        turns = 2000.0 * found.low[k] ** 3 / np.pi
+        assert turns == pytest.approx(round(turns), abs=1e-9)
+
+
+def test_a_rough_search_ends_at_the_borders_of_the_fine_fates() -> None:
+    def shifted(by: float) -> Callable[[Floats], Fates]:
+        return fates_of(lambda a: 0.3 - np.abs(a - 4.0 - by) * (1.0 + by))
+
+    found = scan(shifted(0.0), 1.0, 20.0, 0.01, rough=shifted(1e-3))
+    ((low, high),) = ends(found)
+    assert low == pytest.approx(3.7, rel=1e-14)
+    assert high == pytest.approx(4.3, rel=1e-14)
+
+
+def test_the_grid_is_close_at_every_uplift() -> None:
+    grid = first_grid(0.0, 5.0, 0.01, (1.05, 1.4))
+    assert (grid[0], grid[1]) == (0.0, 1.05)
+    for uplift in (1.05, 1.4):
+        above = grid[grid > uplift]
+        assert above[0] == pytest.approx(uplift * (1.0 + 1e-6), rel=1e-9)
+        assert len(above[above < uplift * 1.0011]) > 40
+
+
 @pytest.mark.parametrize(("low", "high"), [(1.0, 20.0), (0.0, 2.0), (1.5, 1.6), (0.2, 0.9)])
 def test_the_first_grid_keeps_its_step_and_its_ends(low: float, high: float) -> None:
     grid = first_grid(low, high, 0.01)

@@ -175,6 +175,33 @@ def test_of_very_many_windows_the_widest_are_kept_and_the_others_counted() -> No
     assert 0.0 < found.left_out_width[0] < 0.1
 
 
+@pytest.mark.parametrize("w", [0.7, 3.0])
+@pytest.mark.parametrize("shape", ["one-sine", "one-cosine", "triangle"])
+def test_without_loss_every_amplitude_is_decided(shape: str, w: float) -> None:
+    # A block that has barely lifted bounces without end.
+    found = overturning_windows(DimensionlessBlock(restitution=1.0), shape, [w])
+    assert not found.undecided.any()
+    nearly = overturning_windows(DimensionlessBlock(restitution=1.0 - 1e-9), shape, [w])
+    wide = np.flatnonzero(found.high[0] - found.low[0] > 1e-3)
+    assert wide.size
+    np.testing.assert_allclose(
+        found.low[0, wide], nearly.low[0, : len(found.low[0])][wide], rtol=1e-6
+    )
+
+
+def test_a_side_that_lifts_sooner_sets_the_range() -> None:
+    block = DimensionlessBlock(restitution=0.9, alpha_ratio=0.5)
+    found = overturning_windows(block, "one-sine", [1.0])
+    assert found.amplitudes == (0.5, 20.0)
+    assert 0.5 < found.first[0] < 1.0
+    for a, status in (
+        (found.first[0] * (1.0 + 1e-9), Status.OVERTURNED),
+        (found.first[0] * (1.0 - 1e-9), Status.AT_REST),
+    ):
+        run = simulate(block, Pulse(shape="one-sine", amplitude=a, frequency_ratio=1.0))
+        assert run.status is status
+
+
 # ---------------------------------------------------------------------- sweeps
 
 
@@ -203,7 +230,7 @@ def test_the_dataset_and_the_table_say_what_was_found() -> None:
     assert data.sizes == {"frequency_ratio": 2, "window": 2}
     assert data.low.sel(frequency_ratio=8.0, window=0) == found.first[1]
     assert np.isnan(data.low.sel(frequency_ratio=8.0, window=1))
-    assert data.attrs["pulse"] == "one-sine"
+    assert (data.attrs["pulse"], data.attrs["model"]) == ("one-sine", "linear")
     assert "7.16813 to 20" in found._repr_html_()
 
 

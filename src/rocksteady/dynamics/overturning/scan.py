@@ -6,23 +6,32 @@ border between ways of overturning a change of the impacts on the way.  The sear
 ways, each of which adds amplitudes to those that have been tried:
 
 1. A grid: no two amplitudes of the first round are further apart than a stated part of themselves,
-   and towards uplift (a = 1) they crowd together.
+   and towards uplift they crowd together.
 2. Between neighbours whose itineraries differ (impacts and side at the pulse's end, impacts and
    side of overturning) the interval is halved until it is `FINE`: there flights graze, the margin
-   has its kinks, and a window may begin and end close by.
+   has its kinks, and a window may begin and end close by.  Impacts beyond `MANY`, chatter among
+   them, announce less: where only their number differs, or the block falls after so many, the
+   interval is halved until it is `COARSE`.
 3. Likewise where the margin could come to zero between two neighbours if inside the interval it
    were `STEEPER` times as steep as there and in the two intervals beside it.
 4. Around every amplitude at which the margin of a block that stands is larger than at both
-   neighbours, or that of one that falls smaller, both intervals are halved until they are `FINEST`:
-   the hump may reach over zero between them.
+   neighbours, or that of one that falls smaller, both intervals are halved until they are
+   `FINEST`, as long as the hump could reach over zero between them: while it lacks less than
+   `HIGHER` times what it stands out from the lower of its neighbours, or `MUCH_HIGHER` until they
+   are `FINE`.  Of a cusp, as the square root of a graze makes it, no more than 1.4 times as much is
+   hidden between two amplitudes; what rounding and straight lines do to the margin is no hump.
 
-What is left are neighbours of different fate, which bisection brings together to rounding.  So a
+What is left are neighbours of different fate, which bisection brings together to rounding, at the
+ends of the widest windows.  So a
 window, or a gap in one, is missed only if the margin has between two neighbours a hump that neither
 itineraries nor slopes nor maxima around it announce, and that is narrower than the grid's step, or
 than `FINE` in a doubtful place.  No bound on the slope is known: where flights graze it has none.
+
+Where windows have no number the search would not end for a long time.  After `MOST` amplitudes
+besides the grid it ends, the widest intervals halved first, and counts those that it leaves.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -33,16 +42,23 @@ Integers = NDArray[np.int64]
 
 FINEST = 1e-7
 """Part of an amplitude to which intervals beside a hump of the margin are halved."""
+MANY = 10
+"""Impacts from which on they are not told apart."""
+COARSE = 2e-4
+"""Part of an amplitude to which intervals are halved after more impacts than that."""
 FINE = 1e-5
 """The same of intervals whose ends differ, and of those in which the margin may come to zero."""
+HIGHER = 8.0
+MUCH_HIGHER = 1000.0
+"""How many times as much as it stands out a hump may rise between the amplitudes beside it."""
+MOST = 10_000
+"""Amplitudes, besides the grid, after which doubtful intervals are left as they are."""
 STEEPER = 2.0
 """How many times as steep as there the margin may be inside an interval."""
 NEAREST = 1e-6
-"""How close to uplift, a = 1, the grid begins."""
+"""How close to uplift the grid begins, as a part of it."""
 DECADE = 16
-"""Points of the grid in a decade of a - 1."""
-ROUNDS = 60
-"""Of halvings: as many as a double has digits, and some."""
+"""Points of the grid in a decade of a - uplift."""
 
 
 class Fates(NamedTuple):
@@ -68,9 +84,20 @@ class Found(NamedTuple):
     undecided: int
     """Amplitudes whose fate the march could not decide; each counts as one that stands."""
     tried: int
+    unsettled: int
+    """Intervals in which a window might still hide when the search ended."""
 
 
-def scan(follow: Callable[[Floats], Fates], low: float, high: float, step: float) -> Found:
+def scan(
+    follow: Callable[[Floats], Fates],
+    low: float,
+    high: float,
+    step: float,
+    *,
+    uplifts: Sequence[float] = (1.0,),
+    keep: int = 1000,
+    rough: Callable[[Floats], Fates] | None = None,
+) -> Found:
     """Return every window between two amplitudes.
 
     Parameters
@@ -81,35 +108,50 @@ def scan(follow: Callable[[Floats], Fates], low: float, high: float, step: float
         Ends of the range, in units of alpha g.
     step
         Largest distance of neighbours on the grid, as a part of the amplitude.
+    uplifts
+        Amplitudes at which a side of the block lifts; below all of them it rests.
+    keep
+        Of how many windows, the widest, the ends are wanted to rounding; those of others are found
+        to within the steps of the search.
+    rough
+        Returns fates that are nearly right and come at less cost, for the search; without, `follow`
+        does.  The borders found with it are moved to where `follow` has them.
     """
-    amplitude = first_grid(low, high, step)
-    fates = follow(amplitude)
-    for _ in range(ROUNDS):
-        doubtful = _doubtful(amplitude, fates)
-        if not doubtful.any():
-            break
-        amplitude, fates = _with_middles(follow, amplitude, fates, np.flatnonzero(doubtful))
-    return _windows(follow, amplitude, fates)
+    amplitude = first_grid(low, high, step, uplifts)
+    looked = follow if rough is None else rough
+    fates, left = looked(amplitude), MOST
+    doubtful = np.flatnonzero(_doubtful(amplitude, fates))
+    while doubtful.size and left:
+        width = np.diff(amplitude)[doubtful] / amplitude[doubtful + 1]
+        where = np.sort(doubtful[np.argsort(-width, kind="stable")[:left]])
+        amplitude, fates = _with_middles(looked, amplitude, fates, where)
+        left -= len(where)
+        doubtful = np.flatnonzero(_doubtful(amplitude, fates))
+    if rough is not None:
+        amplitude = amplitude[_kept(fates)]
+        fates = follow(amplitude)
+    return _windows(follow, amplitude, fates, len(doubtful), keep)
 
 
-def first_grid(low: float, high: float, step: float) -> Floats:
+def first_grid(low: float, high: float, step: float, uplifts: Sequence[float] = (1.0,)) -> Floats:
     """Return the amplitudes of the first round, ends included.
 
-    No block lifts at 1 or below, so that nothing is tried there but the lower end.
+    No block lifts at the lowest uplift or below, so that nothing is tried there but the lower end.
     """
-    floor = max(low, 1.0)
+    floor = max(low, min(uplifts))
     if high <= floor:
         return np.unique([low, high])
     count = int(np.ceil(np.log(high / floor) / np.log1p(step))) + 1
-    even = np.geomspace(floor, high, max(count, 2))
-    nearest = max(floor - 1.0, NEAREST)
-    crowded = np.zeros(0)
-    if high - 1.0 > nearest:
-        decades = np.log10((high - 1.0) / nearest)
-        crowded = 1.0 + np.geomspace(nearest, high - 1.0, int(np.ceil(DECADE * decades)) + 1)
-    points = np.concatenate([[low], even, crowded])
+    parts = [np.array([low]), np.geomspace(floor, high, max(count, 2))]
+    for uplift in sorted(set(uplifts)):
+        nearest, furthest = max(floor - uplift, NEAREST * uplift), high - uplift
+        if furthest > nearest:
+            decades = np.log10(furthest / nearest)
+            parts.append(
+                uplift + np.geomspace(nearest, furthest, int(np.ceil(DECADE * decades)) + 1)
+            )
     # Ends that rounding has moved, and neighbours that it has made one.
-    return np.unique(np.clip(points, low, high))
+    return np.unique(np.clip(np.concatenate(parts), low, high))
 
 
 def _doubtful(amplitude: Floats, fates: Fates) -> NDArray[np.bool_]:
@@ -126,9 +168,15 @@ def _doubtful(amplitude: Floats, fates: Fates) -> NDArray[np.bool_]:
         & (fates.overturns[inner] == fates.overturns[2:])
     )
     width = np.diff(amplitude)
+    drop = np.abs(np.diff(margin))
+    stands_out = np.maximum(np.append(drop, 0.0), np.append(0.0, drop))
+    high = hump & (margin + HIGHER * stands_out > 0.0)
+    hump &= margin + MUCH_HIGHER * stands_out > 0.0
     finest, fine = width > FINEST * amplitude[1:], width > FINE * amplitude[1:]
-    doubtful: NDArray[np.bool_] = ((hump[:-1] | hump[1:]) & finest) | (
-        (_differ(fates, during=True) | _steep(width, margin)) & fine
+    doubtful: NDArray[np.bool_] = (
+        ((high[:-1] | high[1:]) & finest)
+        | ((_differ(fates, during=True) | _steep(width, margin) | hump[:-1] | hump[1:]) & fine)
+        | ((_many(fates) | (np.diff(fates.during) != 0)) & (width > COARSE * amplitude[1:]))
     )
     return doubtful
 
@@ -144,11 +192,18 @@ def _steep(width: Floats, margin: Floats) -> NDArray[np.bool_]:
     return reach
 
 
+def _many(fates: Fates) -> NDArray[np.bool_]:
+    """Return between which neighbours the block falls after very many impacts."""
+    late = fates.overturns & (fates.impacts >= MANY)
+    both: NDArray[np.bool_] = late[1:] & late[:-1]
+    return both
+
+
 def _differ(fates: Fates, *, during: bool) -> NDArray[np.bool_]:
     """Return between which neighbours the way of overturning changes, or what leads to it."""
     columns = [fates.overturns, fates.impacts * fates.overturns, fates.side]
     if during:
-        columns.append(fates.during)
+        columns.append(np.minimum(fates.during, 3 * MANY + 3))
     found = np.zeros(len(fates.overturns) - 1, dtype=np.bool_)
     for column in columns:
         found |= column[1:] != column[:-1]
@@ -166,33 +221,57 @@ def _with_middles(
     return np.concatenate([amplitude, middle])[order], Fates(*merged)
 
 
-def _windows(follow: Callable[[Floats], Fates], amplitude: Floats, fates: Fates) -> Found:
-    """Return the windows that amplitudes close enough show, their borders to rounding.
+def _windows(
+    follow: Callable[[Floats], Fates], amplitude: Floats, fates: Fates, left: int, keep: int
+) -> Found:
+    """Return the windows that amplitudes close enough show, the borders of the widest to rounding.
 
     All intervals whose ends differ are halved together; where a third way turns up between two,
     both halves go on.
     """
     tried, undecided = len(amplitude), int((~fates.decided).sum())
-    where = np.flatnonzero(_differ(fates, during=False))
-    # The ends and both sides of every border say it all.
-    kept = np.unique(np.concatenate([[0, len(amplitude) - 1], where, where + 1]))
-    amplitude, fates = amplitude[kept], Fates(*(column[kept] for column in fates))
+    kept = _kept(fates)
+    amplitude, fates = amplitude[kept], _at(fates, kept)
     while True:
         where = np.flatnonzero(_differ(fates, during=False))
-        apart = where[_apart(amplitude, where)]
+        starts = np.concatenate([[0], where + 1])
+        stops = np.concatenate([where, [len(amplitude) - 1]])
+        falls = fates.overturns[starts]
+        wide = _may_be_widest(amplitude, starts, stops, falls, keep)
+        apart = where[(wide[:-1] | wide[1:]) & _apart(amplitude, where)]
         if not apart.size:
             break
         amplitude, fates = _with_middles(follow, amplitude, fates, apart)
         tried += len(apart)
-    starts = np.concatenate([[0], where + 1])
-    stops = np.concatenate([where, [len(amplitude) - 1]])
-    falls = fates.overturns[starts]
     starts, stops = starts[falls], stops[falls]
     # A window begins at the first amplitude known to be in it.  Two that touch share the border.
     low, high = amplitude[starts], amplitude[stops]
     touching = np.flatnonzero(starts[1:] == stops[:-1] + 1)
     high[touching] = low[touching + 1]
-    return Found(low, high, fates.impacts[starts], fates.side[starts], undecided, tried)
+    return Found(low, high, fates.impacts[starts], fates.side[starts], undecided, tried, left)
+
+
+def _at(fates: Fates, places: Integers) -> Fates:
+    """Return some of the fates."""
+    return Fates._make(column[places] for column in fates)
+
+
+def _kept(fates: Fates) -> Integers:
+    """Return the places of the ends and of both sides of every border: they say it all."""
+    where = np.flatnonzero(_differ(fates, during=False))
+    return np.unique(np.concatenate([[0, len(fates.overturns) - 1], where, where + 1]))
+
+
+def _may_be_widest(
+    amplitude: Floats, starts: Integers, stops: Integers, falls: NDArray[np.bool_], keep: int
+) -> NDArray[np.bool_]:
+    """Return which stretches of one fate are windows that may be among the widest, shape (n,)."""
+    if falls.sum() <= keep:
+        return falls
+    before, after = np.maximum(starts - 1, 0), np.minimum(stops + 1, len(amplitude) - 1)
+    least = np.sort((amplitude[stops] - amplitude[starts])[falls])[-keep]
+    found: NDArray[np.bool_] = falls & (amplitude[after] - amplitude[before] >= least)
+    return found
 
 
 def _apart(amplitude: Floats, where: Integers) -> NDArray[np.bool_]:

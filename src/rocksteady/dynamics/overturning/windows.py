@@ -8,7 +8,15 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.overturning.cases import BATCH, OUTPUTS, load_kernel, windows_at
+from rocksteady.dynamics.lowering import side_attributes
+from rocksteady.dynamics.nonlinear import ModelName, model_name, sides_of
+from rocksteady.dynamics.overturning.cases import (
+    BATCH,
+    OUTPUTS,
+    load_kernel,
+    uplifts_of,
+    windows_at,
+)
 from rocksteady.dynamics.return_map import bare_block
 from rocksteady.errors import InputError
 from rocksteady.model.block import Block, DimensionlessBlock
@@ -25,8 +33,10 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
-AMPLITUDES = (1.0, 20.0)
-"""Range of amplitudes where nobody says."""
+TOP = 20.0
+"""Up to which amplitude is searched where nobody says; for a block that hardly lifts by then,"""
+UPLIFTS = 2.0
+"""up to as many times that at which it lifts."""
 HIGHEST = 1e6
 """Largest amplitude of a range."""
 RESOLUTION = 2e-3
@@ -54,6 +64,8 @@ class OverturningWindows:
     ----------
     block, pulse
         What falls and what makes it; of the pulse its shape counts.
+    model
+        "linear" or "nonlinear".
     frequency_ratio
         omega/p, ascending, shape (frequencies,).
     amplitudes
@@ -71,13 +83,18 @@ class OverturningWindows:
     first
         The smallest amplitude that overturns the block, shape (frequencies,); nan where none does.
     left_out, left_out_width
-        How many windows there are beyond the widest 32, and how wide they are together.
+        How many windows there are beyond the widest 32, and how wide they are together, to within
+        the steps of the search.
     undecided
         Amplitudes that were tried and whose fate could not be decided; they count as safe.
+    unsettled
+        Intervals in which a window might still hide when the search ended, after more than ten
+        thousand amplitudes; above 0 only where windows have no number, or nearly none.
     """
 
     block: Block | DimensionlessBlock
     pulse: Pulse
+    model: ModelName
     frequency_ratio: Floats
     amplitudes: tuple[float, float]
     resolution: float
@@ -89,6 +106,7 @@ class OverturningWindows:
     left_out: Integers
     left_out_width: Floats
     undecided: Integers
+    unsettled: Integers
 
     def at(self, index: int) -> tuple[OverturningWindow, ...]:
         """Return the windows at one of the frequencies, in ascending order."""
@@ -127,6 +145,7 @@ class OverturningWindows:
                 "left_out": (along, self.left_out, {"units": "1"}),
                 "left_out_width": (along, self.left_out_width, {"units": "1"}),
                 "undecided": (along, self.undecided, {"units": "1"}),
+                "unsettled": (along, self.unsettled, {"units": "1"}),
             },
             coords={
                 "frequency_ratio": (along, self.frequency_ratio, {"long_name": "omega/p"}),
@@ -134,7 +153,8 @@ class OverturningWindows:
             },
             attrs={
                 "pulse": self.pulse.shape,
-                "restitution": self.block.restitution,
+                "model": self.model,
+                **side_attributes(self.block),
                 "amplitudes": list(self.amplitudes),
                 "resolution": self.resolution,
             },
@@ -158,7 +178,8 @@ def overturning_windows(
     pulse: Pulse | str,
     frequency_ratios: ArrayLike,
     *,
-    amplitudes: tuple[float, float] = AMPLITUDES,
+    model: ModelName = "linear",
+    amplitudes: tuple[float, float] | None = None,
     resolution: float = RESOLUTION,
     executor: str = "threads",
     workers: int | None = None,
@@ -174,19 +195,23 @@ def overturning_windows(
     which the block stands or falls leave a doubt: `rocksteady.dynamics.overturning.scan` says how,
     and which windows could still be missed.  Long pulses with many impacts, below omega/p = 1 or of
     several cycles, have windows without end to their number: there the result is those that the
-    resolution shows.
+    resolution shows, and `unsettled` says where the search was ended.
 
     Parameters
     ----------
     block
-        The block, at rest at first; its restitution counts.
+        The block, at rest at first.  In the linear model its restitution counts, and the ratios of
+        its sides; in the nonlinear one its slenderness too.
     pulse
         The name of a shape, or a `Pulse` for its shape, oscillations, phase and tolerance.
     frequency_ratios
         omega/p, ascending, shape (frequencies,), from 0.01 to 5000.
+    model
+        "linear" (default), in closed form, or "nonlinear", the full equations in steps within 1e-10
+        of the motion, which need a `Block`.
     amplitudes
-        Range of a_max/(alpha g) to search, from 0 to 1e6; below 1 no block lifts.  Where a window
-        reaches its end, nothing is known beyond.
+        Range of a_max/(alpha g) to search, from 0 to 1e6; without, from uplift to 20, or to twice
+        an uplift beyond 10.  Where a window reaches its end, nothing is known beyond.
     resolution
         Largest step of the first amplitudes, as a part of them, from 1e-6 to 0.1.
     executor, workers, store, done
@@ -201,8 +226,10 @@ def overturning_windows(
     ------
     InputError
         If an argument is outside its range, or the ratios do not ascend.
-    ModelError, OutputError, UnfinishedError
-        As for `Pulse` and `rocksteady.sweep.evaluate.evaluate`.
+    ModelError
+        If the nonlinear model meets a block without slenderness, or as for `Pulse`.
+    OutputError, UnfinishedError
+        As for `rocksteady.sweep.evaluate.evaluate`.
 
     References
     ----------
@@ -216,16 +243,37 @@ def overturning_windows(
     ...     print(f"{window.low:.6f} to {window.high:.6f}, {window.impacts} impacts")
     3.018600 to 6.318071, 1 impacts
     7.168129 to 20.000000, 0 impacts
+
+    The full equations of a block of that restitution with alpha = 0.25:
+
+    >>> from rocksteady import Block
+    >>> block = Block.from_p(alpha=0.25, p=2.14, restitution=0.9)
+    >>> found = overturning_windows(block, "one-sine", 5.0, model="nonlinear")
+    >>> [(round(low, 6), round(high, 6)) for low, high in found.intervals(0)]
+    [(3.032339, 6.743019), (7.493, 20.0)]
     """
+    chosen = model_name(model)
     bare = bare_block(block)
     axis = _ratios(frequency_ratios)
     unit = _unit(pulse, axis.points)
-    low, high = _range(amplitudes)
+    # What counts of a block of the linear model is dimensionless.
+    body = bare if chosen == "linear" else block
+    uplifts = uplifts_of(sides_of(body, chosen))
+    usual = min(*uplifts, 1.0), min(max(TOP, UPLIFTS * max(uplifts)), HIGHEST)
+    low, high = _range(usual if amplitudes is None else amplitudes)
     hint = "give a part of the amplitude, as 0.002"
     step = in_range("resolution", resolution, 1e-6, 0.1, "[]", hint=hint)
-    load_kernel(bare, unit)
+    load_kernel(body, chosen, unit)
     data = evaluate(
-        functools.partial(windows_at, block=bare, pulse=unit, low=low, high=high, resolution=step),
+        functools.partial(
+            windows_at,
+            block=body,
+            model=chosen,
+            pulse=unit,
+            low=low,
+            high=high,
+            resolution=step,
+        ),
         Grid(axes=(axis,)),
         OUTPUTS,
         executor=executor,
@@ -239,6 +287,7 @@ def overturning_windows(
     return OverturningWindows(
         block=block,
         pulse=unit,
+        model=chosen,
         frequency_ratio=axis.points,
         amplitudes=(low, high),
         resolution=step,
@@ -250,6 +299,7 @@ def overturning_windows(
         left_out=data["left_out"].values.astype(np.int64),
         left_out_width=data["left_out_width"].values,
         undecided=data["undecided"].values.astype(np.int64),
+        unsettled=data["unsettled"].values.astype(np.int64),
     )
 
 

@@ -16,6 +16,7 @@ from rocksteady.show import palette
 from rocksteady.show.layout import (
     axes_or_new,
     legend_inside,
+    plain_ticks,
     spaced_by_ratio,
 )
 
@@ -30,6 +31,11 @@ MODES = (
     ("overturns after two or more", palette.UNSYMMETRIC, 2),
 )
 """Words, fill and least number of impacts of each way of overturning, as the legend has them."""
+CLOSED_FORM = {
+    "linear": "without an impact, closed form",
+    "nonlinear": "without an impact, linear model",
+}
+"""What the curve of the linear model's closed form is called."""
 TALL = 5.0
 """Ratio of the ends of an axis of amplitudes from which on it is logarithmic."""
 LONGEST_PERIOD = 20.0
@@ -42,7 +48,8 @@ def plot_overturning(
     """Draw the amplitudes at which a pulse overturns a block, over the frequency ratio.
 
     Each way of overturning has its fill; where the block stands the paper is white.  Where the
-    pulse has one, the closed form of overturning without an impact is drawn over it.
+    pulse has one, the closed form of overturning without an impact is drawn over it, which is that
+    of the linear model.
 
     Parameters
     ----------
@@ -87,7 +94,8 @@ def plot_overturning(
     axes = axes_or_new(ax)
     by_ratio = len(w) > 2 and spaced_by_ratio(w)
     low, high = windows.amplitudes
-    low = max(low, 1.0) if high > 1.0 else low
+    uplift = min(ratio for _, ratio, _ in windows.block.dimensionless().sides)
+    low = max(low, uplift) if high > uplift else low
     parts = _parts(windows, by_ratio=by_ratio)
     handles: list[Patch | Line2D] = []
     for words, colour, least in MODES:
@@ -108,8 +116,9 @@ def plot_overturning(
             overturning_threshold(windows.pulse.shape, fine),
             color=palette.INK,
             lw=1.4,
+            ls="-" if windows.model == "linear" else palette.DASHES[1],
             zorder=3.0,
-            label="without an impact, closed form",
+            label=CLOSED_FORM[windows.model],
         )
         handles.insert(1 if parts[0] else 0, line)
     if by_ratio:
@@ -122,7 +131,7 @@ def plot_overturning(
         xlim=(float(w[0]), float(w[-1])),
         ylim=(low, high),
     )
-    _plain_ticks(axes)
+    plain_ticks(axes)
     handles.append(Patch(facecolor="white", edgecolor=palette.FAINT, lw=0.6, label="stands"))
     axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0)
     return axes
@@ -243,14 +252,3 @@ def _partners(
     ]
     first, second = Counter(i for i, _ in pairs), Counter(k for _, k in pairs)
     return {i: k for i, k in pairs if first[i] == 1 and second[k] == 1}
-
-
-def _plain_ticks(axes: "Axes") -> None:
-    """Write the ticks of logarithmic axes as numbers."""
-    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
-
-    for axis, scale in ((axes.xaxis, axes.get_xscale()), (axes.yaxis, axes.get_yscale())):
-        if scale == "log":
-            axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-            axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-            axis.set_minor_formatter(NullFormatter())
