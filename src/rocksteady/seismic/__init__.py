@@ -1,0 +1,1 @@
+"""What ground motions are worth: their course, intensity measures and response spectra."""
