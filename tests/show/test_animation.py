@@ -2,7 +2,6 @@
 
 import io
 import math
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -160,14 +159,12 @@ def test_an_alpha_is_for_a_dimensionless_block_alone() -> None:
     assert "drawn with α = 0.3 rad" in texts(film_of(shaken(bare=True), alpha=0.3))
 
 
-def test_endless_runs_are_refused_at_once() -> None:
-    began = time.perf_counter()
+def test_endless_runs_are_refused_and_not_drawn() -> None:
     with pytest.raises(InputError, match="span = "):
         animate(simulate(BARE, Harmonic(amplitude=0.5, frequency_ratio=0.01), cycles=1e15))
     elastic = DimensionlessBlock(restitution=1.0)
     with pytest.raises(InputError, match="span = "):
         animate(simulate(elastic, Still(), start=State(angle=0.5, velocity=0.0)))
-    assert time.perf_counter() - began < 3.0
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 """Plots of basins and of erosion: each shows the numbers it was given."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 
 import matplotlib as mpl
@@ -16,6 +17,7 @@ from matplotlib.figure import Figure
 
 from rocksteady import (
     Basins,
+    Block,
     DimensionlessBlock,
     Erosion,
     Harmonic,
@@ -180,6 +182,16 @@ def test_a_threshold_beyond_the_axis_is_said() -> None:
     legend = plot_erosion(eroded(0.2), Figure().add_subplot()).get_legend()
     assert legend is not None
     assert any(text.get_text().endswith("(beyond)") for text in legend.get_texts())
+
+
+def test_without_a_threshold_there_is_no_line_of_it() -> None:
+    given = replace(eroded(), block=Block.from_p(alpha=0.2, p=2.0), model="nonlinear")
+    axes = plot_erosion(given, Figure().add_subplot())
+    assert len(axes.lines) == 2
+    legend = axes.get_legend()
+    assert legend is not None
+    assert not any("tangency" in text.get_text() for text in legend.get_texts())
+    assert len(erosion_figure(given).axes) >= 2
 
 
 def test_safe_states_are_light() -> None:

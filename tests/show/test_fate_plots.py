@@ -11,6 +11,7 @@ import pytest
 import xarray
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
 
 from rocksteady import DimensionlessBlock, InputError, State, fate_map, plot_map
 from rocksteady.show.classes import BLANK, LOOKS, CellClass, map_cells
@@ -46,7 +47,7 @@ def dots(axes: Axes) -> dict[str, set[tuple[float, float]]]:
 def test_each_cell_has_the_fill_of_its_fate() -> None:
     data = found(amplitude=np.linspace(0.5, 5.0, 30))
     data.fate[:3, :3] = np.array([-1, BLANK, 1], dtype=np.int8)
-    axes = plot_map(data)
+    axes = plot_map(data, Figure().add_subplot())
     (image,) = axes.images
     drawn = np.asarray(image.get_array())
     wanted = np.vectorize(CLASS_OF.get)(data.fate.values)
@@ -61,7 +62,7 @@ def test_each_cell_has_the_fill_of_its_fate() -> None:
 def test_over_one_axis_the_dots_are_numbers_of_impacts() -> None:
     data = found()
     data.fate[0] = BLANK
-    shown = dots(plot_map(data))
+    shown = dots(plot_map(data, Figure().add_subplot()))
     for code, one in CLASS_OF.items():
         chosen = data.where(data.fate == code, drop=True)
         pairs = zip(chosen.frequency_ratio.values, chosen.impacts.values, strict=True)
@@ -74,7 +75,7 @@ def test_a_class_that_was_taken_from_its_neighbours_has_no_dot() -> None:
     axes: dict[str, Any] = {"amplitude": 2.0, "frequency_ratio": ratios}
     refined = fate_map(block, axes=axes, start=START, refine=8)
     assert not refined.met.all()
-    drawn = plot_map(refined)
+    drawn = plot_map(refined, Figure().add_subplot())
     assert sum(map(len, dots(drawn).values())) == int(refined.met.sum())
     assert drawn.get_ylim()[0] > -100.0
 

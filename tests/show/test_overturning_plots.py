@@ -17,6 +17,7 @@ from matplotlib.figure import Figure
 from matplotlib.path import Path
 
 from rocksteady import (
+    Block,
     DimensionlessBlock,
     InputError,
     OverturningWindows,
@@ -107,6 +108,19 @@ def test_the_closed_form_is_drawn_where_there_is_one() -> None:
     np.testing.assert_array_equal(y, overturning_threshold("one-sine", x))
     assert not plot_overturning(found(), Figure().add_subplot(), closed_form=False).lines
     assert not plot_overturning(found("type-c1"), Figure().add_subplot()).lines
+
+
+def test_of_the_full_equations_the_curve_is_that_of_the_linear_model() -> None:
+    block = Block.from_p(alpha=0.25, p=2.14, restitution=0.9)
+    full = overturning_windows(block, "one-sine", [4.0, 5.0], model="nonlinear")
+    axes = plot_overturning(full, Figure().add_subplot())
+    (line,) = axes.lines
+    assert line.get_label() == "without an impact, linear model"
+    assert line.get_linestyle() == "--"
+    for index, w in enumerate((4.01, 4.99)):
+        for window in full.at(index):
+            colour = {least: fill for _, fill, least in MODES}[window.impacts]
+            assert fill_at(axes, w, 0.5 * (window.low + window.high)) == colour
 
 
 def test_the_legend_names_what_is_there_and_no_more() -> None:

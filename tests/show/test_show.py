@@ -132,7 +132,7 @@ def test_a_plot_makes_axes_of_its_own_where_none_are_given(
         assert plt.gcf() is axes.figure
         assert not axes.spines["top"].get_visible(), "in the house style"
     finally:
-        plt.close("all")
+        plt.close(axes.figure)  # type: ignore[arg-type]
 
 
 @plots

@@ -22,7 +22,9 @@ from rocksteady.cli import (
     orbits,
     overturn,
     paper,
+    record,
     simulate,
+    spectrum,
     steady,
     study,
 )
@@ -45,7 +47,20 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for command in (steady, simulate, attractor, orbits, bifurcate, basins, maps, overturn, paper):
+COMMANDS = (
+    steady,
+    simulate,
+    attractor,
+    orbits,
+    bifurcate,
+    basins,
+    maps,
+    overturn,
+    record,
+    spectrum,
+    paper,
+)
+for command in COMMANDS:
     name = command.__name__.rpartition(".")[2]
     function = getattr(command, name)
     app.command("map" if command is maps else name, help=command.HELP, epilog=command.EXAMPLES)(

@@ -3,13 +3,13 @@
 import math
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any, cast
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from rocksteady.cli import flags
 from rocksteady.cli.groups import OutputFlags, grouped
-from rocksteady.cli.nouns import BlockFlags, ShakingFlags
+from rocksteady.cli.nouns import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.outputs import (
     INCOMPLETE,
     announce_compilation,
@@ -87,10 +87,11 @@ def attractor(
     """Run `rocksteady attractor`; `HELP` is what its users read."""
     output.check()
     body = block.described()
+    equations = equations_for(model, body)
     motion = shaking.at(body, phase=start.first_phase)
     start.check(shaken=True)
 
-    announce_compilation()
+    announce_compilation("attractors.settle")
     from rocksteady.dynamics.attractor import AttractorKind
     from rocksteady.dynamics.attractor import attractor as settle
 
@@ -102,13 +103,13 @@ def attractor(
             start=begin,
             side=start.sign,
             cycles=cycles,
-            model=cast("ModelName", model),
+            model=equations,
         )
     values = attractor_values(found, body, motion)
     values |= {**start.values(found.shaking.phase), "cycles": cycles, "model": model}
     run = None
     if found.orbit is None and (output.csv is not None or output.plot is not None):
-        run = followed(found, body, motion, begin, start.sign, cast("ModelName", model))
+        run = followed(found, body, motion, begin, start.sign, equations)
     if output.csv is not None:
         write_csv(output.csv, csv_header(body), csv_rows(found, run, body))
     if output.plot is not None:

@@ -9,7 +9,7 @@ from rocksteady.cli.basins_text import case_of, print_erosion, print_fractions
 from rocksteady.cli.basins_values import basins_values, erosion_values, state_rows, undecided
 from rocksteady.cli.groups import OutputFlags, grouped
 from rocksteady.cli.inputs import axis, single
-from rocksteady.cli.nouns import BlockFlags, ShakingFlags
+from rocksteady.cli.nouns import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.outputs import (
     INCOMPLETE,
     announce_compilation,
@@ -33,7 +33,9 @@ EXAMPLES = (
     "Examples:\n\n"
     "rocksteady basins -A 0.5 -W 2 -r 0.95 --plot basins.png\n\n"
     "rocksteady basins -A 1.5 -W 4 -r 0.9 --angles=-1:1:400 --velocities=-0.3:0.3:400 --json\n\n"
-    "rocksteady basins -A 0:1.6:33 -W 2 -r 0.9 --plot erosion.png"
+    "rocksteady basins -A 0:1.6:33 -W 2 -r 0.9 --plot erosion.png\n\n"
+    "rocksteady basins --alpha-rad 0.3 --radius-m 1 -r 0.9 -A 1.5 -W 4 --model nonlinear "
+    "--angles=-1.4:1.4:60 --velocities=-0.4:0.4:60"
 )
 
 WINDOW = "Window"
@@ -100,10 +102,12 @@ def basins(
     velocities: VelocitiesFlag = None,
     seed: SeedFlag = None,
     cycles: CyclesFlag = None,
+    model: flags.Model = "linear",
 ) -> None:
     """Run `rocksteady basins`; `HELP` is what its users read."""
     output.check()
     body = block.described()
+    equations = equations_for(model, body)
     amplitudes, ratios = shaking.of(body)
     ratio = single("frequency_ratio", ratios)
     if seed is not None and len(amplitudes) > 1:
@@ -119,10 +123,11 @@ def basins(
         for name, text in (("angles", angles), ("velocities", velocities))
         if text is not None
     }
+    options["model"] = equations
     if cycles is not None:
         options["cycles"] = cycles
 
-    announce_compilation()
+    announce_compilation("fates.lane_fates" if len(amplitudes) > 1 else "settling.settle_cells")
     if len(amplitudes) > 1:
         _erosion(body, first, amplitudes, options, output)
     else:

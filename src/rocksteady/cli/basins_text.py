@@ -72,10 +72,13 @@ def print_erosion(values: dict[str, Any]) -> None:
         names = ("integrity_factor", "global_integrity")
         table.add_row(f"{row['amplitude']:.6g}", *accel, *(f"{row[name]:.4f}" for name in names))
     console.print(table)
-    tangency = f"heteroclinic tangency at A = {values['heteroclinic_amplitude']:.6g}"
-    if sized:
-        tangency += f", {values['heteroclinic_accel_g']:.6g} g"
-    console.print(tangency)
+    if values["heteroclinic_amplitude"] is None:
+        console.print("heteroclinic tangency: no closed form in the nonlinear model")
+    else:
+        tangency = f"heteroclinic tangency at A = {values['heteroclinic_amplitude']:.6g}"
+        if sized:
+            tangency += f", {values['heteroclinic_accel_g']:.6g} g"
+        console.print(tangency)
     for measure, drop in values["drop"].items():
         words = measure.replace("_", " ")
         if drop is None:

@@ -21,6 +21,7 @@ def window_values(found: "Basins | Erosion") -> dict[str, Any]:
         "angles": _axis_values(found.angle),
         "velocities": _axis_values(found.velocity),
         "cycles": found.cycles,
+        "model": found.model,
     }
 
 
@@ -71,6 +72,7 @@ def erosion_values(
         "safe_share": found.safe_share,
         "radius": found.radius,
     }
+    tangency = found.heteroclinic
     rows = zip(*(values.tolist() for values in columns.values()), strict=True)
     shaking = Harmonic(amplitude=0.0, frequency_ratio=found.frequency_ratio)
     measures = shaking_values(body, shaking)
@@ -91,9 +93,9 @@ def erosion_values(
             }
             for measure, drop in drops.items()
         },
-        "heteroclinic_amplitude": found.heteroclinic,
+        "heteroclinic_amplitude": tangency,
         **(
-            {"heteroclinic_accel_g": found.heteroclinic * body.alpha}
+            {"heteroclinic_accel_g": None if tangency is None else tangency * body.alpha}
             if isinstance(body, Block)
             else {}
         ),

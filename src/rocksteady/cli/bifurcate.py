@@ -188,7 +188,7 @@ def bifurcate(
     check_top(top, output)
     sweeping = check_sweeps(span, start, no_sweeps=no_sweeps)
 
-    announce_compilation()
+    announce_compilation("chains.fill_chain")
     from rocksteady.dynamics.continuation.cascade import longest_cascade
     from rocksteady.dynamics.continuation.diagram import bifurcation_branches
     from rocksteady.dynamics.continuation.seeds import (

@@ -61,6 +61,18 @@ FLAG_OF_ARGUMENT = {
     "chunk": "--chunk",
     "refine": "--refine",
     "orders": "--order/-n",
+    "channel": "--channel",
+    "format": "--format",
+    "units": "--units",
+    "dt_s": "--dt-s",
+    "column": "--column",
+    "resample": "--resample",
+    "baseline": "--baseline",
+    "damping": "--damping",
+    "periods_s": "--periods-s",
+    "records": "--record",
+    "scale": "--scale",
+    "vertical": "--vertical",
 }
 """Which flag an argument of the library is, for error lines."""
 
@@ -122,6 +134,15 @@ Model = Annotated[
         metavar="NAME",
         help="Equations of motion: linear (slender blocks, in closed form) or nonlinear (the full "
         "equations, which need a block).",
+        rich_help_panel=BLOCK,
+    ),
+]
+Tolerance = Annotated[
+    float | None,
+    typer.Option(
+        "--tolerance",
+        metavar="X",
+        help="Error that the nonlinear motion may have, as a part of it; default 1e-10.",
         rich_help_panel=BLOCK,
     ),
 ]

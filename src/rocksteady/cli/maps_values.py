@@ -88,7 +88,7 @@ def slabs(found: "xarray.Dataset", *names: str) -> Iterator[tuple[Any, ...]]:
         yield tuple(part[name].values for name in names)
 
 
-def title_of(case: MapCase, cycles: int | None) -> str:
+def title_of(case: MapCase, cycles: int | None, model: str) -> str:
     """Return what is no axis in a few words; `cycles` are those after which a fate is seen."""
     values = case_values(case)
     parts = []
@@ -111,6 +111,8 @@ def title_of(case: MapCase, cycles: int | None) -> str:
         parts.append(f"from {values['start']}")
     if values["phase"]:
         parts.append(f"phase {values['phase']:.4g} rad")
+    if model == "nonlinear":
+        parts.append("nonlinear model")
     asked = "What the block settles to" if cycles is None else f"The block after {cycles} periods"
     return f"{asked}: " + ", ".join(parts)
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
 from rocksteady.cli import flags
 from rocksteady.cli.flags import FLAG_OF_ARGUMENT
@@ -15,6 +15,9 @@ from rocksteady.model.examples import example_block
 from rocksteady.model.motions import Harmonic
 from rocksteady.model.pulses import Pulse
 from rocksteady.model.validation import LARGEST, in_range, non_negative
+
+if TYPE_CHECKING:
+    from rocksteady.dynamics.nonlinear import ModelName
 
 FIELDS = {name: FLAG_OF_ARGUMENT[name].removeprefix("--").replace("-", "_") for name in SIZES}
 """Fields of the flags of a block, by the measures that they are."""
@@ -183,6 +186,11 @@ class BlockFlags:
     p_rad_s: flags.PRadS = None
     gravity_m_s2: flags.GravityMS2 = None
 
+    @property
+    def given(self) -> bool:
+        """Whether there is any of them."""
+        return any(getattr(self, field.name) is not None for field in fields(self))
+
     def described(self) -> Block | DimensionlessBlock:
         """Return the block that the flags describe; a dimensionless one where none does.
 
@@ -284,3 +292,38 @@ class BlockFlags:
         if self.restitutions:
             first["restitution"] = repr(self.restitutions[0])
         return replace(self, **first)
+
+
+def equations_for(model: str, body: Block | DimensionlessBlock) -> "ModelName":
+    """Return the equations of motion that --model names, for a block; other names pass.
+
+    Raises
+    ------
+    ModelError
+        If the nonlinear model meets a block of which only the restitution is known.
+    """
+    if model == "nonlinear" and not isinstance(body, Block):
+        raise ModelError(
+            name="--model",
+            value=model,
+            valid="the full equations need the block's slenderness",
+            hint="give the block, as --alpha-rad 0.3 --radius-m 1 or --width-m 0.4 --height-m 1.2",
+        )
+    return cast("ModelName", model)
+
+
+def refuse_of_linear(model: str, name: str, value: object) -> None:
+    """Refuse what only the nonlinear model has.
+
+    Raises
+    ------
+    ModelError
+        If it is given with the linear model.
+    """
+    if model == "linear" and value is not None:
+        raise ModelError(
+            name=name,
+            value=value,
+            valid="only the nonlinear model has it",
+            hint="leave it out, or take --model nonlinear",
+        )

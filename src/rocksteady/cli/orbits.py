@@ -5,8 +5,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from rocksteady.cli import flags
 from rocksteady.cli.groups import OutputFlags, grouped
-from rocksteady.cli.nouns import BlockFlags, ShakingFlags
+from rocksteady.cli.nouns import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.outputs import announce_compilation, print_json, write_csv, write_figure
 from rocksteady.cli.values import (
     case_text,
@@ -26,14 +27,16 @@ SEARCH = "Search"
 HELP = (
     "The periodic motions under harmonic shaking, stable and unstable, with their multipliers.\n\n"
     "Symmetric ones with two impacts come in closed form, those that pass through the floor "
-    "included; the others are found by Newton's method from a grid of states, which is no proof "
-    "that there are no more. Of two mirror images one is listed."
+    "included, or with --model nonlinear as the motions to which the closed forms lead; the others "
+    "are found by Newton's method from a grid of states, which is no proof that there are no more. "
+    "Of two mirror images one is listed."
 )
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady orbits -A 2 -W 1.9 -r 0.8 --plot orbits.png\n\n"
     "rocksteady orbits --block tso-wong-1989 -A 2 -W 4 --max-period 5 --csv orbits.csv\n\n"
-    "rocksteady orbits -A 2 -W 1.78 -r 0.8 --max-period 2 --json"
+    "rocksteady orbits -A 2 -W 1.78 -r 0.8 --max-period 2 --json\n\n"
+    "rocksteady orbits --alpha-rad 0.3 --radius-m 1 -A 2 -W 4 --model nonlinear --seeds 48"
 )
 
 CSV_HEADER = (
@@ -95,21 +98,31 @@ def orbits(
     max_period: MaxPeriodFlag = 3,
     max_impacts: MaxImpactsFlag = 6,
     seeds: SeedsFlag = 96,
+    model: flags.Model = "linear",
 ) -> None:
     """Run `rocksteady orbits`; `HELP` is what its users read."""
     output.check()
     body = block.described()
+    equations = equations_for(model, body)
     motion = shaking.at(body)
 
-    announce_compilation()
+    announce_compilation("periodic.search")
     from rocksteady.dynamics.orbits import orbits as search
 
-    found = search(body, motion, max_period=max_period, max_impacts=max_impacts, seeds=seeds)
+    found = search(
+        body,
+        motion,
+        max_period=max_period,
+        max_impacts=max_impacts,
+        seeds=seeds,
+        model=equations,
+    )
     values = {
         "orbits": [listed_values(orbit, body) for orbit in found],
         "max_period": max_period,
         "max_impacts": max_impacts,
         "seeds": seeds,
+        "model": model,
         **shaking_values(body, motion),
     }
     if output.csv is not None:

@@ -45,23 +45,18 @@ def check_writable(flag: str, file: Path, *, force: bool) -> None:
     raise OutputError(name=flag, value=file, valid=valid, hint=hint)
 
 
-def announce_compilation() -> None:
-    """Say on standard error that a first run takes longer, where this is one."""
+def announce_compilation(kernel: str) -> None:
+    """Say on standard error that a first run takes longer, where this is one.
+
+    Parameters
+    ----------
+    kernel
+        What the command calls for its work, as "march.march": module and function.
+    """
     from rocksteady.kernels.compilation import must_compile
 
-    if must_compile():
-        print("compiling the kernels, once for each version: up to half a minute", file=sys.stderr)
-
-
-def ready_kernels() -> None:
-    """Compile the kernels where this is a first run, so that what is timed is computation."""
-    from rocksteady.kernels.compilation import must_compile
-
-    if must_compile():
-        announce_compilation()
-        from rocksteady.kernels.warm import warm
-
-        warm()
+    if must_compile(kernel):
+        print("compiling what this needs, once for each version: up to a minute", file=sys.stderr)
 
 
 def write_figure(file: Path, figure: "Figure") -> None:

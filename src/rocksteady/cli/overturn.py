@@ -7,11 +7,11 @@ import typer
 from rocksteady.cli import flags
 from rocksteady.cli.groups import OutputFlags, grouped
 from rocksteady.cli.inputs import number
-from rocksteady.cli.nouns import BlockFlags, PulseFlags, ShakingFlags
+from rocksteady.cli.nouns import BlockFlags, PulseFlags, ShakingFlags, equations_for
 from rocksteady.cli.outputs import (
     INCOMPLETE,
+    announce_compilation,
     print_json,
-    ready_kernels,
     write_csv,
     write_figure,
     write_netcdf,
@@ -29,7 +29,8 @@ HELP = (
     "The amplitudes at which a pulse overturns a block at rest, over the pulse's frequency.\n\n"
     "What overturns a block is no interval: it may fall after an impact, stand under a stronger "
     "pulse and fall without an impact under a still stronger one. Each window has its number of "
-    "impacts; its ends are found to rounding. Exit code 3 where an amplitude is undecided."
+    "impacts; its ends are found to rounding, in the linear model or (--model nonlinear) with the "
+    "full equations. Exit code 3 where an amplitude is undecided."
 )
 EXAMPLES = (
     "Examples:\n\n"
@@ -37,6 +38,7 @@ EXAMPLES = (
     "rocksteady overturn --pulse one-cosine -W log:0.3:8:200 -r 0.9 --csv windows.csv\n\n"
     "rocksteady overturn --pulse one-sine --width-m 0.5 --height-m 2 --accel-g 2 "
     "--freq-hz 1:4:13\n\n"
+    "rocksteady overturn --block zhang-makris-2001 --pulse one-sine -W 2:8:25 --model nonlinear\n\n"
     "rocksteady overturn --pulse ricker -W 3 -r 0.9 --json"
 )
 
@@ -114,23 +116,18 @@ def overturn(
     freq_hz: HertzAxis = None,
     phase: PhaseFlag = None,
     resolution: Resolution = None,
+    model: flags.Model = "linear",
 ) -> None:
     """Run `rocksteady overturn`; `HELP` is what its users read."""
     sweep.check(output)
     body = block.described()
+    equations = equations_for(model, body)
     if not pulse.given:
         raise InputError(
             name="--pulse",
             value="not given",
             valid="a spectrum needs a pulse",
             hint="add --pulse one-sine; rocksteady overturn --help names them",
-        )
-    if sweep.refine is not None:
-        raise ModelError(
-            name="--refine",
-            value=sweep.refine,
-            valid="every frequency is computed here",
-            hint="leave it out",
         )
     # The flags of the frequency are those of every shaking; its size is a range here.
     size = ShakingFlags(amplitude="1", frequency_ratio=frequency_ratio, freq_hz=freq_hz)
@@ -146,7 +143,7 @@ def overturn(
         )
     store = sweep.store(force=output.force)
 
-    ready_kernels()
+    announce_compilation("pulsed.pulse_fates")
     from rocksteady.dynamics.overturning.windows import RESOLUTION, overturning_windows
 
     with (
@@ -163,6 +160,7 @@ def overturn(
                 phase=shape.phase,
             ),
             ratios,
+            model=equations,
             **({} if within is None else {"amplitudes": within}),
             resolution=RESOLUTION if resolution is None else resolution,
             executor=sweep.executor,
@@ -210,8 +208,10 @@ def _range(
             valid="at most one of the two says the range",
             hint="leave one out",
         )
+    # Of an asymmetric block the other side may lift sooner.
+    lowest = min(ratio for _, ratio, _ in body.dimensionless().sides)
     if accel_g is None:
-        return None if amplitude is None else _ends("--amplitude/-A", amplitude, 1.0)
+        return None if amplitude is None else _ends("--amplitude/-A", amplitude, lowest)
     if isinstance(body, DimensionlessBlock):
         raise ModelError(
             name="--accel-g",
@@ -220,7 +220,7 @@ def _range(
             hint="describe a block, or give -A",
         )
     unit = body.uplift_acceleration / body.gravity
-    low, high = _ends("--accel-g", accel_g, unit)
+    low, high = _ends("--accel-g", accel_g, lowest * unit)
     return low / unit, min(high / unit, LARGEST)
 
 

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING, Any
 
-from rocksteady.cli.values import block_values
+from rocksteady.cli.values import block_values, restitution_values
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 
@@ -18,13 +18,14 @@ def overturn_values(
 
     shape = found.pulse.shape
     closed = None
-    if shape in THRESHOLDS:
+    if shape in THRESHOLDS and found.model == "linear":
         closed = overturning_threshold(shape, found.frequency_ratio).tolist()
     values: dict[str, Any] = {
+        "model": found.model,
         "pulse": shape,
         "oscillations": found.pulse.oscillations,
         "phase": found.pulse.phase,
-        "restitution": body.restitution,
+        **restitution_values(body),
         "amplitudes": list(found.amplitudes),
         "resolution": found.resolution,
     }
@@ -55,6 +56,7 @@ def overturn_values(
         row["left_out"] = int(found.left_out[index])
         row["left_out_width"] = float(found.left_out_width[index])
         row["undecided"] = int(found.undecided[index])
+        row["unsettled"] = int(found.unsettled[index])
         windows.append(row)
     return values | {"windows": windows}
 
@@ -72,11 +74,15 @@ def window_rows(values: dict[str, Any]) -> list[dict[str, object]]:
 
 
 def title_of(values: dict[str, Any]) -> str:
-    """Return pulse and block in a few words."""
-    parts = [f"{values['pulse']} pulse", f"restitution {values['restitution']:.4g}"]
+    """Return pulse, block and model in a few words."""
+    ratios = (values.get(name) for name in ("restitution", "negative_restitution"))
+    delta = " and ".join(f"{ratio:.4g}" for ratio in ratios if ratio is not None)
+    parts = [f"{values['pulse']} pulse", f"restitution {delta}"]
     if "block" in values:
         block = values["block"]
         parts.append(f"α = {block['alpha_rad']:.4g} rad, p = {block['p_rad_s']:.4g} rad/s")
+    if values["model"] == "nonlinear":
+        parts.append("nonlinear")
     return "Overturning: " + ", ".join(parts)
 
 
@@ -114,5 +120,12 @@ def print_windows(values: dict[str, Any]) -> None:
         console.print(
             f"{left_out} narrower windows are left out, at no frequency more than {width:.2g} wide "
             "together.",
+            style="dim",
+        )
+    unsettled = sum(row["unsettled"] > 0 for row in values["windows"])
+    if unsettled:
+        console.print(
+            f"At {unsettled} of the frequencies there are so many windows that the search was "
+            "ended before all of them.",
             style="dim",
         )

@@ -45,7 +45,7 @@ def paper(
 
     figures = only or []
     check_folder(out, figures, force=force)
-    announce_compilation()
+    announce_compilation("settling.settle_cells")
     with progress("computing", steps(figures)) as done:
         study = reproduce(only=figures, done=done)
     with progress("drawing", study.steps) as done:

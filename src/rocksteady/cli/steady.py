@@ -69,7 +69,7 @@ def steady(
             valid="response curves are drawn over frequency ratios, and there is one",
             hint="give -W as an axis start:stop:count, or take --csv",
         )
-    announce_compilation()
+    announce_compilation("symmetric.fill_steady")
     import numpy as np
 
     from rocksteady.dynamics.steady import steady_states

@@ -99,7 +99,7 @@ def atlas(
         arguments["orders"] = tuple(order)
     plane = module.plane_of(**arguments)
     check_folder(out, module.OURS, force=force)
-    announce_compilation()
+    announce_compilation("settling.settle_cells")
     with progress("computing", module.steps(plane)) as done:
         found = module.atlas(**arguments, done=done)
     with progress("drawing", found.steps) as done:

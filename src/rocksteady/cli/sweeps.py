@@ -67,17 +67,6 @@ Chunk = Annotated[
         rich_help_panel=SWEEP,
     ),
 ]
-Refine = Annotated[
-    int | None,
-    typer.Option(
-        "--refine",
-        metavar="N",
-        help="Compute every Nth cell along each axis (8 is usual), and of the others only those "
-        "near a border of kinds: three to five times as fast, and 1 or 2 cells in 1000 differ. Not "
-        "with --out.",
-        rich_help_panel=SWEEP,
-    ),
-]
 NetCdf = Annotated[
     Path | None,
     typer.Option(
@@ -98,7 +87,6 @@ class SweepFlags:
     executor: Executor = "threads"
     workers: Workers = None
     chunk: Chunk = None
-    refine: Refine = None
     netcdf: NetCdf = None
 
     def check(self, output: OutputFlags) -> None:
@@ -154,13 +142,6 @@ class SweepFlags:
                         hint="add --out map.zarr, or leave it out",
                     )
             return None
-        if self.refine is not None:
-            raise ModelError(
-                name="--refine",
-                value=self.refine,
-                valid="a store holds every cell of its grid",
-                hint="leave --out or --refine out",
-            )
         if self.resume and force:
             raise ModelError(
                 name="--resume and --force",

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 from rocksteady.model.pulses import Pulse
+from rocksteady.show.palette import shortened
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.orbit import Orbit
@@ -91,7 +92,10 @@ def multipliers_text(multipliers: list[complex], digits: int = 6) -> str:
 def case_text(values: dict[str, Any]) -> str:
     """Return block and shaking in a few words, for a title."""
     parts = [restitution_text(values)]
-    if "amplitude" in values:
+    if "record" in values:
+        up = " and vertical" if "vertical" in values else ""
+        parts.insert(0, f"{shortened(values['record'])}{up}, PGA {values['pga_g']:.3g} g")
+    elif "amplitude" in values:
         parts.insert(0, f"A = {values['amplitude']:g}, Ω = {values['frequency_ratio']:g}")
     else:
         parts.insert(0, "free rocking")
@@ -99,6 +103,8 @@ def case_text(values: dict[str, Any]) -> str:
         parts.insert(0, f"{values['pulse']} pulse")
     if "block" in values:
         parts.append(block_text(values["block"]))
+    if values.get("model") == "nonlinear":
+        parts.append("nonlinear model")
     return ", ".join(parts)
 
 

@@ -9,6 +9,7 @@ from rocksteady.model.motions import Harmonic, Still
 from rocksteady.model.pulses import Pulse
 from rocksteady.model.record import Record
 from rocksteady.show import palette
+from rocksteady.show.palette import shortened
 from rocksteady.show.playback import FRAMES_PER_SECOND, Reel, reel_of, speed_text, speed_unit
 from rocksteady.show.plots.motion import plot_trajectory, time_axis
 from rocksteady.show.scene import BlockScene
@@ -148,12 +149,14 @@ def title(scene: BlockScene) -> str:
     motion = scene.trajectory.motion
     if isinstance(motion, Pulse):  # its name leaves no room for the block
         return f"Pulse {motion.shape}, A = {motion.amplitude:.4g}, Ω = {motion.frequency_ratio:.4g}"
+    if isinstance(motion, Record):  # nor do many of theirs
+        name = shortened(motion.name or f"Record of {motion.duration_s:.4g} s")
+        upwards = scene.trajectory.vertical is not None
+        return f"{name}, with vertical motion, not drawn" if upwards else name
     if isinstance(motion, Harmonic):
         parts = [f"A = {motion.amplitude:.4g}, Ω = {motion.frequency_ratio:.4g}"]
     elif isinstance(motion, Still):
         parts = ["Free rocking"]
-    elif isinstance(motion, Record):
-        parts = [motion.name or f"Record of {motion.duration_s:.4g} s"]
     else:
         pieces = len(motion.segments())
         parts = [f"Base motion of {pieces} segment{'' if pieces == 1 else 's'}"]
@@ -185,7 +188,7 @@ def block_words(scene: BlockScene) -> list[str]:
 def caption(scene: BlockScene, reel: Reel) -> str:
     """Return how it is shown, in one line: every length is true, and the speed is named."""
     trajectory = scene.trajectory
-    parts = block_words(scene) if isinstance(trajectory.motion, Pulse) else []
+    parts = block_words(scene) if isinstance(trajectory.motion, Pulse | Record) else []
     parts += ["true scale", speed_text(trajectory, reel.speed)]
     if scene.camera != "fixed":
         unit = "m" if trajectory.block is not None else "R"

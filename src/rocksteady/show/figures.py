@@ -16,12 +16,20 @@ from rocksteady.dynamics.response import ResponseCurve
 from rocksteady.dynamics.steady import SteadyOrbit
 from rocksteady.dynamics.trail import AttractorTrail
 from rocksteady.dynamics.trajectory import Trajectory
+from rocksteady.seismic.ground_course import GroundCourse
+from rocksteady.seismic.response_spectrum import ResponseSpectrum
 from rocksteady.show import palette
 from rocksteady.show.plots.basins import plot_basins, plot_erosion, plot_safe_basin
 from rocksteady.show.plots.bifurcations import plot_bifurcations
 from rocksteady.show.plots.motion import plot_base, plot_phase_portrait, plot_trajectory
 from rocksteady.show.plots.orbits import plot_multipliers, plot_section
 from rocksteady.show.plots.overturning import plot_overturning
+from rocksteady.show.plots.records import (
+    Quantity,
+    plot_ground_course,
+    plot_husid,
+    plot_response_spectra,
+)
 from rocksteady.show.plots.steady import (
     LOGARITHMIC_SPAN,
     plot_orbit,
@@ -226,13 +234,14 @@ def basins_figure(basins: Basins, title: str = "") -> "Figure":
 def erosion_figure(erosion: Erosion, drops: Sequence[Drop] = (), title: str = "") -> "Figure":
     """Return a figure of the measures of integrity, and of up to three safe basins below them.
 
-    These are the last before the heteroclinic tangency, the first after the first drop, and the
-    last of all; one where two of them are the same.
+    These are the last before the heteroclinic tangency (of the nonlinear model the first of all),
+    the first after the first drop, and the last of all; one where two of them are the same.
     """
     from matplotlib.figure import Figure
 
     last = len(erosion.amplitude) - 1
-    before = int((erosion.amplitude <= erosion.heteroclinic).sum()) - 1
+    tangency = erosion.heteroclinic
+    before = 0 if tangency is None else int((erosion.amplitude <= tangency).sum()) - 1
     fallen = [int((erosion.amplitude < drop.high).sum()) for drop in drops]
     shown = sorted({max(before, 0), min([*fallen, last]), last})
     with palette.style():
@@ -281,6 +290,43 @@ def bifurcation_figure(
         else:
             axes.set(xlabel=palette.LABELS[parameter], ylabel=palette.LABELS["flight_peak"])
             axes.text(0.5, 0.5, "no periodic motion found", transform=axes.transAxes, ha="center")
+        if title:
+            figure.suptitle(title, x=0.01, ha="left", fontsize=10)
+    return figure
+
+
+def record_figure(
+    courses: Sequence[GroundCourse], spectra: Sequence[ResponseSpectrum], title: str = ""
+) -> "Figure":
+    """Return a figure of a record: its course, Husid's curve and spectrum; of several, spectra.
+
+    Parameters
+    ----------
+    courses, spectra
+        One of each a record.
+    title
+        Above the panels.
+    """
+    from matplotlib.figure import Figure
+
+    with palette.style():
+        if len(courses) > 1:
+            figure = Figure(figsize=(7.2, 4.8))
+            plot_response_spectra(spectra, figure.add_subplot())
+        else:
+            figure = Figure(figsize=(10.4, 5.6))
+            outer = figure.add_gridspec(1, 2, width_ratios=(1.7, 1.0))
+            left, right = outer[0].subgridspec(3, 1), outer[1].subgridspec(2, 1)
+            quantities: tuple[Quantity, ...] = ("acceleration", "velocity", "displacement")
+            rows = [figure.add_subplot(left[k]) for k in range(3)]
+            for axes, quantity in zip(rows, quantities, strict=True):
+                plot_ground_course(courses[0], axes, quantity=quantity)
+            for axes in rows[:2]:
+                axes.set_xlabel("")
+                axes.tick_params(labelbottom=False)
+            figure.align_ylabels(rows)
+            plot_husid(courses[0], figure.add_subplot(right[0]))
+            plot_response_spectra(spectra, figure.add_subplot(right[1]))
         if title:
             figure.suptitle(title, x=0.01, ha="left", fontsize=10)
     return figure

@@ -168,6 +168,17 @@ def spaced_by_ratio(values: ArrayLike) -> bool:
     return low > 0.0 and float(np.median(array)) < low + 0.25 * (high - low)
 
 
+def plain_ticks(axes: "Axes") -> None:
+    """Write the ticks of logarithmic axes as numbers."""
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+    for axis, scale in ((axes.xaxis, axes.get_xscale()), (axes.yaxis, axes.get_yscale())):
+        if scale == "log":
+            axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+            axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+            axis.set_minor_formatter(NullFormatter())
+
+
 def region_centres(
     curves: RegionMap,
     ceiling: float,

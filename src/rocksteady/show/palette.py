@@ -71,8 +71,17 @@ LABELS = {
     "impacts": "number of impacts",
     "periods_short": "time [periods]",
     "half_cycle": r"time since impact  $\omega t/2\pi$ [excitation periods]",
+    "rocking_period": r"size of the block  $2\pi/p$ [s]",
+    "peak_velocity": r"peak  $|\dot\theta|_{\max}/(\alpha p)$",
+    "overturned_share": "share of records that overturn [%]",
     "pivot_time": "pivot time  $pt$",
     "seconds": "time [s]",
+    "ground_acceleration": "acceleration [g]",
+    "ground_velocity": "velocity [m/s]",
+    "ground_displacement": "displacement [m]",
+    "husid": "part of Arias intensity",
+    "period": "period  $T$ [s]",
+    "pseudo_acceleration": "pseudo-acceleration [g]",
     "base": r"base  $a/(\alpha g)$",
     "position_m": "position [m]",
     "ground_m": "position on the ground [m]",
@@ -140,6 +149,20 @@ def axis_value(name: str, value: float) -> str:
     """
     words, _, unit = axis_label(name).partition(" [")
     return f"{words.partition('  ')[0]} = {value:.4g} {unit.rstrip(']')}".rstrip()
+
+
+def shortened(name: str, longest: int = 32) -> str:
+    """Return a name that leaves room for others in a title; of a longer one the middle is left out.
+
+    Examples
+    --------
+    >>> shortened("RSN77"), shortened("a-file-with-a-very-long-name", 15)
+    ('RSN77', 'a-file-…ng-name')
+    """
+    if len(name) <= longest:
+        return name
+    half = (longest - 1) // 2
+    return f"{name[:half]}…{name[-half:]}"
 
 
 def tinted(colour: str, part: float) -> str:

@@ -86,6 +86,19 @@ def picked(edges: Floats, most: int) -> tuple[Integers, Floats]:
     return (borders[1:] + borders[:-1]) // 2, edges[borders]
 
 
+def runs(chosen: NDArray[np.bool_], spacing: Spacing) -> list[tuple[float, float]]:
+    """Return begin and width of each run of cells.
+
+    Examples
+    --------
+    >>> runs(np.array([True, True, False, True]), spacing_of([1.0, 2.0, 3.0, 4.0]))
+    [(0.5, 2.0), (3.5, 1.0)]
+    """
+    change = np.flatnonzero(np.diff(np.concatenate([[False], chosen, [False]]).astype(np.int8)))
+    ends = spacing.edges[change].reshape(-1, 2)
+    return [(first, last - first) for first, last in ends.tolist()]
+
+
 def prepare_axis(axes: "Axes", which: str, name: str, values: Floats, spacing: Spacing) -> None:
     """Give an axis its scale, its limits, its label and its ticks."""
     from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter

@@ -118,7 +118,8 @@ def plot_erosion(
 ) -> "Axes":
     """Draw both measures of integrity against the amplitude, and the heteroclinic threshold.
 
-    The amplitude axis is logarithmic where the amplitudes are spaced by ratio.
+    The nonlinear model has no closed form of the threshold, so that its picture has none.  The
+    amplitude axis is logarithmic where the amplitudes are spaced by ratio.
 
     Parameters
     ----------
@@ -160,14 +161,15 @@ def plot_erosion(
             label=label,
         )
     where = erosion.heteroclinic
-    seen = where <= a[-1]
-    axes.axvline(
-        where,
-        color=palette.INK,
-        lw=1.0,
-        ls=palette.DASHES[4],
-        label=f"heteroclinic tangency, A = {where:.4g}" + ("" if seen else " (beyond)"),
-    )
+    if where is not None:
+        seen = where <= a[-1]
+        axes.axvline(
+            where,
+            color=palette.INK,
+            lw=1.0,
+            ls=palette.DASHES[4],
+            label=f"heteroclinic tangency, A = {where:.4g}" + ("" if seen else " (beyond)"),
+        )
     for drop in drops:
         # The value at the middle of the bracket lies somewhere between the two at its ends.
         axes.plot(

@@ -17,7 +17,7 @@ from rocksteady.show.classes import (
     validated_map,
 )
 from rocksteady.show.layout import axes_or_new
-from rocksteady.show.spacing import Spacing, picked, prepare_axis, spacing_of
+from rocksteady.show.spacing import picked, prepare_axis, runs, spacing_of
 
 if TYPE_CHECKING:
     import xarray
@@ -224,7 +224,7 @@ def draw_diagram(axes: "Axes", cells: MapCells, found: "xarray.Dataset") -> None
             style: dict[str, Any] = {"color": LOOKS[one].dot, "ms": size, "mew": 0.0, "ls": "none"}
             axes.plot(x, y, "o", rasterized=len(values) > MOST_DRAWN, **style)
         axes.broken_barh(
-            _runs(chosen, spacing),
+            runs(chosen, spacing),
             (1.0 - STRIP, STRIP),
             transform=axes.get_xaxis_transform(),
             fc=LOOKS[one].fill,
@@ -278,10 +278,3 @@ def _draw_pattern(
     drawn = axes.contourf(*corners, field, levels=[0.5, 1.5], colors="none", hatches=[look.hatch])
     drawn.set_edgecolor(look.ink)
     drawn.set_linewidth(0.5 if look.outlined else 0.0)
-
-
-def _runs(chosen: NDArray[np.bool_], spacing: Spacing) -> list[tuple[float, float]]:
-    """Return begin and width of each run of cells."""
-    change = np.flatnonzero(np.diff(np.concatenate([[False], chosen, [False]]).astype(np.int8)))
-    ends = spacing.edges[change].reshape(-1, 2)
-    return [(first, last - first) for first, last in ends.tolist()]

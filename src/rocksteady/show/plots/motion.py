@@ -188,7 +188,11 @@ def plot_base(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
     axes = axes_or_new(ax)
     scale, label = time_axis(trajectory)
     times, acceleration = ground.base_course(trajectory.segments, trajectory.times())
-    axes.plot(times * scale, acceleration, color=palette.BASE, lw=1.0)
+    axes.plot(times * scale, acceleration, color=palette.BASE, lw=1.0, label="horizontal")
+    if trajectory.vertical is not None and trajectory.block is not None:
+        upwards = ground.lift(trajectory.segments, times) / trajectory.block.alpha
+        axes.plot(times * scale, upwards, color=palette.FAINT, lw=0.7, label="vertical", zorder=1.5)
+        legend_inside(axes, "upper right", columns=2)
     struck, velocities = ground.impulses(trajectory.segments)
     height = 1.5 * max(1.0, float(np.abs(acceleration).max()))
     for sign, marker in ((1.0, "^"), (-1.0, "v")):

@@ -1,0 +1,347 @@
+"""Recorded ground motions as flags: which files, how they are read, and how they shake a block."""
+
+import re
+import sys
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rocksteady.cli.flags import FLAG_OF_ARGUMENT, MOTION
+from rocksteady.cli.nouns import BlockFlags, refuse_of_linear
+from rocksteady.errors import InputError, ModelError, RecordFileError
+from rocksteady.model.block import Block
+
+if TYPE_CHECKING:
+    from rocksteady.model.record import Record
+    from rocksteady.records.recording import Recording
+
+READING = "Reading files"
+
+RecordFile = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--record",
+        metavar="FILE",
+        help="Ground-motion file whose acceleration shakes a block of known size; the base stands "
+        "still after its end.",
+        rich_help_panel=MOTION,
+    ),
+]
+Scale = Annotated[
+    float | None,
+    typer.Option(
+        "--scale",
+        metavar="S",
+        help="What accelerations of --record, and of --vertical, are multiplied by; default 1.",
+        rich_help_panel=MOTION,
+    ),
+]
+VerticalFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--vertical",
+        metavar="FILE",
+        help="Vertical acceleration beside --record, upwards positive, the vertical channel of a "
+        "file with several; needs --model nonlinear.",
+        rich_help_panel=MOTION,
+    ),
+]
+Reverse = Annotated[
+    bool,
+    typer.Option(
+        "--reverse",
+        help="Change the sign of --record: its positive values drive negative rotation.",
+        rich_help_panel=MOTION,
+    ),
+]
+Channel = Annotated[
+    str | None,
+    typer.Option(
+        "--channel",
+        metavar="NAME",
+        help="Which channel of a file that has several: its component, or its number from 1.",
+        rich_help_panel=READING,
+    ),
+]
+FormatName = Annotated[
+    str | None,
+    typer.Option(
+        "--format",
+        metavar="NAME",
+        help="Format of the files; by default told from what they hold.",
+        rich_help_panel=READING,
+    ),
+]
+Units = Annotated[
+    str | None,
+    typer.Option(
+        "--units",
+        metavar="UNIT",
+        help="Unit of the numbers in files that do not state it: g, m/s^2, cm/s^2, gal, ...",
+        rich_help_panel=READING,
+    ),
+]
+DtS = Annotated[
+    float | None,
+    typer.Option(
+        "--dt-s",
+        metavar="DT",
+        help="Interval between samples \\[s] in files that do not state it.",
+        rich_help_panel=READING,
+    ),
+]
+Column = Annotated[
+    str | None,
+    typer.Option(
+        "--column",
+        metavar="NAME",
+        help="Of a table: the column with the acceleration, by its number from 1 or its name.",
+        rich_help_panel=READING,
+    ),
+]
+Resample = Annotated[
+    bool,
+    typer.Option(
+        "--resample",
+        help="Interpolate a table whose times are unevenly spaced to even ones.",
+        rich_help_panel=READING,
+    ),
+]
+Baseline = Annotated[
+    str,
+    typer.Option(
+        "--baseline",
+        metavar="NAME",
+        help="What is taken off the accelerations: none, mean, linear or polynomial:N.",
+        rich_help_panel=READING,
+    ),
+]
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReadingFlags:
+    """How ground-motion files are read."""
+
+    channel: Channel = None
+    format: FormatName = None
+    units: Units = None
+    dt_s: DtS = None
+    column: Column = None
+    resample: Resample = False
+    baseline: Baseline = "none"
+
+    @property
+    def given(self) -> list[str]:
+        """The flags that were given."""
+        return [
+            "--" + field.name.replace("_", "-")
+            for field in fields(self)
+            if getattr(self, field.name) != field.default
+        ]
+
+    def recordings(self, file: Path) -> "list[Recording]":
+        """Return the channels of a file, or the one that is chosen; their warnings are printed.
+
+        Raises
+        ------
+        InputError
+            If it cannot be read, or has no such channel.
+        """
+        from rocksteady.records.read import chosen
+
+        found = self._channels(file)
+        return self._ready(file, found if self.channel is None else (chosen(found, self.channel),))
+
+    def read(self, file: Path) -> "Record":
+        """Return the one record of a file; what is odd about it is printed.
+
+        Raises
+        ------
+        InputError
+            If it cannot be read, or it is not clear which channel is meant.
+        """
+        from rocksteady.records.read import chosen
+
+        (one,) = self._ready(file, (chosen(self._channels(file), self.channel),))
+        return one.record
+
+    def read_vertical(self, file: Path) -> "Record":
+        """Return the vertical record of a file: its one channel, or the vertical one of several.
+
+        Raises
+        ------
+        InputError
+            If it cannot be read, or its channels do not say which one is vertical.
+        """
+        found = self._channels(file)
+        upright = tuple(one for one in found if one.orientation == "vertical")
+        if len(found) > 1 and len(upright) != 1:
+            raise InputError(
+                name="--vertical",
+                value=file,
+                valid=f"of its {len(found)} channels {len(upright)} are vertical",
+                hint="give a file with one channel",
+            )
+        (one,) = self._ready(file, upright if len(found) > 1 else found)
+        return one.record
+
+    def _channels(self, file: Path) -> "tuple[Recording, ...]":
+        """Return all channels of a file."""
+        from rocksteady.records.read import read_recordings
+
+        try:
+            return read_recordings(
+                file,
+                format=self.format,
+                units=self.units,
+                dt_s=self.dt_s,
+                column=self.column,
+                resample=self.resample,
+            )
+        except RecordFileError as error:
+            hint = _in_flags(error.hint)
+            raise RecordFileError(path=error.path, valid=error.valid, hint=hint) from error
+
+    def _ready(self, file: Path, found: "tuple[Recording, ...]") -> "list[Recording]":
+        """Return channels without their baseline, and print what is odd about them."""
+        from rocksteady.records.processing import baseline_corrected
+
+        for words in dict.fromkeys(words for one in found for words in one.warnings):
+            warn(file, _in_flags(words))
+        return [baseline_corrected(one, self.baseline) for one in found]
+
+
+ASKED_FOR = re.compile(
+    r"(?<=\bgive )(units|dt_s|column)\b|(?<=\banother )dt_s\b|(?<=\()resample(?=\))"
+)
+"""Arguments of `rocksteady.read_recordings` in the hints and warnings of readers."""
+
+
+def _in_flags(words: str) -> str:
+    """Return a hint or a warning that asks for flags in place of arguments."""
+    return ASKED_FOR.sub(lambda found: FLAG_OF_ARGUMENT[found[0]], words)
+
+
+def warn(file: Path, words: str) -> None:
+    """Say on standard error what is odd about a file, beside which the result stands."""
+    print(f"rocksteady: {file}: {words}", file=sys.stderr)
+
+
+@dataclass(frozen=True, kw_only=True)
+class RecordFlags:
+    """Recorded motions in place of harmonic shaking; a command takes `ReadingFlags` beside them."""
+
+    record: RecordFile = None
+    scale: Scale = None
+    vertical: VerticalFile = None
+    reverse: Reverse = False
+
+    def given(self, reading: ReadingFlags) -> bool:
+        """Return whether there is a record.
+
+        Raises
+        ------
+        ModelError
+            If there is none, and something that only a record has.
+        """
+        if self.record:
+            return True
+        idle = [*reading.given, *(["--reverse"] if self.reverse else [])]
+        for flag, value in (("--scale", self.scale), ("--vertical", self.vertical)):
+            idle += [flag] if value is not None else []
+        if idle:
+            raise ModelError(
+                name=idle[0],
+                value="given",
+                valid="without --record it has no meaning",
+                hint="add --record FILE, or leave it out",
+            )
+        return False
+
+    def motions(self, reading: ReadingFlags) -> list["Record"]:
+        """Return the horizontal records, scaled and reversed.
+
+        Raises
+        ------
+        InputError
+            If a file cannot be read, or the scale is 0 or not finite.
+        """
+        return [self._turned(reading.read(file)) for file in self.record or []]
+
+    def block(self, described: BlockFlags) -> Block:
+        """Return the block that is shaken.
+
+        Raises
+        ------
+        InputError, ModelError
+            As for `BlockFlags.described`; and if it has no size.
+        """
+        body = described.described() if described.given else None
+        if isinstance(body, Block):
+            return body
+        raise ModelError(
+            name="--record",
+            value=(self.record or [])[0],
+            valid="m/s^2 and seconds need a block with a slenderness and a p",
+            hint="describe a block, as --width-m 0.4 --height-m 1.6",
+        )
+
+    def motion(self, reading: ReadingFlags) -> "Record":
+        """Return the one record that shakes a block.
+
+        Raises
+        ------
+        InputError
+            As for `motions`.
+        ModelError
+            If there are several records.
+        """
+        files = self.record or []
+        if len(files) != 1:
+            raise ModelError(
+                name="--record",
+                value=f"{len(files)} files",
+                valid="this command takes one",
+                hint="give one file",
+            )
+        (record,) = self.motions(reading)
+        return record
+
+    def vertical_motion(self, reading: ReadingFlags, model: str) -> "Record | None":
+        """Return the vertical record, scaled as the horizontal one; None where there is none.
+
+        Raises
+        ------
+        InputError
+            As for `motions`.
+        ModelError
+            If there is one and the model is the linear one.
+        """
+        if self.vertical is None:
+            return None
+        refuse_of_linear(model, "--vertical", self.vertical)
+        record = reading.read_vertical(self.vertical)
+        return record if self.scale is None else record.scaled(self._factor)
+
+    def _turned(self, record: "Record") -> "Record":
+        """Return a record scaled and reversed."""
+        if self.scale is not None:
+            record = record.scaled(self._factor)
+        return record.reversed() if self.reverse else record
+
+    @property
+    def _factor(self) -> float:
+        """The scale, above 0: what turns a record round is --reverse.
+
+        Raises
+        ------
+        InputError
+            If it is not.
+        """
+        from rocksteady.model.validation import LARGEST, in_range
+
+        assert self.scale is not None
+        hint = "give a factor, as 1.5; --reverse changes the sign"
+        return in_range("--scale", self.scale, 0.0, LARGEST, hint=hint)

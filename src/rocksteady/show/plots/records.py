@@ -1,0 +1,223 @@
+"""Plots of recorded ground motions: their course, Husid's curve and response spectra."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from rocksteady.errors import InputError
+from rocksteady.model.block import STANDARD_GRAVITY
+from rocksteady.seismic.ground_course import GroundCourse
+from rocksteady.seismic.response_spectrum import ResponseSpectrum
+from rocksteady.show import palette
+from rocksteady.show.layout import axes_or_new, legend_inside, plain_ticks, spaced_by_ratio
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Quantity = Literal["acceleration", "velocity", "displacement"]
+
+PEAKS = {"acceleration": "PGA", "velocity": "PGV", "displacement": "PGD"}
+"""What a quantity's largest value is called."""
+LEGEND_HOLDS = 6
+"""Spectra that have a legend entry each; more are drawn alike."""
+
+LEAST_SHOWN = 3.0e-4
+"""Smallest ordinate over the largest that an axis of powers shows."""
+
+
+def plot_ground_course(
+    course: GroundCourse, ax: "Axes | None" = None, *, quantity: Quantity = "acceleration"
+) -> "Axes":
+    """Draw acceleration, velocity or displacement of the ground, with its largest value marked.
+
+    Parameters
+    ----------
+    course
+        From `rocksteady.ground_course`.
+    ax
+        Axes to draw on; those of a new figure without.
+    quantity
+        "acceleration", "velocity" or "displacement".
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: seconds, and g, m/s or m.
+
+    Raises
+    ------
+    InputError
+        If the quantity is none of these.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import Record, ground_course
+    >>> course = ground_course(Record(acceleration_m_s2=[0.0, 3.0, -2.0, 0.0], dt_s=0.1))
+    >>> axes = plot_ground_course(course, Figure().add_subplot(), quantity="velocity")
+    >>> axes.get_ylabel(), axes.texts[0].get_text()
+    ('velocity [m/s]', 'PGV = 0.24 m/s')
+    """
+    if quantity not in PEAKS:
+        raise InputError(
+            name="quantity",
+            value=quantity,
+            valid="it must be one of " + ", ".join(PEAKS),
+            hint="leave it out for the acceleration",
+        )
+    axes = axes_or_new(ax)
+    values, peak, scale, unit = {
+        "acceleration": (course.acceleration_m_s2, course.peak_acceleration, STANDARD_GRAVITY, "g"),
+        "velocity": (course.velocity_m_s, course.peak_velocity, 1.0, "m/s"),
+        "displacement": (course.displacement_m, course.peak_displacement, 1.0, "m"),
+    }[quantity]
+    values, size = values / scale, peak.value / scale
+    axes.axhline(0.0, color=palette.FAINT, lw=0.6)
+    axes.plot(course.t_s, values, color=palette.BASE, lw=0.8)
+    axes.plot(peak.t_s, size, "o", ms=4.5, color=palette.IMPACT, mec="white", mew=0.6, zorder=3.0)
+    late = peak.t_s > 0.6 * float(course.t_s[-1])
+    axes.annotate(
+        f"{PEAKS[quantity]} = {abs(size):.3g} {unit}",
+        (peak.t_s, size),
+        (-6.0 if late else 6.0, 0.0),
+        textcoords="offset points",
+        ha="right" if late else "left",
+        va="center",
+        fontsize=8.0,
+        color=palette.IMPACT,
+    )
+    low, high = min(float(values.min()), size, 0.0), max(float(values.max()), size, 0.0)
+    room = 0.08 * (high - low)
+    axes.set(
+        xlabel=palette.LABELS["seconds"],
+        ylabel=palette.LABELS[f"ground_{quantity}"],
+        xlim=(0.0, float(course.t_s[-1])),
+        ylim=(low - room, high + room),
+    )
+    return axes
+
+
+def plot_husid(course: GroundCourse, ax: "Axes | None" = None) -> "Axes":
+    """Draw Husid's curve, the part of the Arias intensity reached, with 5 %, 75 % and 95 % of it.
+
+    Parameters
+    ----------
+    course
+        From `rocksteady.ground_course`.
+    ax
+        Axes to draw on; those of a new figure without.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: seconds, and parts from 0 to 1.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import Record, ground_course
+    >>> course = ground_course(Record(acceleration_m_s2=[0.0, 3.0, -2.0, 0.0], dt_s=0.1))
+    >>> axes = plot_husid(course, Figure().add_subplot())
+    >>> axes.get_ylabel()
+    'part of Arias intensity'
+    """
+    axes = axes_or_new(ax)
+    begin, most, end = (course.time_of_arias(part) for part in (0.05, 0.75, 0.95))
+    axes.axvspan(begin, end, color=palette.SYMMETRIC, alpha=0.18, lw=0)
+    axes.plot(course.t_s, course.husid, color=palette.BASE)
+    axes.plot(
+        [begin, most, end], [0.05, 0.75, 0.95], "o", ms=4.0, color=palette.IMPACT, mec="white"
+    )
+    words = (
+        f"Arias intensity {float(course.arias_m_s[-1]):.3g} m/s\n"
+        f"5 to 75 %: {most - begin:.3g} s\n5 to 95 %: {end - begin:.3g} s"
+    )
+    # The curve rises: below its end the paper is white.
+    axes.text(0.98, 0.06, words, transform=axes.transAxes, ha="right", va="bottom", fontsize=8.0)
+    axes.set(
+        xlabel=palette.LABELS["seconds"],
+        ylabel=palette.LABELS["husid"],
+        xlim=(0.0, float(course.t_s[-1])),
+        ylim=(0.0, 1.0),
+    )
+    return axes
+
+
+def plot_response_spectra(spectra: Sequence[ResponseSpectrum], ax: "Axes | None" = None) -> "Axes":
+    """Draw pseudo-acceleration against period; of several records their geometric mean too.
+
+    Parameters
+    ----------
+    spectra
+        From `rocksteady.response_spectrum`, at the same periods.
+    ax
+        Axes to draw on; those of a new figure without.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: seconds and g, logarithmic where the periods are spaced like that.
+
+    Raises
+    ------
+    InputError
+        If there are none, or they have different periods.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import Record, response_spectrum
+    >>> record = Record(acceleration_m_s2=[0.0, 3.0, -2.0, 0.0], dt_s=0.1, name="three")
+    >>> spectrum = response_spectrum(record, [0.1, 0.5, 1.0])
+    >>> axes = plot_response_spectra([spectrum], Figure().add_subplot())
+    >>> axes.get_xlabel()
+    'period  $T$ [s]'
+    """
+    if not spectra or any(
+        not np.array_equal(one.periods_s, spectra[0].periods_s) for one in spectra
+    ):
+        raise InputError(
+            name="spectra",
+            value=f"{len(spectra)} spectra",
+            valid="there must be one or more, all at the same periods",
+            hint="compute response_spectrum of each record at one array of periods",
+        )
+    axes = axes_or_new(ax)
+    periods = spectra[0].periods_s
+    values = np.array([one.pseudo_acceleration_m_s2 / STANDARD_GRAVITY for one in spectra])
+    few = len(spectra) <= LEGEND_HOLDS
+    for number, (one, row) in enumerate(zip(spectra, values, strict=True)):
+        axes.plot(
+            periods,
+            row,
+            color=palette.LINES[number] if few else palette.FAINT,
+            ls=palette.DASHES[number] if few else "-",
+            lw=1.2 if few else 0.6,
+            alpha=1.0 if few else 0.6,
+            label=(one.record.name or f"record {number + 1}") if few else None,
+        )
+    if len(spectra) > 1:
+        mean = np.exp(np.log(values).mean(axis=0))
+        axes.plot(periods, mean, color=palette.INK, lw=2.0, label="geometric mean", zorder=3.0)
+    if spaced_by_ratio(periods):
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        low, high = float(values.min()), float(values.max())
+        axes.set_ylim(0.8 * max(low, high * LEAST_SHOWN), 1.3 * high)
+        plain_ticks(axes)
+    else:
+        axes.set_ylim(0.0, 1.05 * float(values.max()))
+    axes.set(
+        xlabel=palette.LABELS["period"],
+        ylabel=palette.LABELS["pseudo_acceleration"],
+        xlim=(float(periods.min()), float(periods.max())) if len(periods) > 1 else None,
+    )
+    damping = f"{100.0 * spectra[0].damping:g} % damping"
+    if len(spectra) > 1:
+        legend = legend_inside(axes, "lower left")
+        legend.set_title(damping)
+        legend.get_title().set_fontsize(8.0)
+    else:
+        axes.text(0.98, 0.94, damping, transform=axes.transAxes, ha="right", va="top", fontsize=8.0)
+    return axes

@@ -1,0 +1,426 @@
+"""Plots of rocking spectra: of one record as curves or as a map, of a suite as bands."""
+
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.errors import InputError, Status
+from rocksteady.show import palette
+from rocksteady.show.layout import axes_or_new
+from rocksteady.show.spacing import Spacing, prepare_axis, runs, spacing_of
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
+Floats = NDArray[np.float64]
+Quantity = Literal["peak_angle", "peak_velocity"]
+
+LABELS = {"peak_angle": palette.LABELS["peak"], "peak_velocity": palette.LABELS["peak_velocity"]}
+MOST_CURVES = len(palette.LINES)
+"""Slendernesses that are told apart as curves; more are a map."""
+LANE = 0.028
+"""Height of a row of bars along the upper edge, in parts of the axes."""
+BAND = 0.22
+"""Opacity of the band between two quantiles."""
+
+
+def plot_rocking_spectrum(
+    found: "xarray.Dataset", ax: "Axes | None" = None, *, quantity: Quantity = "peak_angle"
+) -> "Axes":
+    """Draw the rocking spectrum of a record, a curve for each slenderness.
+
+    Where a block overturns its curve has a gap, and a bar along the upper edge, in a row of its own
+    with a mark in the colour of its curve.
+
+    Parameters
+    ----------
+    found
+        From `rocksteady.rocking_spectrum`, of one record and one scale, over two periods or more,
+        of at most six slendernesses.
+    ax
+        Axes to draw on; those of a new figure without.
+    quantity
+        "peak_angle" or "peak_velocity".
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: 2 pi/p in seconds, and the peak.
+
+    Raises
+    ------
+    InputError
+        If it is no such spectrum, or the quantity another one.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import Record, rocking_spectrum
+    >>> shock = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.2)
+    >>> found = rocking_spectrum(shock, alpha=[0.1, 0.2], periods_s=[2.0, 3.0, 5.0, 8.0])
+    >>> axes = plot_rocking_spectrum(found, Figure().add_subplot())
+    >>> for entry in axes.get_legend().get_texts():
+    ...     print(entry.get_text())
+    α = 0.1 rad = 5.73°
+    α = 0.2 rad = 11.5°
+    overturned
+    """
+    _check_quantity(quantity)
+    spectrum = drawable(found)
+    if "alpha" not in spectrum.dims:
+        spectrum = spectrum.expand_dims("alpha")
+    if spectrum.sizes["alpha"] > MOST_CURVES:
+        raise InputError(
+            name="found",
+            value=f"{spectrum.sizes['alpha']} slendernesses",
+            valid=f"up to {MOST_CURVES} are drawn as curves",
+            hint="draw a map of them with plot_spectrum_map, or select some with .sel",
+        )
+    axes = axes_or_new(ax)
+    spacing = _prepare(axes, spectrum)
+    fell = spectrum["status"].transpose("alpha", "period").values == Status.OVERTURNED
+    peaks = spectrum[quantity].transpose("alpha", "period").values
+    peaks = np.where(
+        _answered(spectrum["status"].transpose("alpha", "period").values), peaks, np.nan
+    )
+    handles: list[Artist] = []
+    periods = spectrum["period"].values
+    lanes = [row for row in range(len(peaks)) if fell[row].any()]
+    top = 1.0 - LANE * len(lanes)
+    for row, alpha in enumerate(spectrum["alpha"].values.tolist()):
+        style: dict[str, Any] = {"color": palette.LINES[row], "ls": palette.DASHES[row]}
+        # A peak between two falls has no line: its dot would be lost without a mark.
+        alone = _alone(peaks[row])
+        handles += axes.plot(periods, peaks[row], label=slenderness_text(alpha), **style)
+        axes.plot(periods[alone], peaks[row, alone], "o", ms=2.2, color=style["color"])
+        if fell[row].any():
+            lane = 1.0 - LANE * (lanes.index(row) + 1)
+            _bars(axes, fell[row], spacing, lane)
+            axes.plot(
+                1.012,
+                lane + 0.4 * LANE,
+                "o",
+                ms=3.6,
+                mew=0.0,
+                color=style["color"],
+                transform=axes.transAxes,
+                clip_on=False,
+            )
+    highest = float(np.nanmax(peaks, initial=0.0)) or 1.0
+    axes.set_ylim(0.0, highest / (top - 0.03))
+    if quantity == "peak_angle" and highest > 0.9:  # where a block balances
+        axes.axhline(1.0, color=palette.FAINT, lw=0.8, zorder=1.2)
+    axes.set_ylabel(LABELS[quantity])
+    axes.legend(handles=[*handles, *_fallen_handle(bool(lanes))], loc="best", fontsize=8.0)
+    return axes
+
+
+def plot_spectrum_map(
+    found: "xarray.Dataset", ax: "Axes | None" = None, *, quantity: Quantity = "peak_angle"
+) -> "Axes":
+    """Draw the rocking spectrum of a record over slenderness and size, as filled cells.
+
+    Overturned blocks are black, those that never lift off the colour of paper, and where there is
+    no answer (undecided, lost contact) cells are grey.
+
+    Parameters
+    ----------
+    found
+        From `rocksteady.rocking_spectrum`, of one record and one scale, over two periods and two
+        slendernesses or more.
+    ax
+        Axes to draw on; those of a new figure without.
+    quantity
+        "peak_angle" or "peak_velocity".
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: 2 pi/p in seconds, and alpha; a bar of colours beside them.
+
+    Raises
+    ------
+    InputError
+        If it is no such spectrum, or the quantity another one.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import Record, rocking_spectrum
+    >>> shock = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.2)
+    >>> found = rocking_spectrum(shock, alpha=[0.1, 0.2, 0.3], periods_s=[2.0, 3.0, 5.0, 8.0])
+    >>> axes = plot_spectrum_map(found, Figure().add_subplot())
+    >>> for entry in axes.get_legend().get_texts():
+    ...     print(entry.get_text())
+    overturned  25 %
+    """
+    from matplotlib.colors import LinearSegmentedColormap, ListedColormap
+    from matplotlib.patches import Patch
+
+    _check_quantity(quantity)
+    spectrum = drawable(found)
+    if spectrum.sizes.get("alpha", 1) < 2:
+        raise InputError(
+            name="found",
+            value="one slenderness",
+            valid="a map has two or more",
+            hint="draw a curve with plot_rocking_spectrum",
+        )
+    axes = axes_or_new(ax)
+    spectrum = spectrum.sortby("alpha").transpose("alpha", "period", ...)
+    across = _prepare(axes, spectrum)
+    axes.set_xlim(across.edges[0], across.edges[-1])
+    slenderness = spectrum["alpha"].values
+    up = spacing_of(slenderness)
+    prepare_axis(axes, "y", "alpha", slenderness, up)
+    status, peaks = spectrum["status"].values, spectrum[quantity].values
+    fell, still = status == Status.OVERTURNED, _answered(status) & (peaks == 0.0)
+    rocked = _answered(status) & ~still
+    colours = LinearSegmentedColormap.from_list("peaks", PEAK_COLOURS)
+    highest = 1.0 if quantity == "peak_angle" else float(np.max(peaks[rocked], initial=0.0)) or 1.0
+    places = across.edges, up.edges
+    drawn = axes.pcolormesh(
+        *places, np.where(rocked, peaks, np.nan), cmap=colours, vmin=0.0, vmax=highest
+    )
+    drawn.set_rasterized(True)
+    handles = []
+    for which, colour, words in (
+        (fell, palette.OVERTURNED, "overturned"),
+        (still, palette.REST, "does not lift off"),
+        (~(fell | still | rocked), palette.UNDECIDED, "no answer"),
+    ):
+        if not which.any():
+            continue
+        cells = np.ma.masked_array(np.ones(which.shape), ~which)
+        axes.pcolormesh(*places, cells, cmap=ListedColormap([colour]), rasterized=True)
+        label = f"{words}  {100.0 * which.mean():.3g} %"
+        handles.append(Patch(facecolor=colour, edgecolor=palette.FAINT, lw=0.6, label=label))
+    axes.grid(visible=False)
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    figure.colorbar(drawn, ax=axes, label=LABELS[quantity], pad=0.02)
+    axes.legend(handles=handles, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3)
+    return axes
+
+
+PEAK_COLOURS = ("#e4f2fd", palette.SYMMETRIC, palette.LINES[0], palette.APERIODIC)
+"""From a peak of 0 to the largest: ever darker, for grey and for the colour-blind."""
+
+
+def plot_suite_spectrum(
+    summary: "xarray.Dataset", ax: "Axes | None" = None, *, quantity: Quantity = "peak_angle"
+) -> "Axes":
+    """Draw what a suite of records does to blocks of one slenderness: median and band.
+
+    A quantile of which the record overturns the block is drawn up to the upper edge: no peak is as
+    large.
+
+    Parameters
+    ----------
+    summary
+        From `rocksteady.suite_spectrum`, of one slenderness and scale and three quantiles.
+    ax
+        Axes to draw on; those of a new figure without.
+    quantity
+        "peak_angle" or "peak_velocity".
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: 2 pi/p in seconds, and the peak.
+
+    Raises
+    ------
+    InputError
+        If it is no such summary, or the quantity another one.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import Record, rocking_spectrum, suite_spectrum
+    >>> shock = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.2)
+    >>> suite = [shock.scaled(factor) for factor in (0.6, 0.8, 1.0)]
+    >>> found = rocking_spectrum(suite, alpha=0.2, periods_s=[3.0, 5.0, 8.0])
+    >>> axes = plot_suite_spectrum(suite_spectrum(found), Figure().add_subplot())
+    >>> [text.get_text() for text in axes.get_legend().get_texts()]
+    ['median of 3 records', '16 to 84 %']
+    """
+    _check_quantity(quantity)
+    one, quantiles = _one_slenderness(summary)
+    axes = axes_or_new(ax)
+    _prepare(axes, one)
+    values = one[quantity].transpose("quantile", "period").values
+    if quantity == "peak_angle":
+        ceiling = 1.0
+    else:
+        ceiling = 1.05 * float(np.max(values[np.isfinite(values)], initial=0.0)) or 1.0
+    low, middle, high = np.minimum(values, 2.0 * ceiling)
+    periods = one["period"].values
+    words = f"{100 * quantiles[0]:.3g} to {100 * quantiles[2]:.3g} %"
+    name = "median" if quantiles[1] == 0.5 else f"{100 * quantiles[1]:.3g} %"
+    axes.fill_between(
+        periods, low, high, color=palette.LINES[0], alpha=BAND, lw=0.0, label=words, zorder=1.5
+    )
+    axes.plot(
+        periods,
+        middle,
+        color=palette.LINES[0],
+        lw=1.8,
+        label=f"{name} of {summary.attrs['records']} records",
+    )
+    axes.set(ylim=(0.0, ceiling), ylabel=LABELS[quantity])
+    handles, labels = axes.get_legend_handles_labels()
+    axes.legend(handles[::-1], labels[::-1], loc="best", fontsize=8.0)
+    return axes
+
+
+def plot_overturned_share(summary: "xarray.Dataset", ax: "Axes | None" = None) -> "Axes":
+    """Draw the share of records that overturn blocks of one slenderness.
+
+    Parameters
+    ----------
+    summary
+        As for `plot_suite_spectrum`.
+    ax
+        Axes to draw on; those of a new figure without.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: 2 pi/p in seconds, and the share in percent.
+
+    Raises
+    ------
+    InputError
+        If it is no such summary.
+    """
+    one, _ = _one_slenderness(summary)
+    axes = axes_or_new(ax)
+    _prepare(axes, one)
+    share = 100.0 * one["overturned"].values
+    axes.fill_between(one["period"].values, 0.0, share, color=palette.OVERTURNED, lw=0.0)
+    axes.set(ylim=(0.0, 100.0), ylabel=palette.LABELS["overturned_share"])
+    return axes
+
+
+def drawable(found: "xarray.Dataset") -> "xarray.Dataset":
+    """Return a spectrum over periods that ascend, and over slendernesses at most.
+
+    Raises
+    ------
+    InputError
+        If it is no spectrum, has several records or scales, or a single period.
+    """
+    given: object = found
+    if not hasattr(given, "data_vars") or not {"status", *LABELS} <= set(found.data_vars):
+        raise InputError(
+            name="found",
+            value=sorted(map(str, getattr(given, "data_vars", {}))) or given,
+            valid="it is the result of rocking_spectrum",
+            hint="compute rocking_spectrum(record, alpha=..., periods_s=...)",
+        )
+    one = found.squeeze([name for name in ("record", "scale") if found.sizes.get(name) == 1])
+    several = [name for name in ("record", "scale") if name in one.dims]
+    if several:
+        raise InputError(
+            name="found",
+            value=f"{one.sizes[several[0]]} values of {several[0]}",
+            valid="one record and one scale are drawn",
+            hint="select one with .isel, or draw the suite_spectrum of the records",
+        )
+    _check_periods(one)
+    return one.sortby("period")
+
+
+def slenderness_text(alpha: float) -> str:
+    """Return a slenderness in radians and degrees."""
+    return f"α = {alpha:.4g} rad = {np.degrees(alpha):.3g}°"
+
+
+def _one_slenderness(summary: "xarray.Dataset") -> tuple["xarray.Dataset", list[float]]:
+    """Return a summary over periods that ascend and three quantiles alone, and these."""
+    given: object = summary
+    if not hasattr(given, "dims") or "quantile" not in summary.dims or "overturned" not in summary:
+        raise InputError(
+            name="summary",
+            value=given,
+            valid="it is the result of suite_spectrum",
+            hint="compute suite_spectrum(rocking_spectrum(records, ...))",
+        )
+    one = summary.squeeze([name for name in ("alpha", "scale") if summary.sizes.get(name) == 1])
+    if set(one.dims) - {"quantile", "period"} or one.sizes["quantile"] != 3:
+        sizes = ", ".join(f"{size} of {name}" for name, size in one.sizes.items())
+        raise InputError(
+            name="summary",
+            value=sizes,
+            valid="three quantiles of one slenderness and one scale are drawn",
+            hint="select with .isel, as summary.isel(alpha=0)",
+        )
+    _check_periods(one)
+    one = one.sortby("period").sortby("quantile")
+    return one, one["quantile"].values.tolist()
+
+
+def _check_periods(one: "xarray.Dataset") -> None:
+    if one.sizes.get("period", 1) < 2:
+        raise InputError(
+            name="found",
+            value="one period",
+            valid="a spectrum is drawn over two periods or more",
+            hint="compute rocking_spectrum over several periods_s",
+        )
+
+
+def _check_quantity(quantity: object) -> None:
+    if quantity not in LABELS:
+        raise InputError(
+            name="quantity",
+            value=quantity,
+            valid="a spectrum has " + " and ".join(LABELS),
+            hint="name one of them",
+        )
+
+
+def _prepare(axes: "Axes", spectrum: "xarray.Dataset") -> Spacing:
+    """Give the axes their periods, and return the cells around them."""
+    periods = spectrum["period"].values
+    spacing = spacing_of(periods)
+    prepare_axis(axes, "x", "period", periods, spacing)
+    axes.set(xlim=(periods[0], periods[-1]), xlabel=palette.LABELS["rocking_period"])
+    return spacing
+
+
+def _answered(status: NDArray[np.int8]) -> NDArray[np.bool_]:
+    """Return where the largest motion is known: the block stands, or rocks on."""
+    known: NDArray[np.bool_] = (status == Status.AT_REST) | (status == Status.ROCKING)
+    return known
+
+
+def _alone(values: Floats) -> NDArray[np.bool_]:
+    """Return which values have no neighbour to draw a line to."""
+    there = np.pad(np.isfinite(values), 1)
+    alone: NDArray[np.bool_] = there[1:-1] & ~there[:-2] & ~there[2:]
+    return alone
+
+
+def _bars(axes: "Axes", fell: NDArray[np.bool_], spacing: Spacing, lane: float) -> None:
+    """Draw bars where blocks overturn."""
+    axes.broken_barh(
+        runs(fell, spacing),
+        (lane, 0.8 * LANE),
+        transform=axes.get_xaxis_transform(),
+        fc=palette.OVERTURNED,
+        ec="none",
+        lw=0.0,
+        zorder=4.5,
+    )
+
+
+def _fallen_handle(there: bool) -> "list[Artist]":
+    """Return the entry of the legend for bars, if there are any."""
+    from matplotlib.patches import Patch
+
+    return [Patch(fc=palette.OVERTURNED, ec="none", label="overturned")] if there else []

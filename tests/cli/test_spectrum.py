@@ -1,0 +1,180 @@
+"""`rocksteady spectrum`: its contract, its text, its files and what it refuses."""
+
+import csv
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray
+
+from rocksteady import Record, read_record, rocking_spectrum, suite_spectrum
+from tests.cli.program import refused, rocksteady
+from tests.records import peer
+from tests.seismic.grounds import ground, lifting
+
+GRID = "--alpha-rad 0.15:0.3:2 --periods-s 1:4:4"
+
+
+def write_at2(path: Path, record: Record) -> Path:
+    head = "PEER\nSomewhere, 1/2/1990, Hut, 090\nACCELERATION IN UNITS OF G\n"
+    values = record.acceleration_m_s2 / 9.80665
+    body = "\n".join(f"  {value:.9E}" for value in values)
+    path.write_text(f"{head}NPTS= {len(values)}, DT= {record.dt_s} SEC\n{body}\n")
+    return path
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    folder = tmp_path_factory.mktemp("records")
+    return [
+        write_at2(folder / f"ground-{seed}.AT2", ground(seed, peak=3.0 + seed))
+        for seed in (1, 2, 3)
+    ]
+
+
+def test_the_json_keeps_the_contract(files: list[Path]) -> None:
+    ran = rocksteady(f"spectrum {GRID} --json --record", files[0])
+    assert (ran.code, ran.err) == (0, "")
+    values = ran.json
+    assert next(iter(values)) == "schema"
+    assert values["schema"] == "rocksteady/spectrum/1"
+    alpha, periods = [0.15, 0.3], [1.0, 2.0, 3.0, 4.0]
+    found = rocking_spectrum(read_record(files[0]), alpha=alpha, periods_s=periods)
+    assert len(values["values"]) == values["cells"] == 8
+    for row in values["values"]:
+        cell = found.sel(alpha=row["alpha_rad"], period=row["period_s"])
+        assert row["p_rad_s"] == pytest.approx(2.0 * math.pi / row["period_s"])
+        assert row["peak"] == float(cell.peak_angle)
+        assert row["peak_rad"] == row["peak"] * row["alpha_rad"]
+        assert row["peak_velocity"] == float(cell.peak_velocity)
+        assert row["impacts"] == int(cell.impacts)
+        assert row["record"] == "ground-1"
+    assert sum(values["counts"].values()) == 8
+    assert values["counts"]["overturned"] == sum(
+        row["status"] == "overturned" for row in values["values"]
+    )
+    assert (values["model"], values["restitution"]) == ("linear", "housner")
+    assert "suite" not in values
+
+
+def test_a_suite_has_quantiles_and_shares(files: list[Path]) -> None:
+    records = [part for file in files for part in ("--record", file)]
+    values = rocksteady(f"spectrum {GRID} --json", *records).json
+    suite = [read_record(file) for file in files]
+    found = rocking_spectrum(suite, alpha=[0.15, 0.3], periods_s=[1.0, 2.0, 3.0, 4.0])
+    summary = suite_spectrum(found)
+    assert values["quantiles"] == [0.16, 0.5, 0.84]
+    assert [one["name"] for one in values["records"]] == ["ground-1", "ground-2", "ground-3"]
+    for row in values["suite"]:
+        block = summary.sel(alpha=row["alpha_rad"], period=row["period_s"])
+        peaks = [None if np.isinf(peak) else peak for peak in block.peak_angle.values.tolist()]
+        assert row["peaks"] == peaks
+        assert row["overturned"] == float(block.overturned)
+
+
+def test_every_flag_reaches_the_blocks(files: list[Path], tmp_path: Path) -> None:
+    up = write_at2(tmp_path / "up.AT2", lifting())
+    command = "spectrum --alpha-deg 12 --p-rad-s 2 --model nonlinear -r 0.8 --gravity-m-s2 9.7"
+    command += " --scale 1.2 --reverse --tolerance 1e-8 --json"
+    values = rocksteady(command, "--record", files[1], "--vertical", up).json
+    found = rocking_spectrum(
+        read_record(files[1]),
+        alpha=math.radians(12.0),
+        p=2.0,
+        model="nonlinear",
+        restitution=0.8,
+        gravity=9.7,
+        scale=1.2,
+        reverse=True,
+        tolerance=1e-8,
+        vertical=read_record(up),
+    )
+    (row,) = values["values"]
+    assert (row["peak"], row["impacts"]) == (float(found.peak_angle), int(found.impacts))
+    assert (values["scale"], values["reversed"], values["vertical"]) == (1.2, True, "up")
+
+
+def test_the_published_peak_from_the_command_line() -> None:
+    peer("PUL164")  # skips where it is not there
+    from tests.records import FOLDER
+
+    (file,) = (FOLDER / "peer_at2").glob("*PUL164*.AT2")
+    command = "spectrum --alpha-deg 15 --periods-s 4 --model nonlinear --json --record"
+    (row,) = rocksteady(command, file).json["values"]
+    assert row["peak_rad"] == pytest.approx(0.1249485, rel=1e-5)
+
+
+def test_the_table_has_a_row_a_size(files: list[Path]) -> None:
+    ran = rocksteady(f"spectrum {GRID} --record", files[2])
+    assert ran.code == 0
+    lines = [" ".join(line.split()) for line in ran.out.splitlines()]
+    assert "2 pi/p [s] 0.15 rad 0.3 rad" in lines
+    found = rocking_spectrum(read_record(files[2]), alpha=[0.15, 0.3], periods_s=[1, 2, 3, 4])
+    for period in (1.0, 2.0, 3.0, 4.0):
+        cells = [
+            "falls" if int(one.status) == 2 else f"{float(one.peak_angle):.6g}"
+            for one in (found.sel(alpha=alpha, period=period) for alpha in (0.15, 0.3))
+        ]
+        assert f"{period:g} {cells[0]} {cells[1]}" in lines
+    assert all(len(line) <= 80 for line in ran.out.splitlines())
+    assert "overturn" in lines[-1]
+
+
+def test_a_long_table_is_cut_and_says_so(files: list[Path]) -> None:
+    several = [part for file in files for part in ("--record", file)]
+    ran = rocksteady("spectrum --alpha-deg 8:20:7", *several)
+    assert "of 700 blocks" in ran.out
+    assert all(len(line) <= 80 for line in ran.out.splitlines())
+    assert "20°" in ran.out
+
+
+def test_the_files_hold_the_same(files: list[Path], tmp_path: Path) -> None:
+    names = ("s.csv", "s.nc", "s.png", "s.zarr")
+    table, data, picture, store = (tmp_path / name for name in names)
+    command = f"spectrum {GRID} --csv {table} --netcdf {data} --plot {picture} --out {store} --json"
+    several = [part for file in files for part in ("--record", file)]
+    ran = rocksteady(command, *several)
+    assert ran.code == 0
+    with table.open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert [float(row["peak_angle"]) for row in rows] == [row["peak"] for row in ran.json["values"]]
+    assert [row["status"] for row in rows] == [row["status"] for row in ran.json["values"]]
+    with xarray.open_dataset(data) as kept:
+        assert kept.peak_angle.values.ravel().tolist() == [
+            row["peak"] for row in ran.json["values"]
+        ]
+    assert picture.stat().st_size > 5000
+    again = rocksteady(f"{command} --resume", *several).json
+    assert again["values"] == ran.json["values"]
+
+
+@pytest.mark.parametrize(
+    ("flags", "words"),
+    [
+        ("--periods-s 1", "--alpha-rad = 'not given'"),
+        ("--alpha-rad 0.2 --alpha-deg 10", "both given"),
+        ("--alpha-rad 0.2 --periods-s 1 --p-rad-s 2", "both given"),
+        ("--alpha-rad 0.2 --periods-s 0:1:3", "--periods-s = 0.0"),
+        ("--alpha-rad 1.3", "--alpha-rad = 1.3"),
+        ("--alpha-rad 0.2 -r 0.8,0.9", "both sides of a rectangle are alike"),
+        ("--alpha-rad 0.2 --scale 0", "--scale = 0.0"),
+        ("--alpha-rad 0.2 --tolerance 1e-8", "--model nonlinear"),
+        ("--alpha-rad 0.2 --vertical up.AT2", "--model nonlinear"),
+        ("--alpha-rad 0.2 --periods-s 2 --plot one.png", "two sizes or more"),
+        ("--alpha-rad 0.2 --model exact", "two equations of motion"),
+    ],
+)
+def test_what_is_not_valid_is_refused_in_one_line(
+    files: list[Path], flags: str, words: str
+) -> None:
+    assert words in refused(f"spectrum {flags} --record", files[0])
+
+
+def test_a_spectrum_needs_a_record_and_one_vertical_needs_one_of_them(files: list[Path]) -> None:
+    assert "--record" in refused("spectrum --alpha-rad 0.2")
+    assert "--record" in refused("spectrum --alpha-rad 0.2 --reverse")
+    several = ["--record", files[0], "--record", files[1], "--vertical", files[2]]
+    line = refused("spectrum --alpha-rad 0.2 --model nonlinear", *several)
+    assert "there are 2" in line
+    assert "at most 6" in refused("spectrum --alpha-rad 0.1:0.3:7 --plot x.png", *several[:4])
