@@ -20,7 +20,7 @@ OPTIONS = doctest.IGNORE_EXCEPTION_DETAIL | doctest.NORMALIZE_WHITESPACE
 
 def test_the_walk_finds_every_layer() -> None:
     layers = {name.split(".")[1] for name in MODULES}
-    assert layers >= {"cli", "dynamics", "errors", "kernels", "model", "show"}
+    assert layers >= {"cli", "dynamics", "errors", "kernels", "model", "seismic", "show"}
 
 
 @pytest.mark.parametrize("name", MODULES)

@@ -1,5 +1,5 @@
-"""The Python on the pages of the documentation runs, each page as one script, and prints what the
-page says.
+"""The pages of the documentation: their Python runs, each page as one script, and prints what the
+page says; the table of layers names the modules that there are.
 """
 
 import re
@@ -35,3 +35,35 @@ def test_the_python_of_a_page_runs(page: Path, tmp_path: Path) -> None:
     assert done.stderr == ""
     for printed in re.findall(r"^It prints\n\n```\n(.*?)^```$", text, re.DOTALL | re.MULTILINE):
         assert printed in done.stdout
+
+
+LAYERS = re.compile(r"^\| `(\w+)` \| (`.*?) \|", re.MULTILINE)
+"""A row of the table of layers: a layer, and its modules."""
+MODULES = re.compile(r"`(\w+)/` \(([^)]*)\)|`(\w+)/?`")
+"""In such a row: a package with its modules, or a module or package by its name."""
+
+
+def test_the_table_of_layers_names_each_module_once() -> None:
+    text = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    rows = dict(LAYERS.findall(text[text.index("## Layers as built") : text.index("Foreseen")]))
+    source = ROOT / "src" / "rocksteady"
+    assert set(rows) == {
+        folder.name for folder in source.iterdir() if (folder / "__init__.py").is_file()
+    }
+    for layer, said in rows.items():
+        named: list[str] = []
+        whole: set[str] = set()  # packages that stand for all of their modules
+        for package, inside, alone in MODULES.findall(said):
+            if package:
+                named += [f"{package}/{name}" for name in re.findall(r"`(\w+)`", inside)]
+            elif (source / layer / alone).is_dir():
+                whole.add(alone)
+            else:
+                named.append(alone)
+        there = [
+            file.relative_to(source / layer).with_suffix("").as_posix()
+            for file in (source / layer).rglob("*.py")
+            if not file.name.startswith("__")
+            and file.relative_to(source / layer).parts[0] not in whole
+        ]
+        assert sorted(named) == sorted(there), layer

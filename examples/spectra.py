@@ -1,0 +1,61 @@
+"""Rocking spectra of a made-up near-fault record and of a suite of such records.
+
+Writes docs/images/spectrum.png and docs/images/spectrum-suite.png; run it from the root of the
+repository.
+"""
+
+from pathlib import Path
+
+import numpy as np
+from matplotlib.figure import Figure
+
+import rocksteady as rs
+from rocksteady.show import palette
+from rocksteady.show.spectra_figures import suite_figure
+
+STEP = 0.01  # s
+SAMPLES = 2000
+
+
+def near_fault(seed: int) -> rs.Record:
+    """A pulse of a second or two in shaking that swells and dies away."""
+    rng = np.random.default_rng(seed)
+    time = STEP * np.arange(SAMPLES)
+    frequency = np.fft.rfftfreq(SAMPLES, STEP)
+    noise = np.fft.rfft(rng.normal(size=SAMPLES)) * frequency / (frequency**2 + 3.0**2)
+    shaking = np.fft.irfft(noise, SAMPLES) * np.minimum(time / 2.0, 1.0)
+    shaking *= np.exp(-0.25 * np.maximum(time - 6.0, 0.0))
+    period, centre = rng.uniform(0.8, 2.0), rng.uniform(3.0, 6.0)
+    phase = np.pi * (time - centre) / period
+    pulse = (1.0 - 2.0 * phase**2) * np.exp(-(phase**2))  # Ricker's wavelet
+    values = 2.5 * shaking / np.abs(shaking).max() + rng.uniform(2.0, 5.0) * pulse
+    return rs.Record(acceleration_m_s2=values, dt_s=STEP, name=f"near fault {seed}")
+
+
+def main() -> None:
+    periods = np.linspace(0.5, 8.0, 600)
+    record = near_fault(1)
+    with palette.style():
+        figure = Figure(figsize=(10.4, 4.2))
+        left, right = figure.subplots(1, 2)
+        curves = rs.rocking_spectrum(
+            record, alpha=np.radians([10.0, 15.0, 20.0]), periods_s=periods, model="nonlinear"
+        )
+        rs.plot_rocking_spectrum(curves, left)
+        plane = rs.rocking_spectrum(
+            record, alpha=np.linspace(0.08, 0.45, 240), periods_s=periods[::2], model="nonlinear"
+        )
+        rs.plot_spectrum_map(plane, right)
+        figure.savefig(Path("docs/images/spectrum.png"), dpi=150)
+    suite = rs.rocking_spectrum(
+        [near_fault(seed) for seed in range(1, 41)],
+        alpha=np.radians([10.0, 15.0, 20.0]),
+        periods_s=np.linspace(0.5, 8.0, 200),
+        model="nonlinear",
+    )
+    figure = suite_figure(rs.suite_spectrum(suite))
+    figure.savefig(Path("docs/images/spectrum-suite.png"), dpi=150)
+
+
+if __name__ == "__main__":
+    main()
