@@ -5,12 +5,14 @@ from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-from rocksteady import Block, Pulse, Record, Status, Trajectory, simulate
+from rocksteady import Block, Harmonic, Pulse, Record, State, Status, Trajectory, simulate
 from rocksteady.model.motions import Motion
 
 Ground = Callable[[float], float]
+Floats = NDArray[np.float64]
 
 
 def still(_t: float) -> float:
@@ -111,3 +113,54 @@ def pulse_ground(pulse: Pulse, block: Block) -> tuple[Ground, tuple[float, ...]]
     # A break belongs to the segment that ends at it, too: step a little aside of it.
     last = ends[-1] / block.p * (1.0 + 1e-15)
     return ground, (*(ends[:-1] / block.p).tolist(), float(last))
+
+
+def agree_on_harmonic(block: Block, state: State, shaking: Harmonic) -> None:
+    """Assert that the first impacts under harmonic shaking are the integrator's."""
+    a, w, phase = shaking.amplitude, shaking.frequency_ratio, shaking.phase
+    expected = impacts_by_integrator(
+        lambda t: a * block.alpha * math.sin(w * block.p * t + phase),
+        block=block,
+        angle=state.angle * block.alpha,
+        velocity=state.velocity * block.alpha * block.p,
+        breaks=(0.0, 6.0 / block.p),
+        longest_step=0.02 / block.p,
+        count=8,
+    )
+    same_impacts(full(block, shaking, start=state), expected)
+
+
+def agree_on_pulse(block: Block, state: State, pulse: Pulse) -> None:
+    """Assert that the first impacts under a pulse are the integrator's."""
+    ground, breaks = pulse_ground(pulse, block)
+    expected = impacts_by_integrator(
+        ground,
+        block=block,
+        angle=state.angle * block.alpha,
+        velocity=state.velocity * block.alpha * block.p,
+        breaks=(*breaks, 8.0 / block.p),
+        longest_step=0.02 / block.p,
+        count=6,
+    )
+    same_impacts(full(block, pulse, start=state), expected)
+
+
+def agree_on_samples(
+    block: Block, state: State, flat: Floats, up: Floats | None, dt: float
+) -> None:
+    """Assert that the first impacts on samples [m/s^2], vertical ones too, are the integrator's."""
+    times = dt * np.arange(len(flat))
+    g = block.gravity
+    expected = impacts_by_integrator(
+        lambda t: float(np.interp(t, times, flat / g)),
+        vertical=still if up is None else lambda t: float(np.interp(t, times, up / g)),
+        block=block,
+        angle=state.angle * block.alpha,
+        velocity=state.velocity * block.alpha * block.p,
+        breaks=tuple(times),
+        longest_step=0.01,
+        count=6,
+    )
+    record = Record(acceleration_m_s2=flat, dt_s=dt)
+    vertical = None if up is None else Record(acceleration_m_s2=up, dt_s=dt)
+    same_impacts(full(block, record, start=state, vertical=vertical), expected)

@@ -24,9 +24,11 @@ from rocksteady import (
 )
 from rocksteady.dynamics.return_map import ReturnMap
 from tests.dynamics.full_integrator import (
+    agree_on_harmonic,
+    agree_on_pulse,
+    agree_on_samples,
     full,
     impacts_by_integrator,
-    pulse_ground,
     same_impacts,
 )
 from tests.records import synthetic
@@ -58,17 +60,7 @@ def drawn(seed: int) -> tuple[Block, State, float, np.random.Generator]:
 def test_impacts_of_harmonic_shaking(seed: int) -> None:
     block, state, least, rng = drawn(seed)
     a, w, phase = least * rng.uniform(0.6, 1.3), rng.uniform(4.0, 9.0), rng.uniform(0.0, 6.0)
-    expected = impacts_by_integrator(
-        lambda t: a * block.alpha * math.sin(w * block.p * t + phase),
-        block=block,
-        angle=state.angle * block.alpha,
-        velocity=state.velocity * block.alpha * block.p,
-        breaks=(0.0, 6.0 / block.p),
-        longest_step=0.02 / block.p,
-        count=8,
-    )
-    run = full(block, Harmonic(amplitude=a, frequency_ratio=w, phase=phase), start=state)
-    same_impacts(run, expected)
+    agree_on_harmonic(block, state, Harmonic(amplitude=a, frequency_ratio=w, phase=phase))
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -77,36 +69,13 @@ def test_impacts_of_records_with_vertical_motion(seed: int) -> None:
     dt, n = 0.02, 100
     flat = synthetic(rng, n, dt, 1.2 * least * block.alpha * block.gravity)
     up = synthetic(rng, n, dt, 0.6 * block.gravity)
-    times = dt * np.arange(n)
-    expected = impacts_by_integrator(
-        lambda t: float(np.interp(t, times, flat / block.gravity)),
-        vertical=lambda t: float(np.interp(t, times, up / block.gravity)),
-        block=block,
-        angle=state.angle * block.alpha,
-        velocity=state.velocity * block.alpha * block.p,
-        breaks=tuple(times),
-        longest_step=0.01,
-        count=6,
-    )
-    record, vertical = (Record(acceleration_m_s2=a, dt_s=dt) for a in (flat, up))
-    same_impacts(full(block, record, start=state, vertical=vertical), expected)
+    agree_on_samples(block, state, flat, up, dt)
 
 
 @pytest.mark.parametrize("shape", ["half-sine", "one-sine", "one-cosine", "triangle"])
 def test_impacts_of_pulses(shape: str) -> None:
     block, state, least, _ = drawn(60 + len(shape))
-    pulse = Pulse(shape=shape, amplitude=1.2 * least, frequency_ratio=5.0)
-    ground, breaks = pulse_ground(pulse, block)
-    expected = impacts_by_integrator(
-        ground,
-        block=block,
-        angle=state.angle * block.alpha,
-        velocity=state.velocity * block.alpha * block.p,
-        breaks=(*breaks, 8.0 / block.p),
-        longest_step=0.02 / block.p,
-        count=6,
-    )
-    same_impacts(full(block, pulse, start=state), expected)
+    agree_on_pulse(block, state, Pulse(shape=shape, amplitude=1.2 * least, frequency_ratio=5.0))
 
 
 @pytest.mark.parametrize("seed", range(6))

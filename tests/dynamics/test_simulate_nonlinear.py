@@ -22,10 +22,10 @@ from rocksteady import (
     simulate,
 )
 from tests.dynamics.full_integrator import (
+    agree_on_harmonic,
+    agree_on_pulse,
+    agree_on_samples,
     full,
-    impacts_by_integrator,
-    pulse_ground,
-    same_impacts,
 )
 from tests.records import synthetic
 
@@ -48,34 +48,13 @@ def drawn(seed: int) -> tuple[Block, State, np.random.Generator]:
 def test_impacts_of_harmonic_shaking(seed: int) -> None:
     block, state, rng = drawn(seed)
     a, w, phase = rng.uniform(0.5, 3.0), rng.uniform(2.0, 10.0), rng.uniform(0.0, 6.0)
-    expected = impacts_by_integrator(
-        lambda t: a * block.alpha * math.sin(w * block.p * t + phase),
-        block=block,
-        angle=state.angle * block.alpha,
-        velocity=state.velocity * block.alpha * block.p,
-        breaks=(0.0, 6.0 / block.p),
-        longest_step=0.02 / block.p,
-        count=8,
-    )
-    run = full(block, Harmonic(amplitude=a, frequency_ratio=w, phase=phase), start=state)
-    same_impacts(run, expected)
+    agree_on_harmonic(block, state, Harmonic(amplitude=a, frequency_ratio=w, phase=phase))
 
 
 @pytest.mark.parametrize("shape", ["half-sine", "one-sine", "one-cosine", "triangle"])
 def test_impacts_of_pulses(shape: str) -> None:
     block, state, _ = drawn(len(shape))
-    pulse = Pulse(shape=shape, amplitude=1.4, frequency_ratio=4.0)
-    ground, breaks = pulse_ground(pulse, block)
-    expected = impacts_by_integrator(
-        ground,
-        block=block,
-        angle=state.angle * block.alpha,
-        velocity=state.velocity * block.alpha * block.p,
-        breaks=(*breaks, 8.0 / block.p),
-        longest_step=0.02 / block.p,
-        count=6,
-    )
-    same_impacts(full(block, pulse, start=state), expected)
+    agree_on_pulse(block, state, Pulse(shape=shape, amplitude=1.4, frequency_ratio=4.0))
 
 
 @pytest.mark.parametrize("lifted", [False, True])
@@ -85,20 +64,7 @@ def test_impacts_of_records(seed: int, lifted: bool) -> None:
     dt, n = 0.02, 100
     flat = synthetic(rng, n, dt, 1.5 * block.alpha * G)
     up = synthetic(rng, n, dt, 0.6 * G)
-    times = dt * np.arange(n)
-    expected = impacts_by_integrator(
-        lambda t: float(np.interp(t, times, flat / G)),
-        vertical=lambda t: float(np.interp(t, times, up / G)) if lifted else 0.0,
-        block=block,
-        angle=state.angle * block.alpha,
-        velocity=state.velocity * block.alpha * block.p,
-        breaks=tuple(times),
-        longest_step=0.01,
-        count=6,
-    )
-    record = Record(acceleration_m_s2=flat, dt_s=dt)
-    vertical = Record(acceleration_m_s2=up, dt_s=dt) if lifted else None
-    same_impacts(full(block, record, start=state, vertical=vertical), expected)
+    agree_on_samples(block, state, flat, up if lifted else None, dt)
 
 
 # ------------------------------------------------------------------------ energy, symmetry

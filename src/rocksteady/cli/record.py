@@ -22,7 +22,7 @@ from rocksteady.cli.record_values import (
     record_values,
     title_of,
 )
-from rocksteady.errors import InputError, ModelError, RecordFileError
+from rocksteady.errors import ModelError, RecordFileError
 from rocksteady.model.block import Block
 
 if TYPE_CHECKING:
@@ -185,7 +185,7 @@ def unit_of(units_out: str | None, output: OutputFlags) -> str:
     ModelError
         If there is one and no --csv.
     """
-    from rocksteady.records.units import UNITS, acceleration_unit
+    from rocksteady.records.units import unit_named
 
     if units_out is None:
         return "m/s^2"
@@ -196,15 +196,7 @@ def unit_of(units_out: str | None, output: OutputFlags) -> str:
             valid="without --csv it has no meaning",
             hint="add --csv record.csv, or leave it out",
         )
-    unit = acceleration_unit(units_out)
-    if unit is None:
-        raise InputError(
-            name="--units-out",
-            value=units_out,
-            valid="it must be a unit of acceleration",
-            hint=f"use one of {', '.join(UNITS)}",
-        )
-    return unit
+    return unit_named(units_out, "--units-out")
 
 
 def refuse_several(file: Path, count: int) -> NoReturn:

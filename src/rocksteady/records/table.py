@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import pairwise
 from typing import Final
 
@@ -58,7 +59,7 @@ class Table:
     separator: str | None
     comma: bool
 
-    @property
+    @cached_property
     def columns(self) -> int:
         """Numbers of the widest row."""
         return max(map(len, self.rows))

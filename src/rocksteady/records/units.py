@@ -58,6 +58,25 @@ def acceleration_unit(written: str) -> str | None:
     return f"{_LENGTHS[found['length']]}/s^2"
 
 
+def unit_named(units: object, name: str = "units") -> str:
+    """Return the package's word for a unit of acceleration that a caller names.
+
+    Raises
+    ------
+    InputError
+        If it is none; the message calls it `name`.
+    """
+    found = acceleration_unit(units) if isinstance(units, str) else None
+    if found is None:
+        raise InputError(
+            name=name,
+            value=units,
+            valid="it must be a unit of acceleration",
+            hint=f"use one of {', '.join(UNITS)}",
+        )
+    return found
+
+
 def in_m_s2(units: str) -> float:
     """Return the size of a unit of acceleration in m/s^2.
 
@@ -71,13 +90,4 @@ def in_m_s2(units: str) -> float:
     >>> in_m_s2("g"), in_m_s2("cm/s/s")
     (9.80665, 0.01)
     """
-    given: object = units
-    name = acceleration_unit(given) if isinstance(given, str) else None
-    if name is None:
-        raise InputError(
-            name="units",
-            value=units,
-            valid="it must be a unit of acceleration",
-            hint=f"use one of {', '.join(UNITS)}",
-        )
-    return UNITS[name]
+    return UNITS[unit_named(units)]
