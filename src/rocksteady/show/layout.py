@@ -34,13 +34,18 @@ LABEL_PLACES = [
 
 
 def axes_or_new(ax: "Axes | None") -> "Axes":
-    """Return the given axes, or those of a new figure in the house style."""
+    """Return the given axes, or those of a new pyplot figure in the house style.
+
+    The new figure has the user's own settings where there are any: its size, a dark theme.
+    """
     if ax is not None:
         return ax
     import matplotlib.pyplot as plt
 
-    with palette.style():
-        return plt.subplots()[1]
+    # Outside of the style: the first figure loads the backend, which brings settings of its own.
+    figure = plt.figure(layout="constrained")
+    with palette.style_beneath():
+        return figure.add_subplot()
 
 
 def emptiest_corner(axes: "Axes", points: Sequence[ArrayLike], size: tuple[float, float]) -> Corner:

@@ -6,6 +6,7 @@ shades of the same hues.
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from threading import RLock
 from typing import Any
 
 REST = "#fcfaf3"
@@ -173,10 +174,73 @@ def tinted(colour: str, part: float) -> str:
     return "#" + "".join(f"{c:02x}" for c in mixed)
 
 
+_NO_LOOK = frozenset(
+    {
+        "animation",
+        "backend",
+        "backend_fallback",
+        "date",
+        "docstring",
+        "interactive",
+        "keymap",
+        "macosx",
+        "pgf",
+        "timezone",
+        "tk",
+        "toolbar",
+        "webagg",
+    }
+)
+"""Groups of Matplotlib's settings that no picture of ours depends on, pyplot's own among them."""
+_TURN = RLock()
+"""The settings are global: two threads that took turns out of order would restore each other's."""
+
+
 @contextmanager
 def style() -> Iterator[None]:
-    """Apply the house style inside a ``with`` block, and leave the user's own settings alone."""
+    """Apply the house style inside a ``with`` block, and leave the user's own settings alone.
+
+    A picture is the same under any theme of the user's: what the style leaves open has
+    Matplotlib's default.
+    """
+    _, default = _settings()
+    look = {name: default[name] for name in default if name.partition(".")[0] not in _NO_LOOK}
+    with _applied(look | STYLE):
+        yield
+
+
+@contextmanager
+def style_beneath() -> Iterator[None]:
+    """Apply those settings of the house style that the user has left at Matplotlib's defaults.
+
+    For figures among a user's own: a dark theme stays dark, and its text legible.
+    """
+    current, default = _settings()
+    with _TURN:  # what another thread has applied is not the user's
+        free = [name for name in STYLE if current[name] == default[name]]
+        with _applied({name: STYLE[name] for name in free}):
+            yield
+
+
+@contextmanager
+def _applied(settings: dict[str, Any]) -> Iterator[None]:
+    """Apply settings and take back these alone.
+
+    ``rc_context`` takes back all: after a backend was loaded inside, also that it made pyplot
+    interactive, and a notebook shows no figure after that.
+    """
+    current, _ = _settings()
+    with _TURN:
+        before = {name: current[name] for name in settings}
+        current.update(settings)
+        try:
+            yield
+        finally:
+            current.update(before)
+
+
+def _settings() -> tuple[Any, Any]:
+    """Return Matplotlib's settings and their defaults; their keys are a type of 300 literals."""
     import matplotlib as mpl
 
-    with mpl.rc_context(STYLE):  # type: ignore[arg-type]  # its keys are a type of 300 literals
-        yield
+    return mpl.rcParams, mpl.rcParamsDefault

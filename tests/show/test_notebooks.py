@@ -1,0 +1,82 @@
+"""Figures in notebooks: n plots are n pictures, whichever comes first, and no setting changes."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+BEFORE = """
+import matplotlib as mpl
+import rocksteady as rs
+
+block = rs.DimensionlessBlock(restitution=0.8)
+run = rs.simulate(block, rs.Harmonic(amplitude=2.0, frequency_ratio=1.7), cycles=3)
+unlike = lambda: sorted(
+    key for key in settings if key != "interactive" and mpl.rcParams[key] != settings[key]
+)
+"""
+KEPT = "settings = dict(mpl.rcParams)"
+OURS = "rs.plot_trajectory(run);"
+THEIRS = "import matplotlib.pyplot as plt; plt.plot([0, 1]);"
+THREAD = (
+    "import threading; from rocksteady.show.figures import simulation_figure\n"
+    "thread = threading.Thread(target=simulation_figure, args=(run,))\n"
+    "thread.start(); thread.join()"
+)
+FILM = "film = rs.animate(run, span=(0.0, 0.5), fps=10.0); film.save('film.gif', writer='pillow')"
+CELLS = [
+    (OURS, 1),
+    (THEIRS, 1),
+    (OURS, 1),
+    ("rs.plot_phase_portrait(run); rs.plot_base(run);", 2),
+    ("plt.figure(); " + OURS, 2),
+    ("figure, axes = plt.subplots(); rs.plot_trajectory(run, axes);", 1),
+    (THREAD, 0),
+    (FILM, 0),
+    (THEIRS, 1),
+    ("with plt.style.context('dark_background'): " + OURS, 1),
+    (OURS, 1),
+    (THEIRS, 1),
+]
+ORDERS = {
+    "ours-first": CELLS,
+    "theirs-first": [(THEIRS, 1), *CELLS],
+    "thread-first": [(THREAD, 0), *CELLS],
+    "film-first": [(FILM, 0), *CELLS],
+}
+
+CELL_BY_CELL = """
+import json, sys
+names = {}
+for code in json.load(sys.stdin):
+    exec(code, names)
+    backend = sys.modules.get("tests.show.inline_backend")
+    print(backend.end_of_cell() if backend else 0)
+print(names["unlike"](), names["mpl"].is_interactive())
+"""
+
+
+@pytest.mark.parametrize("first", ["ours-first", "film-first"])
+def test_every_figure_of_a_notebook_is_shown(first: str, tmp_path: Path) -> None:
+    cells = ORDERS[first]
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-c", CELL_BY_CELL],
+        input=json.dumps([BEFORE + KEPT, *(code for code, _ in cells)]),
+        cwd=tmp_path,
+        env={
+            **os.environ,
+            "MPLBACKEND": "module://tests.show.inline_backend",
+            "PYTHONPATH": str(ROOT),
+        },
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.stderr == ""
+    *shown, after = done.stdout.splitlines()
+    assert [int(count) for count in shown] == [0, *(count for _, count in cells)]
+    assert after == "[] True"
