@@ -17,6 +17,7 @@ from rocksteady import (
     Steady,
     Still,
     attractor,
+    orbits,
     steady_states,
 )
 from tests.dynamics.recurrence import seen
@@ -190,6 +191,46 @@ def test_an_orbit_that_rocks_for_long_between_rests_is_recognised(
     found = settled(*point)
     assert found.orbit is not None
     assert (found.period, found.orbit.rest_phases) == (period, rests)
+
+
+ACCUMULATED = {0.5: 1.147608, 0.7: 1.104328, 0.8: 1.077888, 0.87: 1.056216, 0.9: 1.045812}
+"""Amplitude at which the bounces of fast shaking accumulate at the next uplift, by restitution."""
+
+
+@pytest.mark.parametrize("restitution", ACCUMULATED)
+@pytest.mark.parametrize("beyond", [4e-4, 1e-3, 3e-3])
+def test_where_chatter_just_fails_to_end_before_uplift_motions_repeat_from_rest_to_rest(
+    restitution: float, beyond: float
+) -> None:
+    amplitude = ACCUMULATED[restitution] * (1.0 + beyond)
+    for frequency in (1.3, 2.1, 3.3, 5.7, 7.9):
+        found = settled(amplitude, frequency, restitution)
+        if found.kind is AttractorKind.OVERTURNED:
+            continue
+        assert found.orbit is not None, (frequency, found.reason)
+        assert found.orbit.residual <= 1e-12
+        if found.orbit.rest_phases:
+            begin = found.orbit.states[0]
+            assert begin.speed == 0.0
+            assert amplitude * abs(math.sin(begin.phase)) == pytest.approx(1.0, abs=1e-12)
+            assert found.after < 400
+
+
+def test_all_orbits_at_a_point_hold_one_that_rocks_for_long_between_rests() -> None:
+    # 336 impacts in 7 periods, over which a small difference grows by 1e14.
+    shaking = Harmonic(amplitude=1.0565565565565567, frequency_ratio=2.23003003003003)
+    block = DimensionlessBlock(restitution=0.87)
+    resting = [o for o in orbits(block, shaking, max_period=7, seeds=2) if o.rest_phases]
+    assert [(orbit.period, orbit.rest_phases) for orbit in resting] == [(7, 1)]
+    found = attractor(block, shaking)
+    assert found.peaks == (resting[0].highest, resting[0].lowest)
+
+
+def test_an_orbit_that_is_too_long_to_hold_ends_the_run_with_that_reason() -> None:
+    found = settled(1.006876 * (1.0 + 1e-5), 2.0508474576271185, 0.99, cycles=100_000)
+    assert found.kind is AttractorKind.UNDECIDED
+    assert found.after < 1000
+    assert "149309 impacts in 141 forcing periods" in found.reason
 
 
 def test_an_orbit_with_rest_of_any_size_is_recognised() -> None:

@@ -266,6 +266,12 @@ def _reason(found: kernel.Settled, block: DimensionlessBlock) -> str:
         return "without loss (restitution 1) motions do not settle"
     if found.after == 0:
         return "the block balances upright, and nothing brings it down"
+    if found.passages > 0:
+        return (
+            f"from one rest to the same again it has {found.passages} impacts in {found.periods} "
+            f"forcing periods, more than an orbit may have, {kernel.LONGEST_ORBIT}: it repeats "
+            "itself, and no more cycles help"
+        )
     start = f"no repetition within {found.after} forcing periods"
     if math.isnan(found.lyapunov):
         return (

@@ -188,8 +188,9 @@ def _orbit(
     """Return the orbit of a cell, started where it would be whichever cell had found it."""
     state = ImpactState(side=cell["side"], phase=cell["phase"], speed=cell["speed"])
     orbit = _through(block, shaking, model, state, cell)
-    # A phase that is 0 but for a rounding may have come out as a whole turn.
-    begin = min(orbit.states, key=lambda here: (here.phase + SAME) % TURN)
+    # A phase that is 0 but for a rounding may have come out as a whole turn; and an orbit with
+    # rests is closed from an uplift on, whose speed is 0.
+    begin = min(orbit.states, key=lambda here: (here.speed > 0.0, (here.phase + SAME) % TURN))
     return orbit if begin is orbit.states[0] else _through(block, shaking, model, begin, cell)
 
 

@@ -26,6 +26,7 @@ from rocksteady.kernels.section import (
     STUCK,
     UPLIFT,
     System,
+    guess_after,
     next_passage,
     uplift_after,
 )
@@ -237,10 +238,10 @@ def _resting_orbits(system: System, longest: int) -> Iterable[Found]:
     lifting = uplift_after(system, 0, 0.0)
     if lifting.kind == STAY:
         return
-    begin = lifting.state
+    begin, step = lifting.state, lifting
     states = [begin]
     while states[-1].half_cycles - begin.half_cycles <= 4 * longest:
-        step = next_passage(system, states[-1], -1.0)
+        step = next_passage(system, step.state, guess_after(step))
         if step.kind in (FALL, STAY, STUCK):
             return
         states.append(step.state)

@@ -32,6 +32,7 @@ from rocksteady.kernels.section import (
     Section,
     System,
     first_passage,
+    guess_after,
     next_passage,
     phase_between,
 )
@@ -44,8 +45,9 @@ UNSETTLED = 3  # no orbit in the time given; its Lyapunov exponent tells chaos f
 
 MEMORY = 256
 """Passages that are remembered: an orbit with more, and without rest, is not recognised."""
-LONGEST_ORBIT = 4096
-"""Passages of the longest orbit, which a table has to hold."""
+LONGEST_ORBIT = 2**17
+"""Passages of the longest orbit, which a table has to hold: of some thousand forcing periods with a
+chatter in each half of them."""
 NEAR = 1e-2
 """Difference of a state from an earlier one that is worth a search for an orbit."""
 ARRIVED = 1e-7
@@ -76,7 +78,7 @@ class Settled(NamedTuple):
 
     outcome: int
     state: Section  # on the orbit; of other outcomes the last one
-    passages: int  # of the orbit
+    passages: int  # of the orbit; without one those from a rest to the same, where a table is short
     periods: int
     residual: float
     rests: int
@@ -141,21 +143,33 @@ def settle(
             if lifted_count[row] >= 0:
                 passages = count - lifted_count[row]
                 periods = (state.half_cycles - lifted_half[row]) // 2
-                if passages <= LONGEST_ORBIT:
-                    fixed = polish(system, state, passages, periods, table)
-                    if fixed.found:
-                        return Settled(
-                            PERIODIC,
-                            state,
-                            passages,
-                            periods,
-                            fixed.residual,
-                            fixed.rests,
-                            -math.inf,
-                            -math.inf,
-                            passed,
-                            growth,
-                        )
+                if passages > LONGEST_ORBIT:  # it repeats itself, but no table holds it
+                    return Settled(
+                        UNSETTLED,
+                        state,
+                        passages,
+                        periods,
+                        math.nan,
+                        0,
+                        math.nan,
+                        math.nan,
+                        passed,
+                        growth,
+                    )
+                fixed = polish(system, state, passages, periods, table)
+                if fixed.found:
+                    return Settled(
+                        PERIODIC,
+                        state,
+                        passages,
+                        periods,
+                        fixed.residual,
+                        fixed.rests,
+                        -math.inf,
+                        -math.inf,
+                        passed,
+                        growth,
+                    )
             if row == 0:
                 lifted_half = (state.half_cycles, lifted_half[1])
                 lifted_count = (count, lifted_count[1])
@@ -183,7 +197,7 @@ def settle(
             mean = (third.logarithm + fourth.logarithm) / measured
             least = min(third_rate, fourth_rate)
             return unsettled(UNSETTLED, state, mean, least, passed, growth)
-        step = next_passage(system, state, step.time)
+        step = next_passage(system, state, guess_after(step))
         if step.kind != IMPACT:  # a graze has no derivative
             continue
         whole = stretched(whole, step.jacobian)

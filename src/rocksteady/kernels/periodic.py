@@ -27,6 +27,7 @@ from rocksteady.kernels.section import (
     Jacobian,
     Section,
     System,
+    guess_after,
     highest_after,
     identity,
     like_sides,
@@ -106,14 +107,20 @@ def distance(one: Section, other: Section) -> float:
 
 @compiled
 def laid_out(system: System, state: Section, passages: int, table: Floats) -> bool:
-    """Fill a table with the states that follow one; False where there are not so many."""
+    """Fill a table with the states that follow one; False where there are not so many.
+
+    From an uplift on they are those that any motion takes, to the last bit: near the end of a
+    chatter a rounding decides how many bounces there are, and on what follows.
+    """
     state = Section(state.side, state.half_cycles % 2, state.phase, state.speed)
+    guess = -1.0
     for k in range(passages):
         put(table, k, state)
-        step = next_passage(system, state, -1.0)
+        table[k, TIME] = guess  # from which `measured` finds the same impact, to the last bit
+        step = next_passage(system, state, guess)
         if step.kind in (FALL, STAY, STUCK):
             return False
-        state = step.state
+        state, guess = step.state, guess_after(step)
     return state.side == int(table[0, SIDE])
 
 
@@ -205,17 +212,21 @@ def polish(system: System, state: Section, passages: int, periods: int, table: F
     system
         The shaken block.
     state
-        Where the search begins: the states that follow it are the first guess.
+        Where the search begins: the states that follow it are the first guess.  At an uplift they
+        are the orbit, where they come back to it.
     passages, periods
         m and n.
     table
         Room, shape (m or more, ORBIT_COLUMNS).
     """
     nothing = Fixed(False, math.inf, identity(), 0, 0)
-    table[:passages, TIME] = 0.0
     if not laid_out(system, state, passages, table):
         return nothing
     found = measured(system, passages, periods, table)
+    if state.speed == 0.0 and found.found and found.rests > 0:
+        # From an uplift to the same again there is nothing to improve: a step of Newton's method
+        # would only carry roundings along, and on a long way between two rests they grow too far.
+        return found
     for _ in range(STEPS):
         if found.residual <= EXACT:
             break

@@ -207,6 +207,15 @@ def next_passage(system: System, state: Section, guess: float) -> Passage:
 
 
 @compiled
+def guess_after(step: Passage) -> float:
+    """Return a time near which the impact after a passage may be; -1 for none.
+
+    A rest forgets everything, this included.
+    """
+    return -1.0 if step.kind == UPLIFT else step.time
+
+
+@compiled
 def lifts(forcing: Forcing, phase: float) -> bool:
     """Return whether a block without speed lifts to a side, at a phase of its forcing."""
     return starts_positive(forcing, phase) or (

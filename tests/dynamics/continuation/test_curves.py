@@ -95,6 +95,25 @@ def test_folds_run_along_the_existence_boundary(plane: tuple[str, str], order: i
         assert point.amplitude == pytest.approx(float(exact.existence), rel=1e-10)  # eq 23
 
 
+@pytest.mark.parametrize(("restitution", "order"), [(0.87, 3), (0.5, 5), (0.8, 1), (0.99, 3)])
+def test_folds_of_long_half_cycles_run_along_the_existence_boundary_too(
+    restitution: float, order: int
+) -> None:
+    # Near a fold all terms of the derivative by the one phase vanish like e^-T together.
+    edge = float(boundaries(4.5, restitution, order=order).existence)
+    start = symmetric_start(1.1 * edge, 4.5, restitution, order=order)
+    fold = first(continuation(start, "amplitude", (1e-4, 8.0), direction=-1), "fold")
+    lowest = 0.3 if order < 5 else 0.6  # half cycles of 31 and of 26 pivot times
+    within = ((1e-4, 9.0), (lowest, 9.0))
+    points = list(bifurcation_curve(fold, PLANES[0], within, direction=-1))
+    assert points[-1].type == "end-of-range"
+    assert points[-1].frequency_ratio == lowest
+    assert len(points) < 200
+    for point in points:
+        exact = boundaries(point.frequency_ratio, restitution, order=order)
+        assert point.amplitude == pytest.approx(float(exact.existence), rel=1e-10)  # eq 23
+
+
 @pytest.mark.parametrize("plane", PLANES[:3])
 def test_doublings_are_doublings_by_the_map(plane: tuple[str, str]) -> None:
     points = both_ways(first(unsymmetric_branch(), "period-doubling"), plane)

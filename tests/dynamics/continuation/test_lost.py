@@ -1,5 +1,6 @@
 """Branches and curves that rounding ends: they say so, and nothing is raised."""
 
+import numpy as np
 import pytest
 
 from rocksteady import (
@@ -12,10 +13,12 @@ from rocksteady import (
     bifurcation_branches,
     bifurcation_curve,
     boundaries,
+    continuation,
     doubling_cascade,
     orbits,
     symmetry_breaking_amplitude,
 )
+from rocksteady.dynamics.continuation.chain import Chain
 
 BLOCK = DimensionlessBlock(restitution=0.8)
 PLANE = ("amplitude", "frequency_ratio")
@@ -57,3 +60,30 @@ def test_branches_with_a_graze_beside_a_merging_end_without_an_error(ratio: floa
     )
     assert branches[0].symmetric
     assert branches[0].stable.any()
+
+
+def test_what_gets_nowhere_is_stalled_and_says_where_and_why(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    # With the chain's own sizes the test of a fold jumps from -1 to 1 where half cycles are long.
+    monkeypatch.setattr(
+        Chain,
+        "scaled_determinant",
+        lambda self, closing, sizes: float(  # noqa: ARG005 -- called with three
+            np.linalg.det(self.matrix(closing) / self.sizes[:, np.newaxis])
+        ),
+    )
+    block = DimensionlessBlock(restitution=0.87)
+    edge = float(boundaries(4.5, 0.87, order=3).existence)
+    shaking = Harmonic(amplitude=1.1 * edge, frequency_ratio=4.5)
+    found = orbits(block, shaking, max_period=3, max_impacts=2, seeds=1)
+    start = next(orbit for orbit in found if orbit.period == 3 and orbit.symmetric)
+    branch = continuation(start, "amplitude", (0.02, 8.0), direction=-1)
+    fold = next(point for point in branch if point.type is PointType.FOLD)
+    curve = list(bifurcation_curve(fold, PLANE, ((0.02, 8.0), (0.5, 8.0)), direction=-1))
+    assert len(curve) < 1500
+    end = curve[-1]
+    assert end.type is PointType.STALLED
+    assert "shorter than the largest one" in end.reason
+    assert 0.5 < end.frequency_ratio < 0.6
+    assert curve[0].reason == ""

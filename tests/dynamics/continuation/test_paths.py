@@ -1,6 +1,7 @@
 """Curves of equations whose solutions are known: circles, folds, crossings, ends."""
 
 import math
+from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import islice
@@ -9,7 +10,14 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.continuation.paths import Curve, LostError, Spot, gradient
+from rocksteady.dynamics.continuation.paths import (
+    ATTEMPTS,
+    Curve,
+    LostError,
+    Spot,
+    StalledError,
+    gradient,
+)
 
 Floats = NDArray[np.float64]
 
@@ -146,6 +154,37 @@ def test_an_event_in_a_crossing_is_lost_with_a_name() -> None:
     except LostError:
         return
     assert abs(spot.place[0]) < 1e-5  # next to it no point can be corrected
+
+
+def spiral(x: float, y: float) -> float:
+    turn = 20.0 * math.log(math.hypot(x, y))
+    return y * math.cos(turn) - x * math.sin(turn)
+
+
+def spiral_slopes(x: float, y: float) -> tuple[float, float]:
+    square = x * x + y * y
+    turn = 10.0 * math.log(square)
+    along = 20.0 * (y * math.sin(turn) + x * math.cos(turn)) / square
+    return -math.sin(turn) - along * x, math.cos(turn) - along * y
+
+
+def test_a_curve_that_gets_nowhere_stalls_with_a_name() -> None:
+    # Without end to its turns, each a little smaller than the one before.
+    curve = curve_of(spiral, spiral_slopes)
+    begin = begun(curve, (1.0, 0.0), (-0.05, -1.0))
+    spots: list[Spot[Plane]] = []
+    with pytest.raises(StalledError):
+        deque(map(spots.append, curve.follow(begin)))
+    last = spots[-1].arclength
+    assert last - spots[-ATTEMPTS].arclength < 2.0 * curve.largest_step
+    assert np.hypot(*spots[-1].place) > 1e-4
+    assert len(spots) < 3000
+
+
+def test_short_steps_that_get_somewhere_do_not_stall() -> None:
+    curve = curve_of(lambda x, y: y - x, lambda *_: (-1.0, 1.0), step=1e-6)
+    spots = list(islice(curve.follow(begun(curve, (0.0, 0.0), (1.0, 1.0))), 1000))
+    assert len(spots) == 1000
 
 
 def test_a_curve_that_leaves_its_domain_ends() -> None:

@@ -21,7 +21,7 @@ from rocksteady.dynamics.continuation.family import (
     Family,
     checked_ranges,
 )
-from rocksteady.dynamics.continuation.paths import Curve, LostError, Spot
+from rocksteady.dynamics.continuation.paths import Curve, LostError, Spot, StalledError
 from rocksteady.dynamics.continuation.points import MARGINAL, BranchPoint, PointType
 from rocksteady.dynamics.continuation.starts import chain_at
 from rocksteady.dynamics.continuation.switching import switched
@@ -150,27 +150,30 @@ def _followed(
         if beside is None or not beside.solution.chain.admissible:
             return
         earlier = spot = beside
-    for count, new in enumerate(curve.follow(spot)):
-        try:
+    end = PointType.LOST
+    try:
+        for count, new in enumerate(curve.follow(spot)):
             events = events_between(family, curve, spot, new, earlier)
             events += range_ends(family, curve, spot, new)
             events += returns(family, curve, spot, new, begin)
-        except LostError:
-            break
-        closed = next((e.arclength for e in events if e.type is PointType.CLOSED), math.inf)
-        for event in sorted(events, key=lambda event: event.arclength):
-            apart = min(event.arclength, abs(event.arclength - closed))
-            if event.type in itself and apart < AT_START:
-                continue
-            yield BranchPoint(type=event.type, arclength=event.arclength, chain=event.chain)
-            if event.final or (event.type is PointType.GRAZING and not inadmissible):
+            closed = next((e.arclength for e in events if e.type is PointType.CLOSED), math.inf)
+            for event in sorted(events, key=lambda event: event.arclength):
+                apart = min(event.arclength, abs(event.arclength - closed))
+                if event.type in itself and apart < AT_START:
+                    continue
+                yield BranchPoint(type=event.type, arclength=event.arclength, chain=event.chain)
+                if event.final or (event.type is PointType.GRAZING and not inadmissible):
+                    return
+            kind = PointType.REGULAR if count + 1 < most else PointType.LIMIT
+            yield BranchPoint(type=kind, arclength=new.arclength, chain=new.solution.chain)
+            if kind is PointType.LIMIT:
                 return
-        kind = PointType.REGULAR if count + 1 < most else PointType.LIMIT
-        yield BranchPoint(type=kind, arclength=new.arclength, chain=new.solution.chain)
-        if kind is PointType.LIMIT:
-            return
-        earlier, spot = spot, new
-    yield BranchPoint(type=PointType.LOST, arclength=spot.arclength, chain=spot.solution.chain)
+            earlier, spot = spot, new
+    except StalledError:
+        end = PointType.STALLED
+    except LostError:
+        pass
+    yield BranchPoint(type=end, arclength=spot.arclength, chain=spot.solution.chain)
 
 
 def _begun(

@@ -95,8 +95,22 @@ class Chain:
 
         It is 0 where `closing` is a Floquet multiplier of the chain.
         """
+        return self.scaled_determinant(closing, self.sizes)
+
+    @property
+    def sizes(self) -> Floats:
+        """Sum of the sizes of the terms in each row of `matrix`, shape (m,)."""
         band = self.table[:, [kernel.BY_BEFORE, kernel.BY_HERE, kernel.BY_AFTER]]
-        sizes = np.abs(band).sum(axis=1)
+        sizes: Floats = np.abs(band).sum(axis=1)
+        return sizes
+
+    def scaled_determinant(self, closing: float, sizes: Floats) -> float:
+        """Return the determinant of `matrix` with its rows divided by sizes, shape (m,).
+
+        With sizes that stay the same it changes over a curve as the matrix does.  With the chain's
+        own it jumps from -1 to 1 where the arcs are long: at a fold all terms of a row of one arc
+        vanish like e^-T together.
+        """
         return float(np.linalg.det(self.matrix(closing) / sizes[:, np.newaxis]))
 
     def null_direction(self, closing: float) -> Floats:

@@ -14,7 +14,7 @@ from rocksteady.dynamics.continuation.family import (
     Test,
     checked_ranges,
 )
-from rocksteady.dynamics.continuation.paths import Curve, LostError
+from rocksteady.dynamics.continuation.paths import Curve, LostError, StalledError
 from rocksteady.dynamics.continuation.points import BIFURCATIONS, BranchPoint, PointType
 from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError, ModelError
@@ -116,36 +116,38 @@ def _followed(
     yield BranchPoint(type=kind, arclength=0.0, chain=begin.solution.chain)
     spot = begin
     free = _others(kind, family.chain)
-    for count, new in enumerate(curve.follow(begin)):
-        try:
+    end = PointType.LOST
+    try:
+        for count, new in enumerate(curve.follow(begin)):
             ends = [*range_ends(family, curve, spot, new)]
             ends += returns(family, curve, spot, new, begin)
             if free(spot.solution) > 0.0 >= free(new.solution):
                 met = curve.locate(spot, new, free)
                 ends.append(Event(PointType.GRAZING, met.arclength, met.solution.chain, final=True))
-        except LostError:
-            break
-        for end in sorted(ends, key=lambda event: event.arclength):
-            yield BranchPoint(type=end.type, arclength=end.arclength, chain=end.chain)
-            return
-        last = count + 1 == course.most_points
-        yield BranchPoint(
-            type=PointType.LIMIT if last else kind,
-            arclength=new.arclength,
-            chain=new.solution.chain,
-        )
-        if last:
-            return
-        spot = new
-    yield BranchPoint(type=PointType.LOST, arclength=spot.arclength, chain=spot.solution.chain)
+            for event in sorted(ends, key=lambda event: event.arclength):
+                yield BranchPoint(type=event.type, arclength=event.arclength, chain=event.chain)
+                return
+            last = count + 1 == course.most_points
+            yield BranchPoint(
+                type=PointType.LIMIT if last else kind,
+                arclength=new.arclength,
+                chain=new.solution.chain,
+            )
+            if last:
+                return
+            spot = new
+    except StalledError:
+        end = PointType.STALLED
+    except LostError:
+        pass
+    yield BranchPoint(type=end, arclength=spot.arclength, chain=spot.solution.chain)
 
 
 def _condition(kind: PointType, chain: Chain) -> Test:
     """Return what vanishes along the curve of a kind of bifurcation."""
-    if kind is PointType.FOLD:
-        return lambda chain: chain.determinant(1.0)
     if kind is not PointType.GRAZING:
-        return lambda chain: chain.determinant(-1.0)
+        closing, sizes = 1.0 if kind is PointType.FOLD else -1.0, chain.sizes
+        return lambda chain: chain.scaled_determinant(closing, sizes)
     row, merged = _grazed(chain)
     if merged:
         return lambda chain: float(chain.durations[row])

@@ -6,6 +6,7 @@ nothing special happens.  This module knows no physics: it sees arrays.
 """
 
 import math
+from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import Generic, Protocol, TypeVar
@@ -30,6 +31,8 @@ SMALLEST_STEP = 1e-9
 DIFFERENCE = 1e-6
 """Step of the central differences of a condition's gradient: they set the speed of Newton's
 method, not the place where it ends."""
+ATTEMPTS = 200
+"""Steps, corrected or not, over which a curve must advance by its largest one: else it stalls."""
 LOCATED, RELATIVE = 1e-15, 1e-15
 """Part of a step, and of that part, to which an event is located: rounding."""
 TRIALS = 500
@@ -38,6 +41,10 @@ TRIALS = 500
 
 class LostError(ArithmeticError):
     """A curve cannot be followed to an event on it."""
+
+
+class StalledError(LostError):
+    """The steps along a curve have become too short to get anywhere."""
 
 
 class Solution(Protocol):
@@ -126,10 +133,19 @@ class Curve(Generic[SolutionT]):
         Where two curves all but cross, a step straight ahead leads from one to the other.  Such a
         step is seen by the orientation, the sign of the determinant of the slopes and the tangent:
         it is the same all along a curve, except beyond a crossing.
+
+        Raises
+        ------
+        StalledError
+            If the last `ATTEMPTS` steps together are shorter than one largest step.
         """
         step = 0.1 * self.largest_step
         oriented = 0.0  # unknown: the equations may be singular at the start
+        passed: deque[float] = deque(maxlen=ATTEMPTS)
         while step >= SMALLEST_STEP:
+            if len(passed) == ATTEMPTS and spot.arclength - passed[0] < self.largest_step:
+                raise StalledError
+            passed.append(spot.arclength)
             new = self.along(spot, step)
             if new is None or float(new.tangent @ spot.tangent) < STRAIGHT:
                 step *= 0.5

@@ -41,6 +41,20 @@ class PointType(StrEnum):
     """As many points were followed as were asked for."""
     LOST = "lost"
     """The branch could not be followed on."""
+    STALLED = "stalled"
+    """The branch could be followed on in steps only that get nowhere."""
+
+
+REASONS = {
+    PointType.RANGE_END: "a parameter leaves its range",
+    PointType.CLOSED: "it is back where it began",
+    PointType.LIMIT: "as many points were followed as were asked for",
+    PointType.LOST: "no next point satisfies its equations, however near",
+    PointType.STALLED: "200 steps together were shorter than the largest one: the equations are "
+    "near to singular there, or rounding is as large as what they ask for",
+    PointType.GRAZING: "beyond, the solution passes through the floor",
+}
+"""Why a branch or a curve ends at a point of a type."""
 
 
 BIFURCATIONS = (
@@ -89,6 +103,11 @@ class BranchPoint:
     def restitution(self) -> float:
         """Ratio of the angular velocities after and before an impact."""
         return float(self.chain.parameters[2])
+
+    @property
+    def reason(self) -> str:
+        """Why a branch or a curve that ends at this point ends; empty where its type is no end."""
+        return REASONS.get(self.type, "")
 
     @property
     def period(self) -> int:

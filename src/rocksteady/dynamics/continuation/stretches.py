@@ -79,4 +79,5 @@ def _decided(branch: Branch, index: int) -> bool:
     """
     point = branch.points[index]
     lossless = branch.parameter == "restitution" and point.restitution == 1.0
-    return point.type not in BIFURCATIONS and point.type is not PointType.LOST and not lossless
+    undecided = (*BIFURCATIONS, PointType.LOST, PointType.STALLED)
+    return point.type not in undecided and not lossless
