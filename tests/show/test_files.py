@@ -46,7 +46,8 @@ def test_a_file_appears_when_it_is_whole(tmp_path: Path) -> None:
     file = tmp_path / "a.csv"
 
     def write(target: Path) -> None:
-        assert target.parent == tmp_path, "on the same disk"
+        assert target.parent.parent == tmp_path, "on the same disk"
+        assert target.parent.stat().st_mode & 0o777 == 0o700, "nobody else can put a link there"
         assert target.suffix == ".csv", "writers look at the ending"
         target.write_text("half", encoding="utf-8")
         assert not file.exists()

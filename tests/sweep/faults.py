@@ -19,11 +19,15 @@ PREAMBLE = """
 import errno, os, resource, shutil, signal, sys, threading, time
 from functools import partial
 from pathlib import Path
-import xarray, zarr, zarr.storage._local as local
+import xarray, zarr
+from rocksteady import durable
 from rocksteady.errors import RocksteadyError
 from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep import shelf
 from rocksteady.sweep.store import Store
 from tests.sweep.executors.cases import GRID, OUTPUTS, slow, some
+
+shelf.SHARE = float("inf")  # each chunk is marked as finished at once
 
 def run(path, cases=some, **options):
     store = Store(path, chunk=100, **options)
@@ -47,27 +51,18 @@ def watched(moments, name, function):
 
 def kill_at(last):
     moments = Moments(last)
-    class Half:
-        '''Writes half of what it is given, and then the rest.'''
-        def __init__(self, file):
-            self.file = file
-        def write(self, view):
-            view = memoryview(view).cast("B")
-            half = len(view) // 2
-            self.file.write(view[:half])
-            self.file.flush()
+    def create(path, content):
+        half = len(content) // 2
+        with path.open("xb") as file:
             moments.here()
-            return half + self.file.write(view[half:])
-    opened = local._atomic_write
-    import contextlib
-    @contextlib.contextmanager
-    def halves(path, mode, exclusive=False):
-        moments.here()
-        with opened(path, mode, exclusive) as file:
-            yield Half(file)
+            file.write(content[:half])
+            file.flush()
             moments.here()
+            file.write(content[half:])
         moments.here()
-    local._atomic_write = halves
+    durable.create = create
+    os.fsync = watched(moments, "fsync", os.fsync)
+    os.mkdir = watched(moments, "mkdir", os.mkdir)
     Path.replace = watched(moments, "replace", Path.replace)
     Path.unlink = watched(moments, "unlink", Path.unlink)
     Path.write_text = watched(moments, "write_text", Path.write_text)

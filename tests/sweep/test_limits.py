@@ -2,6 +2,7 @@
 
 import functools
 import json
+import math
 import os
 import re
 import shutil
@@ -17,6 +18,7 @@ import pytest
 import zarr
 
 from rocksteady.errors import OutputError, UnfinishedError
+from rocksteady.sweep import shelf
 from rocksteady.sweep.axes import Axis
 from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.grid import Grid
@@ -76,7 +78,10 @@ def small_disk(tmp_path: Path) -> Iterator[Path]:
     subprocess.run(["umount", place], check=True)
 
 
-def test_a_full_disk_ends_the_run_in_one_line(small_disk: Path, undisturbed: Path) -> None:
+def test_a_full_disk_ends_the_run_in_one_line(
+    small_disk: Path, undisturbed: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(shelf, "SHARE", math.inf)  # each chunk is marked as finished at once
     path, ballast = small_disk / "a.zarr", small_disk / "ballast"
 
     def full(cells: int) -> None:

@@ -14,6 +14,7 @@ from typing import Any
 
 from rocksteady.cli import flags
 from rocksteady.cli.outputs import check_writable
+from rocksteady.durable import place_of
 from rocksteady.errors import ModelError, OutputError
 from rocksteady.model.validation import positive
 
@@ -105,7 +106,7 @@ class AnimationFlags:
 
 def same_file(one: Path | None, other: Path | None) -> bool:
     """Return whether two flags name one file."""
-    return one is not None and other is not None and one.absolute() == other.absolute()
+    return one is not None and other is not None and place_of(one) == place_of(other)
 
 
 def grouped(command: Callable[..., None]) -> Callable[..., None]:

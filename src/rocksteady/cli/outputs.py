@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rocksteady import durable
 from rocksteady.cli.progress import progress
 from rocksteady.errors import OutputError
 from rocksteady.show.files import json_text, save_csv, save_figure, save_whole
@@ -27,19 +28,21 @@ def check_writable(flag: str, file: Path, *, force: bool) -> None:
     Raises
     ------
     OutputError
-        If it exists and `force` is off, its folder is missing or not writable, or it is "-".
+        If it exists and `force` is off, its folder is missing or not writable, it is "-", a folder,
+        a device or a pipe. A link counts as what it leads to, and as existing where that is
+        missing.
     """
-    folder = file.absolute().parent
+    found = durable.obstacle(file)
     if file == Path("-"):  # which elsewhere means standard output
         valid, hint = "standard output is kept for text and --json", "name a file"
-    elif not folder.is_dir():
-        valid, hint = "its folder does not exist", "create the folder"
-    elif file.is_dir():
-        valid, hint = "it is a folder", "name a file"
-    elif not os.access(folder, os.W_OK):
+    elif found is not None:
+        valid, hint = found
+    elif not os.access(durable.place_of(file).parent, os.W_OK):
         valid, hint = "its folder is not writable", "choose another folder"
-    elif file.exists() and not force:
-        valid, hint = "it exists", "add --force to overwrite it"
+    elif os.path.lexists(file) and not force:
+        missing = file.is_symlink() and not file.exists()
+        valid = "it is a link to a file that is missing" if missing else "it exists"
+        hint = "add --force to write it" if missing else "add --force to overwrite it"
     else:
         return
     raise OutputError(name=flag, value=file, valid=valid, hint=hint)

@@ -129,7 +129,7 @@ class SweepFlags:
         ModelError
             If something is said of a store and there is none.
         """
-        from rocksteady.sweep.contents import is_store
+        from rocksteady.sweep.ownership import is_store
         from rocksteady.sweep.store import Store
 
         if self.out is None:
@@ -169,7 +169,7 @@ class SweepFlags:
         arguments
             Of the program.
         """
-        from rocksteady.sweep.contents import is_store
+        from rocksteady.sweep.ownership import is_store
         from rocksteady.sweep.reading import finished_cells
 
         try:

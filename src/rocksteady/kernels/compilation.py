@@ -6,8 +6,6 @@ cache folder is therefore keyed on a hash of all kernel sources.
 """
 
 import hashlib
-import os
-import tempfile
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -17,6 +15,8 @@ import numba
 import numba.core.config
 import platformdirs
 
+from rocksteady.kernels.caching import CheckedCache, own_folder
+
 FunctionT = TypeVar("FunctionT", bound=Callable[..., object])
 
 config: Any = numba.core.config  # its settings are made at import: no type checker sees them
@@ -24,24 +24,13 @@ config: Any = numba.core.config  # its settings are made at import: no type chec
 
 @cache
 def cache_folder() -> Path:
-    """Return the folder of this version's machine code, one that can be written to."""
+    """Return the folder of this version's machine code, one that only this user can write."""
     digest = hashlib.sha256()
     for source in sorted(Path(__file__).parent.rglob("*.py")):
         digest.update(source.relative_to(Path(__file__).parent).as_posix().encode())
         digest.update(source.read_bytes())
-    key = digest.hexdigest()[:16]
-    preferred = Path(platformdirs.user_cache_dir("rocksteady")) / "kernels" / key
-    try:
-        preferred.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=preferred):
-            return preferred
-    except OSError:
-        # A read-only home costs some seconds of compilation per machine start, not the run.  The
-        # user's number keeps one user's code out of another's hands on a shared machine.
-        user = os.getuid() if hasattr(os, "getuid") else 0
-        fallback = Path(tempfile.gettempdir()) / f"rocksteady-{user}-{key}"
-        fallback.mkdir(mode=0o700, parents=True, exist_ok=True)
-        return fallback
+    top = Path(platformdirs.user_cache_dir("rocksteady"))
+    return own_folder(top, "kernels", digest.hexdigest()[:16])
 
 
 def must_compile(kernel: str) -> bool:
@@ -89,13 +78,15 @@ def _compile(
     config.CACHE_DIR = str(cache_folder())
     try:
         jit: Any = numba.njit(
-            cache=True,
             nogil=True,
             error_model="numpy",
             forceinline=forceinline,
             fastmath=fastmath,
         )
-        result: FunctionT = jit(function)
+        found: Any = jit(function)
+        if not config.DISABLE_JIT:
+            found._cache = CheckedCache(function)  # as cache=True does with numba's own
     finally:
         config.CACHE_DIR = before
-    return result
+    compiled_function: FunctionT = found
+    return compiled_function

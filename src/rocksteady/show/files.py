@@ -3,12 +3,11 @@
 import csv
 import json
 import math
-import os
 from collections.abc import Callable, Iterable, Sequence
-from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rocksteady import durable
 from rocksteady.errors import OutputError
 
 if TYPE_CHECKING:
@@ -16,26 +15,27 @@ if TYPE_CHECKING:
 
 
 def save_whole(name: str, file: Path, write: Callable[[Path], object]) -> None:
-    """Write a file beside its place and move it there, so that it is never half there.
+    """Write a file that is whole, or leave what was there before.
 
     Parameters
     ----------
     name
         What asked for the file, for the error.
     file
-        Where it goes.
+        Where it goes; a link stays, and the file that it leads to is replaced.
     write
         Writes it to the path that it is given.
 
     Raises
     ------
     OutputError
-        If it cannot be written.
+        If it cannot be written, or what is there is no file.
     """
-    partial = file.with_name(f".{file.stem}.partial-{os.getpid()}{file.suffix}")
+    found = durable.obstacle(file)
+    if found is not None:
+        raise OutputError(name=name, value=file, valid=found[0], hint=found[1])
     try:
-        write(partial)
-        partial.replace(file)
+        durable.write(file, write)
     except OSError as error:
         raise OutputError(
             name=name,
@@ -43,9 +43,6 @@ def save_whole(name: str, file: Path, write: Callable[[Path], object]) -> None:
             valid=error.strerror or str(error),
             hint="check the folder and the space that is left",
         ) from error
-    finally:
-        with suppress(OSError):
-            partial.unlink(missing_ok=True)
 
 
 def figure_bytes(figure: "Figure", kind: str) -> bytes:

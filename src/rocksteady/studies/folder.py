@@ -3,11 +3,13 @@
 import os
 import platform
 import re
+import shutil
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from rocksteady import durable
 from rocksteady.errors import OutputError
 
 Done = Callable[[str], None]
@@ -34,12 +36,19 @@ def check_folder(folder: Path | str, ours: str, *, force: bool = False) -> None:
     ------
     OutputError
         If its parent is missing or not writable, it is a file, or it holds files of these names and
-        `force` is off.
+        `force` is off; with `force`, if one of these names is that of a folder, a device or a pipe.
     """
     target = Path(folder)
     parent = target.absolute().parent
-    if target.is_dir() and not force:
-        held = sorted(file.name for file in target.iterdir() if re.fullmatch(ours, file.name))
+    if target.is_dir():
+        named = sorted(file for file in target.iterdir() if re.fullmatch(ours, file.name))
+        for file in named:
+            found = durable.obstacle(file)
+            if found is not None:
+                raise OutputError(
+                    name="out", value=file, valid=found[0], hint="move it, or name another folder"
+                )
+        held = [] if force else [file.name for file in named]
         if held:
             raise OutputError(
                 name="out",
@@ -82,11 +91,12 @@ def fill_folder(folder: Path | str, write: Callable[[Path], None]) -> list[Path]
     made = not target.is_dir()
     try:
         target.mkdir(exist_ok=True)
+        durable.sync_folder(target.absolute().parent)
         # Inside the target, so that moving never crosses from one disk to another.
         with TemporaryDirectory(prefix=".partial-", dir=target) as stage:
             write(Path(stage))
             made = False  # from here on it holds something
-            return [file.replace(target / file.name) for file in sorted(Path(stage).iterdir())]
+            return [_moved(file, target / file.name) for file in sorted(Path(stage).iterdir())]
     except OSError as error:
         raise OutputError(
             name="out",
@@ -98,6 +108,15 @@ def fill_folder(folder: Path | str, write: Callable[[Path], None]) -> list[Path]
         if made:
             with suppress(OSError):
                 target.rmdir()
+
+
+def _moved(staged: Path, place: Path) -> Path:
+    """Move a file to its place and return that; where a link is there, write what it leads to."""
+    if place.is_symlink():  # perhaps to another disk
+        durable.write(place, lambda new: shutil.copyfile(staged, new))
+    else:
+        durable.move(staged, place)
+    return place
 
 
 def environment() -> str:

@@ -1,19 +1,21 @@
 """What lies in a store: a zarr group that any reader of zarr opens.
 
-It has an array for each axis and each output, and ``done``, a flag for each chunk of cells: what is
-flagged was written before its flag.
+It has an array for each axis and each output, and ``done``, the checksums of each finished chunk of
+cells, which are on the disk after its files.
 """
 
 import json
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, RocksteadyError
+from rocksteady.sweep.binding import identity_of
 from rocksteady.sweep.chunks import Chunks
 
 if TYPE_CHECKING:
@@ -23,12 +25,14 @@ GROUP = "zarr.json"
 """Description of a group, and of an array."""
 DONE = "done"
 CHUNK = "chunk"
-"""Dimension of the flags."""
+"""Dimension of the checksums."""
 COMPUTED = "computed"
-"""What the flags say of cells, in an unfinished result."""
+"""Whether cells are finished, in an unfinished result."""
 TAKEN = (DONE, CHUNK, COMPUTED)
 OUTPUTS = "outputs"
-"""Attribute of the flags: names of the outputs in their order, which a folder does not keep."""
+"""Attribute of the checksums: names of the outputs in their order, which a folder does not keep."""
+LOCK = "lock"
+"""A file beside the checksums: zarr would complain of it beside the arrays."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -44,7 +48,8 @@ class Contents:
     axes, outputs
         Arrays by their names, in the order of the sweep.
     flags
-        Whether each chunk is finished.
+        Checksums of the files of each finished chunk, as many as there are outputs, 0 of others.
+        Those of a store of an earlier version are flags, one a chunk.
     chunks
         The cells of each.
     """
@@ -63,29 +68,33 @@ class Contents:
         return found
 
     def files(self, chunk: int) -> list[Path]:
-        """Return the files of a chunk, its flag first."""
-        flag = self.folder / DONE / self.flags.metadata.encode_chunk_key((chunk,))
+        """Return the files of a chunk, its checksums first."""
         place = self.chunks.place(chunk)
-        return [flag] + [
+        return [self._flag(chunk)] + [
             self.folder / name / array.metadata.encode_chunk_key(place)
             for name, array in self.outputs.items()
         ]
 
-    def flagged(self) -> NDArray[np.bool_]:
-        """Return which chunks are flagged as finished; one whose flag cannot be read is not."""
-        try:
-            return _true(self.flags[:])
-        except Exception:  # noqa: BLE001 -- each codec has errors of its own for what it cannot read
-            return np.array([self._flag(chunk) for chunk in range(len(self.chunks))])
+    def _flag(self, chunk: int) -> Path:
+        return self.folder / DONE / self.flags.metadata.encode_chunk_key((chunk,))
 
-    def _flag(self, chunk: int) -> bool:
-        try:
-            return bool(_true(self.flags[chunk : chunk + 1])[0])
-        except Exception:  # noqa: BLE001 -- as above
-            return False
+    def sums(self) -> NDArray[np.uint64]:
+        """Return the checksums, shape (chunks, outputs); 0 where they cannot be read."""
+        dtype, (many,) = self.flags.dtype, self.flags.chunks
+        found = np.zeros((len(self.chunks), many), dtype=np.uint64)
+        for chunk, row in enumerate(found):
+            with suppress(OSError):
+                content = self._flag(chunk).read_bytes()
+                if len(content) == dtype.itemsize * many:
+                    row[:] = np.frombuffer(content, dtype)
+        return found
+
+    def flagged(self) -> NDArray[np.bool_]:
+        """Return which chunks are marked as finished."""
+        return np.asarray((self.sums() != 0).all(axis=1))
 
     def complete(self, flagged: NDArray[np.bool_]) -> NDArray[np.bool_]:
-        """Return which of the flagged chunks have all their files.
+        """Return which of the finished chunks have all their files.
 
         What is in the files is not looked at.  Without this, zarr would take values for nothing
         where a file is missing.
@@ -96,21 +105,6 @@ class Contents:
                 for chunk, flag in enumerate(flagged.tolist())
             ]
         )
-
-    def readable(self, chunk: int) -> bool:
-        """Return whether every array of a chunk is what was written: they carry checksums."""
-        region = self.chunks.region(chunk)
-        try:
-            for array in self.outputs.values():
-                array[region]
-        except Exception:  # noqa: BLE001 -- as above
-            return False
-        return True
-
-
-def _true(flags: Any) -> NDArray[np.bool_]:
-    """Return which bytes are 1, as they were written: any other than 0 would pass for true."""
-    return np.asarray(np.asarray(flags).view(np.uint8) == 1)
 
 
 def attributes_in(folder: Path) -> dict[str, Any] | None:
@@ -123,48 +117,42 @@ def attributes_in(folder: Path) -> dict[str, Any] | None:
     return dict(found)
 
 
-def is_store(folder: Path) -> bool:
-    """Return whether a folder holds a group of a sweep."""
-    return attributes_in(folder) is not None
-
-
-def was_store(folder: Path) -> bool:
-    """Return whether a folder that is no store any more has the flags of one."""
-    return (folder / DONE / GROUP).is_file()
-
-
-def contents_of(
-    folder: Path, mode: Literal["r", "r+"], refused: Callable[[str], RocksteadyError]
-) -> Contents:
+def contents_of(folder: Path, refused: Callable[[str], RocksteadyError]) -> Contents:
     """Return what lies in a store.
 
     Parameters
     ----------
     folder
         Of a store.
-    mode
-        To read, or to write as well.
     refused
         Makes the error to raise where it cannot be read, from a clause that says why.
     """
     import zarr
 
+    from rocksteady.sweep.chunk_files import ChunkFiles
+
     try:
-        group = zarr.open_group(folder, mode=mode, zarr_format=3, use_consolidated=False)
+        group = zarr.open_group(folder, mode="r", zarr_format=3, use_consolidated=False)
         flags: Any = group[DONE]
-        outputs: dict[str, Any] = {name: group[name] for name in flags.attrs[OUTPUTS]}
-        first = next(iter(outputs.values()))
+        names = list(flags.attrs[OUTPUTS])
+        first: Any = group[names[0]]
+        chunks = Chunks(shape=first.shape, box=first.chunks)
+        files = ChunkFiles(folder, read_only=True)
+        outputs = {name: zarr.open_array(files, path=name, mode="r") for name in names}
         axes: dict[str, Any] = {name: group[name] for name in first.metadata.dimension_names}
-        return Contents(
+        found = Contents(
             folder=folder,
             attributes=group.attrs.asdict(),
             axes=axes,
             outputs=outputs,
             flags=flags,
-            chunks=Chunks(shape=first.shape, box=first.chunks),
+            chunks=chunks,
         )
+        if flags.dtype != np.bool_:
+            files.check(found, identity_of(found.inputs, chunks.box))
     except Exception as error:
         raise refused(f"it cannot be read: {said(error)}") from error
+    return found
 
 
 def refuse_taken(names: Iterable[str]) -> None:

@@ -1,70 +1,144 @@
-"""What a store says of itself, and its axes: they follow from the inputs, and can be mended."""
+"""Describes a store: its groups, arrays and axes follow from the inputs, and can be mended."""
 
 import json
 from collections.abc import Mapping
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
 
 from rocksteady.errors import OutputError
 from rocksteady.sweep.axes import Array, Axis
+from rocksteady.sweep.binding import identity_of
 from rocksteady.sweep.chunks import Chunks
 from rocksteady.sweep.contents import CHUNK, DONE, GROUP, OUTPUTS, attributes_in
 from rocksteady.sweep.inputs import attributes_of, differences
 from rocksteady.sweep.outputs import Output, words_of
+from rocksteady.sweep.ownership import MARKS, REPLACES, Marks, is_begun
 from rocksteady.sweep.task import Task
 
 SHOWN = 5
 """Differences that a message shows."""
 
 
-def create(
-    folder: Path,
-    task: Task,
-    chunks: Chunks,
-    inputs: Mapping[str, Any],
-    attributes: Mapping[str, Any],
-) -> None:
-    """Make the group, with axes and no results."""
-    import zarr
-    from zarr.codecs import Crc32cCodec, ZstdCodec
+class Described:
+    """The descriptions of a store, its axes, and its arrays of chunks, as zarr writes them.
 
-    group = zarr.create_group(folder, zarr_format=3, attributes=attributes_of(inputs, attributes))
-    for axis in task.grid.axes:
-        group.create_array(
-            axis.name,
-            data=_storable(axis),
-            attributes=words_of(axis.long_name, axis.units),
-            dimension_names=[axis.name],
+    Nothing is written to a disk: the caller puts each file in its place.
+
+    Parameters
+    ----------
+    task, chunks
+        What is computed, and in which chunks.
+    inputs, attributes
+        Of the result.
+
+    Attributes
+    ----------
+    marks
+        By which the store is known.
+    files
+        Contents by relative paths.
+    """
+
+    def __init__(
+        self,
+        task: Task,
+        chunks: Chunks,
+        inputs: Mapping[str, Any],
+        attributes: Mapping[str, Any],
+    ) -> None:
+        import zarr
+        from zarr.codecs import Crc32cCodec, ZstdCodec
+        from zarr.storage import MemoryStore
+
+        self._chunks = chunks
+        self._kept: dict[str, Any] = {}
+        self.marks = Marks(
+            axes=task.grid.names,
+            outputs=tuple(output.name for output in task.outputs),
+            sweep=identity_of(inputs, chunks.box),
+            box=chunks.box,
         )
-    for output in task.outputs:
-        group.create_array(
-            output.name,
-            shape=chunks.shape,
-            chunks=chunks.box,
-            # A name, c.1.0, and no path, c/1/0: a folder for each chunk takes as long as its file.
-            chunk_key_encoding={"name": "default", "separator": "."},
-            dtype=output.dtype,
-            fill_value=output.nothing,
-            compressors=[ZstdCodec(level=1), Crc32cCodec()],
-            attributes=_json(output),
-            dimension_names=task.grid.names,
+        group = zarr.create_group(
+            MemoryStore(self._kept),
+            zarr_format=3,
+            attributes=attributes_of(inputs, attributes),
         )
-    group.create_array(
-        DONE,
-        shape=(len(chunks),),
-        chunks=(1,),
-        dtype=np.bool_,
-        fill_value=False,
-        compressors=None,
-        attributes={
-            **words_of("whether a chunk of cells, in C order, is finished", "1"),
-            OUTPUTS: [output.name for output in task.outputs],
-        },
-        dimension_names=[CHUNK],
-    )
+        for axis in task.grid.axes:
+            group.create_array(
+                axis.name,
+                data=_storable(axis),
+                attributes=words_of(axis.long_name, axis.units),
+                dimension_names=[axis.name],
+            )
+        self._arrays: dict[str, Any] = {
+            output.name: group.create_array(
+                output.name,
+                shape=chunks.shape,
+                chunks=chunks.box,
+                # A name, c.1.0, and no path, c/1/0: a folder for each takes as long as its file.
+                chunk_key_encoding={"name": "default", "separator": "."},
+                dtype=output.dtype,
+                fill_value=output.nothing,
+                compressors=[ZstdCodec(level=1), Crc32cCodec()],
+                attributes=_json(output),
+                dimension_names=task.grid.names,
+                # Else a chunk of nothing but fill values would be no file, and count as missing.
+                config={"write_empty_chunks": True},
+            )
+            for output in task.outputs
+        }
+        group.create_array(
+            DONE,
+            shape=(len(chunks) * len(task.outputs),),
+            chunks=(len(task.outputs),),
+            dtype=np.uint64,
+            fill_value=0,
+            compressors=None,
+            attributes={
+                **words_of("checksums of the outputs of each finished chunk, else 0", "1"),
+                OUTPUTS: list(self.marks.outputs),
+            },
+            dimension_names=[CHUNK],
+        )
+        self.files = {path: content.to_bytes() for path, content in self._kept.items()}
+        self.files[GROUP] = self._consolidated()
+        self.files |= dict.fromkeys(MARKS, _text(vars(self.marks)))
+
+    def _consolidated(self) -> bytes:
+        """Return the description of the group with those of axes and outputs.
+
+        So xarray opens the store at once, and shows no array of checksums.
+        """
+        names = [*self.marks.axes, *self.marks.outputs]
+        metadata = {name: json.loads(self.files[f"{name}/{GROUP}"]) for name in names}
+        consolidated = {"kind": "inline", "must_understand": False, "metadata": metadata}
+        return _text(json.loads(self.files[GROUP]) | {"consolidated_metadata": consolidated})
+
+    def beginning(self, replaced: Marks | None) -> bytes:
+        """Return the marks of the store while files of the one before it may be there."""
+        before = None if replaced is None else vars(replaced)
+        return _text(vars(self.marks) | {REPLACES: before})
+
+    def encoded(self, chunk: int, arrays: Mapping[str, Array]) -> dict[str, bytes]:
+        """Return the contents of the files of a chunk by the names of its outputs."""
+        region = self._chunks.region(chunk)
+        shape = tuple(part.stop - part.start for part in region)
+        found = {}
+        for name, array in arrays.items():
+            self._arrays[name][region] = array.reshape(shape)
+            found[name] = self._kept.pop(self.path(name, chunk)).to_bytes()
+        return found
+
+    def path(self, output: str, chunk: int) -> str:
+        """Return the relative path of a file of a chunk."""
+        place = self._chunks.place(chunk)
+        return f"{output}/{self._arrays[output].metadata.encode_chunk_key(place)}"
+
+
+def _text(description: Mapping[str, Any]) -> bytes:
+    return json.dumps(description, indent=2).encode()
 
 
 def _storable(axis: Axis) -> Array:
@@ -81,7 +155,7 @@ def _json(output: Output) -> dict[str, Any]:
     return found
 
 
-def refuse_others(folder: Path, inputs: Mapping[str, Any]) -> None:
+def refuse_others(folder: Path, marks: Marks, inputs: Mapping[str, Any]) -> None:
     """Refuse a store of other inputs.
 
     Raises
@@ -90,58 +164,14 @@ def refuse_others(folder: Path, inputs: Mapping[str, Any]) -> None:
         If something differs; the message says what.
     """
     there = attributes_in(folder)
-    assert there is not None  # it has been looked at
-    found = differences(json.loads(there["inputs"]), inputs)
-    if not found:
+    found = [] if there is None else differences(json.loads(there["inputs"]), inputs)
+    ours = marks.sweep == identity_of(inputs, marks.box)
+    if ours and not (found and is_begun(folder)):  # else the words may be those of the one before
         return
     more = f" and {len(found) - SHOWN} more" if len(found) > SHOWN else ""
     raise OutputError(
         name="store",
         value=folder,
-        valid="it holds another sweep: " + ", ".join(found[:SHOWN]) + more,
+        valid="it holds another sweep: " + (", ".join(found[:SHOWN]) + more or "its marks differ"),
         hint="give the same inputs, overwrite it, or name another store",
     )
-
-
-def mend_descriptions(
-    folder: Path, task: Task, inputs: Mapping[str, Any], attributes: Mapping[str, Any]
-) -> None:
-    """Write all but the results again of a store of these inputs, where it is damaged or edited.
-
-    Raises
-    ------
-    OutputError
-        If it cannot be written.
-    """
-    chunks = Chunks(shape=task.grid.shape, box=_box(folder, task))
-    try:
-        with TemporaryDirectory(prefix="rocksteady-") as scratch:
-            fresh = Path(scratch) / "store"
-            create(fresh, task, chunks, inputs, attributes)
-            for file in sorted(path for path in fresh.rglob("*") if path.is_file()):
-                own = folder / file.relative_to(fresh)
-                if not own.is_file() or own.read_bytes() != file.read_bytes():
-                    own.parent.mkdir(parents=True, exist_ok=True)
-                    partial = own.with_suffix(".partial")
-                    partial.write_bytes(file.read_bytes())
-                    partial.replace(own)
-    except OSError as error:
-        raise OutputError(
-            name="store",
-            value=folder,
-            valid=f"it is damaged and cannot be mended: {error.strerror or error}",
-            hint="overwrite it, or name another store",
-        ) from error
-
-
-def _box(folder: Path, task: Task) -> tuple[int, ...]:
-    """Return the shape of a store's chunks, from the first array that still tells."""
-    for output in task.outputs:
-        try:
-            array = json.loads((folder / output.name / GROUP).read_text(encoding="utf-8"))
-            box = tuple(map(int, array["chunk_grid"]["configuration"]["chunk_shape"]))
-        except (OSError, ValueError, LookupError, TypeError):
-            continue
-        if len(box) == len(task.grid.shape) and min(box) >= 1:
-            return box
-    return Chunks.of(task.grid.shape).box

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, UnfinishedError
 from rocksteady.sweep.axes import Array
-from rocksteady.sweep.contents import COMPUTED, Contents, contents_of, is_store
+from rocksteady.sweep.contents import COMPUTED, Contents, attributes_in, contents_of
 from rocksteady.sweep.outputs import words_of
 
 if TYPE_CHECKING:
@@ -58,11 +58,11 @@ def open_store(path: Path | str, *, partial: bool = False) -> "xarray.Dataset":
 folder; name the folder that a sweep wrote, as map.zarr
     """
     folder = Path(path)
-    if not is_store(folder):
+    if attributes_in(folder) is None:
         what = "it is no store of a sweep" if folder.exists() else "there is no such folder"
         raise _refused(path, what, "name the folder that a sweep wrote, as map.zarr")
     hint = "take a copy of it, or compute it again"
-    contents = contents_of(folder, "r", lambda valid: _refused(path, valid, hint))
+    contents = contents_of(folder, lambda valid: _refused(path, valid, hint))
     flagged = contents.flagged()
     complete = contents.complete(flagged)
     lost = int(flagged.sum() - complete.sum())
@@ -89,7 +89,7 @@ def finished_cells(folder: Path) -> tuple[int, int]:
     InputError
         If it cannot be read.
     """
-    contents = contents_of(folder, "r", lambda valid: _refused(folder, valid, "compute it again"))
+    contents = contents_of(folder, lambda valid: _refused(folder, valid, "compute it again"))
     return _cells(contents, contents.complete(contents.flagged())), contents.chunks.size
 
 

@@ -1,12 +1,14 @@
 """Writes a store: what is finished survives whatever ends the run.
 
-Zarr writes a file beside its place and moves it there, and a chunk's flag is written after its
-arrays: so a process may be killed at any moment.  Arrays carry checksums, and every chunk is a
-file: what is flagged and all the same missing or damaged is found out, and computed again.
+Files of a chunk are on the disk before its checksums are written, which mark it as finished: so a
+process may be killed, and the power may fail, at any moment.  What is marked and all the same
+missing, damaged or that of another chunk is found out, and computed again.
 """
 
 import os
 import socket
+import time
+import uuid
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
@@ -16,22 +18,89 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady import durable
 from rocksteady.errors import OutputError, UnfinishedError
 from rocksteady.sweep.axes import Array
-from rocksteady.sweep.contents import DONE, GROUP, contents_of
+from rocksteady.sweep.binding import checksum, is_identity
+from rocksteady.sweep.chunks import Chunks
+from rocksteady.sweep.contents import DONE, GROUP, LOCK, Contents, contents_of
+from rocksteady.sweep.descriptions import Described
+from rocksteady.sweep.ownership import MARKS, Marks, remove
 from rocksteady.sweep.reading import dataset_of
 from rocksteady.sweep.task import Answer, Piece, Task
 
 if TYPE_CHECKING:
     import xarray
 
-LOCK = "lock"
-"""A file beside the flags: zarr lists the members of a group, and would complain of it there."""
+SHARE = 0.05
+"""Of a run's time that it takes at most to force chunks to the disk, several at once if need be."""
+LATEST = 10.0
+"""Seconds after which finished chunks are forced to the disk, whatever it takes."""
+
+
+class Desk:
+    """Puts files into a store that this process has locked.
+
+    Parameters
+    ----------
+    folder
+        Of the store.
+    token
+        Begins the names of files that are being written: nobody else has it, and the lock names it.
+    """
+
+    def __init__(self, folder: Path, token: str) -> None:
+        self.folder = folder
+        self._partial = folder / DONE / f"{token}.partial"
+
+    def put(self, path: str, content: bytes, *, now: bool = True) -> None:
+        """Put a file in its place, whole: on the disk, or without `now` before `sync` has run."""
+        place = self.folder / path
+        try:
+            self._make_folders(place.parent)
+            durable.create(self._partial, content)
+            if now:
+                durable.move(self._partial, place)
+            else:
+                self._partial.replace(place)
+        except OSError:
+            with suppress(OSError):
+                self._partial.unlink(missing_ok=True)
+            raise
+
+    def _make_folders(self, folder: Path) -> None:
+        if not folder.is_dir():
+            self._make_folders(folder.parent)
+            folder.mkdir()
+            durable.sync_folder(folder.parent)
+
+    def describe(self, described: Described) -> None:
+        """Put all descriptions that are missing, damaged or edited in their places."""
+        for path in sorted(described.files, key=_order):
+            place = self.folder / path
+            if not place.is_file() or place.read_bytes() != described.files[path]:
+                self.put(path, described.files[path])
+
+    def begin(self, described: Described, replaced: Marks | None) -> None:
+        """Make a store of which the descriptions are still to come.
+
+        Files of one that is replaced are removed.  From the first step on it is the new store; what
+        is left to do after it is done when it is resumed.
+        """
+        self.put(MARKS[0], described.beginning(replaced))
+        self.put(GROUP, described.files[GROUP])
+        if replaced is not None:
+            remove(self.folder, replaced)
+
+
+def _order(path: str) -> tuple[bool, str]:
+    """Return by what descriptions are sorted: the marks, which say that all is there, are last."""
+    return path in MARKS, path
 
 
 @contextmanager
-def locked(folder: Path) -> Iterator[None]:
-    """Keep other processes from writing a store.
+def locked(folder: Path) -> Iterator[Desk]:
+    """Keep other processes from writing a store, and yield what writes it.
 
     The operating system gives the lock back when its holder ends, however it ends.
 
@@ -47,9 +116,7 @@ def locked(folder: Path) -> Iterator[None]:
     try:
         lock.acquire()
     except Timeout:
-        holder = ""
-        with suppress(OSError):
-            holder = file.read_text(encoding="utf-8")
+        holder = _holder(file)[0]
         raise OutputError(
             name="store",
             value=folder,
@@ -64,13 +131,28 @@ def locked(folder: Path) -> Iterator[None]:
             hint="check whether you may write there",
         ) from error
     try:
+        before, token = _holder(file)[1], uuid.uuid4().hex
+        if is_identity(before):  # of a process that was killed
+            with suppress(OSError):
+                (folder / DONE / f"{before}.partial").unlink(missing_ok=True)
         with suppress(OSError):  # of a full disk: the words are a courtesy, the lock holds
-            file.write_text(f"process {os.getpid()} on {socket.gethostname()}", encoding="utf-8")
-        yield
+            words = f"process {os.getpid()} on {socket.gethostname()}\n{token}"
+            file.write_text(words, encoding="utf-8")
+            durable.sync(file)
+            durable.sync_folder(file.parent)
+        yield Desk(folder, token)
     finally:
         with suppress(OSError):
             file.write_text("", encoding="utf-8")
         lock.release()
+
+
+def _holder(file: Path) -> tuple[str, str]:
+    """Return who has a lock, or had it when that process was killed, and its token."""
+    with suppress(OSError):
+        words, _, token = file.read_text(encoding="utf-8", errors="replace").partition("\n")
+        return words, token
+    return "", ""
 
 
 class Shelf:
@@ -78,10 +160,12 @@ class Shelf:
 
     Parameters
     ----------
-    folder
+    desk
         Of a store, locked.
     task
         What is computed.
+    described
+        What its files are.
 
     Raises
     ------
@@ -89,38 +173,47 @@ class Shelf:
         If it cannot be read.
     """
 
-    def __init__(self, folder: Path, task: Task) -> None:
-        self._folder = folder
-        self._contents = contents_of(folder, "r+", self._unreadable)
-        self._chunks = self._contents.chunks
-        # Else a chunk of nothing but fill values would be no file, and be taken for a missing one.
-        self._stored = {
-            name: array.with_config({"write_empty_chunks": True})
-            for name, array in self._contents.outputs.items()
-        }
+    def __init__(self, desk: Desk, task: Task, described: Described) -> None:
+        self._desk = desk
+        self._folder = desk.folder
+        self._described = described
+        contents = contents_of(desk.folder, self._unreadable)
+        self._chunks: Chunks = contents.chunks
         self._open: dict[int, tuple[dict[str, Array], int]] = {}
         """Arrays of chunks under way, and how many of their cells are still to come."""
         self._dtypes = {output.name: output.dtype for output in task.outputs}
-        self._finished = self._sound()
+        self._pending: dict[int, bytes] = {}
+        """Checksums of chunks whose files may not be on the disk yet."""
+        self._due = 0.0
+        self._since = 0.0
+        try:
+            self._finished = self._sound(contents)
+        except OSError as error:
+            raise self._unreadable(f"it is damaged: {error.strerror or error}") from error
 
     def _unreadable(self, valid: str) -> OutputError:
         hint = "overwrite it, or name another store"
         return OutputError(name="store", value=self._folder, valid=valid, hint=hint)
 
-    def _sound(self) -> NDArray[np.bool_]:
+    def _sound(self, contents: Contents) -> NDArray[np.bool_]:
         """Return which chunks are finished, and remove what is left of others."""
-        places = [self._folder / name for name in (DONE, *self._stored)]
-        if all(file.name in {GROUP, LOCK} for place in places for file in place.iterdir()):
-            return np.zeros(len(self._chunks), dtype=np.bool_)  # it has just been begun
-        for leftover in self._folder.rglob("*.partial"):  # of a process that was killed
-            leftover.unlink(missing_ok=True)
-        flagged = self._contents.flagged()
-        sound = self._contents.complete(flagged)
+        sums = contents.sums()
+        flagged = contents.flagged()
+        sound = contents.complete(flagged)
         for chunk in np.flatnonzero(sound).tolist():
-            sound[chunk] = self._contents.readable(chunk)
+            found = [
+                checksum(self._described.marks.sweep, name, chunk, file.read_bytes())
+                for name, file in zip(contents.outputs, contents.files(chunk)[1:], strict=True)
+            ]
+            sound[chunk] = found == sums[chunk].tolist()
+        removed = set()
         for chunk in np.flatnonzero(~sound).tolist():
-            for file in self._contents.files(chunk):
-                file.unlink(missing_ok=True)
+            for file in contents.files(chunk):
+                with suppress(FileNotFoundError):
+                    file.unlink()
+                    removed.add(file.parent)
+        for folder in removed:
+            durable.sync_folder(folder)
         damaged = int(flagged.sum() - sound.sum())
         if damaged:
             warnings.warn(
@@ -157,22 +250,56 @@ class Shelf:
             self._write(chunk, arrays)
 
     def _write(self, chunk: int, arrays: Mapping[str, Array]) -> None:
-        region = self._chunks.region(chunk)
-        shape = tuple(part.stop - part.start for part in region)
+        contents = self._described.encoded(chunk, arrays)
         try:
-            for name, array in arrays.items():
-                self._stored[name][region] = array.reshape(shape)
-            self._contents.flags[chunk] = True
+            for name, content in contents.items():
+                self._desk.put(self._described.path(name, chunk), content, now=False)
         except OSError as error:
-            raise UnfinishedError(
-                name="store",
-                value=self._folder,
-                valid=f"{error.strerror or error}; {int(self._finished.sum())} of "
-                f"{len(self._chunks)} chunks are finished and kept",
-                hint="make room and resume it",
-            ) from error
-        self._finished[chunk] = True
+            with suppress(UnfinishedError):
+                self.keep()
+            raise self._stopped(error) from error
+        sweep = self._described.marks.sweep
+        sums = [checksum(sweep, name, chunk, content) for name, content in contents.items()]
+        now = time.monotonic()
+        self._since = self._since if self._pending else now
+        self._pending[chunk] = np.array(sums, dtype="<u8").tobytes()
+        whole = int(self._finished.sum()) + len(self._pending) == len(self._chunks)
+        if whole or now >= min(self._due, self._since + LATEST):
+            self.keep()
+            ended = time.monotonic()
+            self._due = ended + (ended - now) / SHARE
+
+    def keep(self) -> None:
+        """Force the files of full chunks to the disk, then mark these as finished.
+
+        Raises
+        ------
+        UnfinishedError
+            If that cannot be done.
+        """
+        try:
+            for chunk in self._pending:
+                for name in self._dtypes:
+                    durable.sync(self._folder / self._described.path(name, chunk))
+            for name in self._dtypes if self._pending else ():
+                durable.sync_folder(self._folder / name)
+            while self._pending:
+                chunk = next(iter(self._pending))
+                self._desk.put(f"{DONE}/c/{chunk}", self._pending[chunk])
+                self._finished[chunk] = True
+                del self._pending[chunk]
+        except OSError as error:
+            raise self._stopped(error) from error
+
+    def _stopped(self, error: OSError) -> UnfinishedError:
+        return UnfinishedError(
+            name="store",
+            value=self._folder,
+            valid=f"{error.strerror or error}; {int(self._finished.sum())} of "
+            f"{len(self._chunks)} chunks are finished and kept",
+            hint="make room and resume it",
+        )
 
     def dataset(self) -> "xarray.Dataset":
         """Return the result, read from the store where it is used."""
-        return dataset_of(self._contents)
+        return dataset_of(contents_of(self._folder, self._unreadable))

@@ -3,30 +3,25 @@
 `Store` says where and how; `rocksteady.sweep.shelf` writes what lies there.
 """
 
-import glob
 import os
-import shutil
-import time
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager, nullcontext, suppress
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
 from dataclasses import KW_ONLY, dataclass
 from pathlib import Path
 from typing import Any
 
+from rocksteady import durable
 from rocksteady.errors import OutputError
 from rocksteady.model.validation import whole_number
 from rocksteady.sweep.chunks import Chunks
-from rocksteady.sweep.contents import is_store, refuse_taken, was_store
-from rocksteady.sweep.descriptions import create, mend_descriptions, refuse_others
+from rocksteady.sweep.contents import DONE, LOCK, attributes_in, refuse_taken
+from rocksteady.sweep.descriptions import Described, refuse_others
 from rocksteady.sweep.inputs import inputs_of, named_function
-from rocksteady.sweep.shelf import Shelf, locked
+from rocksteady.sweep.ownership import is_begun, others, owner_of, remove, replaced_in
+from rocksteady.sweep.shelf import Desk, Shelf, locked
 from rocksteady.sweep.task import Task
 
 LARGEST_CHUNK = 2**24
-TRIES = 10
-"""To remove a folder."""
-ABANDONED = 3600.0
-"""Seconds after which nobody is making a new store any more: it takes less than one."""
 
 
 @dataclass(frozen=True)
@@ -88,19 +83,37 @@ class Store:
         if not parent.is_dir():
             raise self._refused("the folder it would be in does not exist", "create that folder")
         if os.path.lexists(self.folder):
-            if not self.folder.is_dir():
-                raise self._refused("it is a file", "name a folder, as map.zarr")
-            if not is_store(self.folder) and not was_store(self.folder):
-                raise self._refused("it is a folder and no store of a sweep", "name another one")
-            if not is_store(self.folder) and not self.overwrite:
-                raise self._refused(
-                    "its zarr.json is damaged, and says no more what it holds",
-                    "overwrite it, or name another one",
-                )
-            if not (self.resume or self.overwrite):
-                raise self._refused("it exists", "resume it, overwrite it, or name another one")
+            self._check_there()
         elif not os.access(parent, os.W_OK):
             raise self._refused("its folder is not writable", "choose another folder")
+
+    def _check_there(self) -> None:
+        """Refuse what is there, unless it is a store that may be written, or could be begun."""
+        if not self.folder.is_dir():
+            raise self._refused("it is a file", "name a folder, as map.zarr")
+        try:
+            marks = owner_of(self.folder)
+            foreign = others(self.folder)
+        except OSError as error:
+            raise self._refused(error.strerror or str(error), "name another one") from error
+        if marks is None:
+            if foreign:
+                raise self._refused(
+                    "it is a folder and no store of a sweep of this version", "name another one"
+                )
+            return
+        if not self.overwrite and is_begun(self.folder) and attributes_in(self.folder) is None:
+            raise self._refused(
+                "its zarr.json is damaged, and says no more what it holds",
+                "overwrite it, or name another one",
+            )
+        if not (self.resume or self.overwrite):
+            raise self._refused("it exists", "resume it, overwrite it, or name another one")
+        if self.overwrite and foreign:
+            more = f" and {len(foreign) - 1} more" if foreign[1:] else ""
+            raise self._refused(
+                f"no sweep wrote {foreign[0]}{more} in it", "move that, or name another one"
+            )
 
     def _refused(self, valid: str, hint: str) -> OutputError:
         return OutputError(name="store", value=self.path, valid=valid, hint=hint)
@@ -120,59 +133,60 @@ class Store:
         """
         named_function(task)
         refuse_taken([*task.grid.names, *(output.name for output in task.outputs)])
-        self._mend()
         self.check()
         inputs = inputs_of(task)
-        chunks = Chunks.of(task.grid.shape, self.chunk)
-        there = self.folder.is_dir()
-        if not there or self.overwrite:
-            with locked(self.folder) if there else nullcontext():
-                self._begin(lambda folder: create(folder, task, chunks, inputs, attributes), there)
-        with locked(self.folder):
-            if there and not self.overwrite:
-                refuse_others(self.folder, inputs)
-                mend_descriptions(self.folder, task, inputs, attributes)
-            yield Shelf(self.folder, task)
-
-    def _beside(self, word: str) -> Path:
-        """Return a hidden name beside the store, one for each process."""
-        return self.folder.with_name(f".{self.folder.name}.{word}-{os.getpid()}")
-
-    def _begin(self, fill: Callable[[Path], None], replace: bool) -> None:
-        """Put an empty store in place, whole or not at all; what it replaces goes last."""
-        new, old = self._beside("new"), self._beside("old")
+        made = self._make_folder()
         try:
-            fill(new)
-            if replace:
-                self.folder.replace(old)
-            new.replace(self.folder)  # not onto one that another process has put there just now
+            with locked(self.folder) as desk:
+                self.check()  # another process may have been here
+                shelf = self._shelf(desk, task, inputs, attributes)
+                try:
+                    yield shelf
+                finally:
+                    shelf.keep()
+        finally:
+            if made:
+                self._remove_empty()
+
+    def _make_folder(self) -> bool:
+        """Make the folder, as far as it is missing, and return whether it was."""
+        made = not self.folder.is_dir()
+        try:
+            (self.folder / DONE).mkdir(parents=True, exist_ok=True)
+            durable.sync_folder(self.folder)
+            durable.sync_folder(self.folder.absolute().parent)
         except OSError as error:
             raise self._refused(error.strerror or str(error), "check the folder") from error
-        finally:
-            if old.is_dir() and not self.folder.is_dir():
-                old.replace(self.folder)
-            for leftover in (new, old):
-                _remove(leftover)
+        return made
 
-    def _mend(self) -> None:
-        """Finish what a process was doing that was killed as it replaced the store."""
-        parent, name = self.folder.absolute().parent, glob.escape(self.folder.name)
-        for old in parent.glob(f".{name}.old-*"):
-            if os.path.lexists(self.folder):
-                shutil.rmtree(old, ignore_errors=True)
-            else:  # between the two moves
-                with suppress(OSError):
-                    old.replace(self.folder)
-        for new in parent.glob(f".{name}.new-*"):
-            with suppress(OSError):  # gone meanwhile
-                if time.time() - new.stat().st_mtime > ABANDONED:
-                    shutil.rmtree(new, ignore_errors=True)
+    def _remove_empty(self) -> None:
+        """Remove a folder in which no store has been begun."""
+        with suppress(OSError):
+            if owner_of(self.folder) is None:
+                (self.folder / DONE / LOCK).unlink(missing_ok=True)
+                (self.folder / DONE).rmdir()
+                self.folder.rmdir()
 
-
-def _remove(folder: Path) -> None:
-    """Remove a folder, in which zarr's threads may still be writing after an error."""
-    for _ in range(TRIES):
-        shutil.rmtree(folder, ignore_errors=True)
-        if not folder.exists():
-            return
-        time.sleep(0.05)
+    def _shelf(
+        self, desk: Desk, task: Task, inputs: Mapping[str, Any], attributes: Mapping[str, Any]
+    ) -> Shelf:
+        """Return what writes the store: it is begun, or continued where it stopped."""
+        marks = owner_of(self.folder)
+        if marks is not None and not self.overwrite:
+            refuse_others(self.folder, marks, inputs)
+            chunks = Chunks(shape=task.grid.shape, box=marks.box)
+        else:
+            chunks = Chunks.of(task.grid.shape, self.chunk)
+        described = Described(task, chunks, inputs, attributes)
+        try:
+            before = replaced_in(self.folder)
+            if before is not None:
+                remove(self.folder, before)
+            if marks is None or self.overwrite:
+                desk.begin(described, marks)
+            desk.describe(described)
+        except OSError as error:
+            raise self._refused(
+                f"it cannot be described: {error.strerror or error}", "check the folder"
+            ) from error
+        return Shelf(desk, task, described)

@@ -14,14 +14,14 @@ from typing import Self
 from rocksteady.errors import UnfinishedError
 from rocksteady.sweep.executors.interruptions import held_back
 from rocksteady.sweep.executors.team import WAITING, usable_cores
-from rocksteady.sweep.executors.worker import START
+from rocksteady.sweep.executors.worker import LOOPBACK, START
 
 TRIES = 4
 """How often each worker is started, on average, while none of them comes to work."""
 KILLS = 20
 """The same where a signal ends them: what sends it, a lack of memory too, may not last."""
 
-NO_PAGES = {"dashboard": False, "dashboard_address": "127.0.0.1:0"}
+NO_PAGES = {"dashboard": False, "dashboard_address": f"{LOOPBACK}:0"}
 """Of a scheduler: no web pages about it, and no complaint that another one has their usual port."""
 
 
@@ -181,7 +181,13 @@ class Local:
             "temporary-directory": folder,
         }
         with dask.config.set(settings):
-            scheduler = LocalCluster(n_workers=0, silence_logs=False, scheduler_kwargs=NO_PAGES)
+            scheduler = LocalCluster(
+                n_workers=0,
+                host=LOOPBACK,
+                protocol="tcp://",
+                silence_logs=False,
+                scheduler_kwargs=NO_PAGES,
+            )
         stack.callback(scheduler.close)
         assert scheduler.scheduler is not None
         scheduler.scheduler.add_plugin(Roll(self._crew.at_work))

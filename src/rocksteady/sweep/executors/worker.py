@@ -19,6 +19,9 @@ START = (
 )
 """What Python is given to run: modules are found where the caller finds them."""
 
+LOOPBACK = "127.0.0.1"
+"""The only address at which the processes of a local cluster listen."""
+
 REMOVALS = 10
 """Attempts to remove a folder: each finds what was made in it during the one before."""
 
@@ -48,7 +51,16 @@ def main(folder: str) -> None:
 async def _work(kind: "type[distributed.Worker]", address: str, folder: str) -> None:
     # A piece takes little memory; dask's limit, a share of the machine's, would have workers paused
     # and killed for what other programs take.
-    worker = kind(address, nthreads=1, memory_limit=0, dashboard=False, local_directory=folder)
+    worker = kind(
+        address,
+        # What a worker is sent it unpickles, which runs it: nobody outside this machine may send.
+        host=LOOPBACK,
+        dashboard=False,
+        dashboard_address=f"{LOOPBACK}:0",  # opened all the same, with no pages
+        nthreads=1,
+        memory_limit=0,
+        local_directory=folder,
+    )
     async with worker:
         await worker.finished()
 

@@ -1,0 +1,101 @@
+"""Writes files that a crash or a power failure leaves whole: the new one, or the one before it.
+
+Every output of the package takes this way: it is written in a private folder beside its place,
+forced to the disk, and moved; then the folder that holds it is forced to the disk.
+"""
+
+import os
+import stat
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+PREFIX = ".rocksteady-"
+"""Begins the names of private folders; `tempfile` adds eight random characters."""
+
+
+def obstacle(file: Path) -> tuple[str, str] | None:
+    """Return why no file can be written at a path, and what to do; None where one can.
+
+    Links are followed. A device, a pipe or a folder is never replaced.
+    """
+    try:
+        mode = os.stat(file).st_mode  # noqa: PTH116 -- the same for links of every kind
+    except FileNotFoundError:
+        folder = place_of(file).parent
+        if not folder.is_dir():
+            link = "the folder that the link leads to" if file.is_symlink() else "its folder"
+            return f"{link} does not exist", "create the folder"
+    except (OSError, ValueError) as error:
+        return getattr(error, "strerror", None) or str(error), "name another file"
+    else:
+        if stat.S_ISDIR(mode):
+            return "it is a folder", "name a file"
+        if not stat.S_ISREG(mode):
+            return "it is a device or a pipe", "name a file"
+    return None
+
+
+def place_of(file: Path) -> Path:
+    """Return the path that a file has without links."""
+    return Path(os.path.realpath(file))
+
+
+def write(file: Path, fill: Callable[[Path], object]) -> None:
+    """Write a file so that its place holds the old content or the whole new one.
+
+    Parameters
+    ----------
+    file
+        Where it goes; a link stays, and what it leads to is replaced.
+    fill
+        Writes the path that it is given, in a folder that only this user may open.
+
+    Raises
+    ------
+    OSError
+        If it cannot be written.
+    """
+    place = place_of(file)
+    with TemporaryDirectory(prefix=PREFIX, dir=place.parent, ignore_cleanup_errors=True) as folder:
+        staged = Path(folder) / place.name
+        fill(staged)
+        with suppress(FileNotFoundError):
+            staged.chmod(stat.S_IMODE(place.stat().st_mode))
+        move(staged, place)
+
+
+def create(file: Path, content: bytes) -> None:
+    """Create a file, which nothing is in the place of."""
+    with file.open("xb") as stream:
+        stream.write(content)
+
+
+def move(staged: Path, place: Path) -> None:
+    """Move a file to its place, both forced to the disk: the file before, the folder after."""
+    sync(staged)
+    staged.replace(place)
+    sync_folder(place.parent)
+
+
+def sync(file: Path) -> None:
+    """Force the content of a file to the disk."""
+    descriptor = os.open(file, os.O_RDWR | getattr(os, "O_BINARY", 0))
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)
+
+
+def sync_folder(folder: Path) -> None:
+    """Force the names in a folder to the disk, where the system has a way to."""
+    if not hasattr(os, "O_DIRECTORY"):
+        return
+    with suppress(PermissionError):  # of a folder that may be written and not read
+        descriptor = os.open(folder, os.O_RDONLY | os.O_DIRECTORY)
+        try:
+            with suppress(OSError):  # some network file systems refuse it; the files are there
+                os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
