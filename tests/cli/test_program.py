@@ -1,5 +1,6 @@
 """What every command shares: errors, exit codes, files, help, and how it behaves in a shell."""
 
+import math
 import os
 import re
 import signal
@@ -21,6 +22,7 @@ from rocksteady.cli import (
     orbits,
     simulate,
     steady,
+    terminal,
 )
 from rocksteady.kernels import compilation
 from tests.cli.motion_files import at2, samples
@@ -221,6 +223,7 @@ def test_a_disk_that_fills_leaves_nothing_behind(
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(Path, "replace", full)
+    monkeypatch.setattr("rocksteady.cli.progress.QUIET", math.inf)
     line = refused(f"{SHAKEN[command]} -r 0.8 --csv", tmp_path / "out.csv")
     assert "No space left on device" in line
     assert list(tmp_path.iterdir()) == []
@@ -415,13 +418,15 @@ def test_an_interruption_while_one_is_dealt_with_ends_with_130_too(
 
     monkeypatch.setattr(app, "run", stopped)
     monkeypatch.setattr(warnings, "showwarning", warnings.showwarning)
-    usual = signal.getsignal(signal.SIGINT)
+    monkeypatch.setattr(sys, "stderr", sys.stderr)
+    usual = {name: signal.getsignal(getattr(signal, name)) for name in terminal.ENDING}
     try:
         with pytest.raises(SystemExit) as left:
             app.main()
         assert signal.getsignal(signal.SIGINT) is signal.SIG_IGN  # Python's own end takes a while
     finally:
-        signal.signal(signal.SIGINT, usual)
+        for name, handler in usual.items():
+            signal.signal(getattr(signal, name), handler)
     assert left.value.code == 130
 
 

@@ -1,7 +1,7 @@
 """The program `rocksteady`: its commands, and how every error ends in one line and an exit code.
 
 Exit codes: 0 done, 1 negative verdict with --check, 2 usage or input, 3 incomplete or undecided,
-101 internal error, 130 interrupted.
+101 internal error, 130 interrupted (Ctrl-C), and 143 and 129 by SIGTERM and SIGHUP.
 """
 
 import signal
@@ -27,6 +27,7 @@ from rocksteady.cli import (
     spectrum,
     steady,
     study,
+    terminal,
 )
 from rocksteady.cli.flags import FLAG_OF_ARGUMENT
 from rocksteady.cli.outputs import INCOMPLETE
@@ -38,6 +39,9 @@ HELP = (
     "rocksteady COMMAND --help shows its flags, their units and examples."
 )
 USAGE, INTERNAL, INTERRUPTED = 2, 101, 130
+OUTPUT_LOST = "standard output cannot be written"
+LONGEST_MESSAGE = 400
+"""Characters of what typer finds wrong, which shows arguments whole."""
 
 app = typer.Typer(
     name="rocksteady",
@@ -86,20 +90,25 @@ def rocksteady(
 
 def main() -> None:
     """Run the program and leave with its exit code."""
+    terminal.open_streams()
+    terminal.catch_signals()
     warnings.showwarning = _warn
     try:
         code = run(sys.argv[1:])
     except KeyboardInterrupt:  # one more, while the first was dealt with
-        code = INTERRUPTED
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # nor is one to change how it ends from here on
+        code = _interrupted()
+    terminal.ignore_signals()
     sys.exit(code)
 
 
 def run(arguments: list[str]) -> int:
     """Run the program on a list of arguments and return its exit code."""
+    terminal.tidy_environment()
+    terminal.drop_notes()
     command = typer.main.get_command(app)
     try:
         code = command.main(arguments, prog_name="rocksteady", standalone_mode=False, obj=arguments)
+        sys.stdout.flush()
     except TyperException as error:
         return _usage_error(error, arguments)
     except RocksteadyError as error:
@@ -111,19 +120,45 @@ def run(arguments: list[str]) -> int:
     except SystemExit as leaving:
         # typer leaves with 1 where the reader of a pipe has left, as `head` does: no failure.
         return 0 if isinstance(leaving.__context__, BrokenPipeError) else _code(leaving.code)
-    except OSError as error:  # of a terminal or a pipe: files have errors of their own
-        return _complain(f"cannot be written: {error.strerror or error}")
+    except (OSError, MemoryError, UnicodeError) as error:
+        return _surroundings_error(error)
     except Exception as error:  # noqa: BLE001 -- the last line of defence: say so, with its code
         traceback.print_exc()
-        print(
-            f"rocksteady: internal error: {type(error).__name__}: {error}; "
+        terminal.say(
+            f"internal error: {type(error).__name__}: {error}; "
             "this is a bug: please report it with the command and the lines above",
-            file=sys.stderr,
         )
         return INTERNAL
-    if code == INTERRUPTED:
-        print("rocksteady: interrupted", file=sys.stderr)
-    return _code(code)
+    terminal.say_notes()
+    return _interrupted() if code == INTERRUPTED else _code(code)
+
+
+def _interrupted() -> int:
+    """Print what ended the run, and return its exit code: 128 and the number of the signal."""
+    number = signal.Signals(terminal.received[-1]) if terminal.received else signal.SIGINT
+    by_hand = number == signal.SIGINT
+    terminal.say("interrupted" if by_hand else f"interrupted by {number.name}")
+    return 128 + number
+
+
+def _surroundings_error(error: OSError | MemoryError | UnicodeError) -> int:
+    """Report what no flag alone decides: a stream, the memory, an encoding.
+
+    Files that a flag names have errors of their own.
+    """
+    if isinstance(error, MemoryError):
+        return _complain(
+            f"more memory is needed than there is ({str(error) or 'out of memory'}); take fewer "
+            "points, cells or cycles"
+        )
+    if isinstance(error, UnicodeError):
+        return _complain(f"a name or a file cannot be read as text ({error}); rename or mend it")
+    if isinstance(error, BrokenPipeError):  # its reader has left, as above
+        return 0
+    about = f"{error.filename} cannot be read or written" if error.filename else OUTPUT_LOST
+    if not error.filename:
+        terminal.abandon_output()
+    return _complain(f"{about}: {error.strerror or error}")
 
 
 def _code(result: object) -> int:
@@ -141,6 +176,8 @@ def _usage_error(error: TyperException, arguments: list[str]) -> int:
     given = _given(getattr(getattr(error, "param", None), "opts", []), arguments)
     if given is not None:
         message = f"{message} (given: {given!r})"
+    if len(message) > LONGEST_MESSAGE:
+        message = f"{message[: LONGEST_MESSAGE // 2]} ... {message[-LONGEST_MESSAGE // 2 :]}"
     return _complain(f"{message}; see {path} --help")
 
 
@@ -164,9 +201,11 @@ def _warn(
     line: str | None = None,  # noqa: ARG001
 ) -> None:
     """Say on standard error what a user should know, without where in the code it was said."""
-    print(f"rocksteady: {message}", file=sys.stderr)
+    terminal.say(str(message))
 
 
 def _complain(message: str) -> int:
-    print(f"rocksteady: {message}", file=sys.stderr)
+    """Report an error in one line, and return the code of a refusal."""
+    terminal.drop_notes()
+    terminal.say(message)
     return USAGE

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from rocksteady.cli import flags
+from rocksteady.cli import flags, terminal
 from rocksteady.cli.groups import OutputFlags, grouped
 from rocksteady.cli.nouns import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.outputs import (
@@ -244,12 +244,12 @@ def csv_rows(
 
 def print_summary(values: dict[str, Any], body: Block | DimensionlessBlock) -> None:
     """Print what it is, what that means, and the figures that people ask for first."""
-    from rich.console import Console
     from rich.table import Table
+    from rich.text import Text
 
-    console = Console(highlight=False, soft_wrap=True)
+    console = terminal.console()
     table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
-    table.add_row("kind", f"[bold]{values['kind']}[/bold]")
+    table.add_row("kind", Text(values["kind"], style="bold"))
     if values["period"] is not None:
         table.add_row("period", periods_text(values["period"], values.get("period_s")))
         impacts, rests = values["impacts_per_period"], values["rest_phases"]

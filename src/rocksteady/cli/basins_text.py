@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from rocksteady.cli import terminal
 from rocksteady.cli.basins_values import undecided
 from rocksteady.cli.values import case_text
 
@@ -13,10 +14,9 @@ def case_of(values: dict[str, Any]) -> str:
 
 def print_fractions(values: dict[str, Any]) -> None:
     """Print one row a basin, in 80 characters."""
-    from rich.console import Console
     from rich.table import Table
 
-    console = Console(highlight=False, soft_wrap=True)
+    console = terminal.console()
     count = sum(fraction["states"] for fraction in values["fractions"])
     console.print(f"{case_text(values)}\n{count} states at phase {values['phase']:.6g} rad")
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
@@ -57,14 +57,13 @@ def print_fractions(values: dict[str, Any]) -> None:
 
 def print_erosion(values: dict[str, Any]) -> None:
     """Print one row an amplitude, and what one looks for in them."""
-    from rich.console import Console
     from rich.table import Table
 
-    console = Console(highlight=False, soft_wrap=True)
+    console = terminal.console()
     console.print(f"{case_of(values)}\nsafe basin at phase {values['phase']:.6g} rad")
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
     sized = "heteroclinic_accel_g" in values
-    in_g = (r"accel \[g]",) if sized else ()
+    in_g = ("accel [g]",) if sized else ()
     for heading in ("amplitude", *in_g, "integrity factor", "global integrity"):
         table.add_column(heading, justify="right", no_wrap=True)
     for row in values["erosion"]:

@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING, Any
 
+from rocksteady.cli import terminal
 from rocksteady.cli.ranges import SYMBOLS, Range
 from rocksteady.cli.values import plural
 
@@ -26,9 +27,7 @@ UNITS = {"amplitude": ("accel_g", "g"), "frequency_ratio": ("freq_hz", "Hz")}
 
 def print_diagram(values: dict[str, Any], span: Range) -> None:
     """Print the bifurcations, the branches, what the sweeps met, and the cascade."""
-    from rich.console import Console
-
-    console = Console(highlight=False, soft_wrap=True)
+    console = terminal.console()
     points, branches = values["points"], values["branches"]
     longest, most = values["max_period"], values["max_impacts"]
     console.print(

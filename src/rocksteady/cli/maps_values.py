@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from rocksteady.cli import terminal
 from rocksteady.cli.map_axes import RESIZED, MapCase
 from rocksteady.cli.values import block_text, restitution_text, shaking_values
 from rocksteady.dynamics.parameters import SIZES
@@ -119,10 +120,9 @@ def title_of(case: MapCase, cycles: int | None, model: str) -> str:
 
 def print_counts(values: dict[str, Any]) -> None:
     """Print one row a kind, in 80 characters."""
-    from rich.console import Console
     from rich.table import Table
 
-    console = Console(highlight=False, soft_wrap=True)
+    console = terminal.console()
     axes = " x ".join(f"{axis['count']} {name}" for name, axis in values["axes"].items())
     console.print(f"{values['cells']:,} cells: {axes}")
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from rocksteady.cli import flags
+from rocksteady.cli import flags, terminal
 from rocksteady.cli.groups import OutputFlags, grouped
 from rocksteady.cli.nouns import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.outputs import announce_compilation, print_json, write_csv, write_figure
@@ -183,10 +183,9 @@ def _radians(orbit: dict[str, Any]) -> Sequence[object]:
 
 def print_table(values: dict[str, Any]) -> None:
     """Print one row an orbit, in 80 characters."""
-    from rich.console import Console
     from rich.table import Table
 
-    console = Console(highlight=False, soft_wrap=True)
+    console = terminal.console()
     listed = values["orbits"]
     motions = plural(sum(orbit["admissible"] for orbit in listed), "periodic motion")
     periods, impacts = values["max_period"], values["max_impacts"]

@@ -7,9 +7,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rocksteady import durable
+from rocksteady.cli import terminal
 from rocksteady.cli.progress import progress
 from rocksteady.errors import OutputError
 from rocksteady.show.files import json_text, save_csv, save_figure, save_whole
+from rocksteady.show.names import printable
 
 if TYPE_CHECKING:
     import xarray
@@ -49,7 +51,9 @@ def check_writable(flag: str, file: Path, *, force: bool) -> None:
 
 
 def announce_compilation(kernel: str) -> None:
-    """Say on standard error that a first run takes longer, where this is one.
+    """Print what is odd about the input, and that a first run takes longer where this is one.
+
+    Called when all that can be refused has been looked at, and work begins.
 
     Parameters
     ----------
@@ -58,6 +62,7 @@ def announce_compilation(kernel: str) -> None:
     """
     from rocksteady.kernels.compilation import must_compile
 
+    terminal.say_notes()
     if must_compile(kernel):
         print("compiling what this needs, once for each version: up to a minute", file=sys.stderr)
 
@@ -101,7 +106,7 @@ def write_film(file: Path, film: "Film") -> None:
 
 def announce_file(file: Path) -> None:
     """Say on standard error that a file is there."""
-    print(f"wrote {file}", file=sys.stderr)
+    print(f"wrote {printable(file)}", file=sys.stderr)
 
 
 def print_json(command: str, values: dict[str, Any]) -> None:

@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING, Any
 
+from rocksteady.cli import terminal
 from rocksteady.cli.values import block_values, restitution_values
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
@@ -88,10 +89,9 @@ def title_of(values: dict[str, Any]) -> str:
 
 def print_windows(values: dict[str, Any]) -> None:
     """Print one row a window, in 80 characters."""
-    from rich.console import Console
     from rich.table import Table
 
-    console = Console(highlight=False, soft_wrap=True)
+    console = terminal.console()
     low, high = values["amplitudes"]
     console.print(f"{title_of(values)}\nsearched from {low:.6g} to {high:.6g} alpha g")
     sized = "block" in values

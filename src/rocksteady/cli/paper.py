@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rocksteady.cli import flags
+from rocksteady.cli import flags, terminal
 from rocksteady.cli.outputs import announce_compilation, print_json
 from rocksteady.cli.progress import progress
 
@@ -59,12 +59,11 @@ def paper(
 
 def print_summary(study: "Study", out: Path, files: list[Path]) -> None:
     """Print what came out and where to look."""
-    from rich.console import Console
     from rich.table import Table
 
     from rocksteady.studies.tso_wong_1989.findings import corrected
 
-    console = Console(highlight=False, soft_wrap=True)
+    console = terminal.console()
     if study.claims:
         counts = ", ".join(
             f"{count} {verdict.replace('-', ' ')}" for verdict, count in study.counts().items()
@@ -76,7 +75,7 @@ def print_summary(study: "Study", out: Path, files: list[Path]) -> None:
         for claim in corrected(study.claims):
             table.add_row(claim.id, claim.statement)
         console.print("not as the paper says:", style="bold")
-        Console(highlight=False).print(table)
+        terminal.console(wrap=True).print(table)
     console.print(f"{len(files)} files in {out}")
     for file in files:
         if file.name == "report.html":

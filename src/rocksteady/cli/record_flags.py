@@ -1,17 +1,18 @@
 """Recorded ground motions as flags: which files, how they are read, and how they shake a block."""
 
 import re
-import sys
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from rocksteady.cli import terminal
 from rocksteady.cli.flags import FLAG_OF_ARGUMENT, MOTION
 from rocksteady.cli.nouns import BlockFlags, refuse_of_linear
 from rocksteady.errors import InputError, ModelError, RecordFileError
 from rocksteady.model.block import Block
+from rocksteady.show.names import printable
 
 if TYPE_CHECKING:
     from rocksteady.model.record import Record
@@ -210,7 +211,15 @@ class ReadingFlags:
 
         for words in dict.fromkeys(words for one in found for words in one.warnings):
             warn(file, _in_flags(words))
-        return [baseline_corrected(one, self.baseline) for one in found]
+        return [_named(baseline_corrected(one, self.baseline)) for one in found]
+
+
+def _named(one: "Recording") -> "Recording":
+    """Return a recording whose name every table, picture and store can hold."""
+    name = one.record.name
+    if name is None or printable(name) == name:
+        return one
+    return replace(one, record=replace(one.record, name=printable(name)))
 
 
 ASKED_FOR = re.compile(
@@ -225,8 +234,8 @@ def _in_flags(words: str) -> str:
 
 
 def warn(file: Path, words: str) -> None:
-    """Say on standard error what is odd about a file, beside which the result stands."""
-    print(f"rocksteady: {file}: {words}", file=sys.stderr)
+    """Note what is odd about a file, beside which the result stands."""
+    terminal.note(f"{file}: {words}")
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -4,7 +4,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from rocksteady.cli import terminal
 from rocksteady.model.block import STANDARD_GRAVITY
+from rocksteady.show.names import printable
 from rocksteady.show.palette import shortened
 
 if TYPE_CHECKING:
@@ -112,14 +114,16 @@ def course_rows(course: "GroundCourse", unit: str) -> Iterator[list[float]]:
 
 def print_one(one: Description) -> None:
     """Print a record: what the file says, what is odd, and the measures."""
-    from rich.console import Console
     from rich.table import Table
+    from rich.text import Text
 
-    console = Console(highlight=False, soft_wrap=True)
+    console = terminal.console()
     recording, record = one.recording, one.recording.record
     about = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
-    about.add_row("record", f"[bold]{one.title}[/bold]")
-    about.add_row("file", f"{recording.path.name} ({recording.format})")
+    about.add_column(no_wrap=True)
+    about.add_column(overflow="fold")
+    about.add_row("record", Text(printable(one.title), style="bold"))
+    about.add_row("file", f"{printable(recording.path.name)} ({recording.format})")
     about.add_row(
         "samples",
         f"{len(record.acceleration_m_s2)} every {record.dt_s:g} s, {record.duration_s:g} s, in "
@@ -148,7 +152,6 @@ def print_one(one: Description) -> None:
 
 def print_spectrum(spectrum: "ResponseSpectrum") -> None:
     """Print a row a period."""
-    from rich.console import Console
     from rich.table import Table
 
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
@@ -164,7 +167,7 @@ def print_spectrum(spectrum: "ResponseSpectrum") -> None:
     )
     for row in zip(*(column.tolist() for column in columns), strict=True):
         table.add_row(*(f"{value:.5g}" for value in row))
-    console = Console(highlight=False, soft_wrap=True)
+    console = terminal.console()
     console.print()
     console.print(table)
     console.print(f"Damping {spectrum.damping:.3g} of critical.", style="dim")
@@ -172,10 +175,9 @@ def print_spectrum(spectrum: "ResponseSpectrum") -> None:
 
 def print_table(found: Sequence[Description]) -> None:
     """Print a row a record."""
-    from rich.console import Console
     from rich.table import Table
 
-    console = Console(highlight=False, soft_wrap=True)
+    console = terminal.console()
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
     table.add_column("record", overflow="fold")
     headings = ("samples", "dt s", "PGA g", "PGV m/s", "Arias m/s", "D5-95 s")
@@ -184,7 +186,7 @@ def print_table(found: Sequence[Description]) -> None:
     for one in found:
         record, measures = one.recording.record, one.measures
         table.add_row(
-            one.name,
+            printable(one.name),
             str(len(record.acceleration_m_s2)),
             f"{record.dt_s:g}",
             f"{measures.pga_g:.4f}",

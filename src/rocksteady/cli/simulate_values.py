@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from rocksteady.cli import terminal
 from rocksteady.cli.values import block_values, restitution_values, shaking_values
 from rocksteady.model.block import STANDARD_GRAVITY, Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic, Motion
@@ -73,12 +74,12 @@ def ground_values(motion: "Record", vertical: "Motion | Record | None") -> dict[
 
 def print_summary(values: dict[str, Any], trajectory: "Trajectory") -> None:
     """Print how it ended, what that means, and the figures that people ask for first."""
-    from rich.console import Console
     from rich.table import Table
+    from rich.text import Text
 
-    console = Console(highlight=False, soft_wrap=True)
+    console = terminal.console()
     table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
-    table.add_row("status", f"[bold]{values['status']}[/bold]")
+    table.add_row("status", Text(values["status"], style="bold"))
     peak = f"{values['peak']:.10g} alpha"
     if "side_peaks" in values:  # each in its own alpha
         left, right = values["side_peaks"]

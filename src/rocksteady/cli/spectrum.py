@@ -22,6 +22,7 @@ from rocksteady.cli.record_flags import ReadingFlags, RecordFlags
 from rocksteady.cli.spectrum_values import print_spectrum, spectrum_values, title_of
 from rocksteady.cli.sweeps import SweepFlags
 from rocksteady.errors import InputError, ModelError
+from rocksteady.show.names import literal
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.nonlinear import ModelName
@@ -177,7 +178,7 @@ def spectrum(
     if output.plot is not None:
         from rocksteady.show.spectra_figures import spectrum_figure, suite_figure
 
-        title = title_of(values)
+        title = literal(title_of(values))
         write_figure(
             output.plot,
             spectrum_figure(found, title) if summary is None else suite_figure(summary, title),

@@ -6,6 +6,7 @@ from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from rocksteady.cli import terminal
 from rocksteady.cli.values import plural
 from rocksteady.errors import Status
 from rocksteady.show.palette import shortened
@@ -130,10 +131,9 @@ def print_spectrum(
     degrees: bool,
 ) -> None:
     """Print a row a size and a column a slenderness, in 80 characters; these in degrees or not."""
-    from rich.console import Console
     from rich.table import Table
 
-    console = Console(highlight=False, soft_wrap=True)
+    console = terminal.console()
     console.print(title_of(values))
     said = "largest |theta|/alpha"
     if summary is not None:
@@ -142,7 +142,7 @@ def print_spectrum(
     alphas = _picked(found.sizes["alpha"], COLUMNS if summary is None else SUITE_COLUMNS)
     periods = _picked(found.sizes["period"], ROWS)
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
-    table.add_column("2 pi/p \\[s]", justify="right", no_wrap=True)
+    table.add_column("2 pi/p [s]", justify="right", no_wrap=True)
     for alpha in found["alpha"].values[alphas].tolist():
         heading = f"{math.degrees(alpha):.4g}°" if degrees else f"{alpha:.4g} rad"
         table.add_column(heading, justify="right", no_wrap=True)

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from rocksteady.cli import flags
+from rocksteady.cli import flags, terminal
 from rocksteady.cli.groups import OutputFlags, grouped
 from rocksteady.cli.nouns import BlockFlags, ShakingFlags
 from rocksteady.cli.outputs import announce_compilation, print_json, write_csv, write_figure
@@ -191,10 +191,9 @@ def verdict(solution: dict[str, Any]) -> str:
 
 def print_point(point: dict[str, Any]) -> None:
     """Print the solutions at a point, one column each, in 80 characters."""
-    from rich.console import Console
     from rich.table import Table
 
-    console = Console(highlight=False, soft_wrap=True)
+    console = terminal.console()
     console.print(
         f"A = {point['amplitude']:.8g}, Omega = {point['frequency_ratio']:.8g}, "
         f"restitution {point['restitution']:.8g}, n = {point['order']}"
@@ -235,10 +234,8 @@ def print_point(point: dict[str, Any]) -> None:
 
 def print_curves(states: "SteadyStates") -> None:
     """Print a summary of what was found along the axes."""
-    from rich.console import Console
-
     assert states.admissible is not None
-    console = Console(highlight=False, soft_wrap=True)
+    console = terminal.console()
     console.print(
         f"{states.region.size} points, of which {int((states.region != 4).sum())} have solutions"
     )

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from rocksteady.cli import flags
+from rocksteady.cli import flags, terminal
 from rocksteady.cli.inputs import axis, number
 from rocksteady.cli.outputs import announce_compilation, print_json
 from rocksteady.cli.progress import progress
@@ -113,13 +113,11 @@ def atlas(
 
 def print_summary(found: "Atlas", out: Path, files: list[Path]) -> None:
     """Print what came out and where to look."""
-    from rich.console import Console
-
     from rocksteady.studies.atlas.findings import coexistence_sentences, rest_sentences
 
-    console = Console(highlight=False)
+    console = terminal.console(wrap=True)
     for text in (*coexistence_sentences(found.found), *rest_sentences(found.rest, None)[:1]):
         console.print(text.replace("\N{NO-BREAK SPACE}", " "))
-    quiet = Console(highlight=False, soft_wrap=True)
+    quiet = terminal.console()
     quiet.print(f"{len(files)} files in {out}")
     quiet.print(f"open {out / 'atlas.html'}")

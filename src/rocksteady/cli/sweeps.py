@@ -15,6 +15,7 @@ from rocksteady.cli import flags
 from rocksteady.cli.groups import OutputFlags, same_file
 from rocksteady.cli.outputs import check_writable
 from rocksteady.errors import ModelError, OutputError, UnfinishedError
+from rocksteady.show.names import printable
 
 if TYPE_CHECKING:
     from rocksteady.sweep.store import Store
@@ -177,9 +178,10 @@ class SweepFlags:
         except (KeyboardInterrupt, UnfinishedError):
             if self.out is not None and is_store(self.out):
                 finished, cells = finished_cells(self.out)
+                where = printable(self.out)
                 print(
-                    f"{finished:,} of {cells:,} cells are kept in {self.out}; to go on:\n"
-                    f"  {resuming(arguments)}",
+                    f"{finished:,} of {cells:,} cells are kept in {where}; to go on:\n"
+                    f"  {printable(resuming(arguments))}",
                     file=sys.stderr,
                 )
             raise

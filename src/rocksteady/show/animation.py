@@ -9,6 +9,7 @@ from rocksteady.model.motions import Harmonic, Still
 from rocksteady.model.pulses import Pulse
 from rocksteady.model.record import Record
 from rocksteady.show import palette
+from rocksteady.show.names import literal
 from rocksteady.show.palette import shortened
 from rocksteady.show.playback import FRAMES_PER_SECOND, Reel, reel_of, speed_text, speed_unit
 from rocksteady.show.plots.motion import plot_trajectory, time_axis
@@ -150,7 +151,7 @@ def title(scene: BlockScene) -> str:
     if isinstance(motion, Pulse):  # its name leaves no room for the block
         return f"Pulse {motion.shape}, A = {motion.amplitude:.4g}, Ω = {motion.frequency_ratio:.4g}"
     if isinstance(motion, Record):  # nor do many of theirs
-        name = shortened(motion.name or f"Record of {motion.duration_s:.4g} s")
+        name = literal(shortened(motion.name or f"Record of {motion.duration_s:.4g} s"))
         upwards = scene.trajectory.vertical is not None
         return f"{name}, with vertical motion, not drawn" if upwards else name
     if isinstance(motion, Harmonic):

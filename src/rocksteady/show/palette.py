@@ -103,6 +103,8 @@ LABELS = {
 STYLE: dict[str, Any] = {
     "font.family": "DejaVu Sans",
     "font.size": 9.0,
+    "text.usetex": False,  # a user's setting that needs another program
+    "text.parse_math": True,
     "axes.titlesize": 9.5,
     "axes.titlelocation": "left",
     "axes.labelsize": 9.0,

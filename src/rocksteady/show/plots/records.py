@@ -11,6 +11,7 @@ from rocksteady.seismic.ground_course import GroundCourse
 from rocksteady.seismic.response_spectrum import ResponseSpectrum
 from rocksteady.show import palette
 from rocksteady.show.layout import axes_or_new, legend_inside, plain_ticks, spaced_by_ratio
+from rocksteady.show.names import legend_label
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -195,7 +196,7 @@ def plot_response_spectra(spectra: Sequence[ResponseSpectrum], ax: "Axes | None"
             ls=palette.DASHES[number] if few else "-",
             lw=1.2 if few else 0.6,
             alpha=1.0 if few else 0.6,
-            label=(one.record.name or f"record {number + 1}") if few else None,
+            label=legend_label(one.record.name or f"record {number + 1}") if few else None,
         )
     if len(spectra) > 1:
         mean = np.exp(np.log(values).mean(axis=0))
