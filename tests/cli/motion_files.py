@@ -19,9 +19,9 @@ def samples(seed: int = 1, peak_g: float = 0.6) -> Floats:
     return rounded
 
 
-def at2(file: Path, values_g: Floats, dt_s: float = 0.02) -> Path:
+def at2(file: Path, values_g: Floats, dt_s: float = 0.02, component: str = "090") -> Path:
     """Write a PEER file."""
-    head = "PEER NGA STRONG MOTION DATABASE RECORD\nTown, 1/2/1990, Hut, 090\n"
+    head = f"PEER NGA STRONG MOTION DATABASE RECORD\nTown, 1/2/1990, Hut, {component}\n"
     head += f"ACCELERATION TIME SERIES IN UNITS OF G\nNPTS= {len(values_g)}, DT= {dt_s} SEC\n"
     rows = (values_g[k : k + 5] for k in range(0, len(values_g), 5))
     body = "\n".join("".join(f"{value:15.7E}" for value in row) for row in rows)

@@ -10,6 +10,7 @@ import pytest
 from PIL import Image
 
 from rocksteady import Block, Record, State, simulate
+from rocksteady.cli.values import case_text
 from tests.cli.motion_files import at2, real, samples
 from tests.cli.program import refused, rocksteady
 from tests.records.published import AT_PACOIMA_DAM, PEAKS
@@ -21,7 +22,7 @@ SIZE = "--width-m 0.4 --height-m 1.6"
 @pytest.fixture
 def files(tmp_path: Path) -> tuple[Path, Path]:
     across = at2(tmp_path / "across.AT2", samples())
-    return across, at2(tmp_path / "up.AT2", samples(9, 0.4))
+    return across, at2(tmp_path / "up.AT2", samples(9, 0.4), component="UP")
 
 
 def record_of(values_g: np.ndarray) -> Record:
@@ -98,14 +99,67 @@ def test_one_file_may_hold_what_shakes_across_and_upwards(
     line = refused(command, both)
     assert "--channel = 'not given'" in line
     assert "1 (NS), 2 (UP)" in line
-    monkeypatch.setattr(read, "read_recordings", lambda *_, **__: (channels[0],) * 2)
+    monkeypatch.setattr(
+        read, "read_recordings", lambda *_, **__: (replace(across, orientation="horizontal"),) * 2
+    )
     assert "0 are vertical" in refused(command, files[0], "--channel", 1, "--vertical", both)
 
 
-def test_a_base_that_falls_away_ends_the_run(files: tuple[Path, Path], tmp_path: Path) -> None:
-    down = at2(tmp_path / "down.AT2", samples(9, 1.5))
+def test_a_vertical_that_is_filed_downwards(files: tuple[Path, Path], tmp_path: Path) -> None:
+    across, up = files
+    down = at2(tmp_path / "dn.AT2", -samples(9, 0.4), component="DWN")
     command = f"simulate {SIZE} --model nonlinear --json --record"
-    assert rocksteady(command, files[0], "--vertical", down).json["status"] == "lost-contact"
+    plain, turned = (rocksteady(command, across, "--vertical", one) for one in (up, down))
+    assert (plain.err, turned.err) == ("", "")
+    assert turned.json["peak"] == plain.json["peak"]
+    assert plain.json["vertical_processing"] == []
+    note = "sign changed: DWN is positive downwards, and vertical motion upwards"
+    assert turned.json["vertical_processing"] == [note]
+    filed = rocksteady(command, across, "--vertical", down, "--reverse-vertical").json
+    assert filed["vertical_processing"] == [note, "sign changed: --reverse-vertical"]
+    truth = simulate(
+        BLOCK, record_of(samples()), vertical=record_of(-samples(9, 0.4)), model="nonlinear"
+    )
+    assert filed["peak"] == pytest.approx(truth.peak, rel=1e-9) != plain.json["peak"]
+    text = rocksteady(f"simulate {SIZE} --model nonlinear --record", across, "--vertical", down)
+    assert "sign changed: DWN" in " ".join(text.out.split())
+    assert "without --vertical" in refused(command, across, "--reverse-vertical")
+
+
+def test_the_title_of_a_picture_names_the_changed_sign() -> None:
+    values = {"record": "a", "vertical": "b", "pga_g": 0.5, "restitution": 0.9}
+    assert "a and vertical, PGA" in case_text({**values, "vertical_processing": []})
+    notes = ["sign changed: DWN is positive downwards, and vertical motion upwards"]
+    assert "a and vertical (sign changed), PGA" in case_text(
+        {**values, "vertical_processing": notes}
+    )
+
+
+def test_a_vertical_that_does_not_belong(files: tuple[Path, Path], tmp_path: Path) -> None:
+    other = at2(tmp_path / "other.AT2", samples(9, 0.4)[:300], 0.01, component="UP")
+    other.write_text(other.read_text().replace("Hut", "Shed").replace("1990", "1991"))
+    command = f"simulate {SIZE} --model nonlinear --json --record"
+    ran = rocksteady(command, files[0], "--vertical", other)
+    for words in ("may not belong", "'Hut' and 'Shed'", "1991", "0.01, 0.02 s", "300, 601 samples"):
+        assert words in ran.err
+    assert "in the place of a vertical" in rocksteady(command, files[0], "--vertical", files[0]).err
+    assert "is vertical, and shakes across" in rocksteady(command, files[1]).err
+
+
+def test_pacoima_dam_with_its_vertical() -> None:
+    across, down = real("RSN77*PUL164*"), real("RSN77*PULDWN*")
+    command = "simulate --width-m .6 --height-m 1.8 --model nonlinear --json --record"
+    ran = rocksteady(command, across, "--vertical", down)
+    assert ran.json["peak"] == pytest.approx(0.203, abs=5e-4)
+    assert "name states upwards, and its header downwards" in ran.err
+    filed = rocksteady(command, across, "--vertical", down, "--reverse-vertical").json
+    assert filed["peak"] == pytest.approx(0.822, abs=5e-4)
+
+
+def test_a_base_that_falls_away_ends_the_run(files: tuple[Path, Path], tmp_path: Path) -> None:
+    falling = at2(tmp_path / "falling.AT2", samples(9, 1.5), component="UP")
+    command = f"simulate {SIZE} --model nonlinear --json --record"
+    assert rocksteady(command, files[0], "--vertical", falling).json["status"] == "lost-contact"
 
 
 @pytest.mark.parametrize("model", ["linear", "nonlinear"])

@@ -75,6 +75,7 @@ def test_a_suite_has_quantiles_and_shares(files: list[Path]) -> None:
 
 def test_every_flag_reaches_the_blocks(files: list[Path], tmp_path: Path) -> None:
     up = write_at2(tmp_path / "up.AT2", lifting())
+    up.write_text(up.read_text().replace("Hut, 090", "Hut, UP"))
     command = "spectrum --alpha-deg 12 --p-rad-s 2 --model nonlinear -r 0.8 --gravity-m-s2 9.7"
     command += " --scale 1.2 --reverse --tolerance 1e-8 --json"
     values = rocksteady(command, "--record", files[1], "--vertical", up).json

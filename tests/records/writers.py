@@ -109,6 +109,7 @@ def cosmos_channel(
     form: tuple[str, str, int] = ("{:10.5f}", "8F10.5", 8),
     first: str = "Corrected acceleration",
     channel: int = 1,
+    label: str | None = None,
 ) -> str:
     """Return one channel of a COSMOS file."""
     whole = np.full(100, -999.0)
@@ -118,6 +119,7 @@ def cosmos_channel(
     integers, integer_lines = _block(whole, "{:8.0f}", 10)
     reals, real_lines = _block(real, "{:13.6f}", 6)
     seconds = int(len(values) * dt_ms / 1000.0)
+    name = {400: "Up", 401: "Down"}.get(azimuth, f"{azimuth} deg")
     return (
         f"{first}    (Format v01.20 with 13 text lines) Src: none\n"
         "Somewhere in the West            June 16,2005 13:53 PDT\n"
@@ -127,7 +129,7 @@ def cosmos_channel(
         "Coords: 34.0460 -117.0350  Site Geology:  rock\n"
         "Recorder: SSA-2  s/n 1238 ( 1 Chns of 12  at Sta) Sensor:FBA-11  s/n 1889\n"
         "Rcrd start time:06/16/2005, 20:53:04.400 UTC (Q=2) RcrdId: 23075\n"
-        f"Sta Cha:  {channel}: {azimuth} deg (Rcrdr Chan  1) Location: ground\n"
+        f"Sta Cha:  {channel}: {label or name} (Rcrdr Chan  1) Location: ground\n"
         "Raw record length = 70.000  sec\nProcessed: 06/17/2005\nRecord filtered\n"
         "Values used when parameter or data value is unknown/unspecified:   -999, -999.0\n"
         f" 100 Integer-header values follow on  {integer_lines} lines, Format= (10I8)\n{integers}"

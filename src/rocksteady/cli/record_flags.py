@@ -9,7 +9,7 @@ import typer
 
 from rocksteady.cli import terminal
 from rocksteady.cli.flags import FLAG_OF_ARGUMENT, MOTION
-from rocksteady.cli.nouns import BlockFlags, refuse_of_linear
+from rocksteady.cli.nouns import BlockFlags
 from rocksteady.errors import InputError, ModelError, RecordFileError
 from rocksteady.model.block import Block
 from rocksteady.show.names import printable
@@ -44,8 +44,8 @@ VerticalFile = Annotated[
     typer.Option(
         "--vertical",
         metavar="FILE",
-        help="Vertical acceleration beside --record, upwards positive, the vertical channel of a "
-        "file with several; needs --model nonlinear.",
+        help="Vertical acceleration beside --record, the vertical channel of a file with several; "
+        "upwards is positive, and DWN is turned. Needs --model nonlinear.",
         rich_help_panel=MOTION,
     ),
 ]
@@ -54,6 +54,15 @@ Reverse = Annotated[
     typer.Option(
         "--reverse",
         help="Change the sign of --record: its positive values drive negative rotation.",
+        rich_help_panel=MOTION,
+    ),
+]
+ReverseVertical = Annotated[
+    bool,
+    typer.Option(
+        "--reverse-vertical",
+        help="Change the sign of --vertical, for a file that states its direction wrongly; PEER's "
+        "DWN is positive downwards and is turned by itself.",
         rich_help_panel=MOTION,
     ),
 ]
@@ -155,8 +164,8 @@ class ReadingFlags:
         found = self._channels(file)
         return self._ready(file, found if self.channel is None else (chosen(found, self.channel),))
 
-    def read(self, file: Path) -> "Record":
-        """Return the one record of a file; what is odd about it is printed.
+    def read(self, file: Path) -> "Recording":
+        """Return the one channel of a file; what is odd about it is printed.
 
         Raises
         ------
@@ -166,10 +175,10 @@ class ReadingFlags:
         from rocksteady.records.read import chosen
 
         (one,) = self._ready(file, (chosen(self._channels(file), self.channel),))
-        return one.record
+        return one
 
-    def read_vertical(self, file: Path) -> "Record":
-        """Return the vertical record of a file: its one channel, or the vertical one of several.
+    def read_vertical(self, file: Path) -> "Recording":
+        """Return the vertical channel of a file: its one channel, or the vertical one of several.
 
         Raises
         ------
@@ -186,7 +195,7 @@ class ReadingFlags:
                 hint="give a file with one channel",
             )
         (one,) = self._ready(file, upright if len(found) > 1 else found)
-        return one.record
+        return one
 
     def _channels(self, file: Path) -> "tuple[Recording, ...]":
         """Return all channels of a file."""
@@ -246,6 +255,7 @@ class RecordFlags:
     scale: Scale = None
     vertical: VerticalFile = None
     reverse: Reverse = False
+    reverse_vertical: ReverseVertical = False
 
     def given(self, reading: ReadingFlags) -> bool:
         """Return whether there is a record.
@@ -255,6 +265,13 @@ class RecordFlags:
         ModelError
             If there is none, and something that only a record has.
         """
+        if self.reverse_vertical and self.vertical is None:
+            raise ModelError(
+                name="--reverse-vertical",
+                value="given",
+                valid="without --vertical it has no meaning",
+                hint="add --vertical FILE, or leave it out",
+            )
         if self.record:
             return True
         idle = [*reading.given, *(["--reverse"] if self.reverse else [])]
@@ -269,15 +286,19 @@ class RecordFlags:
             )
         return False
 
-    def motions(self, reading: ReadingFlags) -> list["Record"]:
-        """Return the horizontal records, scaled and reversed.
+    def recordings(self, reading: ReadingFlags) -> list["Recording"]:
+        """Return the horizontal channels, as their files have them.
 
         Raises
         ------
         InputError
-            If a file cannot be read, or the scale is 0 or not finite.
+            If a file cannot be read.
         """
-        return [self._turned(reading.read(file)) for file in self.record or []]
+        found = [reading.read(file) for file in self.record or []]
+        for one in found:
+            if one.orientation == "vertical" and self.vertical is None:
+                warn(one.path, f"{one.component or 'its channel'} is vertical, and shakes across")
+        return found
 
     def block(self, described: BlockFlags) -> Block:
         """Return the block that is shaken.
@@ -297,13 +318,13 @@ class RecordFlags:
             hint="describe a block, as --width-m 0.4 --height-m 1.6",
         )
 
-    def motion(self, reading: ReadingFlags) -> "Record":
-        """Return the one record that shakes a block.
+    def recording(self, reading: ReadingFlags) -> "Recording":
+        """Return the one channel that shakes a block across, scaled and reversed.
 
         Raises
         ------
         InputError
-            As for `motions`.
+            As for `recordings`; and if the scale is 0 or not finite.
         ModelError
             If there are several records.
         """
@@ -315,29 +336,51 @@ class RecordFlags:
                 valid="this command takes one",
                 hint="give one file",
             )
-        (record,) = self.motions(reading)
-        return record
+        (one,) = self.recordings(reading)
+        return replace(one, record=self._turned(one.record))
 
-    def vertical_motion(self, reading: ReadingFlags, model: str) -> "Record | None":
-        """Return the vertical record, scaled as the horizontal one; None where there is none.
+    def vertical_recording(
+        self, reading: ReadingFlags, horizontal: "Recording"
+    ) -> "Recording | None":
+        """Return the vertical channel; what keeps it from belonging to the other is printed.
+
+        Parameters
+        ----------
+        reading
+            How files are read.
+        horizontal
+            The channel beside it.
 
         Raises
         ------
         InputError
-            As for `motions`.
-        ModelError
-            If there is one and the model is the linear one.
+            As for `recordings`.
         """
         if self.vertical is None:
             return None
-        refuse_of_linear(model, "--vertical", self.vertical)
-        record = reading.read_vertical(self.vertical)
+        from rocksteady.records.pairs import pair_doubts
+
+        one = reading.read_vertical(self.vertical)
+        if doubts := pair_doubts(horizontal, one):
+            with_what = f"beside {horizontal.path.name} it may not belong"
+            warn(self.vertical, f"{with_what}: {'; '.join(doubts)}")
+        if not self.reverse_vertical:
+            return one
+        return one.processed(one.record.reversed(), "sign changed: --reverse-vertical")
+
+    def scaled(self, record: "Record") -> "Record":
+        """Return a record multiplied by the scale.
+
+        Raises
+        ------
+        InputError
+            If the scale is not above 0, or not finite.
+        """
         return record if self.scale is None else record.scaled(self._factor)
 
     def _turned(self, record: "Record") -> "Record":
         """Return a record scaled and reversed."""
-        if self.scale is not None:
-            record = record.scaled(self._factor)
+        record = self.scaled(record)
         return record.reversed() if self.reverse else record
 
     @property

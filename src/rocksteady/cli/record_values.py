@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli import terminal
+from rocksteady.cli.values import turned_text
 from rocksteady.model.block import STANDARD_GRAVITY
 from rocksteady.show.names import printable
 from rocksteady.show.palette import shortened
@@ -54,7 +55,18 @@ class Description:
 
 def title_of(found: Sequence[Description]) -> str:
     """Return what a figure shows in a few words."""
-    return shortened(found[0].title, 110) if len(found) == 1 else f"{len(found)} records"
+    if len(found) > 1:
+        return f"{len(found)} records"
+    turned = turned_text(found[0].recording.processing)
+    return shortened(found[0].title, 110 - len(turned)) + turned
+
+
+def processing_values(horizontal: "Recording", vertical: "Recording | None") -> dict[str, Any]:
+    """Return what has been done to the records of a run."""
+    values = {"record_processing": list(horizontal.processing)}
+    if vertical is not None:
+        values["vertical_processing"] = list(vertical.processing)
+    return values
 
 
 def record_values(one: Description, *, spectrum: bool) -> dict[str, Any]:

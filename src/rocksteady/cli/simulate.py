@@ -22,6 +22,7 @@ from rocksteady.cli.outputs import (
     write_film,
 )
 from rocksteady.cli.record_flags import ReadingFlags, RecordFlags
+from rocksteady.cli.record_values import processing_values
 from rocksteady.cli.simulate_values import (
     csv_header,
     csv_rows,
@@ -102,11 +103,16 @@ def simulate(
     equations = equations_for(model, body)
     motion: Motion | Record = Still()
     vertical = None
+    notes: dict[str, list[str]] = {}
     if of_record:
         refuse_beside_record(pulse=pulse, shaking=shaking, phase=start.phase)
         refuse_cycles(cycles, "a recorded motion")
-        vertical = recorded.vertical_motion(reading, equations)
-        motion = recorded.motion(reading)
+        refuse_of_linear(equations, "--vertical", recorded.vertical)
+        across = recorded.recording(reading)
+        lifting = recorded.vertical_recording(reading, across)
+        motion = across.record
+        vertical = None if lifting is None else recorded.scaled(lifting.record)
+        notes = processing_values(across, lifting)
     elif pulse.given:
         motion = pulse.of(shaking.at(body), phase=start.phase)
         refuse_cycles(cycles, "a pulse")
@@ -134,7 +140,7 @@ def simulate(
             vertical=vertical,
             tolerance=TOLERANCE if tolerance is None else tolerance,
         )
-    values = trajectory_values(trajectory, body)
+    values = trajectory_values(trajectory, body) | notes
     # Made before any file is written: a run that is too long to be shown is refused here.
     moving = None if film.animate is None else film_of_run(trajectory, film)
     if output.csv is not None:

@@ -96,6 +96,9 @@ def print_summary(values: dict[str, Any], trajectory: "Trajectory") -> None:
         table.add_row("overturns at", time_text(trajectory, trajectory.overturn_s))
     if trajectory.rest_s is not None:
         table.add_row("at rest from", time_text(trajectory, trajectory.rest_s))
+    for key in ("record_processing", "vertical_processing"):
+        for note in values.get(key, ()):
+            table.add_row(key.partition("_")[0], note)
     console.print(table)
     console.print(trajectory.status.advice, style="dim")
 

@@ -137,9 +137,9 @@ def spectrum(
         _check_drawable(len(files), len(slenderness), count)
     ratio = _restitution(restitution)
     store = sweep.store(force=output.force)
-    records = [reading.read(file) for file in files]
-    beside = recorded.vertical
-    lifting = None if beside is None else reading.read_vertical(beside)
+    across = recorded.recordings(reading)
+    lifting = recorded.vertical_recording(reading, across[0])
+    records = [one.record for one in across]
 
     announce_compilation("shaken.record_fates")
     from rocksteady.dynamics.nonlinear import TOLERANCE
@@ -157,7 +157,7 @@ def spectrum(
             **sizes,
             restitution=ratio,
             model=cast("ModelName", model),
-            vertical=None if lifting is None else [lifting],
+            vertical=None if lifting is None else [lifting.record],
             scale=1.0 if recorded.scale is None else recorded.scale,
             reverse=recorded.reverse,
             gravity=STANDARD_GRAVITY if gravity_m_s2 is None else gravity_m_s2,
@@ -171,6 +171,8 @@ def spectrum(
     summary = suite_spectrum(found) if len(records) > 1 else None
     values = spectrum_values(found, summary, files)
     values |= {"seconds": meter.seconds, "store": store and str(store.path)}
+    if lifting is not None:
+        values["vertical_processing"] = list(lifting.processing)
     if output.csv is not None:
         write_cells(output.csv, found)
     if sweep.netcdf is not None:

@@ -1,6 +1,8 @@
 """What several commands print of one thing: a block, its shaking, an orbit."""
 
-from typing import TYPE_CHECKING, Any
+import re
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Final
 
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
@@ -9,6 +11,9 @@ from rocksteady.show.palette import shortened
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.orbit import Orbit
+
+SIGN_CHANGED: Final = re.compile("sign changed: ")
+"""Beginning of the notes on a record whose sign is not that of its file."""
 
 
 def block_values(block: Block) -> dict[str, Any]:
@@ -89,11 +94,18 @@ def multipliers_text(multipliers: list[complex], digits: int = 6) -> str:
     return f"{first.real:.{digits}g}, {second.real:.{digits}g}"
 
 
+def turned_text(processing: Sequence[str]) -> str:
+    """Return the words of a title on a changed sign; none where it is as filed."""
+    return " (sign changed)" if any(map(SIGN_CHANGED.match, processing)) else ""
+
+
 def case_text(values: dict[str, Any]) -> str:
     """Return block and shaking in a few words, for a title."""
     parts = [restitution_text(values)]
     if "record" in values:
         up = " and vertical" if "vertical" in values else ""
+        # A sign that is not the file's is no detail: the peak may be another one.
+        up += turned_text(values.get("vertical_processing", []))
         parts.insert(0, f"{shortened(values['record'])}{up}, PGA {values['pga_g']:.3g} g")
     elif "amplitude" in values:
         parts.insert(0, f"A = {values['amplitude']:g}, Ω = {values['frequency_ratio']:g}")

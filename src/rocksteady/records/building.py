@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 from rocksteady.errors import InputError
 from rocksteady.model.record import Record
 from rocksteady.model.validation import positive
-from rocksteady.records.directions import direction
+from rocksteady.records.directions import Pointing, pointing, pointing_of_name, tells_nothing
 from rocksteady.records.numbers import numbers
 from rocksteady.records.recording import Orientation, Recording
 from rocksteady.records.text import RecordText
@@ -19,13 +19,15 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["Channel", "Given", "built", "counted", "interval", "unit"]
+__all__ = ["TURNED", "Channel", "Given", "built", "counted", "interval", "unit"]
 
 _LARGEST_PEAK_G: Final = 10.0
 _LONGEST_WORD: Final = 40
 _NO_RECORD_G: Final = 1000.0
 _INTERVALS: Final = (1.0e-4, 0.1)
 _PEAK_AGREES: Final = 0.01
+TURNED: Final = "sign changed: {component} is positive downwards, and vertical motion upwards"
+"""Note on a vertical channel that has been turned."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -76,6 +78,10 @@ class Channel:
     component, orientation, azimuth_deg, station, event, start_time, warnings, processing
         As for `~rocksteady.records.recording.Recording`; the orientation is found from the
         component where it is None.
+    down
+        Whether a code of the header states positive values to be downwards; None without a code.
+    alone
+        Whether it is the one channel of its file, whose name may then state its direction.
     """
 
     values: "Floats"
@@ -86,6 +92,8 @@ class Channel:
     component: str | None = None
     orientation: Orientation | None = None
     azimuth_deg: float | None = None
+    down: bool | None = None
+    alone: bool = True
     station: str | None = None
     event: str | None = None
     start_time: datetime | None = None
@@ -106,7 +114,11 @@ def built(text: RecordText, format_name: str, channel: Channel, given: Given) ->
     units, unit_warnings = unit(text, channel.units, given)
     dt_s, interval_warnings = interval(text, channel.dt_s, given)
     size = in_m_s2(units)
+    towards, direction_warnings = _pointing(text, channel)
     values = np.asarray(channel.values, dtype=np.float64) * size
+    turned: tuple[str, ...] = ()
+    if towards.down:
+        values, turned = -values, (TURNED.format(component=channel.component or "file's name"),)
     try:
         record = Record(acceleration_m_s2=values, dt_s=dt_s, name=text.path.stem)
     except InputError as error:
@@ -116,31 +128,80 @@ def built(text: RecordText, format_name: str, channel: Channel, given: Given) ->
         valid = f"a peak of {record.peak_acceleration_m_s2 / UNITS['g']:.3g} g is none of a record"
         raise text.error(valid, f"see whether its numbers are in {units}, and not garbled")
     stated = None if channel.stated_peak is None else abs(channel.stated_peak) * size
-    found, azimuth = direction(channel.component)
-    if channel.orientation is not None:
-        found, azimuth = channel.orientation, None
-    if channel.azimuth_deg is not None:
-        azimuth = channel.azimuth_deg % 360.0
     return Recording(
         record=record,
         format=format_name,
         path=text.path,
         units_in_file=channel.units_in_file or units,
         component=channel.component,
-        orientation=found,
-        azimuth_deg=azimuth,
+        orientation=towards.orientation,
+        azimuth_deg=towards.azimuth_deg,
         station=channel.station,
         event=channel.event,
         start_time=channel.start_time,
         stated_peak_m_s2=stated,
         warnings=(
             *channel.warnings,
+            *direction_warnings,
             *unit_warnings,
             *interval_warnings,
             *_doubts_about_peak(record, stated, units),
         ),
-        processing=channel.processing,
+        processing=(*channel.processing, *turned),
     )
+
+
+def _pointing(text: RecordText, channel: Channel) -> tuple[Pointing, tuple[str, ...]]:
+    """Return the direction of a channel, and a warning where codes, words and names contradict.
+
+    A code of the header goes before its words, and both before the name of the file.
+    """
+    of_words = pointing(channel.component)
+    of_code = Pointing(
+        orientation=channel.orientation,
+        azimuth_deg=None if channel.azimuth_deg is None else channel.azimuth_deg % 360.0,
+        down=channel.down,
+    )
+    doubts = []
+    found = of_words
+    if of_code.orientation is not None:
+        found = of_code
+        if difference := _contradiction(of_words, of_code):
+            doubts.append(
+                f"the channel is called {channel.component!r}, {difference[0]}, and its code in "
+                f"the header states {difference[1]}: the code is taken"
+            )
+        elif of_code.orientation == "vertical" and of_code.down is None:
+            found = of_words if of_words.orientation == "vertical" else of_code
+    of_name = pointing_of_name(text.path.stem) if channel.alone else Pointing()
+    if found.orientation is not None:
+        if difference := _contradiction(of_name, found):
+            doubts.append(
+                f"the file's name states {difference[0]}, and its header {difference[1]}"
+                f"{f' ({channel.component})' if channel.component else ''}: the header is taken"
+            )
+    elif of_name.orientation == "vertical" and tells_nothing(channel.component):
+        found = of_name
+        if of_name.down:
+            doubts.append("the file's name alone states that its values are positive downwards")
+    return found, tuple(doubts)
+
+
+def _contradiction(one: Pointing, other: Pointing) -> tuple[str, str] | None:
+    """Return two directions in words where they cannot both be true."""
+    if one.orientation is None or other.orientation is None:
+        return None
+    if one.orientation != other.orientation:
+        return one.orientation, other.orientation
+    if one.orientation == "vertical":
+        # Without a sense, vertical is upwards, but not against a name that states one.
+        if None in {one.down, other.down} or one.down == other.down:
+            return None
+        return ("downwards", "upwards") if one.down else ("upwards", "downwards")
+    if one.azimuth_deg is None or other.azimuth_deg is None:
+        return None
+    apart = abs((one.azimuth_deg - other.azimuth_deg + 180.0) % 360.0 - 180.0)
+    return None if apart <= 1.0 else (f"{one.azimuth_deg:g} deg", f"{other.azimuth_deg:g} deg")
 
 
 def unit(text: RecordText, stated: str | None, given: Given) -> tuple[str, tuple[str, ...]]:

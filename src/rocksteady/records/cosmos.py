@@ -14,7 +14,7 @@ from datetime import UTC, datetime, timedelta
 from typing import TYPE_CHECKING, Final
 
 from rocksteady.records.building import Channel, Given, built, counted
-from rocksteady.records.directions import direction
+from rocksteady.records.directions import pointing
 from rocksteady.records.fortran import fixed_values, stated_width
 from rocksteady.records.numbers import NUMBER, samples
 from rocksteady.records.recording import Orientation, Recording
@@ -45,7 +45,8 @@ _UNKNOWN: Final = re.compile(
 )
 _CODES: Final = {2: "g", 4: "cm/s^2", 7: "in/s^2", 10: "gal", 11: "mg"}
 _COUNTS_CODE: Final = 50
-_VERTICAL: Final = range(400, 403)
+_VERTICAL: Final[dict[int, bool | None]] = {400: False, 401: True, 402: None}
+"""Codes of vertical channels: upwards, downwards, sense not stated."""
 _HINT: Final = "fetch the file anew"
 
 
@@ -190,7 +191,7 @@ def _recording(
             "give dt_s, in seconds",
             at=at,
         )
-    component, orientation, azimuth = _pointing(head)
+    component, orientation, azimuth, down = _pointing(head)
     channel = Channel(
         values=values,
         units=units,
@@ -199,6 +200,8 @@ def _recording(
         component=component,
         orientation=orientation,
         azimuth_deg=azimuth,
+        down=down,
+        alone=False,
         station=head.word(r"Statn No:.*?Code:\s*(\S.*?)\s*$"),
         event=head.words[1].strip() or None if len(head.words) > 1 else None,
         start_time=_start(head),
@@ -236,18 +239,23 @@ def _interval(
     return fitting[0], ()
 
 
-def _pointing(head: _Head) -> tuple[str | None, Orientation | None, float | None]:
-    """Return component, orientation and azimuth."""
+def _pointing(
+    head: _Head,
+) -> tuple[str | None, Orientation | None, float | None, bool | None]:
+    """Return component, orientation, azimuth, and whether positive values are downwards."""
     code = head.integer(54)
     seed = head.word(r"<SCNL>\s*[^.\s]*\.([A-Za-z0-9]{3})\.")
     described = head.word(r"Sta Chan?\s*:?\s*\d*\s*:\s*(.*?)\s*\(")
     if code in _VERTICAL:
-        return described or seed or "up", "vertical", None
+        return described or seed or "vertical", "vertical", None, _VERTICAL[code]
     if code is not None and 1 <= code <= 360:
-        return described or seed or f"{code}", "horizontal", float(code)
+        return described or seed or f"{code}", "horizontal", float(code), None
     component = seed or described
-    orientation, azimuth = direction(component)
-    return component, orientation, azimuth
+    found = pointing(component)
+    # "Other" tells nothing, and neither does a seed code with 3 for its direction.
+    if found.orientation is None and described is not None:
+        found = pointing(described)
+    return component, found.orientation, found.azimuth_deg, found.down
 
 
 def _start(head: _Head) -> datetime | None:

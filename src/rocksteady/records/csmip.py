@@ -176,6 +176,7 @@ def _channel(
         dt_s=dt_s,
         stated_peak=stated,
         component=channel[2] if channel else None,
+        alone=False,
         station=name,
         event=_event(head),
         start_time=_start(head),

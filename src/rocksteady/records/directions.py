@@ -1,16 +1,27 @@
-"""Which way a channel points, from the name that a file gives to it."""
+"""Which way a channel points, from the name that a file gives to it or has itself."""
 
 import re
+from dataclasses import dataclass
 from typing import Final
 
 from rocksteady.records.recording import Orientation
 
-__all__ = ["direction"]
+__all__ = ["TAIL", "Pointing", "direction", "pointing", "pointing_of_name", "tells_nothing"]
 
 _VERTICAL: Final = frozenset(
     {"up", "u", "ud", "u-d", "updo", "updown", "dwn", "down", "dn", "d"}
     | {"v", "vert", "vertical", "vrt", "ver", "z", "-up", "v1"}
 )
+_UPWARDS: Final = frozenset({"up", "u", "upward", "upwards"})
+_DOWNWARDS: Final = frozenset({"dwn", "down", "dn", "downward", "downwards"})
+_NEGATIVE: Final = frozenset({"negative", "neg", "minus"})
+_WITHOUT_SENSE: Final = frozenset({"v", "vert", "vertical", "vrt", "ver", "z", "ud", "updown"})
+_FILLERS: Final = re.compile(
+    r"a|ag|acc\w*|ch(?:a?n(?:nel)?)?|column|comp(?:onent)?|ground|base|input|table|motion|time|hist"
+    r"|history|un?corr\w*|filtered|record(?:ed)?|positive|pos|ve|is|sensor|direction"
+)
+"""Words beside those of a direction, which tell nothing of it."""
+
 _OF_A_STRUCTURE: Final = frozenset(
     {"h", "h1", "h2", "l", "l1", "t", "t1", "long", "tran", "fn", "fp", "radial", "transverse"}
 )
@@ -30,6 +41,73 @@ _DEGREES: Final = re.compile(r"(?:[nh]\s*(?=\d{3}))?(?![123]$)(\d{1,3}(?:\.\d*)?
 _SEED: Final = re.compile(r"[a-z][gnl]([enz123xyrt])")
 
 
+TAIL: Final = re.compile(
+    r"(?:[-_. ](?:hor[12]?|h[12]|up|dwn|down|dn|vert?|ud|ns|ew|[neswvz]|[a-z][gnl][enz123])"
+    r"|[-_. ]?\d{3}|(?<=[A-Za-z0-9])[-_.]?(?:up|dwn)|(?-i:(?<=[A-Z0-9])DOWN))$",
+    re.IGNORECASE,
+)
+"""The end of a file's name that tells a component from the others of its station."""
+
+_CERTAIN: Final = re.compile(r"[-_. ].*|[A-Z]+|dwn")
+"""Ends of names that are no end of a word, as in ``backup``, nor a number."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Pointing:
+    """Direction of positive values of a channel.
+
+    Parameters
+    ----------
+    orientation
+        Horizontal or vertical, where that is known.
+    azimuth_deg
+        Clockwise from north, where a horizontal direction is known [degrees].
+    down
+        Whether positive values of a vertical channel point downwards; None where only "vertical"
+        is stated, which networks use for upwards.
+    """
+
+    orientation: Orientation | None = None
+    azimuth_deg: float | None = None
+    down: bool | None = None
+
+
+def pointing(component: str | None) -> Pointing:
+    """Return the direction of a channel by its name.
+
+    Parameters
+    ----------
+    component
+        As the file names it.
+
+    Examples
+    --------
+    >>> [pointing(name).down for name in ("DWN", "Vert, positive down", "UP", "HNZ", "090")]
+    [True, True, False, None, None]
+    """
+    text = "" if component is None else component.strip().strip("()[]").lower()
+    if text in _VERTICAL:
+        down = text in _DOWNWARDS or text == "d"
+        return Pointing(orientation="vertical", down=True if down else _or_none(text))
+    azimuth = _azimuth(text)
+    if azimuth is not None or text in _OF_A_STRUCTURE:
+        return Pointing(orientation="horizontal", azimuth_deg=azimuth)
+    words = [word for word in re.split(r"[^a-z0-9]+", text) if word and not _filler(word)]
+    if (vertical := _vertical(set(words))) is not None:
+        return vertical
+    seed = _SEED.fullmatch(words[0] if len(words) == 1 else text)
+    if seed is None:
+        if len(words) == 1 and words[0] != text and len(words[0]) > 1:
+            return pointing(words[0])
+        return Pointing()
+    # A channel named 3 is the vertical one of some networks and not of others.
+    towards: dict[str, Orientation | None] = {"z": "vertical", "3": None}
+    return Pointing(
+        orientation=towards.get(seed[1], "horizontal"),
+        azimuth_deg={"n": 0.0, "e": 90.0}.get(seed[1]),
+    )
+
+
 def direction(component: str | None) -> tuple[Orientation | None, float | None]:
     """Return whether a channel is horizontal or vertical, and its azimuth [degrees].
 
@@ -45,20 +123,53 @@ def direction(component: str | None) -> tuple[Orientation | None, float | None]:
     >>> direction("HN1"), direction("sensor 7")
     (('horizontal', None), (None, None))
     """
-    text = "" if component is None else component.strip().strip("()[]").lower()
-    if text in _VERTICAL:
-        return "vertical", None
-    azimuth = _azimuth(text)
-    if azimuth is not None:
-        return "horizontal", azimuth
-    if text in _OF_A_STRUCTURE:
-        return "horizontal", None
-    seed = _SEED.fullmatch(text)
-    if seed is None:
-        return None, None
-    # A channel named 3 is the vertical one of some networks and not of others.
-    pointing: dict[str, Orientation | None] = {"z": "vertical", "3": None}
-    return pointing.get(seed[1], "horizontal"), {"n": 0.0, "e": 90.0}.get(seed[1])
+    found = pointing(component)
+    return found.orientation, found.azimuth_deg
+
+
+def pointing_of_name(stem: str) -> Pointing:
+    """Return the direction that the end of a file's name states, where it can mean nothing else.
+
+    Examples
+    --------
+    >>> pointing_of_name("RSN77_SFERN_PULDWN").down, pointing_of_name("backup").orientation
+    (True, None)
+    """
+    tail = TAIL.search(stem)
+    if stem.lower() in _UPWARDS | _DOWNWARDS | _WITHOUT_SENSE and len(stem) > 1:
+        return pointing(stem)
+    if tail is None or _CERTAIN.fullmatch(tail[0]) is None or re.search(r"\d{3}$", tail[0]):
+        return Pointing()
+    word = tail[0].strip("-_. ").lower()
+    return Pointing(orientation="horizontal") if word.startswith("h") else pointing(word)
+
+
+def tells_nothing(component: str | None) -> bool:
+    """Return whether no word of a channel's name can be about its direction."""
+    words = re.split(r"[^a-z0-9]+", (component or "").lower())
+    return all(_filler(word) or word.isdecimal() for word in words if word)
+
+
+def _filler(word: str) -> bool:
+    """Return whether a word tells nothing of a direction."""
+    return _FILLERS.fullmatch(word) is not None
+
+
+def _or_none(word: str) -> bool | None:
+    """Return that a word points upwards, or None where it states no sense."""
+    return False if word in _UPWARDS or word == "-up" else None
+
+
+def _vertical(words: set[str]) -> Pointing | None:
+    """Return the vertical direction that several words state together."""
+    if not words or words - _UPWARDS - _DOWNWARDS - _WITHOUT_SENSE - _NEGATIVE - {"hnz", "hlz"}:
+        return None
+    if not words - _NEGATIVE:
+        return None
+    down, up = bool(words & _DOWNWARDS), bool(words & _UPWARDS)
+    if down == up:
+        return Pointing(orientation="vertical", down=True if words & _NEGATIVE else None)
+    return Pointing(orientation="vertical", down=down != bool(words & _NEGATIVE))
 
 
 def _azimuth(text: str) -> float | None:

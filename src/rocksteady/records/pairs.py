@@ -3,7 +3,6 @@
 Networks publish them as three files or as one, and not always of one length or with one start.
 """
 
-import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from os import PathLike
@@ -11,17 +10,12 @@ from typing import Final, Literal
 
 from rocksteady.errors import InputError
 from rocksteady.model.record import Record
-from rocksteady.records.directions import direction
+from rocksteady.records.directions import TAIL, direction
 from rocksteady.records.read import read_recordings
 from rocksteady.records.recording import Recording
 
-__all__ = ["RecordSet", "pair_records"]
+__all__ = ["RecordSet", "pair_doubts", "pair_records"]
 
-_TAIL: Final = re.compile(
-    r"(?:[-_. ](?:hor[12]?|h[12]|up|dwn|down|vert?|ud|ns|ew|[neswvz]|[a-z][gnl][enz123])"
-    r"|[-_. ]?\d{3}|(?<=[A-Za-z0-9])[-_.]?(?:up|dwn))$",
-    re.IGNORECASE,
-)
 _SQUARE: Final = 1.0
 
 
@@ -40,7 +34,8 @@ class RecordSet:
     other
         Channels whose direction the files do not tell.
     warnings
-        What keeps them from being used together as they are, a sentence each.
+        What keeps them from being used together as they are, a sentence each; differences of
+        event, station, interval, length, start and direction are found here.
     """
 
     name: str
@@ -48,6 +43,22 @@ class RecordSet:
     vertical: Recording | None = None
     other: tuple[Recording, ...] = ()
     warnings: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        """Add what differs between the channels to the warnings."""
+        found = dict.fromkeys((*_doubts(self.recordings), *self._misplaced(), *self.warnings))
+        object.__setattr__(self, "warnings", tuple(found))
+
+    def _misplaced(self) -> tuple[str, ...]:
+        """Return a sentence on each channel whose direction is not that of its place."""
+        places = [(one, "horizontal") for one in self.horizontal]
+        places += [] if self.vertical is None else [(self.vertical, "vertical")]
+        return tuple(
+            f"{one.path.name}{f' ({one.component})' if one.component else ''} is "
+            f"{one.orientation}, in the place of a {place} channel"
+            for one, place in places
+            if one.orientation not in {None, place}
+        )
 
     @property
     def recordings(self) -> tuple[Recording, ...]:
@@ -112,7 +123,6 @@ class RecordSet:
             horizontal=tuple(moved[:count]),
             vertical=vertical,
             other=tuple(moved[count + (vertical is not None) :]),
-            warnings=_doubts(tuple(moved)),
         )
 
 
@@ -163,6 +173,18 @@ def pair_records(
     return tuple(_set(key, found) for key, found in groups.items())
 
 
+def pair_doubts(horizontal: Recording, vertical: Recording) -> tuple[str, ...]:
+    """Return a sentence on everything that keeps two channels from being of one motion.
+
+    Parameters
+    ----------
+    horizontal, vertical
+        The channels that are to shake one block.
+    """
+    pair = RecordSet(name=horizontal.record.name or "", horizontal=(horizontal,), vertical=vertical)
+    return pair.warnings
+
+
 def _key(recording: Recording) -> tuple[str, ...]:
     """Return what the channels of one station and earthquake share."""
     if recording.station and recording.event:
@@ -170,11 +192,11 @@ def _key(recording: Recording) -> tuple[str, ...]:
     if recording.station and recording.start_time:
         return recording.station, recording.start_time.strftime("%Y-%m-%d %H:%M:%S")
     stem = recording.path.stem
-    tail = _TAIL.search(stem)
-    shorter = _TAIL.sub("", stem)
+    tail = TAIL.search(stem)
+    shorter = TAIL.sub("", stem)
     # ELC180-hor1: the azimuth stands before the number of the component.
     if tail is not None and "h" in tail[0].lower():
-        shorter = _TAIL.sub("", shorter)
+        shorter = TAIL.sub("", shorter)
     return (shorter or stem,)
 
 
@@ -184,7 +206,7 @@ def _set(key: tuple[str, ...], found: list[Recording]) -> RecordSet:
     vertical = [one for one in found if one.orientation == "vertical"]
     horizontal = tuple(one for one in found if one.orientation == "horizontal")
     unknown = tuple(one for one in found if one.orientation is None)
-    doubts = _doubts(tuple(found))
+    doubts: tuple[str, ...] = ()
     if len(vertical) > 1:
         doubts = (*doubts, f"{len(vertical)} vertical channels: the first is taken")
     if len(horizontal) > 2:
@@ -200,7 +222,7 @@ def _set(key: tuple[str, ...], found: list[Recording]) -> RecordSet:
 
 def _directed(recording: Recording) -> Recording:
     """Return a recording whose direction is that of its file's name, where the file has none."""
-    tail = _TAIL.search(recording.path.stem)
+    tail = TAIL.search(recording.path.stem)
     if recording.orientation is not None or tail is None:
         return recording
     orientation, azimuth = direction(tail[0].strip("-_. "))
@@ -210,6 +232,13 @@ def _directed(recording: Recording) -> Recording:
 def _doubts(channels: tuple[Recording, ...]) -> tuple[str, ...]:
     """Return a sentence on everything that differs between channels to be used together."""
     doubts = []
+    for name, stated in (
+        ("events", [one.event for one in channels]),
+        ("stations", [one.station for one in channels]),
+    ):
+        unlike = {" ".join(words.lower().split()): words for words in stated if words}
+        if len(unlike) > 1:
+            doubts.append(f"{name} {' and '.join(map(repr, unlike.values()))}")
     intervals = sorted({one.record.dt_s for one in channels})
     if len(intervals) > 1:
         doubts.append(f"intervals of {', '.join(f'{value:g}' for value in intervals)} s")
@@ -220,8 +249,10 @@ def _doubts(channels: tuple[Recording, ...]) -> tuple[str, ...]:
     if len(starts) > 1:
         apart = (max(starts) - min(starts)).total_seconds()
         doubts.append(f"starts up to {apart:g} s apart")
-    azimuths = [one.azimuth_deg for one in channels if one.azimuth_deg is not None]
-    if len(azimuths) == 2 and abs(abs((azimuths[0] - azimuths[1]) % 180.0 - 90.0)) > _SQUARE:
+    across = [one for one in channels if one.orientation == "horizontal"]
+    azimuths = [one.azimuth_deg for one in across if one.azimuth_deg is not None]
+    both = len(azimuths) == len(across) == 2
+    if both and abs(abs((azimuths[0] - azimuths[1]) % 180.0 - 90.0)) > _SQUARE:
         doubts.append(f"azimuths {azimuths[0]:g} and {azimuths[1]:g} deg, not at right angles")
     return tuple(doubts)
 

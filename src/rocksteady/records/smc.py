@@ -76,7 +76,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         )
     if text.heads[0].strip() == "*":
         warnings = (*warnings, "the file does not say what it holds: taken to be acceleration")
-    orientation, azimuth = _pointing(known[12], known[13])
+    orientation, azimuth, down = _pointing(known[12], known[13])
     channel = Channel(
         values=kept,
         units="cm/s^2",
@@ -85,6 +85,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         component=_after(text, 5, "component") or None,
         orientation=orientation,
         azimuth_deg=azimuth,
+        down=down,
         station=_after(text, 5, "station", until="component") or text.heads[2].strip() or None,
         event=text.heads[3][25:].strip() or None,
         start_time=_start(known[1:7]),
@@ -111,13 +112,13 @@ def _values(text: RecordText, start: int, lines: int, count: int) -> list[float]
 
 def _pointing(
     vertical: float | None, horizontal: float | None
-) -> tuple[Orientation | None, float | None]:
-    """Return orientation and azimuth from the angles from upward and from north."""
+) -> tuple[Orientation | None, float | None, bool | None]:
+    """Return orientation, azimuth and sense from the angles from upward and from north."""
     if vertical in {0.0, 180.0}:
-        return "vertical", None
+        return "vertical", None, vertical == 180.0
     if vertical == 90.0 and horizontal is not None and 0.0 <= horizontal <= 360.0:
-        return "horizontal", horizontal
-    return None, None
+        return "horizontal", horizontal, None
+    return None, None, None
 
 
 def _after(text: RecordText, at: int, key: str, until: str | None = None) -> str:

@@ -171,7 +171,9 @@ def _recording(
     if values.dtype.kind not in "iuf":
         raise text.error(f"channel {name} holds no numbers", "give a file of samples")
     header = stats.get("sac")
-    orientation, azimuth = _of_sac(text, header) if isinstance(header, Mapping) else (None, None)
+    orientation, azimuth, down = (
+        _of_sac(text, header) if isinstance(header, Mapping) else (None, None, None)
+    )
     if given.units is None:
         kind = (
             "whole numbers, counts of an instrument as a rule"
@@ -189,6 +191,8 @@ def _recording(
         component=stats.channel or None,
         orientation=orientation,
         azimuth_deg=azimuth,
+        down=down,
+        alone=False,
         station=".".join(part for part in (stats.network, stats.station) if part) or None,
         start_time=_start(stats.starttime),
         warnings=doubts,
@@ -198,8 +202,8 @@ def _recording(
 
 def _of_sac(
     text: RecordText, header: "Mapping[str, object]"
-) -> tuple[Orientation | None, float | None]:
-    """Return orientation and azimuth that a SAC header states.
+) -> tuple[Orientation | None, float | None, bool | None]:
+    """Return orientation, azimuth and sense that a SAC header states.
 
     Raises
     ------
@@ -212,10 +216,10 @@ def _of_sac(
         raise text.error(valid, "give the file of acceleration")
     from_up, azimuth = _number(header, "cmpinc"), _number(header, "cmpaz")
     if from_up in {0.0, 180.0}:
-        return "vertical", None
+        return "vertical", None, from_up == 180.0
     if from_up == 90.0:
-        return "horizontal", None if azimuth == _UNSET else azimuth
-    return None, None
+        return "horizontal", None if azimuth == _UNSET else azimuth, None
+    return None, None, None
 
 
 def _number(header: "Mapping[str, object]", key: str) -> float:
