@@ -15,8 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, RocksteadyError
+from rocksteady.sweep.axes import Array
 from rocksteady.sweep.binding import identity_of
 from rocksteady.sweep.chunks import Chunks
+from rocksteady.sweep.inputs import digest_of
 
 if TYPE_CHECKING:
     import zarr
@@ -148,11 +150,21 @@ def contents_of(folder: Path, refused: Callable[[str], RocksteadyError]) -> Cont
             flags=flags,
             chunks=chunks,
         )
+        for name, array in axes.items():
+            if digest_of(points_of(array)) != found.inputs["axes"][name]["sha256"]:
+                message = f"the values of {name} are not those that were written"
+                raise ValueError(message)
         if flags.dtype != np.bool_:
             files.check(found, identity_of(found.inputs, chunks.box))
     except Exception as error:
         raise refused(f"it cannot be read: {said(error)}") from error
     return found
+
+
+def points_of(array: Any) -> Array:
+    """Return the values of an axis, names as NumPy writes them."""
+    points = np.asarray(array[:])
+    return np.array(points.tolist()) if points.dtype.kind in "OT" else points
 
 
 def refuse_taken(names: Iterable[str]) -> None:

@@ -159,7 +159,7 @@ def plain(value: object, name: str) -> Any:
             return value if math.isfinite(value) else str(value)
         case np.ndarray() if value.dtype != object:
             shape = list(value.shape)
-            return {"dtype": str(value.dtype), "shape": shape, "sha256": _digest(value)}
+            return {"dtype": str(value.dtype), "shape": shape, "sha256": digest_of(value)}
         case functools.partial() | FunctionType() if _whole(_unwrapped(value)[0]):
             function, constants = _unwrapped(value)
             named = {key: plain(part, name) for key, part in constants.items()}
@@ -265,7 +265,7 @@ def _axis(axis: Axis) -> dict[str, Any]:
         "from": points[0].item(),
         "to": points[-1].item(),
         "points": len(points),
-        "sha256": _digest(points),
+        "sha256": digest_of(points),
     }
     if axis.items is not None:
         items = json.dumps([plain(item, axis.name) for item in axis.items], sort_keys=True)
@@ -273,7 +273,8 @@ def _axis(axis: Axis) -> dict[str, Any]:
     return values | {"units": axis.units}
 
 
-def _digest(array: np.ndarray[Any, Any]) -> str:
+def digest_of(array: np.ndarray[Any, Any]) -> str:
+    """Return a hash of the values of an array."""
     if array.dtype.kind == "U":
         return hashlib.sha256("\0".join(array.tolist()).encode()).hexdigest()[:HEX]
     return hashlib.sha256(np.ascontiguousarray(array).tobytes()).hexdigest()[:HEX]

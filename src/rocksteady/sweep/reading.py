@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, UnfinishedError
-from rocksteady.sweep.axes import Array
-from rocksteady.sweep.contents import COMPUTED, Contents, attributes_in, contents_of
+from rocksteady.sweep.contents import COMPUTED, Contents, attributes_in, contents_of, points_of
 from rocksteady.sweep.outputs import words_of
 
 if TYPE_CHECKING:
@@ -138,7 +137,8 @@ def dataset_of(contents: Contents, complete: NDArray[np.bool_] | None = None) ->
         words = words_of("whether the cell has been computed", "1")
         variables[COMPUTED] = (dims, LazilyIndexedArray(computed), words, encoding)
     axes = {
-        name: (name, _points(array), array.attrs.asdict()) for name, array in contents.axes.items()
+        name: (name, points_of(array), array.attrs.asdict())
+        for name, array in contents.axes.items()
     }
     return xarray.Dataset(variables, coords=axes, attrs=contents.attributes)
 
@@ -148,9 +148,3 @@ def _typed(attributes: dict[str, Any], dtype: "np.dtype[Any]") -> dict[str, Any]
     flags = attributes.get("flag_values")
     typed = {} if flags is None else {"flag_values": np.array(flags, dtype=dtype)}
     return attributes | typed
-
-
-def _points(array: Any) -> Array:
-    """Return the values of an axis, names as NumPy writes them."""
-    points = np.asarray(array[:])
-    return np.array(points.tolist()) if points.dtype.kind in "OT" else points

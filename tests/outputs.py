@@ -1,0 +1,53 @@
+"""A writer for each kind of output, which writes the old content or the new."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import matplotlib as mpl
+
+mpl.use("Agg")
+
+import numpy as np
+import xarray
+from matplotlib.figure import Figure
+
+from rocksteady.show.cells import save_cells
+from rocksteady.show.export import export
+from rocksteady.show.files import save_csv, save_figure, save_text, save_whole
+
+Writer = Callable[[Path, float], object]
+
+
+def _figure(value: float) -> Figure:
+    figure = Figure(figsize=(1.0, 0.75))
+    figure.add_subplot().plot([0.0, value])
+    return figure
+
+
+def _cells(value: float) -> xarray.Dataset:
+    return xarray.Dataset(
+        {"a": ("x", np.full(2000, value), {"units": "1"})}, coords={"x": np.arange(2000.0)}
+    )
+
+
+def _gif(file: Path, value: float) -> None:
+    from PIL import Image
+
+    frames = [Image.new("RGB", (20, 20), (int(100 * value) + k, 0, 0)) for k in range(3)]
+    save_whole(
+        "--animate",
+        file,
+        lambda target: frames[0].save(target, save_all=True, append_images=frames[1:]),
+    )
+
+
+WRITERS: dict[str, Writer] = {
+    "a.csv": lambda file, value: save_csv("--csv", file, ("x",), ([value] for _ in range(2000))),
+    "cells.csv": lambda file, value: save_cells("--csv", file, _cells(value)),
+    "a.json": lambda file, value: save_text("--out", file, f"{value}\n" * 2000),
+    "a.png": lambda file, value: save_figure("--plot", file, _figure(value)),
+    "a.svg": lambda file, value: save_figure("--plot", file, _figure(value)),
+    "a.pdf": lambda file, value: save_figure("--plot", file, _figure(value)),
+    "a.nc": lambda file, value: export(_cells(value), file),
+    "a.gif": _gif,
+}
