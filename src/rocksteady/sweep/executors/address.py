@@ -2,6 +2,7 @@
 
 from contextlib import suppress
 from importlib.util import find_spec
+from ipaddress import ip_address
 
 from rocksteady.errors import InputError
 
@@ -36,6 +37,21 @@ def validated_address(address: str) -> str:
                 address, f"it must have a host and a port, a number from 1 to {MOST_PORTS}"
             )
     return address
+
+
+def open_to_others(address: str) -> bool:
+    """Return whether a scheduler's address is on a network, and its connections have no TLS.
+
+    Who reaches such a scheduler, or its workers, can have them run any program.
+    """
+    kind, _, place = address.rpartition("://")
+    if kind not in {"", "tcp", "ws", "ucx"}:  # tls and wss; inproc never leaves its process
+        return False
+    host = place.rpartition(":")[0].strip("[]")
+    try:
+        return not ip_address(host.partition("%")[0]).is_loopback
+    except ValueError:
+        return host != "localhost" and not host.endswith(".localhost")
 
 
 def _refused(address: str, valid: str) -> InputError:

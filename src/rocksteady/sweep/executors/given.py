@@ -8,6 +8,7 @@ from typing import Self
 from distributed import Client
 
 from rocksteady.errors import InputError
+from rocksteady.sweep.executors.address import open_to_others
 from rocksteady.sweep.executors.quiet import quiet
 from rocksteady.sweep.executors.team import WAITING
 
@@ -68,6 +69,12 @@ class Given:
                     valid=f"the scheduler has had no worker for {PATIENCE:g} seconds",
                     hint=f"start some with 'dask worker {self.name}'",
                 ) from error
+            if open_to_others(self.name):
+                warnings.warn(
+                    f"{self.name} has no TLS: everyone who reaches the scheduler or a worker can "
+                    "run programs as you; give a tls:// address, or keep others out of the network",
+                    stacklevel=2,
+                )
             self._look()
             self._stack = stack.pop_all()
         return self

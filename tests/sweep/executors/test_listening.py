@@ -1,0 +1,129 @@
+"""Who can reach the processes of a sweep: nobody outside this machine."""
+
+import functools
+import ipaddress
+import os
+import sys
+from pathlib import Path
+
+import psutil
+import pytest
+
+from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.executors import given
+from rocksteady.sweep.executors.address import open_to_others
+from rocksteady.sweep.executors.local import Local
+from tests.sweep.executors.cases import GRID, OUTPUTS, slow
+
+LISTENING = "0A"
+
+
+def sockets_of(process: int) -> set[str]:
+    """Return the inodes of a process's sockets."""
+    found = set()
+    for entry in os.scandir(f"/proc/{process}/fd"):
+        try:
+            name = str(Path(entry.path).readlink())
+        except FileNotFoundError:
+            continue
+        if name.startswith("socket:["):
+            found.add(name[8:-1])
+    return found
+
+
+def listening(family: str) -> dict[str, str]:
+    """Return the addresses at which anything listens, by the inodes of the sockets."""
+    lines = Path(f"/proc/net/{family}").read_text(encoding="ascii").splitlines()[1:]
+    rows = [line.split() for line in lines]
+    return {row[9]: address_of(row[1].partition(":")[0]) for row in rows if row[3] == LISTENING}
+
+
+def address_of(digits: str) -> str:
+    """Return an address from what the kernel writes: words of four bytes, the lowest first."""
+    words = [bytes.fromhex(digits[k : k + 8])[::-1] for k in range(0, len(digits), 8)]
+    return str(ipaddress.ip_address(b"".join(words)))
+
+
+def ours() -> list[str]:
+    """Return the addresses at which this process and all that it started listen."""
+    family = psutil.Process()
+    mine = set().union(
+        *(sockets_of(member.pid) for member in [family, *family.children(recursive=True)])
+    )
+    there = {**listening("tcp"), **listening("tcp6")}
+    return [place for inode, place in there.items() if inode in mine]
+
+
+def test_addresses_of_the_kernel_are_read() -> None:
+    assert address_of("0100007F") == "127.0.0.1"
+    assert address_of("00000000") == "0.0.0.0"
+    assert address_of("00000000000000000000000001000000") == "::1"
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc/net")
+def test_all_that_a_sweep_opens_listens_on_this_machine_alone() -> None:
+    before = ours()
+    during: list[list[str]] = []
+
+    def look(cells: int) -> None:
+        if cells:
+            during.append(ours())
+
+    cases = functools.partial(slow, seconds=0.005)
+    evaluate(cases, GRID, OUTPUTS, executor="dask", workers=2, batch=50, done=look)
+    most = max(during, key=len)
+    assert len(most) >= len(before) + 6  # of a scheduler and two workers: for messages and pages
+    for places in during:
+        assert {*places} - {*before} <= {"127.0.0.1", "::1"}
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="reads /proc/net")
+def test_settings_of_dask_open_no_other_address() -> None:
+    import dask
+
+    settings = {
+        "distributed.scheduler.dashboard.link": "http://0.0.0.0",
+        "distributed.worker.dashboard.address": "0.0.0.0:0",
+        "distributed.comm.default-scheme": "tcp",
+        "distributed.dashboard.link": "x",
+    }
+    before = ours()
+    with dask.config.set(settings), Local(1) as members:
+        members.client.wait_for_workers(1)
+        assert {*ours()} - {*before} <= {"127.0.0.1", "::1"}
+
+
+@pytest.mark.parametrize(
+    ("place", "expected"),
+    [
+        ("tcp://127.0.0.1:8786", False),
+        ("tcp://127.3.2.1:8786", False),
+        ("tcp://[::1]:8786", False),
+        ("tcp://localhost:8786", False),
+        ("127.0.0.1:8786", False),
+        ("tls://first:8786", False),
+        ("tls://10.0.0.1:8786", False),
+        ("wss://first:8786", False),
+        ("inproc://1/2/3", False),
+        ("tcp://first:8786", True),
+        ("first:8786", True),
+        ("tcp://10.0.0.1:8786", True),
+        ("tcp://[fe80::1%eth0]:8786", True),
+        ("tcp://0.0.0.0:8786", True),
+        ("ws://first:8786", True),
+        ("tcp://localhost.example.org:8786", True),
+    ],
+)
+def test_which_addresses_let_others_in(place: str, expected: bool) -> None:
+    assert open_to_others(place) is expected
+
+
+def test_a_cluster_that_lets_others_in_is_announced(
+    address: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(given, "open_to_others", lambda _: True)
+    with (
+        pytest.warns(UserWarning, match=r"has no TLS: everyone who reaches .*; give a tls://"),
+        given.Given(address, None) as members,
+    ):
+        assert members.at_once() >= 1
