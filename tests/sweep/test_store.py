@@ -80,7 +80,10 @@ def test_others_can_read_it(tmp_path: Path) -> None:
     assert group["done"][:].all()
     assert group["done"].shape == (6 * 4,)
     assert json.loads(group.attrs["inputs"])["constants"] == {"factor": 1.0}
-    data = xarray.open_zarr(tmp_path / "a.zarr", consolidated=False)
+    data = xarray.open_zarr(tmp_path / "a.zarr")  # without a warning, which would be an error
+    assert set(data.variables) == {"word", "b", "c", "product", "kind", "truth", "nothing"}
+    assert set(data.dims) == {"word", "b", "c"}
+    assert data.attrs == run(None).attrs
     assert data["product"].dims == ("word", "b", "c")
     assert data["product"].attrs["units"] == "m"
 

@@ -1,0 +1,75 @@
+"""Outputs in odd places: nothing that is there is replaced unasked, and no device ever."""
+
+import os
+import stat
+from pathlib import Path
+
+import pytest
+
+from tests.cli.program import refused, rocksteady
+
+SIMULATE = "simulate -A 2 -W 4 -r 0.8 --cycles 3 --csv"
+FLAGS = {
+    "--csv": ("simulate -A 2 -W 4 -r 0.8 --cycles 3", "a.csv"),
+    "--plot": ("simulate -A 2 -W 4 -r 0.8 --cycles 3", "a.png"),
+    "--animate": ("simulate -A 2 -W 4 -r 0.8 --cycles 1", "a.gif"),
+    "--netcdf": ("map -A 1:2:3 -W 2:3:3 -r 0.8", "a.nc"),
+}
+
+
+@pytest.mark.parametrize("flag", FLAGS)
+def test_a_link_that_leads_nowhere_counts_as_a_file(flag: str, tmp_path: Path) -> None:
+    command, name = FLAGS[flag]
+    link, target = tmp_path / name, tmp_path / "target"
+    link.symlink_to(target)
+    line = refused(f"{command} {flag}", link)
+    assert "it is a link to a file that is missing; add --force" in line
+    assert link.readlink() == target
+    assert not target.exists()
+    assert rocksteady(f"{command} --force {flag}", link).code == 0
+    assert link.readlink() == target
+    assert target.stat().st_size > 0
+
+
+@pytest.mark.parametrize("flag", FLAGS)
+@pytest.mark.parametrize("force", ["", "--force"])
+def test_no_device_pipe_or_folder_is_replaced(flag: str, force: str, tmp_path: Path) -> None:
+    command, name = FLAGS[flag]
+    (tmp_path / "folder").mkdir()
+    os.mkfifo(tmp_path / "pipe")
+    for target, why in (
+        (Path("/dev/null"), "a device or a pipe"),
+        (tmp_path / "pipe", "a device or a pipe"),
+        (tmp_path / "folder", "it is a folder"),
+        (tmp_path / "missing" / "a", "the folder that the link leads to does not exist"),
+        (tmp_path / name, "symbolic links"),
+    ):
+        link = tmp_path / name
+        link.symlink_to(target)
+        assert why in refused(f"{command} {force} {flag}", link)
+        assert link.readlink() == target
+        link.unlink()
+    assert stat.S_ISCHR(Path("/dev/null").stat().st_mode)
+    assert stat.S_ISFIFO((tmp_path / "pipe").stat().st_mode)
+
+
+def test_devices_themselves_are_refused() -> None:
+    for device in ("/dev/null", "/dev/full", "/dev/tty"):
+        if Path(device).exists():
+            refused(f"{SIMULATE} {device} --force")
+            assert stat.S_ISCHR(Path(device).stat().st_mode)
+
+
+def test_two_names_of_one_file_are_one_file(tmp_path: Path) -> None:
+    (tmp_path / "a.csv").symlink_to(tmp_path / "a.png")
+    line = refused(
+        f"simulate -A 2 -W 4 -r 0.8 --force --plot {tmp_path / 'a.png'} --csv", tmp_path / "a.csv"
+    )
+    assert "--plot writes the same file" in line
+
+
+def test_names_that_no_file_can_have_are_refused_in_one_line(tmp_path: Path) -> None:
+    refused(SIMULATE, tmp_path / ("x" * 300))
+    refused(SIMULATE, tmp_path / "a" / "b.csv")
+    (tmp_path / "a").write_text("", encoding="utf-8")
+    refused(SIMULATE, tmp_path / "a" / "b.csv")
