@@ -83,6 +83,114 @@ def test_intervals_in_words(tmp_path: Path, head: str, dt: float) -> None:
     assert found.record.dt_s == dt
 
 
+@pytest.mark.parametrize(
+    ("name", "size"),
+    [
+        ("acc (milli g)", 1e-3 * G),
+        ("acc (10^-3 g)", 1e-3 * G),
+        ("acc (1e-3 g)", 1e-3 * G),
+        ("acc (0.001 g)", 1e-3 * G),
+        ("acc (10\u207b\u00b3 g)", 1e-3 * G),
+        ("acc (% of g)", 1e-2 * G),
+        ("acc (%g)", 1e-2 * G),
+        ("acc (1e-2 m/s2)", 1e-2),
+        ("acc (\u00b5g)", 1e-6 * G),
+        ("acc_milli_g", 1e-3 * G),
+        ("acc/(m/s2)", 1.0),
+        ("acc [cm s\u207b\u00b2]", 1e-2),
+        ("acc (g/1000)", 1e-3 * G),
+    ],
+)
+def test_units_with_factors_are_understood_as_a_whole(
+    tmp_path: Path, name: str, size: float
+) -> None:
+    (found,) = read(tmp_path, f"time (s),{name}\n0,1.0\n0.01,-2.5\n0.02,0.5\n")
+    np.testing.assert_allclose(found.record.acceleration_m_s2, np.array(THREE) * size, rtol=1e-14)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("acc (cm/s2 x 10)", "1000*acc (g)", "acc x 1000 (g)", "acc (x1000) (g)", "acc (g x 10)"),
+        *("acc^2 (g)", "acc\u00b2 (g)", "acc (g^2)", "-acc (g)", "|acc| (g)", "milli acc (g)"),
+        *("SA (g)", "PSA (g)", "Sa(T1) (g)", "pseudo-acceleration (g)", "spectral acc (g)"),
+        *("acc (LSB)", "acc (counts)", "acc_counts", "acc (V)", "acc_m_g", "acc_cm/s2 (g)"),
+        *("max acc (g)", "log acc (g)", "acc/9.81 (g)", "scaled acc (g)", "acc (Mg)", "vel (cm/s)"),
+        *("acc (gal) (g)", "acc (g or m/s2)", "cumulative acc (g)"),
+    ],
+)
+def test_what_is_not_understood_as_a_whole_is_refused(tmp_path: Path, name: str) -> None:
+    text = f"time (s),{name}\n0,1.0\n0.01,-2.5\n0.02,0.5\n"
+    with pytest.raises(RecordFileError):
+        read(tmp_path, text)
+    (given,) = read(tmp_path, text, units="mg", column=2)
+    assert given.record.acceleration_m_s2[0] == pytest.approx(1e-3 * G)
+
+
+@pytest.mark.parametrize(
+    ("name", "step"),
+    [
+        *[("time (min)", 60.0), ("time (h)", 3600.0), ("time (us)", 1e-6), ("time (cs)", 0.01)],
+        *[("t (10^-3 s)", 1e-3), ("t/ms", 1e-3), ("time_ms", 1e-3), ("time (\u00b5s)", 1e-6)],
+        *[("time hours", 3600.0), ("ms", 1e-3), ("t", 1.0), ("time since start", 1.0)],
+    ],
+)
+def test_units_of_time(tmp_path: Path, name: str, step: float) -> None:
+    (found,) = read(tmp_path, f"{name},acc (g)\n0,1.0\n10,-2.5\n20,0.5\n")
+    assert found.record.dt_s == pytest.approx(10.0 * step, rel=1e-12)
+
+
+@pytest.mark.parametrize("name", ["time (UTC)", "time (Hz)", "t^2 (s)", "time (s x 10)", "t (g)"])
+def test_times_in_no_unit_of_time_are_refused(tmp_path: Path, name: str) -> None:
+    with pytest.raises(RecordFileError, match="line 1, "):
+        read(tmp_path, f"{name},acc (g)\n0,1.0\n0.01,-2.5\n0.02,0.5\n")
+
+
+@pytest.mark.parametrize(
+    ("head", "dt"),
+    [
+        *[("dt = 0.01 hours", 36.0), ("sampling rate 100 kHz", 1e-5), ("dt: 10 msec", 0.01)],
+        *[("sampling rate: 12000 samples/min", 0.005), ("fs = 200 sps", 0.005)],
+        *[("dt (ms) = 5", 0.005), ("dt = 0,01 s", 0.01), ("sampling interval .1e-1 s", 0.01)],
+        *[("Sampling interval (sec): 0.01", 0.01), ("dt = 10^-3 s", None), ("dt = .1,5", None)],
+        *[("dt = 0.01 fortnights", None), ("dt = 0.01 x 10", None), ("dt (ms) = 5 s", None)],
+        *[("dt = 0.01\nsampling rate 200 Hz", None), ("sampling rate 200 g", None)],
+        *[("dt = 0.005\nsampling rate 200 Hz", 0.005), ("dt = 1.5.2 s", None)],
+    ],
+)
+def test_intervals_with_their_units(tmp_path: Path, head: str, dt: float | None) -> None:
+    text = f"{head}\nunits: g\n1.0\n-2.5\n0.5\n"
+    if dt is None:
+        with pytest.raises(RecordFileError):
+            read(tmp_path, text)
+        assert read(tmp_path, text, dt_s=0.02)[0].record.dt_s == 0.02
+    else:
+        assert read(tmp_path, text)[0].record.dt_s == pytest.approx(dt, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("head", "unit"),
+    [
+        *[("units: milli g", "mg"), ("units of acceleration: cm/s/s", "cm/s^2")],
+        *[("acceleration in 10^-3 g", "mg"), ("units: s, g", "g"), ("units (g)", "g")],
+        *[("units: g (9.81 m/s2)", "g"), ("units: g x 1000", None), ("units: counts", None)],
+        *[("units: g (multiplied by 981)", None), ("units: g\nunits: cm/s2", None)],
+        *[("scale factor = 2.0\nunits: g", None), ("scale factor = 1.0\nunits: g", "g")],
+        *[("scale: 1/1000\nunits: g", None), ("units: g\nacceleration x 10^-3", None)],
+        *[("acceleration in cm/s2 x 10", None), ("units: gal/counts", None)],
+    ],
+)
+def test_units_in_words(tmp_path: Path, head: str, unit: str | None) -> None:
+    text = f"{head}\nmade by hand\n\n1.0\n-2.5\n0.5\n"
+    if unit is None:
+        with pytest.raises(RecordFileError, match="unit"):
+            read(tmp_path, text, dt_s=0.01)
+    else:
+        assert read(tmp_path, text, dt_s=0.01)[0].units_in_file == unit
+    (given,) = read(tmp_path, text, dt_s=0.01, units="2 g")
+    assert given.record.acceleration_m_s2[0] == 2.0 * G
+
+
 def test_the_interval_is_asked_for(tmp_path: Path) -> None:
     with pytest.raises(RecordFileError, match=r"does not state the interval.*give dt_s"):
         read(tmp_path, "1.0\n2.0\n", units="g")

@@ -20,7 +20,7 @@ from tests.records.writers import (
 CM = samples(403, peak=150.0)
 
 
-def read(tmp_path: Path, text: str, **given: float) -> tuple[Recording, ...]:
+def read(tmp_path: Path, text: str, **given: float | str) -> tuple[Recording, ...]:
     path = tmp_path / "hut.txt"
     path.write_text(text)
     return read_recordings(path, **given)  # type: ignore[arg-type]
@@ -62,6 +62,14 @@ def test_esm_in_other_units_and_with_many_values_in_a_line(tmp_path: Path) -> No
 def test_esm_of_another_quantity_is_refused(tmp_path: Path) -> None:
     with pytest.raises(RecordFileError, match=r"line 10, 'DATA_TYPE: VELOCITY': the base moves"):
         read(tmp_path, esm(CM, data_type="VELOCITY"))
+
+
+@pytest.mark.parametrize("units", ["cm/s^2 * 10", "cm/s", "counts", "G/CM"])
+def test_esm_units_are_understood_as_a_whole(tmp_path: Path, units: str) -> None:
+    with pytest.raises(RecordFileError, match="is none of acceleration; give units"):
+        read(tmp_path, esm(CM, UNITS=units))
+    with pytest.raises(RecordFileError, match="a factor on the samples is stated"):
+        read(tmp_path, esm(CM).replace("USER1: /", "SCALE_FACTOR: 2.0\nUSER1: /"))
 
 
 def test_esm_counts(tmp_path: Path) -> None:
@@ -116,6 +124,16 @@ def test_knet_that_is_cut_or_has_no_scale_is_refused(tmp_path: Path) -> None:
         read(tmp_path, "\n".join(text.split("\n")[:-2]))
     with pytest.raises(RecordFileError, match=r"line 14, .*scale of the counts"):
         read(tmp_path, text.replace("3920(gal)/6182761", "3920/0"))
+    for scale in (
+        "-3920(gal)/6182761",
+        "3920(gal)/-6182761",
+        "3920(mgal)/6182761",
+        "x 3920(gal)/1",
+    ):
+        with pytest.raises(RecordFileError, match=r"line 14, .*scale of the counts"):
+            read(tmp_path, text.replace("3920(gal)/6182761", scale))
+    with pytest.raises(RecordFileError, match=r"line 11, .*unit of time"):
+        read(tmp_path, text.replace("100Hz", "100 baud"))
     with pytest.raises(RecordFileError, match=r"line 11, .*above 0"):
         read(tmp_path, text.replace("100Hz", "Hz"))
 
@@ -195,6 +213,21 @@ def test_cosmos_levels_and_counts(tmp_path: Path) -> None:
     assert both[0].event == both[1].event
     with pytest.raises(RecordFileError, match="instrument's counts"):
         read(tmp_path, cosmos_channel(CM, first="Raw acceleration counts", units="counts (50)"))
+
+
+@pytest.mark.parametrize("units", ["g(04)", "cm/sec2 x 10(04)", "cm/sec(04)", "V(03)"])
+def test_cosmos_units_that_contradict_their_code(tmp_path: Path, units: str) -> None:
+    with pytest.raises(RecordFileError, match="is none of acceleration; give units"):
+        read(tmp_path, cosmos_channel(CM, units=units))
+    (given,) = read(tmp_path, cosmos_channel(CM, units=units), units="gal")
+    close(given, CM, 5e-4)
+
+
+def test_csmip_units_are_understood_as_a_whole(tmp_path: Path) -> None:
+    text = csmip_v2_channel(CM)
+    for unit in ("cm/sec2 x 10.", "counts.", "cm/sec2 (multiplied by 10)"):
+        with pytest.raises(RecordFileError, match="is none of acceleration"):
+            read(tmp_path, text.replace("in cm/sec2.", f"in {unit}"))
 
 
 def test_cosmos_that_is_cut(tmp_path: Path) -> None:

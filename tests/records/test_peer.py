@@ -171,6 +171,47 @@ def test_units_of_the_file_those_asked_for_and_those_given(tmp_path: Path) -> No
     )
 
 
+@pytest.mark.parametrize(
+    ("counts", "dt"),
+    [
+        *[("NPTS= {count}, DT= 10 MSEC", 0.01), ("NPTS= {count}, DT (MS)= 10", 0.01)],
+        *[("{count} 10.0 NPTS, DT (MSEC)", 0.01), ("{count} .01 SEC NPTS, DT", 0.01)],
+        *[("NPTS= {count}, DT= 100 Hz", 0.01), ("NPTS= {count}, DT= .1,5 SEC", None)],
+        *[("NPTS= {count}, DT= .01 LIGHTYEARS", None), ("{count} .1,5 NPTS, DT", None)],
+        *[("NPTS= {count},5, DT= .01 SEC", None), ("NPTS= {count}, DT= .01.5 SEC", None)],
+    ],
+)
+def test_units_of_the_interval(tmp_path: Path, counts: str, dt: float | None) -> None:
+    path = written(tmp_path, at2(samples(40), counts=counts))
+    if dt is None:
+        with pytest.raises(RecordFileError, match=r"line 4, "):
+            read_recordings(path)
+    else:
+        assert read_recordings(path)[0].record.dt_s == pytest.approx(dt, rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    "quantity",
+    [
+        "ACCELERATION TIME HISTORY IN UNITS OF G (MULTIPLIED BY 981)",
+        "ACCELERATION TIME HISTORY IN UNITS OF G, SCALE FACTOR= 2.0",
+        "ACCELERATION TIME HISTORY IN UNITS OF G X 1000",
+        "ACCELERATION TIME HISTORY IN UNITS OF G/CM",
+        "ACCELERATION TIME HISTORY IN UNITS OF COUNTS",
+        "ACCELERATION TIME HISTORY IN UNITS OF THOUSANDTHS OF G",
+        "UNITS OF G. UNITS OF CM/S/S",
+    ],
+)
+def test_units_that_are_not_understood_as_a_whole(tmp_path: Path, quantity: str) -> None:
+    path = written(tmp_path, at2(samples(40), quantity=quantity))
+    with pytest.raises(RecordFileError, match=r"line 3, .*give units"):
+        read_recordings(path)
+    (given,) = read_recordings(path, units="2 g")
+    assert given.record.peak_acceleration_m_s2 == pytest.approx(2.0 * G, rel=1e-6)
+    same = at2(samples(40), quantity="ACCELERATION IN UNITS OF MILLI G. SCALE FACTOR= 1.0")
+    assert read_recordings(written(tmp_path, same))[0].units_in_file == "mg"
+
+
 @pytest.mark.parametrize("odd", ["1.0E+06", "1.0E+307", "-9.9E+300"])
 def test_numbers_that_no_record_holds_are_refused(tmp_path: Path, odd: str) -> None:
     lines = at2(samples(40)).split("\n")

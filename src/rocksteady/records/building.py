@@ -215,7 +215,7 @@ def unit(text: RecordText, stated: str | None, given: Given) -> tuple[str, tuple
     of_file = None if stated is None else acceleration_unit(stated)
     if given.units is not None:
         chosen = acceleration_unit(given.units) or given.units
-        if of_file is not None and UNITS[of_file] != UNITS[chosen]:
+        if of_file is not None and in_m_s2(of_file) != in_m_s2(chosen):
             return chosen, (f"the file says {of_file}; its numbers are taken in {chosen}, as told",)
         return chosen, ()
     if of_file is None:

@@ -11,13 +11,18 @@ from typing import TYPE_CHECKING, Final
 
 from rocksteady.errors import InputError
 from rocksteady.records.building import Channel, Given, built, counted
-from rocksteady.records.directions import direction
-from rocksteady.records.numbers import NUMBER, number
+from rocksteady.records.names import column_name
 from rocksteady.records.recording import Recording
 from rocksteady.records.spacing import evenly_spaced
+from rocksteady.records.statements import (
+    last_place,
+    refuse_factors,
+    stated_interval,
+    stated_unit,
+)
 from rocksteady.records.table import Table, table
 from rocksteady.records.text import RecordText
-from rocksteady.records.units import acceleration_unit
+from rocksteady.records.units import UNITS, in_m_s2
 
 if TYPE_CHECKING:
     import numpy as np
@@ -33,31 +38,6 @@ COLUMNS: Final = "columns"
 _BEGINS: Final = re.compile(r"""\s*["']?[+-]?\.?\d""")
 _AS_CHANNELS: Final = 4
 """Columns without names that may be channels as well as consecutive samples."""
-
-_TIME: Final = re.compile(
-    r"(?:t|s|time|times|zeit|temps|tempo|tiempo|seconds?|secs?)(?:\b|_).*", re.IGNORECASE
-)
-_ACCELERATION: Final = re.compile(r"\ba(?:cc|ccel\w*|cceler\w*|g|[xyz]|h|v)?\b|acc", re.IGNORECASE)
-_OTHER: Final = re.compile(r"\b(vel\w*|disp\w*|speed)\b|(?:^|_)(?:vel|disp)", re.IGNORECASE)
-_UNIT: Final = re.compile(r"[(\[]\s*([^()\[\]]*?)\s*[)\]]|[_,]\s*([A-Za-z]+[A-Za-z0-9/^*_ ]*)$")
-_TEXT_UNIT: Final = re.compile(
-    r"(?:[(\[]?\s*units?\s*(?:are|is|of|in)?\s*[:=]?\s*(?:in\s+)?"
-    r"|\bin\s+(?:units\s+of\s+)?|[(\[])\s*"
-    r"([A-Za-z]+(?:\s*[/*^.]\s*[A-Za-z0-9*^-]+)*(?:\^?-?2)?)",
-    re.IGNORECASE,
-)
-_TEXT_INTERVAL: Final = re.compile(
-    r"\b(?:dt|delta(?:\s*t)?|time[ -]?step|time[ -]?interval"
-    r"|sampling[ _-](?:interval|period|step))"
-    rf"\b\s*(?:\(?\s*(?:s|sec|seconds)\s*\)?)?\s*[:=]?\s*({NUMBER})\s*(ms\b|milli)?",
-    re.IGNORECASE,
-)
-_TEXT_RATE: Final = re.compile(
-    r"\b(?:sampling[ _-](?:rate|freq\w*)|sample rate|fs)\b"
-    rf"\s*(?:\(?\s*hz\s*\)?)?\s*[:=]?\s*({NUMBER})",
-    re.IGNORECASE,
-)
-_MILLISECONDS: Final = re.compile(r"(?<![A-Za-z])m(?:s|secs?)\b|millisec", re.IGNORECASE)
 
 
 def recognises(text: RecordText) -> bool:
@@ -86,9 +66,11 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     _refuse_other_quantities(text, found)
     if count is None:
         _refuse_short_rows(text, found)
-    values, interval, notes, picked = _values(
-        text, found, given, interval or _stated_interval(found)
-    )
+    if given.units is None:
+        refuse_factors(text, list(found.header_lines))
+    header = list(found.header_lines)
+    stated = None if given.dt_s is not None else stated_interval(text, header)
+    values, interval, notes, picked = _values(text, found, given, interval or stated)
     warnings: tuple[str, ...] = ()
     if len(picked) == 1 and not picked[0] and 1 < found.columns <= _AS_CHANNELS:
         what = f"{found.columns} numbers a line are taken as samples that follow each other"
@@ -97,15 +79,12 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         values, warnings = counted(text, values, count, at=at, end=len(text.lines))
     recordings = []
     for index, name in enumerate(picked):
-        component = _without_unit(name) or name
-        orientation, azimuth = direction(component)
         channel = Channel(
             values=values[:, index],
-            units=_unit_of(name, found),
+            units=_unit_of(text, name, found, given),
             dt_s=interval,
-            component=component or None,
-            orientation=orientation,
-            azimuth_deg=azimuth,
+            component=column_name(name).label or name or None,
+            alone=len(picked) == 1,
             warnings=warnings,
             processing=notes,
         )
@@ -122,7 +101,7 @@ def _values(
     width = found.columns
     alone = width == 1 or (not found.names and given.column is None and not _has_times(found))
     if alone:
-        if found.names and _OTHER.search(found.names[0]) and given.column is None:
+        if found.names and column_name(found.names[0]).kind == "other" and given.column is None:
             raise _no_acceleration(text, found)
         if given.column is not None:
             _asked_for(found, given.column)
@@ -138,7 +117,7 @@ def _values(
     chosen = numbers[:, list(columns)]
     if time is None:
         return chosen, stated, (), names
-    size = 0.001 if found.names and _MILLISECONDS.search(found.names[time]) else 1.0
+    size = _seconds(text, found, time)
     even, interval, notes = evenly_spaced(
         text,
         numbers[:, time] * size,
@@ -165,10 +144,28 @@ def _has_times(found: Table) -> bool:
 
 def _time_column(found: Table) -> int | None:
     """Return which column holds the times, or None."""
-    named = [at for at, name in enumerate(found.names) if _TIME.fullmatch(name.strip())]
+    named = [at for at, name in enumerate(found.names) if column_name(name).kind == "time"]
     if named:
         return named[0]
     return 0 if not found.names and _has_times(found) else None
+
+
+def _seconds(text: RecordText, found: Table, time: int) -> float:
+    """Return the size of the unit of the times [s].
+
+    Raises
+    ------
+    RecordFileError
+        If the name of their column states a unit that is not understood.
+    """
+    if not found.names:
+        return 1.0
+    named = column_name(found.names[time])
+    if named.uncertain:
+        valid = f"its unit of time, {named.uncertain!r}, is not understood"
+        hint = "name the column time (s), time (ms), time (us) or time (min)"
+        raise text.error(valid, hint, at=found.names_at)
+    return named.seconds
 
 
 def _columns(text: RecordText, found: Table, given: Given, time: int | None) -> tuple[int, ...]:
@@ -178,12 +175,11 @@ def _columns(text: RecordText, found: Table, given: Given, time: int | None) -> 
     others = [at for at in range(found.columns) if at != time]
     if not found.names:
         return tuple(others)
-    said = [at for at in others if _is_acceleration(found.names[at])]
-    if said:
-        return tuple(said)
-    unsaid = [at for at in others if not _OTHER.search(found.names[at])]
-    if len(unsaid) == 1:
-        return tuple(unsaid)
+    kinds = {at: column_name(found.names[at]).kind for at in others}
+    for wanted in ("acceleration", "unknown"):
+        of_kind = tuple(at for at in others if kinds[at] == wanted)
+        if of_kind and (wanted == "acceleration" or len(of_kind) == 1):
+            return of_kind
     raise _no_acceleration(text, found)
 
 
@@ -193,14 +189,6 @@ def _no_acceleration(text: RecordText, found: Table) -> InputError:
         f"none of its columns is called an acceleration: {', '.join(found.names)}",
         "give column, by its name or its number from 1",
     )
-
-
-def _is_acceleration(name: str) -> bool:
-    """Return whether the name of a column says that it is an acceleration."""
-    if _OTHER.search(name):
-        return False
-    said = _unit_in(name) is not None or _ACCELERATION.search(name) is not None
-    return said or direction(_without_unit(name))[0] is not None
 
 
 def _asked_for(found: Table, column: str | int) -> int:
@@ -226,42 +214,41 @@ def _asked_for(found: Table, column: str | int) -> int:
     )
 
 
-def _unit_in(name: str) -> str | None:
-    """Return the unit of acceleration that the name of a column states."""
-    for bracketed, tail in _UNIT.findall(name):
-        written = bracketed or tail.replace("_", "/", 1)
-        if unit := acceleration_unit(written):
-            return unit
-    *before, last = name.split() or [""]
-    # After a number it is the unit of that number: "acceleration in m/s^2, peak 0.3 g".
-    return None if before and number(before[-1]) is not None else acceleration_unit(last)
+def _words(found: Table) -> list[int]:
+    """Return the index of each line of words above the samples that is no row of names."""
+    return [at for at in found.header_lines if not found.names or at != found.names_at]
 
 
-def _without_unit(name: str) -> str:
-    """Return the name of a column without the unit in brackets."""
-    return name.partition("(")[0].partition("[")[0].strip()
+def _unit_of(text: RecordText, name: str, found: Table, given: Given) -> str | None:
+    """Return the unit of a column: by its name, else by the words above the table.
 
-
-def _unit_of(name: str, found: Table) -> str | None:
-    """Return the unit of a column: by its name, else by the words above the table."""
-    if unit := _unit_in(name):
-        return unit
-    for line in found.header:
-        for written in _TEXT_UNIT.findall(line):
-            if unit := acceleration_unit(written):
-                return unit
-    return None
-
-
-def _stated_interval(found: Table) -> float | None:
-    """Return the interval that the words above the table state [s]."""
-    interval = None
-    for line in found.header:
-        if stated := _TEXT_INTERVAL.search(line):
-            interval = (number(stated[1]) or 0.0) * (0.001 if stated[2] else 1.0)
-        elif (rate := _TEXT_RATE.search(line)) and (hertz := number(rate[1])):
-            interval = 1.0 / hertz
-    return interval
+    Raises
+    ------
+    RecordFileError
+        If one of them is not understood as a whole, or they contradict each other.
+    """
+    if given.units is not None:
+        try:
+            return _unit_of(text, name, found, Given())
+        except InputError:
+            return None
+    words = _words(found)
+    named = column_name(name)
+    title = found.columns == 1 and bool(found.names)
+    if title and re.search(r"[:=]|\bunits?\b|\bin\b", name):
+        # A line of words above one column is a title rather than a name.
+        return stated_unit(text, [*words, found.names_at])
+    if named.uncertain and found.names:
+        valid = f"its column {name!r} is not understood: {named.uncertain!r}"
+        raise text.error(valid, f"give units: {', '.join(UNITS)}", at=found.names_at)
+    of_words = stated_unit(text, words, explicit=named.unit is not None)
+    if named.unit is None:
+        beside = {column_name(other).unit for other in found.names} - {None}
+        return of_words or (beside.pop() if len(beside) == 1 else None)
+    if of_words is not None and in_m_s2(of_words) != in_m_s2(named.unit):
+        valid = f"its column {name!r} is in {named.unit}, and the words above it state {of_words}"
+        raise text.error(valid, f"give units: {', '.join(UNITS)}", at=found.names_at)
+    return named.unit
 
 
 def _without_counts(text: RecordText, found: Table) -> tuple[int | None, float | None, Table]:
@@ -325,13 +312,5 @@ def _last_digit(text: RecordText, found: Table, column: int) -> float:
         line = text.lines[at].replace(",", ".") if found.comma else text.lines[at]
         fields = line.split(found.separator) if found.separator else line.split()
         if column < len(fields):
-            finest = min(finest, _unit_of_last_place(fields[column].strip().strip('"')))
+            finest = min(finest, last_place(fields[column].strip().strip('"')))
     return finest
-
-
-def _unit_of_last_place(written: str) -> float:
-    """Return one unit of the last digit of a number."""
-    mantissa, _, exponent = written.lower().replace("d", "e").partition("e")
-    decimals = len(mantissa.partition(".")[2])
-    power = int(exponent) if re.fullmatch(r"[+-]?\d{1,3}", exponent) else 0
-    return float(10.0 ** (power - decimals))

@@ -19,6 +19,7 @@ from rocksteady.records.fortran import fixed_values, stated_width
 from rocksteady.records.numbers import NUMBER, samples
 from rocksteady.records.recording import Orientation, Recording
 from rocksteady.records.text import RecordText
+from rocksteady.records.units import acceleration_unit, in_m_s2
 
 if TYPE_CHECKING:
     import numpy as np
@@ -180,7 +181,11 @@ def _recording(
     if (code == _COUNTS_CODE or "count" in written.lower()) and given.units is None:
         valid = "its samples are an instrument's counts, whose scale is not applied yet"
         raise text.error(valid, "give the processed file (V1 or V2), or units", at=at)
-    units = _CODES.get(code or 0, written)
+    units = written
+    if code in _CODES:
+        of_words, units = acceleration_unit(written), _CODES[code]
+        if of_words is None or in_m_s2(of_words) != in_m_s2(units):
+            units = f"{written} ({code:02d})"  # contradictory, and so none
     first = head.words[0].lower() if head.words else ""
     level = "cosmos-v1" if "uncorrected" in first or "raw" in first else "cosmos-v2"
     seconds = float(described["seconds"]) if described["seconds"] else None

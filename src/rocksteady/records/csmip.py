@@ -16,7 +16,7 @@ from rocksteady.records.numbers import NUMBER, number, samples
 from rocksteady.records.recording import Recording
 from rocksteady.records.spacing import evenly_spaced
 from rocksteady.records.text import RecordText
-from rocksteady.records.units import acceleration_unit
+from rocksteady.records.units import acceleration_unit, in_m_s2, leading, modifies
 
 if TYPE_CHECKING:
     import numpy as np
@@ -31,16 +31,16 @@ FORMATS: Final = ("csmip-v1", "csmip-v2")
 _FIRST: Final = re.compile(r"(UN)?CORRECTED ACCELEROGRAM", re.IGNORECASE)
 _VOLUME_2: Final = re.compile(
     rf"\s*(?P<count>\d+)\s+points of\s+(?P<quantity>\w+)\s+data\s+equally spaced at\s+"
-    rf"(?P<dt>{NUMBER})\s*sec\w*\s*[.,]?\s*(?:\(?\s*(?:in|units?\s*[:=]?)\s+(?P<unit>[A-Za-z/*^0-9]+))?",
+    rf"(?P<dt>{NUMBER})\s*sec\w*\s*[.,]?\s*(?:\(?\s*(?:in|units?\s*[:=]?)\s+(?P<unit>\S.*))?",
     re.IGNORECASE,
 )
 _VOLUME_1: Final = re.compile(
     rf"\s*(?P<count>\d+)\s+Accelerogram points at\s+(?P<rate>{NUMBER})\s*pts/sec\s*,?\s*"
-    r"(?:in units of\s+(?P<unit>[A-Za-z/*^0-9]+))?",
+    r"(?:in units of\s+(?P<unit>\S.*))?",
     re.IGNORECASE,
 )
 _POINTS: Final = re.compile(r"No\.? of Points\s*=\s*(\d+)", re.IGNORECASE)
-_UNITS: Final = re.compile(r"Units of uncor\w*\s+\w+ are sec and\s+([A-Za-z/0-9^]+)", re.IGNORECASE)
+_UNITS: Final = re.compile(r"Units of uncor\w*\s+\w+ are sec and\s+(\S.*)", re.IGNORECASE)
 _PEAK: Final = re.compile(
     rf"Peak\s+acceleration\s*=\s*({NUMBER})\s*([A-Za-z/0-9^]+)", re.IGNORECASE
 )
@@ -129,14 +129,16 @@ def _recording(
     else:
         rate = number(announced["rate"])
         interval = 1.0 / rate if rate else None
-    units = announced["unit"]
-    if units is None and (peak := _first(_PEAK if volume_2 else _MAX, head)) is not None:
+    units: str | None = announced["unit"]
+    peak = _first(_PEAK if volume_2 else _MAX, head)
+    if units is not None:
+        units = _whole_unit(units)
+    elif peak is not None:
         units = peak[2]
-    units, tenths = re.subn(r"/10$", "", units or "")
     channel = _channel(
         head,
-        values * (0.1 if tenths else 1.0),
-        units=units or None,
+        values,
+        units=units,
         dt_s=interval,
         corrected=volume_2,
         warnings=warnings,
@@ -155,8 +157,6 @@ def _channel(
     processing: tuple[str, ...] = (),
 ) -> Channel:
     """Return what the lines of words say of a channel."""
-    from rocksteady.records.units import UNITS
-
     channel = _first(_CHANNEL, head)
     station = next((at for at, line in enumerate(head) if _STATION.match(line)), None)
     name = None
@@ -169,7 +169,7 @@ def _channel(
     of_file = acceleration_unit(units or "")
     stated = None
     if value is not None and of_peak is not None and of_file is not None:
-        stated = value * UNITS[of_peak] / UNITS[of_file]
+        stated = value * in_m_s2(of_peak) / in_m_s2(of_file)
     return Channel(
         values=values,
         units=units,
@@ -183,6 +183,12 @@ def _channel(
         warnings=warnings,
         processing=processing,
     )
+
+
+def _whole_unit(written: str) -> str:
+    """Return the unit that words begin with; all of them where it is not understood as a whole."""
+    unit, rest = leading(re.split(r"\(\s*\d*[fFeE]\d|\s{3}", written)[0])
+    return written.strip() if unit is None or modifies(rest) else unit
 
 
 def _old_volume_1(text: RecordText, given: Given) -> list[Recording]:
@@ -208,11 +214,10 @@ def _old_volume_1(text: RecordText, given: Given) -> list[Recording]:
         count = int(points[1])
         values, end = samples(text.lines, data, at_most=max(2 * count, 1), width=7)
         pairs, warnings = counted(text, values, 2 * count, at=start, end=end)
-        unit, tenths = re.subn(r"/10$", "", units[1])
         kept, interval, notes = evenly_spaced(
             text,
             pairs[0::2],
-            pairs[1::2] * (0.1 if tenths else 1.0),
+            pairs[1::2],
             given,
             rounding=5.0e-4,
             line_of=lambda sample, data=data: data + sample // 5,  # type: ignore[misc]
@@ -220,7 +225,7 @@ def _old_volume_1(text: RecordText, given: Given) -> list[Recording]:
         channel = _channel(
             head,
             kept,
-            units=unit,
+            units=_whole_unit(units[1]),
             dt_s=interval,
             corrected=False,
             warnings=warnings,

@@ -10,6 +10,7 @@ from typing import Final
 from rocksteady.records.building import Channel, Given, built, counted
 from rocksteady.records.numbers import number, numbers, samples
 from rocksteady.records.recording import Recording
+from rocksteady.records.statements import refuse_factors
 from rocksteady.records.text import RecordText
 
 __all__ = ["FORMAT", "read", "recognises"]
@@ -41,6 +42,9 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         if key not in lines:
             raise text.error(f"its header does not state {key}", "fetch the file anew")
     _refuse_other_quantities(text, lines)
+    if given.units is None:
+        free = ("USER", "INSTRUMENT", "PROCESSING", "DATA_")
+        refuse_factors(text, [at for key, at in lines.items() if not key.startswith(free)])
     count = number(_value(text, lines, _COUNT))
     if count is None or count != int(count):
         raise text.error("it must state a whole number", "fetch the file anew", at=lines[_COUNT])
@@ -98,10 +102,10 @@ def _refuse_other_quantities(text: RecordText, lines: dict[str, int]) -> None:
 
 def _peak(written: str, units: str | None) -> float | None:
     """Return the stated peak in the unit of the samples, where that is known."""
-    from rocksteady.records.units import UNITS, acceleration_unit
+    from rocksteady.records.units import acceleration_unit, in_m_s2
 
     value, name = number(written), acceleration_unit(units or "")
-    return None if value is None or name is None else value * UNITS["cm/s^2"] / UNITS[name]
+    return None if value is None or name is None else value * in_m_s2("cm/s^2") / in_m_s2(name)
 
 
 def _start(written: str) -> datetime | None:

@@ -8,6 +8,7 @@ A KiK-net station has two instruments: directions 1 to 3 (north, east, up) are i
 6 at the surface. The time of the record includes a delay of 15 s of its trigger.
 """
 
+import math
 import re
 from datetime import UTC, datetime, timedelta, timezone
 from typing import Final
@@ -15,6 +16,7 @@ from typing import Final
 from rocksteady.records.building import Channel, Given, built, counted
 from rocksteady.records.numbers import NUMBER, number, samples
 from rocksteady.records.recording import Recording
+from rocksteady.records.statements import time_value
 from rocksteady.records.text import RecordText
 from rocksteady.records.units import COUNTS
 
@@ -43,7 +45,7 @@ _KEYS: Final = (
     "Last Correction",
     "Memo.",
 )
-_SCALE: Final = re.compile(rf"({NUMBER})\s*\(\s*gal\s*\)\s*/\s*({NUMBER})", re.IGNORECASE)
+_SCALE: Final = re.compile(rf"({NUMBER})\s*\(\s*gal\s*\)\s*/\s*({NUMBER})\s*", re.IGNORECASE)
 _JAPAN: Final = timezone(timedelta(hours=9))
 _DELAY: Final = timedelta(seconds=15)
 _DIRECTIONS: Final = ("N-S", "E-W", "U-D")
@@ -65,20 +67,21 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     """
     lines = _header(text)
     scale_at = _line(text, lines, "Scale Factor")
-    scale = _SCALE.search(text.heads[scale_at])
-    if scale is None or not float(number(scale[2]) or 0.0):
+    scale = _SCALE.fullmatch(_value(text, lines, "Scale Factor"))
+    parts = () if scale is None else tuple(number(part) or 0.0 for part in scale.groups())
+    if not parts or min(parts) <= 0.0:
         hint = "it reads like 3920(gal)/6182761"
-        raise text.error("it must state the scale of the counts", hint, at=scale_at)
-    rate = _first_number(text, lines, "Sampling Freq(Hz)")
-    seconds = _first_number(text, lines, "Duration Time(s)")
+        raise text.error("it must state the scale of the counts, above 0", hint, at=scale_at)
+    interval = _time(text, lines, "Sampling Freq(Hz)", "Hz")
+    seconds = _time(text, lines, "Duration Time(s)", "s")
     start = max(lines.values()) + 1
     # So many cannot stand in the file: the header is not taken at its word before they are there.
-    stated = round(min(rate * seconds, 1.0e12))
+    stated = round(min(seconds / interval, 1.0e12))
     counts, end = samples(text.lines, start, at_most=stated)
     kept, warnings = counted(
         text, counts, stated, at=_line(text, lines, "Duration Time(s)"), end=end
     )
-    gal = (number(scale[1]) or 0.0) / (number(scale[2]) or 1.0)
+    gal = parts[0] / parts[1]
     offset = float(kept.mean())
     peak = _value(text, lines, "Max. Acc. (gal)")
     written = _value(text, lines, "Dir.")
@@ -87,7 +90,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         values=(kept - offset) * gal,
         units="gal",
         units_in_file=COUNTS,
-        dt_s=1.0 / rate,
+        dt_s=interval,
         stated_peak=number(peak),
         component=component,
         station=station,
@@ -129,12 +132,14 @@ def _value(text: RecordText, lines: dict[str, int], key: str) -> str:
     return text.heads[lines[key]].lstrip()[len(key) :].strip() if key in lines else ""
 
 
-def _first_number(text: RecordText, lines: dict[str, int], key: str) -> float:
-    """Return the number above 0 that a line states, whatever unit follows it."""
+def _time(text: RecordText, lines: dict[str, int], key: str, unit: str) -> float:
+    """Return the time above 0 that a line states [s], that between samples for a rate."""
     at = _line(text, lines, key)
-    found = re.match(NUMBER, _value(text, lines, key))
-    value = None if found is None else number(found[0])
-    if value is None or value <= 0.0:
+    written = _value(text, lines, key)
+    # 100Hz: a unit goes before that of the key, which is the same.
+    stated = re.sub(rf"(?<=[\d.])\s*{unit}\s*$", "", written, flags=re.IGNORECASE)
+    value = time_value(text, at, stated, unit)
+    if value is None or not 0.0 < value < math.inf:
         raise text.error("it must state a number above 0", "fetch the file anew", at=at)
     return value
 

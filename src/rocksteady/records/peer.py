@@ -8,9 +8,11 @@ velocity (VT2) and displacement (DT2) look the same but for their units, and are
 import re
 from typing import TYPE_CHECKING, Final
 
+from rocksteady.errors import RecordFileError
 from rocksteady.records.building import Channel, Given, built, counted
 from rocksteady.records.numbers import NUMBER, number, samples
 from rocksteady.records.recording import Recording
+from rocksteady.records.statements import refuse_factors, stated_unit, time_value
 from rocksteady.records.text import RecordText
 
 if TYPE_CHECKING:
@@ -27,21 +29,22 @@ _WITHIN: Final = 40
 """Lines among which the one with the counts is looked for."""
 
 _NAMES_FIRST: Final = re.compile(
-    rf"NPTS\s*[=:]?\s*(?P<count>{NUMBER})[\s,;]*(?:DT|DELTA)\s*[=:]?\s*(?P<dt>{NUMBER})",
+    rf"NPTS\s*[=:]?\s*(?P<count>{NUMBER})[\s,;]*(?:DT|DELTA(?:\s*T)?)"
+    rf"\s*(?:\((?P<unit>[^)]*)\))?\s*[=:]?\s*(?P<dt>{NUMBER})",
     re.IGNORECASE,
 )
 _NUMBERS_FIRST: Final = re.compile(
-    rf"(?P<count>{NUMBER})[\s,;]+(?P<dt>{NUMBER})[\s,;]*(?:SEC)?[\s,;]*NPTS\W*DT", re.IGNORECASE
+    rf"(?<![\d.,])(?P<count>{NUMBER})[\s,;]+(?P<dt>{NUMBER})[\s,;]*(?P<after>[A-Z]*)[\s,;]*"
+    r"NPTS\W*DT\s*(?:\((?P<unit>[^)]*)\))?",
+    re.IGNORECASE,
 )
 _COUNTS: Final = re.compile(r"\bNPTS\b", re.IGNORECASE)
 _COUNT_ALONE: Final = re.compile(
     rf"\bNPTS\s*[=:]?\s*(?P<count>{NUMBER})(?![\d.]*,\d)", re.IGNORECASE
 )
 _INTERVAL_ALONE: Final = re.compile(
-    rf"\b(?:DT|DELTA(?:\s*T)?)\s*[=:]?\s*(?P<dt>{NUMBER})", re.IGNORECASE
-)
-_UNITS: Final = re.compile(
-    r"UNITS?\s*(?:OF|IN|ARE|[=:])\s*:?\s*(?P<unit>[A-Z/*^0-9]+)", re.IGNORECASE
+    rf"\b(?:DT|DELTA(?:\s*T)?)\s*(?:\((?P<unit>[^)]*)\))?\s*[=:]?\s*(?P<dt>{NUMBER})",
+    re.IGNORECASE,
 )
 _OTHER: Final = re.compile(
     r"\s*(VELOCITY|DISPLACEMENT|(?:PSEUDO[\s-]*)?(?:SPECTRAL|RESPONSE)\s+\w+)\b", re.IGNORECASE
@@ -71,7 +74,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     hint = "write the line as NPTS= 5372, DT= .0100 SEC"
     if at is None:
         raise text.error("no line of its header states NPTS and DT", hint)
-    count, dt_s, last = _counts(text, at)
+    count, dt_s, last = _counts(text, at, given)
     if count is None or (dt_s is None and given.dt_s is None):
         raise text.error("it must state the number of samples and their interval", hint, at=at)
     head = [line for line in text.heads[:at] if line.strip()]
@@ -83,7 +86,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     event, station, component = _words(head[1] if len(head) > 1 else "")
     channel = Channel(
         values=kept,
-        units=_units(text, at),
+        units=_units(text, at, given),
         dt_s=dt_s,
         component=component,
         station=station,
@@ -101,19 +104,36 @@ def _line_of_counts(text: RecordText) -> int | None:
     return None
 
 
-def _counts(text: RecordText, at: int) -> tuple[int | None, float | None, int]:
+def _counts(text: RecordText, at: int, given: Given) -> tuple[int | None, float | None, int]:
     """Return number of samples and interval, and the index of the last line that states them."""
     line = text.heads[at]
     found = _NAMES_FIRST.search(line) or _NUMBERS_FIRST.search(line)
     if found is not None:
-        return _whole(found["count"]), number(found["dt"]), at
+        return _whole(found["count"]), _seconds(text, at, found, given), at
     alone = _COUNT_ALONE.search(line)
     # The interval may stand before the count, or on a line of its own beside it.
     for other in (at, at + 1, at - 1):
         if 0 <= other < len(text.heads) and (stated := _INTERVAL_ALONE.search(text.heads[other])):
             count = None if alone is None else _whole(alone["count"])
-            return count, number(stated["dt"]), max(at, other)
+            return count, _seconds(text, other, stated, given), max(at, other)
     return None if alone is None else _whole(alone["count"]), None, at
+
+
+def _seconds(text: RecordText, at: int, found: re.Match[str], given: Given) -> float | None:
+    """Return the interval that a line states, with the unit before or after it [s].
+
+    Raises
+    ------
+    RecordFileError
+        If number or unit are not understood as a whole, and no interval is given.
+    """
+    if given.dt_s is not None:
+        return number(found["dt"])
+    parts = found.groupdict()
+    written = found.string[found.start("dt") :]
+    if "after" in parts:
+        written = f"{parts['dt']} {parts['after']}"
+    return time_value(text, at, written, parts["unit"])
 
 
 def _whole(written: str) -> int | None:
@@ -122,21 +142,26 @@ def _whole(written: str) -> int | None:
     return None if value is None or value != int(value) else int(value)
 
 
-def _units(text: RecordText, at: int) -> str | None:
+def _units(text: RecordText, at: int, given: Given) -> str | None:
     """Return the units that the header states.
 
     Raises
     ------
     RecordFileError
-        If they, or the header's words, are those of velocity or displacement.
+        If they, or the header's words, are those of velocity or displacement, they are not
+        understood as a whole, or a factor is stated.
     """
     for index, line in enumerate(text.heads[:at]):
         if index > 0 and (other := _OTHER.match(line)):
             valid = f"it is a file of {other[1].lower()}, and the base moves by its acceleration"
             raise text.error(valid, "give the record's file of acceleration (AT2)", at=index)
-        if found := _UNITS.search(line):
-            return found["unit"]
-    return None
+    if given.units is None:
+        refuse_factors(text, list(range(at + 2)))
+        return stated_unit(text, list(range(at + 1)), explicit=True)
+    try:
+        return stated_unit(text, list(range(at + 1)), explicit=True)
+    except RecordFileError:
+        return None
 
 
 def _refuse_times(text: RecordText, values: "Floats", dt_s: float | None, at: int) -> None:

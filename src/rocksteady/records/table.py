@@ -8,7 +8,7 @@ from typing import Final
 
 from rocksteady.records.numbers import apart, number, numbers
 from rocksteady.records.text import RecordText
-from rocksteady.records.units import acceleration_unit
+from rocksteady.records.units import acceleration_unit, in_seconds
 
 __all__ = ["Table", "table"]
 
@@ -21,9 +21,7 @@ _SAMPLE: Final = 200
 _DECIMAL_COMMA: Final = re.compile(r"[+-]?\d*,\d+(?:[eEdD][+-]?\d+)?|[+-]?\d+(?:[eEdD][+-]?\d+)?")
 _LONGEST_HEADER: Final = 200
 _LONGEST_NAME: Final = 40
-_OTHER_UNITS: Final = frozenset(
-    {"", "-", "s", "sec", "seconds", "ms", "cm/s", "m/s", "cm", "m", "mm"}
-)
+_OTHER_UNITS: Final = frozenset({"", "-", "cm/s", "m/s", "cm", "m", "mm"})
 _TRUE_SPACES: Final = re.compile(r"\t|\s{2,}")
 _NO_VALUE: Final = re.compile(
     r"[+-]?(?:nan|inf(?:inity)?|null|none|n/?a|\*+|#\w+[!?/].*)", re.IGNORECASE
@@ -40,8 +38,12 @@ class Table:
     ----------
     header
         Lines of words above the rows, without the marks of a comment.
+    header_lines
+        Index of each of them.
     names
         Fields of the last of them, where there are as many as columns.
+    names_at
+        Index of their line.
     rows
         The numbers of each line.
     lines
@@ -53,7 +55,9 @@ class Table:
     """
 
     header: tuple[str, ...]
+    header_lines: tuple[int, ...]
     names: tuple[str, ...]
+    names_at: int
     rows: tuple[tuple[float, ...], ...]
     lines: tuple[int, ...]
     separator: str | None
@@ -109,7 +113,9 @@ def table(text: RecordText) -> Table | None:
     names = _names(header, separator, max(map(len, rows)))
     return Table(
         header=header,
+        header_lines=tuple(filled[:first]),
         names=names,
+        names_at=filled[first - 1] if first else 0,
         rows=tuple(rows),
         lines=tuple(lines),
         separator=separator,
@@ -218,7 +224,8 @@ def _names(header: tuple[str, ...], separator: str | None, columns: int) -> tupl
 
 def _is_unit(field: str) -> bool:
     """Return whether a field below a name is its unit."""
-    return acceleration_unit(field) is not None or field.strip("()[] ").lower() in _OTHER_UNITS
+    known = acceleration_unit(field) is not None or in_seconds(field) is not None
+    return known or field.strip("()[] ").lower() in _OTHER_UNITS
 
 
 def _fields(line: str, separator: str | None, columns: int) -> tuple[str, ...]:
