@@ -146,6 +146,7 @@ def csmip_v2_channel(
 ) -> str:
     """Return one channel of CSMIP's volume 2: acceleration, velocity and displacement."""
     peak = values[np.abs(values).argmax()]
+    at_peak = np.abs(values).argmax() * dt
     count = len(values)
     words = [
         f"Corrected accelerogram   89146-L2500       Chan  {channel}: {name}     from",
@@ -159,7 +160,7 @@ def csmip_v2_channel(
         *(["-"] * 7),
         f" {count} points of instrument- and baseline-corrected accel, veloc and displ data",
         f"At equally-spaced intervals of    {dt:.3f}  sec.",
-        f"Peak acceleration =  {peak:10.3f}    cm/sec/sec  at   30.585   sec.",
+        f"Peak acceleration =  {peak:10.3f}    cm/sec/sec  at   {at_peak:.3f}   sec.",
         *(["-"] * 7),
     ]
     numbers = rows(np.arange(100.0), "{:5.0f}", 16) + rows(np.zeros(100), "{:10.6f}", 8)

@@ -8,7 +8,6 @@ from rocksteady.errors import InputError
 from rocksteady.model.record import Record
 from rocksteady.model.validation import positive
 from rocksteady.records.directions import Pointing, pointing, pointing_of_name, tells_nothing
-from rocksteady.records.numbers import numbers
 from rocksteady.records.recording import Orientation, Recording
 from rocksteady.records.text import RecordText
 from rocksteady.records.units import UNITS, acceleration_unit, in_m_s2
@@ -19,10 +18,11 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["TURNED", "Channel", "Given", "built", "counted", "interval", "unit"]
+__all__ = ["TURNED", "Channel", "Given", "built", "interval", "unit"]
 
 _LARGEST_PEAK_G: Final = 10.0
-_LONGEST_WORD: Final = 40
+_FEWEST: Final = 20
+_LAST_STANDS_OUT: Final = 1.5
 _NO_RECORD_G: Final = 1000.0
 _INTERVALS: Final = (1.0e-4, 0.1)
 _PEAK_AGREES: Final = 0.01
@@ -255,44 +255,6 @@ def interval(text: RecordText, stated: float | None, given: Given) -> tuple[floa
     return stated, warnings
 
 
-def counted(
-    text: RecordText, values: "Floats", stated: int, *, at: int, end: int
-) -> tuple["Floats", tuple[str, ...]]:
-    """Return as many samples as the header states, and a warning where the file holds more.
-
-    Parameters
-    ----------
-    text
-        The file.
-    values
-        What has been read, shape (samples,).
-    stated
-        The header's count.
-    at
-        Index of the header's line.
-    end
-        Index of the line at which reading stopped.
-
-    Raises
-    ------
-    RecordFileError
-        If there are fewer.
-    """
-    if stated < 2:
-        raise text.error(f"{stated} samples are no record", "see whether the file is whole", at=at)
-    if len(values) < stated:
-        valid = f"{len(values)} samples are read so far, and line {at + 1} states {stated}"
-        if end < len(text.lines):
-            words = text.heads[end].split()
-            odd = next((word for word in words if numbers(word) is None), words[-1])
-            valid = f"{odd[:_LONGEST_WORD]!r} is no number; {valid}"
-        raise text.error(valid, "fetch the file anew: it is cut or garbled", at=end)
-    if len(values) > stated:
-        more = f"the file holds more than the {stated} samples that its header states; the rest is"
-        return values[:stated], (f"{more} left out",)
-    return values, ()
-
-
 def _doubts_about_peak(record: Record, stated: float | None, units: str) -> tuple[str, ...]:
     """Return a sentence on a peak that is not the header's, or larger than any ever recorded."""
     peak = record.peak_acceleration_m_s2
@@ -302,6 +264,9 @@ def _doubts_about_peak(record: Record, stated: float | None, units: str) -> tupl
             f"its peak is {peak / UNITS['g']:.3g} g, more than any earthquake has caused: see "
             f"whether its numbers are in {units}"
         )
+    values = abs(record.acceleration_m_s2)
+    if len(values) >= _FEWEST and values[-1] > _LAST_STANDS_OUT * float(values[:-1].max()):
+        doubts.append("its last sample is its peak by far: see whether the file is cut inside it")
     if stated is not None and abs(peak - stated) > _PEAK_AGREES * stated:
         doubts.append(f"its peak is {peak:.6g} m/s^2, and the header states {stated:.6g} m/s^2")
     return tuple(doubts)

@@ -10,13 +10,15 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Final
 
 from rocksteady.errors import InputError
-from rocksteady.records.building import Channel, Given, built, counted
+from rocksteady.records.agreement import Lines, agreed, layout, timing
+from rocksteady.records.building import Channel, Given, built
 from rocksteady.records.names import column_name
 from rocksteady.records.recording import Recording
-from rocksteady.records.spacing import evenly_spaced
+from rocksteady.records.spacing import Spaced, evenly_spaced, places
 from rocksteady.records.statements import (
-    last_place,
     refuse_factors,
+    stated_count,
+    stated_duration,
     stated_interval,
     stated_unit,
 )
@@ -36,6 +38,7 @@ CSV: Final = "csv"
 COLUMNS: Final = "columns"
 
 _BEGINS: Final = re.compile(r"""\s*["']?[+-]?\.?\d""")
+_FEW_LINES: Final = 40
 _AS_CHANNELS: Final = 4
 """Columns without names that may be channels as well as consecutive samples."""
 
@@ -55,7 +58,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     InputError
         If the column that is asked for is not there.
     """
-    _refuse_geonet(text)
+    refuse_geonet(text)
     found = table(text)
     if found is None:
         raise text.error("it holds no rows of numbers", "give a record as text")
@@ -70,13 +73,21 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         refuse_factors(text, list(found.header_lines))
     header = list(found.header_lines)
     stated = None if given.dt_s is not None else stated_interval(text, header)
-    values, interval, notes, picked = _values(text, found, given, interval or stated)
-    warnings: tuple[str, ...] = ()
+    spaced, picked = _values(text, found, given, interval or stated)
+    values, interval, warnings = spaced.values, spaced.dt_s, spaced.warnings
     if len(picked) == 1 and not picked[0] and 1 < found.columns <= _AS_CHANNELS:
         what = f"{found.columns} numbers a line are taken as samples that follow each other"
-        warnings = (f"{what}; give column where they are channels",)
+        warnings += (f"{what}; give column where they are channels",)
+    if count is None and (of_words := stated_count(text, header)) is not None:
+        count, at = of_words
+    where = Lines(stated=at, start=found.lines[0], end=len(text.lines))
     if count is not None:
-        values, warnings = counted(text, values, count, at=at, end=len(text.lines))
+        values, doubts = agreed(text, values, count, where)
+        warnings = (*warnings, *doubts)
+    else:
+        warnings += layout(text, found.lines, separator=found.separator, comma=found.comma)
+    if given.dt_s is None:
+        warnings += timing(values[:, 0], interval, duration=stated_duration(text, header))
     recordings = []
     for index, name in enumerate(picked):
         channel = Channel(
@@ -86,16 +97,33 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
             component=column_name(name).label or name or None,
             alone=len(picked) == 1,
             warnings=warnings,
-            processing=notes,
+            processing=spaced.notes,
         )
         recordings.append(built(text, format_name, channel, given))
     return tuple(recordings)
 
 
+def refuse_without_rows(text: RecordText) -> None:
+    """Raise where a file has the names of a table's columns, and no rows.
+
+    Raises
+    ------
+    RecordFileError
+        As above; other files without numbers are left to the caller.
+    """
+    filled = [at for at, line in enumerate(text.heads) if line.strip()]
+    for at in filled[:_FEW_LINES] if len(filled) <= _FEW_LINES else ():
+        fields = re.split(r"[;,\t]|\s{2,}", text.heads[at].strip().lstrip("#%!*/ "))
+        kinds = [column_name(field.strip(" \"'")).kind for field in fields if field.strip()]
+        if {"time", "acceleration"} & set(kinds) and (len(kinds) > 1 or len(filled) == 1):
+            valid = "it holds the names of columns and no rows of numbers"
+            raise text.error(valid, "fetch the file anew: it is cut after its header", at=at)
+
+
 def _values(
     text: RecordText, found: Table, given: Given, stated: float | None
-) -> tuple["Floats", float | None, tuple[str, ...], tuple[str, ...]]:
-    """Return the samples (samples, channels), their interval, notes, and the channels' names."""
+) -> tuple[Spaced, tuple[str, ...]]:
+    """Return the samples (samples, channels) with their interval, and the channels' names."""
     import numpy as np
 
     width = found.columns
@@ -106,7 +134,7 @@ def _values(
         if given.column is not None:
             _asked_for(found, given.column)
         flat = np.array([value for row in found.rows for value in row], dtype=np.float64)
-        return flat[:, None], stated, (), (found.names[0] if found.names else "",)
+        return Spaced(values=flat[:, None], dt_s=stated), found.names[:1] or ("",)
     _refuse_short_rows(text, found, last=True)
     numbers = np.array(found.rows, dtype=np.float64)
     time = _time_column(found)
@@ -116,17 +144,22 @@ def _values(
     )
     chosen = numbers[:, list(columns)]
     if time is None:
-        return chosen, stated, (), names
+        return Spaced(values=chosen, dt_s=stated), names
     size = _seconds(text, found, time)
-    even, interval, notes = evenly_spaced(
+    spaced = evenly_spaced(
         text,
         numbers[:, time] * size,
         chosen,
         given,
-        rounding=0.5 * size * _last_digit(text, found, time),
+        rounding=size * places(_written(text, found, time)),
         line_of=lambda row: found.lines[row],
     )
-    return even, interval, notes, names
+    doubts = spaced.warnings
+    apart = spaced.dt_s or 0.0
+    if stated is not None and abs(stated - apart) > 0.005 * apart:
+        words = f"the words above the table state {stated:g} s between samples"
+        doubts += (f"{words}, and its times are {apart:g} s apart: the times are taken",)
+    return replace(spaced, warnings=doubts), names
 
 
 def _has_times(found: Table) -> bool:
@@ -281,7 +314,7 @@ def _refuse_short_rows(text: RecordText, found: Table, *, last: bool = False) ->
             raise text.error(valid, "fetch the file anew, or take out what is no sample", at=at)
 
 
-def _refuse_geonet(text: RecordText) -> None:
+def refuse_geonet(text: RecordText) -> None:
     """Raise where the numbers of a header would pass for samples, as in New Zealand's files."""
     if re.match(r"\s*(?:un)?corrected accelerogram", text.first, re.IGNORECASE) and any(
         re.match(r"\s*number of points\s+\d", line, re.IGNORECASE) for line in text.heads[:20]
@@ -305,12 +338,9 @@ def _refuse_other_quantities(text: RecordText, found: Table) -> None:
         raise text.error(valid, "give the file of acceleration")
 
 
-def _last_digit(text: RecordText, found: Table, column: int) -> float:
-    """Return one unit of the last digit that the times are written with."""
-    finest = 1.0
-    for at in (*found.lines[:200], *found.lines[-200:]):
-        line = text.lines[at].replace(",", ".") if found.comma else text.lines[at]
-        fields = line.split(found.separator) if found.separator else line.split()
-        if column < len(fields):
-            finest = min(finest, last_place(fields[column].strip().strip('"')))
-    return finest
+def _written(text: RecordText, found: Table, column: int) -> list[str]:
+    """Return the numbers of a column as they stand in the file."""
+    lines = (text.lines[at] for at in found.lines)
+    rows = (line.replace(",", ".") if found.comma else line for line in lines)
+    fields = (row.split(found.separator) if found.separator else row.split() for row in rows)
+    return [row[column].strip().strip('"') if column < len(row) else "0" for row in fields]

@@ -13,7 +13,8 @@ from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from typing import TYPE_CHECKING, Final
 
-from rocksteady.records.building import Channel, Given, built, counted
+from rocksteady.records.agreement import Lines, agreed, timing
+from rocksteady.records.building import Channel, Given, built
 from rocksteady.records.directions import pointing
 from rocksteady.records.fortran import fixed_values, stated_width
 from rocksteady.records.numbers import NUMBER, samples
@@ -102,9 +103,10 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         )
         if described is None or not described["quantity"].lower().startswith("accel"):
             others += 1
-            counted(text, values, count, at=at, end=end)
+            agreed(text, values, count, Lines(stated=at, start=at + 1, end=end, alone=False))
         else:
-            kept, warnings = counted(text, values, count, at=at, end=end)
+            where = Lines(stated=at, start=at + 1, end=end, alone=False)
+            kept, warnings = agreed(text, values, count, where)
             found.append(_recording(text, given, head, at, kept, warnings))
         start = end
     if not found:
@@ -196,6 +198,8 @@ def _recording(
             "give dt_s, in seconds",
             at=at,
         )
+    if given.dt_s is None:
+        warnings += timing(values, interval, peak_at=head.number(65))
     component, orientation, azimuth, down = _pointing(head)
     channel = Channel(
         values=values,

@@ -10,7 +10,8 @@ import re
 from datetime import UTC, datetime, timedelta
 from typing import TYPE_CHECKING, Final
 
-from rocksteady.records.building import Channel, Given, built, counted
+from rocksteady.records.agreement import Lines, agreed, timing
+from rocksteady.records.building import Channel, Given, built
 from rocksteady.records.fortran import stated_width
 from rocksteady.records.numbers import NUMBER, number, samples
 from rocksteady.records.recording import Recording
@@ -42,9 +43,11 @@ _VOLUME_1: Final = re.compile(
 _POINTS: Final = re.compile(r"No\.? of Points\s*=\s*(\d+)", re.IGNORECASE)
 _UNITS: Final = re.compile(r"Units of uncor\w*\s+\w+ are sec and\s+(\S.*)", re.IGNORECASE)
 _PEAK: Final = re.compile(
-    rf"Peak\s+acceleration\s*=\s*({NUMBER})\s*([A-Za-z/0-9^]+)", re.IGNORECASE
+    rf"Peak\s+acceleration\s*=\s*({NUMBER})\s*([A-Za-z/0-9^]+)(?:\s+at\s+({NUMBER})\s*sec)?",
+    re.IGNORECASE,
 )
 _MAX: Final = re.compile(rf"Max\s*=\s*({NUMBER})\s*([A-Za-z/0-9^]+)", re.IGNORECASE)
+_SPACED: Final = re.compile(rf"equally-spaced intervals of\s+({NUMBER})\s*sec", re.IGNORECASE)
 _CHANNEL: Final = re.compile(r"^\s*Chan\s+(\d+)\s*:\s*(.*?)\s*$", re.IGNORECASE)
 _STATION: Final = re.compile(r"\s*Station\s+(?:No|Id)\.?\s*(\S+)", re.IGNORECASE)
 _START: Final = re.compile(
@@ -80,7 +83,8 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         values, end = samples(
             text.lines, at + 1, at_most=max(count, 1), width=stated_width(text.heads[at])
         )
-        kept, warnings = counted(text, values, count, at=at, end=end)
+        where = Lines(stated=at, start=at + 1, end=end, alone=False)
+        kept, warnings = agreed(text, values, count, where)
         if _is_acceleration(announced):
             found.append(_recording(text, given, text.heads[start : at + 1], kept, warnings))
         start = end
@@ -135,6 +139,10 @@ def _recording(
         units = _whole_unit(units)
     elif peak is not None:
         units = peak[2]
+    at_peak = number(peak[3] or "") if volume_2 and peak is not None else None
+    if given.dt_s is None:
+        warnings += timing(values, interval, peak_at=at_peak)
+        warnings += _second_interval(head, interval)
     channel = _channel(
         head,
         values,
@@ -185,6 +193,15 @@ def _channel(
     )
 
 
+def _second_interval(head: tuple[str, ...], interval: float | None) -> tuple[str, ...]:
+    """Return a warning where the words of the header state another interval than its numbers."""
+    stated = _first(_SPACED, head)
+    other = None if stated is None else number(stated[1])
+    if interval is None or other is None or abs(other - interval) <= 1.0e-6 * interval:
+        return ()
+    return (f"the header states {other:g} s between samples too; {interval:g} s are taken",)
+
+
 def _whole_unit(written: str) -> str:
     """Return the unit that words begin with; all of them where it is not understood as a whole."""
     unit, rest = leading(re.split(r"\(\s*\d*[fFeE]\d|\s{3}", written)[0])
@@ -213,8 +230,9 @@ def _old_volume_1(text: RecordText, given: Given) -> list[Recording]:
         data = start + _TEXT_LINES + _NUMBER_LINES
         count = int(points[1])
         values, end = samples(text.lines, data, at_most=max(2 * count, 1), width=7)
-        pairs, warnings = counted(text, values, 2 * count, at=start, end=end)
-        kept, interval, notes = evenly_spaced(
+        where = Lines(stated=start, start=data, end=end, alone=False)
+        pairs, warnings = agreed(text, values, 2 * count, where)
+        spaced = evenly_spaced(
             text,
             pairs[0::2],
             pairs[1::2],
@@ -224,12 +242,12 @@ def _old_volume_1(text: RecordText, given: Given) -> list[Recording]:
         )
         channel = _channel(
             head,
-            kept,
+            spaced.values,
             units=_whole_unit(units[1]),
-            dt_s=interval,
+            dt_s=spaced.dt_s,
             corrected=False,
-            warnings=warnings,
-            processing=notes,
+            warnings=(*warnings, *spaced.warnings),
+            processing=spaced.notes,
         )
         found.append(built(text, "csmip-v1", channel, given))
         start = end

@@ -7,10 +7,11 @@ import re
 from datetime import UTC, datetime
 from typing import Final
 
-from rocksteady.records.building import Channel, Given, built, counted
+from rocksteady.records.agreement import Lines, agreed, timing
+from rocksteady.records.building import Channel, Given, built
 from rocksteady.records.numbers import number, numbers, samples
 from rocksteady.records.recording import Recording
-from rocksteady.records.statements import refuse_factors
+from rocksteady.records.statements import last_place, refuse_factors
 from rocksteady.records.text import RecordText
 
 __all__ = ["FORMAT", "read", "recognises"]
@@ -53,9 +54,16 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         raise text.error("it must state a number of seconds", "give dt_s", at=lines[_INTERVAL])
     start = max(lines.values()) + 1
     values, end = samples(text.lines, start, at_most=max(int(count), 1))
-    kept, warnings = counted(text, values, int(count), at=lines[_COUNT], end=end)
-    if not warnings and any(line.strip() for line in text.lines[end:]):
-        warnings = (f"what stands after the last sample, from line {end + 1}, is left out",)
+    kept, warnings = agreed(
+        text, values, int(count), Lines(stated=lines[_COUNT], start=start, end=end)
+    )
+    lasts = number(_value(text, lines, "DURATION_S"))
+    duration = (
+        None if lasts is None else (lasts, 0.5 * last_place(_value(text, lines, "DURATION_S")))
+    )
+    peak_at = number(_value(text, lines, "TIME_PGA_S"))
+    if given.dt_s is None:
+        warnings += timing(kept, interval, duration=duration, peak_at=peak_at)
     units = _value(text, lines, "UNITS") or None
     channel = Channel(
         values=kept,

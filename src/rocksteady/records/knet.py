@@ -13,7 +13,8 @@ import re
 from datetime import UTC, datetime, timedelta, timezone
 from typing import Final
 
-from rocksteady.records.building import Channel, Given, built, counted
+from rocksteady.records.agreement import Lines, agreed
+from rocksteady.records.building import Channel, Given, built
 from rocksteady.records.numbers import NUMBER, number, samples
 from rocksteady.records.recording import Recording
 from rocksteady.records.statements import time_value
@@ -78,9 +79,11 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     # So many cannot stand in the file: the header is not taken at its word before they are there.
     stated = round(min(seconds / interval, 1.0e12))
     counts, end = samples(text.lines, start, at_most=stated)
-    kept, warnings = counted(
-        text, counts, stated, at=_line(text, lines, "Duration Time(s)"), end=end
-    )
+    at = _line(text, lines, "Duration Time(s)")
+    kept, warnings = agreed(text, counts, stated, Lines(stated=at, start=start, end=end))
+    if warnings and "more than" in warnings[0]:
+        rates = f"{seconds:g} s at {1.0 / interval:g} Hz"
+        warnings += (f"{rates} are {stated} samples: see whether duration and rate are right",)
     gal = parts[0] / parts[1]
     offset = float(kept.mean())
     peak = _value(text, lines, "Max. Acc. (gal)")

@@ -9,7 +9,8 @@ import re
 from typing import TYPE_CHECKING, Final
 
 from rocksteady.errors import RecordFileError
-from rocksteady.records.building import Channel, Given, built, counted
+from rocksteady.records.agreement import Lines, agreed
+from rocksteady.records.building import Channel, Given, built
 from rocksteady.records.numbers import NUMBER, number, samples
 from rocksteady.records.recording import Recording
 from rocksteady.records.statements import refuse_factors, stated_unit, time_value
@@ -80,9 +81,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     head = [line for line in text.heads[:at] if line.strip()]
     values, end = samples(text.lines, last + 1, at_most=count)
     _refuse_times(text, values, dt_s, last + 1)
-    kept, warnings = counted(text, values, count, at=at, end=end)
-    if not warnings and any(line.strip() for line in text.lines[end:]):
-        warnings = _of_the_rest(text, end)
+    kept, warnings = agreed(text, values, count, Lines(stated=at, start=last + 1, end=end))
     event, station, component = _words(head[1] if len(head) > 1 else "")
     channel = Channel(
         values=kept,
@@ -175,13 +174,6 @@ def _refuse_times(text: RecordText, values: "Floats", dt_s: float | None, at: in
     if dt_s and len(first) > 4 and np.allclose(np.diff(first), dt_s, rtol=1.0e-3, atol=0.0):
         valid = "times stand beside the samples, and a file of PEER's holds samples alone"
         raise text.error(valid, "take its header off, to have it read as a table", at=at)
-
-
-def _of_the_rest(text: RecordText, end: int) -> tuple[str, ...]:
-    """Return a warning about what follows the last sample."""
-    more, _ = samples(text.lines, end, at_most=1)
-    what = "more samples than its header states" if len(more) else "more than its samples"
-    return (f"the file holds {what}: what stands after them, from line {end + 1}, is left out",)
 
 
 def _words(line: str) -> tuple[str | None, str | None, str | None]:

@@ -15,6 +15,7 @@ from rocksteady.records.building import Given
 from rocksteady.records.processing import baseline_corrected
 from rocksteady.records.recording import Recording
 from rocksteady.records.text import RecordText, as_text, file_bytes
+from rocksteady.records.traces import network_of
 
 __all__ = ["FORMATS", "chosen", "read_record", "read_recordings"]
 
@@ -160,8 +161,29 @@ def _found(
     text = as_text(file, data)
     for names, recognises, read in _READERS:
         if wanted in names or (wanted is None and recognises(text)):
+            if wanted is None and columns.CSV in names:
+                columns.refuse_geonet(text)
+                _refuse_damaged(text)
             return read(text, given)
+    if wanted is None:
+        _refuse_damaged(text)
+        columns.refuse_without_rows(text)
     return None
+
+
+def _refuse_damaged(text: RecordText) -> None:
+    """Raise where lines of a network's header show a damaged file, which is no table.
+
+    Raises
+    ------
+    RecordFileError
+        As above.
+    """
+    found = network_of(text)
+    if found is not None:
+        valid = f"it is a line of {found[0]}'s header, and the rest of that header is damaged"
+        hint = "fetch the file anew, or give format columns where it is a table of its own"
+        raise text.error(valid, hint, at=found[1])
 
 
 def _told_apart(recordings: tuple[Recording, ...]) -> tuple[Recording, ...]:

@@ -9,7 +9,8 @@ import re
 from datetime import UTC, datetime, timedelta
 from typing import Final
 
-from rocksteady.records.building import Channel, Given, built, counted
+from rocksteady.records.agreement import Lines, agreed, timing
+from rocksteady.records.building import Channel, Given, built
 from rocksteady.records.numbers import numbers, samples
 from rocksteady.records.recording import Orientation, Recording
 from rocksteady.records.spacing import evenly_spaced
@@ -59,14 +60,18 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     if known[16] is None:
         raise text.error("it must state the number of samples first", _HINT, at=at)
     values, end = samples(text.lines, start, at_most=max(int(known[16]), 1))
-    kept, warnings = counted(text, values, int(known[16]), at=at, end=end)
+    kept, warnings = agreed(text, values, int(known[16]), Lines(stated=at, start=start, end=end))
     rate, interval = stated[1], None
     notes: tuple[str, ...] = ()
     if rate is not None and rate > 0.0:
         interval = 1.0 / rate
+        sizes = [(abs(stated[place + 1] or 0.0), stated[place]) for place in (28, 30)]
+        peak_at = max(sizes, key=lambda pair: pair[0])[1]
+        if given.dt_s is None:
+            warnings += timing(kept, interval, peak_at=peak_at)
     elif len(kept) >= 4 and bool((kept[2::2] > kept[:-2:2]).all()):
         kept = kept[: len(kept) // 2 * 2]
-        kept, interval, notes = evenly_spaced(
+        spaced = evenly_spaced(
             text,
             kept[0::2],
             kept[1::2],
@@ -74,6 +79,8 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
             rounding=5.0e-5,
             line_of=lambda sample: start + sample // 4,
         )
+        kept, interval, notes = spaced.values, spaced.dt_s, spaced.notes
+        warnings += spaced.warnings
     if text.heads[0].strip() == "*":
         warnings = (*warnings, "the file does not say what it holds: taken to be acceleration")
     orientation, azimuth, down = _pointing(known[12], known[13])

@@ -31,10 +31,13 @@ class RecordText:
         The file.
     lines
         Its lines without their ends.
+    ended
+        Whether the last of them that is not blank has an end.
     """
 
     path: Path
     lines: tuple[str, ...]
+    ended: bool = True
 
     @cached_property
     def heads(self) -> tuple[str, ...]:
@@ -124,7 +127,9 @@ def as_text(path: Path, data: bytes) -> RecordText:
             content = data.decode("utf-8-sig")
         except UnicodeDecodeError:
             content = data.decode("latin-1")
-    content = content.rstrip(_PADDING + " \t\r\n")
+    filled = content.rstrip(_PADDING + " \t\r\n")
+    ended = any(end in content[len(filled) :] for end in "\r\n")
+    content = filled
     beginning = content[:_BEGINNING]
     odd = sum(character < " " and character not in "\t\r\n\f\v" for character in beginning)
     if odd > len(beginning) // 100:
@@ -133,4 +138,4 @@ def as_text(path: Path, data: bytes) -> RecordText:
             valid="it is not text",
             hint="give a record as its network publishes it, unpacked",
         )
-    return RecordText(path=path, lines=tuple(_LINE_ENDS.split(content)))
+    return RecordText(path=path, lines=tuple(_LINE_ENDS.split(content)), ended=ended)
