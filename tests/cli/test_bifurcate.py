@@ -446,9 +446,9 @@ def test_plots_are_written_whole(command: str, ending: str, magic: bytes, tmp_pa
 @pytest.mark.parametrize(
     ("flags", "needle"),
     [
-        ("-A 2 -W 2 -r 0.8", "-A, -W and -r = 'no axis'"),
-        ("-A 1:2:5 -W 1:2:5 -r 0.8", "'2 axes'"),
-        ("-A 1:2:5 -W 2 -r 0.5:0.8:5", "'2 axes'"),
+        ("-A 2 -W 2 -r 0.8", "none of -A, -W and -r is an axis"),
+        ("-A 1:2:5 -W 1:2:5 -r 0.8", "2 of -A, -W and -r are axes"),
+        ("-A 1:2:5 -W 2 -r 0.5:0.8:5", "2 of -A, -W and -r are axes"),
         ("-A 2 -W 2:2:5 -r 0.8", "--frequency-ratio/-W = '2 at both ends'"),
         ("-A -1:3:5 -W 2 -r 0.8", "--amplitude/-A = -1.0"),
         ("-A 2 -W 0:3:5 -r 0.8", "--frequency-ratio/-W = 0.0"),
@@ -457,7 +457,7 @@ def test_plots_are_written_whole(command: str, ending: str, magic: bytes, tmp_pa
         ("-A 2 -W 2 -r 0:1:5", "--restitution/-r = 0.0"),
         ("-A 2 -W 2 -r 0.5:1.2:5", "(0, 1]"),
         ("-A 2 -W 2 -r 0.5:1", "--restitution/-r = '0.5:1'"),
-        ("-A 2 -W 1:2:5", "--restitution/-r = 'not given'"),
+        ("-A 2 -W 1:2:5", "--restitution/-r is not given"),
         ("-A 2 -r 0.8", "neither given"),
         ("-A 2 -W 1:2:5 -r 0.8 -n 2", "--order/-n = 2"),
         ("-A 2 -W 1:2:5 -r 0.8 -n 1001", "--order/-n = 1001"),

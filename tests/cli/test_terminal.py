@@ -182,12 +182,17 @@ def test_a_sweep_that_a_signal_ends_says_how_it_goes_on(
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
+        # Python ignores SIGINT where a script has started the tests in its background.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL) and None,  # noqa: PLW1509
     )
     done = tmp_path / "out.zarr" / "done" / "c"
     while running.poll() is None and not (done.is_dir() and any(done.iterdir())):
         time.sleep(0.05)
     running.send_signal(getattr(signal, name))
-    out, err = running.communicate(timeout=60)
+    try:
+        out, err = running.communicate(timeout=60)
+    finally:
+        running.kill()
     assert (running.returncode, out) == (128 + getattr(signal, name), "")
     lines = err.splitlines()
     assert lines[-2] == f"  rocksteady {flags[command]} --resume"

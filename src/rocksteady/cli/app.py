@@ -8,7 +8,8 @@ import signal
 import sys
 import traceback
 import warnings
-from typing import Annotated, TextIO
+from functools import cache
+from typing import Annotated, Any, TextIO
 
 import typer
 from typer.exceptions import TyperException
@@ -105,9 +106,10 @@ def run(arguments: list[str]) -> int:
     """Run the program on a list of arguments and return its exit code."""
     terminal.tidy_environment()
     terminal.drop_notes()
-    command = typer.main.get_command(app)
     try:
-        code = command.main(arguments, prog_name="rocksteady", standalone_mode=False, obj=arguments)
+        code = _program().main(
+            arguments, prog_name="rocksteady", standalone_mode=False, obj=arguments
+        )
         sys.stdout.flush()
     except TyperException as error:
         return _usage_error(error, arguments)
@@ -131,6 +133,12 @@ def run(arguments: list[str]) -> int:
         return INTERNAL
     terminal.say_notes()
     return _interrupted() if code == INTERRUPTED else _code(code)
+
+
+@cache
+def _program() -> Any:
+    """Return the program as typer builds it, once."""
+    return typer.main.get_command(app)
 
 
 def _interrupted() -> int:

@@ -18,8 +18,8 @@ from rocksteady.cli.outputs import (
     write_figure,
 )
 from rocksteady.cli.progress import sweeping
+from rocksteady.cli.refusals import FlagError
 from rocksteady.cli.values import case_text
-from rocksteady.errors import ModelError
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 
@@ -111,7 +111,7 @@ def basins(
     amplitudes, ratios = shaking.of(body)
     ratio = single("frequency_ratio", ratios)
     if seed is not None and len(amplitudes) > 1:
-        raise ModelError(
+        raise FlagError(
             name="seed",
             value=seed,
             valid="safe basins are computed at the points of a grid",

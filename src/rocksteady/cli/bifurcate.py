@@ -27,7 +27,7 @@ from rocksteady.cli.outputs import (
 )
 from rocksteady.cli.progress import progress
 from rocksteady.cli.ranges import Range, range_of
-from rocksteady.errors import ModelError
+from rocksteady.cli.refusals import FlagError
 from rocksteady.model.block import Block
 from rocksteady.model.validation import odd_order, positive, whole_number
 
@@ -160,9 +160,7 @@ def bifurcate(
     output.check()
     span = range_of(shaking, block)
     if not span.body.symmetric:
-        raise ModelError(
-            name="the block",
-            value="its sides differ",
+        raise block.refuse_sides(
             valid="branches are followed of symmetric blocks alone",
             hint="draw a diagram of what it settles to with `rocksteady map`, and one axis",
         )
@@ -176,7 +174,7 @@ def bifurcate(
     whole_number("max_impacts", max_impacts, at_least=1, at_most=MOST, hint=hint)
     whole_number("max_branches", max_branches, at_least=1, at_most=10 * MOST, hint=hint)
     if doublings is not None and not cascade:
-        raise ModelError(
+        raise FlagError(
             name="doublings",
             value=doublings,
             valid="without --cascade it has no meaning",
@@ -261,7 +259,7 @@ def check_top(top: float | None, output: OutputFlags) -> None:
         return
     positive("top", top, hint="give an angle in units of alpha, as 1.5")
     if output.plot is None:
-        raise ModelError(
+        raise FlagError(
             name="top",
             value=top,
             valid="without --plot it has no meaning",
@@ -281,7 +279,7 @@ def check_sweeps(span: Range, start: SweepStart, *, no_sweeps: bool) -> bool:
         start.refuse("with --no-sweeps")
         return False
     if len(span.values) > LONGEST_AXIS:
-        raise ModelError(
+        raise FlagError(
             name=span.parameter,
             value=f"{len(span.values)} values",
             valid=f"sweeps go through at most {LONGEST_AXIS}",

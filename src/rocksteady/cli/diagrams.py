@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from rocksteady.cli import flags
 from rocksteady.cli.ranges import Range
+from rocksteady.cli.refusals import FlagError
 from rocksteady.cli.starts import STEADY, StartFlags
 from rocksteady.errors import ModelError
 
@@ -31,7 +32,7 @@ class SweepStart(StartFlags):
         """
         for name, value in (("start", self.start), ("phase", self.phase), ("kick", self.kick)):
             if value not in (None, AUTO):
-                raise ModelError(
+                raise FlagError(
                     name=name,
                     value=value,
                     valid=f"{why}, it has no meaning",

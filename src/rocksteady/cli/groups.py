@@ -14,8 +14,9 @@ from typing import Any
 
 from rocksteady.cli import flags
 from rocksteady.cli.outputs import check_writable
+from rocksteady.cli.refusals import FlagError
 from rocksteady.durable import place_of
-from rocksteady.errors import ModelError, OutputError
+from rocksteady.errors import OutputError
 from rocksteady.model.validation import positive
 
 FIGURE_FORMATS = (".png", ".svg", ".pdf")
@@ -79,7 +80,7 @@ class AnimationFlags:
             positive("speed", self.speed, hint="give 1 for real time or one period a second")
         if self.animate is None:
             if self.speed is not None:
-                raise ModelError(
+                raise FlagError(
                     name="speed",
                     value=self.speed,
                     valid="without --animate it has no meaning",

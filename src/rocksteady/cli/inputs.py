@@ -2,6 +2,7 @@
 
 import math
 
+from rocksteady.cli.refusals import missing
 from rocksteady.errors import InputError
 from rocksteady.model.block import Restitution, Restitutions
 
@@ -85,9 +86,8 @@ def restitution_from(text: str | None, *, default: Restitution | None) -> Restit
     """
     if text is None:
         if default is None:
-            raise InputError(
-                name="restitution",
-                value="not given",
+            raise missing(
+                "--restitution/-r",
                 valid="without a block it is needed",
                 hint="add -r 0.8, or describe a block to take Housner's value",
             )

@@ -12,6 +12,7 @@ import typer
 from rocksteady.cli import flags
 from rocksteady.cli.inputs import axis
 from rocksteady.cli.nouns import BlockFlags, ShakingFlags
+from rocksteady.cli.refusals import FlagError
 from rocksteady.cli.starts import HINT, StartFlags
 from rocksteady.dynamics.parameters import AXES, shaking_of
 from rocksteady.errors import InputError, ModelError
@@ -119,7 +120,7 @@ class MapStartFlags:
             text = typed.get(error.name.removeprefix("--"))
             if text is None:
                 raise
-            raise ModelError(
+            raise FlagError(
                 name=error.name, value=text, valid=error.valid, hint=error.hint
             ) from error
 
@@ -147,7 +148,7 @@ class MapStartFlags:
         if self._per_pivot_time or not any(found):
             return found
         if not one_for_all:
-            raise ModelError(
+            raise FlagError(
                 name="start",
                 value=self.start,
                 valid="where omega/p moves, du/dtau is another velocity in each cell",
@@ -216,10 +217,9 @@ def map_case(shaking: ShakingFlags, block: BlockFlags, start: MapStartFlags) -> 
     if "velocity" in given:
         given["velocity"] = start.velocities(shaken, one_for_all=one_for_all)
     if not moving:
-        raise ModelError(
-            name="the map",
-            value="no axis",
-            valid="at least one flag of block, shaking or start is an axis",
+        raise FlagError(
+            finding="none of -A, -W, -r and the other flags of the case is an axis",
+            valid="at least one flag of block, shaking or start must be",
             hint="give one as start:stop:count, as -A 0.1:6:300",
         )
     return MapCase(

@@ -18,6 +18,7 @@ from rocksteady.cli.outputs import (
     write_netcdf,
 )
 from rocksteady.cli.progress import sweeping
+from rocksteady.cli.refusals import FlagError
 from rocksteady.cli.sweeps import SWEEP, SweepFlags
 from rocksteady.errors import InputError, ModelError
 
@@ -92,7 +93,7 @@ def maps(
     if output.plot is not None:
         _check_drawable(case)
     if sweep.out is not None and refine is not None:
-        raise ModelError(
+        raise FlagError(
             name="--refine",
             value=refine,
             valid="a store holds every cell of its grid",

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any, cast
 from rocksteady.cli import flags
 from rocksteady.cli.flags import FLAG_OF_ARGUMENT
 from rocksteady.cli.inputs import MOST_AXIS_POINTS, axis, restitution_from, single
+from rocksteady.cli.refusals import FlagError, both
 from rocksteady.dynamics.parameters import SIZES
-from rocksteady.errors import InputError, ModelError
+from rocksteady.errors import InputError
 from rocksteady.model.block import STANDARD_GRAVITY, Block, DimensionlessBlock, Restitution
 from rocksteady.model.examples import example_block
 from rocksteady.model.motions import Harmonic
@@ -49,20 +50,21 @@ class ShakingFlags:
         """
         for flag, value in (("--accel-g", self.accel_g), ("--freq-hz", self.freq_hz)):
             if value is not None and isinstance(block, DimensionlessBlock):
-                raise ModelError(
+                raise FlagError(
                     name=flag,
                     value=value,
                     valid="g and Hz need a block with a slenderness and a p",
                     hint="describe a block, or give -A and -W",
                 )
-        for flag, one, other in (
-            ("--amplitude/-A and --accel-g", self.amplitude, self.accel_g),
-            ("--frequency-ratio/-W and --freq-hz", self.frequency_ratio, self.freq_hz),
+        for flag, one, alias, other in (
+            ("--amplitude/-A", self.amplitude, "--accel-g", self.accel_g),
+            ("--frequency-ratio/-W", self.frequency_ratio, "--freq-hz", self.freq_hz),
         ):
-            if (one is None) == (other is None):
-                raise ModelError(
-                    name=flag,
-                    value="both given" if one is not None else "neither given",
+            if one is not None and other is not None:
+                raise both(flag, alias, valid="exactly one of the two is needed")
+            if one is None and other is None:
+                raise FlagError(
+                    finding=f"of {flag} and {alias}, neither given",
                     valid="exactly one of the two is needed",
                     hint="give one",
                 )
@@ -98,7 +100,7 @@ class ShakingFlags:
         amplitudes, ratios = given["amplitude"], given["frequency_ratio"]
         if len(amplitudes) * len(ratios) > MOST_AXIS_POINTS:
             raise InputError(
-                name="the axes",
+                name="-A and -W",
                 value=f"{len(amplitudes)} amplitudes x {len(ratios)} frequencies",
                 valid=f"they may have {MOST_AXIS_POINTS} points together",
                 hint="take fewer points",
@@ -136,7 +138,7 @@ class PulseFlags:
             If there is none, and something that only a pulse has.
         """
         if self.pulse is None and self.oscillations is not None:
-            raise ModelError(
+            raise FlagError(
                 name="oscillations",
                 value=self.oscillations,
                 valid="without --pulse it has no meaning",
@@ -205,7 +207,7 @@ class BlockFlags:
         given = [FLAG_OF_ARGUMENT[name] for name in (*self.sizes, *self.unlike)]
         if not given and self.block is None:
             if self.gravity_m_s2 is not None:
-                raise ModelError(
+                raise FlagError(
                     name="--gravity-m-s2",
                     value=self.gravity_m_s2,
                     valid="without a block gravity has no meaning",
@@ -217,9 +219,9 @@ class BlockFlags:
         ratio = restitution_from(self.restitution, default="housner")
         block = self._sized(ratio[0] if isinstance(ratio, tuple) else ratio, gravity)
         if block is None:
-            raise ModelError(
-                name="the block",
-                value=" ".join(["--block", *given] if self.block is not None else given),
+            flags_given = " ".join(["--block", *given] if self.block is not None else given)
+            raise FlagError(
+                finding=f"{flags_given} alone describe no block",
                 valid="it is described by --width-m with --height-m, by --alpha-rad with "
                 "--radius-m, by --alpha-rad with --p-rad-s, by --left-m and --right-m with "
                 "--height-m, or by --block alone",
@@ -245,6 +247,13 @@ class BlockFlags:
         make = makers.get(tuple(sizes))
         rest: dict[str, Any] = {"restitution": ratio, "gravity": gravity}
         return None if make is None else make(**sizes, **self.unlike, **rest)
+
+    def refuse_sides(self, valid: str, hint: str) -> FlagError:
+        """Return the error of a block whose sides differ, with the flags that make them differ."""
+        flags_given = "--left-m and --right-m" if self.unlike else "--restitution/-r"
+        return FlagError(
+            finding=f"{flags_given} make a block whose sides differ", valid=valid, hint=hint
+        )
 
     @property
     def unlike(self) -> dict[str, float]:
@@ -303,7 +312,7 @@ def equations_for(model: str, body: Block | DimensionlessBlock) -> "ModelName":
         If the nonlinear model meets a block of which only the restitution is known.
     """
     if model == "nonlinear" and not isinstance(body, Block):
-        raise ModelError(
+        raise FlagError(
             name="--model",
             value=model,
             valid="the full equations need the block's slenderness",
@@ -321,7 +330,7 @@ def refuse_of_linear(model: str, name: str, value: object) -> None:
         If it is given with the linear model.
     """
     if model == "linear" and value is not None:
-        raise ModelError(
+        raise FlagError(
             name=name,
             value=value,
             valid="only the nonlinear model has it",

@@ -50,6 +50,15 @@ def check_writable(flag: str, file: Path, *, force: bool) -> None:
     raise OutputError(name=flag, value=file, valid=valid, hint=hint)
 
 
+def impossible_name(file: Path) -> str | None:
+    """Return why the system takes no such name, as of too many characters; None where it does."""
+    try:
+        file.exists()
+    except OSError as error:
+        return error.strerror or str(error)
+    return None
+
+
 def announce_compilation(kernel: str) -> None:
     """Print what is odd about the input, and that a first run takes longer where this is one.
 

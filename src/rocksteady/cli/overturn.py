@@ -18,8 +18,9 @@ from rocksteady.cli.outputs import (
 )
 from rocksteady.cli.overturn_values import overturn_values, print_windows, title_of, window_rows
 from rocksteady.cli.progress import sweeping
+from rocksteady.cli.refusals import FlagError, both, missing
 from rocksteady.cli.sweeps import SweepFlags
-from rocksteady.errors import InputError, ModelError
+from rocksteady.errors import InputError
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 from rocksteady.model.pulses import Pulse
@@ -123,9 +124,8 @@ def overturn(
     body = block.described()
     equations = equations_for(model, body)
     if not pulse.given:
-        raise InputError(
-            name="--pulse",
-            value="not given",
+        raise missing(
+            "--pulse",
             valid="a spectrum needs a pulse",
             hint="add --pulse one-sine; rocksteady overturn --help names them",
         )
@@ -135,7 +135,7 @@ def overturn(
     shape = pulse.of(Harmonic(amplitude=1.0, frequency_ratio=ratios[0]), phase=phase)
     within = _range(body, amplitude, accel_g)
     if output.plot is not None and len(ratios) < 2:
-        raise ModelError(
+        raise FlagError(
             name="--plot",
             value=output.plot,
             valid="a spectrum is drawn over two frequencies or more",
@@ -202,18 +202,13 @@ def _range(
         If both are given, a block is missing, or the text is no range.
     """
     if amplitude is not None and accel_g is not None:
-        raise ModelError(
-            name="--amplitude/-A and --accel-g",
-            value="both given",
-            valid="at most one of the two says the range",
-            hint="leave one out",
-        )
+        raise both("--amplitude/-A", "--accel-g", valid="at most one of the two is the range")
     # Of an asymmetric block the other side may lift sooner.
     lowest = min(ratio for _, ratio, _ in body.dimensionless().sides)
     if accel_g is None:
         return None if amplitude is None else _ends("--amplitude/-A", amplitude, lowest)
     if isinstance(body, DimensionlessBlock):
-        raise ModelError(
+        raise FlagError(
             name="--accel-g",
             value=accel_g,
             valid="g needs a block with a slenderness",

@@ -4,9 +4,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from rocksteady.cli.nouns import BlockFlags, ShakingFlags
+from rocksteady.cli.refusals import FlagError
 from rocksteady.cli.values import block_values
 from rocksteady.dynamics.parameters import moved_to
-from rocksteady.errors import InputError, ModelError
+from rocksteady.errors import InputError
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 
@@ -107,9 +108,10 @@ def range_of(shaking: ShakingFlags, block: BlockFlags) -> Range:
         Harmonic(amplitude=amplitude, frequency_ratio=ratio)  # refuses what is outside its range
     moving = [name for name, values in axes.items() if len(values) > 1]
     if len(moving) != 1:
-        raise ModelError(
-            name="-A, -W and -r",
-            value="no axis" if not moving else f"{len(moving)} axes",
+        raise FlagError(
+            finding=f"{len(moving)} of -A, -W and -r are axes"
+            if moving
+            else "none of -A, -W and -r is an axis",
             valid="exactly one of them is an axis",
             hint="give one as start:stop:count, as -W 1.6:2.4:400, and the others as numbers",
         )

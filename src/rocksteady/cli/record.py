@@ -22,7 +22,8 @@ from rocksteady.cli.record_values import (
     record_values,
     title_of,
 )
-from rocksteady.errors import ModelError, RecordFileError
+from rocksteady.cli.refusals import FlagError
+from rocksteady.errors import RecordFileError
 from rocksteady.model.block import Block
 from rocksteady.show.names import literal
 
@@ -168,7 +169,7 @@ def sized(block: BlockFlags) -> Block | None:
     body = block.described()
     if isinstance(body, Block):
         return body
-    raise ModelError(
+    raise FlagError(
         name="restitution",
         value=block.restitution,
         valid="no measure of a record depends on it",
@@ -191,7 +192,7 @@ def unit_of(units_out: str | None, output: OutputFlags) -> str:
     if units_out is None:
         return "m/s^2"
     if output.csv is None:
-        raise ModelError(
+        raise FlagError(
             name="--units-out",
             value=units_out,
             valid="without --csv it has no meaning",
@@ -208,7 +209,7 @@ def refuse_several(file: Path, count: int) -> NoReturn:
     ModelError
         Always.
     """
-    raise ModelError(
+    raise FlagError(
         name="--csv",
         value=file,
         valid=f"it holds one record, and there are {count}",

@@ -10,7 +10,8 @@ import typer
 from rocksteady.cli import terminal
 from rocksteady.cli.flags import FLAG_OF_ARGUMENT, MOTION
 from rocksteady.cli.nouns import BlockFlags
-from rocksteady.errors import InputError, ModelError, RecordFileError
+from rocksteady.cli.refusals import FlagError
+from rocksteady.errors import InputError, RecordFileError
 from rocksteady.model.block import Block
 from rocksteady.show.names import printable
 
@@ -143,13 +144,13 @@ class ReadingFlags:
     baseline: Baseline = "none"
 
     @property
-    def given(self) -> list[str]:
-        """The flags that were given."""
-        return [
-            "--" + field.name.replace("_", "-")
+    def given(self) -> dict[str, object]:
+        """The flags that were given, with their values."""
+        return {
+            "--" + field.name.replace("_", "-"): getattr(self, field.name)
             for field in fields(self)
             if getattr(self, field.name) != field.default
-        ]
+        }
 
     def recordings(self, file: Path) -> "list[Recording]":
         """Return the channels of a file, or the one that is chosen; their warnings are printed.
@@ -266,21 +267,24 @@ class RecordFlags:
             If there is none, and something that only a record has.
         """
         if self.reverse_vertical and self.vertical is None:
-            raise ModelError(
+            raise FlagError(
                 name="--reverse-vertical",
-                value="given",
+                value=True,
                 valid="without --vertical it has no meaning",
                 hint="add --vertical FILE, or leave it out",
             )
         if self.record:
             return True
-        idle = [*reading.given, *(["--reverse"] if self.reverse else [])]
-        for flag, value in (("--scale", self.scale), ("--vertical", self.vertical)):
-            idle += [flag] if value is not None else []
-        if idle:
-            raise ModelError(
-                name=idle[0],
-                value="given",
+        own = {
+            "--reverse": self.reverse or None,
+            "--scale": self.scale,
+            "--vertical": self.vertical,
+        }
+        idle = reading.given | {flag: value for flag, value in own.items() if value is not None}
+        for flag, value in idle.items():
+            raise FlagError(
+                name=flag,
+                value=value,
                 valid="without --record it has no meaning",
                 hint="add --record FILE, or leave it out",
             )
@@ -311,7 +315,7 @@ class RecordFlags:
         body = described.described() if described.given else None
         if isinstance(body, Block):
             return body
-        raise ModelError(
+        raise FlagError(
             name="--record",
             value=(self.record or [])[0],
             valid="m/s^2 and seconds need a block with a slenderness and a p",
@@ -330,7 +334,7 @@ class RecordFlags:
         """
         files = self.record or []
         if len(files) != 1:
-            raise ModelError(
+            raise FlagError(
                 name="--record",
                 value=f"{len(files)} files",
                 valid="this command takes one",

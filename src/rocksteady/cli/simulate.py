@@ -23,6 +23,7 @@ from rocksteady.cli.outputs import (
 )
 from rocksteady.cli.record_flags import ReadingFlags, RecordFlags
 from rocksteady.cli.record_values import processing_values
+from rocksteady.cli.refusals import FlagError
 from rocksteady.cli.simulate_values import (
     csv_header,
     csv_rows,
@@ -31,7 +32,7 @@ from rocksteady.cli.simulate_values import (
 )
 from rocksteady.cli.starts import StartFlags, refuse_without_shaking
 from rocksteady.cli.values import case_text
-from rocksteady.errors import InputError, ModelError, Status
+from rocksteady.errors import InputError, Status
 from rocksteady.model.motions import Harmonic, Motion, Still
 from rocksteady.model.validation import whole_number
 from rocksteady.show.names import literal
@@ -170,7 +171,7 @@ def refuse_cycles(cycles: float | None, thing: str) -> None:
         If there is one.
     """
     if cycles is not None:
-        raise ModelError(
+        raise FlagError(
             name="--cycles",
             value=cycles,
             valid=f"{thing} ends, and the block is followed to rest or overturning",
@@ -196,7 +197,7 @@ def refuse_beside_record(*, pulse: PulseFlags, shaking: ShakingFlags, phase: flo
     }
     for flag, value in others.items():
         if value is not None:
-            raise ModelError(
+            raise FlagError(
                 name=flag,
                 value=value,
                 valid="--record says how the base moves",

@@ -19,9 +19,10 @@ from rocksteady.cli.outputs import (
 )
 from rocksteady.cli.progress import sweeping
 from rocksteady.cli.record_flags import ReadingFlags, RecordFlags
+from rocksteady.cli.refusals import FlagError, both, missing
 from rocksteady.cli.spectrum_values import print_spectrum, spectrum_values, title_of
 from rocksteady.cli.sweeps import SweepFlags
-from rocksteady.errors import InputError, ModelError
+from rocksteady.errors import InputError
 from rocksteady.show.names import literal
 
 if TYPE_CHECKING:
@@ -114,16 +115,15 @@ def spectrum(
     """Run `rocksteady spectrum`; `HELP` is what its users read."""
     sweep.check(output)
     if not recorded.given(reading):
-        raise InputError(
-            name="--record",
-            value="not given",
+        raise missing(
+            "--record",
             valid="a rocking spectrum needs a ground motion",
             hint="add --record FILE, several times for a suite",
         )
     refuse_of_linear(model, "--tolerance", tolerance)
     files = recorded.record or []
     if recorded.vertical is not None and len(files) > 1:
-        raise ModelError(
+        raise FlagError(
             name="--vertical",
             value=recorded.vertical,
             valid=f"it belongs to one record, and there are {len(files)}",
@@ -202,18 +202,12 @@ def _slenderness(alpha_rad: str | None, alpha_deg: str | None) -> list[float]:
         If none or both are given, or one is no axis.
     """
     if alpha_rad is not None and alpha_deg is not None:
-        raise ModelError(
-            name="--alpha-rad and --alpha-deg",
-            value="both given",
-            valid="one of the two says the slenderness",
-            hint="leave one out",
-        )
+        raise both("--alpha-rad", "--alpha-deg", valid="one of the two is the slenderness")
     if alpha_deg is not None:
         return [math.radians(value) for value in axis("--alpha-deg", alpha_deg)]
     if alpha_rad is None:
-        raise InputError(
-            name="--alpha-rad",
-            value="not given",
+        raise missing(
+            "--alpha-rad",
             valid="a spectrum is of a slenderness, or of several",
             hint="add --alpha-rad 0.2, or --alpha-deg 10:25:4",
         )
@@ -232,12 +226,7 @@ def _sizes(periods_s: str | None, p_rad_s: str | None) -> dict[str, list[float]]
         text = DEFAULT_PERIODS if periods_s is None else periods_s
         return {"periods_s": axis("--periods-s", text)}
     if periods_s is not None:
-        raise ModelError(
-            name="--periods-s and --p-rad-s",
-            value="both given",
-            valid="one of the two says the size",
-            hint="leave one out",
-        )
+        raise both("--periods-s", "--p-rad-s", valid="one of the two is the size")
     return {"p": axis("--p-rad-s", p_rad_s)}
 
 
@@ -269,16 +258,14 @@ def _check_drawable(records: int, slendernesses: int, sizes: int) -> None:
         If there is a single size, or a suite with too many slendernesses.
     """
     if sizes < 2:
-        raise ModelError(
-            name="--plot",
-            value="one size",
+        raise FlagError(
+            finding="--plot with one value of --periods-s or --p-rad-s",
             valid="a spectrum is drawn over two sizes or more",
             hint="give --periods-s as an axis, or leave --plot out",
         )
     if records > 1 and slendernesses > MOST_PANELS:
-        raise ModelError(
-            name="--plot",
-            value=f"{slendernesses} slendernesses",
+        raise FlagError(
+            finding=f"--plot with {slendernesses} values of --alpha-rad or --alpha-deg",
             valid=f"of a suite at most {MOST_PANELS} are drawn",
             hint="give fewer, or leave --plot out",
         )

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from rocksteady.cli import flags
 from rocksteady.cli.inputs import decimal
+from rocksteady.cli.refusals import FlagError
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.validation import odd_order
 
@@ -63,7 +64,7 @@ class StartFlags:
                 name="side", value=self.side, valid="it must be + or -", hint="give + or -"
             )
         if self.start in STEADY and self.phase is not None:
-            raise ModelError(
+            raise FlagError(
                 name="--phase",
                 value=self.phase,
                 valid="a steady state decides its phase",
@@ -72,14 +73,14 @@ class StartFlags:
         if shaken:
             return
         if self.start in STEADY:
-            raise ModelError(
+            raise FlagError(
                 name="--start",
                 value=self.start,
                 valid="a steady state needs shaking",
                 hint="give shaking with -A and -W, or another start as 0.5,w=0",
             )
         if self.start == "rest":
-            raise ModelError(
+            raise FlagError(
                 name="--start",
                 value=self.start,
                 valid="on a still base a block at rest stays there",
@@ -109,7 +110,7 @@ class StartFlags:
             ("kick", "a kick", self.kick, None),
         ):
             if value != idle:
-                raise ModelError(
+                raise FlagError(
                     name=name,
                     value=value,
                     valid=f"only a steady start has {thing}",
@@ -125,7 +126,7 @@ class StartFlags:
         except ModelError as error:
             if error.name != "start":
                 raise
-            raise ModelError(
+            raise FlagError(
                 name="start", value=self.start, valid=error.valid, hint=error.hint
             ) from error
 
@@ -139,7 +140,7 @@ def refuse_without_shaking(flag: str, value: object) -> None:
         If it has a value.
     """
     if value is not None:
-        raise ModelError(
+        raise FlagError(
             name=flag,
             value=value,
             valid="without shaking it has no meaning",

@@ -8,8 +8,8 @@ from rocksteady.cli import flags, terminal
 from rocksteady.cli.groups import OutputFlags, grouped
 from rocksteady.cli.nouns import BlockFlags, ShakingFlags
 from rocksteady.cli.outputs import announce_compilation, print_json, write_csv, write_figure
+from rocksteady.cli.refusals import FlagError
 from rocksteady.cli.values import block_values, multipliers_text, worth
-from rocksteady.errors import ModelError
 from rocksteady.model.block import Block, DimensionlessBlock
 
 if TYPE_CHECKING:
@@ -55,15 +55,13 @@ def steady(
     output.check()
     body = block.described()
     if not body.symmetric:  # told before the kernels are loaded
-        raise ModelError(
-            name="the block",
-            value="its sides differ",
+        raise block.refuse_sides(
             valid="the closed forms are those of symmetric motions, and it has none",
             hint="ask for its periodic motions with `rocksteady orbits`",
         )
     amplitudes, ratios = shaking.of(body)
     if output.plot is not None and len(amplitudes) > 1 and len(ratios) == 1:
-        raise ModelError(
+        raise FlagError(
             name="--plot",
             value=output.plot,
             valid="response curves are drawn over frequency ratios, and there is one",

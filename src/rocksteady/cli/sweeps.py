@@ -13,8 +13,9 @@ import typer
 
 from rocksteady.cli import flags
 from rocksteady.cli.groups import OutputFlags, same_file
-from rocksteady.cli.outputs import check_writable
-from rocksteady.errors import ModelError, OutputError, UnfinishedError
+from rocksteady.cli.outputs import check_writable, impossible_name
+from rocksteady.cli.refusals import FlagError, both
+from rocksteady.errors import OutputError, UnfinishedError
 from rocksteady.show.names import printable
 
 if TYPE_CHECKING:
@@ -136,20 +137,20 @@ class SweepFlags:
         if self.out is None:
             for flag, value in (("--resume", self.resume or None), ("--chunk", self.chunk)):
                 if value is not None:
-                    raise ModelError(
+                    raise FlagError(
                         name=flag,
                         value=value,
                         valid="without --out there is no store",
                         hint="add --out map.zarr, or leave it out",
                     )
             return None
-        if self.resume and force:
-            raise ModelError(
-                name="--resume and --force",
-                value="both given",
-                valid="a store is continued or begun anew",
-                hint="leave one out",
+        impossible = impossible_name(self.out)
+        if impossible is not None:
+            raise OutputError(
+                name="--out", value=self.out, valid=impossible, hint="name another folder"
             )
+        if self.resume and force:
+            raise both("--resume", "--force", valid="a store is continued or begun anew")
         if is_store(self.out) and not (self.resume or force):
             raise OutputError(
                 name="--out",

@@ -11,6 +11,10 @@ from rocksteady.model.validation import LARGEST, in_range, positive
 Floats = NDArray[np.float64]
 
 
+SHORTEST = 1e-15
+"""Of intervals between samples [s]; slopes of shorter ones overflow."""
+
+
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Record:
     """Recorded base acceleration at equal intervals: linear in between, then a still base.
@@ -50,7 +54,10 @@ class Record:
         """Validate and copy."""
         object.__setattr__(self, "acceleration_m_s2", _samples(self.acceleration_m_s2))
         hint = "give the time between samples in seconds"
-        object.__setattr__(self, "dt_s", positive("dt_s", self.dt_s, hint=hint))
+        interval = positive("dt_s", self.dt_s, hint=hint)
+        object.__setattr__(
+            self, "dt_s", in_range("dt_s", interval, SHORTEST, LARGEST, "[]", hint=hint)
+        )
         given: object = self.name
         if not (given is None or isinstance(given, str)):
             raise InputError(

