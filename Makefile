@@ -7,6 +7,8 @@ MARKS ?= not slow
 
 BIN := .venv/bin
 STAMP := .venv/.installed
+FLOOR := build/floor
+FLOOR_STAMP := $(FLOOR)/.installed
 EXTRAS := bench,cluster,dev,records
 PEERS := heyoka mujoco
 CHECKS := lint types layers tests tests-nojit
@@ -47,8 +49,8 @@ test: .venv ## run every check, the tests marked slow excepted
 	@$(call run-in-turn,$(CHECKS),$(MAKE))
 
 .PHONY: test-all
-test-all: .venv ## run every check, the tests marked slow included
-	@$(call run-in-turn,$(CHECKS),$(MAKE) MARKS=)
+test-all: .venv ## run every check, the tests marked slow and the lower bounds included
+	@$(call run-in-turn,$(CHECKS) tests-floor,$(MAKE) MARKS=)
 
 ##@ One check at a time
 
@@ -74,6 +76,12 @@ tests: .venv ## pytest, kernels compiled (MARKS= runs the slow ones too)
 .PHONY: tests-nojit
 tests-nojit: .venv ## the kernels' tests once more as plain Python
 	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest tests/kernels -n $(WORKERS)
+
+.PHONY: tests-floor
+tests-floor: $(FLOOR_STAMP) ## pytest with every dependency at its lower bound, the slow tests excepted
+	@# A cache of its own: two versions of numba throw each other's compiled kernels away.
+	XDG_CACHE_HOME=$(CURDIR)/$(FLOOR)/cache $(FLOOR)/bin/python -m rocksteady.kernels.warm
+	XDG_CACHE_HOME=$(CURDIR)/$(FLOOR)/cache $(FLOOR)/bin/python -m pytest -n $(WORKERS) -o cache_dir=$(FLOOR)/pytest
 
 ##@ Upkeep
 
@@ -139,6 +147,21 @@ $(STAMP): pyproject.toml constraints.txt
 	@# The build back end first, pinned like the rest: an isolated build would fetch its own.
 	$(BIN)/python -m pip install --quiet --constraint constraints.txt hatchling editables
 	$(BIN)/python -m pip install --quiet --constraint constraints.txt --no-build-isolation --editable '.[$(EXTRAS)]'
+	@echo "$(CURDIR)" > $@
+
+ifneq ($(shell test -x $(FLOOR)/bin/python && cat $(FLOOR_STAMP) 2>/dev/null),$(CURDIR))
+.PHONY: $(FLOOR_STAMP)
+endif
+
+$(FLOOR_STAMP): pyproject.toml constraints.txt tools/floor.py
+	@rm -rf $(FLOOR)
+	@$(call create-environment,$(FLOOR))
+	@echo "Installing the lower bounds into $(FLOOR) (about a minute)"
+	$(FLOOR)/bin/python tools/floor.py > $(FLOOR)/constraints.txt
+	@# Wheels alone: an old release that must be built depends on the compilers of the machine.
+	$(FLOOR)/bin/python -m pip install --quiet --only-binary :all: --constraint $(FLOOR)/constraints.txt hatchling editables
+	$(FLOOR)/bin/python -m pip install --quiet --only-binary :all: --constraint $(FLOOR)/constraints.txt --no-build-isolation --editable '.[$(EXTRAS)]'
+	$(FLOOR)/bin/python -m pip check
 	@echo "$(CURDIR)" > $@
 
 # $(call create-environment,FOLDER): a virtual environment with pip. Some systems ship python3

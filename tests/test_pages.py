@@ -1,29 +1,51 @@
-"""The pages of the documentation: their Python runs, each page as one script, and prints what the
-page says; the table of layers names the modules that there are.
+"""The pages of the documentation: each block of Python runs alone and prints what the page shows
+below it; each command line runs; what pages name is there.
 """
 
+import itertools
+import math
 import re
+import shlex
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+import rocksteady as rs
+from tests.cli.program import rocksteady
+
 ROOT = Path(__file__).parents[1]
-PAGES = [
-    page
-    for page in (ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md")))
-    if "```python" in page.read_text(encoding="utf-8")
-]
-
-
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
-def test_the_python_of_a_page_runs(page: Path, tmp_path: Path) -> None:
-    text = page.read_text(encoding="utf-8")
-    script = tmp_path / "page.py"
-    script.write_text(
-        "\n\n".join(re.findall(r"^```python\n(.*?)^```$", text, re.DOTALL | re.MULTILINE))
+PAGES = {
+    str(page.relative_to(ROOT)): page.read_text(encoding="utf-8")
+    for page in (
+        ROOT / "README.md",
+        ROOT / "CONTRIBUTING.md",
+        *sorted((ROOT / "docs").rglob("*.md")),
     )
+}
+BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+PRINTED = re.compile(r"\n\nIt prints\n\n```\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+SNIPPETS = {
+    f"{name}:{text.count(chr(10), 0, block.start()) + 1}": (
+        block[2],
+        PRINTED.match(text, block.end()),
+    )
+    for name, text in PAGES.items()
+    for block in BLOCK.finditer(text)
+    if block[1] == "python"
+}
+"""The Python of the pages by page and line, each with what the page shows that it prints."""
+
+
+@pytest.mark.parametrize(("code", "printed"), SNIPPETS.values(), ids=SNIPPETS)
+def test_each_block_of_python_runs_alone(
+    code: str, printed: re.Match[str] | None, tmp_path: Path
+) -> None:
+    script = tmp_path / "page.py"
+    script.write_text(code, encoding="utf-8")
     done = subprocess.run(
         [sys.executable, "-W", "error", script.name],
         cwd=tmp_path,
@@ -33,8 +55,128 @@ def test_the_python_of_a_page_runs(page: Path, tmp_path: Path) -> None:
     )
     assert done.returncode == 0, done.stderr
     assert done.stderr == ""
-    for printed in re.findall(r"^It prints\n\n```\n(.*?)^```$", text, re.DOTALL | re.MULTILINE):
-        assert printed in done.stdout
+    if printed:
+        assert done.stdout == printed[1]
+
+
+def test_what_is_printed_stands_below_the_block_that_prints_it() -> None:
+    held = sum(printed is not None for _, printed in SNIPPETS.values())
+    assert held == sum(text.count("\nIt prints\n") for text in PAGES.values()) >= 7
+
+
+# --------------------------------------------------------------------------- command lines
+
+INLINE = re.compile(r"`(rocksteady\s[^`]+)`")
+NAMED = re.compile(r"((study )?\w+)?( --[\w-]+( FILE)?)*")
+"""A command that a sentence names, perhaps with flags: no line to be typed as it stands."""
+AXIS = re.compile(r"((?:log:)?-?[0-9.]+:-?[0-9.]+:)(\d+)")
+FEW = 6
+LONG = re.compile(r"--executor|--animate|^paper|^study")
+"""Lines that take long with a few values on their axes, too."""
+
+
+def command_lines(text: str) -> list[str]:
+    """Return the command lines of a page, those in sentences included, without the program."""
+    blocks = [block[2] for block in BLOCK.finditer(text) if block[1] in {"", "sh"}]
+    lines = [
+        line for block in blocks for line in re.findall(r"^rocksteady .*", block, re.MULTILINE)
+    ]
+    lines += [" ".join(line.split()) for line in INLINE.findall(text)]
+    return [line.removeprefix("rocksteady ") for line in lines]
+
+
+EVERY = sorted({line for text in PAGES.values() for line in command_lines(text)})
+TYPED = [line for line in EVERY if not NAMED.fullmatch(line) or line.endswith("--help")]
+
+
+def cells(line: str) -> int:
+    """Return the number of cells that the axes of a command line have together."""
+    return math.prod(int(count) for _, count in AXIS.findall(line))
+
+
+def shortened(line: str) -> str:
+    """Return a command line with a few values on each of its axes."""
+    return AXIS.sub(lambda axis: axis[1] + str(min(FEW, int(axis[2]))), line)
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Go to an empty folder with the files that the pages assume."""
+    monkeypatch.chdir(tmp_path)
+    time = 0.01 * np.arange(400)
+    swelling = 0.6 * np.sin(6.0 * time) * np.exp(-((time - 2.0) ** 2))  # g
+    rows = [" ".join(f"{value: .7E}" for value in row) for row in swelling.reshape(-1, 5)]
+    header = (
+        "PEER NGA STRONG MOTION DATABASE RECORD\nSomewhere-01, 1/17/1994, Hut, 90\n"
+        f"ACCELERATION TIME SERIES IN UNITS OF G\nNPTS= {len(time):6d}, DT=   .0100 SEC,\n"
+    )
+    for name in ("RSN77_PUL164.AT2", "one.AT2", "two.AT2", "three.AT2", "FILE"):
+        (tmp_path / name).write_text(header + "\n".join(rows) + "\n", encoding="ascii")
+    np.savetxt(tmp_path / "column.txt", 9.80665 * swelling)
+    return tmp_path
+
+
+def run_line(line: str) -> None:
+    """Run a command line as a shell does, and see that it leaves each file that it names."""
+    words = [
+        found
+        for word in shlex.split(line)
+        for found in (sorted(map(str, Path().glob(word))) if "*" in word else [word])
+    ]
+    ran = rocksteady("", *words)
+    assert ran.code == 0, ran.err
+    for flag, file in itertools.pairwise(words):
+        if flag in {"--plot", "--animate", "--csv", "--out"}:
+            assert Path(file).exists(), file
+
+
+@pytest.mark.usefixtures("folder")
+@pytest.mark.parametrize("line", [line for line in TYPED if not LONG.search(line)])
+def test_a_command_line_runs_with_a_few_values_on_its_axes(line: str) -> None:
+    run_line(shortened(line))
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("folder")
+@pytest.mark.parametrize(
+    "line", [line for line in TYPED if "tcp:" not in line and FEW**2 < cells(line) <= 10**6]
+)
+def test_a_command_line_runs_as_it_stands(line: str) -> None:
+    run_line(line)
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("folder")
+@pytest.mark.parametrize("line", [line for line in TYPED if LONG.search(line)])
+def test_a_command_line_of_a_study_a_film_or_a_cluster_runs(line: str) -> None:
+    from distributed import LocalCluster
+
+    if "tcp:" not in line:
+        return run_line(shortened(line))
+    with LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster:
+        run_line(re.sub(r"tcp:\S+", cluster.scheduler_address, shortened(line)))
+    return None
+
+
+@pytest.mark.parametrize("line", [line for line in EVERY if line not in TYPED])
+def test_a_command_that_is_named_has_the_flags_that_are_named(line: str) -> None:
+    flags = re.findall(r"--[\w-]+", line)
+    ran = rocksteady("", *line.partition(" --")[0].split(), "--help")
+    assert ran.code == 0, ran.err
+    assert set(flags) <= set(re.findall(r"--[\w-]+", ran.out))
+
+
+# ----------------------------------------------------------------- names, targets and modules
+
+
+def test_pages_name_public_things_extras_and_targets_that_there_are() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    targets = set(re.findall(r"^\.PHONY: ([\w.-]+)$", makefile, re.MULTILINE))
+    for name, text in PAGES.items():
+        assert set(re.findall(r"\brs\.(\w+)", text)) <= set(rs.__all__), name
+        assert set(re.findall(r"rocksteady\[(\w+)\]", text)) <= {*project["optional-dependencies"]}
+        assert set(re.findall(r"(?:^|`)make ([a-z-]+)", text, re.MULTILINE)) <= targets, name
 
 
 LAYERS = re.compile(r"^\| `(\w+)` \| (`.*?) \|", re.MULTILINE)

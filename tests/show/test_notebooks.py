@@ -33,7 +33,7 @@ CELLS = [
     (THEIRS, 1),
     (OURS, 1),
     ("rs.plot_phase_portrait(run); rs.plot_base(run);", 2),
-    ("plt.figure(); " + OURS, 2),
+    ("plt.figure().add_subplot(); " + OURS, 2),
     ("figure, axes = plt.subplots(); rs.plot_trajectory(run, axes);", 1),
     (THREAD, 0),
     (FILM, 0),
@@ -80,3 +80,27 @@ def test_every_figure_of_a_notebook_is_shown(first: str, tmp_path: Path) -> None
     *shown, after = done.stdout.splitlines()
     assert [int(count) for count in shown] == [0, *(count for _, count in cells)]
     assert after == "[] True"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("first", "magic"), [*((first, "") for first in ORDERS), ("ours-first", "%matplotlib inline\n")]
+)
+def test_a_real_notebook_shows_n_pictures_of_n_plots(
+    first: str, magic: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import nbformat
+    from nbclient import NotebookClient
+
+    cells = ORDERS[first]
+    for folder in ("IPYTHONDIR", "JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR"):
+        monkeypatch.setenv(folder, str(tmp_path / folder.lower()))
+    monkeypatch.delenv("MPLBACKEND", raising=False)  # the kernel names its own
+    codes = [BEFORE + magic + KEPT, *(code for code, _ in cells), "print(unlike())"]
+    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(code) for code in codes])
+    client = NotebookClient(notebook, timeout=120, resources={"metadata": {"path": str(tmp_path)}})
+    client.execute()
+    *drawn, last = notebook.cells
+    shown = [sum("image/png" in one.get("data", {}) for one in cell.outputs) for cell in drawn]
+    assert shown == [0, *(count for _, count in cells)]
+    assert last.outputs[0].text == "[]\n"
