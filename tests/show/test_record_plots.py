@@ -111,8 +111,13 @@ def test_a_vertical_motion_is_drawn_beside_the_horizontal_one() -> None:
     upwards = Record(acceleration_m_s2=2.0 * sine().acceleration_m_s2, dt_s=sine().dt_s)
     run = simulate(block, sine().scaled(2.0), vertical=upwards, model="nonlinear")
     drawn = plot_base(run, axes())
-    largest = float(np.abs(np.asarray(drawn.lines[1].get_ydata())).max())
-    assert largest == pytest.approx(4.0 / block.uplift_acceleration, rel=1e-3)
+    (beside,) = (each for each in drawn.figure.axes if each is not drawn)
+    assert beside.get_ylabel() == "vertical [g]"
+    largest = float(np.abs(np.asarray(beside.lines[0].get_ydata())).max())
+    assert largest == pytest.approx(4.0 / block.gravity, rel=1e-3)
+    scale = block.alpha  # alpha g is alpha times g: both axes have one scale
+    assert np.asarray(beside.get_ylim()) == pytest.approx(scale * np.asarray(drawn.get_ylim()))
+    assert beside.get_ylim()[1] > largest
     legend = drawn.get_legend()
     assert legend is not None
     assert [text.get_text() for text in legend.get_texts()] == ["horizontal", "vertical"]

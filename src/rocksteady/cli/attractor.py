@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from rocksteady.dynamics.nonlinear import ModelName
     from rocksteady.dynamics.start import Start
     from rocksteady.dynamics.trajectory import Trajectory
+    from rocksteady.show.page import Page
 
 HELP = (
     "What a motion under harmonic shaking settles to: rest, a fall, a periodic motion, or none.\n\n"
@@ -113,7 +114,7 @@ def attractor(
     if output.csv is not None:
         write_csv(output.csv, csv_header(body), csv_rows(found, run, body))
     if output.plot is not None:
-        write_figure(output.plot, figure_of(found, run, values, body))
+        write_figure(output.plot, figure_of(found, run, values, body, output.page))
     if output.as_json:
         print_json("attractor", values)
     else:
@@ -198,6 +199,7 @@ def figure_of(
     run: "Trajectory | None",
     values: dict[str, Any],
     body: Block | DimensionlessBlock,
+    page: "Page",
 ) -> "Figure":
     """Return the figure of an attractor."""
     from rocksteady.show.figures import cloud_figure, orbit_figure, simulation_figure
@@ -206,11 +208,12 @@ def figure_of(
     if found.orbit is not None:
         if found.orbit.period > 1:
             title = title.replace(":", f", period {found.orbit.period}:", 1)
-        return orbit_figure(found.orbit, found.orbit.trajectory(), title)
+        return orbit_figure(found.orbit, found.orbit.trajectory(), title, page)
     assert run is not None
     if found.peaks is not None or found.kind == "overturned":
-        return simulation_figure(run, title)
-    return cloud_figure(run, last_periods(run, body), since=0.5 * run.end_s, title=title)
+        return simulation_figure(run, title, page)
+    part = last_periods(run, body)
+    return cloud_figure(run, part, since=0.5 * run.end_s, title=title, page=page)
 
 
 def csv_header(body: Block | DimensionlessBlock) -> list[str]:

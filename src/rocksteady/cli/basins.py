@@ -156,7 +156,7 @@ def _basins(
         from rocksteady.show.figures import basins_figure
 
         title = f"Basins at phase {found.shaking.phase:.4g} rad: {case_text(values)}"
-        write_figure(output.plot, basins_figure(found, title))
+        write_figure(output.plot, basins_figure(found, title, output.page))
     if output.as_json:
         print_json("basins", values)
     else:
@@ -199,7 +199,7 @@ def _erosion(
 
         title = f"Erosion of the safe basin at phase {found.phase:.4g} rad: {case_of(values)}"
         there = [drop for drop in drops.values() if drop is not None]
-        write_figure(output.plot, erosion_figure(found, there, title))
+        write_figure(output.plot, erosion_figure(found, there, title, output.page))
     if output.as_json:
         print_json("basins", values)
     else:

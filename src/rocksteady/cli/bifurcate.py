@@ -305,5 +305,7 @@ def write_files(
 
         trails = [each.trail for each in swept]
         title = f"Periodic motions: {span.text}"
-        figure = bifurcation_figure(branches, trails, span.parameter, top=top, title=title)
+        figure = bifurcation_figure(
+            branches, trails, span.parameter, top=top, title=title, page=output.page
+        )
         write_figure(output.plot, figure)

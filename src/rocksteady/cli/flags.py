@@ -73,6 +73,8 @@ FLAG_OF_ARGUMENT = {
     "records": "--record",
     "scale": "--scale",
     "vertical": "--vertical",
+    "legend": "--legend",
+    "width_mm": "--width",
 }
 """Which flag an argument of the library is, for error lines."""
 
@@ -321,6 +323,24 @@ Plot = Annotated[
     Path | None,
     typer.Option(
         "--plot", metavar="FILE", help="Save a figure: .png, .svg or .pdf.", rich_help_panel=OUTPUT
+    ),
+]
+Width = Annotated[
+    str | None,
+    typer.Option(
+        "--width",
+        metavar="LENGTH",
+        help="Width of --plot with its unit (mm, cm or in), as 84mm for a column of a journal.",
+        rich_help_panel=OUTPUT,
+    ),
+]
+Legend = Annotated[
+    str | None,
+    typer.Option(
+        "--legend",
+        metavar="PLACE",
+        help="Legends of --plot: inside, right, below or none; by default where there is room.",
+        rich_help_panel=OUTPUT,
     ),
 ]
 Csv = Annotated[

@@ -18,6 +18,8 @@ from rocksteady.cli.refusals import FlagError
 from rocksteady.durable import place_of
 from rocksteady.errors import OutputError
 from rocksteady.model.validation import positive
+from rocksteady.show.legends import checked_place
+from rocksteady.show.page import Page, width_mm_of
 
 FIGURE_FORMATS = (".png", ".svg", ".pdf")
 
@@ -28,6 +30,8 @@ class OutputFlags:
 
     as_json: flags.Json = False
     plot: flags.Plot = None
+    width: flags.Width = None
+    legend: flags.Legend = None
     csv: flags.Csv = None
     force: flags.Force = False
 
@@ -39,7 +43,20 @@ class OutputFlags:
         OutputError
             If a file exists and --force is off, its folder is missing or not writable, a figure's
             format is unknown, or one file is asked for twice.
+        InputError
+            If a width or the place of legends is not valid.
+        ModelError
+            If there is one of these and no figure.
         """
+        _ = self.page
+        for flag, value in (("--width", self.width), ("--legend", self.legend)):
+            if value is not None and self.plot is None:
+                raise FlagError(
+                    name=flag,
+                    value=value,
+                    valid="without --plot it has no meaning",
+                    hint="add --plot figure.pdf, or leave it out",
+                )
         if self.plot is not None and self.plot.suffix.lower() not in FIGURE_FORMATS:
             raise OutputError(
                 name="--plot",
@@ -54,6 +71,20 @@ class OutputFlags:
         for flag, file in (("--plot", self.plot), ("--csv", self.csv)):
             if file is not None:
                 check_writable(flag, file, force=self.force)
+
+    @property
+    def page(self) -> Page:
+        """Width of a figure, and place of its legends.
+
+        Raises
+        ------
+        InputError
+            If one of the two is not valid.
+        """
+        return Page(
+            width_mm=None if self.width is None else width_mm_of(self.width),
+            legend=checked_place(self.legend),
+        )
 
 
 @dataclass(frozen=True, kw_only=True)

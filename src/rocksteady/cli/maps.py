@@ -136,7 +136,7 @@ def maps(
         from rocksteady.show.facets import map_figure
 
         title = title_of(case, periods if fate else None, model)
-        write_figure(output.plot, map_figure(found, title))
+        write_figure(output.plot, map_figure(found, title, output.page))
     if output.as_json:
         print_json("map", values)
     else:

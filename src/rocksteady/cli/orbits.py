@@ -132,7 +132,7 @@ def orbits(
         from rocksteady.show.figures import orbits_figure
 
         title = f"Periodic motions: {case_text(values)}"
-        write_figure(output.plot, orbits_figure(found, title))
+        write_figure(output.plot, orbits_figure(found, title, output.page))
     if output.as_json:
         print_json("orbits", values)
     else:

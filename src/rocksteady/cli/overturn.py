@@ -178,7 +178,7 @@ def overturn(
     if output.plot is not None:
         from rocksteady.show.figures import overturning_figure
 
-        write_figure(output.plot, overturning_figure(found, title_of(values)))
+        write_figure(output.plot, overturning_figure(found, title_of(values), output.page))
     if output.as_json:
         print_json("overturn", values)
     else:

@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli import terminal
-from rocksteady.cli.values import block_values, restitution_values
+from rocksteady.cli.values import block_text, block_values, restitution_values
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 
@@ -80,8 +80,7 @@ def title_of(values: dict[str, Any]) -> str:
     delta = " and ".join(f"{ratio:.4g}" for ratio in ratios if ratio is not None)
     parts = [f"{values['pulse']} pulse", f"restitution {delta}"]
     if "block" in values:
-        block = values["block"]
-        parts.append(f"α = {block['alpha_rad']:.4g} rad, p = {block['p_rad_s']:.4g} rad/s")
+        parts.append(block_text(values["block"]))
     if values["model"] == "nonlinear":
         parts.append("nonlinear")
     return "Overturning: " + ", ".join(parts)

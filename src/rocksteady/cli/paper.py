@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 HELP = (
     "Every figure of Tso and Wong (1989) and every statement that can be checked, computed.\n\n"
-    "Writes figures as PNG and SVG with their data as CSV, claims.json with a verdict on each "
+    "Writes figures as PNG, SVG and PDF with their data as CSV, claims.json with a verdict on each "
     "statement, and report.html, which shows it all in one file."
 )
 EXAMPLES = (

@@ -25,7 +25,6 @@ from rocksteady.cli.record_values import (
 from rocksteady.cli.refusals import FlagError
 from rocksteady.errors import RecordFileError
 from rocksteady.model.block import Block
-from rocksteady.show.names import literal
 
 if TYPE_CHECKING:
     from rocksteady.records.recording import Recording
@@ -122,7 +121,7 @@ def record(
 
         courses = [one.course for one in found]
         spectra = [one.spectrum for one in found if one.spectrum is not None]
-        write_figure(output.plot, record_figure(courses, spectra, literal(title_of(found))))
+        write_figure(output.plot, record_figure(courses, spectra, title_of(found), output.page))
     if output.as_json:
         rows = [record_values(one, spectrum=periods is not None) for one in found]
         print_json("record", rows[0] if len(rows) == 1 else {"records": rows})

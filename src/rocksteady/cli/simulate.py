@@ -35,7 +35,6 @@ from rocksteady.cli.values import case_text
 from rocksteady.errors import InputError, Status
 from rocksteady.model.motions import Harmonic, Motion, Still
 from rocksteady.model.validation import whole_number
-from rocksteady.show.names import literal
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.trajectory import Trajectory
@@ -151,7 +150,7 @@ def simulate(
 
         # The name of a record leaves no room for more.
         title = case_text(values) if "record" in values else f"Rocking block: {case_text(values)}"
-        write_figure(output.plot, simulation_figure(trajectory, literal(title)))
+        write_figure(output.plot, simulation_figure(trajectory, title, output.page))
     if moving is not None and film.animate is not None:
         write_film(film.animate, moving)
     if output.as_json:

@@ -23,7 +23,6 @@ from rocksteady.cli.refusals import FlagError, both, missing
 from rocksteady.cli.spectrum_values import print_spectrum, spectrum_values, title_of
 from rocksteady.cli.sweeps import SweepFlags
 from rocksteady.errors import InputError
-from rocksteady.show.names import literal
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.nonlinear import ModelName
@@ -180,10 +179,12 @@ def spectrum(
     if output.plot is not None:
         from rocksteady.show.spectra_figures import spectrum_figure, suite_figure
 
-        title = literal(title_of(values))
+        title = title_of(values)
         write_figure(
             output.plot,
-            spectrum_figure(found, title) if summary is None else suite_figure(summary, title),
+            spectrum_figure(found, title, output.page)
+            if summary is None
+            else suite_figure(summary, title, output.page),
         )
     if output.as_json:
         print_json("spectrum", values)

@@ -14,6 +14,7 @@ from rocksteady.model.block import Block, DimensionlessBlock
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.steady import SteadyStates
+    from rocksteady.show.page import Page
 
 HELP = (
     "Symmetric steady states under harmonic shaking, both branches, in closed form.\n\n"
@@ -81,9 +82,9 @@ def steady(
         write_csv(output.csv, CSV_HEADER, csv_rows(states))
     if output.plot is not None:
         if at_point:
-            write_figure(output.plot, point_figure(points[0]))
+            write_figure(output.plot, point_figure(points[0], output.page))
         else:
-            write_figure(output.plot, curves_figure(body, amplitudes, ratios, order))
+            write_figure(output.plot, curves_figure(body, amplitudes, ratios, order, output.page))
     if output.as_json:
         print_json("steady", points[0] if at_point else {"points": points})
     elif at_point:
@@ -245,7 +246,7 @@ def print_curves(states: "SteadyStates") -> None:
     console.print("add --csv FILE for the numbers, --plot FILE for response curves, or --json")
 
 
-def point_figure(point: dict[str, Any]) -> Any:
+def point_figure(point: dict[str, Any], page: "Page") -> Any:
     """Return the figure of the solutions at a point and of the map around it."""
     import numpy as np
 
@@ -267,11 +268,15 @@ def point_figure(point: dict[str, Any]) -> Any:
         ratios = np.geomspace(max(0.01, min(0.1, w / 10.0)), min(1e4, max(14.0, 3.0 * w)), 700)
     curves = region_map(ratios, r, order=n)
     title = f"Symmetric steady states: A = {a:g}, Ω = {w:g}, restitution {r:g}, n = {n}"
-    return steady_figure(orbits, curves, point=(w, a), title=title)
+    return steady_figure(orbits, curves, point=(w, a), title=title, page=page)
 
 
 def curves_figure(
-    body: Block | DimensionlessBlock, amplitudes: list[float], ratios: list[float], order: int
+    body: Block | DimensionlessBlock,
+    amplitudes: list[float],
+    ratios: list[float],
+    order: int,
+    page: "Page",
 ) -> Any:
     """Return the figure of response curves, one for each amplitude."""
     from rocksteady.dynamics.response import response_curve
@@ -279,4 +284,4 @@ def curves_figure(
 
     curves = [response_curve(body, a, frequency_ratio=ratios, order=order) for a in amplitudes]
     title = f"Symmetric steady states: restitution {body.restitution:g}, n = {order}, branch 1"
-    return response_figure(curves, hertz=isinstance(body, Block), title=title)
+    return response_figure(curves, hertz=isinstance(body, Block), title=title, page=page)

@@ -18,7 +18,7 @@ ATLAS_HELP = (
     "The plane of frequency and amplitude for one restitution.\n\n"
     "Every stable symmetric, leaning and doubled region of the families n = 1, 3, 5 with exact "
     "borders, how many motions stand side by side, and what a block at rest comes to. Writes "
-    "pictures as PNG and SVG, their data as CSV, atlas.json, and the page atlas.html."
+    "pictures as PNG, SVG and PDF, their data as CSV, atlas.json, and the page atlas.html."
 )
 ATLAS_EXAMPLES = (
     "Examples:\n\n"

@@ -1,5 +1,6 @@
 """A film of a time history: the block on its moving ground, and the angle with a moving mark."""
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -26,6 +27,8 @@ HOLD_SECONDS = 1.0
 """Time of the film for which its last picture stays."""
 SIZE = (6.8, 5.4)
 """Inches."""
+KEY_SIZE = 7.0
+"""Of the text that says what the marks are [points]."""
 
 
 class Film:
@@ -52,7 +55,7 @@ class Film:
             self.figure.set_layout_engine("none")
             wide, high = SIZE
             left, right = 0.78 / wide, 1.0 - 0.12 / wide
-            scene = self.figure.add_axes((left, 2.02 / high, right - left, (high - 2.6) / high))
+            scene = self.figure.add_axes((left, 2.02 / high, right - left, (high - 2.88) / high))
             self.history = self.figure.add_axes((left, 0.45 / high, right - left, 1.05 / high))
             self.scene = BlockScene(
                 scene,
@@ -61,10 +64,11 @@ class Film:
                 alpha=alpha,
                 glow=min(GLOW_SECONDS * reel.speed * speed_unit(trajectory), 0.4 * reel.period),
             )
-            self.figure.text(left, 1.0 - 0.14 / high, title(self.scene), va="top", fontsize=10.5)
+            name = literal(title(self.scene))
+            self.figure.text(left, 1.0 - 0.12 / high, name, va="top", fontsize=10.5)
             self.figure.text(
                 left,
-                1.0 - 0.35 / high,
+                1.0 - 0.32 / high,
                 caption(self.scene, reel),
                 va="top",
                 fontsize=8.0,
@@ -80,7 +84,7 @@ class Film:
         self.scale, _ = time_axis(self.trajectory)
         impacts = self.trajectory.impacts.s
         self.shown_impacts = impacts[(impacts >= start) & (impacts <= end)]
-        plot_trajectory(self.trajectory, axes, span=(start, end), key=False)
+        plot_trajectory(self.trajectory, axes, span=(start, end), legend="none")
         self.line = axes.axvline(start * self.scale, color=palette.INK, lw=0.9)
         (self.dot,) = axes.plot(
             [],
@@ -95,7 +99,7 @@ class Film:
         )
 
     def _draw_key(self, axes: "Axes") -> None:
-        """Say what the marks are, behind the block in case it comes that far."""
+        """Say what the marks are, above the axes: a block that falls may come anywhere in them."""
         from matplotlib.lines import Line2D
         from matplotlib.patches import Patch
 
@@ -118,19 +122,18 @@ class Film:
             1,
             Patch(color=palette.SYMMETRIC, alpha=0.35, lw=0, label=f"mass centre inside: {inside}"),
         )
-        legend = axes.legend(
+        axes.legend(
             handles=handles,
-            loc="upper right",
-            bbox_to_anchor=(1.0, 0.9),
-            borderaxespad=0.2,
+            loc="lower left",
+            bbox_to_anchor=(0.0, 1.01),
+            borderaxespad=0.0,
+            borderpad=0.0,
             labelspacing=0.45,
             handlelength=1.6,
-            frameon=True,
-            framealpha=0.85,
-            facecolor="white",
-            edgecolor="none",
+            columnspacing=1.2,
+            ncols=min(3, math.ceil(len(handles) / 2)),
+            fontsize=KEY_SIZE,
         )
-        legend.set_zorder(2.9)
 
     def frame_after(self, s: float) -> int:
         """Return the first frame that is not before a pivot time."""

@@ -102,6 +102,11 @@ LOOKS = {
         words="not computed", fill=palette.GRID, dot=palette.FAINT, hatch="....", outlined=True
     ),
 }
+DARK_DOTS = {
+    one: palette.DARK_INK if one is CellClass.OVERTURNED else look.fill
+    for one, look in LOOKS.items()
+}
+"""Colours of orbits in a diagram on dark paper, on which the fills stand out."""
 MEANINGS = {
     AttractorKind.REST.value: CellClass.REST,
     AttractorKind.SYMMETRIC.value: CellClass.SYMMETRIC,

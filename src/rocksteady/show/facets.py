@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 from rocksteady.errors import InputError
 from rocksteady.show import palette
 from rocksteady.show.classes import MapCells, map_cells
+from rocksteady.show.legends import draw_legend, text_size
+from rocksteady.show.page import SCREEN, Page
 from rocksteady.show.plots.maps import (
     SWATCHES,
     draw_cells,
@@ -25,9 +27,11 @@ PLANE = ("amplitude", "frequency_ratio", "acceleration_m_s2", "frequency_hz")
 MOST_PANELS = 12
 ACROSS = {1: 1, 2: 2, 3: 3, 4: 2, 5: 3, 6: 3, 7: 4, 8: 4, 9: 3, 10: 4, 11: 4, 12: 4}
 """Columns by the number of panels."""
+NARROWEST = 1.35
+"""Width of a panel, in inches, at least."""
 
 
-def map_figure(found: "xarray.Dataset", title: str = "") -> "Figure":
+def map_figure(found: "xarray.Dataset", title: str = "", page: Page = SCREEN) -> "Figure":
     """Return a figure of a map over one, two or three axes with several values.
 
     Over three there is a panel for each value of the axis that has fewest (of those that are
@@ -40,6 +44,8 @@ def map_figure(found: "xarray.Dataset", title: str = "") -> "Figure":
         From `rocksteady.attractor_map` or `rocksteady.fate_map`.
     title
         Above the panels.
+    page
+        Width of the figure, and place of its legend.
 
     Raises
     ------
@@ -61,17 +67,12 @@ def map_figure(found: "xarray.Dataset", title: str = "") -> "Figure":
     >>> [axes.get_title(loc="left") for axes in map_figure(found).axes]
     ['restitution = 0.7', 'restitution = 0.9']
     """
-    from matplotlib.figure import Figure
-
     cells = map_cells(found)
     panels = panels_axis(dict(zip(cells.names, cells.classes.shape, strict=True)))
-    with palette.style():
-        if panels is not None:
-            return _panels(cells.parts(panels), cells, title)
-        figure = Figure(figsize=(8.0, 4.8))
-        draw_map(figure.add_subplot(), cells, found)
-        if title:
-            figure.suptitle(title, x=0.01, ha="left", fontsize=10)
+    if panels is not None:
+        return _panels(cells.parts(panels), cells, title, page)
+    with page.figure(8.0, 4.8, title) as figure:
+        draw_map(figure.add_subplot(), cells, found, page.legend)
     return figure
 
 
@@ -113,27 +114,43 @@ def panels_axis(counts: Mapping[str, int]) -> str | None:
     return name
 
 
-def _panels(parts: "list[MapCells]", cells: MapCells, title: str) -> "Figure":
-    """Draw the parts of a map side by side."""
-    from matplotlib.figure import Figure
-
+def _panels(parts: "list[MapCells]", cells: MapCells, title: str, page: Page) -> "Figure":
+    """Draw the parts of a map side by side, as many in a row as are wide enough."""
     across = ACROSS[len(parts)]
+    natural = 1.9 + 2.7 * across
+    beside = page.legend == "right" or (page.legend is None and not page.stacks(natural))
+    room = page.width(natural) - (1.9 if beside else 0.4)
+    across = max(1, min(across, int(room / NARROWEST)))
     down = math.ceil(len(parts) / across)
     up, right = upright(parts[0]).names
-    figure = Figure(figsize=(1.9 + 2.7 * across, 0.9 + 2.3 * down))
-    grid = figure.subplots(down, across, sharex=True, sharey=True, squeeze=False).ravel()
-    for number, axes in enumerate(grid):
-        if number >= len(parts):
-            axes.remove()
-            continue
-        draw_cells(axes, parts[number])
-        axes.set(xlabel="", ylabel="")
-        axes.set_title(fixed_text(parts[number]), loc="left")
-        axes.tick_params(labelbottom=number + across >= len(parts))
-    figure.supxlabel(palette.axis_label(right), fontsize=9.0)
-    figure.supylabel(palette.axis_label(up), fontsize=9.0)
-    figure.legend(handles=legend_handles(cells), loc="outside right upper", **SWATCHES)
     above = ", ".join(text for text in (title, fixed_text(cells)) if text)
-    if above:
-        figure.suptitle(above, x=0.01, ha="left", fontsize=10)
+    high = (0.9 + min(2.3, 0.9 * room / across) * down) / page.width(natural)
+    with page.figure(natural, 0.9 + 2.3 * down, above, stacked=high) as figure:
+        grid = figure.subplots(down, across, sharex=True, sharey=True, squeeze=False).ravel()
+        for number, axes in enumerate(grid):
+            if number >= len(parts):
+                axes.remove()
+                continue
+            draw_cells(axes, parts[number])
+            axes.set(xlabel="", ylabel="")
+            axes.set_title(fixed_text(parts[number]), loc="left")
+            axes.tick_params(labelbottom=number + across >= len(parts))
+        size = text_size(grid[0], 8.0)
+        figure.supylabel(palette.axis_label(up), fontsize=size + 1.0)
+        place = page.legend or ("right" if beside else "below")
+        if place == "below":  # where one label of all panels would meet the legend
+            for axes in grid[max(0, len(parts) - across) : len(parts)]:
+                axes.set_xlabel(palette.axis_label(right))
+        else:
+            figure.supxlabel(palette.axis_label(right), fontsize=size + 1.0)
+        if place == "inside":
+            draw_legend(grid[0], place, handles=legend_handles(cells), **SWATCHES)
+        elif place != "none":
+            outside = "outside right upper" if place == "right" else "outside lower left"
+            columns = 1 if place == "right" else max(1, int(page.width(natural) / 1.9))
+            handles = legend_handles(cells)
+            figure.legend(handles=handles, loc=outside, ncols=columns, fontsize=size, **SWATCHES)
+            if place == "below":
+                rows = math.ceil(len(handles) / columns)
+                figure.set_figheight(figure.get_figheight() + 0.22 * rows)
     return figure

@@ -9,11 +9,11 @@ from numpy.typing import ArrayLike
 
 from rocksteady.dynamics.regions import RegionMap
 from rocksteady.show import palette
+from rocksteady.show.inks import inks_of
+from rocksteady.show.legends import size_of
 
 if TYPE_CHECKING:
-    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
-    from matplotlib.legend import Legend
 
 Corner = Literal["upper left", "upper right", "lower left", "lower right"]
 CORNERS: dict[Corner, tuple[int, int]] = {
@@ -31,6 +31,10 @@ LABEL_PLACES = [
     for turn in (math.radians(angle) for angle in (45, 135, 90, 0, 180, 315, 225, 270))
 ]
 """Where a label may stand [points], seen from its point, in the order of preference."""
+
+
+TICK_ROOM = 62.0
+"""Length of a decade [points] below which it has one tick."""
 
 
 def axes_or_new(ax: "Axes | None") -> "Axes":
@@ -73,30 +77,6 @@ def emptiest_corner(axes: "Axes", points: Sequence[ArrayLike], size: tuple[float
         return int((near[0] & near[1]).sum())
 
     return min(CORNERS, key=lambda name: hidden(CORNERS[name]))
-
-
-def legend_inside(
-    axes: "Axes",
-    corner: Corner,
-    *,
-    columns: int = 1,
-    handles: "Sequence[Artist] | None" = None,
-) -> "Legend":
-    """Place a legend inside the axes, where it cannot meet anything else of a user's figure."""
-    legend: Legend = axes.legend(
-        handles=handles,
-        loc=corner,
-        ncols=columns,
-        fontsize=8.0,
-        frameon=True,
-        framealpha=0.85,
-        facecolor="white",
-        edgecolor="none",
-        borderaxespad=0.3,
-        columnspacing=1.4,
-    )
-    legend.set_zorder(6.0)
-    return legend
 
 
 def put_beside(
@@ -150,7 +130,7 @@ def put_beside(
             ha="center",
             va="center_baseline",
             fontsize=7.0,
-            color=palette.INK,
+            color=inks_of(axes).ink,
             zorder=5.0,
             annotation_clip=False,
         )
@@ -158,11 +138,7 @@ def put_beside(
 
 def extent(axes: "Axes", *, width: float, height: float) -> tuple[float, float]:
     """Return a size in points as fractions of the axes, at most the whole of them."""
-    figure = axes.get_figure(root=True)
-    assert figure is not None
-    box = axes.get_position()
-    inches = figure.get_size_inches()
-    wide, high = 72.0 * box.width * inches[0], 72.0 * box.height * inches[1]
+    wide, high = size_of(axes)
     return min(1.0, width / wide), min(1.0, height / high)
 
 
@@ -179,7 +155,10 @@ def plain_ticks(axes: "Axes") -> None:
 
     for axis, scale in ((axes.xaxis, axes.get_xscale()), (axes.yaxis, axes.get_yscale())):
         if scale == "log":
-            axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+            low, high = axis.get_view_interval()
+            room = size_of(axes)[0 if axis is axes.xaxis else 1]
+            sparse = room < TICK_ROOM * math.log10(high / low)
+            axis.set_major_locator(LogLocator(subs=(1.0,) if sparse else (1.0, 2.0, 5.0)))
             axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
             axis.set_minor_formatter(NullFormatter())
 

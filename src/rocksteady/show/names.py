@@ -1,6 +1,11 @@
 """Names that come from outside, such as those of files, as terminals and pictures take them."""
 
+import functools
+import textwrap
 import unicodedata
+
+UNKNOWN = "\N{REPLACEMENT CHARACTER}"
+"""Stands for a character that no font of a picture has."""
 
 
 def printable(text: object, *, keep: str = "") -> str:
@@ -24,26 +29,41 @@ def printable(text: object, *, keep: str = "") -> str:
     )
 
 
-def literal(text: str) -> str:
-    r"""Return a text that matplotlib draws as it is: printable, and no part of it a formula.
+def literal(text: str, *, line: int | None = None) -> str:
+    r"""Return text as Matplotlib shows it character by character, without mathematics.
+
+    Matplotlib reads what stands between two dollar signs as mathematics, leaves an entry of a
+    legend out whose text begins with an underscore, and warns of characters that its font lacks.
+
+    Parameters
+    ----------
+    text
+        Of a user: a name, a title.
+    line
+        Most characters in a line; one line by default.
 
     Examples
     --------
-    >>> print(literal("$\frac{$.at2"))
+    >>> print(literal(r"$\frac{$.at2"))
     \$\frac{\$.at2
+    >>> literal("two\nlines"), literal("wave 波")
+    ('two lines', 'wave �')
     """
-    return printable(text).replace("$", r"\$")
+    known = "".join(
+        letter if ord(letter) in _characters() else UNKNOWN
+        for letter in printable("".join(" " if letter.isspace() else letter for letter in text))
+    )
+    lines = [known] if line is None else textwrap.wrap(known, line) or [""]
+    shown = "\n".join(lines).replace("$", r"\$")
+    return f"\N{ZERO WIDTH SPACE}{shown}" if shown.startswith("_") else shown
 
 
-def legend_label(name: str) -> str:
-    """Return a name as a label of a curve; matplotlib leaves out those that begin with "_".
+@functools.cache
+def _characters() -> frozenset[int]:
+    """Return the characters that the font of the house style has."""
+    from matplotlib.font_manager import FontProperties, findfont, get_font
 
-    Examples
-    --------
-    >>> legend_label("_draft")
-    ' _draft'
-    """
-    return f" {literal(name)}" if name.startswith("_") else literal(name)
+    return frozenset(get_font(findfont(FontProperties(family="DejaVu Sans"))).get_charmap())
 
 
 def _unprintable(letter: str) -> bool:

@@ -29,17 +29,32 @@ FAINT = "#8b8b8b"
 NUMBER = "#5b5b5c"
 """Numbers and labels on the fills."""
 GRID = "#dedede"
-LINES = ("#1273b8", "#b0531b", "#477f68", "#87439e", "#8a7906", "#5b5b5c")
-"""Line colours in the order of their use; with the dashes below they differ in grey too."""
-SUBHARMONIC_LINES = ("#2c5a47", "#5c9a80", "#8b5a9e", "#b07fbd", "#5b5b5c")
-"""Line colours of subharmonic orbits, one after another by their periods."""
-SWEEPS = ("#f7d7a3", "#e58f86")
+LINES = ("#1273b8", "#8d2709", "#49a397", "#48096b", "#9c8718", "#5d645b")
+"""Line colours in the order of their use, which the colour-blind tell apart too; with the dashes
+below they differ in grey too."""
+SUBHARMONIC_LINES = ("#186432", "#3ea682", "#40068d", "#63686e", "#462033")
+"""Line colours of subharmonic orbits, one after another by their periods; no two are alike, nor
+alike the first and the fifth line colour, beside which they stand."""
+SWEEPS = ("#f2b24a", "#d0605e")
 """Dots of the motions met by an upward and a downward sweep; lines are drawn over them."""
 DASHES: tuple[Any, ...] = ("-", (0, (6, 2)), (0, (2, 1.5)), (0, (6, 2, 1.5, 2)), (0, (1, 1)), "-")
 IMPACT = "#b0531b"
 BASE = "#477f68"
+LINK = "#1273b8"
 BLOCK = SYMMETRIC
 GROUND = "#e9e6dc"
+
+DARK_PAPER = "#000000"
+DARK_INK = "#f2f2f2"
+DARK_NUMBER = "#c4c4c6"
+DARK_FAINT = "#9a9a9a"
+DARK_GRID = "#3a3a3c"
+DARK_LINES = ("#6db9f2", "#c97b55", "#48c1a2", "#ad49f2", "#f9e299", "#7d7c97")
+DARK_SUBHARMONIC_LINES = ("#2fae78", "#8ff0c8", "#b060e0", "#a8a8a8", "#eab8ff")
+DARK_SWEEPS = ("#b5842f", "#c0564f")
+DARK_IMPACT = "#f08a4b"
+DARK_BASE = "#6cc5a1"
+"""The same on dark paper; the fills are those of light paper."""
 
 REGION_FILLS = {1: "#d5edff", 2: "#ffffff", 3: "#f0e7b0", 4: "#e9e6dc", 5: "#dcc8e4"}
 
@@ -126,6 +141,8 @@ STYLE: dict[str, Any] = {
     "figure.dpi": 100.0,
     "savefig.dpi": 200.0,
     "figure.constrained_layout.use": True,
+    "pdf.fonttype": 42,
+    "ps.fonttype": 42,
     "svg.fonttype": "path",
     "svg.hashsalt": "rocksteady",
 }

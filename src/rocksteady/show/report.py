@@ -15,10 +15,10 @@ COLOURS = {
     "ink": palette.INK,
     "quiet": palette.NUMBER,
     "rule": palette.GRID,
-    "link": palette.LINES[0],
-    "agrees": palette.LINES[2],
-    "differs": palette.LINES[1],
-    "open": palette.LINES[5],
+    "link": palette.LINK,
+    "agrees": palette.BASE,
+    "differs": palette.IMPACT,
+    "open": palette.NUMBER,
 }
 """The page's colours by their part; the base template makes a CSS property of each."""
 

@@ -1,7 +1,7 @@
 """The block on its moving ground in true scale: artists that can be moved to any moment."""
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,10 +10,13 @@ from rocksteady.dynamics.ground import largest_acceleration
 from rocksteady.dynamics.trajectory import Trajectory
 from rocksteady.show import palette
 from rocksteady.show.geometry import LYING, shape_of
+from rocksteady.show.inks import inks_of
+from rocksteady.show.legends import text_size
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
+    from matplotlib.text import Text
     from matplotlib.transforms import Transform
 
 Floats = NDArray[np.float64]
@@ -28,6 +31,8 @@ THICKNESS = 0.36
 """Of the ground, in half-diagonals; the arrow of its acceleration has to fit in."""
 MARGIN = 1.1
 """Ground to either side of the block's base, in half-diagonals."""
+LINE = 14.0
+"""Distance of the two lines of text above the block [points]."""
 
 
 class BlockScene:
@@ -66,6 +71,7 @@ class BlockScene:
         glow: float = GLOW,
     ) -> None:
         self.axes, self.trajectory, self.glow = axes, trajectory, glow
+        self.inks = inks_of(axes)
         self.shape = shape_of(trajectory, alpha)
         self.strongest = float(np.abs(trajectory.impacts.velocity_before).max(initial=0.0))
         self.largest = largest_acceleration(trajectory.segments)
@@ -108,8 +114,13 @@ class BlockScene:
         reach = max(float(np.abs(corners[..., 0]).max()), self.margin) + 0.15 * radius
         reach += 0.5 * (high - low) if still else 0.0
         floor = -(THICKNESS + 0.02) * radius
-        top = max(float(corners[..., 1].max()), self.shape.height) + 0.3 * radius
+        top = max(float(corners[..., 1].max()), self.shape.height) + 0.06 * radius
         box = axes.get_window_extent()
+        figure = axes.get_figure(root=True)
+        assert figure is not None
+        # Two lines of text stand above the block, wherever it goes.
+        share = min(0.45, 2.3 * LINE / 72.0 * figure.dpi / box.height)
+        top = floor + (top - floor) / (1.0 - share)
         # A wide picture shows more to the sides, a narrow one more above.
         self.half = max(reach, 0.5 * (top - floor) * box.width / box.height)
         top = floor + max(top - floor, 2.0 * reach * box.height / box.width)
@@ -136,7 +147,7 @@ class BlockScene:
         seen = "ground" if self.camera == "riding" else "position"
         axes.set_xlabel(palette.LABELS[f"{seen}_{self.shape.unit}"])
         if self.camera == "following":  # past these the ground moves
-            axes.grid(axis="x", color=palette.UNDECIDED, lw=0.8)
+            axes.grid(axis="x", color=self.inks.faint, lw=0.8)
 
     def _draw(self) -> None:
         """Make the artists, the block standing and the ground at 0."""
@@ -177,7 +188,8 @@ class BlockScene:
         surface = [((-wide, 0.0), (wide, 0.0))]
         strokes = np.arange(-wide + 0.11 * r, wide, 0.11 * r)
         hatching = [((x, 0.0), (x - 0.07 * r, -0.07 * r)) for x in strokes]
-        for lines, colour, width in ((hatching, palette.FAINT, 0.7), (surface, palette.INK, 1.2)):
+        ink = self.inks.ink
+        for lines, colour, width in ((hatching, palette.FAINT, 0.7), (surface, ink, 1.2)):
             drawn = LineCollection(
                 lines, colors=colour, linewidths=width, transform=ground, zorder=2.2
             )
@@ -186,7 +198,7 @@ class BlockScene:
             [(-b, 0.0), (b, 0.0), (b, h), (-b, h)],
             closed=True,
             transform=block,
-            edgecolor=palette.INK,
+            edgecolor=ink,
             lw=1.2,
             joinstyle="round",
             zorder=3.0,
@@ -210,8 +222,8 @@ class BlockScene:
             [],
             marker=[(0.0, 0.0), (-0.5, -0.9), (0.5, -0.9), (0.0, 0.0)],
             ms=11,
-            mfc=palette.INK,
-            mec="white",
+            mfc=ink,
+            mec=self.inks.paper,
             mew=0.6,
             ls="none",
             transform=ground,
@@ -223,7 +235,7 @@ class BlockScene:
                 [0.0],
                 marker="o",
                 mfc="none",
-                mec=palette.IMPACT,
+                mec=self.inks.impact,
                 ls="none",
                 visible=False,
                 transform=ground,
@@ -232,18 +244,32 @@ class BlockScene:
             for side in (-1, 1)
         }
         self._draw_base(ground)
-        page = {"facecolor": "white", "alpha": 0.8, "lw": 0.0, "pad": 1.0}
-        words: dict[str, Any] = {
-            "transform": axes.transAxes,
-            "va": "top",
-            "zorder": 6.0,
-            "bbox": page,
-        }
-        self.clock = axes.text(0.012, 0.97, "", **words)
-        self.tilt = axes.text(0.012, 0.89, "", color=palette.LINES[0], **words)
-        self.push = axes.text(0.012, 0.81, "", color=palette.BASE, **words)
-        self.verdict = axes.text(
-            0.988, 0.97, "", ha="right", fontsize=12.0, fontweight="bold", **words
+        size = text_size(axes, 9.0)
+        self.clock, self.tilt = self._written(0, size), self._written(1, size)
+        self.push, self.verdict = (
+            self._written(1, size, "right"),
+            self._written(0, size + 2.0, "right"),
+        )
+        self.verdict.set_fontweight("bold")
+        self.tilt.set_color(self.inks.lines[0])
+        self.push.set_color(self.inks.base)
+
+    def _written(self, line: int, size: float, side: Literal["left", "right"] = "left") -> "Text":
+        """Make a text in a line above the block."""
+        from matplotlib.transforms import ScaledTranslation
+
+        figure = self.axes.get_figure(root=True)
+        assert figure is not None
+        down = ScaledTranslation(0.0, -(3.0 + LINE * line) / 72.0, figure.dpi_scale_trans)
+        x = 0.012 if side == "left" else 0.988
+        return self.axes.text(
+            *(x, 1.0, ""),
+            transform=self.axes.transAxes + down,
+            ha=side,
+            va="top",
+            fontsize=size,
+            color=self.inks.ink,
+            zorder=6.0,
         )
 
     def _draw_base(self, ground: "Transform") -> None:

@@ -26,7 +26,7 @@ from tests.studies.atlas.small import AMPLITUDES, FREQUENCY_RATIOS, small, tiny
 mpl.use("Agg")
 
 FILES = {
-    *(f"{name}.{kind}" for name in PICTURES for kind in ("png", "svg")),
+    *(f"{name}.{kind}" for name in PICTURES for kind in ("png", "svg", "pdf")),
     *(f"{name}.csv" for name in TABLES),
     "atlas.json",
     "atlas.html",
@@ -65,6 +65,7 @@ def test_the_atlas_leaves_these_files(saved: Path) -> None:
     for name in PICTURES:
         assert (saved / f"{name}.png").read_bytes().startswith(b"\x89PNG\r\n")
         assert (saved / f"{name}.svg").read_bytes().startswith(b"<?xml")
+        assert (saved / f"{name}.pdf").read_bytes().startswith(b"%PDF")
         assert (saved / f"{name}.png").stat().st_size > 20_000
 
 

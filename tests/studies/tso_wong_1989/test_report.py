@@ -171,7 +171,9 @@ def test_every_page_is_whole(claims: list[Claim], sections: list[ReportedPanel])
     names = [element["id"] for element in page.all() if element["id"] is not None]
     assert len(set(names)) == len(names)
     assert not [name for name in names if re.search(r"\s|^$", name)]
-    files = {f"figure-{s.panel.id}.{kind}" for s in sections for kind in ("csv", "png", "svg")}
+    files = {
+        f"figure-{s.panel.id}.{kind}" for s in sections for kind in ("csv", "png", "svg", "pdf")
+    }
     targets = {f"#{name}" for name in names}
     assert set(links(page)) <= targets | files
     assert files <= set(links(page))
@@ -284,6 +286,7 @@ def test_a_panel_links_to_all_its_tables() -> None:
         "figure-3a-other%20side.csv",
         "figure-3a.png",
         "figure-3a.svg",
+        "figure-3a.pdf",
     ]
 
 

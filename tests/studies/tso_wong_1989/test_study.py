@@ -56,7 +56,7 @@ def names(folder: Path) -> list[str]:
 
 
 def files_of(figures: tuple[str, ...]) -> set[str]:
-    found = {f"figure-{name}.{kind}" for name in figures for kind in ("png", "svg", "csv")}
+    found = {f"figure-{name}.{kind}" for name in figures for kind in ("png", "svg", "pdf", "csv")}
     return found | {f"figure-{name}-fates.csv" for name in figures if name in UNSTABLE}
 
 

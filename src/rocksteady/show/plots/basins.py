@@ -12,13 +12,9 @@ from rocksteady.dynamics.basins import Basins
 from rocksteady.dynamics.erosion import Drop, Erosion
 from rocksteady.show import palette
 from rocksteady.show.classes import FILLS, share_text
-from rocksteady.show.layout import (
-    axes_or_new,
-    emptiest_corner,
-    extent,
-    legend_inside,
-    spaced_by_ratio,
-)
+from rocksteady.show.inks import inks_of
+from rocksteady.show.layout import axes_or_new, emptiest_corner, extent, spaced_by_ratio
+from rocksteady.show.legends import LegendPlace, draw_legend, place_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -28,13 +24,15 @@ Floats = NDArray[np.float64]
 WORDS = {"integrity_factor": "integrity factor", "global_integrity": "global integrity measure"}
 
 
-def plot_basins(basins: Basins, ax: "Axes | None" = None) -> "Axes":
+def plot_basins(
+    basins: Basins, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
+) -> "Axes":
     """Draw the basins of attraction over the window, and the attractors at that phase.
 
     Each state of the window has the fill of the attractor to which it goes: dark where the block
     overturns, and one hue a kind of attractor.  Several of one kind differ in lightness and in
     their marks, which stand where the attractor is at the phase of the initial states; one that
-    repeats itself after n forcing periods has n of them.  The legend, to the right, has the shares.
+    repeats itself after n forcing periods has n of them.  The legend has the shares.
 
     Parameters
     ----------
@@ -42,6 +40,9 @@ def plot_basins(basins: Basins, ax: "Axes | None" = None) -> "Axes":
         From `rocksteady.basins`.
     ax
         Axes to draw on; those of a new figure without.
+    legend
+        "inside" the axes, to their "right", "below" them or "none"; by default to their
+        right, or below narrow ones.
 
     Returns
     -------
@@ -98,23 +99,24 @@ def plot_basins(basins: Basins, ax: "Axes | None" = None) -> "Axes":
             )
         )
     axes.set(xlim=_ends(basins.angle), ylim=_ends(basins.velocity))
-    axes.legend(
-        [(swatch, mark) for swatch, mark, _ in handles],
-        [text for _, _, text in handles],
-        loc="upper left",
-        bbox_to_anchor=(1.01, 1.0),
-        borderaxespad=0.0,
+    draw_legend(
+        axes,
+        place_of(axes, legend, "right"),
+        handles=[(swatch, mark) for swatch, mark, _ in handles],
+        labels=[text for _, _, text in handles],
         handlelength=1.2,
         handletextpad=0.6,
         labelspacing=0.7,
-        fontsize=8.0,
-        frameon=False,
     )
     return axes
 
 
 def plot_erosion(
-    erosion: Erosion, ax: "Axes | None" = None, *, drops: Sequence[Drop] = ()
+    erosion: Erosion,
+    ax: "Axes | None" = None,
+    *,
+    drops: Sequence[Drop] = (),
+    legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw both measures of integrity against the amplitude, and the heteroclinic threshold.
 
@@ -128,7 +130,11 @@ def plot_erosion(
     ax
         Axes to draw on; those of a new figure without.
     drops
-        From `Erosion.drop`; each is marked on its curve.
+        From `Erosion.drop`; each is marked on its curve, which goes through the two amplitudes
+        between which it lies.
+    legend
+        "inside" the axes, to their "right", "below" them or "none"; by default inside, or
+        below narrow ones.
 
     Returns
     -------
@@ -146,15 +152,24 @@ def plot_erosion(
     """
     axes = axes_or_new(ax)
     a = erosion.amplitude
-    colours, curves = {}, []
+    inks, place = inks_of(axes), place_of(axes, legend, "inside", width=225.0)
+    spread = spaced_by_ratio(a)
+    colours: dict[str, str] = {}
+    abscissas, curves = [], []
     for series, (name, label) in enumerate(WORDS.items()):
-        values = erosion.measure(name)
-        colours[name] = palette.LINES[series]
+        known = dict(zip(a.tolist(), erosion.measure(name).tolist(), strict=True))
+        for drop in drops:
+            if drop.measure == name:  # a search has computed more of the curve
+                ends = {drop.low: drop.above, drop.high: drop.below}
+                known |= {at: value for at, value in ends.items() if at > 0.0 or not spread}
+        x, values = np.array(sorted(known.items())).T
+        colours[name] = inks.lines[series]
+        abscissas.append(x)
         curves.append(values)
         axes.plot(
-            a,
-            curves[-1],
-            color=palette.LINES[series],
+            x,
+            values,
+            color=inks.lines[series],
             ls=palette.DASHES[series],
             marker="os"[series] if len(a) <= 60 else "none",
             ms=3.0,
@@ -165,26 +180,25 @@ def plot_erosion(
         seen = where <= a[-1]
         axes.axvline(
             where,
-            color=palette.INK,
+            color=inks.ink,
             lw=1.0,
             ls=palette.DASHES[4],
             label=f"heteroclinic tangency, A = {where:.4g}" + ("" if seen else " (beyond)"),
         )
     for drop in drops:
-        # The value at the middle of the bracket lies somewhere between the two at its ends.
+        part = (drop.above - drop.level) / (drop.above - drop.below)
         axes.plot(
-            0.5 * (drop.low + drop.high),
+            drop.low + part * (drop.high - drop.low),
             drop.level,
             "v",
             ms=6.5,
             color=colours[drop.measure],
-            mec="white",
+            mec=inks.paper,
             mew=0.8,
             ls="none",
             zorder=4.0,
             label=f"{WORDS[drop.measure]} falls below {drop.level:g} at A = {drop.high:.4g}",
         )
-    spread = spaced_by_ratio(a)
     if spread:
         axes.set_xscale("log")
     top = max(1.0, float(erosion.global_integrity.max()), float(erosion.integrity_factor.max()))
@@ -194,9 +208,9 @@ def plot_erosion(
         xlim=(float(a[0]) if spread else 0.0, float(a[-1])),
         ylim=(0.0, 1.05 * top),
     )
-    points = np.tile(a, 2), np.concatenate(curves)
+    points = np.concatenate(abscissas), np.concatenate(curves)
     size = extent(axes, width=225.0, height=12.0 * (3 + len(drops)) + 10.0)
-    legend_inside(axes, emptiest_corner(axes, points, size))
+    draw_legend(axes, place, corner=emptiest_corner(axes, points, size))
     return axes
 
 

@@ -11,8 +11,11 @@ from rocksteady.dynamics.continuation.stretches import stretches
 from rocksteady.dynamics.trail import AttractorTrail
 from rocksteady.errors import ModelError
 from rocksteady.show import palette
-from rocksteady.show.layout import axes_or_new, legend_inside, spaced_by_ratio
-from rocksteady.show.plots.sweeps import LANE, draw_sweeps
+from rocksteady.show.inks import Inks, inks_of
+from rocksteady.show.insets import crowd_of, draw_inset
+from rocksteady.show.layout import axes_or_new, plain_ticks, spaced_by_ratio
+from rocksteady.show.legends import GAP, LegendPlace, draw_legend, line_scale, place_of
+from rocksteady.show.plots.sweeps import NAMES_WIDTH, draw_dots, draw_sweeps, lane_of
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -22,7 +25,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 Side = Literal["positive", "both"]
 
-STABLE: dict[str, Any] = {"ls": "-", "lw": 2.0, "zorder": 3.0}
+STABLE: dict[str, Any] = {"ls": "-", "lw": 1.9, "zorder": 3.0}
 UNSTABLE: dict[str, Any] = {"ls": (0, (3.2, 1.6)), "lw": 0.9, "zorder": 2.6}
 INADMISSIBLE: dict[str, Any] = {"ls": (0, (1, 1.6)), "lw": 0.9, "alpha": 0.5, "zorder": 2.4}
 MARKS = {
@@ -32,6 +35,12 @@ MARKS = {
     PointType.GRAZING: ("o", "graze"),
 }
 """Marker and name of each bifurcation."""
+WIDE = 8.0
+"""Factor between the ends of an axis that is logarithmic where bifurcations lie in its lowest"""
+LOWEST_PART = 0.25
+"""part."""
+CROWDED = 8
+"""Bifurcations that decide about it."""
 
 
 def plot_bifurcations(
@@ -42,6 +51,7 @@ def plot_bifurcations(
     side: Side = "positive",
     top: float | None = None,
     key: Literal["inside", "beside"] = "beside",
+    legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw branches of periodic motions over their parameter, with sweeps beneath them.
 
@@ -52,7 +62,9 @@ def plot_bifurcations(
     beneath the lines, larger ones of an upward sweep than of a downward one, so that both show
     where they agree; elsewhere there is hysteresis.  Bars along the upper edge, a row for each
     sweep, say where its motion overturned or came to rest.  The axis of the parameter is
-    logarithmic where a sweep's values are spaced by ratio, as `numpy.geomspace` does.
+    logarithmic where a sweep's values are spaced by ratio, as `numpy.geomspace` does, and where
+    nearly all bifurcations lie in its lowest part.  Bifurcations that crowd in a small part of the
+    picture are drawn again in an inset, large enough to be told apart.
 
     Parameters
     ----------
@@ -69,7 +81,9 @@ def plot_bifurcations(
     top
         Upper end of the axis of angles; without, everything is shown.
     key
-        Where the legend goes: to the right of the axes, or inside.
+        Where the legend goes by default: to the right of the axes, or inside; below narrow ones.
+    legend
+        "inside" the axes, to their "right", "below" them or "none".
 
     Returns
     -------
@@ -100,33 +114,52 @@ def plot_bifurcations(
     listed, swept = list(branches), list(trails)
     parameter = _parameter([*listed, *swept])
     axes = axes_or_new(ax)
-    colours = _colours(listed)
+    inks = inks_of(axes)
+    place = place_of(axes, legend, "right" if key == "beside" else "inside", width=110.0)
+    colours = _colours(listed, inks)
+    marks = _bifurcations(listed, side)
     handles: list[Artist] = [
         *_drawn_branches(axes, listed, colours, side),
-        *_drawn_bifurcations(axes, listed, side),
+        *_drawn_bifurcations(axes, marks),
         *draw_sweeps(axes, swept, sizes=side == "positive"),
     ]
     values = [branch.values for branch in listed] + [trail.values for trail in swept]
     ends = np.concatenate(values)
-    if any(spaced_by_ratio(trail.values) for trail in swept):
+    marked = [x for places in marks.values() for x, _ in places]
+    if any(spaced_by_ratio(trail.values) for trail in swept) or _lies_low(marked, ends):
         axes.set_xscale("log")
+        plain_ticks(axes)
     if ends.min() < ends.max():
         axes.set_xlim(float(ends.min()), float(ends.max()))
     if top is None:  # above what is drawn there is room for the bars
         drawn = [branch.peaks.ravel() for branch in listed]
         drawn += [peaks for trail in swept for peaks in trail.peaks]
         highest = float(np.nanmax(np.abs(np.concatenate(drawn)), initial=0.0))
-        top = (highest or 1.0) / (0.96 - LANE * len(swept))
+        top = (highest or 1.0) / (0.96 - lane_of(axes) * len(swept))
     axes.set_ylim(0.0 if side == "positive" else -top, top)
     axes.set(
         xlabel=palette.LABELS[parameter],
         ylabel=palette.LABELS["flight_peak" if side == "positive" else "flight_extreme"],
     )
-    if handles and key == "beside":
-        axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.03, 1.0))
-    elif handles:
-        legend_inside(axes, "upper right", handles=handles)
+    if place != "inside":  # which needs the room
+        crowd = crowd_of(axes, [spot for places in marks.values() for spot in places])
+        if crowd is not None:
+            drawn_at = [line.get_xydata() for line in axes.lines]
+            inset = draw_inset(axes, crowd, [np.asarray(each) for each in drawn_at])
+            _drawn_branches(inset, listed, colours, side)
+            _drawn_bifurcations(inset, marks)
+            draw_dots(inset, swept, sizes=side == "positive")
+    gap = GAP + (NAMES_WIDTH if swept else 0.0)
+    draw_legend(axes, place, handles=handles, corner="upper right", gap=gap)
     return axes
+
+
+def _lies_low(marked: Sequence[float], ends: Floats) -> bool:
+    """Return whether nearly all bifurcations lie in the lowest part of a wide axis."""
+    low, high = float(ends.min()), float(ends.max())
+    if len(marked) < CROWDED or not 0.0 < WIDE * low < high:
+        return False
+    return float(np.quantile(marked, 0.9)) < low + LOWEST_PART * (high - low)
 
 
 def _parameter(drawn: Sequence[Branch | AttractorTrail]) -> str:
@@ -153,12 +186,12 @@ def _kind_of(branch: Branch) -> tuple[int, bool]:
     return branch.period, not branch.symmetric
 
 
-def _colours(branches: Sequence[Branch]) -> dict[tuple[int, bool], str]:
+def _colours(branches: Sequence[Branch], inks: Inks) -> dict[tuple[int, bool], str]:
     """Return the colour of each kind of orbit that there is."""
-    colours = {(1, False): palette.LINES[0], (1, True): palette.LINES[4]}
+    colours = {(1, False): inks.lines[0], (1, True): inks.lines[4]}
     kinds = sorted({_kind_of(branch) for branch in branches})
     for number, kind in enumerate(kind for kind in kinds if kind[0] > 1):
-        shades = palette.SUBHARMONIC_LINES
+        shades = inks.subharmonic_lines
         colours[kind] = shades[min(number, len(shades) - 1)]
     return {kind: colours[kind] for kind in kinds}
 
@@ -193,6 +226,7 @@ def _drawn_branches(
     from matplotlib.lines import Line2D
 
     seen: set[str] = set()
+    scale = line_scale(axes)
     for branch in branches:
         lines = _sided(branch.peaks, side, symmetric=branch.symmetric)
         for stretch in stretches(branch):
@@ -203,23 +237,24 @@ def _drawn_branches(
                 style, word = INADMISSIBLE, "no motion"
             seen.add(word)
             part = slice(stretch.first, stretch.last + 1)
-            axes.plot(branch.values[part], lines[part], color=colours[_kind_of(branch)], **style)
+            look = {**style, "lw": style["lw"] * scale}
+            axes.plot(branch.values[part], lines[part], color=colours[_kind_of(branch)], **look)
     handles = [
         Line2D([], [], color=colour, lw=2.0, label=_label(kind, colours))
         for kind, colour in colours.items()
     ]
     for word, style in (("unstable", UNSTABLE), ("no motion", INADMISSIBLE)):
         if word in seen:
-            handles.append(Line2D([], [], color=palette.INK, label=word, **style))
+            handles.append(Line2D([], [], color=inks_of(axes).ink, label=word, **style))
     return handles
 
 
-def _drawn_bifurcations(axes: "Axes", branches: Sequence[Branch], side: Side) -> list["Line2D"]:
-    """Mark bifurcations and return the entries of the legend."""
-    from matplotlib.lines import Line2D
-
-    handles = []
-    for kind, (marker, word) in MARKS.items():
+def _bifurcations(
+    branches: Sequence[Branch], side: Side
+) -> dict[PointType, list[tuple[float, float]]]:
+    """Return where bifurcations of each type are marked."""
+    marks = {}
+    for kind in MARKS:
         places: set[tuple[float, float]] = set()
         for branch in branches:
             for value, peaks, point in zip(branch.values, branch.peaks, branch.points, strict=True):
@@ -228,17 +263,29 @@ def _drawn_bifurcations(axes: "Axes", branches: Sequence[Branch], side: Side) ->
                     drawn = _sided(ends, side, symmetric=branch.symmetric)
                     # A point on two branches is marked once.
                     places |= {(round(float(value), 9), round(u, 6)) for u in drawn.tolist()}
-        if not places:
-            continue
+        if places:
+            marks[kind] = sorted(places)
+    return marks
+
+
+def _drawn_bifurcations(
+    axes: "Axes", marks: dict[PointType, list[tuple[float, float]]]
+) -> list["Line2D"]:
+    """Mark bifurcations and return the entries of the legend."""
+    from matplotlib.lines import Line2D
+
+    handles, inks = [], inks_of(axes)
+    for kind, places in marks.items():
+        marker, word = MARKS[kind]
         style: dict[str, Any] = {
             "marker": marker,
-            "ms": 3.8,
-            "mfc": "white",
-            "mec": palette.INK,
+            "ms": 3.8 * line_scale(axes),
+            "mfc": inks.paper,
+            "mec": inks.ink,
             "mew": 0.8,
             "ls": "none",
         }
-        x, y = zip(*sorted(places), strict=True)
+        x, y = zip(*places, strict=True)
         axes.plot(x, y, zorder=4.0, **style)
         handles.append(Line2D([], [], label=word, **style))
     return handles

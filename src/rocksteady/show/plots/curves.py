@@ -7,19 +7,21 @@ from rocksteady.dynamics.continuation.points import BranchPoint, PointType
 from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError
 from rocksteady.show import palette
+from rocksteady.show.inks import Inks, inks_of
 from rocksteady.show.layout import axes_or_new
+from rocksteady.show.legends import LegendPlace, draw_legend, place_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.lines import Line2D
 
-CURVES: dict[PointType, tuple[str, Any, str]] = {
-    PointType.FOLD: (palette.INK, "-", "fold"),
-    PointType.SYMMETRY_BREAKING: (palette.LINES[0], (0, (7, 2)), "symmetry breaking"),
-    PointType.PERIOD_DOUBLING: (palette.LINES[2], (0, (3.2, 1.6)), "period doubling"),
-    PointType.GRAZING: (palette.LINES[1], (0, (1, 1.2)), "graze"),
+CURVES: dict[PointType, tuple[int | None, Any, str]] = {
+    PointType.FOLD: (None, "-", "fold"),
+    PointType.SYMMETRY_BREAKING: (0, (0, (7, 2)), "symmetry breaking"),
+    PointType.PERIOD_DOUBLING: (2, (0, (3.2, 1.6)), "period doubling"),
+    PointType.GRAZING: (1, (0, (1, 1.2)), "graze"),
 }
-"""Colour, dash and name of the curve of each bifurcation."""
+"""Line colour (none is ink), dash and name of the curve of each bifurcation."""
 
 
 def plot_bifurcation_curves(
@@ -27,6 +29,7 @@ def plot_bifurcation_curves(
     ax: "Axes | None" = None,
     *,
     parameters: tuple[str, str] = ("frequency_ratio", "amplitude"),
+    legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw curves of bifurcations in the plane of two parameters.
 
@@ -41,6 +44,9 @@ def plot_bifurcation_curves(
     parameters
         What is drawn to the right and upwards: two of "amplitude", "frequency_ratio" and
         "restitution".
+    legend
+        "inside" the axes, to their "right", "below" them or "none"; by default to their
+        right, or below narrow ones.
 
     Returns
     -------
@@ -75,17 +81,22 @@ def plot_bifurcation_curves(
                 hint="name two of them",
             )
     axes = axes_or_new(ax)
+    inks, place = inks_of(axes), place_of(axes, legend, "right")
     named: dict[str, Line2D] = {}
     for curve in curves:
         if not curve:
             continue
-        colour, dash, word = CURVES[curve[0].type]
+        number, dash, word = CURVES[curve[0].type]
+        colour = colour_of(number, inks)
         places = [[getattr(point, name) for name in parameters] for point in curve]
         (line,) = axes.plot(*zip(*places, strict=True), color=colour, ls=dash, lw=1.4, zorder=3.0)
         named.setdefault(word, line)
     axes.set(xlabel=palette.LABELS[parameters[0]], ylabel=palette.LABELS[parameters[1]])
     words = [word for *_, word in CURVES.values() if word in named]
-    if words:
-        lines = [named[word] for word in words]
-        axes.legend(lines, words, loc="upper left", bbox_to_anchor=(1.01, 1.0))
+    draw_legend(axes, place, handles=[named[word] for word in words], labels=words)
     return axes
+
+
+def colour_of(number: int | None, inks: Inks) -> str:
+    """Return a line colour, or ink where there is no number."""
+    return inks.ink if number is None else inks.lines[number]

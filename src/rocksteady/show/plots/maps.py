@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from rocksteady.errors import InputError
 from rocksteady.show import palette
 from rocksteady.show.classes import (
+    DARK_DOTS,
     LOOKS,
     CellClass,
     MapCells,
@@ -16,7 +17,9 @@ from rocksteady.show.classes import (
     share_text,
     validated_map,
 )
+from rocksteady.show.inks import inks_of
 from rocksteady.show.layout import axes_or_new
+from rocksteady.show.legends import LegendPlace, draw_legend, place_of
 from rocksteady.show.spacing import picked, prepare_axis, runs, spacing_of
 
 if TYPE_CHECKING:
@@ -48,7 +51,9 @@ STRIP = 0.035
 """Height of the strip of a diagram, in parts of the axes."""
 
 
-def plot_map(found: "xarray.Dataset", ax: "Axes | None" = None) -> "Axes":
+def plot_map(
+    found: "xarray.Dataset", ax: "Axes | None" = None, *, legend: LegendPlace | None = None
+) -> "Axes":
     """Draw what a block settles to: filled cells over two axes, a diagram over one.
 
     Over two axes each cell has the fill of its class; the frequency is to the right and the other
@@ -62,8 +67,8 @@ def plot_map(found: "xarray.Dataset", ax: "Axes | None" = None) -> "Axes":
     map of fates the dots are numbers of impacts.
 
     An axis is logarithmic where its values are spaced by ratio, as `numpy.geomspace` does.  Axes
-    with a single value, and values that were selected, stand in the title.  The legend, to the
-    right, has the share of each class among the cells, all of them counted.
+    with a single value, and values that were selected, stand in the title.  The legend has the
+    share of each class among the cells, all of them counted.
 
     Parameters
     ----------
@@ -71,6 +76,9 @@ def plot_map(found: "xarray.Dataset", ax: "Axes | None" = None) -> "Axes":
         From `rocksteady.attractor_map` or `rocksteady.fate_map`; its arrays are read once.
     ax
         Axes to draw on; those of a new figure without.
+    legend
+        "inside" the axes, to their "right", "below" them or "none"; by default to their
+        right, or below narrow ones.
 
     Returns
     -------
@@ -111,10 +119,12 @@ def plot_map(found: "xarray.Dataset", ax: "Axes | None" = None) -> "Axes":
             valid="one or two axes with several values can be drawn on one pair of axes",
             hint="draw three with rocksteady.show.facets.map_figure, or select a value with .sel",
         )
-    return draw_map(axes_or_new(ax), cells, found)
+    return draw_map(axes_or_new(ax), cells, found, legend)
 
 
-def draw_map(axes: "Axes", cells: MapCells, found: "xarray.Dataset") -> "Axes":
+def draw_map(
+    axes: "Axes", cells: MapCells, found: "xarray.Dataset", legend: LegendPlace | None = None
+) -> "Axes":
     """Draw the cells of a map of one or two axes, with title and legend."""
     if len(cells.names) == 1:
         draw_diagram(axes, cells, found)
@@ -122,15 +132,8 @@ def draw_map(axes: "Axes", cells: MapCells, found: "xarray.Dataset") -> "Axes":
         draw_cells(axes, cells)
     if cells.fixed:
         axes.set_title(fixed_text(cells), loc="left")
-    axes.legend(
-        handles=legend_handles(cells),
-        loc="upper left",
-        bbox_to_anchor=(1.01, 1.0),
-        borderaxespad=0.0,
-        fontsize=8.0,
-        frameon=False,
-        **SWATCHES,
-    )
+    place = place_of(axes, legend, "right")
+    draw_legend(axes, place, handles=legend_handles(cells), **SWATCHES)
     return axes
 
 
@@ -214,14 +217,15 @@ def draw_diagram(axes: "Axes", cells: MapCells, found: "xarray.Dataset") -> None
     reached[:, cells.classes >= CellClass.NO_START] = np.nan  # whatever is stored there
     if fates:  # of a refined map the lowest integer, where a class is that of its neighbours
         reached[reached < 0.0] = np.nan
-    spacing = spacing_of(values)
+    spacing, inks = spacing_of(values), inks_of(axes)
     prepare_axis(axes, "x", name, values, spacing)
     size = min(5.0, max(1.8, 1000.0 / len(values)))
     for one in cells.shares():
         chosen = cells.classes == one
         x, y = np.tile(values[chosen], len(which)), reached[:, chosen].ravel()
         if np.isfinite(y).any():
-            style: dict[str, Any] = {"color": LOOKS[one].dot, "ms": size, "mew": 0.0, "ls": "none"}
+            dot = DARK_DOTS[one] if inks.dark else LOOKS[one].dot
+            style: dict[str, Any] = {"color": dot, "ms": size, "mew": 0.0, "ls": "none"}
             axes.plot(x, y, "o", rasterized=len(values) > MOST_DRAWN, **style)
         axes.broken_barh(
             runs(chosen, spacing),
@@ -241,8 +245,8 @@ def draw_diagram(axes: "Axes", cells: MapCells, found: "xarray.Dataset") -> None
             STRIP,
             transform=axes.transAxes,
             fill=False,
-            ec=palette.FAINT,
-            lw=0.6,
+            ec=inks.ink,
+            lw=0.8,
             zorder=5.0,
         )
     )

@@ -11,19 +11,17 @@ from rocksteady.dynamics.trajectory import Trajectory
 from rocksteady.errors import Status
 from rocksteady.model.motions import Harmonic
 from rocksteady.show import palette
-from rocksteady.show.layout import (
-    Corner,
-    axes_or_new,
-    emptiest_corner,
-    extent,
-    legend_inside,
-)
+from rocksteady.show.inks import inks_of
+from rocksteady.show.layout import axes_or_new, emptiest_corner, extent
+from rocksteady.show.legends import LegendPlace, draw_legend, place_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 HEADROOM = 0.15
 """Part of the height of a time history that is left free above it for the legend."""
+AT_REST = "at rest throughout:\nno angle, no velocity"
+"""In the phase plane of a block that never moves."""
 CROWD = 150
 """Number of impacts from which on their marks shrink."""
 
@@ -50,6 +48,7 @@ def plot_trajectory(
     *,
     span: tuple[float, float] | None = None,
     key: bool = True,
+    legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw angle against time with every impact, and where the block comes to rest or overturns.
 
@@ -65,7 +64,9 @@ def plot_trajectory(
     span
         Pivot times p t between which to draw; the whole run without.
     key
-        Whether there is a legend, and room for it.
+        Whether there is a legend by default, and room for it.
+    legend
+        "inside" the axes, to their "right", "below" them or "none".
 
     Returns
     -------
@@ -84,13 +85,14 @@ def plot_trajectory(
     'time [excitation periods]'
     """
     axes = axes_or_new(ax)
+    inks, place = inks_of(axes), place_of(axes, legend, "inside" if key else "none")
     scale, label = time_axis(trajectory)
     motion = trajectory(trajectory.times(span=span))
     start, end = float(motion.s[0]), float(motion.s[-1])
     axes.axhspan(*trajectory.balances, color=palette.SYMMETRIC, alpha=0.12, lw=0)
     for level in trajectory.balances:
-        axes.axhline(level, color=palette.FAINT, lw=0.8, ls=(0, (4, 3)))
-    axes.plot(motion.s * scale, motion.angle, color=palette.LINES[0])
+        axes.axhline(level, color=inks.faint, lw=0.8, ls=(0, (4, 3)))
+    axes.plot(motion.s * scale, motion.angle, color=inks.lines[0])
     impacts = trajectory.impacts.s
     impacts = impacts[(impacts >= start) & (impacts <= end)]
     if len(impacts) > 0:
@@ -100,7 +102,7 @@ def plot_trajectory(
             ls="none",
             marker="o",
             ms=1.6 if len(impacts) > CROWD else 3.0,
-            color=palette.IMPACT,
+            color=inks.impact,
             label="1 impact" if len(impacts) == 1 else f"{len(impacts)} impacts",
         )
     overturn, rest = trajectory.overturn_s, trajectory.rest_s
@@ -110,28 +112,30 @@ def plot_trajectory(
             trajectory(overturn).angle,
             marker="X",
             ms=8,
-            mec="white",
+            mec=inks.paper,
             mew=0.8,
-            color=palette.OVERTURNED,
+            color=inks.ink,
             ls="none",
             label="overturns",
         )
     elif rest is not None and rest > 0.0 and start <= rest <= end:
-        axes.axvline(rest * scale, color=palette.FAINT, lw=0.8, label="at rest")
+        axes.axvline(rest * scale, color=inks.faint, lw=0.8, label="at rest")
     axes.set(
         xlabel=label,
         ylabel=label_of(trajectory, "angle"),
-        ylim=angle_limits(trajectory, motion.angle, headroom=HEADROOM if key else 0.0),
+        ylim=angle_limits(
+            trajectory, motion.angle, headroom=HEADROOM if place == "inside" else 0.0
+        ),
         xlim=time_limits(trajectory, start * scale, end * scale),
     )
-    if key and axes.get_legend_handles_labels()[0]:
-        corner: Corner = "upper left"
-        if trajectory.status is Status.OVERTURNED:
-            size = extent(axes, width=160.0, height=22.0)
-            corner = emptiest_corner(axes, (motion.s * scale, motion.angle), size)
-        for entry in legend_inside(axes, corner, columns=2).get_lines():
-            if entry.get_marker() == "o":
-                entry.set_markersize(3.0)
+    corner = "upper left"
+    if trajectory.status is Status.OVERTURNED:
+        size = extent(axes, width=160.0, height=22.0)
+        corner = emptiest_corner(axes, (motion.s * scale, motion.angle), size)
+    drawn = draw_legend(axes, place, corner=corner, columns=2)
+    for entry in drawn.get_lines() if drawn is not None else ():
+        if entry.get_marker() == "o":
+            entry.set_markersize(3.0)
     return axes
 
 
@@ -158,8 +162,12 @@ def time_limits(trajectory: Trajectory, start: float, end: float) -> tuple[float
     return (-0.02 * end if start == 0.0 and trajectory.overturn_s == 0.0 else start), end
 
 
-def plot_base(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
+def plot_base(
+    trajectory: Trajectory, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
+) -> "Axes":
     """Draw the base acceleration against time, with the acceleration that lifts a block at rest.
+
+    Vertical motion has an axis of its own, in g, to the right; both axes have one scale.
 
     Parameters
     ----------
@@ -167,6 +175,9 @@ def plot_base(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
         From `rocksteady.simulate`.
     ax
         Axes to draw on; those of a new figure without.
+    legend
+        Of a base that moves vertically too: "inside" the axes, the default, to their "right",
+        "below" them or "none".
 
     Returns
     -------
@@ -188,33 +199,66 @@ def plot_base(trajectory: Trajectory, ax: "Axes | None" = None) -> "Axes":
     axes = axes_or_new(ax)
     scale, label = time_axis(trajectory)
     times, acceleration = ground.base_course(trajectory.segments, trajectory.times())
-    axes.plot(times * scale, acceleration, color=palette.BASE, lw=1.0, label="horizontal")
-    if trajectory.vertical is not None and trajectory.block is not None:
-        upwards = ground.lift(trajectory.segments, times) / trajectory.block.alpha
-        axes.plot(times * scale, upwards, color=palette.FAINT, lw=0.7, label="vertical", zorder=1.5)
-        legend_inside(axes, "upper right", columns=2)
+    inks, place = inks_of(axes), place_of(axes, legend, "inside")
+    axes.plot(times * scale, acceleration, color=inks.base, lw=1.0, label="horizontal")
     struck, velocities = ground.impulses(trajectory.segments)
     height = 1.5 * max(1.0, float(np.abs(acceleration).max()))
     for sign, marker in ((1.0, "^"), (-1.0, "v")):
         at = struck[(sign * velocities > 0.0) & (struck <= times[-1])] * scale
         if len(at) > 0:
-            axes.vlines(at, 0.0, sign * height, color=palette.BASE, lw=1.4)
+            axes.vlines(at, 0.0, sign * height, color=inks.base, lw=1.4)
             heads = np.full(len(at), sign * height)
-            axes.plot(at, heads, marker, ms=6.0, color=palette.BASE, clip_on=False)
+            axes.plot(at, heads, marker, ms=6.0, color=inks.base, clip_on=False)
     for level in trajectory.uplifts:
-        axes.axhline(level, color=palette.FAINT, lw=0.8, ls=(0, (4, 3)))
+        axes.axhline(level, color=inks.faint, lw=0.8, ls=(0, (4, 3)))
     axes.set(
         xlabel=label,
         ylabel=label_of(trajectory, "base"),
         xlim=time_limits(trajectory, times[0] * scale, times[-1] * scale),
     )
+    if trajectory.vertical is not None and trajectory.block is not None:
+        upwards = ground.lift(trajectory.segments, times)
+        _draw_vertical(axes, times * scale, upwards, trajectory.block.alpha, place)
     return axes
 
 
+def _draw_vertical(
+    axes: "Axes",
+    times: NDArray[np.float64],
+    upwards: NDArray[np.float64],
+    alpha: float,
+    place: LegendPlace,
+) -> None:
+    """Draw the vertical acceleration of the base on an axis in g."""
+    inks = inks_of(axes)
+    low, high = axes.get_ylim()
+    reach = 1.08 * float(np.abs(upwards).max(initial=0.0)) / alpha
+    low, high = min(low, -reach), max(high, reach)
+    if place == "inside":  # above the curves
+        high += 0.25 * (high - low)
+    beside = axes.twinx()
+    (drawn,) = beside.plot(times, upwards, color=inks.impact, lw=0.6, label="vertical")
+    # One scale: where both curves are equally high both accelerations are.
+    axes.set_ylim(low, high)
+    beside.set(ylim=(low * alpha, high * alpha), ylabel="vertical [g]")
+    beside.grid(visible=False)
+    beside.spines["right"].set_visible(True)
+    beside.tick_params(colors=inks.impact)
+    beside.yaxis.label.set_color(inks.impact)
+    draw_legend(axes, place, handles=[axes.lines[0], drawn], corner="upper right", columns=2,
+                gap=44.0)  # fmt: skip
+
+
 def plot_phase_portrait(
-    trajectory: Trajectory, ax: "Axes | None" = None, *, mark: Literal["start", "impacts"] = "start"
+    trajectory: Trajectory,
+    ax: "Axes | None" = None,
+    *,
+    mark: Literal["start", "impacts"] = "start",
+    legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw velocity against angle; impacts are the steps at angle 0.
+
+    Of a block that never moves there is a text instead of a curve.
 
     Parameters
     ----------
@@ -225,6 +269,8 @@ def plot_phase_portrait(
     mark
         What is marked: the start, or the states just after the impacts, as of a closed orbit, which
         has no start.
+    legend
+        "inside" the axes, to their "right", "below" them or "none"; inside by default.
 
     Returns
     -------
@@ -243,9 +289,16 @@ def plot_phase_portrait(
     """
     axes = axes_or_new(ax)
     angle, velocity = trajectory.phase_path(100 if mark == "start" else 400)
-    axes.plot(angle, velocity, color=palette.LINES[0], lw=0.8, alpha=0.8)
+    inks, place = inks_of(axes), place_of(axes, legend, "inside")
+    axes.set(xlabel=label_of(trajectory, "angle"), ylabel=label_of(trajectory, "velocity"))
+    if not (np.any(angle) or np.any(velocity)):
+        axes.plot(0.0, 0.0, "o", ms=4, color=inks.ink, ls="none", label="start")
+        axes.set(xlim=(-1.0, 1.0), ylim=(-1.0, 1.0))
+        axes.text(0.0, 0.12, AT_REST, ha="center", va="bottom", color=inks.ink)
+        return axes
+    axes.plot(angle, velocity, color=inks.lines[0], lw=0.8, alpha=0.8)
     if mark == "start":
-        axes.plot(angle[0], velocity[0], "o", ms=4, color=palette.INK, ls="none", label="start")
+        axes.plot(angle[0], velocity[0], "o", ms=4, color=inks.ink, ls="none", label="start")
     else:
         after = trajectory.impacts.velocity_after
         axes.plot(
@@ -253,17 +306,17 @@ def plot_phase_portrait(
             after,
             "o",
             ms=1.6 if len(after) > CROWD else 3.5,
-            color=palette.IMPACT,
+            color=inks.impact,
             ls="none",
             label="after an impact",
         )
-    axes.set(xlabel=label_of(trajectory, "angle"), ylabel=label_of(trajectory, "velocity"))
+    corner = "upper left"
     if mark == "start":
         size = extent(axes, width=52.0, height=22.0)
-        legend_inside(axes, emptiest_corner(axes, (angle, velocity), size))
-    else:
+        corner = emptiest_corner(axes, (angle, velocity), size)
+    elif place == "inside":
         # A closed curve leaves no corner free: the legend goes above it.
         low, high = float(velocity.min()), float(velocity.max())
         axes.set_ylim(low - 0.05 * (high - low), high + HEADROOM * (high - low))
-        legend_inside(axes, "upper left")
+    draw_legend(axes, place, corner=corner)
     return axes

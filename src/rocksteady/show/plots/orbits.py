@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.orbit import Orbit
 from rocksteady.dynamics.trajectory import Trajectory
 from rocksteady.show import palette
-from rocksteady.show.layout import axes_or_new, emptiest_corner, extent, legend_inside, put_beside
+from rocksteady.show.inks import Inks, inks_of
+from rocksteady.show.layout import axes_or_new, emptiest_corner, extent, put_beside
+from rocksteady.show.legends import LegendPlace, draw_legend, place_of, size_of, text_size
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -25,6 +27,8 @@ RINGS_AT = math.radians(-105.0)
 """Direction in which their numbers stand; multipliers are real or come in pairs about the axis."""
 MOST_NUMBERS = 100
 """Orbits that are numbered."""
+MOST_CROWDED = 90.0
+"""Diameter of the unit circle [points] below which it has fewer ticks."""
 MARKERS = {1: "^", -1: "v"}
 """Of the side to which the block goes."""
 
@@ -34,6 +38,7 @@ def plot_section(
     ax: "Axes | None" = None,
     *,
     since: float = 0.0,
+    legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw the Poincare section just after impact: speed against the phase of the shaking.
 
@@ -52,6 +57,9 @@ def plot_section(
         Axes to draw on; those of a new figure without.
     since
         Pivot time p t from which on the impacts of a trajectory are drawn.
+    legend
+        "inside" the axes, to their "right", "below" them or "none"; by default inside, or
+        below narrow ones.
 
     Returns
     -------
@@ -83,22 +91,27 @@ def plot_section(
         labels = [(text, orbit.states[0].phase, orbit.states[0].speed) for text, orbit in numbered]
     top = float(speed.max(initial=0.0))
     columns = 1 if len(handles) < 4 else 2
+    place = place_of(axes, legend, "inside", width=115.0 * columns)
     size = extent(axes, width=115.0 * columns, height=12.0 * math.ceil(len(handles) / columns) + 14)
+    room = size[1] if place == "inside" else 0.0
     axes.set(
         xlabel=palette.LABELS["phase"],
         ylabel=palette.LABELS["speed"],
         xlim=(0.0, 2.0 * math.pi),
-        # The legend goes above what is drawn.
-        ylim=(-0.04 * top, top / max(0.3, 0.95 - size[1])) if top > 0.0 else (0.0, 1.0),
+        # A legend inside goes above what is drawn.
+        ylim=(-0.04 * top, top / max(0.3, 0.95 - room)) if top > 0.0 else (0.0, 1.0),
     )
     turns = ("0", r"$\pi/2$", r"$\pi$", r"$3\pi/2$", r"$2\pi$")
     axes.set_xticks([0.5 * math.pi * k for k in range(5)], turns)
-    _key(axes, handles, (phase, speed), size, columns)
+    corner = emptiest_corner(axes, (phase, speed), size)
+    draw_legend(axes, place, handles=handles, corner=corner, columns=columns)
     put_beside(axes, labels, (phase, speed))
     return axes
 
 
-def plot_multipliers(orbits: Iterable[Orbit], ax: "Axes | None" = None) -> "Axes":
+def plot_multipliers(
+    orbits: Iterable[Orbit], ax: "Axes | None" = None, *, legend: LegendPlace | None = None
+) -> "Axes":
     """Draw Floquet multipliers in the complex plane, with the unit circle that bounds stability.
 
     Inside the circle the plane is drawn to scale.  Where a modulus exceeds 2, moduli above 1 are
@@ -111,6 +124,8 @@ def plot_multipliers(orbits: Iterable[Orbit], ax: "Axes | None" = None) -> "Axes
         From `rocksteady.orbits`.  Solutions that pass through the floor are left out.
     ax
         Axes to draw on; those of a new figure without.
+    legend
+        "inside" the axes, to their "right", "below" them or "none"; inside by default.
 
     Returns
     -------
@@ -132,33 +147,34 @@ def plot_multipliers(orbits: Iterable[Orbit], ax: "Axes | None" = None) -> "Axes
     from matplotlib.patches import Circle
 
     axes = axes_or_new(ax)
+    inks, place = inks_of(axes), place_of(axes, legend, "inside")
     numbered = _numbered(orbits)
     values = np.array([orbit.multipliers for _, orbit in numbered]).reshape(-1, 2)
     largest = float(np.abs(values).max(initial=0.0))
     decades = math.ceil(math.log10(largest) - 1e-9) if largest > LINEAR_REACH else 0
     axes.add_patch(Circle((0.0, 0.0), 1.0, fc=palette.SYMMETRIC, alpha=0.12, lw=0))
-    axes.add_patch(Circle((0.0, 0.0), 1.0, fill=False, ec=palette.INK, lw=1.0))
+    axes.add_patch(Circle((0.0, 0.0), 1.0, fill=False, ec=inks.ink, lw=1.0))
     step = max(1, math.ceil(decades / MOST_RINGS))
     rings = [*range(step, decades + 1, step)]
     axes.grid(visible=False)
     for line in (axes.axhline, axes.axvline):
-        line(0.0, color=palette.GRID, lw=0.7, zorder=0.5)
+        line(0.0, color=inks.grid, lw=0.7, zorder=0.5)
     for ring in rings:
         radius = 1.0 + ring / decades
-        axes.add_patch(Circle((0.0, 0.0), radius, fill=False, ec=palette.GRID, lw=0.7))
+        axes.add_patch(Circle((0.0, 0.0), radius, fill=False, ec=inks.grid, lw=0.7))
         axes.annotate(
             "10" if ring == 1 else f"$10^{{{ring}}}$",
             (radius * math.cos(RINGS_AT), radius * math.sin(RINGS_AT)),
             ha="center",
             va="center",
-            fontsize=7.5,
-            color=palette.NUMBER,
-            bbox={"fc": "white", "ec": "none", "pad": 0.8},
+            fontsize=text_size(axes, 7.5),
+            color=inks.number,
+            bbox={"fc": inks.paper, "ec": "none", "pad": 0.8},
         )
     places = np.array([[_place(complex(m), decades) for m in pair] for pair in values])
     places = places.reshape(-1, 2)
     for (_, orbit), pair in zip(numbered, places, strict=True):
-        style = _style(orbit)
+        style = _style(orbit, inks)
         axes.plot(pair.real, pair.imag, "o", ms=5.0, ls="none", clip_on=False, **style)
     reach = 2.2 if decades else max(1.35, 1.15 * largest)
     axes.set(
@@ -168,7 +184,8 @@ def plot_multipliers(orbits: Iterable[Orbit], ax: "Axes | None" = None) -> "Axes
         ylim=(-reach, reach),
         aspect="equal",
     )
-    ticks = [-1.0, -0.5, 0.0, 0.5, 1.0]
+    roomy = min(size_of(axes)) * 2.0 / (2.0 * reach) > MOST_CROWDED
+    ticks = [-1.0, -0.5, 0.0, 0.5, 1.0] if roomy else [-1.0, 0.0, 1.0]
     axes.set_xticks(ticks)
     axes.set_yticks(ticks)
     if decades:
@@ -179,12 +196,13 @@ def plot_multipliers(orbits: Iterable[Orbit], ax: "Axes | None" = None) -> "Axes
             xycoords="axes fraction",
             textcoords="offset points",
             ha="right",
-            fontsize=7.5,
-            color=palette.NUMBER,
+            fontsize=text_size(axes, 7.5),
+            color=inks.number,
         )
-    handles = _handles([orbit for _, orbit in numbered], "o")
+    handles = _handles([orbit for _, orbit in numbered], "o", inks)
     size = extent(axes, width=62.0, height=12.0 * len(handles) + 12.0)
-    _key(axes, handles, (places.real, places.imag), size)
+    corner = emptiest_corner(axes, (places.real, places.imag), size)
+    draw_legend(axes, place, handles=handles, corner=corner)
     labels: list[tuple[str, float, float]] = []
     for (text, orbit), drawn in zip(numbered, places.tolist(), strict=True):
         # Of a conjugate pair the one above the real axis, else the larger.
@@ -208,24 +226,24 @@ def _numbered(orbits: Iterable[Orbit]) -> list[tuple[str, Orbit]]:
     ]
 
 
-def _style(orbit: Orbit) -> dict[str, Any]:
+def _style(orbit: Orbit, inks: Inks) -> dict[str, Any]:
     """Return how the marks of an orbit look."""
-    colour = palette.LINES[(orbit.period - 1) % len(palette.LINES)]
+    colour = inks.lines[(orbit.period - 1) % len(inks.lines)]
     fill = "full" if orbit.stable else ("left" if orbit.neutral else "none")
-    return {"color": colour, "fillstyle": fill, "mew": 1.0, "markerfacecoloralt": "white"}
+    return {"color": colour, "fillstyle": fill, "mew": 1.0, "markerfacecoloralt": inks.paper}
 
 
-def _handles(orbits: Sequence[Orbit], marker: str) -> list["Line2D"]:
+def _handles(orbits: Sequence[Orbit], marker: str, inks: Inks) -> list["Line2D"]:
     """Return the entries of a legend: what there is of periods and of stability."""
     from matplotlib.lines import Line2D
 
     handles = []
     for period in sorted({orbit.period for orbit in orbits}):
-        colour = palette.LINES[(period - 1) % len(palette.LINES)]
+        colour = inks.lines[(period - 1) % len(inks.lines)]
         label = f"period {period}"
         handles.append(Line2D([], [], ls="none", marker="s", ms=5.0, color=colour, label=label))
     worths = (("stable", "full"), ("neutral", "left"), ("unstable", "none"))
-    seen = {_style(orbit)["fillstyle"] for orbit in orbits}
+    seen = {_style(orbit, inks)["fillstyle"] for orbit in orbits}
     for label, fill in worths:
         if fill in seen:
             handles.append(
@@ -235,7 +253,7 @@ def _handles(orbits: Sequence[Orbit], marker: str) -> list["Line2D"]:
                     ls="none",
                     marker=marker,
                     ms=5.0,
-                    color=palette.INK,
+                    color=inks.ink,
                     fillstyle=fill,  # type: ignore[arg-type]
                     label=label,
                 )
@@ -258,6 +276,7 @@ def _draw_states(
     axes: "Axes", orbits: Sequence[Orbit]
 ) -> tuple[list["Line2D"], NDArray[np.float64], NDArray[np.float64]]:
     """Draw the states of orbits; return entries of the legend, phases and speeds."""
+    inks = inks_of(axes)
     for orbit in orbits:
         for side, marker in MARKERS.items():
             states = [state for state in orbit.states if state.side == side]
@@ -269,10 +288,10 @@ def _draw_states(
                 ls="none",
                 clip_on=False,
                 zorder=3.0 if orbit.stable else 2.5,
-                **_style(orbit),
+                **_style(orbit, inks),
             )
-    sides = {side: {"marker": marker, "color": palette.FAINT} for side, marker in MARKERS.items()}
-    handles = [*_handles(orbits, "^"), *(_side_handles(sides) if orbits else ())]
+    sides = {side: {"marker": marker, "color": inks.faint} for side, marker in MARKERS.items()}
+    handles = [*_handles(orbits, "^", inks), *(_side_handles(sides) if orbits else ())]
     states = [state for orbit in orbits for state in orbit.states]
     phase = np.array([state.phase for state in states])
     return handles, phase, np.array([state.speed for state in states])
@@ -283,29 +302,18 @@ def _draw_impacts(
 ) -> tuple[list["Line2D"], NDArray[np.float64], NDArray[np.float64]]:
     """Draw the impacts of a trajectory; return entries of the legend, phases and speeds."""
     _ = trajectory.frequency_ratio  # refuses every other base motion
+    inks = inks_of(axes)
     impacts = trajectory.impacts
     late = impacts.s >= since
     phase = (impacts.half_cycles[late] % 2) * math.pi + impacts.phase[late]
     after = impacts.velocity_after[late]
     size = 3.0 if len(after) < 300 else 1.6
     styles: dict[int, dict[str, Any]] = {}
-    for side, colour in ((1, palette.LINES[0]), (-1, palette.LINES[1])):
+    for side, colour in ((1, inks.lines[0]), (-1, inks.lines[1])):
         styles[side] = {"marker": MARKERS[side], "color": colour, "mew": 0.0}
         there = np.sign(after) == side
         axes.plot(phase[there], np.abs(after[there]), ms=size, ls="none", **styles[side])
     return _side_handles(styles), phase, np.abs(after)
-
-
-def _key(
-    axes: "Axes",
-    handles: Sequence["Line2D"],
-    points: tuple[NDArray[np.float64], NDArray[np.float64]],
-    size: tuple[float, float],
-    columns: int = 1,
-) -> None:
-    """Draw the legend in the corner where it hides least."""
-    if handles:
-        legend_inside(axes, emptiest_corner(axes, points, size), columns=columns, handles=handles)
 
 
 def _place(multiplier: complex, decades: int) -> complex:

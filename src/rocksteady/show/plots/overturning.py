@@ -3,7 +3,8 @@
 import math
 from collections import Counter
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from itertools import pairwise
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,12 +14,9 @@ from rocksteady.dynamics.overturning.thresholds import THRESHOLDS, overturning_t
 from rocksteady.dynamics.overturning.windows import OverturningWindow, OverturningWindows
 from rocksteady.errors import InputError
 from rocksteady.show import palette
-from rocksteady.show.layout import (
-    axes_or_new,
-    legend_inside,
-    plain_ticks,
-    spaced_by_ratio,
-)
+from rocksteady.show.inks import inks_of
+from rocksteady.show.layout import axes_or_new, plain_ticks, spaced_by_ratio
+from rocksteady.show.legends import LegendPlace, draw_legend, place_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -38,12 +36,20 @@ CLOSED_FORM = {
 """What the curve of the linear model's closed form is called."""
 TALL = 5.0
 """Ratio of the ends of an axis of amplitudes from which on it is logarithmic."""
+TOUCHING = 1.0 + 1e-9
+"""Factor between the ends of windows that touch."""
+LEAN = 1.3
+"""Largest factor by which a window moves from one frequency to the next."""
 LONGEST_PERIOD = 20.0
 """Up to which p T is drawn: towards theta0 = alpha it has no bound."""
 
 
 def plot_overturning(
-    windows: OverturningWindows, ax: "Axes | None" = None, *, closed_form: bool = True
+    windows: OverturningWindows,
+    ax: "Axes | None" = None,
+    *,
+    closed_form: bool = True,
+    legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw the amplitudes at which a pulse overturns a block, over the frequency ratio.
 
@@ -59,6 +65,9 @@ def plot_overturning(
         Axes to draw on; those of a new figure without.
     closed_form
         Whether to draw `rocksteady.overturning_threshold`.
+    legend
+        "inside" the axes, to their "right", "below" them or "none"; by default to their
+        right, or below narrow ones.
 
     Returns
     -------
@@ -92,6 +101,7 @@ def plot_overturning(
             hint="compute overturning_windows over an axis",
         )
     axes = axes_or_new(ax)
+    inks, place = inks_of(axes), place_of(axes, legend, "right")
     by_ratio = len(w) > 2 and spaced_by_ratio(w)
     low, high = windows.amplitudes
     uplift = min(ratio for _, ratio, _ in windows.block.dimensionless().sides)
@@ -114,7 +124,7 @@ def plot_overturning(
         (line,) = axes.plot(
             fine,
             overturning_threshold(windows.pulse.shape, fine),
-            color=palette.INK,
+            color=inks.ink,
             lw=1.4,
             ls="-" if windows.model == "linear" else palette.DASHES[1],
             zorder=3.0,
@@ -132,13 +142,17 @@ def plot_overturning(
         ylim=(low, high),
     )
     plain_ticks(axes)
-    handles.append(Patch(facecolor="white", edgecolor=palette.FAINT, lw=0.6, label="stands"))
-    axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0)
+    handles.append(Patch(facecolor=inks.paper, edgecolor=inks.faint, lw=0.6, label="stands"))
+    draw_legend(axes, place, handles=handles)
     return axes
 
 
 def plot_free_rocking(
-    restitutions: ArrayLike = (), ax: "Axes | None" = None, *, impacts: int = 12
+    restitutions: ArrayLike = (),
+    ax: "Axes | None" = None,
+    *,
+    impacts: int = 12,
+    legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw the period of free rocking against its amplitude, and how blocks run down that curve.
 
@@ -150,6 +164,8 @@ def plot_free_rocking(
         Axes to draw on; those of a new figure without.
     impacts
         Up to which these go.
+    legend
+        "inside" the axes, to their "right", "below" them or "none"; inside by default.
 
     Returns
     -------
@@ -166,7 +182,8 @@ def plot_free_rocking(
     axes = axes_or_new(ax)
     # Denser at the ends: the slope is infinite at both.
     amplitude = 0.5 - 0.5 * np.cos(np.linspace(0.0, math.pi, 801))[:-6]
-    axes.plot(amplitude, free_rocking_period(amplitude), color=palette.INK)
+    inks, place = inks_of(axes), place_of(axes, legend, "inside")
+    axes.plot(amplitude, free_rocking_period(amplitude), color=inks.ink)
     given = np.atleast_1d(np.asarray(restitutions, dtype=np.float64)).tolist()
     for series, ratio in enumerate(given):
         peaks = free_rocking_peaks(0.9, ratio, impacts)
@@ -174,9 +191,9 @@ def plot_free_rocking(
             peaks,
             free_rocking_period(peaks),
             palette.MARKS[series % len(palette.MARKS)],
-            color=palette.LINES[series % len(palette.LINES)],
+            color=inks.lines[series % len(inks.lines)],
             ms=5.0,
-            mec="white",
+            mec=inks.paper,
             mew=0.6,
             ls="none",
             zorder=3.0,
@@ -188,21 +205,21 @@ def plot_free_rocking(
         xlim=(0.0, 1.0),
         ylim=(0.0, LONGEST_PERIOD),
     )
-    if given:
-        legend_inside(axes, "upper left")
+    draw_legend(axes, place, corner="upper left")
     return axes
 
 
 def _parts(windows: OverturningWindows, *, by_ratio: bool) -> dict[int, list[Floats]]:
     """Return polygons of the windows, by the least number of impacts of their way.
 
-    A window goes on at the next frequency where there is one window of its way that overlaps it,
-    and no other does; between the two its borders are straight lines.  Where it does not go on, it
-    reaches half-way to the next frequency, and comes to a point if nothing overturns there.
+    Windows of one way that touch are one.  A window goes on at the next frequency where there is
+    one window of its way that overlaps it, and no other does, or one alone between the same
+    neighbours; between the two its borders are straight lines.  Where it does not go on, it reaches
+    half-way to the next frequency, and comes to a point if nothing overturns there.
     """
     w = windows.frequency_ratio
     found: dict[int, list[Floats]] = {least: [] for _, _, least in MODES}
-    columns = [windows.at(k) for k in range(len(w))]
+    columns = [_merged(windows.at(k)) for k in range(len(w))]
     growing: dict[int, list[tuple[float, float, float]]] = {}  # by their place in this column
     for k, column in enumerate(columns):
         before = _between(w, k - 1, by_ratio=by_ratio)
@@ -220,9 +237,30 @@ def _parts(windows: OverturningWindows, *, by_ratio: bool) -> dict[int, list[Flo
             outline = np.column_stack(
                 [np.concatenate([x, x[::-1]]), np.concatenate([low, high[::-1]])]
             )
-            found[min(window.impacts, 2)].append(outline)
+            found[window.way].append(outline)
         growing = grown
     return found
+
+
+class _Drawn(NamedTuple):
+    """Windows of one way that touch."""
+
+    low: float
+    high: float
+    way: int
+    """Least number of impacts, as in `MODES`."""
+
+
+def _merged(windows: Sequence[OverturningWindow]) -> list[_Drawn]:
+    """Return the windows of a frequency, those of one way that touch as one."""
+    merged: list[_Drawn] = []
+    for window in sorted(windows, key=lambda one: one.low):
+        way = min(window.impacts, 2)
+        if merged and merged[-1].way == way and window.low <= merged[-1].high * TOUCHING:
+            merged[-1] = merged[-1]._replace(high=max(merged[-1].high, window.high))
+        else:
+            merged.append(_Drawn(window.low, window.high, way))
+    return merged
 
 
 def _between(w: Floats, k: int, *, by_ratio: bool) -> float:
@@ -231,24 +269,40 @@ def _between(w: Floats, k: int, *, by_ratio: bool) -> float:
     return math.sqrt(here * there) if by_ratio else 0.5 * (here + there)
 
 
-def _end(window: OverturningWindow, beyond: Sequence[OverturningWindow]) -> tuple[float, float]:
+def _end(window: _Drawn, beyond: Sequence[_Drawn]) -> tuple[float, float]:
     """Return the borders of a window half-way to a frequency at which it does not go on."""
     if any(other.low <= window.high and window.low <= other.high for other in beyond):
         return window.low, window.high
-    middle = math.sqrt(window.low * window.high) if window.low > 0.0 else 0.5 * window.high
+    middle = _middle(window)
     return middle, middle
 
 
-def _partners(
-    here: Sequence[OverturningWindow], there: Sequence[OverturningWindow]
-) -> dict[int, int]:
+def _middle(window: _Drawn) -> float:
+    """Return the middle of a window, in the logarithm of the amplitude."""
+    return math.sqrt(window.low * window.high) if window.low > 0.0 else 0.5 * window.high
+
+
+def _partners(here: Sequence[_Drawn], there: Sequence[_Drawn]) -> dict[int, int]:
     """Return which window of one frequency goes on as which of the next."""
     pairs = [
         (i, k)
         for i, one in enumerate(here)
         for k, other in enumerate(there)
-        if (min(one.impacts, 2), one.side) == (min(other.impacts, 2), other.side)
-        and max(one.low, other.low) <= min(one.high, other.high)
+        if one.way == other.way and max(one.low, other.low) <= min(one.high, other.high)
     ]
     first, second = Counter(i for i, _ in pairs), Counter(k for _, k in pairs)
-    return {i: k for i, k in pairs if first[i] == 1 and second[k] == 1}
+    partners = {i: k for i, k in pairs if first[i] == 1 and second[k] == 1}
+    # A narrow window that leans has left its place by the next frequency: its neighbours show it.
+    fixed = [(-1, -1), *sorted(partners.items()), (len(here), len(there))]
+    for (i, k), (next_i, next_k) in pairwise(fixed):
+        between = [range(i + 1, next_i), range(k + 1, next_k)]
+        for _, _, way in MODES:
+            old, new = (
+                [place for place in places if column[place].way == way]
+                for places, column in zip(between, (here, there), strict=True)
+            )
+            if len(old) == len(new) == 1 and not (first[old[0]] or second[new[0]]):
+                moved = _middle(there[new[0]]) / max(_middle(here[old[0]]), 1e-300)
+                if 1.0 / LEAN < moved < LEAN:
+                    partners[old[0]] = new[0]
+    return partners

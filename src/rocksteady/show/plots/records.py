@@ -1,7 +1,7 @@
 """Plots of recorded ground motions: their course, Husid's curve and response spectra."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -10,11 +10,14 @@ from rocksteady.model.block import STANDARD_GRAVITY
 from rocksteady.seismic.ground_course import GroundCourse
 from rocksteady.seismic.response_spectrum import ResponseSpectrum
 from rocksteady.show import palette
-from rocksteady.show.layout import axes_or_new, legend_inside, plain_ticks, spaced_by_ratio
-from rocksteady.show.names import legend_label
+from rocksteady.show.inks import inks_of
+from rocksteady.show.layout import axes_or_new, plain_ticks, spaced_by_ratio
+from rocksteady.show.legends import LegendPlace, draw_legend, place_of, text_size
+from rocksteady.show.names import literal
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.lines import Line2D
 
 Quantity = Literal["acceleration", "velocity", "displacement"]
 
@@ -74,9 +77,10 @@ def plot_ground_course(
         "displacement": (course.displacement_m, course.peak_displacement, 1.0, "m"),
     }[quantity]
     values, size = values / scale, peak.value / scale
-    axes.axhline(0.0, color=palette.FAINT, lw=0.6)
-    axes.plot(course.t_s, values, color=palette.BASE, lw=0.8)
-    axes.plot(peak.t_s, size, "o", ms=4.5, color=palette.IMPACT, mec="white", mew=0.6, zorder=3.0)
+    inks = inks_of(axes)
+    axes.axhline(0.0, color=inks.faint, lw=0.6)
+    axes.plot(course.t_s, values, color=inks.base, lw=0.8)
+    axes.plot(peak.t_s, size, "o", ms=4.5, color=inks.impact, mec=inks.paper, mew=0.6, zorder=3.0)
     late = peak.t_s > 0.6 * float(course.t_s[-1])
     axes.annotate(
         f"{PEAKS[quantity]} = {abs(size):.3g} {unit}",
@@ -85,8 +89,8 @@ def plot_ground_course(
         textcoords="offset points",
         ha="right" if late else "left",
         va="center",
-        fontsize=8.0,
-        color=palette.IMPACT,
+        fontsize=text_size(axes, 8.0),
+        color=inks.impact,
     )
     low, high = min(float(values.min()), size, 0.0), max(float(values.max()), size, 0.0)
     room = 0.08 * (high - low)
@@ -126,16 +130,18 @@ def plot_husid(course: GroundCourse, ax: "Axes | None" = None) -> "Axes":
     axes = axes_or_new(ax)
     begin, most, end = (course.time_of_arias(part) for part in (0.05, 0.75, 0.95))
     axes.axvspan(begin, end, color=palette.SYMMETRIC, alpha=0.18, lw=0)
-    axes.plot(course.t_s, course.husid, color=palette.BASE)
-    axes.plot(
-        [begin, most, end], [0.05, 0.75, 0.95], "o", ms=4.0, color=palette.IMPACT, mec="white"
-    )
+    inks = inks_of(axes)
+    axes.plot(course.t_s, course.husid, color=inks.base)
+    parts = [0.05, 0.75, 0.95]
+    axes.plot([begin, most, end], parts, "o", ms=4.0, color=inks.impact, mec=inks.paper)
     words = (
         f"Arias intensity {float(course.arias_m_s[-1]):.3g} m/s\n"
         f"5 to 75 %: {most - begin:.3g} s\n5 to 95 %: {end - begin:.3g} s"
     )
     # The curve rises: below its end the paper is white.
-    axes.text(0.98, 0.06, words, transform=axes.transAxes, ha="right", va="bottom", fontsize=8.0)
+    small = text_size(axes, 8.0)
+    style: dict[str, Any] = {"ha": "right", "va": "bottom", "fontsize": small, "color": inks.ink}
+    axes.text(0.98, 0.06, words, transform=axes.transAxes, **style)
     axes.set(
         xlabel=palette.LABELS["seconds"],
         ylabel=palette.LABELS["husid"],
@@ -145,7 +151,12 @@ def plot_husid(course: GroundCourse, ax: "Axes | None" = None) -> "Axes":
     return axes
 
 
-def plot_response_spectra(spectra: Sequence[ResponseSpectrum], ax: "Axes | None" = None) -> "Axes":
+def plot_response_spectra(
+    spectra: Sequence[ResponseSpectrum],
+    ax: "Axes | None" = None,
+    *,
+    legend: LegendPlace | None = None,
+) -> "Axes":
     """Draw pseudo-acceleration against period; of several records their geometric mean too.
 
     Parameters
@@ -154,6 +165,9 @@ def plot_response_spectra(spectra: Sequence[ResponseSpectrum], ax: "Axes | None"
         From `rocksteady.response_spectrum`, at the same periods.
     ax
         Axes to draw on; those of a new figure without.
+    legend
+        Of several records: "inside" the axes, the default, to their "right", "below" them or
+        "none".
 
     Returns
     -------
@@ -188,19 +202,24 @@ def plot_response_spectra(spectra: Sequence[ResponseSpectrum], ax: "Axes | None"
     periods = spectra[0].periods_s
     values = np.array([one.pseudo_acceleration_m_s2 / STANDARD_GRAVITY for one in spectra])
     few = len(spectra) <= LEGEND_HOLDS
+    inks, place = inks_of(axes), place_of(axes, legend, "inside")
+    handles: list[Line2D] = []
     for number, (one, row) in enumerate(zip(spectra, values, strict=True)):
-        axes.plot(
+        (line,) = axes.plot(
             periods,
             row,
-            color=palette.LINES[number] if few else palette.FAINT,
+            color=inks.lines[number] if few else inks.faint,
             ls=palette.DASHES[number] if few else "-",
             lw=1.2 if few else 0.6,
             alpha=1.0 if few else 0.6,
-            label=legend_label(one.record.name or f"record {number + 1}") if few else None,
+            label=literal(palette.shortened(one.record.name or f"record {number + 1}", 40)),
         )
+        handles += [line] if few else []
     if len(spectra) > 1:
         mean = np.exp(np.log(values).mean(axis=0))
-        axes.plot(periods, mean, color=palette.INK, lw=2.0, label="geometric mean", zorder=3.0)
+        handles += axes.plot(
+            periods, mean, color=inks.ink, lw=2.0, label="geometric mean", zorder=3.0
+        )
     if spaced_by_ratio(periods):
         axes.set_xscale("log")
         axes.set_yscale("log")
@@ -216,9 +235,8 @@ def plot_response_spectra(spectra: Sequence[ResponseSpectrum], ax: "Axes | None"
     )
     damping = f"{100.0 * spectra[0].damping:g} % damping"
     if len(spectra) > 1:
-        legend = legend_inside(axes, "lower left")
-        legend.set_title(damping)
-        legend.get_title().set_fontsize(8.0)
+        draw_legend(axes, place, handles=handles, corner="lower left", title=damping)
     else:
-        axes.text(0.98, 0.94, damping, transform=axes.transAxes, ha="right", va="top", fontsize=8.0)
+        style: dict[str, Any] = {"fontsize": text_size(axes, 8.0), "color": inks.ink}
+        axes.text(0.98, 0.94, damping, transform=axes.transAxes, ha="right", va="top", **style)
     return axes

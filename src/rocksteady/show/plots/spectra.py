@@ -7,7 +7,17 @@ from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, Status
 from rocksteady.show import palette
+from rocksteady.show.inks import inks_of
 from rocksteady.show.layout import axes_or_new
+from rocksteady.show.legends import (
+    GAP,
+    LegendPlace,
+    checked_place,
+    draw_legend,
+    place_of,
+    size_of,
+    text_size,
+)
 from rocksteady.show.spacing import Spacing, prepare_axis, runs, spacing_of
 
 if TYPE_CHECKING:
@@ -21,19 +31,23 @@ Quantity = Literal["peak_angle", "peak_velocity"]
 LABELS = {"peak_angle": palette.LABELS["peak"], "peak_velocity": palette.LABELS["peak_velocity"]}
 MOST_CURVES = len(palette.LINES)
 """Slendernesses that are told apart as curves; more are a map."""
-LANE = 0.028
-"""Height of a row of bars along the upper edge, in parts of the axes."""
+LANE = 8.0
+"""Height of a row of bars along the upper edge [points]."""
 BAND = 0.22
 """Opacity of the band between two quantiles."""
 
 
 def plot_rocking_spectrum(
-    found: "xarray.Dataset", ax: "Axes | None" = None, *, quantity: Quantity = "peak_angle"
+    found: "xarray.Dataset",
+    ax: "Axes | None" = None,
+    *,
+    quantity: Quantity = "peak_angle",
+    legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw the rocking spectrum of a record, a curve for each slenderness.
 
     Where a block overturns its curve has a gap, and a bar along the upper edge, in a row of its own
-    with a mark in the colour of its curve.
+    with the slenderness in degrees beside it, in the colour of the curve.
 
     Parameters
     ----------
@@ -44,6 +58,8 @@ def plot_rocking_spectrum(
         Axes to draw on; those of a new figure without.
     quantity
         "peak_angle" or "peak_velocity".
+    legend
+        "inside" the axes, to their "right", "below" them or "none"; inside by default.
 
     Returns
     -------
@@ -80,6 +96,7 @@ def plot_rocking_spectrum(
             hint="draw a map of them with plot_spectrum_map, or select some with .sel",
         )
     axes = axes_or_new(ax)
+    inks, place = inks_of(axes), place_of(axes, legend, "inside", width=130.0)
     spacing = _prepare(axes, spectrum)
     fell = spectrum["status"].transpose("alpha", "period").values == Status.OVERTURNED
     peaks = spectrum[quantity].transpose("alpha", "period").values
@@ -89,37 +106,44 @@ def plot_rocking_spectrum(
     handles: list[Artist] = []
     periods = spectrum["period"].values
     lanes = [row for row in range(len(peaks)) if fell[row].any()]
-    top = 1.0 - LANE * len(lanes)
+    height = min(0.12, LANE / size_of(axes)[1])
+    top = 1.0 - height * len(lanes)
     for row, alpha in enumerate(spectrum["alpha"].values.tolist()):
-        style: dict[str, Any] = {"color": palette.LINES[row], "ls": palette.DASHES[row]}
+        style: dict[str, Any] = {"color": inks.lines[row], "ls": palette.DASHES[row]}
         # A peak between two falls has no line: its dot would be lost without a mark.
         alone = _alone(peaks[row])
         handles += axes.plot(periods, peaks[row], label=slenderness_text(alpha), **style)
         axes.plot(periods[alone], peaks[row, alone], "o", ms=2.2, color=style["color"])
         if fell[row].any():
-            lane = 1.0 - LANE * (lanes.index(row) + 1)
-            _bars(axes, fell[row], spacing, lane)
-            axes.plot(
-                1.012,
-                lane + 0.4 * LANE,
-                "o",
-                ms=3.6,
-                mew=0.0,
-                color=style["color"],
-                transform=axes.transAxes,
-                clip_on=False,
+            lane = 1.0 - height * (lanes.index(row) + 1)
+            _bars(axes, fell[row], spacing, (lane, height))
+            axes.annotate(
+                f"{np.degrees(alpha):.3g}°",
+                (1.0, lane + 0.4 * height),
+                (3.0, 0.0),
+                xycoords="axes fraction",
+                textcoords="offset points",
+                va="center",
+                fontsize=text_size(axes, 7.0),
+                color=inks.lines[row],
+                annotation_clip=False,
             )
     highest = float(np.nanmax(peaks, initial=0.0)) or 1.0
     axes.set_ylim(0.0, highest / (top - 0.03))
     if quantity == "peak_angle" and highest > 0.9:  # where a block balances
-        axes.axhline(1.0, color=palette.FAINT, lw=0.8, zorder=1.2)
+        axes.axhline(1.0, color=inks.faint, lw=0.8, zorder=1.2)
     axes.set_ylabel(LABELS[quantity])
-    axes.legend(handles=[*handles, *_fallen_handle(bool(lanes))], loc="best", fontsize=8.0)
+    draw_legend(axes, place, handles=[*handles, *_fallen_handle(axes, bool(lanes))],
+                gap=30.0 if lanes else GAP)  # fmt: skip
     return axes
 
 
 def plot_spectrum_map(
-    found: "xarray.Dataset", ax: "Axes | None" = None, *, quantity: Quantity = "peak_angle"
+    found: "xarray.Dataset",
+    ax: "Axes | None" = None,
+    *,
+    quantity: Quantity = "peak_angle",
+    legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw the rocking spectrum of a record over slenderness and size, as filled cells.
 
@@ -135,6 +159,9 @@ def plot_spectrum_map(
         Axes to draw on; those of a new figure without.
     quantity
         "peak_angle" or "peak_velocity".
+    legend
+        "inside" the axes, to the "right" of the bar of colours, "below" the axes or "none"; above
+        them by default.
 
     Returns
     -------
@@ -170,6 +197,7 @@ def plot_spectrum_map(
             hint="draw a curve with plot_rocking_spectrum",
         )
     axes = axes_or_new(ax)
+    inks, place = inks_of(axes), checked_place(legend)
     spectrum = spectrum.sortby("alpha").transpose("alpha", "period", ...)
     across = _prepare(axes, spectrum)
     axes.set_xlim(across.edges[0], across.edges[-1])
@@ -197,12 +225,19 @@ def plot_spectrum_map(
         cells = np.ma.masked_array(np.ones(which.shape), ~which)
         axes.pcolormesh(*places, cells, cmap=ListedColormap([colour]), rasterized=True)
         label = f"{words}  {100.0 * which.mean():.3g} %"
-        handles.append(Patch(facecolor=colour, edgecolor=palette.FAINT, lw=0.6, label=label))
+        handles.append(Patch(facecolor=colour, edgecolor=inks.faint, lw=0.6, label=label))
     axes.grid(visible=False)
     figure = axes.get_figure(root=True)
     assert figure is not None
-    figure.colorbar(drawn, ax=axes, label=LABELS[quantity], pad=0.02)
-    axes.legend(handles=handles, loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=3)
+    bar = figure.colorbar(drawn, ax=axes, pad=0.02)
+    bar.set_label(LABELS[quantity], color=inks.ink)
+    bar.ax.tick_params(colors=inks.ink)
+    if place is None:
+        above = draw_legend(axes, "inside", handles=handles, corner="lower left", columns=3)
+        if above is not None:
+            above.set_bbox_to_anchor((0.0, 1.0), axes.transAxes)
+    else:
+        draw_legend(axes, place, handles=handles, corner="upper right", gap=60.0)
     return axes
 
 
@@ -211,7 +246,11 @@ PEAK_COLOURS = ("#e4f2fd", palette.SYMMETRIC, palette.LINES[0], palette.APERIODI
 
 
 def plot_suite_spectrum(
-    summary: "xarray.Dataset", ax: "Axes | None" = None, *, quantity: Quantity = "peak_angle"
+    summary: "xarray.Dataset",
+    ax: "Axes | None" = None,
+    *,
+    quantity: Quantity = "peak_angle",
+    legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw what a suite of records does to blocks of one slenderness: median and band.
 
@@ -226,6 +265,8 @@ def plot_suite_spectrum(
         Axes to draw on; those of a new figure without.
     quantity
         "peak_angle" or "peak_velocity".
+    legend
+        "inside" the axes, to their "right", "below" them or "none"; inside by default.
 
     Returns
     -------
@@ -251,6 +292,7 @@ def plot_suite_spectrum(
     _check_quantity(quantity)
     one, quantiles = _one_slenderness(summary)
     axes = axes_or_new(ax)
+    inks, place = inks_of(axes), place_of(axes, legend, "inside", width=110.0)
     _prepare(axes, one)
     values = one[quantity].transpose("quantile", "period").values
     if quantity == "peak_angle":
@@ -262,18 +304,18 @@ def plot_suite_spectrum(
     words = f"{100 * quantiles[0]:.3g} to {100 * quantiles[2]:.3g} %"
     name = "median" if quantiles[1] == 0.5 else f"{100 * quantiles[1]:.3g} %"
     axes.fill_between(
-        periods, low, high, color=palette.LINES[0], alpha=BAND, lw=0.0, label=words, zorder=1.5
+        periods, low, high, color=inks.lines[0], alpha=BAND, lw=0.0, label=words, zorder=1.5
     )
     axes.plot(
         periods,
         middle,
-        color=palette.LINES[0],
+        color=inks.lines[0],
         lw=1.8,
         label=f"{name} of {summary.attrs['records']} records",
     )
     axes.set(ylim=(0.0, ceiling), ylabel=LABELS[quantity])
     handles, labels = axes.get_legend_handles_labels()
-    axes.legend(handles[::-1], labels[::-1], loc="best", fontsize=8.0)
+    draw_legend(axes, place, handles=handles[::-1], labels=labels[::-1])
     return axes
 
 
@@ -301,7 +343,7 @@ def plot_overturned_share(summary: "xarray.Dataset", ax: "Axes | None" = None) -
     axes = axes_or_new(ax)
     _prepare(axes, one)
     share = 100.0 * one["overturned"].values
-    axes.fill_between(one["period"].values, 0.0, share, color=palette.OVERTURNED, lw=0.0)
+    axes.fill_between(one["period"].values, 0.0, share, color=inks_of(axes).ink, lw=0.0)
     axes.set(ylim=(0.0, 100.0), ylabel=palette.LABELS["overturned_share"])
     return axes
 
@@ -406,21 +448,29 @@ def _alone(values: Floats) -> NDArray[np.bool_]:
     return alone
 
 
-def _bars(axes: "Axes", fell: NDArray[np.bool_], spacing: Spacing, lane: float) -> None:
-    """Draw bars where blocks overturn."""
+def _bars(
+    axes: "Axes", fell: NDArray[np.bool_], spacing: Spacing, lane: tuple[float, float]
+) -> None:
+    """Draw bars where blocks overturn, in a row that has a lower end and a height."""
+    low, height = lane
     axes.broken_barh(
         runs(fell, spacing),
-        (lane, 0.8 * LANE),
+        (low, 0.8 * height),
         transform=axes.get_xaxis_transform(),
-        fc=palette.OVERTURNED,
-        ec="none",
-        lw=0.0,
         zorder=4.5,
+        **_fallen_look(axes),
     )
 
 
-def _fallen_handle(there: bool) -> "list[Artist]":
+def _fallen_look(axes: "Axes") -> dict[str, Any]:
+    """Return how bars look, which have an outline on dark paper."""
+    inks = inks_of(axes)
+    edge = {"ec": inks.ink, "lw": 0.6} if inks.dark else {"ec": "none", "lw": 0.0}
+    return {"fc": palette.OVERTURNED, **edge}
+
+
+def _fallen_handle(axes: "Axes", there: bool) -> "list[Artist]":
     """Return the entry of the legend for bars, if there are any."""
     from matplotlib.patches import Patch
 
-    return [Patch(fc=palette.OVERTURNED, ec="none", label="overturned")] if there else []
+    return [Patch(label="overturned", **_fallen_look(axes))] if there else []

@@ -2,22 +2,24 @@
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rocksteady.dynamics.regions import RegionMap
 from rocksteady.dynamics.response import ResponseCurve
 from rocksteady.dynamics.steady import SteadyOrbit
 from rocksteady.show import palette
+from rocksteady.show.inks import LIGHT, inks_of
 from rocksteady.show.layout import (
     axes_or_new,
     emptiest_corner,
     extent,
-    legend_inside,
     region_centres,
     spaced_by_ratio,
 )
+from rocksteady.show.legends import LegendPlace, draw_legend, place_of, text_size
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -62,7 +64,7 @@ def plot_orbit(
     axes.plot(
         orbit.tau / (2.0 * math.pi),
         orbit.angle,
-        color=palette.LINES[series % len(palette.LINES)],
+        color=inks_of(axes).lines[series % len(palette.LINES)],
         ls=palette.DASHES[series % len(palette.DASHES)],
         label=label,
     )
@@ -81,6 +83,7 @@ def plot_regions(
     point: tuple[float, float] | None = None,
     top: float | None = None,
     key: Literal["inside", "beside"] = "inside",
+    legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw the regions of symmetric steady states with their boundaries (Figs 3 and 4).
 
@@ -98,7 +101,10 @@ def plot_regions(
     top
         Upper end of the amplitude axis, A = a_max/(alpha g); 6 without, or above the point.
     key
-        Where the legend goes: inside the axes, in the emptiest corner, or to their right.
+        Where the legend goes by default: inside the axes, in the emptiest corner, or to their
+        right; below narrow ones.
+    legend
+        "inside" the axes, to their "right", "below" them or "none".
 
     Returns
     -------
@@ -118,6 +124,8 @@ def plot_regions(
     from matplotlib.patheffects import withStroke
 
     axes = axes_or_new(ax)
+    default: LegendPlace = "inside" if key == "inside" else "right"
+    place = place_of(axes, legend, default, width=125.0)
     w = curves.frequency_ratio
     ceiling = top if top is not None else max(6.0, 1.3 * point[1] if point is not None else 0.0)
     floor = 0.0
@@ -162,13 +170,14 @@ def plot_regions(
             np.append(values, np.full(seen[0].size, x))
             for values, x in zip(seen, point, strict=True)
         ]
-    taken = None
-    if key == "beside":
-        axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
-    else:
-        size = extent(axes, width=125.0, height=72.0)
-        taken = (emptiest_corner(axes, seen, size), size)
-        legend_inside(axes, taken[0])
+    size = extent(axes, width=125.0, height=72.0)
+    corner = emptiest_corner(axes, seen, size)
+    taken = (corner, size) if place == "inside" else None
+    drawn = draw_legend(axes, place, corner=corner)
+    if drawn is not None:  # whose lines are those on the light fills
+        drawn.get_frame().set(facecolor=LIGHT.paper, alpha=0.85, visible=True)
+        for text in drawn.get_texts():
+            text.set_color(LIGHT.ink)
     for region, where in region_centres(curves, ceiling, floor, taken=taken, point=point).items():
         axes.annotate(
             str(region),
@@ -190,6 +199,7 @@ def plot_response(
     hertz: bool = False,
     labels: Sequence[str] | None = None,
     top: float | None = None,
+    legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw peaks against frequency, stable parts solid and unstable ones dashed (Figs 5 to 7).
 
@@ -208,6 +218,8 @@ def plot_response(
         Legend entries, one a curve; without, amplitude and, where they differ, order and branch.
     top
         Upper end of a linear peak axis; without, everything is shown, with room for the legend.
+    legend
+        "inside" the axes, to their "right", "below" them or "none"; inside by default.
 
     Returns
     -------
@@ -227,6 +239,9 @@ def plot_response(
     log ['A = 1', 'A = 2']
     """
     axes = axes_or_new(ax)
+    inks = inks_of(axes)
+    columns = 1 if len(curves) < 4 else 2
+    place = place_of(axes, legend, "inside", width=90.0 * columns)
     mixed = len({(curve.branch, int(curve.states.order.flat[0])) for curve in curves}) > 1
     peaks = np.concatenate([curve.peak for curve in curves])
     peaks = peaks[peaks > 0.0]
@@ -239,20 +254,13 @@ def plot_response(
             else curve.frequency_ratio
         )
         abscissas.append(x)
-        colour = palette.LINES[number % len(palette.LINES)]
         label = f"A = {float(curve.states.amplitude.flat[0]):g}"
         if labels is not None:
             label = labels[number]
         elif mixed:
             order = int(curve.states.order.flat[0])
             label += f", n = {order}, branch {curve.branch}"
-        unstable = ~curve.stable
-        touching = unstable.copy()  # one sample beyond either end, so that no gap is left
-        touching[1:] |= unstable[:-1]
-        touching[:-1] |= unstable[1:]
-        axes.plot(x, np.where(curve.stable, curve.peak, math.nan), color=colour, label=label)
-        dashed = np.where(touching, curve.peak, math.nan)
-        axes.plot(x, dashed, color=colour, ls=(0, (3, 2)), lw=1.0)
+        _draw_response(axes, x, curve, number, label)
     ends = np.concatenate(abscissas)
     if spaced_by_ratio(ends):
         axes.set_xscale("log")
@@ -260,9 +268,9 @@ def plot_response(
     lowest = float(peaks.min()) if peaks.size else highest
     highest = max(highest, 1.0) if balance else highest
     # Above the curves and the line there is room for the legend.
-    columns = 1 if len(curves) < 4 else 2
     rows = 1 + math.ceil(len(curves) / columns)
     part = min(0.6, extent(axes, width=1.0, height=12.0 * rows + 18.0)[1])
+    part = part if place == "inside" else 0.05
     if top is not None:
         axes.set_ylim(0.0, top)
     elif highest > LOGARITHMIC_SPAN * lowest:
@@ -272,7 +280,7 @@ def plot_response(
     else:
         axes.set_ylim(0.0, highest / (1.0 - part))
     if balance:
-        axes.axhline(1.0, color=palette.FAINT, lw=0.8, zorder=1.0)
+        axes.axhline(1.0, color=inks.faint, lw=0.8, zorder=1.0)
         axes.annotate(
             r"$|\theta| = \alpha$",
             (1.0, 1.0),
@@ -281,8 +289,8 @@ def plot_response(
             textcoords="offset points",
             ha="right",
             va="bottom",
-            fontsize=8.0,
-            color=palette.NUMBER,
+            fontsize=text_size(axes, 8.0),
+            color=inks.number,
         )
     axes.set(
         xlabel=palette.LABELS["frequency_hz" if hertz else "frequency_ratio"],
@@ -290,7 +298,32 @@ def plot_response(
     )
     if ends.min() < ends.max():
         axes.set_xlim(float(ends.min()), float(ends.max()))
-    legend = legend_inside(axes, "upper right", columns=columns)
-    legend.set_title("solid: stable, dashed: unstable")
-    legend.get_title().set_fontsize(8.0)
+    draw_legend(
+        axes,
+        place,
+        corner="upper right",
+        columns=columns,
+        title="solid: stable, dashed: unstable",
+    )
     return axes
+
+
+def _draw_response(
+    axes: "Axes", x: NDArray[np.float64], curve: ResponseCurve, number: int, label: str
+) -> None:
+    """Draw a response curve; more of them than there are colours have marks too."""
+    lines = inks_of(axes).lines
+    again, colour = divmod(number, len(lines))
+    marks: dict[str, Any] = {}
+    if again:
+        every = max(1, len(x) // 12)
+        mark = palette.MARKS[(again - 1) % len(palette.MARKS)]
+        marks = {"marker": mark, "ms": 3.5, "markevery": (number % every, every)}
+    unstable = ~curve.stable
+    touching = unstable.copy()  # one sample beyond either end, so that no gap is left
+    touching[1:] |= unstable[:-1]
+    touching[:-1] |= unstable[1:]
+    stable = np.where(curve.stable, curve.peak, math.nan)
+    axes.plot(x, stable, color=lines[colour], label=label, **marks)
+    dashed = np.where(touching, curve.peak, math.nan)
+    axes.plot(x, dashed, color=lines[colour], ls=(0, (3, 2)), lw=1.0, **marks)

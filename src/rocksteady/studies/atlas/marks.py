@@ -135,6 +135,16 @@ def draw_pattern(
     drawn.set_zorder(0.8)
 
 
+def draw_edge(axes: "Axes", plane: Plane, where: NDArray[np.bool_], **style: Any) -> None:
+    """Draw the upper edge of an area that begins at the lower end of the plane, as steps."""
+    left, right, low, high = plane.window
+    rows, columns = where.shape
+    # The cells of a column up to the first that does not belong.
+    count = np.where(where.all(axis=0), rows, np.argmin(where, axis=0))
+    edge = low + count * (high - low) / rows
+    axes.stairs(edge, np.linspace(left, right, columns + 1), baseline=None, zorder=2.0, **style)
+
+
 def legend_below(figure: "Figure", handles: "Sequence[Artist]", columns: int) -> None:
     """Put one legend beneath all axes of a figure."""
     figure.legend(

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from rocksteady.studies.atlas.from_rest import FATES, FromRest
 from rocksteady.studies.atlas.lines import Line
 from rocksteady.studies.atlas.marks import (
     draw_cells,
+    draw_edge,
     draw_lines,
     draw_pattern,
     draw_thresholds,
@@ -56,12 +57,16 @@ FATE_LOOKS = {
     "undecided": (palette.UNDECIDED, "xxxx", palette.INK),
 }
 """Fill, pattern and its colour of each fate."""
-OTHERS = (
-    ("3 periods", palette.REGION_FILLS[1], "////", palette.LINES[0]),
-    ("5 periods", "none", "\\\\\\\\", palette.LINES[1]),
-    ("1 period,\nwith rests in it", palette.UNSYMMETRIC, "", palette.INK),
-    ("rest for ever", palette.GROUND, "", palette.INK),
+PERIODS = (
+    ("3 periods", palette.SYMMETRIC),
+    ("5 periods", palette.UNSYMMETRIC),
+    ("3 and 5 periods", palette.SUBHARMONIC),
 )
+"""Fills of where motions of several periods live, each cell one of them."""
+WITH_RESTS = ("1 period,\nwith rests in it", "none", "....", palette.INK)
+"""The one pattern, over any of the fills."""
+REST_EDGE: dict[str, Any] = {"color": palette.IMPACT, "lw": 1.3}
+"""Line below which a block at rest stays at rest."""
 
 
 def draw_families(
@@ -104,6 +109,7 @@ def draw_coexistence(
 ) -> "Figure":
     """Draw how many motions there are, and where those that are not harmonic live."""
     from matplotlib.figure import Figure
+    from matplotlib.lines import Line2D
 
     plane = found.plane
     most = max(int(found.motions.max()), 1)
@@ -118,25 +124,23 @@ def draw_coexistence(
         handles += [patch(str(count), colours[count]) for count in range(1, most + 1)]
         upper.legend(handles=handles, loc="center left", bbox_to_anchor=(1.01, 0.5))
         prepare(lower, plane, title="Where motions other than the plain harmonic one were found")
-        areas = (
-            found.having(lambda kind: kind.period == 3),
-            found.having(lambda kind: kind.period == 5),
-            found.having(lambda kind: kind.impacts == RESTS),
-            found.rest,
-        )
-        for (_, fill, hatch, ink), where in reversed([*zip(OTHERS, areas, strict=True)]):
-            if fill != "none":
-                draw_cells(lower, plane, np.where(where, 0.0, np.nan), [fill])
-            if hatch:
-                draw_pattern(lower, plane, where, hatch, ink)
-        # Rare ones above the fills and beneath the patterns, so that both are seen.
+        three = found.having(lambda kind: kind.period == 3)
+        five = found.having(lambda kind: kind.period == 5)
+        both = np.where(three | five, three + 2.0 * five - 1.0, np.nan)
+        draw_cells(lower, plane, both, [fill for _, fill in PERIODS])
+        rests = found.having(lambda kind: kind.impacts == RESTS)
+        draw_pattern(lower, plane, rests, WITH_RESTS[2], WITH_RESTS[3])
+        draw_edge(lower, plane, found.rest, **REST_EDGE)
+        # Rare ones above the fills and beneath the pattern, so that both are seen.
         rare = found.having(lambda kind: kind.period not in (1, 3, 5))
         draw_cells(lower, plane, np.where(rare, 0.0, np.nan), [RARE[1]], above=0.7)
         for family in families:
             if family.order in (3, 5):
                 own = [_beside(line, family) for line in lines if line.order == family.order]
                 draw_lines(lower, own, only=("existence", "cascade-limit", "graze"))
-        handles = [patch(*look) for look in (*OTHERS[:2], RARE, *OTHERS[2:])]
+        looks = ((*look, "", palette.INK) for look in PERIODS)
+        handles = [patch(*look) for look in (*looks, RARE, WITH_RESTS)]
+        handles.append(Line2D([], [], label="rest for ever below", **REST_EDGE))
         lower.legend(handles=handles, loc="center left", bbox_to_anchor=(1.01, 0.5))
     return figure
 

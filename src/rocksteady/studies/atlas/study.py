@@ -39,7 +39,7 @@ PICTURES = ("families", "coexistence", "from-rest")
 CELLS = 64
 """Of the search for what stands side by side that take about as long as another step."""
 TABLES = ("bands", "borders", "coexistence", "from-rest")
-OURS = rf"({'|'.join(PICTURES)})\.(png|svg)|({'|'.join(TABLES)})\.csv|atlas\.json|atlas\.html"
+OURS = rf"({'|'.join(PICTURES)})\.(png|svg|pdf)|({'|'.join(TABLES)})\.csv|atlas\.json|atlas\.html"
 """Names of the files, as a regular expression."""
 
 
@@ -106,7 +106,7 @@ class Atlas:
             "windows": [window_values(window) for window in self.strips],
             "coexistence": coexistence_values(self.found),
             "from_rest": rest_values(self.rest),
-            "figures": [f"{name}.{kind}" for name in PICTURES for kind in ("png", "svg")],
+            "figures": [f"{name}.{kind}" for name in PICTURES for kind in ("png", "svg", "pdf")],
             "tables": [f"{name}.csv" for name in TABLES],
         }
 
@@ -156,7 +156,8 @@ class Atlas:
             figure = draw()
             svg = figure_bytes(figure, "svg")
             (stage / f"{name}.svg").write_bytes(svg)
-            (stage / f"{name}.png").write_bytes(figure_bytes(figure, "png"))
+            for kind in ("png", "pdf"):
+                (stage / f"{name}.{kind}").write_bytes(figure_bytes(figure, kind))
             pictures[name] = svg_data_uri(svg)
             done(name)
         save_text("out", stage / "atlas.json", json_text(SCHEMA, self.values(), indent=1) + "\n")

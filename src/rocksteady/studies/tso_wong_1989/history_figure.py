@@ -1,7 +1,7 @@
 """The figure of a time history: each side's run, what it settles to, and the fates around it."""
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rocksteady import plot_trajectory
 from rocksteady.show import palette
@@ -21,6 +21,8 @@ FILLS = {
     Kind.OVERTURNED: palette.OVERTURNED,
     Kind.UNSETTLED: palette.UNDECIDED,
 }
+NO_RUN: dict[str, Any] = {"fc": palette.GRID, "ec": palette.FAINT, "hatch": "//////", "lw": 0.0}
+"""Look of the gap in a strip of fates: distances at which no run was started."""
 
 
 def history_figure(history: History) -> "Figure":
@@ -62,6 +64,7 @@ def history_figure(history: History) -> "Figure":
                 Patch(facecolor=FILLS[kind], edgecolor=palette.INK, lw=0.4, label=kind.value)
                 for kind in kinds
             ]
+            patches.append(Patch(label="closer: no run", **NO_RUN))
             key.legend(
                 handles=patches, loc="center left", bbox_to_anchor=(-0.15, 0.5), handlelength=1.2
             )
@@ -124,6 +127,8 @@ def plot_fates(history: History, axes: "Axes") -> None:
         )
         place = side * (gap + math.log10(KICK / KICKS[0]))
         axes.plot(place, 1.0, "v", ms=6, color=palette.IMPACT, mec="white", mew=0.6, clip_on=False)
+    # Rest is hardly darker than the paper: what is no answer has a pattern.
+    axes.axvspan(half - gap, gap - half, **NO_RUN)
     powers = range(round(math.log10(KICKS[0])), round(math.log10(KICKS[-1])) + 1)
     places = [gap + power - powers[0] for power in powers]
     axes.set(
@@ -139,5 +144,7 @@ def plot_fates(history: History, axes: "Axes") -> None:
         [place for place, _ in signed],
         [f"${'-' if place < 0.0 else ''}10^{{{power}}}$" for place, power in signed],
     )
+    for spine in axes.spines.values():
+        spine.set_visible(True)
     axes.grid(visible=False)
     axes.set_title("fates by distance (triangles: drawn above)", fontsize=8.0)

@@ -107,13 +107,14 @@ class Plane:
         from matplotlib.patches import Patch
 
         from rocksteady.show import palette
+        from rocksteady.show.legends import draw_legend
 
         states = self.states
         assert states.admissible is not None
         with palette.style():
             figure = Figure(figsize=(7.2, 4.2))
             axes = plot_regions(
-                self.curves, figure.add_subplot(), top=HIGHEST_AMPLITUDE, key="beside"
+                self.curves, figure.add_subplot(), top=HIGHEST_AMPLITUDE, legend="right"
             )
             axes.set_xlim(0.0, HIGHEST_FREQUENCY)
             through = (states.region != 4) & ~states.admissible[0]
@@ -131,7 +132,7 @@ class Plane:
                 handles, words = axes.get_legend_handles_labels()
                 handles.append(Patch(fc="none", ec=palette.FAINT, hatch="////"))
                 words.append("branch 1 passes\nthrough the floor")
-                axes.legend(handles, words, loc="center left", bbox_to_anchor=(1.01, 0.5))
+                draw_legend(axes, "right", handles=handles, labels=words)
             axes.set_title(
                 f"Fig. {self.id}  Symmetric {motion_name(self.order)}, δ = {self.restitution:g}"
             )

@@ -52,7 +52,7 @@ class _Entry:
         """The files beside the report that hold the panel's data and its picture."""
         stem = f"figure-{self.panel.id}"
         more = [f"{stem}-{name}.csv" for name in self.panel.more_tables]
-        return [f"{stem}.csv", *more, f"{stem}.png", f"{stem}.svg"]
+        return [f"{stem}.csv", *more, *(f"{stem}.{kind}" for kind in ("png", "svg", "pdf"))]
 
 
 def report_html(
@@ -81,9 +81,9 @@ def report_html(
     Returns
     -------
     str
-        The same for the same values. Beside the file it expects ``figure-<id>.csv``, ``.png`` and
-        ``.svg`` of each panel, and ``figure-<id>-<name>.csv`` of each further table: it links to
-        them.
+        The same for the same values. Beside the file it expects ``figure-<id>.csv``, ``.png``,
+        ``.svg`` and ``.pdf`` of each panel, and ``figure-<id>-<name>.csv`` of each further table:
+        it links to them.
     """
     entries = [_entry(section, claims) for section in sections]
     groups = groupby(entries, key=lambda entry: figure_number(entry.panel.id))

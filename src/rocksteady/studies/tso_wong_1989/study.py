@@ -128,7 +128,8 @@ class Study:
             svg = figure_bytes(figure, "svg")
             names = dict(file_names(panel))
             (stage / names["svg"]).write_bytes(svg)
-            (stage / names["png"]).write_bytes(figure_bytes(figure, "png"))
+            for kind in ("png", "pdf"):
+                (stage / names[kind]).write_bytes(figure_bytes(figure, kind))
             save_csv("out", stage / names["csv"], panel.header, panel.rows)
             for name, (header, rows) in panel.more_tables.items():
                 save_csv("out", stage / names[name], header, rows)
@@ -220,7 +221,7 @@ def chosen_figures(only: Sequence[str]) -> tuple[str, ...]:
 
 def file_names(panel: Panel) -> Iterator[tuple[str, str]]:
     """Yield kind and name of each file of a panel."""
-    for kind in ("png", "svg", "csv"):
+    for kind in ("png", "svg", "pdf", "csv"):
         yield kind, f"figure-{panel.id}.{kind}"
     for name in panel.more_tables:
         yield name, f"figure-{panel.id}-{name}.csv"
@@ -243,6 +244,6 @@ def check_folder(folder: Path | str, only: Sequence[str] = (), *, force: bool = 
         `force` is off.
     """
     names = "|".join(re.escape(name) for name in chosen_figures(only))
-    ours = rf"figure-({names})(\.png|\.svg|(-\w+)?\.csv)"
+    ours = rf"figure-({names})(\.png|\.svg|\.pdf|(-\w+)?\.csv)"
     ours += "" if only else r"|claims\.json|report\.html"
     study_folder.check_folder(folder, ours, force=force)
