@@ -1,18 +1,19 @@
 """How kernels are compiled, and where their machine code is kept."""
 
+import atexit
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numba
 import numba.core.config
 import pytest
 
-from rocksteady.kernels import caching, compilation
+from rocksteady.kernels import compilation
 from rocksteady.kernels.compilation import cache_folder, compiled
 from rocksteady.kernels.march import march
 from tests.strategies import PLAIN
@@ -127,7 +128,7 @@ def preferred(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         lambda name: str(home / ".cache" / name),
     )
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "tmp"))
-    monkeypatch.setattr(caching.atexit, "register", lambda _: None)
+    monkeypatch.setattr(atexit, "register", lambda _: None)
     folder = cache_folder()
     assert folder.is_relative_to(home)
     cache_folder.cache_clear()
@@ -217,7 +218,7 @@ import sys
 from numba.core import event
 from pathlib import Path
 sys.path.insert(0, sys.argv[1])
-from rocksteady.kernels import caching, compilation
+from rocksteady.kernels import compilation
 compilation.platformdirs.user_cache_dir = lambda _: sys.argv[2]
 import kernel_of_a_test
 with event.install_recorder("numba:compile") as recorder:
@@ -225,7 +226,7 @@ with event.install_recorder("numba:compile") as recorder:
 print(len(recorder.buffer))
 """
 
-GARBLED = {
+GARBLED: dict[str, Callable[[bytes], bytes]] = {
     "garbage": lambda _: b"garbage" * 20,
     "empty": lambda _: b"",
     "cut": lambda content: content[: len(content) // 2],
@@ -258,7 +259,7 @@ def test_garbled_machine_code_is_compiled_again(damage: str, ending: str, tmp_pa
     )
 
     def compilations() -> int:
-        command = [sys.executable, "-c", PROGRAM, tmp_path, tmp_path / "cache"]
+        command = [sys.executable, "-c", PROGRAM, str(tmp_path), str(tmp_path / "cache")]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stderr
         assert done.stderr == ""

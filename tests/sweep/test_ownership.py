@@ -180,9 +180,13 @@ def test_a_store_without_marks_is_no_more_certainly_ours(begun: Path) -> None:
     assert open_store(begun).sizes == {"a": 30, "b": 20}
 
 
-def test_a_store_is_begun_in_an_empty_folder(tmp_path: Path, undisturbed: Path) -> None:
-    (tmp_path / "a.zarr").mkdir()
-    run(tmp_path / "a.zarr")
+def test_a_store_that_was_about_to_be_begun_is_resumed(tmp_path: Path, undisturbed: Path) -> None:
+    (tmp_path / "a.zarr" / "done").mkdir(parents=True)
+    (tmp_path / "a.zarr" / "done" / "lock").touch()
+    for how in ({}, {"overwrite": True}):
+        with pytest.raises(OutputError, match="no store of a sweep"):
+            run(tmp_path / "a.zarr", **how)
+    run(tmp_path / "a.zarr", resume=True)
     assert whole(tmp_path / "a.zarr", undisturbed)
 
 

@@ -97,7 +97,7 @@ class Store:
         except OSError as error:
             raise self._refused(error.strerror or str(error), "name another one") from error
         if marks is None:
-            if foreign:
+            if foreign or not self.resume:  # else one that was about to be begun
                 raise self._refused(
                     "it is a folder and no store of a sweep of this version", "name another one"
                 )
@@ -136,17 +136,18 @@ class Store:
         self.check()
         inputs = inputs_of(task)
         made = self._make_folder()
-        try:
-            with locked(self.folder) as desk:
+        with locked(self.folder) as desk:
+            if not made or owner_of(self.folder) is not None:
                 self.check()  # another process may have been here
+            try:
                 shelf = self._shelf(desk, task, inputs, attributes)
-                try:
-                    yield shelf
-                finally:
-                    shelf.keep()
-        finally:
-            if made:
-                self._remove_empty()
+            finally:
+                if made and owner_of(self.folder) is None:
+                    self._remove_empty()
+            try:
+                yield shelf
+            finally:
+                shelf.keep()
 
     def _make_folder(self) -> bool:
         """Make the folder, as far as it is missing, and return whether it was."""
@@ -162,10 +163,9 @@ class Store:
     def _remove_empty(self) -> None:
         """Remove a folder in which no store has been begun."""
         with suppress(OSError):
-            if owner_of(self.folder) is None:
-                (self.folder / DONE / LOCK).unlink(missing_ok=True)
-                (self.folder / DONE).rmdir()
-                self.folder.rmdir()
+            (self.folder / DONE / LOCK).unlink(missing_ok=True)
+            (self.folder / DONE).rmdir()
+            self.folder.rmdir()
 
     def _shelf(
         self, desk: Desk, task: Task, inputs: Mapping[str, Any], attributes: Mapping[str, Any]
