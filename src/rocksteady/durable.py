@@ -14,6 +14,17 @@ from tempfile import TemporaryDirectory
 PREFIX = ".rocksteady-"
 """Begins the names of private folders; `tempfile` adds eight random characters."""
 
+_missing: set[Path] = set()
+"""Places in which there was nothing when `expect` looked, and nothing may be replaced."""
+
+
+def expect(file: Path, *, replace: bool) -> None:
+    """Note whether what is found in the place of a file when it is written may be replaced.
+
+    Without it anything may. A run takes minutes, in which another program may write there.
+    """
+    (_missing.discard if replace else _missing.add)(place_of(file))
+
 
 def obstacle(file: Path) -> tuple[str, str] | None:
     """Return why no file can be written at a path, and what to do; None where one can.
@@ -55,7 +66,7 @@ def write(file: Path, fill: Callable[[Path], object]) -> None:
     Raises
     ------
     OSError
-        If it cannot be written.
+        If it cannot be written; FileExistsError if something is there that may not be replaced.
     """
     place = place_of(file)
     with TemporaryDirectory(prefix=PREFIX, dir=place.parent, ignore_cleanup_errors=True) as folder:
@@ -63,7 +74,25 @@ def write(file: Path, fill: Callable[[Path], object]) -> None:
         fill(staged)
         with suppress(FileNotFoundError):
             staged.chmod(stat.S_IMODE(place.stat().st_mode))
-        move(staged, place)
+        if place in _missing:
+            sync(staged)
+            _move_to_nothing(staged, place)
+            sync_folder(place.parent)
+            _missing.discard(place)
+        else:
+            move(staged, place)
+
+
+def _move_to_nothing(staged: Path, place: Path) -> None:
+    """Move a file to a place where nothing is."""
+    try:
+        os.link(staged, place)  # unlike a move, it never replaces
+    except FileExistsError:
+        raise
+    except OSError as error:  # some file systems have one name for each file
+        if os.path.lexists(place):
+            raise FileExistsError(place) from error
+        staged.replace(place)
 
 
 def create(file: Path, content: bytes) -> None:

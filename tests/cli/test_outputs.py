@@ -2,10 +2,12 @@
 
 import os
 import stat
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
+from rocksteady import durable
 from tests.cli.program import refused, rocksteady
 
 SIMULATE = "simulate -A 2 -W 4 -r 0.8 --cycles 3 --csv"
@@ -73,3 +75,24 @@ def test_names_that_no_file_can_have_are_refused_in_one_line(tmp_path: Path) -> 
     refused(SIMULATE, tmp_path / "a" / "b.csv")
     (tmp_path / "a").write_text("", encoding="utf-8")
     refused(SIMULATE, tmp_path / "a" / "b.csv")
+
+
+@pytest.mark.parametrize("flag", FLAGS)
+def test_what_another_program_writes_meanwhile_is_kept(
+    flag: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    command, name = FLAGS[flag]
+    write = durable.write
+
+    def late(file: Path, fill: Callable[[Path], object]) -> None:
+        (tmp_path / name).write_text("mine", encoding="utf-8")
+        write(file, fill)
+
+    monkeypatch.setattr(durable, "write", late)
+    ran = rocksteady(f"{command} {flag}", tmp_path / name)
+    assert ran.code == 2
+    assert "another program has written it meanwhile; add --force" in ran.err
+    assert (tmp_path / name).read_text(encoding="utf-8") == "mine"
+    assert [path.name for path in tmp_path.iterdir()] == [name]
+    assert rocksteady(f"{command} --force {flag}", tmp_path / name).code == 0
+    assert (tmp_path / name).read_bytes() != b"mine"

@@ -46,6 +46,7 @@ def check_writable(flag: str, file: Path, *, force: bool) -> None:
         valid = "it is a link to a file that is missing" if missing else "it exists"
         hint = "add --force to write it" if missing else "add --force to overwrite it"
     else:
+        durable.expect(file, replace=force)
         return
     raise OutputError(name=flag, value=file, valid=valid, hint=hint)
 

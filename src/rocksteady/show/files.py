@@ -36,6 +36,13 @@ def save_whole(name: str, file: Path, write: Callable[[Path], object]) -> None:
         raise OutputError(name=name, value=file, valid=found[0], hint=found[1])
     try:
         durable.write(file, write)
+    except FileExistsError as error:
+        raise OutputError(
+            name=name,
+            value=file,
+            valid="another program has written it meanwhile",
+            hint="add --force to overwrite it, or name another file",
+        ) from error
     except OSError as error:
         raise OutputError(
             name=name,
