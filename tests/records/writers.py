@@ -48,6 +48,8 @@ def esm(values: Floats, dt: float = 0.005, *, data_type: str = "ACCELERATION", *
         "DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS": "20190728_160919.870",
         "SAMPLING_INTERVAL_S": f"{dt:.6f}",
         "NDATA": str(len(values)),
+        "DURATION_S": f"{len(values) * dt:.3f}",
+        "TIME_PGA_S": f"{np.abs(values).argmax() * dt:.6f}",
         "STREAM": "HNE",
         "UNITS": "cm/s^2",
         "PGA_CM/S^2": f"{values[np.abs(values).argmax()]:.6f}",
@@ -115,7 +117,10 @@ def cosmos_channel(
     whole = np.full(100, -999.0)
     whole[[39, 40, 41, 42, 43, 44, 53]] = [2005, 167, 6, 16, 20, 53, azimuth]
     real = np.full(100, -999.0)
-    real[[29, 33, 61, 63]] = [4.4, raw_dt, dt_ms, values[np.abs(values).argmax()]]
+    largest = np.abs(values).argmax()
+    real[[29, 33, 61, 63]] = [4.4, raw_dt, dt_ms, values[largest]]
+    if dt_ms > 0.0:
+        real[64] = largest * dt_ms / 1000.0
     integers, integer_lines = _block(whole, "{:8.0f}", 10)
     reals, real_lines = _block(real, "{:13.6f}", 6)
     seconds = int(len(values) * dt_ms / 1000.0)
@@ -194,6 +199,8 @@ def smc(
     real[1] = blank if rate is None else rate
     of_motion = values if rate is not None else values[1::2]
     real[[29, 31]] = [of_motion.max(), of_motion.min()]
+    if rate is not None:
+        real[[28, 30]] = [of_motion.argmax() / rate, of_motion.argmin() / rate]
     words = [
         first,
         "*",

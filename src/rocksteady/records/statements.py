@@ -31,8 +31,8 @@ __all__ = [
 ]
 
 _EXPLICIT: Final = re.compile(
-    r"\bunits?\b\s*(?:(?:of|in|is|are|for)\b\s*)*(?:the\s+)?(?:acc\w*|data|samples|values)?\s*"
-    r"(?:(?:of|in|is|are)\b\s*)*[:=(\[]*\s*(?:in\s+)?",
+    r"\bunits?\b\s*(?:(?:of|in(?!\s*/)|is|are|for)\b\s*)*(?:the\s+)?(?:acc\w*|data|samples|values)?\s*"
+    r"(?:(?:of|in(?!\s*/)|is|are)\b\s*)*[:=(\[]*\s*(?:in\s+)?",
     re.IGNORECASE,
 )
 _IN: Final = re.compile(r"(?<![A-Za-z])in\s+(?!units?\b)|[(\[]\s*(?!units?\b)", re.IGNORECASE)
