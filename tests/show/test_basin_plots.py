@@ -178,7 +178,8 @@ def test_the_erosion_is_drawn_with_its_threshold_and_drops() -> None:
         (where,) = np.asarray(mark.get_xdata()).tolist()
         assert drop.low < where < drop.high
         line = factor if drop.measure == "integrity_factor" else area
-        height = np.interp(where, *(np.asarray(each) for each in line.get_data()))
+        x, y = (np.asarray(each, dtype=float) for each in line.get_data())
+        height = np.interp(where, x, y)
         assert np.asarray(mark.get_ydata()).tolist() == [drop.level] == [pytest.approx(height)]
 
 

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rocksteady.errors import InputError
 from rocksteady.show import palette
@@ -118,7 +118,7 @@ def _panels(parts: "list[MapCells]", cells: MapCells, title: str, page: Page) ->
     """Draw the parts of a map side by side, as many in a row as are wide enough."""
     across = ACROSS[len(parts)]
     natural = 1.9 + 2.7 * across
-    beside = page.legend == "right" or (page.legend is None and not page.stacks(natural))
+    beside = page.legend == "right" or (page.legend is None and page.width(natural) > 0.85 * natural)
     room = page.width(natural) - (1.9 if beside else 0.4)
     across = max(1, min(across, int(room / NARROWEST)))
     down = math.ceil(len(parts) / across)
@@ -146,7 +146,7 @@ def _panels(parts: "list[MapCells]", cells: MapCells, title: str, page: Page) ->
         if place == "inside":
             draw_legend(grid[0], place, handles=legend_handles(cells), **SWATCHES)
         elif place != "none":
-            outside = "outside right upper" if place == "right" else "outside lower left"
+            outside: Any = "outside right upper" if place == "right" else "outside lower left"
             columns = 1 if place == "right" else max(1, int(page.width(natural) / 1.9))
             handles = legend_handles(cells)
             figure.legend(handles=handles, loc=outside, ncols=columns, fontsize=size, **SWATCHES)

@@ -1,6 +1,5 @@
 """Legends that move: inside the axes, to their right, below them, or none."""
 
-import math
 import textwrap
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal, get_args
@@ -26,6 +25,8 @@ LETTER = 0.56
 """Width of a letter in parts of its size, on average."""
 HANGING = "below the axes"
 """Label of a legend that `settle` moves when the labels of its axes have changed."""
+BESIDE = "beside the axes"
+"""Label of a legend to the right of its axes."""
 
 
 def checked_place(legend: object) -> LegendPlace | None:
@@ -160,17 +161,18 @@ def draw_legend(
         "framealpha": 0.85,
         **style,
     }
+    made: Any = axes.legend  # whose type has the places as literals
+    legend: Legend
     if place == "inside":
-        legend = axes.legend(
-            loc=corner, ncols=columns, borderaxespad=0.3, columnspacing=1.4, **given
-        )
+        legend = made(loc=corner, ncols=columns, borderaxespad=0.3, columnspacing=1.4, **given)
         legend.set_zorder(6.0)
     elif place == "right":
         from matplotlib.transforms import ScaledTranslation
 
         across = ScaledTranslation(gap / 72.0, 0.0, figure.dpi_scale_trans)
-        legend = axes.legend(loc="upper left", borderaxespad=0.0, **given)
+        legend = made(loc="upper left", borderaxespad=0.0, **given)
         legend.set_bbox_to_anchor((1.0, 1.0), axes.transAxes + across)
+        legend.set_label(BESIDE)
     else:
         legend = _below(axes, given)
     legend.get_title().set_color(inks.ink)
@@ -187,14 +189,18 @@ def settle(figure: "Figure") -> None:
             _hang(axes, legend)
 
 
-def hanging_height(axes: "Axes") -> float:
-    """Return the height of the legend below axes, in inches; 0 without one."""
+def height_needed(axes: "Axes") -> float:
+    """Return by how much a figure must grow for the legend of axes, in inches.
+
+    A legend below adds its height; one beside, what it is higher than its axes.
+    """
     legend = axes.get_legend()
-    if legend is None or legend.get_label() != HANGING:
-        return 0.0
     figure = axes.get_figure(root=True)
     assert figure is not None
-    return legend.get_window_extent().height / figure.dpi
+    if legend is None or legend.get_label() not in (HANGING, BESIDE):
+        return 0.0
+    high = legend.get_window_extent().height / figure.dpi
+    return high if legend.get_label() == HANGING else max(0.0, high - size_of(axes)[1] / 90.0)
 
 
 def _shares_row(axes: "Axes") -> bool:
@@ -210,14 +216,15 @@ def _below(axes: "Axes", given: dict[str, Any]) -> "Legend":
     count = len(given["handles"])
     room = 0.94 * figure.bbox.width - axes.bbox.x0
     room = axes.bbox.width if _shares_row(axes) else max(axes.bbox.width, room)
-    for columns in range(min(count, 4), 0, -1):
-        if columns > 1 and math.ceil(count / columns) == math.ceil(count / (columns - 1)):
-            continue  # fewer columns have no more rows
-        legend = axes.legend(
+    made: Any = axes.legend
+    columns = min(count, 4)
+    while True:
+        legend: Legend = made(
             loc="upper left", ncols=columns, borderaxespad=0.0, columnspacing=1.2, **given
         )
-        if legend.get_window_extent().width <= room:
+        if columns == 1 or legend.get_window_extent().width <= room:
             break
+        columns -= 1
     legend.set_label(HANGING)
     _hang(axes, legend)
     return legend

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from rocksteady.errors import InputError
 from rocksteady.model.validation import in_range
 from rocksteady.show import palette
-from rocksteady.show.legends import LegendPlace, checked_place, hanging_height, settle
+from rocksteady.show.legends import LegendPlace, checked_place, height_needed, settle
 from rocksteady.show.names import literal
 
 if TYPE_CHECKING:
@@ -96,7 +96,8 @@ class Page:
         else:
             high = min(height, max(height * wide / width, 0.72 * wide)) if wide < width else height
         small = wide * INCH < SMALL
-        with palette.style(), mpl.rc_context(SMALL_TEXT if small else {}):
+        settings: Any = SMALL_TEXT if small else {}
+        with palette.style(), mpl.rc_context(settings):
             figure = Figure(figsize=(wide, high))
             yield figure
             if title:
@@ -150,8 +151,8 @@ def _write_title(figure: "Figure", title: str, size: float) -> None:
 
 
 def _fit(figure: "Figure") -> None:
-    """Make room for legends below the axes, and break labels that are longer than their axes."""
-    figure.set_figheight(figure.get_figheight() + _hanging(figure.axes))
+    """Make room for legends, and break labels that are longer than their axes."""
+    figure.set_figheight(figure.get_figheight() + _legends_height(figure.axes))
     figure.draw_without_rendering()
     for axes in figure.axes:
         for label, side in ((axes.xaxis.label, "width"), (axes.yaxis.label, "height")):
@@ -162,12 +163,12 @@ def _fit(figure: "Figure") -> None:
     settle(figure)
 
 
-def _hanging(axes: "Sequence[Axes]") -> float:
-    """Return the height of all legends below axes, in inches: the highest of each row."""
+def _legends_height(axes: "Sequence[Axes]") -> float:
+    """Return the height that all legends need, in inches: the largest of each row."""
     rows: dict[float, float] = {}
     for each in axes:
         row = round(each.get_position().y0, 3)
-        rows[row] = max(rows.get(row, 0.0), hanging_height(each))
+        rows[row] = max(rows.get(row, 0.0), height_needed(each))
     return sum(rows.values())
 
 

@@ -40,7 +40,7 @@ MOST_OUTLINED = 200
 """The same for an outline."""
 MOST_PATTERNED = 600
 """Cells along a side by which a pattern finds its borders: nearer than the width of a line."""
-SWATCHES: dict[str, float] = {
+SWATCHES: dict[str, Any] = {
     "handlelength": 1.5,
     "handleheight": 1.5,
     "handletextpad": 0.6,

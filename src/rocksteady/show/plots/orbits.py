@@ -207,8 +207,8 @@ def plot_multipliers(
     for (text, orbit), drawn in zip(numbered, places.tolist(), strict=True):
         # Of a conjugate pair the one above the real axis, else the larger.
         turning = orbit.multipliers[0].imag != 0.0
-        place = max(drawn, key=lambda value: value.imag) if turning else drawn[0]
-        labels.append((text, place.real, place.imag))
+        spot = max(drawn, key=lambda value: value.imag) if turning else drawn[0]
+        labels.append((text, spot.real, spot.imag))
     put_beside(axes, labels, (places.real, places.imag))
     return axes
 

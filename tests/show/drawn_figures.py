@@ -1,0 +1,172 @@
+"""Every kind of whole figure, small and quick to compute, and what is seen of it."""
+
+from collections.abc import Callable
+from functools import cache
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+
+from rocksteady import (
+    Block,
+    DimensionlessBlock,
+    Harmonic,
+    Record,
+    State,
+    Steady,
+    Still,
+    Trajectory,
+    attractor,
+    attractor_map,
+    attractor_trail,
+    basins,
+    bifurcation_branches,
+    erosion,
+    ground_course,
+    orbits,
+    overturning_windows,
+    region_map,
+    response_curve,
+    response_spectrum,
+    rocking_spectrum,
+    simulate,
+    steady_orbit,
+    suite_spectrum,
+)
+from rocksteady.show.facets import map_figure
+from rocksteady.show.figures import (
+    basins_figure,
+    bifurcation_figure,
+    cloud_figure,
+    erosion_figure,
+    orbit_figure,
+    orbits_figure,
+    overturning_figure,
+    record_figure,
+    response_figure,
+    simulation_figure,
+    steady_figure,
+)
+from rocksteady.show.page import Page
+from rocksteady.show.spectra_figures import spectrum_figure, suite_figure
+
+BARE = DimensionlessBlock(restitution=0.8)
+BLOCK = Block.rectangle(width=0.4, height=1.6)
+SHAKING = Harmonic(amplitude=2.0, frequency_ratio=4.0)
+TITLE = "a title of some length, with A = 2, Ω = 4, restitution 0.8 and what else it names"
+
+
+def shock(name: str = "", scale: float = 1.0) -> Record:
+    """A record with a swelling and dying sine."""
+    time = np.linspace(0.0, 4.0, 401)
+    values = 4.0 * scale * np.sin(6.0 * time) * np.sin(np.pi * time / 4.0)
+    return Record(acceleration_m_s2=values, dt_s=0.01, name=name)
+
+
+@cache
+def rocking() -> Trajectory:
+    return simulate(BARE, SHAKING, cycles=12)
+
+
+@cache
+def vertical_too() -> Trajectory:
+    return simulate(BLOCK, shock(), vertical=shock(scale=0.5), model="nonlinear")
+
+
+@cache
+def resting() -> Trajectory:
+    return simulate(BARE, Harmonic(amplitude=0.5, frequency_ratio=4.0), cycles=4)
+
+
+@cache
+def makers() -> dict[str, Callable[[Page], Figure]]:
+    """Return what draws each kind of figure for a page."""
+    fine = np.linspace(1.0, 8.0, 120)
+    orbit = attractor(BARE, SHAKING).orbit
+    assert orbit is not None
+    starts = orbits(BARE, Harmonic(amplitude=2.0, frequency_ratio=2.2), max_period=1, seeds=2)
+    branches = bifurcation_branches(starts[:1], "frequency_ratio", (1.6, 2.4), max_period=2)
+    ways = (np.linspace(1.6, 2.4, 41), np.linspace(2.4, 1.6, 41))
+    trails = [
+        attractor_trail(
+            BARE,
+            Harmonic(amplitude=2.0, frequency_ratio=2.0),
+            "frequency_ratio",
+            way,
+            start=Steady(),
+        )
+        for way in ways
+    ]
+    eroded = erosion(
+        BARE,
+        2.0,
+        np.linspace(0.0, 1.4, 8),
+        angles=np.linspace(-1.2, 1.2, 41),
+        velocities=np.linspace(-0.6, 0.6, 41),
+        cycles=20,
+    )
+    drop = eroded.drop(tolerance=0.05)
+    windows = overturning_windows(
+        DimensionlessBlock(restitution=0.9), "one-sine", np.linspace(1.0, 6.0, 21)
+    )
+    plane = {"amplitude": np.linspace(0.2, 6.0, 20), "frequency_ratio": np.linspace(0.5, 8.0, 24)}
+    flat = attractor_map(BARE, axes=plane)
+    panels = attractor_map(BARE, axes={"restitution": [0.6, 0.7, 0.8, 0.9], **plane})
+    line = attractor_map(BARE, axes={"amplitude": plane["amplitude"], "frequency_ratio": [4.0]})
+    suite = [shock("one"), shock("two", 0.7), shock("three", 1.3)]
+    courses = [ground_course(each) for each in suite]
+    spectra = [response_spectrum(each, np.geomspace(0.05, 4.0, 40)) for each in suite]
+    spectrum = rocking_spectrum(
+        suite, alpha=[0.1, 0.2, 0.3], periods_s=np.linspace(1.0, 6.0, 30), model="linear"
+    )
+    many = rocking_spectrum(
+        suite[0], alpha=np.linspace(0.05, 0.4, 9), periods_s=np.linspace(1.0, 6.0, 30)
+    )
+    curves = [response_curve(BARE, a, frequency_ratio=fine) for a in (1.0, 2.0, 3.0, 4.0, 5.0)]
+    around = region_map(np.linspace(0.1, 14.0, 300), 0.8)
+    steady = [(f"branch {n}: some words on it", steady_orbit(2, 4, 0.8, branch=n)) for n in (1, 2)]
+    cells = basins(BARE, SHAKING, angles=np.linspace(-1, 1, 40), velocities=np.linspace(-1, 1, 40))
+    free = simulate(BLOCK, Still(), start=State(angle=0.8, velocity=0.0))
+    return {
+        "simulation": lambda page: simulation_figure(rocking(), TITLE, page),
+        "free": lambda page: simulation_figure(free, TITLE, page),
+        "vertical": lambda page: simulation_figure(vertical_too(), TITLE, page),
+        "rest": lambda page: simulation_figure(resting(), TITLE, page),
+        "orbit": lambda page: orbit_figure(orbit, orbit.trajectory(), TITLE, page),
+        "cloud": lambda page: cloud_figure(rocking(), rocking(), since=1.0, title=TITLE, page=page),
+        "orbits": lambda page: orbits_figure(starts, TITLE, page),
+        "steady": lambda page: steady_figure(
+            steady, around, point=(4.0, 2.0), title=TITLE, page=page
+        ),
+        "response": lambda page: response_figure(curves, title=TITLE, page=page),
+        "basins": lambda page: basins_figure(cells, TITLE, page),
+        "erosion": lambda page: erosion_figure(eroded, [drop] if drop else (), TITLE, page),
+        "overturning": lambda page: overturning_figure(windows, TITLE, page),
+        "bifurcation": lambda page: bifurcation_figure(
+            branches, trails, "frequency_ratio", title=TITLE, page=page
+        ),
+        "record": lambda page: record_figure(courses[:1], spectra[:1], TITLE, page),
+        "records": lambda page: record_figure(courses, spectra, TITLE, page),
+        "map": lambda page: map_figure(flat, TITLE, page),
+        "panels": lambda page: map_figure(panels, TITLE, page),
+        "line": lambda page: map_figure(line, TITLE, page),
+        "spectrum": lambda page: spectrum_figure(spectrum.isel(record=0), TITLE, page),
+        "spectrum-map": lambda page: spectrum_figure(many, TITLE, page),
+        "suite": lambda page: suite_figure(suite_spectrum(spectrum), TITLE, page),
+    }
+
+
+NAMES = (
+    *("simulation", "free", "vertical", "rest", "orbit", "cloud", "orbits", "steady", "response"),
+    *("basins", "erosion", "overturning", "bifurcation", "record", "records"),
+    *("map", "panels", "line", "spectrum", "spectrum-map", "suite"),
+)
+
+
+def texts_of(figure: Figure) -> list[Text]:
+    """Return the texts of a figure that are seen."""
+    return [
+        text
+        for text in figure.findobj(Text)
+        if isinstance(text, Text) and text.get_visible() and text.get_text().strip()
+    ]
