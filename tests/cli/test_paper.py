@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from rocksteady.cli.app import app
+from rocksteady.show.files import figure_bytes
 from rocksteady.studies.tso_wong_1989 import study as study_module
 from rocksteady.studies.tso_wong_1989.study import FIGURES, Study
 from tests.cli.program import refused, rocksteady
@@ -182,6 +183,37 @@ def test_a_disk_that_fills_up_ends_in_one_line(
     assert "No space left on device" in last
     assert "Traceback" not in ran.err
     assert list(tmp_path.iterdir()) == []
+
+
+def test_an_interrupted_paper_says_how_it_goes_on_and_draws_nothing_twice(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    command, whole, folder = "paper --only 10 --only 13a", tmp_path / "whole", tmp_path / "out"
+    assert rocksteady(f"{command} --out", whole).code == 0
+    drawn: list[str] = []
+
+    def drawing(figure: object, kind: str) -> bytes:
+        if len(drawn) == 3:
+            raise KeyboardInterrupt
+        drawn.append(kind)
+        return figure_bytes(figure, kind)  # type: ignore[arg-type]
+
+    with monkeypatch.context() as patched:
+        patched.setattr(study_module, "figure_bytes", drawing)
+        ran = rocksteady(f"{command} --out", folder)
+    assert (ran.code, ran.out) == (130, "")
+    assert ran.err.splitlines()[-2] == f"  rocksteady {command} --out {folder} --resume"
+    assert [file.name for file in folder.iterdir()] == [".unfinished"]
+    assert "--resume" in refused(f"{command} --out", folder)
+    assert "of another only" in refused("paper --only 10 --resume --out", folder)
+    drawn.clear()
+    with monkeypatch.context() as patched:
+        patched.setattr(study_module, "figure_bytes", drawing)
+        assert rocksteady(f"{command} --resume --out", folder).code == 0
+    assert len(drawn) == 2, "of the figure that was not finished"
+    assert {file.name: file.read_bytes() for file in folder.iterdir()} == {
+        file.name: file.read_bytes() for file in whole.iterdir()
+    }
 
 
 @pytest.mark.slow

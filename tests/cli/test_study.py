@@ -2,9 +2,12 @@
 
 import json
 import re
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from rocksteady.studies.atlas import Atlas
@@ -77,16 +80,92 @@ def test_it_computes_what_it_is_asked_for(tmp_path: Path) -> None:
     assert values["cells"] == {"amplitude": 3, "frequency_ratio": 3}
 
 
-def test_an_interruption_ends_with_its_code_and_leaves_nothing(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+def contents(folder: Path) -> dict[str, bytes]:
+    """Return the files of a study, without the page, which has the run's time."""
+    files = {file.name: file.read_bytes() for file in folder.iterdir() if file.is_file()}
+    assert files.pop("atlas.html")
+    return files
+
+
+TINY = "study atlas -A 1:3:3 -W 2:6:3 -n 1"
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
+    """The files of the smallest atlas, of a run without an interruption."""
+    folder = tmp_path_factory.mktemp("whole") / "out"
+    assert rocksteady(f"{TINY} --out", folder).code == 0
+    assert sorted(folder.iterdir()) == sorted(folder.glob("[!.]*")), "no parts are left"
+    return contents(folder)
+
+
+@pytest.mark.parametrize("step", ["coexistence", "from_rest", "report_html"])
+def test_an_interrupted_atlas_says_how_it_goes_on_and_does(
+    step: str, whole: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def interrupted(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(module, "coexistence", interrupted)
-    ran = rocksteady("study atlas -A 1:3:3 -W 2:6:3 -n 1 --out", tmp_path / "out")
+    folder = tmp_path / "out"
+    with monkeypatch.context() as patched:
+        patched.setattr(module, step, interrupted)
+        ran = rocksteady(f"{TINY} --out", folder)
     assert (ran.code, ran.out) == (130, "")
-    assert list(tmp_path.iterdir()) == []
+    lines = ran.err.splitlines()
+    assert lines[-3] == f"finished parts are kept in {folder}; to go on:"
+    assert lines[-2] == f"  rocksteady {TINY} --out {folder} --resume"
+    assert [file.name for file in folder.iterdir()] == [".unfinished"]
+    assert "--resume" in refused(f"{TINY} --out", folder)
+    line = refused(f"{TINY} -r 0.7 --resume --out", folder)
+    assert "of another restitution" in line
+    if step != "coexistence":  # what is finished is not computed again
+
+        def computed(*_: object, **__: object) -> None:
+            message = "computed again"
+            raise AssertionError(message)
+
+        monkeypatch.setattr("rocksteady.studies.atlas.columns.column", computed)
+        monkeypatch.setattr("rocksteady.studies.atlas.coexistence.settled_cells", computed)
+    assert rocksteady(f"{TINY} --resume --out", folder).code == 0
+    assert contents(folder) == whole
+    assert not (folder / ".unfinished").exists()
+
+
+def test_force_begins_an_interrupted_atlas_anew(
+    whole: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    folder = tmp_path / "out"
+    with monkeypatch.context() as patched:
+        patched.setattr(module, "from_rest", interrupted)
+        assert rocksteady(f"{TINY} -r 0.7 --out", folder).code == 130
+    (folder / ".unfinished" / "mine.txt").write_text("precious")
+    assert rocksteady(f"{TINY} --force --out", folder).code == 0
+    assert contents(folder) == whole
+    assert [file.name for file in (folder / ".unfinished").iterdir()] == ["mine.txt"]
+
+
+@pytest.mark.slow
+def test_an_atlas_that_is_killed_at_any_time_gives_the_same_bytes(
+    whole: dict[str, bytes], tmp_path: Path
+) -> None:
+    folder, kills = tmp_path / "out", 0
+    command = [sys.executable, "-m", "rocksteady", *TINY.split(), "--resume", "--out", str(folder)]
+    for wait in (*np.linspace(1.5, 9.0, 16), 1000.0):
+        running = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        try:
+            running.communicate(timeout=wait)
+        except subprocess.TimeoutExpired:
+            running.kill()
+            running.communicate()
+            kills += 1
+            continue
+        assert running.returncode == 0
+    assert kills > 2
+    assert contents(folder) == whole
+    assert not (folder / ".unfinished").exists()
 
 
 @pytest.mark.parametrize(

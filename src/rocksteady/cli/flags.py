@@ -379,3 +379,11 @@ OutFolder = Annotated[
         rich_help_panel=OUTPUT,
     ),
 ]
+ResumeStudy = Annotated[
+    bool,
+    typer.Option(
+        "--resume",
+        help="Continue the study in the folder where it stopped; begin it if it is not there.",
+        rich_help_panel=OUTPUT,
+    ),
+]

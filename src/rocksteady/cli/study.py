@@ -9,16 +9,19 @@ from rocksteady.cli import flags, terminal
 from rocksteady.cli.inputs import axis, number
 from rocksteady.cli.outputs import announce_compilation, print_json
 from rocksteady.cli.progress import progress
+from rocksteady.cli.sweeps import resumable_study
 
 if TYPE_CHECKING:
     from rocksteady.studies.atlas import Atlas
 
-HELP = "Studies that take a minute: pictures, data and a page to read, in one folder."
+HELP = "Studies that take minutes: pictures, data and a page to read, in one folder."
 ATLAS_HELP = (
     "The plane of frequency and amplitude for one restitution.\n\n"
     "Every stable symmetric, leaning and doubled region of the families n = 1, 3, 5 with exact "
     "borders, how many motions stand side by side, and what a block at rest comes to. Writes "
-    "pictures as PNG, SVG and PDF, their data as CSV, atlas.json, and the page atlas.html."
+    "pictures as PNG, SVG and PDF, their data as CSV, atlas.json, and the page atlas.html.\n\n"
+    "Takes about 2.5 minutes on two cores. What is finished is kept in the folder, and --resume "
+    "continues after whatever ended the run."
 )
 ATLAS_EXAMPLES = (
     "Examples:\n\n"
@@ -79,12 +82,14 @@ def study() -> None:
 
 @app.command("atlas", help=ATLAS_HELP, epilog=ATLAS_EXAMPLES)
 def atlas(
+    context: typer.Context,
     out: flags.OutFolder,
     restitution: RestitutionFlag = "0.8",
     amplitude: AmplitudeFlag = None,
     frequency_ratio: FrequencyFlag = None,
     order: OrderFlag = None,
     force: flags.Force = False,
+    resume: flags.ResumeStudy = False,
     as_json: flags.Json = False,
 ) -> None:
     """Run `rocksteady study atlas`; `ATLAS_HELP` is what its users read."""
@@ -98,12 +103,15 @@ def atlas(
     if order:
         arguments["orders"] = tuple(order)
     plane = module.plane_of(**arguments)
-    check_folder(out, module.OURS, force=force)
+    check_folder(out, module.OURS, force=force or resume)
+    parts = module.parts_of(plane, out, resume=resume, force=force)
     announce_compilation("settling.settle_cells")
-    with progress("computing", module.steps(plane)) as done:
-        found = module.atlas(**arguments, done=done)
-    with progress("drawing", found.steps) as done:
-        files = found.save(out, force=force, done=done)
+    with resumable_study(parts, context):
+        with progress("computing", module.steps(plane)) as done:
+            found = module.atlas(**arguments, parts=parts, done=done)
+        with progress("drawing", found.steps) as done:
+            files = found.save(out, force=force or resume, parts=parts, done=done)
+    parts.remove()
     if as_json:
         names = [file.name for file in files]
         print_json("atlas", {**found.values(), "out": str(out), "files": names})

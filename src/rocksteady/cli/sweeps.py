@@ -19,6 +19,7 @@ from rocksteady.errors import OutputError, UnfinishedError
 from rocksteady.show.names import printable
 
 if TYPE_CHECKING:
+    from rocksteady.studies.parts import Parts
     from rocksteady.sweep.store import Store
 
 SWEEP = "Sweep"
@@ -186,6 +187,32 @@ class SweepFlags:
                     file=sys.stderr,
                 )
             raise
+
+
+@contextmanager
+def resumable_study(parts: "Parts", context: typer.Context) -> Iterator[None]:
+    """Print, where the study inside is ended, where its finished parts are and how it goes on.
+
+    Parameters
+    ----------
+    parts
+        Of the study.
+    context
+        Of its command.
+    """
+    try:
+        yield
+    except BaseException as error:
+        ended = isinstance(error, KeyboardInterrupt | UnfinishedError)
+        if not (ended or (isinstance(error, OutputError) and parts.swept)):
+            parts.remove()  # of seconds of work, or of what would fail again
+        elif parts.folder.is_dir():
+            print(
+                f"finished parts are kept in {printable(parts.study)}; to go on:\n"
+                f"  {printable(resuming(context.find_root().obj))}",
+                file=sys.stderr,
+            )
+        raise
 
 
 def resuming(arguments: list[str]) -> str:

@@ -118,7 +118,9 @@ def _panels(parts: "list[MapCells]", cells: MapCells, title: str, page: Page) ->
     """Draw the parts of a map side by side, as many in a row as are wide enough."""
     across = ACROSS[len(parts)]
     natural = 1.9 + 2.7 * across
-    beside = page.legend == "right" or (page.legend is None and page.width(natural) > 0.85 * natural)
+    beside = page.legend == "right" or (
+        page.legend is None and page.width(natural) > 0.85 * natural
+    )
     room = page.width(natural) - (1.9 if beside else 0.4)
     across = max(1, min(across, int(room / NARROWEST)))
     down = math.ceil(len(parts) / across)

@@ -73,7 +73,9 @@ def check_folder(folder: Path | str, ours: str, *, force: bool = False) -> None:
     raise OutputError(name="out", value=target, valid=valid, hint=hint)
 
 
-def fill_folder(folder: Path | str, write: Callable[[Path], None]) -> list[Path]:
+def fill_folder(
+    folder: Path | str, write: Callable[[Path], None], *, within: Path | None = None
+) -> list[Path]:
     """Write files into a hidden folder in the target first and move them out of it at the end.
 
     Parameters
@@ -82,6 +84,8 @@ def fill_folder(folder: Path | str, write: Callable[[Path], None]) -> list[Path]
         Made if it does not exist, in an existing folder; what else it holds stays.
     write
         Writes every file into the folder that it is given.
+    within
+        Where the hidden folder is made, inside the target; by default the target itself.
 
     Returns
     -------
@@ -99,7 +103,7 @@ def fill_folder(folder: Path | str, write: Callable[[Path], None]) -> list[Path]
         target.mkdir(exist_ok=True)
         durable.sync_folder(target.absolute().parent)
         # Inside the target, so that moving never crosses from one disk to another.
-        with TemporaryDirectory(prefix=".partial-", dir=target) as stage:
+        with TemporaryDirectory(prefix=".partial-", dir=within or target) as stage:
             write(Path(stage))
             made = False  # from here on it holds something
             return [_moved(file, target / file.name) for file in sorted(Path(stage).iterdir())]

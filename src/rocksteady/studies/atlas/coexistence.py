@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import AttractorKind, steady_states
+from rocksteady import AttractorKind, Store, steady_states
 from rocksteady.dynamics.attractor import KINDS
 from rocksteady.dynamics.lowering import symmetric_sides
 from rocksteady.dynamics.settled import Beginnings, SettledCells, settled_cells
@@ -148,7 +148,11 @@ class Coexistence:
 
 
 def coexistence(
-    plane: Plane, *, workers: int | None = None, done: Callable[[int], object] | None = None
+    plane: Plane,
+    *,
+    workers: int | None = None,
+    store: Store | None = None,
+    done: Callable[[int], object] | None = None,
 ) -> Coexistence:
     """Return what motions from many starts settle to, cell by cell.
 
@@ -158,7 +162,7 @@ def coexistence(
     ----------
     plane
         Where.
-    workers, done
+    workers, store, done
         As for `rocksteady.sweep.evaluate.evaluate`.
     """
     grid = Grid(
@@ -168,7 +172,7 @@ def coexistence(
         )
     )
     cases = functools.partial(_found, restitution=plane.restitution)
-    data = evaluate(cases, grid, OUTPUTS, workers=workers, done=done)
+    data = evaluate(cases, grid, OUTPUTS, workers=workers, store=store, done=done)
     return Coexistence(
         plane=plane,
         rest=data["rest"].values,

@@ -26,6 +26,7 @@ from rocksteady import (
     Output,
     PointType,
     Steady,
+    Store,
     attractor,
     continuation,
     evaluate,
@@ -123,6 +124,7 @@ def columns(
     ratios: ArrayLike,
     *,
     workers: int | None = None,
+    store: Store | None = None,
     done: Callable[[int], object] | None = None,
 ) -> tuple[Column, ...]:
     """Return the bands of one family at several frequencies, up to the plane's top.
@@ -135,12 +137,12 @@ def columns(
         n = 1, 3, 5, ...
     ratios
         Omega, shape (columns,).
-    workers, done
+    workers, store, done
         As for `rocksteady.sweep.evaluate.evaluate`.
     """
     cases = functools.partial(_bands, restitution=plane.restitution, top=plane.top, order=order)
     grid = Grid(axes=(Axis(name="frequency_ratio", values=ratios),))
-    data = evaluate(cases, grid, OUTPUTS, workers=workers, done=done)
+    data = evaluate(cases, grid, OUTPUTS, workers=workers, store=store, done=done)
     borders, codes = (
         np.array([data[f"{name}_{level}"].values for level in range(LEVELS)]).T.tolist()
         for name in ("border", "end")

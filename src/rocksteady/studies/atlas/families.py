@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady import Store
 from rocksteady.studies.atlas.columns import Column, columns
 from rocksteady.studies.atlas.plane import Plane
 from rocksteady.studies.folder import Done, nothing
@@ -59,7 +60,12 @@ class FamilyMap:
 
 
 def family_map(
-    plane: Plane, order: int, *, workers: int | None = None, done: Done = nothing
+    plane: Plane,
+    order: int,
+    *,
+    workers: int | None = None,
+    store: Store | None = None,
+    done: Done = nothing,
 ) -> FamilyMap:
     """Return the bands of one family over a plane.
 
@@ -69,7 +75,7 @@ def family_map(
         Where.
     order
         n = 1, 3, 5, ...
-    workers
+    workers, store
         As for `rocksteady.sweep.evaluate.evaluate`.
     done
         Called once for each column.
@@ -79,5 +85,5 @@ def family_map(
         for _ in range(count):
             done(f"columns, n = {order}")
 
-    found = columns(plane, order, plane.ratios, workers=workers, done=told)
+    found = columns(plane, order, plane.ratios, workers=workers, store=store, done=told)
     return FamilyMap(plane=plane, order=order, columns=found)

@@ -18,6 +18,7 @@ from rocksteady import (
 from rocksteady.dynamics.attractor import KINDS
 from rocksteady.studies.atlas.plane import Plane
 from rocksteady.studies.folder import Done, nothing
+from rocksteady.studies.parts import Parts
 
 if TYPE_CHECKING:
     import xarray
@@ -108,7 +109,13 @@ class FromRest:
         return float((self.fate[0] == FATES.index(fate)).mean())
 
 
-def from_rest(plane: Plane, *, workers: int | None = None, done: Done = nothing) -> FromRest:
+def from_rest(
+    plane: Plane,
+    *,
+    workers: int | None = None,
+    parts: Parts | None = None,
+    done: Done = nothing,
+) -> FromRest:
     """Return what a block at rest comes to over a plane.
 
     Parameters
@@ -117,6 +124,8 @@ def from_rest(plane: Plane, *, workers: int | None = None, done: Done = nothing)
         Where.
     workers
         As for `rocksteady.attractor_map`.
+    parts
+        Where finished cells are kept.
     done
         Called `PARTS` times, each when another part of the cells is done.
     """
@@ -126,20 +135,22 @@ def from_rest(plane: Plane, *, workers: int | None = None, done: Done = nothing)
     cells = len(phases) * (len(plane.amplitudes) * len(plane.ratios) + len(tried) * len(marked))
     told = _in_parts(cells, done)
 
-    def settled(amplitude: Floats, ratio: ArrayLike) -> "xarray.Dataset":
+    def settled(name: str, amplitude: Floats, ratio: ArrayLike) -> "xarray.Dataset":
         return attractor_map(
             DimensionlessBlock(restitution=plane.restitution),
             axes={"phase": phases, "amplitude": amplitude, "frequency_ratio": ratio},
             cycles=CYCLES,
             workers=workers,
+            store=None if parts is None else parts.store(name),
             done=told,
         )
 
-    found = settled(plane.amplitudes, plane.ratios)
+    found = settled("from-rest", plane.amplitudes, plane.ratios)
     kind, period, impacts = (found[name].values for name in ("kind", "period", "impacts"))
     falls: tuple[LowestFall, ...] = ()
     if marked and tried.size:
-        fallen = settled(tried, marked)["kind"].values == KINDS.index(AttractorKind.OVERTURNED)
+        kinds = settled("falls", tried, marked)["kind"].values
+        fallen = kinds == KINDS.index(AttractorKind.OVERTURNED)
         falls = _lowest(plane, marked, tried, phases, fallen)
     return FromRest(
         plane=plane,

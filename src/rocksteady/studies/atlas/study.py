@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.typing import ArrayLike
 
-from rocksteady import __version__
+from rocksteady import Store, __version__
 from rocksteady.show.files import figure_bytes, json_text, save_csv, save_text
 from rocksteady.show.report import svg_data_uri
 from rocksteady.studies.atlas import tables
@@ -30,6 +30,7 @@ from rocksteady.studies.atlas.plane import AMPLITUDES, FREQUENCY_RATIOS, ORDERS,
 from rocksteady.studies.atlas.report import report_html
 from rocksteady.studies.atlas.windows import Window, windows
 from rocksteady.studies.folder import Done, check_folder, environment, fill_folder, nothing
+from rocksteady.studies.parts import Parts
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -38,6 +39,8 @@ SCHEMA = "rocksteady/atlas/1"
 PICTURES = ("families", "coexistence", "from-rest")
 CELLS = 64
 """Of the search for what stands side by side that take about as long as another step."""
+COLUMNS = 8
+"""Of a family that are kept at once."""
 TABLES = ("bands", "borders", "coexistence", "from-rest")
 OURS = rf"({'|'.join(PICTURES)})\.(png|svg|pdf)|({'|'.join(TABLES)})\.csv|atlas\.json|atlas\.html"
 """Names of the files, as a regular expression."""
@@ -110,7 +113,14 @@ class Atlas:
             "tables": [f"{name}.csv" for name in TABLES],
         }
 
-    def save(self, folder: Path | str, *, force: bool = False, done: Done = nothing) -> list[Path]:
+    def save(
+        self,
+        folder: Path | str,
+        *,
+        force: bool = False,
+        parts: Parts | None = None,
+        done: Done = nothing,
+    ) -> list[Path]:
         """Write pictures, tables, ``atlas.json`` and the page ``atlas.html``.
 
         Parameters
@@ -119,6 +129,8 @@ class Atlas:
             Made if it does not exist, in an existing folder.
         force
             Whether files of these names in it are replaced; others stay.
+        parts
+            Where what is finished is kept: nothing half written is left elsewhere.
         done
             Called with the name of each picture, and of the page, when it has been written.
 
@@ -133,7 +145,10 @@ class Atlas:
             If the folder cannot be made or written, or a file exists and `force` is off.
         """
         check_folder(folder, OURS, force=force)
-        return fill_folder(folder, lambda stage: self._write(stage, done))
+        if parts is not None:
+            parts.begin()
+        within = None if parts is None else parts.folder
+        return fill_folder(folder, lambda stage: self._write(stage, done), within=within)
 
     def _write(self, stage: Path, done: Done) -> None:
         """Write every file into a folder that nobody sees yet."""
@@ -192,6 +207,7 @@ def atlas(
     frequency_ratio: ArrayLike | None = None,
     orders: tuple[int, ...] = ORDERS,
     workers: int | None = None,
+    parts: Parts | None = None,
     done: Done = nothing,
 ) -> Atlas:
     """Compute the plane of frequency and amplitude: stable regions, coexistence, fates from rest.
@@ -208,6 +224,8 @@ def atlas(
         n of the families whose regions are followed, odd.
     workers
         Threads; all cores without.
+    parts
+        Where what is finished is kept, to go on with after an interruption.
     done
         Called with the name of each step.
 
@@ -233,19 +251,33 @@ def atlas(
         restitution, amplitude=amplitude, frequency_ratio=frequency_ratio, orders=orders
     )
     began = time.perf_counter()
-    families = tuple(family_map(plane, order, workers=workers, done=done) for order in plane.orders)
+    if parts is not None:
+        parts.begin()
+
+    def store(name: str, chunk: int) -> Store | None:
+        return None if parts is None else parts.store(name, chunk)
+
+    families = tuple(
+        family_map(
+            plane, order, workers=workers, store=store(f"columns-{order}", COLUMNS), done=done
+        )
+        for order in plane.orders
+    )
     lines: list[Line] = []
     bands: list[BandsAt] = []
     for family in families:
+        order = family.order
         lines += family_lines(family)
         if marked(plane):
-            there = columns(plane, family.order, marked(plane), workers=workers)
-            bands += [bands_at(column, family.order) for column in there]
-        done(f"borders, n = {family.order}")
-    found = coexistence(plane, workers=workers, done=_in_steps(done))
+            kept = store(f"marked-{order}", COLUMNS)
+            there = columns(plane, order, marked(plane), workers=workers, store=kept)
+            bands += [bands_at(column, order) for column in there]
+        done(f"borders, n = {order}")
+    kept = store("coexistence", CELLS)
+    found = coexistence(plane, workers=workers, store=kept, done=_in_steps(done))
     strips = windows(found)
     done("windows")
-    rest = from_rest(plane, workers=workers, done=done)
+    rest = from_rest(plane, workers=workers, parts=parts, done=done)
     return Atlas(
         plane=plane,
         families=families,
@@ -256,6 +288,18 @@ def atlas(
         rest=rest,
         seconds=time.perf_counter() - began,
     )
+
+
+def parts_of(plane: Plane, folder: Path | str, *, resume: bool, force: bool) -> Parts:
+    """Return the finished parts of an atlas in its folder; arguments as for `Parts`."""
+    inputs = {
+        "study": "atlas",
+        "restitution": plane.restitution,
+        "amplitude": plane.amplitudes,
+        "frequency_ratio": plane.ratios,
+        "orders": plane.orders,
+    }
+    return Parts(folder, inputs, resume=resume, force=force)
 
 
 def marked(plane: Plane) -> list[float]:

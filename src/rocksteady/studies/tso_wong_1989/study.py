@@ -12,6 +12,7 @@ from rocksteady.show.files import figure_bytes, json_text, save_csv, save_text
 from rocksteady.show.report import svg_data_uri
 from rocksteady.studies import folder as study_folder
 from rocksteady.studies.folder import Done, environment, fill_folder, nothing
+from rocksteady.studies.parts import Parts
 from rocksteady.studies.tso_wong_1989.claims import STATEMENTS, check
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
 from rocksteady.studies.tso_wong_1989.findings import Claim, Panel, Verdict
@@ -26,6 +27,8 @@ REFERENCE = (
     "Earthquake Engineering and Structural Dynamics 18, 89-106 (1989)"
 )
 
+PICTURES = ("png", "svg", "pdf")
+"""Formats of each figure."""
 FIGURES = (*planes(), *responses(), *histories())
 """Every computed figure of the paper, in its order; Figs 1 and 2 are drawings."""
 
@@ -89,7 +92,14 @@ class Study:
         """Number of times that `save` says that something is done."""
         return len(self.panels) + (1 if self.claims else 0)
 
-    def save(self, folder: Path | str, *, force: bool = False, done: Done = nothing) -> list[Path]:
+    def save(
+        self,
+        folder: Path | str,
+        *,
+        force: bool = False,
+        parts: Parts | None = None,
+        done: Done = nothing,
+    ) -> list[Path]:
         """Write the figures with their data and, for the whole study, statements and report.
 
         Everything is drawn into a hidden folder in it first and moved out of that at the end.
@@ -100,6 +110,8 @@ class Study:
             Made if it does not exist, in an existing folder.
         force
             Whether files of these names in it are replaced; others stay.
+        parts
+            Where finished pictures are kept, to go on with after an interruption.
         done
             Called with the name of each figure, and of the report, when it has been written.
 
@@ -115,26 +127,29 @@ class Study:
         """
         only = () if self.claims else [timed.panel.id for timed in self.panels]
         check_folder(folder, only, force=force)
-        return fill_folder(folder, lambda stage: self._write(stage, done))
+        if parts is not None:
+            parts.begin()
+        within = None if parts is None else parts.folder
+        return fill_folder(folder, lambda stage: self._write(stage, parts, done), within=within)
 
-    def _write(self, stage: Path, done: Done) -> None:
+    def _write(self, stage: Path, parts: Parts | None, done: Done) -> None:
         """Write every file into a folder that nobody sees yet."""
         began = time.perf_counter()
         sections = []
         for timed in self.panels:
             start = time.perf_counter()
             panel = timed.panel
-            figure = panel.draw()
-            svg = figure_bytes(figure, "svg")
             names = dict(file_names(panel))
-            (stage / names["svg"]).write_bytes(svg)
-            for kind in ("png", "pdf"):
-                (stage / names[kind]).write_bytes(figure_bytes(figure, kind))
+            pictures = _pictures(panel, parts)
+            for kind, picture in pictures.items():
+                (stage / names[kind]).write_bytes(picture)
             save_csv("out", stage / names["csv"], panel.header, panel.rows)
             for name, (header, rows) in panel.more_tables.items():
                 save_csv("out", stage / names[name], header, rows)
             seconds = timed.seconds + time.perf_counter() - start
-            sections.append(ReportedPanel(panel=panel, picture=svg_data_uri(svg), seconds=seconds))
+            sections.append(
+                ReportedPanel(panel=panel, picture=svg_data_uri(pictures["svg"]), seconds=seconds)
+            )
             done(f"figure {panel.id}")
         if not self.claims:
             return
@@ -148,6 +163,24 @@ class Study:
         )
         save_text("out", stage / "report.html", page)
         done("report")
+
+
+def _pictures(panel: Panel, parts: Parts | None) -> dict[str, bytes]:
+    """Return a panel in each format of a picture."""
+    names = {f"figure-{panel.id}.{kind}": kind for kind in PICTURES}
+
+    def draw() -> dict[str, bytes]:
+        figure = panel.draw()
+        return {name: figure_bytes(figure, kind) for name, kind in names.items()}
+
+    found = list(draw().values()) if parts is None else parts.files(draw, *names)
+    return dict(zip(PICTURES, found, strict=True))
+
+
+def parts_of(only: Sequence[str], folder: Path | str, *, resume: bool, force: bool) -> Parts:
+    """Return the finished parts of the study in its folder; arguments as for `Parts`."""
+    inputs = {"study": "paper", "only": chosen_figures(only), "environment": environment()}
+    return Parts(folder, inputs, resume=resume, force=force)
 
 
 def reproduce(*, only: Sequence[str] = (), done: Done = nothing) -> Study:
@@ -221,7 +254,7 @@ def chosen_figures(only: Sequence[str]) -> tuple[str, ...]:
 
 def file_names(panel: Panel) -> Iterator[tuple[str, str]]:
     """Yield kind and name of each file of a panel."""
-    for kind in ("png", "svg", "pdf", "csv"):
+    for kind in (*PICTURES, "csv"):
         yield kind, f"figure-{panel.id}.{kind}"
     for name in panel.more_tables:
         yield name, f"figure-{panel.id}-{name}.csv"

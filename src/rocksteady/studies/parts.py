@@ -1,0 +1,130 @@
+"""Finished parts of a study, kept in the folder that it will fill until it is whole."""
+
+import json
+import re
+import shutil
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+from rocksteady import OutputError, Store, __version__
+from rocksteady.show.files import json_text, save_text, save_whole
+
+FOLDER = ".unfinished"
+"""Name of the hidden folder inside that of the study."""
+SCHEMA = "rocksteady/unfinished/1"
+DESCRIPTION = "study.json"
+OURS = re.compile(r"part-[\w-]+\.zarr|figure-\w+\.(png|svg)|study\.json|\.partial-\w+")
+"""Names of what lies there."""
+
+
+class Parts:
+    """What is finished of a study, in the folder that the study will fill.
+
+    Parameters
+    ----------
+    folder
+        Of the study.
+    inputs
+        All that its results follow from, in numbers and texts.
+    resume
+        Whether parts that are there, of the same inputs, are used.
+    force
+        Whether parts that are there are removed.
+
+    Raises
+    ------
+    OutputError
+        If parts are there and neither is given, or they are those of other inputs.
+    """
+
+    def __init__(
+        self,
+        folder: Path | str,
+        inputs: Mapping[str, Any],
+        *,
+        resume: bool = False,
+        force: bool = False,
+    ) -> None:
+        self.study = Path(folder)
+        self.folder = self.study / FOLDER
+        self._text = json_text(SCHEMA, {"version": __version__, **inputs}) + "\n"
+        there = self._there()
+        if there is None:
+            return
+        if force and not resume:
+            self.remove()
+            return
+        if not resume:
+            raise self._refused(
+                "it holds finished parts of a study",
+                "add --resume to continue it, or --force to begin anew",
+            )
+        if there != self._text:
+            before, now = (json.loads(text) for text in (there, self._text))
+            names = sorted(name for name in {*before, *now} if before.get(name) != now.get(name))
+            raise self._refused(
+                f"its finished parts are of another {' and '.join(names)}",
+                "give the same again, or add --force in place of --resume to begin anew",
+            )
+
+    def _refused(self, valid: str, hint: str) -> OutputError:
+        return OutputError(name="out", value=self.study, valid=valid, hint=hint)
+
+    def _there(self) -> str | None:
+        """Return the description of the parts that are there; None where there are none."""
+        try:
+            text = (self.folder / DESCRIPTION).read_text(encoding="utf-8")
+            return text if json.loads(text)["schema"] == SCHEMA else None
+        except (OSError, ValueError, LookupError, TypeError):
+            return None
+
+    def begin(self) -> None:
+        """Make the folder and describe what its parts are of.
+
+        Raises
+        ------
+        OutputError
+            If it cannot be made.
+        """
+        try:
+            self.folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise self._refused(error.strerror or str(error), "check the folder") from error
+        if self._there() is None:
+            save_text("out", self.folder / DESCRIPTION, self._text)
+
+    def store(self, name: str, chunk: int | None = None) -> Store:
+        """Return where a sweep of the study is kept, written `chunk` cells at a time."""
+        return Store(self.folder / f"part-{name}.zarr", resume=True, chunk=chunk)
+
+    def files(self, make: Callable[[], Mapping[str, bytes]], *names: str) -> list[bytes]:
+        """Return the bytes of files that are kept; all made, and kept, where one is not there."""
+        files = [self.folder / name for name in names]
+        with suppress(OSError):
+            return [file.read_bytes() for file in files]
+        made = make()
+        for file in files:
+            data = made[file.name]
+            save_whole("out", file, lambda target, data=data: target.write_bytes(data))
+        return [made[name] for name in names]
+
+    @property
+    def swept(self) -> bool:
+        """Whether sweeps are kept, which take minutes."""
+        return any(self.folder.glob("part-*.zarr"))
+
+    def remove(self) -> None:
+        """Remove the parts, and the folders where nothing else lies in them."""
+        with suppress(OSError):
+            # The description goes last: without it they are nobody's.
+            for path in sorted(self.folder.iterdir(), key=lambda each: each.name == DESCRIPTION):
+                if not OURS.fullmatch(path.name):
+                    continue
+                if path.is_dir() and not path.is_symlink():
+                    shutil.rmtree(path, ignore_errors=True)
+                else:
+                    path.unlink(missing_ok=True)
+            self.folder.rmdir()
+            self.study.rmdir()
