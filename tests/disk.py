@@ -14,6 +14,7 @@ import os
 import random
 import shutil
 import stat
+import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -82,6 +83,7 @@ class Recorder:
 
     root: Path
     moments: list[Moment] = field(default_factory=list)
+    lock: Any = field(default_factory=threading.RLock)
     _things: dict[Inode, Thing] = field(default_factory=dict)
     _held: list[int] = field(default_factory=list)
 
@@ -142,9 +144,10 @@ def recorded(root: Path) -> Iterator[Recorder]:
         fsync = os.fsync
 
         def forced(descriptor: int) -> None:
-            recorder.note("fsync")
-            fsync(descriptor)
-            recorder.force(descriptor)
+            with recorder.lock:
+                recorder.note("fsync")
+                fsync(descriptor)
+                recorder.force(descriptor)
 
         patch.setattr(os, "fsync", forced)
         yield recorder
@@ -154,8 +157,9 @@ def recorded(root: Path) -> Iterator[Recorder]:
 
 def _noted(recorder: Recorder, name: str, function: Callable[..., Any]) -> Callable[..., Any]:
     def noted(*arguments: Any, **options: Any) -> Any:
-        recorder.note(name)
-        return function(*arguments, **options)
+        with recorder.lock:
+            recorder.note(name)
+            return function(*arguments, **options)
 
     return noted
 

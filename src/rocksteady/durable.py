@@ -6,7 +6,8 @@ forced to the disk, and moved; then the folder that holds it is forced to the di
 
 import os
 import stat
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -14,6 +15,8 @@ from tempfile import TemporaryDirectory
 PREFIX = ".rocksteady-"
 """Begins the names of private folders; `tempfile` adds eight random characters."""
 
+FEW, AT_ONCE = 4, 32
+"""Files that are forced to the disk one after another, and threads where there are more."""
 _missing: set[Path] = set()
 """Places in which there was nothing when `expect` looked, and nothing may be replaced."""
 
@@ -103,9 +106,22 @@ def create(file: Path, content: bytes) -> None:
 
 def move(staged: Path, place: Path) -> None:
     """Move a file to its place, both forced to the disk: the file before, the folder after."""
-    sync(staged)
-    staged.replace(place)
-    sync_folder(place.parent)
+    move_all({staged: place})
+
+
+def move_all(places: Mapping[Path, Path]) -> None:
+    """Move files to their places; all are forced to the disk before the first is moved."""
+    if len(places) > FEW:  # at the same time, of which a disk makes one turn
+        with ThreadPoolExecutor(AT_ONCE) as pool:
+            for _ in pool.map(sync, places):
+                pass
+    else:
+        for staged in places:
+            sync(staged)
+    for staged, place in places.items():
+        staged.replace(place)
+    for folder in {place.parent for place in places.values()}:
+        sync_folder(folder)
 
 
 def sync(file: Path) -> None:

@@ -21,7 +21,7 @@ from tests.sweep.executors.cases import GRID, OUTPUTS, some
 from tests.sweep.faults import CHUNK, MOMENTS, run, script, tree, whole
 
 
-@pytest.mark.parametrize("step", [7, pytest.param(1, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("step", [23, pytest.param(1, marks=pytest.mark.slow)])
 def test_a_run_that_is_killed_at_any_moment_is_resumed(
     step: int, undisturbed: Path, tmp_path: Path
 ) -> None:
@@ -41,7 +41,7 @@ def test_a_run_that_is_killed_at_any_moment_is_resumed(
     assert set(there) == set(range(0, GRID.size + 1, CHUNK))
 
 
-@pytest.mark.parametrize("step", [7, pytest.param(1, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("step", [23, pytest.param(1, marks=pytest.mark.slow)])
 def test_a_resumed_run_that_is_killed_is_resumed(
     step: int, begun: Path, undisturbed: Path, tmp_path: Path
 ) -> None:
@@ -75,7 +75,7 @@ def test_a_resumed_run_that_is_killed_is_resumed(
         assert whole(place / "a.zarr", undisturbed)
 
 
-@pytest.mark.parametrize("step", [7, pytest.param(1, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("step", [23, pytest.param(1, marks=pytest.mark.slow)])
 def test_replacing_a_store_leaves_the_old_one_or_a_new_one(
     step: int, undisturbed: Path, tmp_path: Path
 ) -> None:

@@ -112,7 +112,7 @@ def remove(folder: Path, marks: Marks) -> None:
 
 def _own(path: str, kind: str, known: Sequence[Marks]) -> bool:
     """Return whether a path is one that a sweep makes, in stores of known marks."""
-    partial = rf"{DONE}/[0-9a-f]{{{HEX}}}\.partial"
+    partial = rf"{DONE}/[0-9a-f]{{{HEX}}}-\d+\.partial"
     folders, files = [DONE], [f"{DONE}/{LOCK}", partial]
     for marks in known:
         axes, outputs, group = "|".join(marks.axes), "|".join(marks.outputs), re.escape(GROUP)

@@ -34,8 +34,8 @@ if TYPE_CHECKING:
 
 SHARE = 0.05
 """Of a run's time that it takes at most to force chunks to the disk, several at once if need be."""
-LATEST = 10.0
-"""Seconds after which finished chunks are forced to the disk, whatever it takes."""
+LATEST, MOST_HELD = 10.0, 2**26
+"""Seconds and bytes after which finished chunks are forced to the disk, whatever it takes."""
 
 
 class Desk:
@@ -51,21 +51,21 @@ class Desk:
 
     def __init__(self, folder: Path, token: str) -> None:
         self.folder = folder
-        self._partial = folder / DONE / f"{token}.partial"
+        self._token = token
+        self._done = folder / DONE
 
-    def put(self, path: str, content: bytes, *, now: bool = True) -> None:
-        """Put a file in its place, whole: on the disk, or without `now` before `sync` has run."""
-        place = self.folder / path
+    def put(self, files: Mapping[str, bytes]) -> None:
+        """Put files in their places by relative paths, forced to the disk, each of them whole."""
+        staged = {path: self._done / f"{self._token}-{n}.partial" for n, path in enumerate(files)}
         try:
-            self._make_folders(place.parent)
-            durable.create(self._partial, content)
-            if now:
-                durable.move(self._partial, place)
-            else:
-                self._partial.replace(place)
+            for path, content in files.items():
+                self._make_folders((self.folder / path).parent)
+                durable.create(staged[path], content)
+            durable.move_all({file: self.folder / path for path, file in staged.items()})
         except OSError:
-            with suppress(OSError):
-                self._partial.unlink(missing_ok=True)
+            for file in staged.values():
+                with suppress(OSError):
+                    file.unlink(missing_ok=True)
             raise
 
     def _make_folders(self, folder: Path) -> None:
@@ -79,7 +79,7 @@ class Desk:
         for path in sorted(described.files, key=_order):
             place = self.folder / path
             if not place.is_file() or place.read_bytes() != described.files[path]:
-                self.put(path, described.files[path])
+                self.put({path: described.files[path]})
 
     def begin(self, described: Described, replaced: Marks | None) -> None:
         """Make a store of which the descriptions are still to come.
@@ -87,8 +87,8 @@ class Desk:
         Files of one that is replaced are removed.  From the first step on it is the new store; what
         is left to do after it is done when it is resumed.
         """
-        self.put(MARKS[0], described.beginning(replaced))
-        self.put(GROUP, described.files[GROUP])
+        self.put({MARKS[0]: described.beginning(replaced)})
+        self.put({GROUP: described.files[GROUP]})
         if replaced is not None:
             remove(self.folder, replaced)
 
@@ -134,7 +134,8 @@ def locked(folder: Path) -> Iterator[Desk]:
         before, token = _holder(file)[1], uuid.uuid4().hex
         if is_identity(before):  # of a process that was killed
             with suppress(OSError):
-                (folder / DONE / f"{before}.partial").unlink(missing_ok=True)
+                for leftover in (folder / DONE).glob(f"{before}-*.partial"):
+                    leftover.unlink()
         with suppress(OSError):  # of a full disk: the words are a courtesy, the lock holds
             words = f"process {os.getpid()} on {socket.gethostname()}\n{token}"
             file.write_text(words, encoding="utf-8")
@@ -182,8 +183,8 @@ class Shelf:
         self._open: dict[int, tuple[dict[str, Array], int]] = {}
         """Arrays of chunks under way, and how many of their cells are still to come."""
         self._dtypes = {output.name: output.dtype for output in task.outputs}
-        self._pending: dict[int, bytes] = {}
-        """Checksums of chunks whose files may not be on the disk yet."""
+        self._pending: dict[int, dict[str, bytes]] = {}
+        """Contents of the files of full chunks that are not on the disk yet."""
         self._due = 0.0
         self._since = 0.0
         try:
@@ -250,46 +251,46 @@ class Shelf:
             self._write(chunk, arrays)
 
     def _write(self, chunk: int, arrays: Mapping[str, Array]) -> None:
-        contents = self._described.encoded(chunk, arrays)
-        try:
-            for name, content in contents.items():
-                self._desk.put(self._described.path(name, chunk), content, now=False)
-        except OSError as error:
-            with suppress(UnfinishedError):
-                self.keep()
-            raise self._stopped(error) from error
-        sweep = self._described.marks.sweep
-        sums = [checksum(sweep, name, chunk, content) for name, content in contents.items()]
         now = time.monotonic()
         self._since = self._since if self._pending else now
-        self._pending[chunk] = np.array(sums, dtype="<u8").tobytes()
+        self._pending[chunk] = self._described.encoded(chunk, arrays)
+        held = sum(len(file) for files in self._pending.values() for file in files.values())
         whole = int(self._finished.sum()) + len(self._pending) == len(self._chunks)
-        if whole or now >= min(self._due, self._since + LATEST):
+        if whole or held > MOST_HELD or now >= min(self._due, self._since + LATEST):
             self.keep()
             ended = time.monotonic()
             self._due = ended + (ended - now) / SHARE
 
     def keep(self) -> None:
-        """Force the files of full chunks to the disk, then mark these as finished.
+        """Put the files of full chunks on the disk, then mark these as finished.
 
         Raises
         ------
         UnfinishedError
-            If that cannot be done.
+            If that cannot be done; those are kept for which there was room.
         """
         try:
-            for chunk in self._pending:
-                for name in self._dtypes:
-                    durable.sync(self._folder / self._described.path(name, chunk))
-            for name in self._dtypes if self._pending else ():
-                durable.sync_folder(self._folder / name)
-            while self._pending:
-                chunk = next(iter(self._pending))
-                self._desk.put(f"{DONE}/c/{chunk}", self._pending[chunk])
-                self._finished[chunk] = True
-                del self._pending[chunk]
+            self._put(dict(self._pending))
         except OSError as error:
-            raise self._stopped(error) from error
+            with suppress(OSError):
+                while self._pending:
+                    first = next(iter(self._pending))
+                    self._put({first: self._pending[first]})
+            if self._pending:
+                raise self._stopped(error) from error
+
+    def _put(self, chunks: Mapping[int, Mapping[str, bytes]]) -> None:
+        """Put the files of chunks on the disk, and then their checksums."""
+        sweep, path = self._described.marks.sweep, self._described.path
+        sums = {
+            chunk: np.array([checksum(sweep, name, chunk, files[name]) for name in files], "<u8")
+            for chunk, files in chunks.items()
+        }
+        self._desk.put({path(n, chunk): files[n] for chunk, files in chunks.items() for n in files})
+        self._desk.put({f"{DONE}/c/{chunk}": found.tobytes() for chunk, found in sums.items()})
+        for chunk in chunks:
+            self._finished[chunk] = True
+            del self._pending[chunk]
 
     def _stopped(self, error: OSError) -> UnfinishedError:
         return UnfinishedError(
