@@ -99,6 +99,10 @@ def test_intervals_in_words(tmp_path: Path, head: str, dt: float) -> None:
         ("acc/(m/s2)", 1.0),
         ("acc [cm s\u207b\u00b2]", 1e-2),
         ("acc (g/1000)", 1e-3 * G),
+        ("acc [0.5g]", 0.5 * G),
+        ("acc (units of g)", G),
+        ("ug'' (m/s2)", 1.0),
+        ("d2u/dt2 (m/s2)", 1.0),
     ],
 )
 def test_units_with_factors_are_understood_as_a_whole(

@@ -71,7 +71,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         _refuse_short_rows(text, found)
     if given.units is None:
         refuse_factors(text, list(found.header_lines))
-    header = list(found.header_lines)
+    header = list(found.header_lines) if found.columns == 1 else _words(found)
     stated = None if given.dt_s is not None else stated_interval(text, header)
     spaced, picked = _values(text, found, given, interval or stated)
     values, interval, warnings = spaced.values, spaced.dt_s, spaced.warnings

@@ -15,6 +15,9 @@ from rocksteady.records.units import acceleration_unit, in_m_s2, in_seconds
 __all__ = ["ColumnName", "column_name"]
 
 _BRACKETS: Final = re.compile(r"[(\[]((?:[^()\[\]]|\([^()]*\))*)[)\]]")
+_OF_UNITS: Final = re.compile(r"(?:units?\s*(?:of|in|[:=])*|in)\s+", re.IGNORECASE)
+_GROUND: Final = re.compile(r"u_?g['.\"]*", re.IGNORECASE)
+"""What the acceleration of the ground is called in theory, which is no millionth of g."""
 _TIME: Final = re.compile(
     r"(?:t|time|times|zeit|temps|tempo|tiempo)(?![A-Za-z])(?P<rest>.*)", re.IGNORECASE
 )
@@ -76,7 +79,7 @@ def column_name(name: str) -> ColumnName:
     >>> column_name("time (min)").seconds, column_name("1000*acc (g)").uncertain
     (60.0, '1000*acc')
     """
-    brackets = [found.strip() for found in _BRACKETS.findall(name)]
+    brackets = [_OF_UNITS.sub("", found.strip()) for found in _BRACKETS.findall(name)]
     if len(brackets) == 1 and not _BRACKETS.sub("", name).strip():
         name, brackets = brackets[0], []
     label = " ".join(_BRACKETS.sub(" ", name).split()).strip(" _,:;/")
@@ -153,6 +156,8 @@ def _acceleration(label: str, brackets: list[str]) -> ColumnName:
 
 def _tail(label: str) -> tuple[str | None, str]:
     """Return the unit of acceleration that a name ends with, and the name without it."""
+    if _GROUND.fullmatch(label):
+        return None, label
     starts = [0, *(found.end() for found in re.finditer(r"[\s_,:/-]+", label))]
     for start in starts:
         written = label[start:]

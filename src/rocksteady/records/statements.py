@@ -57,7 +57,7 @@ _NAMES: Final = {
 }
 _STATED: Final = {
     name: re.compile(
-        rf"(?<![A-Za-z])(?:{words})(?![A-Za-z])\s*(?:[(\[](?P<unit>[^)\]]*)[)\]])?\s*"
+        rf"(?<![A-Za-z])(?:{words})(?=[\s:=(\[])\s*(?:[(\[](?P<unit>[^)\]]*)[)\]])?\s*"
         r"(?:(?:is|of|at)\b)?\s*[:=]?\s*(?P<value>[+-]?[\d.][^\n]*)",
         re.IGNORECASE,
     )

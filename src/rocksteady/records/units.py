@@ -72,7 +72,7 @@ _SUPERSCRIPTS: Final = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻", "01234
 _RAISED: Final = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻]+")
 _LOOK_ALIKES: Final = str.maketrans({"×": "*", "·": "*", "⋅": "*", "∙": "*", "−": "-", "μ": "u"})
 _TOKEN: Final = re.compile(
-    r"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)(?![a-z])|(?P<percent>%|percent\b)(?:\s*of\b)?"
+    r"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)|(?P<percent>%|percent\b)(?:\s*of\b)?"
     r"|(?P<power>\*\*|\^|-?\bsquared\b)|(?P<over>/|\bper\b)|(?P<times>[*.x](?=\s*[\w%(]))"
     r"|(?P<open>\()|(?P<close>\))|(?P<sign>[+-](?=\d))|(?P<unit>[a-z]+0(?![\w.])|g's\b|[a-z]+))"
 )
