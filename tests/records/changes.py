@@ -9,10 +9,10 @@ import numpy as np
 
 G: Final = 9.80665
 
-Verdict = Literal["told", "not same", "scaled", "same numbers", "prefix", "turned"]
+Verdict = Literal["as before", "not same", "scaled", "same numbers", "prefix", "turned"]
 """What must come of a file that is neither refused nor warned about.
 
-``told``: the same samples at the same interval. ``not same``: nothing; it must be refused or warned
+``as before``: the same samples at the same interval. ``not same``: nothing; it must be refused or warned
 about. ``scaled``: the samples times a factor. ``same numbers``: the same samples in another order.
 ``prefix``: as many of the samples as both have. ``turned``: the samples with the other sign, noted.
 """
@@ -181,7 +181,7 @@ def _header_swapped(name: str, base: bytes, rng: np.random.Generator) -> Change 
     lines = base.split(b"\n")
     one, other = rng.choice(np.arange(DATA[name]), 2, replace=False)
     lines[one], lines[other] = lines[other], lines[one]
-    return Change(kind="lines of the header swapped", data=b"\n".join(lines), verdict="told")
+    return Change(kind="lines of the header swapped", data=b"\n".join(lines), verdict="as before")
 
 
 def _across_swapped(name: str, base: bytes, rng: np.random.Generator) -> Change | None:
@@ -198,7 +198,7 @@ def _header_line_lost(name: str, base: bytes, rng: np.random.Generator) -> Chang
         return None
     lines = base.split(b"\n")
     del lines[rng.integers(DATA[name])]
-    return Change(kind="line of the header lost", data=b"\n".join(lines), verdict="told")
+    return Change(kind="line of the header lost", data=b"\n".join(lines), verdict="as before")
 
 
 def _digit_lost(name: str, base: bytes, rng: np.random.Generator) -> Change | None:

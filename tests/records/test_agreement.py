@@ -107,7 +107,7 @@ def test_a_cut_of_a_table_is_warned_about_or_refused(
         except RecordFileError:
             continue
         words = " ".join(found.warnings)
-        # Of seventeen digits the last few are none that anybody misses.
+        # Of seventeen digits the last few do not matter.
         last, whole = found.record.acceleration_m_s2[-1] / 9.80665, samples(403)[-1]
         assert "last number" in words or "laid out" in words or abs(last - whole) < 1e-10
 
