@@ -61,7 +61,7 @@ def test_a_row_along_which_chatter_ends_at_uplift_is_decided_as_any_other() -> N
     # A row of 1000 x 1000 cells, 445 of which were undecided after 2000 periods, a second each.
     ratios = np.linspace(0.2, 8.0, 1000)[::25]
     block = DimensionlessBlock(restitution=0.87)
-    axes = {"amplitude": [1.0565565565565567], "frequency_ratio": ratios}
+    axes: dict[str, Any] = {"amplitude": [1.0565565565565567], "frequency_ratio": ratios}
     found = attractor_map(block, axes=axes)
     words = [KIND_FLAGS[kind] for kind in found.kind.values[0].tolist()]
     assert "undecided" not in words

@@ -37,6 +37,18 @@ def test_a_window_far_narrower_than_the_grid_is_found_by_its_hump() -> None:
     assert found.tried < 1500
 
 
+@pytest.mark.parametrize("closest", [1e-6, 1e-9, 1e-12])
+def test_borders_are_brought_as_close_together_as_wanted_and_no_closer(closest: float) -> None:
+    follow = fates_of(lambda a: np.sin(40.0 * a) - 0.5)
+    exact, found = (scan(follow, 1.0, 5.0, 0.05, closest=part) for part in (0.0, closest))
+    assert len(found.low) == len(exact.low) > 20
+    assert found.low == pytest.approx(exact.low, rel=closest)
+    assert found.high == pytest.approx(exact.high, rel=closest)
+    assert found.tried < exact.tried
+    apart = np.abs(found.low[1:] - exact.low[1:]) / exact.low[1:]
+    assert apart.max() > 1e-3 * closest
+
+
 def test_a_gap_far_narrower_than_the_grid_is_found_by_its_dip() -> None:
     found = scan(fates_of(lambda a: (a - 7.7) ** 2 - 1e-8), 1.0, 20.0, 0.05)
     (first, second) = ends(found)

@@ -31,6 +31,9 @@ ROUGH = 1e-4
 The windows of lines that differ so little are the same but for those that are about as narrow.  The
 linear model is fast enough without.
 """
+CLOSEST = 1e-12
+"""Part of an amplitude to which a border is wanted in the nonlinear model, whose steps stay within
+1e-10 of the motion: what is closer has no meaning."""
 REST_VELOCITY = 1e-3
 """Chatter slower than this, in alpha p, may come to rest: its bounces stay below 1e-6 alpha."""
 FLIGHT_LIMIT = 30_000
@@ -86,7 +89,14 @@ def windows_at(
         )
         quick = None if lines is table else rough
         windows = scan(
-            follow, low, high, resolution, uplifts=uplifts, keep=MOST_WINDOWS, rough=quick
+            follow,
+            low,
+            high,
+            resolution,
+            uplifts=uplifts,
+            keep=MOST_WINDOWS,
+            rough=quick,
+            closest=CLOSEST if model == "nonlinear" else 0.0,
         )
         _keep(found, cell, windows)
     return found

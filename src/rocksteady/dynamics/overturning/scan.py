@@ -97,6 +97,7 @@ def scan(
     uplifts: Sequence[float] = (1.0,),
     keep: int = 1000,
     rough: Callable[[Floats], Fates] | None = None,
+    closest: float = 0.0,
 ) -> Found:
     """Return every window between two amplitudes.
 
@@ -116,6 +117,8 @@ def scan(
     rough
         Returns fates that are nearly right and come at less cost, for the search; without, `follow`
         does.  The borders found with it are moved to where `follow` has them.
+    closest
+        Part of an amplitude to which borders are wanted; 0 (default) for rounding.
     """
     amplitude = first_grid(low, high, step, uplifts)
     looked = follow if rough is None else rough
@@ -130,7 +133,7 @@ def scan(
     if rough is not None:
         amplitude = amplitude[_kept(fates)]
         fates = follow(amplitude)
-    return _windows(follow, amplitude, fates, len(doubtful), keep)
+    return _windows(follow, amplitude, fates, len(doubtful), keep, closest)
 
 
 def first_grid(low: float, high: float, step: float, uplifts: Sequence[float] = (1.0,)) -> Floats:
@@ -222,7 +225,12 @@ def _with_middles(
 
 
 def _windows(
-    follow: Callable[[Floats], Fates], amplitude: Floats, fates: Fates, left: int, keep: int
+    follow: Callable[[Floats], Fates],
+    amplitude: Floats,
+    fates: Fates,
+    left: int,
+    keep: int,
+    closest: float,
 ) -> Found:
     """Return the windows that amplitudes close enough show, the borders of the widest to rounding.
 
@@ -238,7 +246,7 @@ def _windows(
         stops = np.concatenate([where, [len(amplitude) - 1]])
         falls = fates.overturns[starts]
         wide = _may_be_widest(amplitude, starts, stops, falls, keep)
-        apart = where[(wide[:-1] | wide[1:]) & _apart(amplitude, where)]
+        apart = where[(wide[:-1] | wide[1:]) & _apart(amplitude, where, closest)]
         if not apart.size:
             break
         amplitude, fates = _with_middles(follow, amplitude, fates, apart)
@@ -274,8 +282,10 @@ def _may_be_widest(
     return found
 
 
-def _apart(amplitude: Floats, where: Integers) -> NDArray[np.bool_]:
-    """Return which intervals still have a number between their ends, but for the last digits."""
-    gap = amplitude[where + 1] - amplitude[where]
-    found: NDArray[np.bool_] = gap > 4.0 * np.spacing(amplitude[where + 1])
+def _apart(amplitude: Floats, where: Integers, closest: float) -> NDArray[np.bool_]:
+    """Return which intervals are wider than a part of them, or than the last digits."""
+    high = amplitude[where + 1]
+    found: NDArray[np.bool_] = high - amplitude[where] > np.maximum(
+        4.0 * np.spacing(high), closest * high
+    )
     return found
