@@ -49,3 +49,10 @@ def test_a_grid_is_written_in_some_dozens_of_chunks_of_a_suitable_size() -> None
         67,
         385,
     ]
+
+
+def test_of_slow_cells_a_chunk_has_no_more_than_one_call_takes_or_a_64th_of_all() -> None:
+    assert Chunks.of((120,), batch=4).box == (4,)
+    assert Chunks.of((1000,), batch=4).box == (16,)
+    assert Chunks.of((120,), batch=100_000).box == Chunks.of((120,)).box == (120,)
+    assert Chunks.of((1000, 1000), batch=256).box == Chunks.of((1000, 1000)).box

@@ -66,7 +66,8 @@ Chunk = Annotated[
     typer.Option(
         "--chunk",
         metavar="CELLS",
-        help="Cells that are written at once; by default a 64th of all, from 4096 to 65536.",
+        help="Cells that are written at once; by default a 64th of all, from 4096 to "
+        "65536, and of slow cells fewer.",
         rich_help_panel=SWEEP,
     ),
 ]

@@ -43,9 +43,14 @@ class Chunks:
     box: tuple[int, ...]
 
     @classmethod
-    def of(cls, shape: tuple[int, ...], cells: int | None = None) -> "Chunks":
-        """Return chunks of at most so many cells; of a number that suits the grid for None."""
-        most = suitable(math.prod(shape)) if cells is None else cells
+    def of(
+        cls, shape: tuple[int, ...], cells: int | None = None, *, batch: int = FEWEST
+    ) -> "Chunks":
+        """Return chunks of at most so many cells; of a number that suits the grid for None.
+
+        `batch` is the most cells of one call: of slow cells fewer are lost with a chunk.
+        """
+        most = suitable(math.prod(shape), batch) if cells is None else cells
         box = [1] * len(shape)
         for axis in reversed(range(len(shape))):
             box[axis] = min(shape[axis], most)
@@ -100,6 +105,6 @@ class Chunks:
         return chunk
 
 
-def suitable(cells: int) -> int:
-    """Return how many cells a chunk has where nobody says."""
-    return max(FEWEST, min(USUAL, -(-cells // IN_ALL)), min(MOST, -(-cells // AT_MOST)))
+def suitable(cells: int, batch: int = FEWEST) -> int:
+    """Return the default number of cells in a chunk."""
+    return max(min(FEWEST, batch), min(USUAL, -(-cells // IN_ALL)), min(MOST, -(-cells // AT_MOST)))

@@ -38,8 +38,8 @@ class Store:
         Whether a store that is there is replaced.
     chunk
         The most cells that are written at once: what is lost when a run is ended, at most, for each
-        of its workers.  By default a 64th of the grid, but from 4096 to 65,536 cells.  A store that
-        is continued keeps its own.
+        of its workers.  By default a 64th of the grid, but from 4096 to 65,536 cells, or from as
+        many as one call takes where these are fewer.  A store that is continued keeps its own.
 
     Raises
     ------
@@ -176,7 +176,7 @@ class Store:
             refuse_others(self.folder, marks, inputs)
             chunks = Chunks(shape=task.grid.shape, box=marks.box)
         else:
-            chunks = Chunks.of(task.grid.shape, self.chunk)
+            chunks = Chunks.of(task.grid.shape, self.chunk, batch=task.batch)
         described = Described(task, chunks, inputs, attributes)
         try:
             before = replaced_in(self.folder)

@@ -263,3 +263,25 @@ def test_bad_input_is_refused(arguments: dict[str, Any], words: str) -> None:
 def test_oscillations_belong_to_one_pulse_alone() -> None:
     with pytest.raises(ModelError, match="has none"):
         Pulse(shape="one-sine", amplitude=1.0, frequency_ratio=1.0, oscillations=3.0)
+
+
+def test_an_interrupted_search_keeps_most_of_its_frequencies(tmp_path: Path) -> None:
+    ratios, passed = np.linspace(1.0, 5.0, 20), 0
+    how: dict[str, Any] = {"resolution": 0.02, "executor": "serial"}
+
+    def stopped(cells: int) -> None:
+        nonlocal passed
+        passed += cells
+        if passed >= 14:
+            raise KeyboardInterrupt
+
+    path = tmp_path / "windows.zarr"
+    with pytest.raises(KeyboardInterrupt):
+        overturning_windows(BLOCK, "one-sine", ratios, store=path, done=stopped, **how)
+    told: list[int] = []
+    store = Store(path, resume=True)
+    found = overturning_windows(BLOCK, "one-sine", ratios, store=store, done=told.append, **how)
+    assert told[0] >= 8  # of chunks that are finished
+    assert sum(told) == 20
+    whole = overturning_windows(BLOCK, "one-sine", ratios, **how)
+    assert np.array_equal(found.low, whole.low, equal_nan=True)

@@ -38,8 +38,8 @@ REST_VELOCITY = 1e-3
 """Chatter slower than this, in alpha p, may come to rest: its bounces stay below 1e-6 alpha."""
 FLIGHT_LIMIT = 30_000
 """Only without loss, and barely lifted, a block has more of them in a pulse."""
-BATCH = 16
-"""Frequencies of one call, for which an interruption waits."""
+BATCH = 4
+"""Frequencies of one call, for which an interruption waits, and of a chunk of a store."""
 OUTPUTS = (
     Output(name="windows", dtype=np.int32, long_name="windows that are kept"),
     Output(name="first", long_name="smallest a_max/(alpha g) that overturns"),
