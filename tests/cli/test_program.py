@@ -35,6 +35,7 @@ ORDERED = ("steady", "simulate", "attractor", "bifurcate")
 EVERY_COMMAND = (*COMMANDS, "overturn", "record", "paper")
 commands = pytest.mark.parametrize("command", COMMANDS)
 SHAKEN = {name: f"{name} -A 2 -W 4" for name in COMMANDS} | {
+    "basins": "basins -A 2 -W 4 --angles=-1:1:30 --velocities=-1:1:30",  # short of its progress
     "bifurcate": "bifurcate -A 2 -W 3:5:9",
     "map": "map -A 2:3:2 -W 4",
 }

@@ -180,7 +180,9 @@ def test_it_can_be_sent_elsewhere(filled: Path, reference: xarray.Dataset) -> No
 def test_others_read_it_without_this_package(filled: Path, reference: xarray.Dataset) -> None:
     found = xarray.open_zarr(filled, consolidated=False, chunks=None).drop_vars("done").load()
     for name, variable in reference.variables.items():
-        assert found[name].dtype.kind in {variable.dtype.kind, "T"}
+        # Texts are objects in xarray before 2026.
+        texts = {"T", "O"} if variable.dtype.kind == "U" else set()
+        assert found[name].dtype.kind in {variable.dtype.kind, *texts}
         assert found[name].values.astype(variable.dtype).tobytes() == variable.values.tobytes()
     assert found.attrs == reference.attrs
 
