@@ -194,16 +194,34 @@ def command_line(draw: random.Random, number: int) -> list[str]:
     usual = list(draw.choice(USUAL.get(path, [[]]))) if draw.random() < 0.9 or path in LONG else []
     words = list(usual)
     for _ in range(draw.choice((0, 1, 1, 1, 2, 2, 3, 5))):
-        words += flag_of(draw, draw.choice(parameters), number)
-    if draw.random() < 0.03:
+        parameter = draw.choice(parameters)
+        if not getattr(parameter, "multiple", False) and draw.random() < 0.95:
+            words = without(words, parameter.opts)
+        words += flag_of(draw, parameter, number)
+    if path in LONG:  # seconds for few of them, minutes for none
+        words = [*without(words, ["--out"]), "--out", "no/such"]
+        words = words if draw.random() < 0.99 else list(usual)
+    if draw.random() < 0.03 and path not in LONG:
         words.insert(draw.randrange(len(words) + 1), draw.choice(("--help", "--", *JUNK)))
     if usual and path not in LONG and draw.random() < 0.05:
         del words[draw.randrange(len(usual))]
     if draw.random() < 0.3:
         words.append("--json")
-    if path in LONG:  # the last values of flags count: seconds for few of them, minutes for none
-        words += [*usual, *(["--out", "no/such"] if draw.random() < 0.99 else [])]
     return [*path.split(), *words]
+
+
+def without(words: list[str], names: list[str]) -> list[str]:
+    """Return arguments without those of a flag; of a flag with a value both."""
+    kept: list[str] = []
+    skip = False
+    for word in words:
+        if skip:
+            skip = False
+        elif word in names:
+            skip = word.startswith("-")
+        elif word.partition("=")[0] not in names or "=" not in word:
+            kept.append(word)
+    return kept
 
 
 def flag_of(draw: random.Random, parameter: Any, number: int) -> list[str]:

@@ -182,3 +182,11 @@ def test_bad_input_is_one_line_and_leaves_nothing(
     assert flag in line
     assert says in line
     assert list(tmp_path.iterdir()) == []
+
+
+def test_an_interval_is_that_of_drawn_states_alone() -> None:
+    point = "basins -A 0.5 -W 2 -r 0.95 --angles=-1:1:20 --velocities=-0.5:0.5:20 --cycles 100"
+    assert "interval" not in rocksteady(point).out
+    assert rocksteady(f"{point} --json").json["confidence"] is None
+    assert "95 % interval" in rocksteady(f"{point} --seed 1").out
+    assert rocksteady(f"{point} --seed 1 --json").json["confidence"] == 0.95

@@ -12,9 +12,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+import xarray as xr
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, State, Steady, attractor_map, open_store
 from rocksteady.cli.inputs import axis
+from rocksteady.show.classes import LOOKS, map_cells
 from tests.cli.program import refused, rocksteady
 
 AXES = "-A 0.5:5:7 -W 1:8:9"
@@ -50,6 +52,20 @@ def test_the_text_says_what_there_is() -> None:
     assert re.search(r"^overturned +\d+ +\d+\.\d\d %$", ran.out, re.MULTILINE)
     assert re.fullmatch(r"63 cells computed in \d+\.\d\d s, [\d,]+ a second", lines[-1])
     assert max(map(len, lines)) <= 80
+
+
+def test_the_table_has_the_shares_of_the_legend(tmp_path: Path) -> None:
+    flags = "map -A 0.5:6:12 -W 0.5:8:12 -r 0.8"
+    values = rocksteady(f"{flags} --json").json
+    assert values["subharmonic"] == sum(values["subharmonic_counts"].values()) > 0
+    nc = tmp_path / "a.nc"
+    out = rocksteady(f"{flags} --netcdf", nc).out
+    with xr.open_dataset(nc) as found:
+        shares = {LOOKS[one].words: share for one, share in map_cells(found).shares().items()}
+    for words, share in shares.items():
+        word = words.removeprefix("at ").removesuffix(" (period ≥ 2)")
+        assert re.search(rf"^{word} +\d+ +{100.0 * share:.2f} %$", out, re.MULTILINE), word
+    assert "subharmonic (period ≥ 2)" in shares
 
 
 RECTANGLE = Block.rectangle(width=0.5, height=1.5)

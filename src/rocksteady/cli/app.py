@@ -32,6 +32,7 @@ from rocksteady.cli import (
 )
 from rocksteady.cli.flags import FLAG_OF_ARGUMENT
 from rocksteady.cli.outputs import INCOMPLETE
+from rocksteady.cli.refusals import OncePerFlag
 from rocksteady.errors import RocksteadyError, UnfinishedError
 
 HELP = (
@@ -68,9 +69,12 @@ COMMANDS = (
 for command in COMMANDS:
     name = command.__name__.rpartition(".")[2]
     function = getattr(command, name)
-    app.command("map" if command is maps else name, help=command.HELP, epilog=command.EXAMPLES)(
-        function
-    )
+    app.command(
+        "map" if command is maps else name,
+        cls=OncePerFlag,
+        help=command.HELP,
+        epilog=command.EXAMPLES,
+    )(function)
 app.add_typer(study.app, name="study", help=study.HELP)
 
 

@@ -20,7 +20,9 @@ def print_fractions(values: dict[str, Any]) -> None:
     count = sum(fraction["states"] for fraction in values["fractions"])
     console.print(f"{case_text(values)}\n{count} states at phase {values['phase']:.6g} rad")
     table = Table(box=None, pad_edge=False, padding=(0, 2, 0, 0))
-    for heading in ("basin", "share", "95 % interval", "period", "lowest", "highest"):
+    drawn = values["seed"] is not None  # no probability belongs to the middles of cells
+    interval = (f"{100.0 * values['confidence']:g} % interval",) if drawn else ()
+    for heading in ("basin", "share", *interval, "period", "lowest", "highest"):
         table.add_column(heading, justify="left" if heading == "basin" else "right", no_wrap=True)
     for fraction in values["fractions"]:
         orbit = fraction["orbit"]
@@ -28,7 +30,7 @@ def print_fractions(values: dict[str, Any]) -> None:
         table.add_row(
             fraction["name"],
             f"{100.0 * fraction['share']:.2f} %",
-            f"{100.0 * fraction['low']:.2f} to {100.0 * fraction['high']:.2f} %",
+            *([f"{100.0 * fraction['low']:.2f} to {100.0 * fraction['high']:.2f} %"] * drawn),
             str(fraction["period"] or ""),
             lowest,
             highest,

@@ -50,7 +50,8 @@ def basins_values(found: "Basins", body: Block | DimensionlessBlock) -> dict[str
         )
     return {
         "fractions": fractions,
-        "confidence": CONFIDENCE,
+        # No probability belongs to the middles of the cells, which are no random sample.
+        "confidence": None if found.seed is None else CONFIDENCE,
         "erosion": None,
         "drop": None,
         **window_values(found),

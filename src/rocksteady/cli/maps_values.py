@@ -24,10 +24,15 @@ LEANER = frozenset({"width", "height", "alpha"})
 
 def map_values(case: MapCase, found: "xarray.Dataset", meter: "Meter") -> dict[str, Any]:
     """Return what the contract promises of a map, in plain values."""
-    counts, subharmonic = _counted(found)
+    counts, longer = _counted(found)
+    subharmonic = (
+        {}
+        if longer is None
+        else {"subharmonic": sum(longer.values()), "subharmonic_counts": longer}
+    )
     return {
         "counts": counts,
-        **({} if subharmonic is None else {"subharmonic": subharmonic}),
+        **subharmonic,
         "cells": case.cells,
         "computed": int(found["met"].sum()) if "met" in found else meter.computed,
         "seconds": meter.seconds,
@@ -39,8 +44,8 @@ def map_values(case: MapCase, found: "xarray.Dataset", meter: "Meter") -> dict[s
     }
 
 
-def _counted(found: "xarray.Dataset") -> tuple[dict[str, int], int | None]:
-    """Return how many cells there are of each kind, and how many are subharmonic.
+def _counted(found: "xarray.Dataset") -> tuple[dict[str, int], dict[str, int] | None]:
+    """Return how many cells there are of each kind, and how many of these are subharmonic.
 
     Of fates, which have no periods, None.
     """
@@ -51,12 +56,13 @@ def _counted(found: "xarray.Dataset") -> tuple[dict[str, int], int | None]:
     flags = found[names[0]].attrs
     words = dict(zip(flags["flag_values"].tolist(), flags["flag_meanings"].split(), strict=True))
     counts = dict.fromkeys(words.values(), 0)
-    subharmonic = 0
+    longer = dict.fromkeys(counts, 0)
     for kind, *period in slabs(found, *names):
         for code, word in words.items():
             counts[word] += int(np.count_nonzero(kind == code))
-        subharmonic += sum(int(np.count_nonzero(one > 1)) for one in period)
-    return counts, None if fates else subharmonic
+            for one in period:
+                longer[word] += int(np.count_nonzero((kind == code) & (one > 1)))
+    return counts, None if fates else {word: count for word, count in longer.items() if count}
 
 
 def case_values(case: MapCase) -> dict[str, Any]:
@@ -118,6 +124,20 @@ def title_of(case: MapCase, cycles: int | None, model: str) -> str:
     return f"{asked}: " + ", ".join(parts)
 
 
+def class_counts(values: dict[str, Any]) -> dict[str, int]:
+    """Return how many cells there are of each class of a picture, in the order of its legend.
+
+    Subharmonic motions are a class of their own there, whatever their kind.
+    """
+    longer = values.get("subharmonic_counts", {})
+    found: dict[str, int] = {}
+    for kind, count in values["counts"].items():
+        if kind == "aperiodic" and longer:
+            found["subharmonic"] = sum(longer.values())
+        found[kind] = count - longer.get(kind, 0)
+    return found
+
+
 def print_counts(values: dict[str, Any]) -> None:
     """Print one row a kind, in 80 characters."""
     from rich.table import Table
@@ -129,13 +149,13 @@ def print_counts(values: dict[str, Any]) -> None:
     first = "kind" if "subharmonic" in values else "fate"
     for heading in (first, "cells", "share"):
         table.add_column(heading, justify="left" if heading == first else "right", no_wrap=True)
-    for kind, count in values["counts"].items():
+    for kind, count in class_counts(values).items():
         if count:
             table.add_row(kind, f"{count:,}", f"{100.0 * count / values['cells']:.2f} %")
     console.print(table)
     if values.get("subharmonic"):
-        share = 100.0 * values["subharmonic"] / values["cells"]
-        console.print(f"Of these {values['subharmonic']:,} ({share:.2f} %) are subharmonic.")
+        parts = [f"{count:,} {kind}" for kind, count in values["subharmonic_counts"].items()]
+        console.print(f"subharmonic: of period 2 or longer, {', '.join(parts)}", style="dim")
     rate = values["computed"] / values["seconds"] if values["seconds"] else 0.0
     place = f", kept in {values['store']}" if values["store"] else ""
     console.print(

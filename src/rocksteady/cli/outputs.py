@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rocksteady import durable
-from rocksteady.cli import terminal
 from rocksteady.cli.progress import progress
 from rocksteady.errors import OutputError
 from rocksteady.show.files import json_text, save_csv, save_figure, save_whole
@@ -61,9 +60,7 @@ def impossible_name(file: Path) -> str | None:
 
 
 def announce_compilation(kernel: str) -> None:
-    """Print what is odd about the input, and that a first run takes longer where this is one.
-
-    Called when all that can be refused has been looked at, and work begins.
+    """Say on standard error that a first run takes longer, where this is one.
 
     Parameters
     ----------
@@ -72,7 +69,6 @@ def announce_compilation(kernel: str) -> None:
     """
     from rocksteady.kernels.compilation import must_compile
 
-    terminal.say_notes()
     if must_compile(kernel):
         print("compiling what this needs, once for each version: up to a minute", file=sys.stderr)
 

@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Protocol
 
+from rocksteady.cli import terminal
+
 LINE_EVERY = 0.1
 """Part of the work after which a line is due where there is no terminal."""
 LINE_AFTER = 30.0
@@ -145,6 +147,7 @@ class Meter:
 
     def __call__(self, cells: int) -> None:
         """Count cells that are done."""
+        terminal.say_notes()  # nothing is refused any more
         self._last = time.monotonic()
         self.passed += cells
         if not self._marks:

@@ -1,5 +1,11 @@
 """Why flags are refused that are valid alone: in one line with the flags, and what to do."""
 
+from collections import Counter
+from collections.abc import Iterator
+from typing import Any
+
+from typer.core import TyperCommand
+
 from rocksteady.errors import ModelError
 
 
@@ -42,3 +48,52 @@ def missing(flag: str, *, valid: str, hint: str) -> FlagError:
 def both(one: str, other: str, *, valid: str, hint: str = "leave one out") -> FlagError:
     """Return the error of two flags of which at most one may be given."""
     return FlagError(finding=f"{one} and {other} are both given", valid=valid, hint=hint)
+
+
+class OncePerFlag(TyperCommand):
+    """A command that refuses a flag with a value given twice, of which typer drops the first."""
+
+    def make_parser(self, ctx: Any) -> Any:
+        """Return typer's parser, which then looks at how often each flag was given."""
+        parser: Any = super().make_parser(ctx)
+        parse = parser.parse_args
+
+        def parsed(args: list[str]) -> Any:
+            given = list(args)  # typer empties its own
+            found = parse(args)
+            if not set(ctx.help_option_names) & set(given):
+                for option, count in Counter(found[-1]).items():
+                    if count > 1 and _takes_one_value(option):
+                        raise _repeated(option, given)
+            return found
+
+        parser.parse_args = parsed
+        return parser
+
+
+def _takes_one_value(parameter: Any) -> bool:
+    """Return whether a parameter of a command is a flag with one value."""
+    option = parameter.param_type_name == "option"
+    return option and not (parameter.multiple or parameter.is_flag)
+
+
+def _repeated(option: Any, arguments: list[str]) -> FlagError:
+    """Return the error of a flag that is given more than once."""
+    values = ", ".join(repr(value)[:40] for value in _values(option.opts, arguments))
+    return FlagError(
+        finding=f"{'/'.join(option.opts)} is given more than once ({values})",
+        valid="it takes one value",
+        hint="leave out all but one",
+    )
+
+
+def _values(names: list[str], arguments: list[str]) -> Iterator[str]:
+    """Yield what was given to an option."""
+    for position, argument in enumerate(arguments):
+        name, equals, value = argument.partition("=")
+        if name in names and equals:
+            yield value
+        elif argument in names and position + 1 < len(arguments):
+            yield arguments[position + 1]
+        elif argument[:2] in names and not argument.startswith("--"):
+            yield argument[2:]

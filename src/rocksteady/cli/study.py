@@ -9,6 +9,7 @@ from rocksteady.cli import flags, terminal
 from rocksteady.cli.inputs import axis, number
 from rocksteady.cli.outputs import announce_compilation, print_json
 from rocksteady.cli.progress import progress
+from rocksteady.cli.refusals import OncePerFlag
 from rocksteady.cli.sweeps import resumable_study
 
 if TYPE_CHECKING:
@@ -80,7 +81,7 @@ def study() -> None:
     """Run a study; `HELP` is what its users read."""
 
 
-@app.command("atlas", help=ATLAS_HELP, epilog=ATLAS_EXAMPLES)
+@app.command("atlas", cls=OncePerFlag, help=ATLAS_HELP, epilog=ATLAS_EXAMPLES)
 def atlas(
     context: typer.Context,
     out: flags.OutFolder,

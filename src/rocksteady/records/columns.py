@@ -236,7 +236,7 @@ def _asked_for(found: Table, column: str | int) -> int:
     wanted = str(column).strip().lower()
     if wanted in lowered:
         return lowered.index(wanted)
-    if wanted.isdecimal() and 1 <= int(wanted) <= found.columns:
+    if len(wanted) < 10 and wanted.isdecimal() and 1 <= int(wanted) <= found.columns:
         return int(wanted) - 1
     listed = ", ".join(found.names) or f"1 to {found.columns}"
     raise InputError(

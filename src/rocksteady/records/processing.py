@@ -130,7 +130,8 @@ def _order(baseline: str) -> int | None:
     plain = {"none": None, "mean": 0, "linear": 1}
     if word in plain and not order:
         return plain[word]
-    if word == "polynomial" and order.isdecimal() and 0 <= int(order) <= _HIGHEST_ORDER:
+    known = word == "polynomial" and len(order) < 10 and order.isdecimal()
+    if known and 0 <= int(order) <= _HIGHEST_ORDER:
         return int(order)
     raise InputError(
         name="baseline",

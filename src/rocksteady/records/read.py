@@ -227,7 +227,7 @@ def chosen(recordings: tuple[Recording, ...], channel: str | int | None) -> Reco
         named = [one for one in recordings if (one.component or "").strip().lower() == wanted]
         if len(named) == 1:
             return named[0]
-    if wanted.isdecimal() and 1 <= int(wanted) <= len(recordings):
+    if len(wanted) < 10 and wanted.isdecimal() and 1 <= int(wanted) <= len(recordings):
         return recordings[int(wanted) - 1]
     raise InputError(
         name="channel",
