@@ -65,7 +65,9 @@ def crowd_of(axes: "Axes", marks: Sequence[tuple[float, float]]) -> Box | None:
     return best
 
 
-def draw_inset(axes: "Axes", crowd: Box, drawn: Sequence[Floats]) -> "Axes":
+def draw_inset(
+    axes: "Axes", crowd: Box, drawn: Sequence[Floats], marks: Sequence[tuple[float, float]]
+) -> "Axes":
     """Return an inset, empty, where least is drawn, with lines to what it shows.
 
     Parameters
@@ -76,11 +78,14 @@ def draw_inset(axes: "Axes", crowd: Box, drawn: Sequence[Floats]) -> "Axes":
         From `crowd_of`.
     drawn
         Abscissas and ordinates of what is drawn, each of shape (points, 2).
+    marks
+        As for `crowd_of`; hidden least of all.
     """
     across = axes.transAxes.inverted()
     points = np.concatenate(
         [_dense(across.transform(axes.transData.transform(one))) for one in drawn]
     )
+    spots = across.transform(axes.transData.transform(np.array(marks)))
     corners = across.transform(axes.transData.transform(np.array(crowd).reshape(2, 2)))
     here = (*corners[0].tolist(), *corners[1].tolist())
     wide, high = SIZE
@@ -92,7 +97,7 @@ def draw_inset(axes: "Axes", crowd: Box, drawn: Sequence[Floats]) -> "Axes":
     ]
     x0, y0, x1, y1 = min(
         choices,
-        key=lambda box: _hidden((box[0] - left, box[1] - low, *box[2:]), points, here),
+        key=lambda box: _hidden((box[0] - left, box[1] - low, *box[2:]), points, spots, here),
     )
     inset = axes.inset_axes((x0, y0, x1 - x0, y1 - y0), zorder=5.0)
     inks = inks_of(axes)
@@ -116,11 +121,13 @@ def _dense(path: Floats) -> Floats:
     return (path[:-1] + steps * np.diff(path, axis=0)).reshape(-1, 2)
 
 
-def _hidden(box: Box, points: Floats, crowd: Box) -> float:
+def _hidden(box: Box, points: Floats, marks: Floats, crowd: Box) -> float:
     """Return how much an inset with its tick labels would hide; nearer to its crowd is better."""
     x0, y0, x1, y1 = box[0], box[1], box[2] + 0.02, box[3] + 0.02
-    x, y = points.T
-    hidden = float(((x > x0) & (x < x1) & (y > y0) & (y < y1)).mean())
+    hidden = 0.0
+    for places in (points, marks):
+        x, y = places.T
+        hidden += float(((x > x0) & (x < x1) & (y > y0) & (y < y1)).mean())
     if x0 < crowd[2] and crowd[0] < x1 and y0 < crowd[3] and crowd[1] < y1:
         hidden += 1.0
     middle = (

@@ -50,8 +50,8 @@ DARK_NUMBER = "#c4c4c6"
 DARK_FAINT = "#9a9a9a"
 DARK_GRID = "#3a3a3c"
 DARK_LINES = ("#6db9f2", "#c97b55", "#48c1a2", "#ad49f2", "#f9e299", "#7d7c97")
-DARK_SUBHARMONIC_LINES = ("#2fae78", "#8ff0c8", "#b060e0", "#a8a8a8", "#eab8ff")
-DARK_SWEEPS = ("#b5842f", "#c0564f")
+DARK_SUBHARMONIC_LINES = ("#58a088", "#b8e8e8", "#b85828", "#5858d0", "#287070")
+DARK_SWEEPS = ("#d8a440", "#a8484f")
 DARK_IMPACT = "#f08a4b"
 DARK_BASE = "#6cc5a1"
 """The same on dark paper; the fills are those of light paper."""

@@ -142,10 +142,11 @@ def plot_bifurcations(
         ylabel=palette.LABELS["flight_peak" if side == "positive" else "flight_extreme"],
     )
     if place != "inside":  # which needs the room
-        crowd = crowd_of(axes, [spot for places in marks.values() for spot in places])
+        spots = [spot for places in marks.values() for spot in places]
+        crowd = crowd_of(axes, spots)
         if crowd is not None:
             drawn_at = [line.get_xydata() for line in axes.lines]
-            inset = draw_inset(axes, crowd, [np.asarray(each) for each in drawn_at])
+            inset = draw_inset(axes, crowd, [np.asarray(each) for each in drawn_at], spots)
             _drawn_branches(inset, listed, colours, side)
             _drawn_bifurcations(inset, marks)
             draw_dots(inset, swept, sizes=side == "positive")

@@ -1,0 +1,79 @@
+"""--width and --legend of every command that draws, and what they refuse."""
+
+from pathlib import Path
+
+import pytest
+from PIL import Image
+
+from tests.cli.program import refused, rocksteady
+
+COMMANDS = (
+    "simulate -A 2 -W 4 -r 0.8 --cycles 5",
+    "attractor -A 2 -W 4 -r 0.8",
+    "steady -A 2 -W 4 -r 0.8",
+    "steady -A 1:3:3 -W 1:8:50 -r 0.8",
+    "orbits -A 2 -W 4 -r 0.8",
+    "bifurcate -A 1.5:2.5:11 -W 2 -r 0.8 --no-sweeps",
+    "basins -A 2 -W 4 -r 0.8 --angles -1:1:21 --velocities=-1:1:21",
+    "basins -A 0:1:4 -W 4 -r 0.8 --angles -1:1:21 --velocities=-1:1:21 --cycles 10",
+    "map -A 0.5:3:8 -W 1:8:8 -r 0.8",
+    "map -A 0.5:3:8 -W 1:8:8 -r 0.7:0.9:2",
+    "overturn --pulse one-sine -W 1:6:8 -r 0.9",
+)
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_every_command_that_draws_has_a_width_and_a_legend(command: str, tmp_path: Path) -> None:
+    file = tmp_path / "figure.png"
+    ran = rocksteady(command, "--plot", file, "--width", "84mm", "--legend", "below")
+    assert ran.code in (0, 3), ran.err
+    with Image.open(file) as picture:
+        assert picture.width == pytest.approx(200.0 * 84.0 / 25.4, abs=1.0)
+
+
+def test_the_units_of_a_width_agree(tmp_path: Path) -> None:
+    seen = []
+    for number, width in enumerate(("101.6mm", "10.16cm", "4in", "4 in")):
+        file = tmp_path / f"{number}.png"
+        ran = rocksteady("simulate -A 2 -W 4 -r 0.8 --cycles 5", "--plot", file, "--width", width)
+        assert ran.code == 0, ran.err
+        seen.append(file.read_bytes())
+    assert len(set(seen)) == 1
+
+
+@pytest.mark.parametrize("width", ["84", "-5mm", "1e9mm", "abc", "nanmm", "84pt", "", "10mm"])
+def test_a_width_that_is_none_is_refused_before_anything_is_written(
+    width: str, tmp_path: Path
+) -> None:
+    file = tmp_path / "figure.png"
+    line = refused("simulate -A 2 -W 4 -r 0.8 --plot", file, f"--width={width}")
+    assert "--width" in line
+    assert "mm, cm or in" in line
+    assert not file.exists()
+
+
+def test_a_place_that_is_none_is_refused(tmp_path: Path) -> None:
+    file = tmp_path / "figure.png"
+    line = refused("simulate -A 2 -W 4 -r 0.8 --plot", file, "--legend", "left")
+    assert "inside, right, below, none" in line
+    assert not file.exists()
+
+
+@pytest.mark.parametrize("flags", ["--width 84mm", "--legend none"])
+def test_without_a_picture_they_have_no_meaning(flags: str) -> None:
+    line = refused(f"simulate -A 2 -W 4 -r 0.8 {flags}")
+    assert flags.split(maxsplit=1)[0] in line
+    assert "--plot" in line
+
+
+@pytest.mark.parametrize("name", [r"$\frac{$.csv", "_a%b.csv", "two $a$ names.csv"])
+def test_the_name_of_a_record_is_no_mathematics(name: str, tmp_path: Path) -> None:
+    record = tmp_path / name
+    rows = "\n".join(f"{0.01 * k:.2f},{0.3 * (-1) ** (k // 20)}" for k in range(200))
+    record.write_text(f"time (s),acceleration (g)\n{rows}\n", encoding="utf-8")
+    for command in ("simulate --width-m 0.4 --height-m 1.6", "record", "spectrum --alpha-deg 10"):
+        file = tmp_path / f"{command.split()[0]}.pdf"
+        given = [record] if command == "record" else ["--record", record]
+        ran = rocksteady(command, *given, "--plot", file)
+        assert ran.code == 0, ran.err
+        assert file.read_bytes().startswith(b"%PDF")
