@@ -165,5 +165,5 @@ NAMES = (
 
 def texts_of(figure: Figure) -> list[Text]:
     """Return the texts of a figure that are seen."""
-    found: list[Text] = figure.findobj(Text)  # type: ignore[assignment]  # of Artist, it says
+    found: list[Text] = figure.findobj(Text)
     return [text for text in found if text.get_visible() and text.get_text().strip()]

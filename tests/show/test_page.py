@@ -23,7 +23,7 @@ from tests.show.drawn_figures import NAMES, TITLE, makers, texts_of
 
 
 def legends(figure: Figure) -> list[Legend]:
-    found: list[Legend] = figure.findobj(Legend)  # type: ignore[assignment]  # of Artist, it says
+    found: list[Legend] = figure.findobj(Legend)
     return found
 
 
@@ -45,7 +45,7 @@ def test_nothing_is_cut_off_or_too_small_at_any_width(name: str, width: float) -
     assert box.x1 < inches[0] + slack, name
     assert box.y1 < inches[1] + slack, name
     for text in texts_of(figure):
-        assert text.get_fontsize() >= 6.5, text.get_text()
+        assert float(text.get_fontsize()) >= 6.5, text.get_text()
     across = np.linspace(0.0, figure.bbox.width, 1000)
     boxes = [axes.bbox for axes in figure.axes]
     covered = np.any([(across > box.x0) & (across < box.x1) for box in boxes], axis=0)
@@ -92,7 +92,7 @@ def test_a_legend_of_a_plot_goes_where_it_is_wanted_on_anybodys_axes() -> None:
         for size in ((3.3, 2.5), (6.4, 4.8)):
             for place in (None, "right", "below"):
                 figure = Figure(figsize=size, layout=layout)
-                axes = plot_map(found(), figure.add_subplot(), legend=place)  # type: ignore[arg-type]
+                axes = plot_map(found(), figure.add_subplot(), legend=place)
                 figure.draw_without_rendering()
                 legend = axes.get_legend()
                 assert legend is not None
@@ -172,4 +172,4 @@ def test_no_figure_warns() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         for place in ("right", "below"):
-            figure_bytes(makers()["bifurcation"](Page(width_mm=60.0, legend=place)), "png")  # type: ignore[arg-type]
+            figure_bytes(makers()["bifurcation"](Page(width_mm=60.0, legend=place)), "png")
