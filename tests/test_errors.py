@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady.errors import InputError, ModelError, OutputError, RocksteadyError, Status
+from rocksteady.errors import InputError, ModelError, OutputError, RocksteadyError, Status, Words
 
 KINDS = (InputError, ModelError, OutputError)
 
@@ -138,3 +138,10 @@ def test_each_status_has_its_own_advice() -> None:
 
 def test_a_status_survives_pickle_as_itself() -> None:
     assert all(pickle.loads(pickle.dumps(status)) is status for status in Status)
+
+
+def test_what_is_no_value_is_stated_without_a_verdict_on_it() -> None:
+    error = InputError(name="--plot", value=Words("needs two sizes"), valid="it has one", hint="go")
+    assert str(error) == "--plot needs two sizes: it has one; go"
+    again = pickle.loads(pickle.dumps(error))
+    assert str(again) == str(error)

@@ -33,6 +33,15 @@ _LONGEST_VALUE = 100
 """Characters of a value that an error line shows; of a longer one its middle is left out."""
 
 
+class Words(str):
+    """What was given, where that is no value: a verb and more, as "is not given".
+
+    The message of an error is then ``NAME WORDS: VALID; HINT``, without a verdict on a value.
+    """
+
+    __slots__ = ()
+
+
 class RocksteadyError(Exception):
     """The base of every error that the package raises on purpose.
 
@@ -44,7 +53,7 @@ class RocksteadyError(Exception):
     name
         The argument, as the caller wrote it (``restitution``).
     value
-        What was given.
+        What was given; `Words` where that is no value.
     valid
         What is valid, as a clause that reads on from "it is not valid:" (``it must lie in
         (0, 1]``).
@@ -64,7 +73,8 @@ class RocksteadyError(Exception):
         self.value = value
         self.valid = valid
         self.hint = hint
-        super().__init__(f"{name} = {_shown(value)} {self._verdict}: {valid}; {hint}")
+        given = f"{value}" if isinstance(value, Words) else f"= {_shown(value)} {self._verdict}"
+        super().__init__(f"{name} {given}: {valid}; {hint}")
 
     def __reduce__(self) -> tuple[object, ...]:
         # An exception is rebuilt from its positional arguments unless told otherwise; ours has

@@ -345,7 +345,7 @@ def test_a_refined_map_says_how_much_was_computed() -> None:
         ("map -A log:1e300:1e-300:3 -W 1 -r 0.8", "must not lie so far apart"),
         (
             "map -A 1:2:13 -W 1:2:13 -r 0.7:0.8:13 --plot a.png",
-            "--plot = '13 values of restitution' is refused by the model: the axis with the fewest",
+            "--plot has 13 values of restitution: the axis with the fewest",
         ),
         (
             "map -A 1:2:2 -W 1:2:2 -r 0.7:0.8:2 --phase 0:1:2 --plot a.png",

@@ -153,7 +153,7 @@ def test_the_files_hold_the_same(files: list[Path], tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("flags", "words"),
     [
-        ("--periods-s 1", "--alpha-rad = 'not given'"),
+        ("--periods-s 1", "--alpha-rad is not given:"),
         ("--alpha-rad 0.2 --alpha-deg 10", "both given"),
         ("--alpha-rad 0.2 --periods-s 1 --p-rad-s 2", "both given"),
         ("--alpha-rad 0.2 --periods-s 0:1:3", "--periods-s = 0.0"),

@@ -198,8 +198,8 @@ def test_single_values_are_no_dimensions_but_stay() -> None:
 @pytest.mark.parametrize(
     ("given", "words"),
     [
-        ({"alpha": 0.2}, "periods_s = 'neither given'"),
-        ({"alpha": 0.2, "p": 2.0, "periods_s": 3.0}, "periods_s = 'and p both given'"),
+        ({"alpha": 0.2}, "periods_s and p are both missing:"),
+        ({"alpha": 0.2, "p": 2.0, "periods_s": 3.0}, "periods_s and p are both given:"),
         ({"alpha": 0.2, "p": -2.0}, "p = -2.0"),
         ({"alpha": 0.2, "periods_s": [1.0, 0.0]}, "periods_s = 0.0"),
         ({"alpha": [0.2, 1.7], "p": 2.0}, "alpha = 1.7"),

@@ -24,7 +24,6 @@ from rocksteady import (
     DimensionlessBlock,
     Harmonic,
     InputError,
-    ModelError,
     Steady,
     attractor_trail,
     bifurcation_branches,
@@ -293,7 +292,7 @@ def test_the_axis_of_angles_ends_where_it_is_told() -> None:
 
 def test_branches_over_different_parameters_are_refused() -> None:
     for branches in ((*over_amplitude(), *over_frequency()), ()):
-        with pytest.raises(ModelError, match="one parameter"):
+        with pytest.raises(InputError, match="one parameter"):
             plot_bifurcations(branches, ax=Figure().add_subplot())
 
 

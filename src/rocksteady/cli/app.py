@@ -119,7 +119,7 @@ def run(arguments: list[str]) -> int:
         return _usage_error(error, arguments)
     except RocksteadyError as error:
         flag = FLAG_OF_ARGUMENT.get(error.name, error.name)
-        code = _complain(str(error).replace(f"{error.name} = ", f"{flag} = ", 1))
+        code = _complain(str(error).replace(f"{error.name} ", f"{flag} ", 1))
         return INCOMPLETE if isinstance(error, UnfinishedError) else code
     except (KeyboardInterrupt, typer.Abort):
         code = INTERRUPTED

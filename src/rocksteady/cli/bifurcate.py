@@ -28,6 +28,7 @@ from rocksteady.cli.outputs import (
 from rocksteady.cli.progress import progress
 from rocksteady.cli.ranges import Range, range_of
 from rocksteady.cli.refusals import FlagError
+from rocksteady.errors import Words
 from rocksteady.model.block import Block
 from rocksteady.model.validation import odd_order, positive, whole_number
 
@@ -252,7 +253,7 @@ def check_top(top: float | None, output: OutputFlags) -> None:
     ------
     InputError
         If it is not positive.
-    ModelError
+    InputError
         If there is no plot.
     """
     if top is None:
@@ -272,7 +273,7 @@ def check_sweeps(span: Range, start: SweepStart, *, no_sweeps: bool) -> bool:
 
     Raises
     ------
-    ModelError
+    InputError
         If a start is given and there are none, or the axis is too long for them.
     """
     if no_sweeps:
@@ -281,7 +282,7 @@ def check_sweeps(span: Range, start: SweepStart, *, no_sweeps: bool) -> bool:
     if len(span.values) > LONGEST_AXIS:
         raise FlagError(
             name=span.parameter,
-            value=f"{len(span.values)} values",
+            value=Words(f"has {len(span.values)} values"),
             valid=f"sweeps go through at most {LONGEST_AXIS}",
             hint="take fewer, or add --no-sweeps",
         )

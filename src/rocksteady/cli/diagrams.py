@@ -27,7 +27,7 @@ class SweepStart(StartFlags):
 
         Raises
         ------
-        ModelError
+        InputError
             If there is one.
         """
         for name, value in (("start", self.start), ("phase", self.phase), ("kick", self.kick)):

@@ -104,7 +104,7 @@ class AnimationFlags:
             writable, or it is asked for by another flag.
         InputError
             If the speed is not positive.
-        ModelError
+        InputError
             If there is a speed and no film.
         """
         if self.speed is not None:

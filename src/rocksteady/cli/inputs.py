@@ -3,7 +3,7 @@
 import math
 
 from rocksteady.cli.refusals import missing
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, Words
 from rocksteady.model.block import Restitution, Restitutions
 
 MOST_AXIS_POINTS = 1_000_000
@@ -124,7 +124,7 @@ def single(flag: str, values: list[float]) -> float:
     if len(values) > 1:
         raise InputError(
             name=flag,
-            value=f"{len(values)} values",
+            value=Words(f"has {len(values)} values"),
             valid="this command takes one value",
             hint="give a number, not an axis",
         )

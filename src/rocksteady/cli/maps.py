@@ -20,7 +20,7 @@ from rocksteady.cli.outputs import (
 from rocksteady.cli.progress import sweeping
 from rocksteady.cli.refusals import FlagError
 from rocksteady.cli.sweeps import SWEEP, SweepFlags
-from rocksteady.errors import InputError, ModelError
+from rocksteady.errors import InputError
 
 HELP = (
     "What the block settles to in every cell of a grid.\n\n"
@@ -152,7 +152,7 @@ def _check_drawable(case: MapCase) -> None:
     try:
         panels_axis({name: len(values) for name, values in case.axes.items()})
     except InputError as error:
-        raise ModelError(
+        raise InputError(
             name="--plot",
             value=error.value,
             valid=error.valid,

@@ -7,7 +7,7 @@ from rocksteady.cli.nouns import BlockFlags, ShakingFlags
 from rocksteady.cli.refusals import FlagError
 from rocksteady.cli.values import block_values
 from rocksteady.dynamics.parameters import moved_to
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, Words
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 
@@ -94,7 +94,7 @@ def range_of(shaking: ShakingFlags, block: BlockFlags) -> Range:
 
     Raises
     ------
-    InputError, ModelError
+    InputError
         If a value is missing, given twice or outside its range, or there is not exactly one axis.
     """
     ratios_of_impact = block.restitutions
@@ -120,7 +120,7 @@ def range_of(shaking: ShakingFlags, block: BlockFlags) -> Range:
     if values[0] == values[-1]:
         raise InputError(
             name=name,
-            value=f"{values[0]:.12g} at both ends",
+            value=Words(f"is {values[0]:.12g} at both ends"),
             valid="the ends of an axis must differ",
             hint="give a range, as 1.6:2.4:400",
         )

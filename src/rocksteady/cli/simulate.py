@@ -166,7 +166,7 @@ def refuse_cycles(cycles: float | None, thing: str) -> None:
 
     Raises
     ------
-    ModelError
+    InputError
         If there is one.
     """
     if cycles is not None:
@@ -183,7 +183,7 @@ def refuse_beside_record(*, pulse: PulseFlags, shaking: ShakingFlags, phase: flo
 
     Raises
     ------
-    ModelError
+    InputError
         If there is one.
     """
     others = {

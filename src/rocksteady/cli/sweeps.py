@@ -130,7 +130,7 @@ class SweepFlags:
         ------
         InputError, OutputError
             As for `rocksteady.Store` and its `check`.
-        ModelError
+        InputError
             If something is said of a store and there is none.
         """
         from rocksteady.sweep.ownership import is_store

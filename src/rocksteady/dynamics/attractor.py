@@ -17,12 +17,12 @@ from rocksteady.dynamics.return_map import (
     state_of,
 )
 from rocksteady.dynamics.start import Rest, Start, initial_march
-from rocksteady.errors import InputError
 from rocksteady.kernels import attractors as kernel
 from rocksteady.kernels.periodic import ORBIT_COLUMNS
+from rocksteady.model.arguments import checked, checked_result
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
-from rocksteady.model.validation import whole_number
+from rocksteady.model.validation import side_value, whole_number
 
 CHAOTIC = 0.01
 """Lyapunov exponent per forcing period from which a motion without repetition counts as aperiodic,
@@ -79,6 +79,7 @@ def kind_codes(
     return codes
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Attractor:
     """What a motion settles to.
@@ -140,6 +141,7 @@ class Attractor:
         return f"<table><caption>Attractor</caption>{rows}</table>"
 
 
+@checked
 def attractor(
     block: Block | DimensionlessBlock,
     shaking: Harmonic,
@@ -193,7 +195,7 @@ def attractor(
     """
     bare, shaken = bare_block(block), harmonic(shaking)
     periods = cycles_value(cycles)
-    side_value(side)
+    side = side_value(side)
     equations = model_name(model)
     tilted = sides_of(block, equations) if equations == "nonlinear" else None
     motion, begin = initial_march(Rest() if start is None else start, bare, shaken, side, tilted)
@@ -245,19 +247,6 @@ def cycles_value(cycles: object) -> int:
     return whole_number(
         "cycles", cycles, at_least=1, at_most=MOST_CYCLES, hint="give forcing periods to follow"
     )
-
-
-def side_value(side: object) -> int:
-    """Return a side, 1 or -1.
-
-    Raises
-    ------
-    InputError
-        If it is neither.
-    """
-    if side not in (1, -1):
-        raise InputError(name="side", value=side, valid="it must be 1 or -1", hint="give 1 or -1")
-    return 1 if side == 1 else -1
 
 
 def _reason(found: kernel.Settled, block: DimensionlessBlock) -> str:

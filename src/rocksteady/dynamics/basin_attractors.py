@@ -17,6 +17,7 @@ from rocksteady.dynamics.orbits import SAME
 from rocksteady.dynamics.return_map import ImpactState, make_system, section_of
 from rocksteady.dynamics.settled import ENDLESS
 from rocksteady.kernels import periodic
+from rocksteady.model.arguments import checked_result
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 
@@ -37,6 +38,7 @@ PERIODIC = {AttractorKind.SYMMETRIC, AttractorKind.UNSYMMETRIC}
 TURN = 2.0 * math.pi
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class BasinAttractor:
     """What the states of a basin go to.

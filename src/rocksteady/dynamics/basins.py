@@ -16,6 +16,7 @@ from rocksteady.dynamics.nonlinear import ModelName, attributes_of, model_name, 
 from rocksteady.dynamics.return_map import bare_block, harmonic
 from rocksteady.dynamics.settled import Beginnings, batch_size, settled_cells
 from rocksteady.dynamics.windows import centred, moment, spacing, window_axis, window_of
+from rocksteady.model.arguments import checked, checked_result
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 from rocksteady.model.validation import in_range, whole_number
@@ -39,6 +40,7 @@ CELL_OUTPUTS = (
 )
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class Fraction:
     """The share of a basin in a window.
@@ -62,6 +64,7 @@ class Fraction:
     high: float
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Basins:
     """Basins of attraction over a window of initial states.
@@ -225,6 +228,7 @@ class Basins:
         return f"<table><caption>Basins</caption><tr>{heads}</tr>{rows}</table>"
 
 
+@checked
 def basins(
     block: Block | DimensionlessBlock,
     shaking: Harmonic,

@@ -5,9 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.model.arguments import checked_result
+
 Floats = NDArray[np.float64]
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class Motions:
     """The block's motion at given times, arrays of the shape of the times.
@@ -46,6 +49,7 @@ class Motions:
     energy: Floats
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class Flights:
     """All flights and rests in order, as arrays of shape (flights,).
@@ -79,6 +83,7 @@ class Flights:
         return len(self.s)
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class Impacts:
     """All impacts in order, as arrays of shape (impacts,).

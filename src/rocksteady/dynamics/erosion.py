@@ -17,9 +17,10 @@ from rocksteady.dynamics.tangency import tangency_amplitude
 from rocksteady.dynamics.windows import POINTS, centred, moment, window_axis
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.tables import LEAN, RATE
+from rocksteady.model.arguments import checked, checked_result
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
-from rocksteady.model.validation import in_range, positive
+from rocksteady.model.validation import finite, in_range, positive
 from rocksteady.sweep.axes import Axis
 from rocksteady.sweep.evaluate import Done
 
@@ -39,6 +40,7 @@ TOLERANCE = 1e-3
 MEASURES = ("integrity_factor", "global_integrity")
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class Drop:
     """Where a measure of integrity first falls below a level.
@@ -61,6 +63,7 @@ class Drop:
     below: float
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Erosion:
     """The safe basin against the amplitude of the shaking.
@@ -266,6 +269,7 @@ class Erosion:
         return f"<table><caption>{caption}</caption><tr>{heads}</tr>{rows}</table>"
 
 
+@checked
 def erosion(
     block: Block | DimensionlessBlock,
     frequency_ratio: float,
@@ -360,7 +364,7 @@ def erosion(
             valid="the amplitudes must ascend",
             hint="give them from the lowest to the highest",
         )
-    ratio = float(frequency_ratio)
+    ratio = finite("frequency_ratio", frequency_ratio, hint="give one number, omega/p")
     reach = _least_half_width(sides)
     if angles is None and velocities is None:
         reach = _half_width(sides, executor, workers)

@@ -12,6 +12,7 @@ from rocksteady.dynamics.mapping import Question, map_of
 from rocksteady.dynamics.nonlinear import ModelName
 from rocksteady.dynamics.scenarios import Scenario
 from rocksteady.dynamics.start import Start
+from rocksteady.model.arguments import checked
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 from rocksteady.sweep.evaluate import Done
@@ -27,6 +28,7 @@ NO_START = -1
 """Code of a cell whose start does not exist: no status will ever have it."""
 
 
+@checked
 def fate_map(
     block: Block | DimensionlessBlock,
     shaking: Harmonic | None = None,
@@ -45,7 +47,10 @@ def fate_map(
 ) -> "xarray.Dataset":
     """Return whether a block still rocks, rests or has fallen, over a grid of parameters.
 
-    Every cell is how `simulate` ends at that point.  Where `attractor_map` follows a motion until
+    Every cell is how `simulate` ends at that point, as long as no small difference grows more than
+    some 1e12-fold on the way (`Trajectory.growth`).  Where it does, in chaotic cells, rounding
+    decides, and the two compute in different ways: a cell is the end of a motion within rounding of
+    that one.  Where `attractor_map` follows a motion until
     it is known what it settles to, it is followed here for some periods and no longer.
 
     Parameters

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.grids import real_array
 from rocksteady.errors import InputError
+from rocksteady.model.arguments import checked
 from rocksteady.model.block import restitution_value
 from rocksteady.model.sides import alpha_value
 from rocksteady.model.validation import in_range, whole_number
@@ -20,6 +21,11 @@ Floats = NDArray[np.float64]
 MOST_IMPACTS = 1_000_000
 
 
+SLENDER = 1e-8
+"""Slenderness [rad] up to which the full equations are the linear ones to the last digit."""
+
+
+@checked
 def free_rocking_period(amplitude_ratio: ArrayLike, *, alpha: float | None = None) -> Floats:
     r"""Return the period of free rocking of an amplitude, ``p T = 4 arccosh(1/(1 - phi0))``.
 
@@ -67,13 +73,14 @@ def free_rocking_period(amplitude_ratio: ArrayLike, *, alpha: float | None = Non
     phi = real_array("amplitude_ratio", amplitude_ratio)
     for value in phi[~((phi >= 0.0) & (phi < 1.0))][:1].tolist():
         _ratio(value)
-    if alpha is not None:
-        return _tilting_period(phi, alpha_value(alpha))
+    if alpha is not None and alpha_value(alpha) > SLENDER:
+        return _tilting_period(phi, float(alpha))
     # arccosh(1/c) = arcsinh(sqrt(1 - c^2)/c), which keeps the digits of a small phi and of 1 - phi
     period: Floats = 4.0 * np.arcsinh(np.sqrt(phi * (2.0 - phi)) / (1.0 - phi))
     return period
 
 
+@checked
 def free_rocking_peaks(
     amplitude_ratio: float, restitution: float, impacts: int, *, alpha: float | None = None
 ) -> Floats:
@@ -121,14 +128,15 @@ def free_rocking_peaks(
     hint = "give a number of impacts"
     count = whole_number("impacts", impacts, at_least=0, at_most=MOST_IMPACTS, hint=hint)
     kept = np.power(ratio, 2.0 * np.arange(count + 1), dtype=np.float64)
-    if alpha is not None:
-        return _tilting_peaks(phi, kept, alpha_value(alpha))
+    if alpha is not None and alpha_value(alpha) > SLENDER:
+        return _tilting_peaks(phi, kept, float(alpha))
     energy = phi * (2.0 - phi) * kept
     # 1 - sqrt(1 - q) without its cancellation
     peaks: Floats = energy / (1.0 + np.sqrt(np.maximum(1.0 - energy, 0.0)))
     return peaks
 
 
+@checked
 def equivalent_damping(restitution: ArrayLike) -> Floats:
     r"""Return the damping ratio of an oscillator that decays about as free rocking does.
 

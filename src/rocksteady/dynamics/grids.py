@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.errors import InputError
+from rocksteady.model.arrays import UnfitError, numeric_array
 from rocksteady.model.block import restitution_value
 from rocksteady.model.motions import HIGHEST_FREQUENCY_RATIO, LOWEST_FREQUENCY_RATIO
 from rocksteady.model.validation import LARGEST, in_range, odd_order
@@ -36,10 +37,15 @@ def validated_grid(
     valid = (restitutions > 0.0) & (restitutions <= 1.0)
     if not valid.all():
         restitution_value(restitutions[~valid].flat[0].item())
-    orders = np.asarray(order)
+    try:
+        orders = np.asarray(numeric_array("order", order, None))
+    except (UnfitError, ValueError):
+        order_of_orbit(order)
+        raise
     if orders.dtype.kind not in "iu":
         for value in orders.flat:
             order_of_orbit(value)
+        orders = orders.astype(np.int64)  # without elements, or the order of no integer type
     odd = (orders >= 1) & (orders % 2 == 1) & (orders <= HIGHEST_ORDER)
     if not odd.all():
         order_of_orbit(orders[~odd].flat[0].item())
@@ -70,15 +76,15 @@ def real_array(name: str, values: ArrayLike) -> Floats:
     InputError
         If they are anything else: text and booleans are not converted.
     """
-    array = np.asarray(values)
-    if array.dtype.kind not in "iuf":
+    try:
+        return np.asarray(numeric_array(name, values)).astype(np.float64)
+    except UnfitError:
         raise InputError(
             name=name,
             value=values,
             valid="it must be a real number or an array of them",
             hint="give floats",
-        )
-    return array.astype(np.float64)
+        ) from None
 
 
 def _checked(name: str, values: ArrayLike, low: float, high: float, meaning: str) -> Floats:

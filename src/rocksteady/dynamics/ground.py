@@ -28,6 +28,12 @@ def pulse_times(segments: Floats, per_period: int) -> list[Floats]:
     return [np.linspace(starts[i], starts[i + 1], counts[i] + 1) for i in np.flatnonzero(quick)]
 
 
+def pulse_turns(segments: Floats) -> float:
+    """Return how many periods all sinusoids that end have together."""
+    turns = segments[:-1, columns.FREQUENCY] / (2.0 * math.pi)
+    return float((turns * segments[:-1, columns.DURATION]).sum())
+
+
 def base_course(segments: Floats, s: Floats) -> tuple[Floats, Floats]:
     """Return pivot times with base accelerations, both values where a segment begins with a step.
 

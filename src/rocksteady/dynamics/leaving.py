@@ -5,7 +5,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.errors import ModelError
+from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.clock import clock
 from rocksteady.kernels.halves import Half, symmetric_from
 from rocksteady.kernels.section import Section
@@ -63,7 +63,7 @@ def set_off(
             alpha = float(sides[0, ALPHA])
             raise ModelError(
                 name="start",
-                value=f"order {order}, branch {branch}",
+                value=Words(f"is of order {order}, branch {branch}"),
                 valid="the linear model's steady state leads to none of the nonlinear model at "
                 f"alpha = {alpha:.6g}",
                 hint="take the other branch, another amplitude, or a State to start from",
@@ -141,7 +141,7 @@ def growing(
     if not 0.0 < largest < math.inf:
         raise ModelError(
             name="start",
-            value=f"order {order}, branch {branch}",
+            value=Words(f"is of order {order}, branch {branch}"),
             valid=f"at Omega = {frequency_ratio:.6g} its half cycle is so long that no number says "
             "how it is left",
             hint="take a lower order, or a State to start from",

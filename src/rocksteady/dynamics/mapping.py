@@ -14,7 +14,7 @@ from rocksteady.dynamics.nonlinear import ModelName
 from rocksteady.dynamics.parameters import AXES, validated_axes
 from rocksteady.dynamics.scenarios import Scenario
 from rocksteady.dynamics.start import Rest, Start
-from rocksteady.errors import InputError, ModelError
+from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 from rocksteady.sweep.axes import Axis
@@ -102,7 +102,7 @@ def map_of(
     if store is not None:
         raise ModelError(
             name="refine",
-            value=refine,
+            value=Words(f"is {refine}, beside a store"),
             valid="a store holds every cell of its grid",
             hint="leave the store or the refinement out",
         )

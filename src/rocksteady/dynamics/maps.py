@@ -18,6 +18,7 @@ from rocksteady.dynamics.settled import (
     settled_cells,
 )
 from rocksteady.dynamics.start import Start
+from rocksteady.model.arguments import checked
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 from rocksteady.sweep.evaluate import Done
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 
+@checked
 def attractor_map(
     block: Block | DimensionlessBlock,
     shaking: Harmonic | None = None,

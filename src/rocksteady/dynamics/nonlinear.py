@@ -45,7 +45,7 @@ def model_name(model: object) -> ModelName:
     InputError
         If there are none of that name.
     """
-    if model not in get_args(ModelName):
+    if not isinstance(model, str) or model not in get_args(ModelName):
         raise InputError(
             name="model",
             value=model,

@@ -14,16 +14,18 @@ from rocksteady.dynamics.return_map import ImpactState, make_system, section_of,
 from rocksteady.dynamics.simulate import simulate
 from rocksteady.dynamics.start import State
 from rocksteady.dynamics.trajectory import Trajectory
-from rocksteady.errors import ModelError, Status
+from rocksteady.errors import ModelError, Status, Words
 from rocksteady.kernels import march as columns
 from rocksteady.kernels import periodic
 from rocksteady.kernels.section import UPLIFT, Section, next_passage
+from rocksteady.model.arguments import checked_result
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 
 Floats = NDArray[np.float64]
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Orbit:
     """A periodic motion under harmonic shaking.
@@ -130,7 +132,7 @@ class Orbit:
         if not self.block.symmetric:
             raise ModelError(
                 name="orbit",
-                value="of an asymmetric block",
+                value=Words("is one of an asymmetric block"),
                 valid="its mirror image is a motion of the mirrored block",
                 hint="ask for orbits of the block with its sides exchanged",
             )

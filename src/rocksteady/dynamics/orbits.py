@@ -30,6 +30,7 @@ from rocksteady.kernels.section import (
     next_passage,
     uplift_after,
 )
+from rocksteady.model.arguments import checked
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 from rocksteady.model.validation import whole_number
@@ -44,6 +45,7 @@ SAME = 1e-6
 """Difference in phase and relative speed below which two orbits are one."""
 
 
+@checked
 def orbits(
     block: Block | DimensionlessBlock,
     shaking: Harmonic,

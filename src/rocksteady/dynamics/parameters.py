@@ -5,7 +5,7 @@ from dataclasses import replace
 from itertools import combinations
 from typing import NamedTuple, TypeVar
 
-from rocksteady.errors import InputError, ModelError
+from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 
@@ -100,7 +100,7 @@ def validated_axes(axes: Iterable[str], fixed: Iterable[str] = ()) -> tuple[str,
         if pair[0] == pair[1] or set(pair) in TWICE:
             raise ModelError(
                 name="axes",
-                value=pair,
+                value=Words(f"hold both {pair[0]} and {pair[1]}"),
                 valid="they say one thing in two ways",
                 hint=f"leave {pair[0]} or {pair[1]} out",
             )

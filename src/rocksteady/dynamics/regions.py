@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.grids import order_of_orbit, validated_grid
+from rocksteady.dynamics.grids import order_of_orbit, real_array, validated_grid
 from rocksteady.kernels.symmetric import fill_curves, symmetry_breaking
+from rocksteady.model.arguments import checked, checked_result
 from rocksteady.model.block import restitution_value
 from rocksteady.model.validation import LARGEST, in_range
 
@@ -25,6 +26,7 @@ REGIONS = {
 """What Tso and Wong's regions hold (Figs 3 and 4), as the computation finds it."""
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class Boundaries:
     """Amplitudes that bound the regions, arrays of the broadcast shape of the inputs.
@@ -44,6 +46,7 @@ class Boundaries:
     kind: Floats
 
 
+@checked
 def boundaries(
     frequency_ratio: ArrayLike, restitution: ArrayLike, *, order: ArrayLike = 1
 ) -> Boundaries:
@@ -69,6 +72,7 @@ def boundaries(
     return Boundaries(existence=existence, sign=sign, kind=kind)
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class RegionMap:
     """Every curve of the plane of frequency and amplitude, for one restitution and order.
@@ -97,6 +101,7 @@ class RegionMap:
     heteroclinic: Floats
 
 
+@checked
 def region_map(frequency_ratio: ArrayLike, restitution: float, *, order: int = 1) -> RegionMap:
     """Return every curve of the plane at given frequency ratios (Figs 3 and 4, and more).
 
@@ -125,7 +130,9 @@ def region_map(frequency_ratio: ArrayLike, restitution: float, *, order: int = 1
     >>> print(curves.existence.round(5), curves.symmetry_breaking.round(5))
     [0.65675 0.70825] [1.82727 4.70266]
     """
-    ratios = np.atleast_1d(np.asarray(frequency_ratio, dtype=np.float64))
+    ratios = np.atleast_1d(real_array("frequency_ratio", frequency_ratio))
+    restitution = restitution_value(restitution)
+    order = order_of_orbit(order)
     existence, sign, kind, breaking, heteroclinic = _curves(ratios, restitution, order)
     return RegionMap(
         frequency_ratio=ratios,
@@ -139,6 +146,7 @@ def region_map(frequency_ratio: ArrayLike, restitution: float, *, order: int = 1
     )
 
 
+@checked
 def heteroclinic_amplitude(frequency_ratio: ArrayLike, restitution: ArrayLike) -> Floats:
     """Return the amplitude at which the manifolds of the two upright saddles first touch.
 
@@ -168,6 +176,7 @@ def heteroclinic_amplitude(frequency_ratio: ArrayLike, restitution: ArrayLike) -
     return _curves(frequency_ratio, restitution, 1)[4]
 
 
+@checked
 def melnikov_amplitude(frequency_ratio: ArrayLike, restitution: ArrayLike) -> Floats:
     """Return Melnikov's first-order estimate of `heteroclinic_amplitude`.
 
@@ -198,6 +207,7 @@ def melnikov_amplitude(frequency_ratio: ArrayLike, restitution: ArrayLike) -> Fl
     return result
 
 
+@checked
 def symmetry_breaking_amplitude(
     frequency_ratio: ArrayLike, restitution: ArrayLike, *, order: ArrayLike = 1
 ) -> Floats:
@@ -229,6 +239,7 @@ def symmetry_breaking_amplitude(
     return _curves(frequency_ratio, restitution, order)[3]
 
 
+@checked
 def symmetry_breaking_frequency(amplitude: float, restitution: float, *, order: int = 1) -> Floats:
     """Return every frequency ratio in [0.01, 1000] at which branch 1 loses its symmetry.
 

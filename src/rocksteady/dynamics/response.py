@@ -14,13 +14,15 @@ from rocksteady.dynamics.steady import (
     steady_states,
     validated_branch,
 )
-from rocksteady.errors import ModelError
+from rocksteady.errors import ModelError, Words
+from rocksteady.model.arguments import checked, checked_result
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.validation import positive
 
 Floats = NDArray[np.float64]
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class ResponseCurve:
     """Peak of one branch against frequency, arrays of shape (frequencies,).
@@ -49,6 +51,7 @@ class ResponseCurve:
     states: SteadyStates
 
 
+@checked
 def response_curve(
     block: Block | DimensionlessBlock,
     amplitude: float,
@@ -96,7 +99,7 @@ def response_curve(
     if (frequency_ratio is None) == (frequency_hz is None):
         raise ModelError(
             name="frequency_ratio, frequency_hz",
-            value=(frequency_ratio, frequency_hz),
+            value=Words("are both missing" if frequency_hz is None else "are both given"),
             valid="exactly one of the two says at which frequencies",
             hint="give frequency_ratio (omega/p), or frequency_hz for a Block",
         )

@@ -12,14 +12,19 @@ from rocksteady.dynamics.nonlinear import ModelName, model_name, sides_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels import section
 from rocksteady.kernels.clock import clock
+from rocksteady.model.arguments import checked, checked_result
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
-from rocksteady.model.validation import finite, in_range, whole_number
+from rocksteady.model.validation import finite, in_range, side_value, whole_number
 
 Floats = NDArray[np.float64]
 
 FASTEST = 1e50
 """Largest speed after an impact, as for any initial state."""
+
+
+MOST_STEPS = 1_000_000
+"""Of one call of the map: some ten seconds."""
 
 
 class PassageKind(IntEnum):
@@ -44,6 +49,7 @@ class PassageKind(IntEnum):
         return self.name.lower().replace("_", "-")
 
 
+@checked
 @dataclass(frozen=True, kw_only=True)
 class ImpactState:
     """A state just after an impact, or at an uplift from rest.
@@ -69,16 +75,13 @@ class ImpactState:
 
     def __post_init__(self) -> None:
         """Validate."""
-        if isinstance(self.side, bool) or self.side not in (1, -1):
-            raise InputError(
-                name="side", value=self.side, valid="it must be 1 or -1", hint="give 1 or -1"
-            )
+        side = side_value(self.side)
         phase = finite("phase", self.phase, hint="give the phase of the shaking in radians")
         speed = in_range(
             "speed", self.speed, 0.0, FASTEST, "[]", hint="give |d(theta/alpha)/d(p t)|"
         )
         turned = math.fmod(phase, 2.0 * math.pi) % (2.0 * math.pi)
-        object.__setattr__(self, "side", int(self.side))
+        object.__setattr__(self, "side", side)
         object.__setattr__(self, "phase", turned if turned < 2.0 * math.pi else 0.0)
         object.__setattr__(self, "speed", speed)
 
@@ -88,6 +91,7 @@ class ImpactState:
         return ImpactState(side=-self.side, phase=self.phase + math.pi, speed=self.speed)
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class Passage:
     """One or several steps of the return map.
@@ -121,6 +125,7 @@ class Passage:
     jacobian: Floats
 
 
+@checked
 class ReturnMap:
     """The map from just after one impact to just after the next.
 
@@ -168,7 +173,7 @@ class ReturnMap:
         state
             Where to start.
         steps
-            Impacts, or uplifts from rest, to pass.
+            Impacts, or uplifts from rest, to pass, up to a million.
 
         Returns
         -------
@@ -178,9 +183,10 @@ class ReturnMap:
         Raises
         ------
         InputError
-            If `steps` is not a whole number of 1 or above.
+            If `steps` is not a whole number from 1 to a million.
         """
-        count = whole_number("steps", steps, at_least=1, hint="give the number of impacts")
+        hint = "give the number of impacts"
+        count = whole_number("steps", steps, at_least=1, at_most=MOST_STEPS, hint=hint)
         total, kind = np.eye(2), section.IMPACT
         here = begin = section_of(state)
         time = landing = 0.0

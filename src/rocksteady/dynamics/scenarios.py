@@ -9,7 +9,6 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.attractor import side_value
 from rocksteady.dynamics.beginnings import at_phases, on_orbits
 from rocksteady.dynamics.grids import order_of_orbit
 from rocksteady.dynamics.nonlinear import ModelName, model_name, sides_of, slender_block
@@ -23,7 +22,7 @@ from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.tables import ALPHA, LEAN, RATE, RESTITUTION
 from rocksteady.model.block import Block, DimensionlessBlock, Restitution, housner_restitution
 from rocksteady.model.motions import Harmonic
-from rocksteady.model.validation import finite
+from rocksteady.model.validation import finite, side_value
 
 Floats = NDArray[np.float64]
 

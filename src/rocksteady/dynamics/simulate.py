@@ -15,13 +15,14 @@ from rocksteady.dynamics.nonlinear import (
 )
 from rocksteady.dynamics.start import Rest, Start, initial_march
 from rocksteady.dynamics.trajectory import Trajectory
-from rocksteady.errors import InputError, Status
+from rocksteady.errors import Status
 from rocksteady.kernels.clock import segment_start
 from rocksteady.kernels.march import FREQUENCY, ROW_COLUMNS, march
+from rocksteady.model.arguments import checked
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Motion
 from rocksteady.model.record import Record
-from rocksteady.model.validation import in_range, whole_number
+from rocksteady.model.validation import in_range, side_value, whole_number
 
 SMALLEST_BOUNCE = 1e-8
 """Chatter slower than this (du/ds) may come to rest: its bounces are below 1e-16 of alpha."""
@@ -38,7 +39,11 @@ LONGEST_RUN = 1.0e15
 FLIGHT_LIMIT = 4_000_000
 """Flights after which a run gives up as undecided; they would fill 256 MB."""
 
+MOST_FLIGHTS = 100_000_000
+"""The highest such limit."""
 
+
+@checked
 def simulate(
     block: Block | DimensionlessBlock,
     motion: Motion | Record,
@@ -83,7 +88,7 @@ def simulate(
         Nonlinear model: the error that the motion may have, as a part of it, from 1e-11 to 1e-3.
         Each step leaves out 1e-5 of that at most.  Errors grow as the motion itself spreads.
     flight_limit
-        Flights after which the run ends as undecided.
+        Flights after which the run ends as undecided; up to a hundred million, which fill 6.4 GB.
 
     Returns
     -------
@@ -126,23 +131,9 @@ def simulate(
     periods = in_range(
         "cycles", cycles, 0.0, LONGEST_RUN, hint="give the number of forcing periods to follow"
     )
-    limit = whole_number("flight_limit", flight_limit, at_least=1, hint="give a number of flights")
-    if side not in (1, -1):
-        raise InputError(name="side", value=side, valid="it must be 1 or -1", hint="give 1 or -1")
-    if not isinstance(block, Block | DimensionlessBlock):
-        raise InputError(
-            name="block",
-            value=block,
-            valid="it must be a Block or a DimensionlessBlock",
-            hint="the block comes first, then the motion",
-        )
-    if not (isinstance(motion, Record) or hasattr(motion, "segments")):
-        raise InputError(
-            name="motion",
-            value=motion,
-            valid="it must be a base motion",
-            hint="give a Harmonic, a Pulse, a Piecewise, a Record or a Still",
-        )
+    hint = "give a number of flights"
+    limit = whole_number("flight_limit", flight_limit, at_least=1, at_most=MOST_FLIGHTS, hint=hint)
+    side = side_value(side)
     model = model_name(model)
     bare = block.dimensionless()
     sides = sides_of(block, model, tolerance)

@@ -16,6 +16,7 @@ from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.clock import clock
 from rocksteady.kernels.march import March
 from rocksteady.kernels.nonlinear.drive import jump_share
+from rocksteady.model.arguments import checked
 from rocksteady.model.block import DimensionlessBlock
 from rocksteady.model.motions import Harmonic, Motion
 from rocksteady.model.record import Record
@@ -29,11 +30,13 @@ LARGEST_KICK = 0.1
 """Further from an orbit its unstable direction means nothing."""
 
 
+@checked
 @dataclass(frozen=True, kw_only=True)
 class Rest:
     """At rest on its base."""
 
 
+@checked
 @dataclass(frozen=True, kw_only=True)
 class State:
     """Any angle and velocity.
@@ -73,6 +76,7 @@ class State:
         return cls(angle=angle, velocity=rate * ratio)
 
 
+@checked
 @dataclass(frozen=True, kw_only=True)
 class Steady:
     """On a symmetric steady state of harmonic shaking, at the impact that begins its positive half.

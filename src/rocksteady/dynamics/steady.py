@@ -17,10 +17,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.grids import validated_grid
 from rocksteady.dynamics.regions import REGIONS
-from rocksteady.errors import InputError, ModelError
+from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.symmetric import fill_half_cycle, fill_steady, symmetric_orbit
+from rocksteady.model.arguments import checked, checked_result
 from rocksteady.model.block import Block, DimensionlessBlock
-from rocksteady.model.validation import whole_number
+from rocksteady.model.validation import finite, whole_number
 
 if TYPE_CHECKING:
     import xarray
@@ -79,13 +80,14 @@ def refuse_unlike_sides(block: Block | DimensionlessBlock, name: str, what: str)
     if not block.symmetric:
         raise ModelError(
             name=name,
-            value="an asymmetric block" if name == "block" else "a steady state",
+            value=Words("is asymmetric" if name == "block" else "is a steady state"),
             valid=f"{what} comes from the closed forms of symmetric motions, whose second half "
             "mirrors the first; a block whose sides differ has none",
             hint="its periodic motions are found by `orbits`",
         )
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class SteadyStates:
     """Both symmetric steady states at each point of a grid.
@@ -220,6 +222,7 @@ class SteadyStates:
         return xarray.Dataset(variables, coords={"branch": list(BRANCHES)})
 
 
+@checked
 def steady_states(
     amplitude: ArrayLike,
     frequency_ratio: ArrayLike,
@@ -314,6 +317,7 @@ def steady_states(
     )
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class SteadyOrbit:
     """One full period of a symmetric steady state of the algebra, arrays of shape (samples,).
@@ -334,6 +338,7 @@ class SteadyOrbit:
     excitation: Floats
 
 
+@checked
 def steady_orbit(
     amplitude: float,
     frequency_ratio: float,
@@ -371,8 +376,16 @@ def steady_orbit(
     >>> print(f"{orbit.angle.max():.5f} {orbit.angle.min():.5f}")
     0.18550 -0.18550
     """
+    for name, value in (
+        ("amplitude", amplitude),
+        ("frequency_ratio", frequency_ratio),
+        ("restitution", restitution),
+    ):
+        finite(name, value, hint="give one number")
     which = validated_branch(branch)
-    count = whole_number("samples", samples, at_least=3, hint="give an odd number, as 801")
+    count = whole_number(
+        "samples", samples, at_least=3, at_most=999_999, hint="give an odd number, as 801"
+    )
     if count % 2 == 0:
         raise InputError(
             name="samples",

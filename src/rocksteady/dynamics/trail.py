@@ -8,7 +8,7 @@ from itertools import groupby
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.attractor import Attractor, AttractorKind, attractor
+from rocksteady.dynamics.attractor import Attractor, AttractorKind, attractor, cycles_value
 from rocksteady.dynamics.grids import real_array
 from rocksteady.dynamics.nonlinear import ModelName, model_name, slender_block
 from rocksteady.dynamics.orbit import Orbit
@@ -23,9 +23,9 @@ from rocksteady.dynamics.return_map import (
 from rocksteady.dynamics.start import Rest, Start, State
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.section import FALL, STAY, STUCK, highest_after, next_passage
+from rocksteady.model.arguments import checked, checked_result
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
-from rocksteady.model.validation import whole_number
 
 Floats = NDArray[np.float64]
 
@@ -35,6 +35,7 @@ CARRIED = (AttractorKind.SYMMETRIC, AttractorKind.UNSYMMETRIC, AttractorKind.APE
 """Kinds from whose last state the next value goes on."""
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class AttractorTrail:
     """What a motion settles to at one value of a parameter after another, carried along.
@@ -85,6 +86,7 @@ def _kind_of(found: Attractor) -> tuple[str, int | None, int | None]:
     return (found.kind.value, found.period, None if found.orbit is None else found.orbit.impacts)
 
 
+@checked
 def attractor_trail(
     block: Block | DimensionlessBlock,
     shaking: Harmonic,
@@ -151,7 +153,7 @@ def attractor_trail(
     if steps.ndim != 1 or steps.size == 0:
         valid = "it must be a list of one value or more"
         raise InputError(name="values", value=values, valid=valid, hint="use numpy.linspace")
-    periods = whole_number("cycles", cycles, at_least=1, hint="give forcing periods to follow")
+    periods = cycles_value(cycles)
     begin = Rest() if start is None else start
     found: list[Attractor] = []
     carried: ImpactState | None = None

@@ -9,6 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics import ground
 from rocksteady.dynamics.courses import Flights, Impacts, Motions
+from rocksteady.dynamics.grids import real_array
+from rocksteady.dynamics.growth import growth_of
 from rocksteady.dynamics.nonlinear import ModelName
 from rocksteady.errors import InputError, ModelError, Status
 from rocksteady.kernels import tables as columns
@@ -20,10 +22,11 @@ from rocksteady.kernels.history import (
     recorded_peaks,
 )
 from rocksteady.kernels.tables import is_nonlinear
+from rocksteady.model.arguments import checked_result
 from rocksteady.model.block import Block
 from rocksteady.model.motions import Harmonic, Motion
 from rocksteady.model.record import Record
-from rocksteady.model.validation import whole_number
+from rocksteady.model.validation import span_value, whole_number, within_memory
 
 Floats = NDArray[np.float64]
 
@@ -31,6 +34,7 @@ OVERTURNED_SHOWN_TO = 2.0
 """|theta|/alpha up to which a fall is followed; the linear model means nothing much further on."""
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Trajectory:
     """What `rocksteady.simulate` returns: flights, impacts, and the motion at any time.
@@ -266,6 +270,17 @@ class Trajectory:
         )
 
     @cached_property
+    def growth(self) -> float | None:
+        """Largest factor by which a small difference at the start has grown on the way.
+
+        Exact derivatives through flights and impacts, looked at after each impact and counted anew
+        after a rest, which forgets what came before; infinite after a graze.  Above some 1e12
+        rounding decides how the run goes on, and another way of computing it may end otherwise.
+        None in the nonlinear model.
+        """
+        return None if is_nonlinear(self.sides) else growth_of(self)
+
+    @cached_property
     def shown_to_s(self) -> float:
         """Pivot time up to which pictures follow the run: a little into a rest, not for ever.
 
@@ -293,16 +308,35 @@ class Trajectory:
         Raises
         ------
         InputError
-            If `per_unit` is not a whole number of 1 or above.
+            If `per_unit` is not a whole number from 1 to a million, or more than 1e8 times follow.
         """
-        count = whole_number("per_unit", per_unit, at_least=1, hint="give samples per unit of time")
+        hint = "give samples per unit of time"
+        count = whole_number("per_unit", per_unit, at_least=1, at_most=1_000_000, hint=hint)
         unit = 1.0
         if isinstance(self.motion, Harmonic):
             unit = 2.0 * math.pi / self.motion.frequency_ratio
-        start, end = (0.0, self.shown_to_s) if span is None else span
+        start, end = (0.0, self.shown_to_s) if span is None else self._span(span)
+        wanted = count * ((end - start) / unit + ground.pulse_turns(self.segments))
+        within_memory("per_unit", per_unit, wanted, hint="take fewer, or a shorter span")
         even = np.linspace(start, end, max(2, math.ceil(count * (end - start) / unit) + 1))
         points = np.concatenate([even, self.flights.s, *ground.pulse_times(self.segments, count)])
         return np.unique(points[(points >= start) & (points <= end)])
+
+    def _span(self, span: tuple[float, float]) -> tuple[float, float]:
+        """Return pivot times of the run, the first before the second."""
+        return span_value("span", span, 0.0, self.end_s, hint="give pivot times of the run")
+
+    def _times(self, s: ArrayLike) -> Floats:
+        """Return finite times from 0 on."""
+        times = real_array("s", s)
+        if not (np.isfinite(times) & (times >= 0.0)).all():
+            raise InputError(
+                name="s",
+                value=s,
+                valid="it must be finite, 0 or above",
+                hint="give pivot times p t",
+            )
+        return times
 
     def __call__(self, s: ArrayLike) -> Motions:
         """Return the motion at pivot times `s`, from 0 to `end_s`.
@@ -312,7 +346,7 @@ class Trajectory:
         InputError
             If a time is outside the trajectory.
         """
-        times = np.asarray(s, dtype=np.float64)
+        times = real_array("s", s)
         flat = np.atleast_1d(times).ravel()
         outside = ~((flat >= 0.0) & (flat <= self.end_s * (1.0 + 1e-15)))
         if outside.any():
@@ -383,7 +417,7 @@ class Trajectory:
                 valid="seconds need a block with a frequency parameter p",
                 hint="simulate a Block, or ask in pivot time: trajectory(s)",
             )
-        return self(np.asarray(t_s, dtype=np.float64) * self.block.p)
+        return self(real_array("t_s", t_s) * self.block.p)
 
     def at_tau(self, tau: ArrayLike) -> Motions:
         """Return the motion at tau = omega t of harmonic shaking.
@@ -393,7 +427,7 @@ class Trajectory:
         ModelError
             If the shaking is not harmonic.
         """
-        return self(np.asarray(tau, dtype=np.float64) / self.frequency_ratio)
+        return self(real_array("tau", tau) / self.frequency_ratio)
 
     @property
     def frequency_ratio(self) -> float:
@@ -415,7 +449,7 @@ class Trajectory:
 
     def base_acceleration(self, s: ArrayLike) -> Floats:
         """Return the base acceleration at pivot times, in units of alpha g."""
-        return ground.base_acceleration(self.segments, s)
+        return ground.base_acceleration(self.segments, self._times(s))
 
     def base_displacement(self, s: ArrayLike) -> Floats:
         """Return where the base is at pivot times, in units of alpha g/p^2.
@@ -423,8 +457,8 @@ class Trajectory:
         Harmonic shaking goes to and fro about 0; any other motion starts from rest at 0.
         """
         if isinstance(self.motion, Harmonic):
-            return ground.swinging_displacement(self.segments, s)
-        return ground.displacement_from_rest(self.segments, s)
+            return ground.swinging_displacement(self.segments, self._times(s))
+        return ground.displacement_from_rest(self.segments, self._times(s))
 
     def __repr__(self) -> str:
         """Return how it went, not its tables."""

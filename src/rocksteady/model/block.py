@@ -8,10 +8,12 @@ Sizes are full dimensions in metres.  Much of the literature writes b and h for 
 """
 
 import math
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from rocksteady.errors import InputError, ModelError
+from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.model.arguments import checked
 from rocksteady.model.dimensionless import DimensionlessBlock
 from rocksteady.model.sides import (
     Restitution,
@@ -22,6 +24,7 @@ from rocksteady.model.sides import (
     gravity_value,
     housner_ratio,
     housner_restitution,
+    length_value,
     p_value,
     radius_value,
     restitution_pair,
@@ -46,6 +49,29 @@ STANDARD_GRAVITY = 9.80665
 """Standard acceleration of gravity [m/s^2]."""
 
 
+TALLEST = 200.0
+"""Of the standing towers and obelisks none is taller [m]."""
+
+TALL = 50.0
+"""Height [m] above which two sizes in whole numbers are taken for millimetres or centimetres."""
+
+
+def question_millimetres(*, width: float, height: float) -> None:
+    """Warn of sizes that seem to be in millimetres.
+
+    So seem heights above 200 m, and heights above 50 m where both sizes are whole numbers, as those
+    of catalogues are.
+    """
+    whole = width.is_integer() and height.is_integer()
+    if height > TALLEST or (height > TALL and whole):
+        warnings.warn(
+            f"a block {width:g} m wide and {height:g} m high: sizes are in metres; of one in "
+            f"millimetres give width={width / 1000.0:g}, height={height / 1000.0:g}",
+            stacklevel=4,
+        )
+
+
+@checked
 @dataclass(frozen=True, kw_only=True)
 class Block:
     """A free-standing rigid block.  Use one of the constructors below.
@@ -124,8 +150,9 @@ class Block:
             If a size is not a positive number, a restitution lies outside (0, 1], or Housner's
             value is not positive (a block so stocky does not rock).
         """
-        b = positive("width", width, hint="give the full width in metres")
-        h = positive("height", height, hint="give the full height in metres")
+        b = length_value("width", width, hint="give the full width in metres")
+        h = length_value("height", height, hint="give the full height in metres")
+        question_millimetres(width=b, height=h)
         alpha = math.atan2(b, h)
         if restitution == "housner" and housner_ratio(alpha) <= 0.0:
             # Not left to the check of alpha, which the caller has not given.
@@ -281,30 +308,17 @@ class Block:
         0.2450 rad, 3.4290 rad/s, 0.8201
         0.3948 rad, 3.3865 rad/s, 0.8837
         """
-        b1 = positive("left", left, hint="give the distance of the left edge in metres")
-        b2 = positive("right", right, hint="give the distance of the right edge in metres")
-        h = positive("height", height, hint="give twice the height of the mass centre in metres")
-        k = None
-        if gyration is not None:
-            k = positive("gyration", gyration, hint="give sqrt(I_c/M) in metres")
-        g = gravity_value(gravity)
-        # One way of computing a symmetric block, whoever makes it.
-        if b1 == b2 and k is None:
-            return cls._alike(cls.rectangle, restitution, g, width=2.0 * b1, height=h)
-        if b1 == b2 and k is not None:
-            radius = math.hypot(b1, 0.5 * h)
-            sizes = {"radius": radius, "alpha": math.atan2(b1, 0.5 * h)}
-            inertia = k * k + radius * radius
-            return cls._alike(cls.general, restitution, g, mass=1.0, inertia=inertia, **sizes)
-        one, other = sides_of_body(
-            left=b1,
-            right=b2,
-            centre_height=0.5 * h,
-            gyration=math.sqrt(((b1 + b2) ** 2 + h * h) / 12.0) if k is None else k,
+        made = cls._asymmetric(
+            left=left,
+            right=right,
+            height=height,
+            gyration=gyration,
             restitution=restitution,
-            gravity=g,
+            gravity=gravity,
         )
-        return cls(positive=one, negative=other, gravity=g)
+        if left != right or gyration is not None:  # else the rectangle has been questioned
+            question_millimetres(width=float(left + right), height=float(height))
+        return made
 
     @classmethod
     def from_alphas(
@@ -352,7 +366,7 @@ class Block:
         if (radius is None) == (p is None) or (p is not None and gyration is not None):
             raise ModelError(
                 name="radius, p, gyration",
-                value=(radius, p, gyration),
+                value=Words(_which(radius=radius, p=p, gyration=gyration)),
                 valid="a radius, with or without a gyration, or a p alone says how large it is",
                 hint="give radius=..., or p=...",
             )
@@ -371,7 +385,7 @@ class Block:
             shape = (base * base + 4.0 * math.cos(first) ** 2) / 12.0
             length = g / (rate * rate * (1.0 + shape))
         centre = length * math.cos(first)
-        return cls.asymmetric(
+        return cls._asymmetric(
             left=length * math.sin(first),
             right=centre * math.tan(second),
             height=2.0 * centre,
@@ -379,6 +393,45 @@ class Block:
             restitution=restitution,
             gravity=g,
         )
+
+    @classmethod
+    def _asymmetric(
+        cls,
+        *,
+        left: float,
+        right: float,
+        height: float,
+        gyration: float | None,
+        restitution: Restitutions,
+        gravity: float,
+    ) -> "Block":
+        """Return what `asymmetric` does, of whatever size."""
+        b1 = length_value("left", left, hint="give the distance of the left edge in metres")
+        b2 = length_value("right", right, hint="give the distance of the right edge in metres")
+        h = length_value(
+            "height", height, hint="give twice the height of the mass centre in metres"
+        )
+        k = None
+        if gyration is not None:
+            k = length_value("gyration", gyration, hint="give sqrt(I_c/M) in metres")
+        g = gravity_value(gravity)
+        # One way of computing a symmetric block, whoever makes it.
+        if b1 == b2 and k is None:
+            return cls._alike(cls.rectangle, restitution, g, width=2.0 * b1, height=h)
+        if b1 == b2 and k is not None:
+            radius = math.hypot(b1, 0.5 * h)
+            sizes = {"radius": radius, "alpha": math.atan2(b1, 0.5 * h)}
+            inertia = k * k + radius * radius
+            return cls._alike(cls.general, restitution, g, mass=1.0, inertia=inertia, **sizes)
+        one, other = sides_of_body(
+            left=b1,
+            right=b2,
+            centre_height=0.5 * h,
+            gyration=math.sqrt(((b1 + b2) ** 2 + h * h) / 12.0) if k is None else k,
+            restitution=restitution,
+            gravity=g,
+        )
+        return cls(positive=one, negative=other, gravity=g)
 
     @classmethod
     def _alike(
@@ -509,3 +562,9 @@ class Block:
             rows = (("sides", "positive (left edge) and negative (right edge)"), *rows)
         cells = "".join(f"<tr><th>{name}</th><td>{value}</td></tr>" for name, value in rows)
         return f"<table><caption>Block</caption>{cells}</table>"
+
+
+def _which(**given: object) -> str:
+    """Return which of several arguments are given, in words."""
+    names = [name for name, value in given.items() if value is not None]
+    return f"do not fit, with {' and '.join(names)} given" if names else "are all missing"

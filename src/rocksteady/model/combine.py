@@ -7,6 +7,7 @@ from dataclasses import replace
 from itertools import accumulate, pairwise
 
 from rocksteady.errors import ModelError
+from rocksteady.model.arguments import checked
 from rocksteady.model.motions import LONGEST_DURATION, Motion, Piecewise, Segment
 from rocksteady.model.sampled import polyline
 from rocksteady.model.validation import LARGEST, in_range, positive
@@ -18,6 +19,7 @@ _SAME_TIME = 1e-12
 """Times whose relative distance is below this differ by rounding."""
 
 
+@checked
 def scaled(motion: Motion, factor: float) -> Piecewise:
     """Return a motion times a factor; -1 turns it round.
 
@@ -55,6 +57,7 @@ def scaled(motion: Motion, factor: float) -> Piecewise:
     )
 
 
+@checked
 def delayed(motion: Motion, by: float) -> Piecewise:
     """Return a motion that begins later, after a still base.
 
@@ -82,6 +85,7 @@ def delayed(motion: Motion, by: float) -> Piecewise:
     return Piecewise(pieces=still + _segments(motion))
 
 
+@checked
 def joined(*motions: Motion) -> Piecewise:
     """Return motions one after another, each beginning where the one before it ends.
 
@@ -105,6 +109,7 @@ def joined(*motions: Motion) -> Piecewise:
     return Piecewise(pieces=tuple(piece for motion in motions for piece in _segments(motion)))
 
 
+@checked
 def added(*motions: Motion, tolerance: float = SUM_TOLERANCE) -> Piecewise:
     """Return the sum of motions that begin together.
 

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 
+from rocksteady.model.arguments import checked
 from rocksteady.model.sides import restitution_value
 from rocksteady.model.validation import in_range
 
@@ -11,6 +12,7 @@ SideRow = tuple[float, float, float]
 LARGEST_RATIO = 100.0
 
 
+@checked
 @dataclass(frozen=True, kw_only=True)
 class DimensionlessBlock:
     """A block as the equation of motion sees it: its restitution, and how unlike its sides are.

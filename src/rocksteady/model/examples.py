@@ -57,6 +57,14 @@ def example_block(
     >>> example_block("zhang-makris-2001").restitution
     0.9
     """
+    given: object = name
+    if not isinstance(given, str) or given not in SOURCES:
+        raise InputError(
+            name="name",
+            value=name,
+            valid="there is no example block of that name",
+            hint="choose one of " + ", ".join(SOURCES),
+        )
     if name == "tso-wong-1989":
         ratio = 0.8 if restitution is None else restitution
         return Block.from_p(alpha=0.2, p=2.0 * math.pi, restitution=ratio, gravity=gravity)
@@ -66,14 +74,7 @@ def example_block(
     if name == "zhang-makris-2001":
         ratio = 0.9 if restitution is None else restitution
         return Block.from_p(alpha=0.25, p=2.14, restitution=ratio, gravity=gravity)
-    if name == "fema-p58-cabinet":
-        ratio = "housner" if restitution is None else restitution
-        return Block.rectangle(
-            width=18.6 * INCH, height=67.75 * INCH, restitution=ratio, gravity=gravity
-        )
-    raise InputError(
-        name="name",
-        value=name,
-        valid="there is no example block of that name",
-        hint="choose one of " + ", ".join(SOURCES),
+    ratio = "housner" if restitution is None else restitution
+    return Block.rectangle(
+        width=18.6 * INCH, height=67.75 * INCH, restitution=ratio, gravity=gravity
     )

@@ -5,11 +5,13 @@ from dataclasses import dataclass
 from functools import partial
 
 from rocksteady.errors import InputError
+from rocksteady.model.arguments import checked
 from rocksteady.model.block import Block
 from rocksteady.model.motions import LONGEST_DURATION, Segment
 from rocksteady.model.validation import LARGEST, finite, in_range
 
 
+@checked
 @dataclass(frozen=True, kw_only=True)
 class Impulses:
     """Sudden changes of the velocity of a base that else stands still or keeps its velocity.

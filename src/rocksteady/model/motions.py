@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from typing import Protocol
 
 from rocksteady.errors import InputError, ModelError
+from rocksteady.model.arguments import checked
 from rocksteady.model.block import Block
 from rocksteady.model.validation import LARGEST, in_range, non_negative, positive
 
@@ -31,6 +32,7 @@ def _phase(value: object) -> float:
     return in_range("phase", value, -LARGEST_PHASE, LARGEST_PHASE, "[]", hint=hint)
 
 
+@checked
 @dataclass(frozen=True, kw_only=True)
 class Segment:
     """One piece of base acceleration, ``constant + slope s + amplitude sin(frequency s + phase)``.
@@ -67,7 +69,8 @@ class Segment:
     def __post_init__(self) -> None:
         """Validate, and turn a negative amplitude into a positive one half a cycle on."""
         hint = "give the pivot time p t that the segment lasts"
-        if self.duration != math.inf:
+        given: object = self.duration
+        if not (isinstance(given, float) and given == math.inf):
             duration = in_range("duration", self.duration, 0.0, LONGEST_DURATION, hint=hint)
             object.__setattr__(self, "duration", duration)
         object.__setattr__(self, "phase", _phase(self.phase))
@@ -109,6 +112,7 @@ class Motion(Protocol):
         ...
 
 
+@checked
 @dataclass(frozen=True, kw_only=True)
 class Harmonic:
     """Endless harmonic shaking, base acceleration ``A sin(Omega s + phase)`` (eq 3).
@@ -224,6 +228,7 @@ class Harmonic:
         )
 
 
+@checked
 @dataclass(frozen=True, kw_only=True)
 class Still:
     """A base that stands still: free rocking."""
@@ -233,6 +238,7 @@ class Still:
         return ()
 
 
+@checked
 @dataclass(frozen=True, kw_only=True)
 class Piecewise:
     """A base motion put together from segments, in the block's own measures; then a still base.

@@ -7,6 +7,7 @@ from functools import cached_property
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model import shapes
+from rocksteady.model.arguments import checked
 from rocksteady.model.block import Block
 from rocksteady.model.motions import (
     HIGHEST_FREQUENCY_RATIO,
@@ -28,6 +29,7 @@ LEAST_TOLERANCE = 1e-8
 """Wavelets are not sampled finer: a Ricker wavelet is then 90 000 lines."""
 
 
+@checked
 @dataclass(frozen=True, kw_only=True)
 class Pulse:
     """A single pulse of base acceleration; after it the base stands still.

@@ -6,6 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.errors import InputError
+from rocksteady.model.arguments import checked
+from rocksteady.model.arrays import UnfitError, numeric_array
 from rocksteady.model.validation import LARGEST, in_range, positive
 
 Floats = NDArray[np.float64]
@@ -15,6 +17,7 @@ SHORTEST = 1e-15
 """Of intervals between samples [s]; slopes of shorter ones overflow."""
 
 
+@checked
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Record:
     """Recorded base acceleration at equal intervals: linear in between, then a still base.
@@ -122,7 +125,10 @@ def _samples(value: ArrayLike) -> Floats:
     """Return samples as an array of their own that cannot be written to."""
     hint = "give the samples of one component in m/s^2"
     try:
-        given = np.asarray(value)
+        given = np.asarray(numeric_array("acceleration_m_s2", value, None))
+    except UnfitError as unfit:
+        valid, hint = unfit.args
+        raise InputError(name="acceleration_m_s2", value=value, valid=valid, hint=hint) from None
     except ValueError:  # rows of unequal lengths
         given = np.empty((0, 0))
     valid = ""

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from typing import Literal
 
 from rocksteady.errors import InputError, ModelError
-from rocksteady.model.validation import in_range, positive
+from rocksteady.model.arguments import checked
+from rocksteady.model.validation import in_range
 
 SAME_BODY = 1e-6
 """How near two sides' heights and moments of inertia are, relative to their size, if they belong to
@@ -37,6 +38,7 @@ def restitution_value(value: object, *, name: str = "restitution") -> float:
     return in_range(name, value, 0.0, 1.0, "(]", hint=hint)
 
 
+@checked
 @dataclass(frozen=True, kw_only=True)
 class Side:
     """One pivot of a block.
@@ -164,6 +166,7 @@ def sides_of_body(
     return first, second
 
 
+@checked
 def impact_restitution(
     alphas: tuple[float, float], radii: tuple[float, float], *, gyration: float
 ) -> float:
@@ -195,7 +198,11 @@ def impact_restitution(
     >>> print(f"{impact_restitution((0.2, 0.3), (1.0, 1.02588), gyration=0.58):.6f}")
     0.890458
     """
-    ratio = impact_ratio(alphas, radii, gyration)
+    angles = tuple([alpha_value(alpha, "alphas") for alpha in alphas])
+    hint = "give the distances from both pivots to the mass centre in metres"
+    lengths = tuple([length_value("radii", radius, hint=hint) for radius in radii])
+    k = length_value("gyration", gyration, hint="give sqrt(I_c/M) in metres")
+    ratio = impact_ratio(angles, lengths, k)
     if ratio <= 0.0:
         raise InputError(
             name="alphas",
@@ -207,6 +214,7 @@ def impact_restitution(
     return ratio
 
 
+@checked
 def housner_restitution(
     alpha: float, *, p: float = 1.0, radius: float = 0.75, gravity: float = 1.0
 ) -> float:
@@ -241,7 +249,12 @@ def housner_restitution(
     >>> round(housner_restitution(0.17453292519943295), 6)
     0.954769
     """
-    ratio = housner_ratio(alpha_value(alpha), p=p, radius=radius, gravity=gravity)
+    ratio = housner_ratio(
+        alpha_value(alpha),
+        p=p_value(p),
+        radius=radius_value(radius),
+        gravity=gravity_value(gravity),
+    )
     if ratio <= 0.0:
         raise InputError(
             name="alpha",
@@ -296,7 +309,14 @@ def alpha_value(value: float, name: str = "alpha") -> float:
 
 def radius_value(value: float) -> float:
     """Return a positive distance from a pivot to the mass centre."""
-    return positive("radius", value, hint="give the distance from pivot to mass centre in metres")
+    return length_value(
+        "radius", value, hint="give the distance from pivot to mass centre in metres"
+    )
+
+
+def length_value(name: str, value: object, *, hint: str) -> float:
+    """Return a length whose square and inverse square are numbers too."""
+    return in_range(name, value, 1e-50, 1e50, "[]", hint=hint)
 
 
 def p_value(value: float) -> float:
@@ -307,4 +327,5 @@ def p_value(value: float) -> float:
 
 def gravity_value(value: float) -> float:
     """Return a positive acceleration of gravity."""
-    return positive("gravity", value, hint="give the acceleration of gravity in m/s^2")
+    hint = "give the acceleration of gravity in m/s^2"
+    return in_range("gravity", value, 1e-50, 1e50, "[]", hint=hint)

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from rocksteady.errors import InputError
+from rocksteady.model.arguments import checked
 from rocksteady.model.block import Block
 from rocksteady.model.motions import LONGEST_DURATION, Harmonic, Segment
 from rocksteady.model.sampled import MOST_LINES, straight_lines
@@ -28,7 +30,11 @@ LEAST_DAMPING = 0.01
 SETTLED = 10.0
 """Time constants after which a filter has forgotten how it began."""
 
+MOST_SETTLING = 10_000_000
+"""Samples for that: a second."""
 
+
+@checked
 @dataclass(frozen=True, kw_only=True)
 class SyntheticMotion:
     """An artificial ground motion, no record: filtered white noise under an envelope.
@@ -53,7 +59,8 @@ class SyntheticMotion:
     frequency_ratio
         Of the ground, omega_g/p, from 0.01 to 10 000.
     duration
-        Pivot time p t.
+        Pivot time p t, up to 200 000 samples and 1e6.  A motion much shorter than a sample, a 40th
+        of the ground's period, is refused.
     seed
         A whole number of 0 or above for `numpy.random.SeedSequence`: the same one gives the same
         motion, to the last bit, in one version of NumPy and SciPy.
@@ -121,6 +128,15 @@ class SyntheticMotion:
         )
         for name, value in valid.items():
             object.__setattr__(self, name, value)
+        if self._settling > MOST_SETTLING:
+            shortest = self.duration * (self._settling / MOST_SETTLING)
+            raise InputError(
+                name="duration",
+                value=self.duration,
+                valid=f"at its step the filters would take {self._settling:.3g} samples to settle, "
+                f"and {MOST_SETTLING:.0e} are the most",
+                hint=f"give {shortest:.3g} or more",
+            )
 
     @classmethod
     def from_si(
@@ -178,6 +194,12 @@ class SyntheticMotion:
         """Pivot time between two samples; a whole number of them makes the duration."""
         return self.duration / max(1, round(self.duration / _sampling(self.frequency_ratio)))
 
+    @property
+    def _settling(self) -> float:
+        """Samples in which the filters forget how they began; of a short motion they are short."""
+        slowest = self.damping * self.high_pass_ratio * self.frequency_ratio
+        return SETTLED / (slowest * self.step) if self.step > 1e-300 else math.inf
+
     @cached_property
     def samples(self) -> "Floats":
         """Base acceleration in units of alpha g, every `step`, from 0 to the duration."""
@@ -185,8 +207,7 @@ class SyntheticMotion:
         from scipy import signal
 
         filters = self._filters()
-        slowest = self.damping * self.high_pass_ratio * self.frequency_ratio
-        settling = math.ceil(SETTLED / (slowest * self.step))
+        settling = math.ceil(self._settling)
         response = signal.sosfilt(filters, np.eye(1, settling)[0])
         count = round(self.duration / self.step) + 1
         draw = np.random.default_rng(np.random.SeedSequence(self.seed))

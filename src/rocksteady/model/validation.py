@@ -14,21 +14,29 @@ from numbers import Integral, Real
 from typing import Final, Literal
 
 from rocksteady.errors import InputError
+from rocksteady.model.arrays import scalar_of
 
 __all__ = [
     "LARGEST",
     "finite",
     "in_range",
+    "index_value",
     "non_negative",
     "odd_order",
     "positive",
+    "side_value",
+    "span_value",
     "whole_number",
+    "within_memory",
 ]
 
 LARGEST: Final = 1.0e50
 """The largest dimensionless number that the kernels are asked for: its powers do not overflow."""
 
 _ODD_ORDER_HINT: Final = "use 1, 3, 5, ..."
+
+MOST_NUMBERS: Final = 100_000_000
+"""Of one array that follows from arguments: 800 MB."""
 
 Ends = Literal["[]", "(]", "[)", "()"]
 """Which ends belong to an interval: a square bracket for one that does."""
@@ -142,7 +150,7 @@ def whole_number(
     InputError
         If `value` is not an integer, or is outside these bounds.
     """
-    number = _plain(value)
+    number = scalar_of(value)
     valid = f"it must be a whole number of {at_least} or above"
     if at_most is not None:
         valid = f"it must be a whole number from {at_least} to {at_most}"
@@ -152,6 +160,76 @@ def whole_number(
     if at_most is not None and count > at_most:
         raise InputError(name=name, value=value, valid=valid, hint=hint)
     return count
+
+
+def index_value(value: object, count: int, what: str, *, name: str = "index") -> int:
+    """Return `value` as an index into so many things; negative ones count from the end.
+
+    Raises
+    ------
+    InputError
+        If it is no whole number, or there is no such thing.
+    """
+    number = scalar_of(value)
+    whole = isinstance(number, Integral) and not isinstance(number, bool)
+    if not whole or not -count <= number < count:
+        raise InputError(
+            name=name,
+            value=value,
+            valid=f"it must be a whole number from {-count} to {count - 1}",
+            hint=f"give the index of a {what}",
+        )
+    return int(number)
+
+
+def within_memory(name: str, value: object, count: float, *, hint: str) -> None:
+    """Refuse a value from which more numbers would follow than are kept in memory at once.
+
+    Raises
+    ------
+    InputError
+        If there would be more than 100 million, or their number is no number.
+    """
+    if not count <= MOST_NUMBERS:
+        raise InputError(
+            name=name,
+            value=value,
+            valid=f"{count:.3g} numbers would follow from it, and {MOST_NUMBERS:.0e} are the most",
+            hint=hint,
+        )
+
+
+def span_value(
+    name: str, value: object, low: float, high: float, *, hint: str
+) -> tuple[float, float]:
+    """Return `value` as two finite numbers, the first below the second, inside an interval.
+
+    Raises
+    ------
+    InputError
+        If it is anything else.
+    """
+    ends = list(value) if isinstance(value, list | tuple) else []
+    numbers = [scalar_of(end) for end in ends]
+    real = all(isinstance(end, Real) and not isinstance(end, bool) for end in numbers)
+    if len(ends) != 2 or not real or not low <= numbers[0] < numbers[1] <= high:
+        valid = f"it must be (start, end), start before end, inside [{low:.15g}, {high:.15g}]"
+        raise InputError(name=name, value=value, valid=valid, hint=hint)
+    return float(numbers[0]), float(numbers[1])
+
+
+def side_value(value: object, *, name: str = "side") -> int:
+    """Return `value` as 1 or -1, the positive side or the negative one.
+
+    Raises
+    ------
+    InputError
+        If it is neither.
+    """
+    plain = scalar_of(value)
+    if isinstance(plain, bool) or not isinstance(plain, Real) or plain not in (1, -1):
+        raise InputError(name=name, value=value, valid="it must be 1 or -1", hint="give 1 or -1")
+    return 1 if plain == 1 else -1
 
 
 def odd_order(value: object, *, name: str = "order") -> int:
@@ -187,7 +265,7 @@ def odd_order(value: object, *, name: str = "order") -> int:
 
 def _finite(name: str, value: object, valid: str, hint: str) -> float:
     """Return `value` as a finite float, or raise with the caller's account of what is valid."""
-    number = _plain(value)
+    number = scalar_of(value)
     if not isinstance(number, bool) and isinstance(number, Real):
         try:
             result = float(number)
@@ -196,9 +274,3 @@ def _finite(name: str, value: object, valid: str, hint: str) -> float:
         if math.isfinite(result):
             return result
     raise InputError(name=name, value=value, valid=valid, hint=hint)
-
-
-def _plain(value: object) -> object:
-    """Return the Python scalar that a NumPy scalar or an array of shape () holds, else `value`."""
-    # By their shape, not by their type: this module does not import NumPy, and it has no need to.
-    return value.item() if getattr(value, "shape", None) == () and hasattr(value, "item") else value

@@ -9,6 +9,7 @@ from os import PathLike
 from typing import Final, Literal
 
 from rocksteady.errors import InputError
+from rocksteady.model.arguments import checked, checked_result
 from rocksteady.model.record import Record
 from rocksteady.records.directions import TAIL, direction
 from rocksteady.records.read import read_recordings
@@ -19,6 +20,7 @@ __all__ = ["RecordSet", "pair_doubts", "pair_records"]
 _SQUARE: Final = 1.0
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class RecordSet:
     """The channels of one station in one earthquake.
@@ -126,6 +128,7 @@ class RecordSet:
         )
 
 
+@checked
 def pair_records(
     paths: Iterable[str | PathLike[str]],
     *,

@@ -4,6 +4,7 @@ import math
 from typing import TYPE_CHECKING, Final, Literal
 
 from rocksteady.errors import InputError
+from rocksteady.model.arguments import checked
 from rocksteady.model.record import Record
 from rocksteady.model.validation import positive
 from rocksteady.records.recording import Recording
@@ -26,6 +27,7 @@ ResamplingMethod = Literal["linear", "filtered"]
 """Straight lines between the samples, or a low-pass filter below half the new rate."""
 
 
+@checked
 def baseline_corrected(recording: Recording, baseline: str) -> Recording:
     """Return a recording whose baseline, fitted by least squares, is taken off.
 
@@ -63,6 +65,7 @@ def baseline_corrected(recording: Recording, baseline: str) -> Recording:
     return recording.processed(corrected, note)
 
 
+@checked
 def resampled(
     recording: Recording, dt_s: float, *, method: ResamplingMethod = "linear"
 ) -> Recording:
@@ -106,12 +109,13 @@ def resampled(
     import numpy as np
 
     # A duration of a whole number of steps stays one, in spite of rounding.
-    count = math.floor(record.duration_s / step * (1.0 + 1.0e-12) + 1.0e-9) + 1
+    steps = record.duration_s / step * (1.0 + 1.0e-12) + 1.0e-9
+    count = math.floor(steps) + 1 if steps < _MOST_SAMPLES else _MOST_SAMPLES + 1
     if not 2 <= count <= _MOST_SAMPLES:
         raise InputError(
             name="dt_s",
             value=dt_s,
-            valid=f"{record.duration_s:g} s would have {count} samples",
+            valid=f"{record.duration_s:g} s would have {max(1.0, steps):.10g} samples",
             hint=f"give an interval near the record's, {record.dt_s:g} s",
         )
     values = record.acceleration_m_s2

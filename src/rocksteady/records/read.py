@@ -8,7 +8,8 @@ from typing import Final
 
 import numpy as np
 
-from rocksteady.errors import InputError, RecordFileError
+from rocksteady.errors import InputError, RecordFileError, Words
+from rocksteady.model.arguments import checked
 from rocksteady.model.record import Record
 from rocksteady.records import columns, cosmos, csmip, esm, knet, peer, smc, waveforms
 from rocksteady.records.building import Given
@@ -41,6 +42,7 @@ FORMATS: Final = (
 """Short names of the formats that can be read."""
 
 
+@checked
 def read_recordings(
     path: str | PathLike[str],
     *,
@@ -111,6 +113,7 @@ def read_recordings(
     )
 
 
+@checked
 def read_record(
     path: str | PathLike[str],
     *,
@@ -218,7 +221,7 @@ def chosen(recordings: tuple[Recording, ...], channel: str | int | None) -> Reco
             return recordings[0]
         raise InputError(
             name="channel",
-            value="not given",
+            value=Words("is not given"),
             valid=f"{recordings[0].path} holds {len(recordings)} channels",
             hint=f"choose one: {listed}",
         )

@@ -5,6 +5,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Literal
 
+from rocksteady.model.arguments import checked_result
 from rocksteady.model.record import Record
 
 __all__ = ["Orientation", "Recording"]
@@ -13,6 +14,7 @@ Orientation = Literal["horizontal", "vertical"]
 """Which way a channel points."""
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class Recording:
     r"""One channel of acceleration of a ground-motion file.

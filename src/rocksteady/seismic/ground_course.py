@@ -11,6 +11,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.model.arguments import checked, checked_result
 from rocksteady.model.block import STANDARD_GRAVITY
 from rocksteady.model.record import Record
 from rocksteady.model.validation import LARGEST, in_range
@@ -23,6 +24,7 @@ SLOWEST_S = 5.0
 """PGD over PGV [s] from which on it is; 1.4 s is the most of 66 records of PEER."""
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class Peak:
     """A largest absolute value: with its sign, and when.
@@ -39,6 +41,7 @@ class Peak:
     t_s: float
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class GroundCourse:
     """The motion of the ground at every sample of a record, which begins at rest.
@@ -128,7 +131,13 @@ class GroundCourse:
         ----------
         part
             In (0, 1].
+
+        Raises
+        ------
+        InputError
+            If it is not.
         """
+        part = in_range("part", part, 0.0, 1.0, "(]", hint="give a part of the whole, as 0.05")
         scale = 2.0 * STANDARD_GRAVITY / np.pi
         target = part * self.arias_m_s[-1]
         # The last one is left out: rounding must not put the end behind the record.
@@ -143,6 +152,7 @@ class GroundCourse:
         return float(self.t_s[at]) + min(since, self.record.dt_s)
 
 
+@checked
 def ground_course(record: Record) -> GroundCourse:
     """Return how the ground of a record moves, begun at rest.
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError
+from rocksteady.model.arguments import checked, checked_result
 from rocksteady.model.block import STANDARD_GRAVITY, Block
 from rocksteady.model.record import Record
 from rocksteady.model.validation import positive
@@ -49,6 +50,7 @@ WORDS: Mapping[str, tuple[str, str]] = {
 """Name and unit of each measure, for tables."""
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class IntensityMeasures:
     """What `rocksteady.intensity_measures` returns.
@@ -138,6 +140,7 @@ class IntensityMeasures:
         return f"<table><caption>Intensity measures</caption>{cells}</table>"
 
 
+@checked
 def intensity_measures(
     record: Record,
     block: Block | None = None,

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.grids import real_array
 from rocksteady.errors import InputError
+from rocksteady.model.arguments import checked, checked_result
 from rocksteady.model.record import Record
 from rocksteady.model.validation import in_range, positive, whole_number
 from rocksteady.seismic.ground_course import refuse_extreme
@@ -15,12 +16,16 @@ from rocksteady.seismic.oscillators import peaks
 
 Floats = NDArray[np.float64]
 
+LONGEST_S = 1.0e9
+"""Longest period [s]; the squares of its inverse are still numbers."""
+
 SHORTEST = 0.01
 """Shortest period over the interval of a record: each sample is then 200 steps."""
 
 DAMPING = 0.05
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class ResponseSpectrum:
     """Largest responses of damped oscillators to a record, of shape (periods,).
@@ -59,6 +64,7 @@ class ResponseSpectrum:
         return found
 
 
+@checked
 def response_spectrum(
     record: Record, periods_s: ArrayLike, *, damping: float = DAMPING
 ) -> ResponseSpectrum:
@@ -106,13 +112,13 @@ def response_spectrum(
     refuse_extreme(record)
     periods = np.atleast_1d(real_array("periods_s", periods_s))
     shortest = SHORTEST * record.dt_s
-    wrong = ~(np.isfinite(periods) & (periods >= shortest))
+    wrong = ~((periods >= shortest) & (periods <= LONGEST_S))
     if periods.ndim != 1 or len(periods) == 0 or wrong.any():
         value = periods[wrong][0] if periods.ndim == 1 and wrong.any() else periods_s
         raise InputError(
             name="periods_s",
             value=value,
-            valid=f"they must be finite, and at least {shortest:.3g} s for this record",
+            valid=f"they must be finite, from {shortest:.3g} s for this record to {LONGEST_S:g} s",
             hint="give periods in seconds, as [0.1, 0.5, 1.0]",
         )
     ratio = in_range("damping", damping, 0.0, 1.0, "[)", hint="give 0.05 for 5 % of critical")
@@ -133,6 +139,7 @@ def response_spectrum(
     )
 
 
+@checked
 def average_spectral_acceleration(
     record: Record,
     period_s: float,

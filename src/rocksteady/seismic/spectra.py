@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.grids import real_array
 from rocksteady.dynamics.lowering import segment_table
 from rocksteady.dynamics.nonlinear import TOLERANCE, ModelName, model_name, refuse_vertical
-from rocksteady.errors import InputError, Status
+from rocksteady.errors import InputError, Status, Words
+from rocksteady.model.arguments import checked
 from rocksteady.model.block import (
     STANDARD_GRAVITY,
     Block,
@@ -47,6 +48,7 @@ OUTPUTS = (
 )
 
 
+@checked
 def rocking_spectrum(
     records: Record | Sequence[Record],
     *,
@@ -294,6 +296,10 @@ def _names(suite: Sequence[Record]) -> list[str]:
 def _values(name: str, given: ArrayLike) -> list[float]:
     """Return the values of an axis, or the one of a number."""
     values: list[float] = np.atleast_1d(real_array(name, given)).tolist()
+    if not values:
+        raise InputError(
+            name=name, value=given, valid="it must have one value or more", hint="give one"
+        )
     return values
 
 
@@ -302,7 +308,7 @@ def _periods(periods_s: ArrayLike | None, p: ArrayLike | None) -> list[float]:
     if (periods_s is None) == (p is None):
         raise InputError(
             name="periods_s",
-            value="neither given" if p is None else "and p both given",
+            value=Words("and p are both missing" if p is None else "and p are both given"),
             valid="a spectrum is over periods 2 pi/p or over p",
             hint="give periods_s=numpy.linspace(0.5, 8.0, 100), or p",
         )

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, Status
+from rocksteady.model.arguments import checked
 from rocksteady.model.validation import in_range
 
 if TYPE_CHECKING:
@@ -17,6 +18,7 @@ Floats = NDArray[np.float64]
 QUANTILES = (0.16, 0.5, 0.84)
 
 
+@checked
 def suite_spectrum(
     found: "xarray.Dataset", quantiles: Sequence[float] = QUANTILES
 ) -> "xarray.Dataset":

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rocksteady.dynamics.trajectory import Trajectory
+from rocksteady.model.arguments import checked
 from rocksteady.model.motions import Harmonic, Still
 from rocksteady.model.pulses import Pulse
 from rocksteady.model.record import Record
@@ -212,6 +213,7 @@ def film_of(
     return Film(trajectory, reel_of(trajectory, span, speed, fps), alpha)
 
 
+@checked
 def animate(
     trajectory: Trajectory,
     *,

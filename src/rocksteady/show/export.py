@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rocksteady.errors import InputError
+from rocksteady.model.arguments import checked
 from rocksteady.show.cells import save_cells
 from rocksteady.show.netcdf import save_netcdf
 
@@ -11,6 +12,7 @@ if TYPE_CHECKING:
     import xarray
 
 
+@checked
 def export(dataset: "xarray.Dataset", file: Path | str) -> None:
     """Save a result for other programs, in the format of the file's ending.
 

@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, Words
 from rocksteady.show import palette
 from rocksteady.show.classes import MapCells, map_cells
 from rocksteady.show.legends import draw_legend, text_size
@@ -97,7 +97,7 @@ def panels_axis(counts: Mapping[str, int]) -> str | None:
     if len(counts) > 3:
         raise InputError(
             name="found",
-            value=f"{len(counts)} axes: {', '.join(counts)}",
+            value=Words(f"has {len(counts)} axes: {', '.join(counts)}"),
             valid="a figure shows at most three axes with several values",
             hint="select a value of the others, as found.sel(restitution=0.8)",
         )
@@ -107,7 +107,7 @@ def panels_axis(counts: Mapping[str, int]) -> str | None:
     if counts[name] > MOST_PANELS:
         raise InputError(
             name="found",
-            value=f"{counts[name]} values of {name}",
+            value=Words(f"has {counts[name]} values of {name}"),
             valid=f"the axis with the fewest becomes panels, at most {MOST_PANELS}",
             hint=f"draw some of them, as found.isel({name}=slice(0, {MOST_PANELS}))",
         )

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, Words
+from rocksteady.model.arrays import UnfitError, numeric_array
 
 Floats = NDArray[np.float64]
 Array = NDArray[Any]
@@ -50,7 +51,7 @@ class Axis:
     """
 
     name: str
-    values: ArrayLike
+    values: ArrayLike | Sequence[str]
     units: str = "1"
     long_name: str = ""
     items: Sequence[object] | None = None
@@ -58,7 +59,13 @@ class Axis:
     def __post_init__(self) -> None:
         """Validate, and keep the values as an array that nobody changes."""
         identifier(self.name)
-        array = np.asarray(self.values)
+        try:
+            array = np.asarray(numeric_array(self.name, self.values, None))
+        except UnfitError as unfit:
+            valid, hint = unfit.args
+            raise InputError(name=self.name, value=self.values, valid=valid, hint=hint) from None
+        except ValueError:  # rows of unequal lengths
+            array = np.empty((0, 0))
         if array.dtype.kind not in "iufU" or array.ndim != 1 or array.size == 0:
             raise InputError(
                 name=self.name,
@@ -79,7 +86,9 @@ class Axis:
         points.flags.writeable = False
         object.__setattr__(self, "values", points)
         if self.items is not None:
-            object.__setattr__(self, "items", self._one_each(tuple(self.items), points))
+            given: object = self.items
+            items = tuple(given) if isinstance(given, list | tuple) else (given,)
+            object.__setattr__(self, "items", self._one_each(items, points))
 
     def _finite(self, array: Array) -> Floats:
         points = array.astype(np.float64)
@@ -96,7 +105,7 @@ class Axis:
         if points.dtype.kind != "U" or len(items) != len(points):
             raise InputError(
                 name="items",
-                value=f"{len(items)} for {len(points)} values",
+                value=Words(f"are {len(items)} for {len(points)} values"),
                 valid="an axis of things has names for its values, and one thing for each",
                 hint="give a name with each",
             )
@@ -112,13 +121,30 @@ class Axis:
 
     def at(self, indices: ArrayLike) -> Array:
         """Return what the case function receives at some points, shape of the indices."""
-        where = np.asarray(indices)
+        where = indices_of("indices", indices, len(self))
         if self.items is None:
             picked: Array = self.points[where]
             return picked
         found = np.empty(where.shape, dtype=object)
         found.ravel()[:] = [self.items[index] for index in where.ravel().tolist()]
         return found
+
+
+def indices_of(name: str, given: ArrayLike, count: int) -> Array:
+    """Return whole numbers from -count to count - 1."""
+    try:
+        where = np.asarray(numeric_array(name, given, "iuf"))
+    except UnfitError:
+        where = np.zeros(1)  # no whole number
+    whole = where.dtype.kind in "iu" or where.size == 0
+    if not whole or ((where < -count) | (where >= count)).any():
+        raise InputError(
+            name=name,
+            value=given,
+            valid=f"they must be whole numbers from {-count} to {count - 1}",
+            hint="give an array of integers",
+        )
+    return where.astype(np.int64)
 
 
 def identifier(name: object) -> None:

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 from rocksteady.errors import InputError
+from rocksteady.model.arguments import checked
 from rocksteady.model.validation import whole_number
 from rocksteady.sweep.axes import identifier
 from rocksteady.sweep.deal import Deal
@@ -47,6 +48,7 @@ class Keeper(Protocol):
         ...
 
 
+@checked
 def evaluate(
     cases: Cases,
     grid: Grid,

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.errors import InputError
-from rocksteady.sweep.axes import Array, Axis
+from rocksteady.errors import InputError, Words
+from rocksteady.model.validation import whole_number, within_memory
+from rocksteady.sweep.axes import Array, Axis, indices_of
 
 MOST_CELLS = 10**12
 """Of a grid: the number of a cell is exact in every arithmetic that it meets."""
@@ -77,11 +78,16 @@ class Grid:
 
     def cells(self, first: int, stop: int) -> dict[str, Array]:
         """Return the coordinates of the cells of a range, shape (stop - first,) for each axis."""
-        return self.at(np.arange(first, stop, dtype=np.int64))
+        hint = "give the number of a cell"
+        low = whole_number("first", first, at_least=0, at_most=self.size, hint=hint)
+        high = whole_number("stop", stop, at_least=0, at_most=self.size, hint=hint)
+        within_memory("stop", stop, high - low, hint="take fewer cells at a time")
+        return self.at(np.arange(low, high, dtype=np.int64))
 
     def at(self, numbers: NDArray[np.int64]) -> dict[str, Array]:
         """Return the coordinates of cells by their numbers, shape (cells,) for each axis."""
-        places = np.unravel_index(numbers, self.shape)
+        cells = indices_of("numbers", numbers, self.size) % self.size
+        places = np.unravel_index(cells, self.shape)
         return {axis.name: axis.at(index) for axis, index in zip(self.axes, places, strict=True)}
 
 
@@ -90,7 +96,7 @@ def within(most: str, grid: Grid, cells: int, *, hint: str) -> None:
     if grid.size > cells:
         raise InputError(
             name=grid.axes[0].name,
-            value=" x ".join(f"{len(axis)}" for axis in grid.axes) + " cells",
+            value=Words("spans " + " x ".join(f"{len(axis)}" for axis in grid.axes) + " cells"),
             valid=f"a grid has at most {most} cells here",
             hint=hint,
         )

@@ -2,15 +2,18 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from numbers import Integral
 from typing import Any
 
 import numpy as np
 
 from rocksteady.errors import InputError
+from rocksteady.model.arguments import checked
 from rocksteady.sweep.axes import identifier
 from rocksteady.sweep.grid import Grid, each_once
 
 
+@checked
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Output:
     """What is computed in each cell.
@@ -50,8 +53,19 @@ class Output:
     def __post_init__(self) -> None:
         """Validate."""
         identifier(self.name)
-        object.__setattr__(self, "dtype", np.dtype(self.dtype))
-        object.__setattr__(self, "flags", dict(self.flags))
+        object.__setattr__(self, "dtype", _dtype(self.dtype))
+        flags = dict(self.flags)
+        entries: list[tuple[object, object]] = list(flags.items())
+        if not all(
+            isinstance(value, Integral) and isinstance(meaning, str) for value, meaning in entries
+        ):
+            raise InputError(
+                name="flags",
+                value=self.flags,
+                valid="each value of an integer has a meaning in words",
+                hint="give flags={0: 'rest', 1: 'overturned'}",
+            )
+        object.__setattr__(self, "flags", flags)
         if self.dtype.kind not in "biuf" or self.dtype.itemsize > 8:
             raise InputError(
                 name="dtype",
@@ -84,6 +98,18 @@ class Output:
         if self.dtype.kind == "f":
             return float("nan")
         return False if self.dtype.kind == "b" else int(np.iinfo(self.dtype).min)
+
+
+def _dtype(given: object) -> np.dtype[Any]:
+    try:
+        return np.dtype(given)  # type: ignore[call-overload,no-any-return]
+    except Exception:  # noqa: BLE001 - numpy raises five kinds
+        raise InputError(
+            name="dtype",
+            value=given,
+            valid="it must be the dtype of an array",
+            hint="give numpy.float64, numpy.int8, ...",
+        ) from None
 
 
 def words_of(long_name: str, units: str) -> dict[str, Any]:

@@ -8,7 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, UnfinishedError
-from rocksteady.sweep.contents import COMPUTED, Contents, attributes_in, contents_of, points_of
+from rocksteady.model.arguments import checked
+from rocksteady.sweep.contents import (
+    COMPUTED,
+    Contents,
+    attributes_in,
+    contents_of,
+    points_of,
+)
 from rocksteady.sweep.outputs import words_of
 
 if TYPE_CHECKING:
@@ -17,6 +24,7 @@ if TYPE_CHECKING:
 RESUME = "resume its sweep, or read what is there with partial=True"
 
 
+@checked
 def open_store(path: Path | str, *, partial: bool = False) -> "xarray.Dataset":
     """Return the results of a store, as the sweep that filled it returned them.
 

@@ -12,6 +12,7 @@ from typing import Any
 
 from rocksteady import durable
 from rocksteady.errors import OutputError
+from rocksteady.model.arguments import checked
 from rocksteady.model.validation import whole_number
 from rocksteady.sweep.chunks import Chunks
 from rocksteady.sweep.contents import DONE, LOCK, attributes_in, refuse_taken
@@ -24,6 +25,7 @@ from rocksteady.sweep.task import Task
 LARGEST_CHUNK = 2**24
 
 
+@checked
 @dataclass(frozen=True)
 class Store:
     """Where a sweep keeps its results on disk.

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, Words
 from rocksteady.sweep.axes import Array
 from rocksteady.sweep.grid import Grid
 from rocksteady.sweep.outputs import Output
@@ -132,7 +132,7 @@ def _checked(output: Output, found: object, cells: int) -> Array:
     if np.ma.isMaskedArray(found[output.name]):
         raise InputError(
             name=output.name,
-            value="a masked array",
+            value=Words("hold a masked array"),
             valid="a result has no masks",
             hint="fill it with what stands for nothing",
         )

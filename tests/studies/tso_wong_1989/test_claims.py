@@ -16,6 +16,7 @@ from rocksteady.studies.tso_wong_1989.claims import STATEMENTS, check, unchecked
 from rocksteady.studies.tso_wong_1989.findings import Finding, Verdict
 from tests.studies.tso_wong_1989 import (
     test_claims_equations,
+    test_claims_linearised,
     test_claims_regions,
     test_claims_responses,
     test_claims_stability,
@@ -32,6 +33,7 @@ MODULES = {
 }
 TESTED = {
     "equations": test_claims_equations,
+    "linearised": test_claims_linearised,
     "regions": test_claims_regions,
     "responses": test_claims_responses,
     "stability": test_claims_stability,

@@ -26,7 +26,8 @@ from rocksteady.dynamics.continuation.points import MARGINAL, BranchPoint, Point
 from rocksteady.dynamics.continuation.starts import chain_at
 from rocksteady.dynamics.continuation.switching import switched
 from rocksteady.dynamics.orbit import Orbit
-from rocksteady.errors import ModelError
+from rocksteady.errors import ModelError, Words
+from rocksteady.model.arguments import checked
 
 Floats = NDArray[np.float64]
 
@@ -36,6 +37,7 @@ BESIDE = 1e-5
 """Arclength from a graze at which it is seen whether a branch is a motion: not rounding decides."""
 
 
+@checked
 def continuation(
     start: Orbit | BranchPoint,
     parameter: str,
@@ -113,7 +115,7 @@ def continuation(
     elif not chain.admissible and not inadmissible and first is not PointType.GRAZING:
         raise ModelError(
             name="start",
-            value="a solution that passes through the floor",
+            value=Words("passes through the floor"),
             valid="it is no motion",
             hint="start from an admissible orbit, or ask for inadmissible ones too",
         )
@@ -199,7 +201,7 @@ def _begun(
             return spot
         raise ModelError(
             name="start",
-            value="an orbit",
+            value=Words("is an orbit"),
             valid="it is none of this shaking, or a branch crosses another there",
             hint="start from an orbit of `orbits`, or add switch=True at a bifurcation",
         )

@@ -13,7 +13,8 @@ from rocksteady.dynamics.continuation.points import Branch, BranchPoint, PointTy
 from rocksteady.dynamics.continuation.starts import chain_at
 from rocksteady.dynamics.continuation.stretches import stretches
 from rocksteady.dynamics.orbit import Orbit
-from rocksteady.errors import ModelError
+from rocksteady.errors import ModelError, Words
+from rocksteady.model.arguments import checked, checked_result
 from rocksteady.model.validation import whole_number
 
 Floats = NDArray[np.float64]
@@ -26,6 +27,7 @@ SHRINKING = 0.5
 """Largest step after a doubling, in parts of that before: the next one comes sooner."""
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class DoublingCascade:
     """Period doublings, each on the branch that the one before gave birth to.
@@ -68,6 +70,7 @@ class DoublingCascade:
         return float(self.values[-1] + self.distances[-1] / (self.ratios[-1] - 1.0))
 
 
+@checked
 def doubling_cascade(
     start: Orbit | BranchPoint,
     parameter: str,
@@ -148,7 +151,7 @@ def doubling_cascade(
     if not found:
         raise ModelError(
             name="start",
-            value="an orbit",
+            value=Words("is an orbit"),
             valid=f"its branch comes to no period doubling within {within}",
             hint="widen the range, or follow it in the other direction",
         )

@@ -18,8 +18,10 @@ from rocksteady.dynamics.continuation.paths import Curve, LostError, StalledErro
 from rocksteady.dynamics.continuation.points import BIFURCATIONS, BranchPoint, PointType
 from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError, ModelError
+from rocksteady.model.arguments import checked
 
 
+@checked
 def bifurcation_curve(
     start: BranchPoint,
     parameters: tuple[str, str],

@@ -16,6 +16,7 @@ from rocksteady.dynamics.continuation.switching import switched
 from rocksteady.dynamics.orbit import Orbit
 from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError, ModelError
+from rocksteady.model.arguments import checked
 from rocksteady.model.validation import whole_number
 
 SAME = 1e-5
@@ -27,6 +28,7 @@ SAME_PLACE = 1e-7
 DEPARTURES = (PointType.SYMMETRY_BREAKING, PointType.PERIOD_DOUBLING, PointType.GRAZING)
 
 
+@checked
 def bifurcation_branches(
     starts: Iterable[Orbit | BranchPoint],
     parameter: str,

@@ -4,7 +4,6 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from numbers import Real
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +13,7 @@ from rocksteady.dynamics.continuation.paths import gradient
 from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError
 from rocksteady.model.motions import HIGHEST_FREQUENCY_RATIO, LOWEST_FREQUENCY_RATIO
-from rocksteady.model.validation import LARGEST, Ends, in_range, whole_number
+from rocksteady.model.validation import LARGEST, Ends, in_range, side_value, whole_number
 
 Floats = NDArray[np.float64]
 
@@ -196,13 +195,7 @@ class Course:
 
     def __post_init__(self) -> None:
         """Validate."""
-        direction: object = self.direction
-        number = isinstance(direction, Real) and not isinstance(direction, bool)
-        if not number or direction not in (1, -1):
-            valid = "it must be 1 or -1"
-            raise InputError(
-                name="direction", value=self.direction, valid=valid, hint="give 1 or -1"
-            )
+        side_value(self.direction, name="direction")
         step, most = self.largest_step, self.most_points
         in_range("largest_step", step, 0.0, 0.2, "(]", hint="give 0.02, or less")
         whole_number(

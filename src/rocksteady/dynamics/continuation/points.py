@@ -13,6 +13,7 @@ from rocksteady.dynamics.orbit import Orbit, orbit_from
 from rocksteady.dynamics.return_map import make_system, state_of
 from rocksteady.errors import ModelError
 from rocksteady.kernels import periodic
+from rocksteady.model.arguments import checked_result
 from rocksteady.model.block import DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 
@@ -69,6 +70,7 @@ MARGINAL = BIFURCATIONS[:3]
 """Where a multiplier lies on the unit circle, and rounding may not decide on stability."""
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class BranchPoint:
     """A periodic orbit on a branch.
@@ -200,6 +202,7 @@ class BranchPoint:
         )
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Branch:
     """An orbit followed over a parameter.

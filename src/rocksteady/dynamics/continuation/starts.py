@@ -8,7 +8,7 @@ from rocksteady.dynamics.continuation.chain import Chain
 from rocksteady.dynamics.continuation.points import BranchPoint
 from rocksteady.dynamics.orbit import Orbit
 from rocksteady.dynamics.return_map import make_system, section_of
-from rocksteady.errors import InputError, ModelError
+from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.section import next_passage, phase_between
 
 
@@ -44,14 +44,14 @@ def chain_of(orbit: Orbit) -> Chain:
     if orbit.model != "linear":
         raise ModelError(
             name="start",
-            value=f"an orbit of the {orbit.model} model",
+            value=Words(f"is an orbit of the {orbit.model} model"),
             valid="branches are followed in the linear model alone, whose arcs are in closed form",
             hint="ask for `orbits` at several values, or move the parameter with `attractor_map`",
         )
     if not orbit.block.symmetric:
         raise ModelError(
             name="start",
-            value="an orbit of an asymmetric block",
+            value=Words("is an orbit of an asymmetric block"),
             valid="branches are followed of symmetric blocks alone: the arcs of a chain have one "
             "restitution, alpha and p",
             hint="move the parameter with `attractor_trail`, or ask for `orbits` at several values",
@@ -59,7 +59,7 @@ def chain_of(orbit: Orbit) -> Chain:
     if orbit.rest_phases:
         raise ModelError(
             name="start",
-            value="an orbit with rests",
+            value=Words("is an orbit with rests"),
             valid="an orbit that comes to rest forgets its past and does not bifurcate smoothly",
             hint="start from an orbit without rest, as one of steady_states",
         )

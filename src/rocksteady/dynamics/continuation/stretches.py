@@ -4,8 +4,10 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from rocksteady.dynamics.continuation.points import BIFURCATIONS, MARGINAL, Branch, PointType
+from rocksteady.model.arguments import checked, checked_result
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True)
 class Stretch:
     """Neighbouring points of a branch between which stability and admissibility do not change.
@@ -26,6 +28,7 @@ class Stretch:
     admissible: bool
 
 
+@checked
 def stretches(branch: Branch) -> tuple[Stretch, ...]:
     """Return a branch in stretches of one stability.
 

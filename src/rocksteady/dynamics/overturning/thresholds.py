@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.grids import real_array
 from rocksteady.errors import InputError
+from rocksteady.model.arguments import checked
 from rocksteady.model.block import Block
 from rocksteady.model.motions import LOWEST_FREQUENCY_RATIO
 from rocksteady.model.pulses import HIGHEST_PULSE_RATIO
@@ -25,6 +26,7 @@ from rocksteady.model.validation import in_range
 Floats = NDArray[np.float64]
 
 
+@checked
 def overturning_threshold(shape: str, frequency_ratio: ArrayLike) -> Floats:
     r"""Return the amplitude above which a pulse overturns a slender block without an impact.
 
@@ -96,6 +98,7 @@ def overturning_threshold(shape: str, frequency_ratio: ArrayLike) -> Floats:
     return found
 
 
+@checked
 def overturning_impulse(block: Block, *, linear: bool = False) -> float:
     r"""Return the sudden change of the base's velocity that overturns a block at rest [m/s].
 

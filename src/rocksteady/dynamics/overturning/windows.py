@@ -19,9 +19,10 @@ from rocksteady.dynamics.overturning.cases import (
 )
 from rocksteady.dynamics.return_map import bare_block
 from rocksteady.errors import InputError
+from rocksteady.model.arguments import checked, checked_result
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.pulses import Pulse
-from rocksteady.model.validation import in_range
+from rocksteady.model.validation import in_range, index_value
 from rocksteady.sweep.axes import Axis
 from rocksteady.sweep.evaluate import Done, evaluate
 from rocksteady.sweep.grid import Grid
@@ -56,6 +57,7 @@ class OverturningWindow(NamedTuple):
     """Whether the window reaches the end of the range, so that its own end is not known."""
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class OverturningWindows:
     """All windows of amplitude in which a pulse overturns a block, over the frequency ratio.
@@ -110,6 +112,7 @@ class OverturningWindows:
 
     def at(self, index: int) -> tuple[OverturningWindow, ...]:
         """Return the windows at one of the frequencies, in ascending order."""
+        index = index_value(index, len(self.frequency_ratio), "frequency ratio")
         return tuple(
             OverturningWindow(low, high, impacts, side, high >= self.amplitudes[1])
             for low, high, impacts, side in zip(
@@ -173,6 +176,7 @@ class OverturningWindows:
         return f"<table><caption>{caption}</caption>{heads}{rows}</table>"
 
 
+@checked
 def overturning_windows(
     block: Block | DimensionlessBlock,
     pulse: Pulse | str,

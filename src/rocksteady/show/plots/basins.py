@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.basin_attractors import BasinAttractor
 from rocksteady.dynamics.basins import Basins
 from rocksteady.dynamics.erosion import Drop, Erosion
+from rocksteady.model.arguments import checked
+from rocksteady.model.validation import index_value
 from rocksteady.show import palette
 from rocksteady.show.classes import FILLS, share_text
 from rocksteady.show.inks import inks_of
@@ -24,6 +26,7 @@ Floats = NDArray[np.float64]
 WORDS = {"integrity_factor": "integrity factor", "global_integrity": "global integrity measure"}
 
 
+@checked
 def plot_basins(
     basins: Basins, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
 ) -> "Axes":
@@ -111,6 +114,7 @@ def plot_basins(
     return axes
 
 
+@checked
 def plot_erosion(
     erosion: Erosion,
     ax: "Axes | None" = None,
@@ -214,6 +218,7 @@ def plot_erosion(
     return axes
 
 
+@checked
 def plot_safe_basin(erosion: Erosion, index: int, ax: "Axes | None" = None) -> "Axes":
     """Draw the safe basin at one of the amplitudes: light where the block stands.
 
@@ -233,6 +238,7 @@ def plot_safe_basin(erosion: Erosion, index: int, ax: "Axes | None" = None) -> "
     """
     from matplotlib.colors import ListedColormap
 
+    index = index_value(index, len(erosion.amplitude), "amplitude")
     axes = axes_or_new(ax)
     axes.imshow(
         erosion.safe[index],

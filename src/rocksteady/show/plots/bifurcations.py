@@ -9,7 +9,9 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.continuation.points import Branch, PointType
 from rocksteady.dynamics.continuation.stretches import stretches
 from rocksteady.dynamics.trail import AttractorTrail
-from rocksteady.errors import ModelError
+from rocksteady.errors import InputError
+from rocksteady.model.arguments import checked
+from rocksteady.model.validation import positive
 from rocksteady.show import palette
 from rocksteady.show.inks import Inks, inks_of
 from rocksteady.show.insets import crowd_of, draw_inset
@@ -43,6 +45,7 @@ CROWDED = 8
 """Bifurcations that decide about it."""
 
 
+@checked
 def plot_bifurcations(
     branches: Iterable[Branch],
     trails: Iterable[AttractorTrail] = (),
@@ -111,6 +114,7 @@ def plot_bifurcations(
     symmetry breaking
     period doubling
     """
+    top = None if top is None else positive("top", top, hint="give where the axis ends")
     listed, swept = list(branches), list(trails)
     parameter = _parameter([*listed, *swept])
     axes = axes_or_new(ax)
@@ -173,7 +177,7 @@ def _parameter(drawn: Sequence[Branch | AttractorTrail]) -> str:
     """
     names = sorted({each.parameter for each in drawn})
     if len(names) != 1:
-        raise ModelError(
+        raise InputError(
             name="branches",
             value=", ".join(names) or "none",
             valid="they must all be over one parameter, and there must be one",

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rocksteady.dynamics.trajectory import Trajectory
+from rocksteady.model.arguments import checked
 from rocksteady.model.validation import finite, positive
 from rocksteady.show.layout import axes_or_new
 from rocksteady.show.scene import GLOW, BlockScene
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
+@checked
 def plot_block(
     trajectory: Trajectory,
     s: float,

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 from rocksteady.dynamics.continuation.points import BranchPoint, PointType
 from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError
+from rocksteady.model.arguments import checked
 from rocksteady.show import palette
 from rocksteady.show.inks import Inks, inks_of
 from rocksteady.show.layout import axes_or_new
@@ -24,6 +25,7 @@ CURVES: dict[PointType, tuple[int | None, Any, str]] = {
 """Line colour (none is ink), dash and name of the curve of each bifurcation."""
 
 
+@checked
 def plot_bifurcation_curves(
     curves: Iterable[Sequence[BranchPoint]],
     ax: "Axes | None" = None,

@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, Words
+from rocksteady.model.arguments import checked
 from rocksteady.show import palette
 from rocksteady.show.classes import (
     DARK_DOTS,
@@ -51,6 +52,7 @@ STRIP = 0.035
 """Height of the strip of a diagram, in parts of the axes."""
 
 
+@checked
 def plot_map(
     found: "xarray.Dataset", ax: "Axes | None" = None, *, legend: LegendPlace | None = None
 ) -> "Axes":
@@ -115,7 +117,7 @@ def plot_map(
     if len(cells.names) > 2:
         raise InputError(
             name="found",
-            value=f"{len(cells.names)} axes: {', '.join(cells.names)}",
+            value=Words(f"has {len(cells.names)} axes: {', '.join(cells.names)}"),
             valid="one or two axes with several values can be drawn on one pair of axes",
             hint="draw three with rocksteady.show.facets.map_figure, or select a value with .sel",
         )

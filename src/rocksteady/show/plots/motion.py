@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics import ground
 from rocksteady.dynamics.trajectory import Trajectory
 from rocksteady.errors import Status
+from rocksteady.model.arguments import checked
 from rocksteady.model.motions import Harmonic
 from rocksteady.show import palette
 from rocksteady.show.inks import inks_of
@@ -42,6 +43,7 @@ def label_of(trajectory: Trajectory, name: str) -> str:
     return text if -negative == positive else text.replace(r"\alpha", r"\alpha_+")
 
 
+@checked
 def plot_trajectory(
     trajectory: Trajectory,
     ax: "Axes | None" = None,
@@ -162,6 +164,7 @@ def time_limits(trajectory: Trajectory, start: float, end: float) -> tuple[float
     return (-0.02 * end if start == 0.0 and trajectory.overturn_s == 0.0 else start), end
 
 
+@checked
 def plot_base(
     trajectory: Trajectory, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
 ) -> "Axes":
@@ -249,6 +252,7 @@ def _draw_vertical(
                 gap=44.0)  # fmt: skip
 
 
+@checked
 def plot_phase_portrait(
     trajectory: Trajectory,
     ax: "Axes | None" = None,

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.orbit import Orbit
 from rocksteady.dynamics.trajectory import Trajectory
+from rocksteady.model.arguments import checked
 from rocksteady.show import palette
 from rocksteady.show.inks import Inks, inks_of
 from rocksteady.show.layout import axes_or_new, emptiest_corner, extent, put_beside
@@ -33,6 +34,7 @@ MARKERS = {1: "^", -1: "v"}
 """Of the side to which the block goes."""
 
 
+@checked
 def plot_section(
     motions: Iterable[Orbit] | Trajectory,
     ax: "Axes | None" = None,
@@ -109,6 +111,7 @@ def plot_section(
     return axes
 
 
+@checked
 def plot_multipliers(
     orbits: Iterable[Orbit], ax: "Axes | None" = None, *, legend: LegendPlace | None = None
 ) -> "Axes":

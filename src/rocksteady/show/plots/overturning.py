@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.free_rocking import free_rocking_peaks, free_rocking_period
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS, overturning_threshold
 from rocksteady.dynamics.overturning.windows import OverturningWindow, OverturningWindows
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, Words
+from rocksteady.model.arguments import checked
 from rocksteady.show import palette
 from rocksteady.show.inks import inks_of
 from rocksteady.show.layout import axes_or_new, plain_ticks, spaced_by_ratio
@@ -44,6 +45,7 @@ LONGEST_PERIOD = 20.0
 """Up to which p T is drawn: towards theta0 = alpha it has no bound."""
 
 
+@checked
 def plot_overturning(
     windows: OverturningWindows,
     ax: "Axes | None" = None,
@@ -96,7 +98,7 @@ def plot_overturning(
     if len(w) < 2:
         raise InputError(
             name="windows",
-            value=f"{len(w)} frequency ratio",
+            value=Words(f"has {len(w)} frequency ratio"),
             valid="a spectrum has two or more",
             hint="compute overturning_windows over an axis",
         )
@@ -147,6 +149,7 @@ def plot_overturning(
     return axes
 
 
+@checked
 def plot_free_rocking(
     restitutions: ArrayLike = (),
     ax: "Axes | None" = None,

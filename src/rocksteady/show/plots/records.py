@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, Words
+from rocksteady.model.arguments import checked
 from rocksteady.model.block import STANDARD_GRAVITY
 from rocksteady.seismic.ground_course import GroundCourse
 from rocksteady.seismic.response_spectrum import ResponseSpectrum
@@ -30,6 +31,7 @@ LEAST_SHOWN = 3.0e-4
 """Smallest ordinate over the largest that an axis of powers shows."""
 
 
+@checked
 def plot_ground_course(
     course: GroundCourse, ax: "Axes | None" = None, *, quantity: Quantity = "acceleration"
 ) -> "Axes":
@@ -103,6 +105,7 @@ def plot_ground_course(
     return axes
 
 
+@checked
 def plot_husid(course: GroundCourse, ax: "Axes | None" = None) -> "Axes":
     """Draw Husid's curve, the part of the Arias intensity reached, with 5 %, 75 % and 95 % of it.
 
@@ -151,6 +154,7 @@ def plot_husid(course: GroundCourse, ax: "Axes | None" = None) -> "Axes":
     return axes
 
 
+@checked
 def plot_response_spectra(
     spectra: Sequence[ResponseSpectrum],
     ax: "Axes | None" = None,
@@ -194,7 +198,7 @@ def plot_response_spectra(
     ):
         raise InputError(
             name="spectra",
-            value=f"{len(spectra)} spectra",
+            value=Words(f"are {len(spectra)}"),
             valid="there must be one or more, all at the same periods",
             hint="compute response_spectrum of each record at one array of periods",
         )

@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.errors import InputError, Status
+from rocksteady.errors import InputError, Status, Words
+from rocksteady.model.arguments import checked
 from rocksteady.show import palette
 from rocksteady.show.inks import inks_of
 from rocksteady.show.layout import axes_or_new
@@ -37,6 +38,7 @@ BAND = 0.22
 """Opacity of the band between two quantiles."""
 
 
+@checked
 def plot_rocking_spectrum(
     found: "xarray.Dataset",
     ax: "Axes | None" = None,
@@ -91,7 +93,7 @@ def plot_rocking_spectrum(
     if spectrum.sizes["alpha"] > MOST_CURVES:
         raise InputError(
             name="found",
-            value=f"{spectrum.sizes['alpha']} slendernesses",
+            value=Words(f"has {spectrum.sizes['alpha']} slendernesses"),
             valid=f"up to {MOST_CURVES} are drawn as curves",
             hint="draw a map of them with plot_spectrum_map, or select some with .sel",
         )
@@ -138,6 +140,7 @@ def plot_rocking_spectrum(
     return axes
 
 
+@checked
 def plot_spectrum_map(
     found: "xarray.Dataset",
     ax: "Axes | None" = None,
@@ -192,7 +195,7 @@ def plot_spectrum_map(
     if spectrum.sizes.get("alpha", 1) < 2:
         raise InputError(
             name="found",
-            value="one slenderness",
+            value=Words("has one slenderness"),
             valid="a map has two or more",
             hint="draw a curve with plot_rocking_spectrum",
         )
@@ -245,6 +248,7 @@ PEAK_COLOURS = ("#e4f2fd", palette.SYMMETRIC, palette.LINES[0], palette.APERIODI
 """From a peak of 0 to the largest: ever darker, for grey and for the colour-blind."""
 
 
+@checked
 def plot_suite_spectrum(
     summary: "xarray.Dataset",
     ax: "Axes | None" = None,
@@ -319,6 +323,7 @@ def plot_suite_spectrum(
     return axes
 
 
+@checked
 def plot_overturned_share(summary: "xarray.Dataset", ax: "Axes | None" = None) -> "Axes":
     """Draw the share of records that overturn blocks of one slenderness.
 
@@ -369,7 +374,7 @@ def drawable(found: "xarray.Dataset") -> "xarray.Dataset":
     if several:
         raise InputError(
             name="found",
-            value=f"{one.sizes[several[0]]} values of {several[0]}",
+            value=Words(f"has {one.sizes[several[0]]} values of {several[0]}"),
             valid="one record and one scale are drawn",
             hint="select one with .isel, or draw the suite_spectrum of the records",
         )
@@ -410,7 +415,7 @@ def _check_periods(one: "xarray.Dataset") -> None:
     if one.sizes.get("period", 1) < 2:
         raise InputError(
             name="found",
-            value="one period",
+            value=Words("has one period"),
             valid="a spectrum is drawn over two periods or more",
             hint="compute rocking_spectrum over several periods_s",
         )

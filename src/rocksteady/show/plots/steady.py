@@ -10,6 +10,9 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.regions import RegionMap
 from rocksteady.dynamics.response import ResponseCurve
 from rocksteady.dynamics.steady import SteadyOrbit
+from rocksteady.errors import InputError
+from rocksteady.model.arguments import checked
+from rocksteady.model.validation import non_negative, positive, whole_number
 from rocksteady.show import palette
 from rocksteady.show.inks import LIGHT, inks_of
 from rocksteady.show.layout import (
@@ -28,6 +31,7 @@ LOGARITHMIC_SPAN = 30.0
 """Factor between the ends of an amplitude or peak axis from which on it is logarithmic."""
 
 
+@checked
 def plot_orbit(
     orbit: SteadyOrbit, ax: "Axes | None" = None, *, label: str = "", series: int = 0
 ) -> "Axes":
@@ -60,6 +64,7 @@ def plot_orbit(
     >>> print(len(axes.lines), axes.get_xlim()[1])
     2 1.0
     """
+    series = whole_number("series", series, at_least=0, hint="give 0, 1, 2, ...")
     axes = axes_or_new(ax)
     axes.plot(
         orbit.tau / (2.0 * math.pi),
@@ -76,6 +81,7 @@ def plot_orbit(
     return axes
 
 
+@checked
 def plot_regions(
     curves: RegionMap,
     ax: "Axes | None" = None,
@@ -123,6 +129,7 @@ def plot_regions(
     """
     from matplotlib.patheffects import withStroke
 
+    top = None if top is None else positive("top", top, hint="give where the axis ends")
     axes = axes_or_new(ax)
     default: LegendPlace = "inside" if key == "inside" else "right"
     place = place_of(axes, legend, default, width=125.0)
@@ -136,6 +143,10 @@ def plot_regions(
         axes.set_xscale("log")
     ends = [float(w[0]), float(w[-1])]
     if point is not None:
+        point = (
+            positive("point", point[0], hint="give (frequency ratio, amplitude)"),
+            non_negative("point", point[1], hint="give (frequency ratio, amplitude)"),
+        )
         ends = [min(ends[0], point[0]), max(ends[1], point[0])]
     axes.set(
         xlabel=palette.LABELS["frequency_ratio"],
@@ -192,6 +203,7 @@ def plot_regions(
     return axes
 
 
+@checked
 def plot_response(
     curves: Sequence[ResponseCurve],
     ax: "Axes | None" = None,
@@ -238,6 +250,7 @@ def plot_response(
     >>> print(axes.get_yscale(), [entry.get_text() for entry in axes.get_legend().get_texts()])
     log ['A = 1', 'A = 2']
     """
+    top = _checked_top(top, labels, len(curves))
     axes = axes_or_new(ax)
     inks = inks_of(axes)
     columns = 1 if len(curves) < 4 else 2
@@ -327,3 +340,15 @@ def _draw_response(
     axes.plot(x, stable, color=lines[colour], label=label, **marks)
     dashed = np.where(touching, curve.peak, math.nan)
     axes.plot(x, dashed, color=lines[colour], ls=(0, (3, 2)), lw=1.0, **marks)
+
+
+def _checked_top(top: float | None, labels: Sequence[str] | None, curves: int) -> float | None:
+    """Return where the axis ends, and refuse labels that are not one for each curve."""
+    if labels is not None and len(labels) != curves:
+        raise InputError(
+            name="labels",
+            value=labels,
+            valid=f"there must be one for each of the {curves} curves",
+            hint="give a list of texts, or leave them out",
+        )
+    return None if top is None else positive("top", top, hint="give where the axis ends")

@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from rocksteady.studies.tso_wong_1989.claims import (
     equations,
+    linearised,
     regions,
     responses,
     stability,
@@ -16,6 +17,7 @@ from rocksteady.studies.tso_wong_1989.findings import Claim
 
 STATEMENTS: tuple[Statement, ...] = (
     *equations.STATEMENTS,
+    *linearised.STATEMENTS,
     *regions.STATEMENTS,
     *responses.STATEMENTS,
     *stability.STATEMENTS,

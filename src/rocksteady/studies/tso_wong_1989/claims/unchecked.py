@@ -35,27 +35,6 @@ def no_sliding(_: Evidence) -> Finding:
 
 
 @STATEMENTS.add(
-    "slender",
-    "For slender blocks the critical angle is small, and sine and cosine may be linearised.",
-    page=91,
-)
-def slender(_: Evidence) -> Finding:
-    """Bound the terms that are left out; the motions cannot be compared yet."""
-    # For 0 <= x <= alpha: x - sin x <= x^3/6 and 1 - cos x <= x^2/2.
-    bounds = ", ".join(
-        f"{alpha**2 / 6.0:.1%} and {alpha**2 / 2.0:.1%} at α = {alpha:g} rad"
-        for alpha in (0.1, 0.2, 0.3)
-    )
-    return Finding(
-        holds=None,
-        detail="The paper states no error. Between rest and balance the terms left out are at most "
-        f"α²/6 of the restoring moment and α²/2 of the excitation: {bounds}. What they do to the "
-        "motion needs the full equations (1), (2), which this version of the package does not "
-        "march.",
-    )
-
-
-@STATEMENTS.add(
     "earlier-work",
     "Ogawa found when steady harmonic motions are possible; Spanos and Koh found subharmonic and "
     "unsymmetric ones.",

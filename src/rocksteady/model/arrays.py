@@ -1,0 +1,147 @@
+"""Arrays and scalars as they are given: converted where nothing is lost, refused where it is.
+
+NumPy drops the mask of a masked array and the unit of a quantity without an error, so that both
+are refused here.  An `xarray.DataArray` may carry SI units, which are those of all arguments.
+"""
+
+from collections.abc import Mapping
+from typing import Any, Final
+
+__all__ = ["MOST_ITEMS", "UnfitError", "numeric_array", "refuse_mask_and_unit", "scalar_of"]
+
+MOST_ELEMENTS: Final = 100_000_000
+"""Of an array that is given: 800 MB of floats."""
+
+MOST_ITEMS: Final = 1_000_000
+"""Of a list that is given: an iterable without an end is refused there."""
+
+SI_UNITS: Final = frozenset(
+    [
+        "",
+        "1",
+        "rad",
+        "m",
+        "s",
+        "Hz",
+        "kg",
+        "m s-1",
+        "m/s",
+        "m s-2",
+        "m/s2",
+        "m/s^2",
+        "m s**-2",
+        "m/s**2",
+        "rad s-1",
+        "rad/s",
+        "1/s",
+        "s-1",
+    ]
+)
+"""Units that a `DataArray` may carry."""
+
+UNITS_BY_SUFFIX: Final = {"_m_s2": "m/s^2", "_m_s": "m/s", "_hz": "Hz", "_m": "m", "_s": "s"}
+
+
+class UnfitError(Exception):
+    """A value is not what an argument takes: what is valid and what to do, as two clauses."""
+
+
+def numeric_array(name: str, value: Any, kinds: str | None = "iuf") -> Any:
+    """Return an array of numbers or of names as a plain array, a plain number as it is.
+
+    `kinds` are those of the dtypes that pass, all without.
+
+    Raises
+    ------
+    UnfitError
+        If elements are masked, it carries a unit, rows have unequal lengths, or the elements are
+        anything else.
+    """
+    kind = type(value)
+    if kind is float or kind is int:
+        if kind is int and not -(2**63) <= value < 2**64:
+            raise UnfitError("it must be below 2^63", "give a float")
+        return value
+    import numpy as np
+
+    passes = kinds is None or getattr(getattr(value, "dtype", None), "kind", " ") in kinds
+    if kind is np.ndarray and passes and value.size <= MOST_ELEMENTS:
+        return value
+    refuse_mask_and_unit(name, value)
+    try:
+        array = np.asarray(value)
+    except Exception as error:  # noqa: BLE001 - ragged rows, or its own conversion fails
+        if kinds is None and isinstance(error, ValueError):
+            return value
+        raise UnfitError("it must be an array of numbers", "give rows of one length") from None
+    if kinds is not None and array.dtype.kind not in kinds:
+        raise UnfitError(f"it must be an array of real numbers, not {array.dtype}", "give floats")
+    if array.size > MOST_ELEMENTS:
+        raise UnfitError(f"it must have at most {MOST_ELEMENTS} elements", "give fewer points")
+    return array
+
+
+def refuse_mask_and_unit(name: str, value: Any, depth: int = 4) -> None:
+    """Refuse masked elements and units, which a conversion to an array would drop.
+
+    Of nested lists, `depth` levels are looked through.
+    """
+    if isinstance(value, list | tuple):
+        if depth and len(value) <= MOST_ITEMS:
+            for item in value:
+                if type(item) not in (float, int, str):
+                    refuse_mask_and_unit(name, item, depth - 1)
+        return
+    attributes = _attributes(value)
+    mask = attributes.get("mask")
+    if mask is not None and hasattr(value, "filled"):
+        import numpy as np
+
+        count = int(np.sum(np.ma.getmaskarray(value)))
+        if count:
+            size = int(np.size(value))
+            raise UnfitError(
+                f"{count} of its {size} elements are masked, and a mask would be lost",
+                "fill them, or leave them out with .compressed()",
+            )
+    if attributes.get("magnitude") is not None and attributes.get("units") is not None:
+        unit = next((u for end, u in UNITS_BY_SUFFIX.items() if name.endswith(end)), None)
+        into = f".to({unit!r}).magnitude" if unit else ".to(...).magnitude in the unit documented"
+        raise UnfitError("it carries a unit, which would be lost", f"give the number, {into}")
+    units = attributes.get("attrs")
+    if isinstance(units, Mapping) and str(units.get("units", "1")) not in SI_UNITS:
+        raise UnfitError(
+            f"its units attribute is {units['units']!r}, and arguments are in SI units",
+            "convert it and set its units attribute",
+        )
+
+
+def _attributes(value: Any) -> dict[str, Any]:
+    """Return the attributes that tell a masked array, a quantity and a `DataArray`."""
+    if isinstance(value, type) or type(value).__module__ == "builtins":
+        return {}
+    found = {}
+    for name in ("mask", "magnitude", "units", "attrs"):
+        try:
+            found[name] = getattr(value, name, None)
+        except Exception:  # noqa: BLE001 - its own property fails: it has no such attribute
+            continue
+    return found
+
+
+def scalar_of(value: Any) -> Any:
+    """Return the Python scalar that a NumPy scalar or an array of shape () holds, else the value.
+
+    A masked element and a quantity with a unit stay as they are, and are no number.
+    """
+    if type(value) in (float, int) or isinstance(value, type):
+        return value
+    try:
+        if value.shape == () and hasattr(value, "item"):
+            refuse_mask_and_unit("", value)
+            return value.item()
+    except UnfitError:
+        return value
+    except Exception:  # noqa: BLE001 - its own property fails: it is no scalar
+        return value
+    return value

@@ -1,0 +1,412 @@
+"""One valid call of every public function, constructor and method, cheap enough to repeat."""
+
+import functools
+import inspect
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import rocksteady as rs
+
+
+class Call(NamedTuple):
+    """A call that succeeds."""
+
+    function: Callable[..., Any]
+    arguments: dict[str, Any]
+    """By name; "*" holds those of ``*args``."""
+    parameters: tuple[str, ...]
+    """All that it takes, in order."""
+
+    def __call__(self, **changed: Any) -> Any:
+        """Call with some arguments changed."""
+        arguments = {**self.arguments, **changed}
+        kinds = inspect.signature(self.function).parameters
+        places = [n for n in self.parameters if kinds[n].kind is inspect.Parameter.POSITIONAL_ONLY]
+        row = [arguments.pop(name) for name in places if name in arguments]
+        for name in self.parameters:
+            if kinds[name].kind is inspect.Parameter.VAR_POSITIONAL:
+                row += arguments.pop(name)
+        return self.function(*row, **arguments)
+
+
+def square(amplitude: Any, **_: Any) -> dict[str, Any]:
+    """Be a case function."""
+    return {"value": np.asarray(amplitude, dtype=np.float64) ** 2}
+
+
+@functools.cache
+def things() -> dict[str, Any]:
+    """Return one of every class, made once."""
+    block = rs.Block.rectangle(width=0.4, height=1.2)
+    bare = rs.DimensionlessBlock(restitution=0.8)
+    shaking = rs.Harmonic(amplitude=2.0, frequency_ratio=4.0)
+    t = np.arange(60) * 0.05
+    record = rs.Record(acceleration_m_s2=4.0 * np.sin(5.0 * t), dt_s=0.05, name="made")
+    run = rs.simulate(block, shaking, cycles=3)
+    pulse = rs.Pulse(shape="half-sine", amplitude=2.0, frequency_ratio=4.0)
+    orbit = rs.attractor(bare, shaking, start=rs.Steady()).orbit
+    assert orbit is not None
+    (branch,) = rs.bifurcation_branches(
+        [orbit], "amplitude", (1.9, 2.1), largest_step=0.1, max_branches=1
+    )
+    point = branch.points[0]
+    fold = rs.BranchPoint(type=rs.PointType.FOLD, arclength=0.0, chain=point.chain)
+    recording = rs.Recording(
+        record=record, format="peer", path=Path("made.AT2"), units_in_file="g", component="000"
+    )
+    spectrum = rs.rocking_spectrum(record, alpha=[0.2, 0.3], periods_s=[1.0, 2.0])
+    other = rs.Record(acceleration_m_s2=np.array([0.0, 3.0, -3.0]), dt_s=0.2, name="other")
+    suite = rs.rocking_spectrum([record, other], alpha=0.2, periods_s=[1.0, 2.0])
+    grid = rs.Grid(axes=(rs.Axis(name="amplitude", values=[1.0, 2.0]),))
+    maps = rs.attractor_map(
+        bare, axes={"amplitude": [1.0, 2.0], "frequency_ratio": [3.0, 4.0]}, cycles=50
+    )
+    few = [-0.5, 0.0, 0.5]
+    states = rs.steady_states(2.0, 4.0, 0.8)
+    for path in ("kept.zarr", "made.csv"):
+        if path.endswith("csv"):
+            Path(path).write_text("t (s),acc (m/s2)\n0,0\n0.1,1\n0.2,-1\n", encoding="utf-8")
+        else:
+            rs.evaluate(square, grid, (rs.Output(name="value"),), store=path)
+    return {
+        "block": block,
+        "bare": bare,
+        "shaking": shaking,
+        "record": record,
+        "run": run,
+        "pulse": pulse,
+        "orbit": orbit,
+        "doubling": rs.orbits(bare, rs.Harmonic(amplitude=2.0, frequency_ratio=2.0), max_period=1)[
+            0
+        ],
+        "branch": branch,
+        "point": point,
+        "fold": fold,
+        "recording": recording,
+        "set": rs.RecordSet(name="made", horizontal=(recording,)),
+        "spectrum": spectrum,
+        "suite": suite,
+        "summary": rs.suite_spectrum(suite),
+        "grid": grid,
+        "output": rs.Output(name="value"),
+        "map": maps,
+        "basins": rs.basins(bare, shaking, angles=few, velocities=few, cycles=20),
+        "erosion": rs.erosion(bare, 4.0, [0.5, 3.0], angles=few, velocities=few, cycles=5),
+        "trail": rs.attractor_trail(bare, shaking, "amplitude", [1.9, 2.0], cycles=50),
+        "cascade": rs.DoublingCascade(parameter="amplitude", points=branch.points),
+        "course": rs.ground_course(record),
+        "response": rs.response_spectrum(record, [0.5, 1.0]),
+        "curve": rs.response_curve(bare, 2.0, frequency_ratio=[3.0, 4.0]),
+        "states": states,
+        "steady": rs.steady_orbit(2.0, 4.0, 0.8, samples=11),
+        "regions": rs.region_map([3.0, 4.0], 0.8),
+        "windows": rs.overturning_windows(
+            bare, "half-sine", [3.0, 3.5], amplitudes=(3.0, 4.0), resolution=0.1
+        ),
+        "attractor": rs.attractor(bare, shaking, cycles=50),
+        "state": rs.ImpactState(side=1, phase=0.5, speed=0.3),
+        "map_of_return": rs.ReturnMap(bare, shaking),
+        "store": rs.Store("new.zarr"),
+        "boundaries": rs.boundaries(4.0, 0.8),
+    }
+
+
+@functools.cache
+def calls() -> dict[str, Call]:
+    """Return every call by a label, as ``Block.rectangle``."""
+    t = things()
+    block, bare, shaking, record, run = (
+        t[name] for name in ("block", "bare", "shaking", "record", "run")
+    )
+    few = [-0.5, 0.0, 0.5]
+    axes = {"amplitude": [1.0, 2.0], "frequency_ratio": [3.0, 4.0]}
+    near = {"parameter": "amplitude", "within": (1.95, 2.05), "largest_step": 0.1}
+    segment = rs.Segment(duration=1.0, constant=2.0)
+    table: dict[Any, dict[str, Any]] = {
+        rs.Axis: {"name": "amplitude", "values": [1.0, 2.0]},
+        rs.Block: {"positive": block.positive, "negative": block.negative},
+        rs.Block.asymmetric: {"left": 0.15, "right": 0.25, "height": 1.2},
+        rs.Block.from_alphas: {"positive": 0.2, "negative": 0.3, "radius": 1.0},
+        rs.Block.from_p: {"alpha": 0.2, "p": 2.0},
+        rs.Block.from_radius: {"alpha": 0.2, "radius": 1.0},
+        rs.Block.general: {"mass": 2.0, "inertia": 3.0, "radius": 1.0, "alpha": 0.2},
+        rs.Block.rectangle: {"width": 0.4, "height": 1.2},
+        block.with_restitution: {"restitution": 0.7},
+        block.dimensionless: {},
+        rs.DimensionlessBlock: {"restitution": 0.8},
+        bare.with_restitution: {"restitution": 0.7},
+        bare.dimensionless: {},
+        rs.Grid: {"axes": t["grid"].axes},
+        t["grid"].at: {"numbers": np.array([0, 1])},
+        t["grid"].cells: {"first": 0, "stop": 2},
+        t["grid"].axes[0].at: {"indices": [0, 1]},
+        rs.Harmonic: {"amplitude": 2.0, "frequency_ratio": 4.0},
+        rs.Harmonic.from_si: {"block": block, "acceleration_m_s2": 4.0, "frequency_hz": 2.0},
+        shaking.acceleration_m_s2: {"block": block},
+        shaking.frequency_hz: {"block": block},
+        shaking.segments: {},
+        rs.ImpactState: {"side": 1, "phase": 0.5, "speed": 0.3},
+        rs.Impulses: {"velocities": (0.5,)},
+        rs.Impulses.from_si: {"block": block, "velocities_m_s": (0.5,)},
+        rs.Impulses(velocities=(0.5,)).segments: {},
+        rs.Output: {"name": "value"},
+        rs.Piecewise: {"pieces": (segment,)},
+        rs.Piecewise(pieces=(segment,)).segments: {},
+        rs.Pulse: {"shape": "half-sine", "amplitude": 2.0, "frequency_ratio": 4.0},
+        rs.Pulse.from_si: {
+            "block": block,
+            "shape": "half-sine",
+            "acceleration_m_s2": 4.0,
+            "frequency_hz": 2.0,
+        },
+        rs.Pulse.lasting: {"duration": 1.0, "shape": "half-sine", "amplitude": 2.0},
+        t["pulse"].acceleration_m_s2: {"block": block},
+        t["pulse"].frequency_hz: {"block": block},
+        t["pulse"].segments: {},
+        rs.Record: {"acceleration_m_s2": [0.0, 1.0, -1.0], "dt_s": 0.01},
+        record.scaled: {"factor": 2.0},
+        record.reversed: {},
+        rs.RecordSet: {"name": "made"},
+        t["set"].aligned: {"method": "trim"},
+        rs.Recording: {
+            "record": record,
+            "format": "peer",
+            "path": Path("made.AT2"),
+            "units_in_file": "g",
+        },
+        t["recording"].processed: {"record": record, "note": "read again"},
+        rs.Rest: {},
+        rs.Still: {},
+        rs.Still().segments: {},
+        rs.ReturnMap: {"block": bare, "shaking": shaking},
+        t["map_of_return"].__call__: {"state": t["state"]},
+        t["map_of_return"].passages: {"state": t["state"]},
+        rs.Segment: {"duration": 1.0, "constant": 2.0},
+        rs.Side: {"alpha": 0.2, "radius": 1.0, "p": 2.0, "restitution": 0.8},
+        rs.State: {"angle": 0.1, "velocity": 0.2},
+        rs.State.per_tau: {"angle": 0.1, "velocity": 0.2, "frequency_ratio": 4.0},
+        rs.Steady: {},
+        rs.Store: {"path": "kept.zarr"},
+        t["store"].check: {},
+        rs.SyntheticMotion: {"rms": 1.0, "frequency_ratio": 3.0, "duration": 5.0, "seed": 1},
+        rs.SyntheticMotion.from_si: {
+            "block": block,
+            "rms_m_s2": 1.0,
+            "frequency_hz": 2.0,
+            "duration_s": 2.0,
+            "seed": 1,
+        },
+        rs.SyntheticMotion(
+            rms=1.0, frequency_ratio=3.0, duration=5.0, seed=1
+        ).segments: {},
+        run.__call__: {"s": [0.1, 0.2]},
+        run.at_tau: {"tau": [0.1, 0.2]},
+        run.at_time: {"t_s": [0.1, 0.2]},
+        run.base_acceleration: {"s": [0.1, 0.2]},
+        run.base_displacement: {"s": [0.1, 0.2]},
+        run.phase_path: {"per_unit": 10},
+        run.times: {"per_unit": 10},
+        t["basins"].fractions: {},
+        t["basins"].to_dataset: {},
+        t["erosion"].drop: {"tolerance": 0.5},
+        t["erosion"].measure: {"name": "integrity_factor"},
+        t["erosion"].to_dataset: {},
+        t["course"].time_of_arias: {"part": 0.5},
+        t["windows"].at: {"index": 0},
+        t["windows"].intervals: {"index": 0},
+        t["windows"].to_dataset: {},
+        t["states"].to_dataset: {},
+        t["trail"].runs: {},
+        t["orbit"].trajectory: {},
+        t["point"].orbit: {},
+        rs.added: {"motions": [t["pulse"], rs.Still()]},
+        rs.animate: {"trajectory": run, "span": (0.0, 0.2), "fps": 5.0},
+        rs.attractor: {"block": bare, "shaking": shaking, "cycles": 20},
+        rs.attractor_map: {"block": bare, "axes": axes, "cycles": 20},
+        rs.attractor_trail: {
+            "block": bare,
+            "shaking": shaking,
+            "parameter": "amplitude",
+            "values": [1.9, 2.0],
+            "cycles": 20,
+        },
+        rs.average_spectral_acceleration: {"record": record, "period_s": 0.5},
+        rs.baseline_corrected: {"recording": t["recording"], "baseline": "mean"},
+        rs.basins: {
+            "block": bare,
+            "shaking": shaking,
+            "angles": few,
+            "velocities": few,
+            "cycles": 10,
+        },
+        rs.bifurcation_branches: {"starts": [t["orbit"]], **near, "max_branches": 1},
+        rs.bifurcation_curve: {
+            "start": t["fold"],
+            "parameters": ("frequency_ratio", "amplitude"),
+            "within": ((3.9, 4.1), (1.9, 2.1)),
+            "most_points": 3,
+        },
+        rs.boundaries: {"frequency_ratio": [3.0, 4.0], "restitution": 0.8},
+        rs.continuation: {"start": t["orbit"], **near, "most_points": 5},
+        rs.delayed: {"motion": t["pulse"], "by": 0.5},
+        rs.doubling_cascade: {
+            "start": t["doubling"],
+            "parameter": "frequency_ratio",
+            "within": (1.7, 2.0),
+            "direction": -1,
+            "doublings": 3,
+        },
+        rs.equivalent_damping: {"restitution": [0.7, 0.8]},
+        rs.erosion: {
+            "block": bare,
+            "frequency_ratio": 4.0,
+            "amplitudes": [0.5, 3.0],
+            "angles": few,
+            "velocities": few,
+            "cycles": 5,
+        },
+        rs.evaluate: {"cases": square, "grid": t["grid"], "outputs": (t["output"],)},
+        rs.example_block: {"name": "fema-p58-cabinet"},
+        rs.export: {"dataset": t["map"], "file": "map.nc"},
+        rs.fate_map: {"block": bare, "axes": axes, "cycles": 10},
+        rs.free_rocking_peaks: {"amplitude_ratio": 0.5, "restitution": 0.8, "impacts": 3},
+        rs.free_rocking_period: {"amplitude_ratio": [0.2, 0.5]},
+        rs.ground_course: {"record": record},
+        rs.heteroclinic_amplitude: {"frequency_ratio": 4.0, "restitution": 0.8},
+        rs.housner_restitution: {"alpha": 0.2},
+        rs.impact_restitution: {"alphas": (0.2, 0.3), "radii": (1.0, 1.1), "gyration": 0.5},
+        rs.intensity_measures: {"record": record},
+        rs.joined: {"motions": [t["pulse"], shaking]},
+        rs.melnikov_amplitude: {"frequency_ratio": 4.0, "restitution": 0.8},
+        rs.open_store: {"path": "kept.zarr"},
+        rs.orbits: {
+            "block": bare,
+            "shaking": shaking,
+            "max_period": 1,
+            "max_impacts": 2,
+            "seeds": 2,
+        },
+        rs.overturning_impulse: {"block": block},
+        rs.overturning_threshold: {"shape": "half-sine", "frequency_ratio": 4.0},
+        rs.overturning_windows: {
+            "block": bare,
+            "pulse": "half-sine",
+            "frequency_ratios": [3.0],
+            "amplitudes": (3.0, 4.0),
+            "resolution": 0.1,
+        },
+        rs.pair_records: {"paths": []},
+        rs.plot_base: {"trajectory": run},
+        rs.plot_basins: {"basins": t["basins"]},
+        rs.plot_bifurcation_curves: {"curves": [[t["fold"], t["fold"]]]},
+        rs.plot_bifurcations: {"branches": [t["branch"]], "trails": [t["trail"]]},
+        rs.plot_block: {"trajectory": run, "s": 0.1},
+        rs.plot_erosion: {"erosion": t["erosion"]},
+        rs.plot_free_rocking: {"restitutions": [0.8], "impacts": 3},
+        rs.plot_ground_course: {"course": t["course"]},
+        rs.plot_husid: {"course": t["course"]},
+        rs.plot_map: {"found": t["map"]},
+        rs.plot_multipliers: {"orbits": [t["orbit"]]},
+        rs.plot_orbit: {"orbit": t["steady"]},
+        rs.plot_overturned_share: {"summary": t["summary"]},
+        rs.plot_overturning: {"windows": t["windows"]},
+        rs.plot_phase_portrait: {"trajectory": run},
+        rs.plot_regions: {"curves": t["regions"]},
+        rs.plot_response: {"curves": [t["curve"]]},
+        rs.plot_response_spectra: {"spectra": [t["response"]]},
+        rs.plot_rocking_spectrum: {"found": t["spectrum"]},
+        rs.plot_safe_basin: {"erosion": t["erosion"], "index": 0},
+        rs.plot_section: {"motions": [t["orbit"]]},
+        rs.plot_spectrum_map: {"found": t["spectrum"]},
+        rs.plot_suite_spectrum: {"summary": t["summary"]},
+        rs.plot_trajectory: {"trajectory": run},
+        rs.read_record: {"path": "made.csv"},
+        rs.read_recordings: {"path": "made.csv"},
+        rs.region_map: {"frequency_ratio": [3.0, 4.0], "restitution": 0.8},
+        rs.resampled: {"recording": t["recording"], "dt_s": 0.025},
+        rs.response_curve: {"block": bare, "amplitude": 2.0, "frequency_ratio": [3.0, 4.0]},
+        rs.response_spectrum: {"record": record, "periods_s": [0.5, 1.0]},
+        rs.rocking_spectrum: {"records": record, "alpha": [0.2], "periods_s": [1.0, 2.0]},
+        rs.scaled: {"motion": t["pulse"], "factor": -1.0},
+        rs.simulate: {"block": block, "motion": shaking, "cycles": 2.0},
+        rs.steady_orbit: {
+            "amplitude": 2.0,
+            "frequency_ratio": 4.0,
+            "restitution": 0.8,
+            "samples": 11,
+        },
+        rs.steady_states: {"amplitude": 2.0, "frequency_ratio": 4.0, "restitution": 0.8},
+        rs.stretches: {"branch": t["branch"]},
+        rs.suite_spectrum: {"found": t["suite"]},
+        rs.symmetry_breaking_amplitude: {"frequency_ratio": 4.0, "restitution": 0.8},
+        rs.symmetry_breaking_frequency: {"amplitude": 2.0, "restitution": 0.8},
+        rs.BasinAttractor: fields(t["basins"].attractors[0]),
+        rs.OverturningWindow: {"low": 1.0, "high": 2.0, "impacts": 1, "side": 1, "endless": False},
+        rs.Drop: {
+            "measure": "radius", "level": 0.5, "low": 1.0, "high": 2.0, "above": 0.6, "below": 0.4,
+        },
+        rs.Fraction: {"label": 1, "states": 2, "share": 0.5, "low": 0.4, "high": 0.6},
+        rs.Peak: {"value": 1.0, "t_s": 0.5},
+        rs.Stretch: {"first": 0, "last": 1, "stable": True, "admissible": True},
+        rs.Passage: fields(t["map_of_return"](t["state"])),
+        rs.IntensityMeasures: fields(rs.intensity_measures(record, block)),
+        rs.intensity_measures(record, block).rows: {},
+        rs.intensity_measures(record, block).values: {},
+        rs.Motions: fields(run([0.1, 0.2])),
+    }  # fmt: skip
+    results = {
+        rs.Attractor: "attractor", rs.AttractorTrail: "trail", rs.Basins: "basins",
+        rs.Boundaries: "boundaries", rs.Branch: "branch", rs.BranchPoint: "point",
+        rs.DoublingCascade: "cascade", rs.Erosion: "erosion", rs.GroundCourse: "course",
+        rs.Orbit: "orbit", rs.OverturningWindows: "windows", rs.RegionMap: "regions",
+        rs.ResponseCurve: "curve", rs.ResponseSpectrum: "response", rs.SteadyOrbit: "steady",
+        rs.SteadyStates: "states", rs.Trajectory: "run",
+    }  # fmt: skip
+    table |= {kind: fields(t[name]) for kind, name in results.items()}
+    table |= {rs.Flights: fields(run.flights), rs.Impacts: fields(run.impacts)}
+    found = {}
+    for function, arguments in table.items():
+        found[label_of(function)] = Call(
+            function, arguments, tuple(inspect.signature(function).parameters)
+        )
+    return found
+
+
+def fields(thing: Any) -> dict[str, Any]:
+    """Return the arguments that make a dataclass or a named tuple again."""
+    names = inspect.signature(type(thing)).parameters
+    return {name: getattr(thing, name) for name in names}
+
+
+def label_of(function: Any) -> str:
+    """Return a name as the namespace has it."""
+    return str(function.__qualname__)
+
+
+def public_callables() -> set[str]:
+    """Return the labels of all that can be called in the public namespace."""
+    found = set()
+    for name in rs.__all__:
+        thing = getattr(rs, name)
+        if not callable(thing):
+            continue
+        if inspect.isclass(thing) and issubclass(thing, str | int | Exception):
+            continue  # enumerations and errors
+        found.add(label_of(thing))
+        if inspect.isclass(thing) and not issubclass(thing, tuple):
+            for method, member in vars(thing).items():
+                routine = isinstance(member, classmethod | staticmethod) or inspect.isfunction(
+                    member
+                )
+                if routine and (not method.startswith("_") or method == "__call__"):
+                    found.add(f"{name}.{method}")
+    return found
+
+
+def close_pictures() -> None:
+    """Close all figures."""
+    plt.close("all")

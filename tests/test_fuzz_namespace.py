@@ -1,0 +1,199 @@
+"""Junk in every argument of the public namespace: refused in one line, or taken and computed."""
+
+import inspect
+import math
+import os
+import random
+import resource
+import time
+import warnings
+from collections import Counter
+from collections.abc import Iterator
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+
+import rocksteady as rs
+from tests import junk
+from tests.calls import Call, calls, close_pictures, public_callables, things
+
+pytestmark = [
+    pytest.mark.filterwarnings("ignore:Animation was deleted"),
+    pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning"),
+]
+
+LONGEST = 20.0
+"""Seconds that a call may take: those of valid arguments take a tenth of one."""
+
+HOLD_NAN = {
+    "SteadyStates", "ResponseCurve", "RegionMap", "Boundaries", "Attractor", "Motions", "Fraction",
+    "Passage", "IntensityMeasures", "ResponseSpectrum", "Drop", "BranchPoint", "BasinAttractor",
+    "Flights", "Impacts", "Stretch", "Orbit", "Erosion", "Basins", "OverturningWindows", "Peak",
+    "OverturningWindow", "GroundCourse", "SteadyOrbit", "Trajectory", "AttractorTrail",
+}  # fmt: skip
+"""Results: NaN in one says that there is no such value, and their constructors let it pass."""
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _room(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Work in a folder of its own, without a screen."""
+    before = Path.cwd()
+    os.chdir(tmp_path_factory.mktemp("fuzz"))
+    mpl.use("Agg")
+    yield
+    os.chdir(before)
+
+
+@pytest.fixture(autouse=True)
+def _memory() -> Iterator[None]:
+    """Allow 16 GB of addresses, so that an exploding size is a `MemoryError` and not a swap."""
+    before = resource.getrlimit(resource.RLIMIT_AS)
+    resource.setrlimit(resource.RLIMIT_AS, (before_or(before[1], 16 << 30), before[1]))
+    yield
+    resource.setrlimit(resource.RLIMIT_AS, before)
+
+
+def before_or(hard: int, wanted: int) -> int:
+    """Return a limit that the hard one allows."""
+    return wanted if hard == resource.RLIM_INFINITY else min(hard, wanted)
+
+
+def drawn(chance: random.Random, valid: Any) -> Any:
+    """Return a value that is junk, more often than not; `valid` is one that is none."""
+    kind = chance.random()
+    if kind < 0.7:
+        return chance.choice(junk.SCALARS if kind < 0.4 else junk.MADE)()
+    if kind < 0.85:
+        return chance.choice(list(things().values()))
+    if kind < 0.95:
+        return type(valid) if kind < 0.9 else [valid]
+    return [valid, chance.choice(junk.SCALARS)()]
+
+
+def foreign(call: Call, changed: dict[str, Any]) -> str | None:
+    """Return what is wrong with how a call ends; None if nothing is."""
+    start = time.perf_counter()
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            warnings.filterwarnings("ignore", message="Animation was deleted")
+            warnings.filterwarnings("ignore", message=".*sizes are in metres")  # our own
+            found = call(**changed)
+            if isinstance(found, Iterator):
+                found = list(islice(found, 50))
+    except rs.RocksteadyError as error:
+        long = "\n" in str(error) or len(str(error)) > 2000
+        return f"a message of more than a line: {str(error)[:300]!r}" if long else None
+    except BaseException as error:
+        if isinstance(error, KeyboardInterrupt):
+            raise
+        if any(note.startswith("in cell") for note in getattr(error, "__notes__", ())):
+            return None  # the caller's own case function fails
+        return f"{type(error).__name__} at {place_of(error)}: {str(error)[:150]}"
+    took = time.perf_counter() - start
+    return f"{took:.0f} s" if took > LONGEST else nan_let_in(call, changed, found)
+
+
+def refused(call: Call) -> str | None:
+    """Return the error of a call; None of one that succeeds."""
+    try:
+        call()
+    except rs.RocksteadyError as error:
+        return str(error)
+    return None
+
+
+def place_of(error: BaseException) -> str:
+    """Return the file and the line of the package where an error was raised."""
+    trace, place = error.__traceback__, ""
+    while trace is not None:
+        file = trace.tb_frame.f_code.co_filename
+        if "rocksteady" in file and "arguments.py" not in file:
+            place = f"{Path(file).name}:{trace.tb_lineno}"
+        trace = trace.tb_next
+    return place
+
+
+def nan_let_in(call: Call, changed: dict[str, Any], found: Any) -> str | None:
+    """Return whether NaN went in and came out of what holds none."""
+    if call.function.__qualname__.split(".")[0] not in HOLD_NAN and changed:
+        given = any(has_nan(value) for value in changed.values())
+        if found is not None and given and has_nan(found):
+            return "NaN let in"
+    return None
+
+
+def has_nan(value: Any, depth: int = 3) -> bool:
+    """Return whether a number, or an array or a list of them, holds NaN."""
+    if isinstance(value, float | np.floating):
+        return math.isnan(value)
+    if isinstance(value, np.ndarray) and value.dtype.kind == "f" and value.size < 10**6:
+        return bool(np.isnan(value).any())
+    deeper = isinstance(value, list | tuple) and depth > 0
+    return deeper and any(has_nan(item, depth - 1) for item in value[:10])
+
+
+def fuzz(seed: int, count: int) -> Counter[str]:
+    """Return the findings of so many calls with junk in one or two arguments."""
+    chance = random.Random(seed)
+    table = calls()
+    labels = sorted(label for label, call in table.items() if call.parameters)
+    findings: Counter[str] = Counter()
+    verbose = os.environ.get("FUZZ_LOG")
+    for number in range(count):
+        label = labels[number % len(labels)]
+        call = table[label]
+        names = chance.sample(
+            call.parameters, min(len(call.parameters), 1 if chance.random() < 0.7 else 2)
+        )
+        changed = {name: drawn(chance, call.arguments.get(name)) for name in names}
+        for name in names:
+            parameter = inspect.signature(call.function).parameters[name]
+            if parameter.kind is inspect.Parameter.VAR_POSITIONAL:
+                changed[name] = [*call.arguments[name], changed[name]]
+        if verbose:
+            with open(verbose, "w", encoding="utf-8") as file:  # noqa: PTH123
+                print(number, label, {k: safe(v) for k, v in changed.items()}, file=file)
+        wrong = foreign(call, changed)
+        if wrong is not None:
+            shown = {name: safe(value) for name, value in changed.items()}
+            findings[f"{label}: {wrong} <- {shown}"] += 1
+        close_pictures()
+    return findings
+
+
+def safe(value: Any) -> str:
+    """Return the repr of anything, short."""
+    try:
+        return repr(value)[:80]
+    except Exception:  # noqa: BLE001
+        return f"<{type(value).__name__}>"
+
+
+def test_every_public_callable_has_a_valid_call() -> None:
+    assert set(calls()) == public_callables() - {"Store.opened"}
+
+
+def test_every_valid_call_succeeds() -> None:
+    wrong = {}
+    for label, call in calls().items():
+        wrong[label] = foreign(call, {}) or refused(call)
+        close_pictures()
+    assert {label: what for label, what in wrong.items() if what} == {}
+
+
+@pytest.mark.parametrize("seed", [17])
+def test_two_thousand_calls_with_junk(seed: int) -> None:
+    findings = fuzz(seed, 2_000)
+    assert not findings, "\n".join(findings)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [1, 2, 3, 4, 5])
+def test_fifty_thousand_calls_with_junk(seed: int) -> None:
+    findings = fuzz(seed, 10_000)
+    assert not findings, "\n".join(findings)
