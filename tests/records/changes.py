@@ -12,9 +12,9 @@ G: Final = 9.80665
 Verdict = Literal["as before", "not same", "scaled", "same numbers", "prefix", "turned"]
 """What must come of a file that is neither refused nor warned about.
 
-``as before``: the same samples at the same interval. ``not same``: nothing; it must be refused or
-warned about. ``scaled``: the samples times a factor. ``same numbers``: the same samples in
-another order. ``prefix``: as many of the samples as both have. ``turned``: the samples with the other sign, noted.
+``as before``: the same samples at the same interval. ``not same``: nothing, it must be refused or
+warned about. ``scaled``: the samples times a factor. ``same numbers``: the samples in any order.
+``prefix``: as many of the samples as both have. ``turned``: the samples with the other sign, noted.
 """
 
 
