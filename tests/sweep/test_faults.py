@@ -21,7 +21,7 @@ from tests.sweep.executors.cases import GRID, OUTPUTS, some
 from tests.sweep.faults import CHUNK, MOMENTS, run, script, tree, whole
 
 
-@pytest.mark.parametrize("step", [23, pytest.param(1, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("step", [11, pytest.param(1, marks=pytest.mark.slow)])
 def test_a_run_that_is_killed_at_any_moment_is_resumed(
     step: int, undisturbed: Path, tmp_path: Path
 ) -> None:
