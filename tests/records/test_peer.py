@@ -208,6 +208,9 @@ def test_units_that_are_not_understood_as_a_whole(tmp_path: Path, quantity: str)
         read_recordings(path)
     (given,) = read_recordings(path, units="2 g")
     assert given.record.peak_acceleration_m_s2 == pytest.approx(2.0 * G, rel=1e-6)
+    scaled = at2(samples(40), counts="NPTS= {count}, DT= {dt:.4f} SEC, SCALE FACTOR= 2.0")
+    with pytest.raises(RecordFileError, match=r"line 4, .*a factor on the samples"):
+        read_recordings(written(tmp_path, scaled))
     same = at2(samples(40), quantity="ACCELERATION IN UNITS OF MILLI G. SCALE FACTOR= 1.0")
     assert read_recordings(written(tmp_path, same))[0].units_in_file == "mg"
 

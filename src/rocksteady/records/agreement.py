@@ -89,9 +89,10 @@ def agreed(
     surplus = len(values) - count + len(more)
     doubts = []
     if surplus:
+        rest = "one is" if surplus == 1 else f"{surplus} are"
         doubts.append(
             f"the file holds {count + surplus} samples, more than the {count} that its header "
-            f"states: the last {surplus} are left out"
+            f"states: the last {rest} left out"
         )
     elif lines.alone and any(line.strip() for line in text.lines[end:]):
         doubts.append(f"what stands after the last sample, from line {end + 1}, is left out")

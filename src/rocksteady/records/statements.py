@@ -218,7 +218,12 @@ def time_value(text: RecordText, at: int, written: str, unit: str | None = None)
     unknown = unit is not None and unit.strip() != "" and before is None
     if after is None and (unknown or _FIRST_WORD.match(rest) or re.match(r"\s*[*/^x]\s*\d", rest)):
         raise text.error("its unit of time is not understood as a whole", hint, at=at)
-    if after is not None and modifies(beyond) and not re.match(r"[\s,;]*\d+\s*[A-Za-z]", beyond):
+    # What stands behind a comma is of another thing: SEC, NPTS= 400.
+    if (
+        after is not None
+        and modifies(beyond)
+        and not re.match(r"\s*[,;]|\s*\d+\s*[A-Za-z]", beyond)
+    ):
         raise text.error("its unit of time is not understood as a whole", hint, at=at)
     size = in_seconds(after) if after is not None else (1.0 if before is None else before)
     if size is None or (after is not None and before is not None and size != before):
