@@ -104,7 +104,7 @@ def test_a_crowd_is_the_largest_one_and_small() -> None:
     assert crowd_of(axes, some) == pytest.approx((0.0, 0.0, 0.9, 0.45))
     assert crowd_of(axes, some[:7]) is None
     assert crowd_of(axes, [(k, k) for k in range(10)]) is None
-    assert crowd_of(axes, [(0.4 * k, 0.0) for k in range(20)]) is None, "too wide to grow"
+    assert crowd_of(axes, [(0.2 * k, 0.0) for k in range(40)]) is None, "too wide to grow"
     assert crowd_of(axes, []) is None
 
 

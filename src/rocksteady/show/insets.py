@@ -17,7 +17,7 @@ Box = tuple[float, float, float, float]
 
 FEWEST = 8
 """Marks that make a crowd."""
-APART = 9.0
+APART = 12.0
 """Distance of marks that do not touch [points]."""
 LARGEST = 0.25
 """Side of a crowd, in parts of the axes; a larger one would hardly grow in an inset."""
