@@ -203,8 +203,8 @@ def command_line(draw: random.Random, number: int) -> list[str]:
         words = words if draw.random() < 0.99 else list(usual)
     if draw.random() < 0.03 and path not in LONG:
         words.insert(draw.randrange(len(words) + 1), draw.choice(("--help", "--", *JUNK)))
-    if usual and path not in LONG and draw.random() < 0.05:
-        del words[draw.randrange(len(usual))]
+    if words and path not in LONG and draw.random() < 0.05:
+        del words[draw.randrange(len(words))]
     if draw.random() < 0.3:
         words.append("--json")
     return [*path.split(), *words]

@@ -351,3 +351,17 @@ def test_a_disk_that_fills_leaves_no_film(tmp_path: Path, monkeypatch: pytest.Mo
     assert "--animate = " in line
     assert "No space left on device" in line
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("flags", "words"),
+    [
+        ("--left-m 1e308 --right-m 0.3 --height-m 2 -A 2 -W 4", ["--left-m = 1e+308"]),
+        ("--left-m 0.3 --right-m 1e308 --height-m 2 -A 2 -W 4", ["--right-m = 1e+308"]),
+        ("-A 2 -W 4 -r 0.8 --samples 1000000000", ["--samples = 1000000000"]),
+        ("-A 2 -W 4 -r 0.8 --samples 1000 --cycles 1e9 --csv a.csv", ["--samples", "--cycles"]),
+    ],
+)
+def test_what_explodes_is_refused_by_its_own_flag(flags: str, words: list[str]) -> None:
+    line = refused(f"simulate {flags}")
+    assert all(word in line for word in words), line

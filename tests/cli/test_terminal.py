@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from rocksteady.cli import app, terminal
+from rocksteady.show.names import printable
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
 
@@ -137,7 +138,7 @@ def test_no_name_of_a_record_ends_a_command(odd: Path, tmp_path: Path) -> None:
     block = "--width-m 0.4 --height-m 2"
     ran = rocksteady(f"record {block} --plot", plot, "--csv", csv, odd)
     assert ran.code == 0, ran.err
-    assert "".join(terminal.printable(odd.name).split()) in "".join(ran.out.split())
+    assert "".join(printable(odd.name).split()) in "".join(ran.out.split())
     assert rocksteady("record --json", odd).json["file"] == str(odd)
     more = ("--plot", plot, "--csv", csv, "--animate", film, "--record", odd)
     ran = rocksteady(f"simulate {block} --force", *more)
@@ -145,8 +146,8 @@ def test_no_name_of_a_record_ends_a_command(odd: Path, tmp_path: Path) -> None:
     assert rocksteady(f"simulate {block} --json --record", odd).json["record"]
     store, nc = tmp_path / "a.zarr", tmp_path / "a.nc"
     sizes = "spectrum --alpha-rad 0.2 --periods-s 1:2:2 --force"
-    more = ("--plot", plot, "--csv", csv, "--netcdf", nc, "--out", store, "--record", odd)
-    ran = rocksteady(sizes, *more)
+    files = ("--plot", plot, "--csv", csv, "--netcdf", nc, "--out", store, "--record", odd)
+    ran = rocksteady(sizes, *files)
     assert ran.code == 0, ran.err
     for line in ran.err.splitlines():
         assert line.isprintable()
@@ -156,7 +157,7 @@ def test_no_name_of_a_record_ends_a_command(odd: Path, tmp_path: Path) -> None:
 def test_no_name_of_a_file_makes_two_lines(tmp_path: Path) -> None:
     file = tmp_path / "two\nlines\x1b.csv"
     ran = rocksteady("steady -A 2 -W 4 -r 0.8 --csv", file)
-    assert (ran.code, ran.err) == (0, f"wrote {terminal.printable(file)}\n")
+    assert (ran.code, ran.err) == (0, f"wrote {printable(file)}\n")
     assert "two\\nlines\\x1b.csv" in refused("steady -A 2 -W 4 -r 0.8 --csv", file)
     assert "\\x1b" in refused("steady", "--no\x1b\nflag")
     assert len(refused("steady", "x" * 100_000)) < 1000

@@ -24,6 +24,8 @@ FLAG_OF_ARGUMENT = {
     "left": "--left-m",
     "right": "--right-m",
     "gyration": "--gyration-m",
+    "alpha_ratio": "--left-m/--right-m",
+    "p_ratio": "--left-m/--right-m",
     "negative_restitution": "--restitution/-r",
     "acceleration_m_s2": "--accel-g",
     "frequency_hz": "--freq-hz",

@@ -244,6 +244,8 @@ class BlockFlags:
         }
         if self.unlike:
             makers = {("height",): Block.asymmetric} if whole else {}
+        for name, value in self.unlike.items():  # the width that follows has no flag
+            in_range(name, value, 0.0, LARGEST, hint="give a distance in metres, as 0.3")
         make = makers.get(tuple(sizes))
         rest: dict[str, Any] = {"restitution": ratio, "gravity": gravity}
         return None if make is None else make(**sizes, **self.unlike, **rest)

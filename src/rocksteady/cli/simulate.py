@@ -59,6 +59,9 @@ EXAMPLES = (
     "rocksteady simulate --block tso-wong-1989 -A 4 -W 1.5 --animate fall.gif"
 )
 
+MOST_ROWS = 50_000_000
+"""Of --csv: some gigabytes."""
+
 CyclesFlag = Annotated[
     float | None,
     typer.Option(
@@ -121,7 +124,13 @@ def simulate(
     start.check(shaken=not isinstance(motion, Still))
     if isinstance(motion, Still):
         refuse_without_shaking("--cycles", cycles)
-    whole_number("per_unit", samples, at_least=1, hint="give rows per period")
+    whole_number("per_unit", samples, at_least=1, at_most=100_000, hint="give rows per period")
+    if output.csv is not None and samples * (cycles or 0.0) > MOST_ROWS:
+        raise FlagError(
+            finding=f"--samples {samples} with --cycles {cycles:g}",
+            valid=f"--csv has at most {MOST_ROWS:,} rows",
+            hint="give fewer of them",
+        )
     refuse_of_linear(model, "--tolerance", tolerance)
 
     announce_compilation("march.march")

@@ -5,6 +5,7 @@ import re
 import shutil
 from collections.abc import Callable, Mapping
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -106,8 +107,7 @@ class Parts:
             return [file.read_bytes() for file in files]
         made = make()
         for file in files:
-            data = made[file.name]
-            save_whole("out", file, lambda target, data=data: target.write_bytes(data))
+            save_whole("out", file, partial(Path.write_bytes, data=made[file.name]))
         return [made[name] for name in names]
 
     @property
