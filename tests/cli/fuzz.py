@@ -22,7 +22,7 @@ import typer
 from rocksteady.cli.app import app, run
 from tests.cli.motion_files import at2, samples
 
-SECONDS = 60
+SECONDS = 120
 """After which a command line hangs, on a machine with much else to do."""
 JUNK = (
     *("", " ", "x", "nan", "-nan", "inf", "-inf", "1e400", "-1", "0", "-0", "-0.0", "1e308"),

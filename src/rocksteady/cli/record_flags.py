@@ -10,7 +10,7 @@ import typer
 from rocksteady.cli import terminal
 from rocksteady.cli.flags import FLAG_OF_ARGUMENT, MOTION
 from rocksteady.cli.nouns import BlockFlags
-from rocksteady.cli.refusals import FlagError
+from rocksteady.cli.refusals import FlagError, missing
 from rocksteady.errors import InputError, RecordFileError, Words
 from rocksteady.model.block import Block
 from rocksteady.show.names import printable
@@ -175,8 +175,16 @@ class ReadingFlags:
         """
         from rocksteady.records.read import chosen
 
-        (one,) = self._ready(file, (chosen(self._channels(file), self.channel),))
-        return one
+        found = self._channels(file)
+        if self.channel is None and len(found) > 1:
+            try:
+                one = chosen(found, None)
+            except InputError as error:
+                raise missing("--channel", valid=error.valid, hint=error.hint) from None
+        else:
+            one = chosen(found, self.channel)
+        (ready,) = self._ready(file, (one,))
+        return ready
 
     def read_vertical(self, file: Path) -> "Recording":
         """Return the vertical channel of a file: its one channel, or the vertical one of several.
