@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels import march as columns
 from rocksteady.model.block import Block, DimensionlessBlock
-from rocksteady.model.motions import LONGEST_DURATION, Motion, Segment
+from rocksteady.model.motions import LONGEST_DURATION, Motion, Segment, segments_of
 from rocksteady.model.record import Record
 from rocksteady.model.validation import LARGEST
 
@@ -41,7 +41,7 @@ def segment_table(
     """
     if isinstance(motion, Record):
         return _record_in_units_of(motion, block)
-    segments = list(motion.segments())
+    segments = list(segments_of(motion))
     if not segments or segments[-1].duration != math.inf:
         segments.append(Segment(duration=math.inf))
     table = np.zeros((len(segments), columns.SEGMENT_COLUMNS))

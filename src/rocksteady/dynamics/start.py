@@ -18,7 +18,7 @@ from rocksteady.kernels.march import March
 from rocksteady.kernels.nonlinear.drive import jump_share
 from rocksteady.model.arguments import checked
 from rocksteady.model.block import DimensionlessBlock
-from rocksteady.model.motions import Harmonic, Motion
+from rocksteady.model.motions import Harmonic, Motion, segments_of
 from rocksteady.model.record import Record
 from rocksteady.model.validation import LARGEST, in_range, odd_order, positive
 
@@ -178,7 +178,7 @@ def initial_march(
         state = State(angle=0.0, velocity=0.0)
     half, phase, velocity = 0, 0.0, state.velocity
     # The march reads clock and jump of the later segments itself; a record has neither.
-    for first in () if isinstance(motion, Record) else motion.segments()[:1]:
+    for first in () if isinstance(motion, Record) else segments_of(motion)[:1]:
         # Each side takes an impulse of the base by its own p^2.
         leaning = state.angle or velocity + first.jump
         _, lean, rate = block.sides[0 if leaning > 0.0 else 1]

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.grids import validated_grid
+from rocksteady.dynamics.grids import order_of_orbit, validated_grid
 from rocksteady.dynamics.regions import REGIONS
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.symmetric import fill_half_cycle, fill_steady, symmetric_orbit
@@ -382,6 +382,7 @@ def steady_orbit(
         ("restitution", restitution),
     ):
         finite(name, value, hint="give one number")
+    order = order_of_orbit(order)
     which = validated_branch(branch)
     count = whole_number(
         "samples", samples, at_least=3, at_most=999_999, hint="give an odd number, as 801"

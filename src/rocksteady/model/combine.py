@@ -8,7 +8,7 @@ from itertools import accumulate, pairwise
 
 from rocksteady.errors import ModelError
 from rocksteady.model.arguments import checked
-from rocksteady.model.motions import LONGEST_DURATION, Motion, Piecewise, Segment
+from rocksteady.model.motions import LONGEST_DURATION, Motion, Piecewise, Segment, segments_of
 from rocksteady.model.sampled import polyline
 from rocksteady.model.validation import LARGEST, in_range, positive
 
@@ -159,7 +159,7 @@ def _segments(motion: Motion) -> tuple[Segment, ...]:
             valid="it must have segments in the block's own measures, which a record has not",
             hint="use Record.scaled, or put records together before making one of them",
         )
-    return tuple(motion.segments())
+    return segments_of(motion)
 
 
 class _Part:

@@ -112,6 +112,25 @@ class Motion(Protocol):
         ...
 
 
+def segments_of(motion: Motion) -> tuple[Segment, ...]:
+    """Return the segments of a base motion of any class.
+
+    Raises
+    ------
+    InputError
+        If they are no segments.
+    """
+    given: object = motion.segments()
+    if not isinstance(given, tuple | list) or not all(isinstance(p, Segment) for p in given):
+        raise InputError(
+            name="motion",
+            value=motion,
+            valid="its segments() must return Segments",
+            hint="return (Segment(...), Segment(...))",
+        )
+    return tuple(given)
+
+
 @checked
 @dataclass(frozen=True, kw_only=True)
 class Harmonic:

@@ -71,6 +71,10 @@ def suite_spectrum(
         )
     hint = "give parts, as (0.16, 0.5, 0.84)"
     parts = [in_range("quantiles", part, 0.0, 1.0, "[]", hint=hint) for part in quantiles]
+    if not parts:
+        raise InputError(
+            name="quantiles", value=quantiles, valid="it must hold one part or more", hint=hint
+        )
     status = found["status"]
     fell = status == Status.OVERTURNED
     known = fell | (status == Status.ROCKING) | (status == Status.AT_REST)
