@@ -12,7 +12,6 @@ from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.path import Path as Outline
-from rocksteady.show.lettering import literal
 
 from rocksteady import (
     Block,
@@ -37,6 +36,7 @@ from rocksteady.show.animation import film_of
 from rocksteady.show.figures import bifurcation_figure, simulation_figure
 from rocksteady.show.files import figure_bytes
 from rocksteady.show.insets import crowd_of
+from rocksteady.show.names import literal
 from rocksteady.show.page import Page
 from rocksteady.show.plots.sweeps import SWEEPS
 from tests.show.drawn_figures import resting, rocking, shock

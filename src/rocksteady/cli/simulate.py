@@ -124,13 +124,7 @@ def simulate(
     start.check(shaken=not isinstance(motion, Still))
     if isinstance(motion, Still):
         refuse_without_shaking("--cycles", cycles)
-    whole_number("per_unit", samples, at_least=1, at_most=100_000, hint="give rows per period")
-    if output.csv is not None and samples * (cycles or 0.0) > MOST_ROWS:
-        raise FlagError(
-            finding=f"--samples {samples} with --cycles {cycles:g}",
-            valid=f"--csv has at most {MOST_ROWS:,} rows",
-            hint="give fewer of them",
-        )
+    refuse_long_table(samples, cycles if output.csv is not None else None)
     refuse_of_linear(model, "--tolerance", tolerance)
 
     announce_compilation("march.march")
@@ -168,6 +162,23 @@ def simulate(
         print_summary(values, trajectory)
     if trajectory.status is Status.UNDECIDED:
         raise typer.Exit(INCOMPLETE)
+
+
+def refuse_long_table(samples: int, cycles: float | None) -> None:
+    """Refuse --samples that is no number of rows, or with --cycles too many of them.
+
+    Raises
+    ------
+    InputError, FlagError
+        If it is.
+    """
+    whole_number("per_unit", samples, at_least=1, at_most=100_000, hint="give rows per period")
+    if cycles is not None and samples * cycles > MOST_ROWS:
+        raise FlagError(
+            finding=f"--samples {samples} with --cycles {cycles:g}",
+            valid=f"--csv has at most {MOST_ROWS:,} rows",
+            hint="give fewer of them",
+        )
 
 
 def refuse_cycles(cycles: float | None, thing: str) -> None:
