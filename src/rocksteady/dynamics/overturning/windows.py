@@ -194,7 +194,8 @@ def overturning_windows(
 
     The amplitudes at which a block stands are not an interval [1]_: under a one-sine pulse it may
     fall after one impact, stand under a stronger pulse, and fall without an impact under a still
-    stronger one.  At each frequency ratio the borders are found to rounding.  They are searched on
+    stronger one.  At each frequency ratio the borders are found to rounding, or in the nonlinear
+    model to a part of 1e-12.  They are searched on
     a grid of amplitudes that is refined wherever the fate, the impacts on the way or the margin by
     which the block stands or falls leave a doubt: `rocksteady.dynamics.overturning.scan` says how,
     and which windows could still be missed.  Long pulses with many impacts, below omega/p = 1 or of
