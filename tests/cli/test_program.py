@@ -134,6 +134,16 @@ def test_a_bad_order_is_one_line_with_the_value(
         assert needle in line, line
 
 
+def test_no_value_of_a_flag_is_dropped_or_taken_for_another(tmp_path: Path) -> None:
+    line = refused("bifurcate -A 2 -W 3:5:9 -r 0.8 -n 1 -n 3")
+    assert "--order/-n is given more than once ('1', '3')" in line
+    assert "('2', '3')" in refused("steady -A2 --amplitude=3 -W 4 -r 0.8")
+    assert rocksteady("steady -A 2 -A 3 --help").code == 0
+    assert rocksteady("steady -A 2 -W 4 -r 0.8 --json --json").json
+    assert "--csv is given without a value" in refused("steady -A 2 -W 4 -r 0.8 --csv --json")
+    assert rocksteady(f"steady -A 2 -W 4 -r 0.8 --csv={tmp_path}/--json").code == 0
+
+
 def test_an_unknown_command_is_one_line() -> None:
     assert "'stedy'" in refused("stedy -A 2")
 

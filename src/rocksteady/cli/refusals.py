@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import Any
 
 from typer.core import TyperCommand
@@ -62,6 +63,14 @@ class OncePerFlag(TyperCommand):
             given = list(args)  # typer empties its own
             found = parse(args)
             if not set(ctx.help_option_names) & set(given):
+                flags = {name for each in self.params for name in each.opts if name[:1] == "-"}
+                for flag, value in pairwise(given):
+                    if value in flags and flag in flags and value in _values_of(found[0]):
+                        raise FlagError(
+                            finding=f"{flag} is given without a value",
+                            valid=f"{value} after it is a flag",
+                            hint=f"give a value, or write {flag}={value} where that is one",
+                        )
                 for option, count in Counter(found[-1]).items():
                     if count > 1 and _takes_one_value(option):
                         raise _repeated(option, given)
@@ -69,6 +78,12 @@ class OncePerFlag(TyperCommand):
 
         parser.parse_args = parsed
         return parser
+
+
+def _values_of(found: dict[str, Any]) -> set[str]:
+    """Return the texts that flags have taken."""
+    values = (value if isinstance(value, list) else [value] for value in found.values())
+    return {one for several in values for one in several if isinstance(one, str)}
 
 
 def _takes_one_value(parameter: Any) -> bool:
