@@ -349,7 +349,7 @@ def test_a_refined_map_says_how_much_was_computed() -> None:
         ),
         (
             "map -A 1:2:2 -W 1:2:2 -r 0.7:0.8:2 --phase 0:1:2 --plot a.png",
-            "--plot = '4 axes: phase, restitution, amplitude, frequency_ratio' is refused",
+            "--plot has 4 axes: phase, restitution, amplitude, frequency_ratio: a figure",
         ),
     ],
 )
