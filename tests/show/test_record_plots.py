@@ -128,7 +128,7 @@ def test_what_is_refused() -> None:
     wrong: Any = "jerk"
     with pytest.raises(InputError, match="quantity = 'jerk'"):
         plot_ground_course(ground_course(sine()), axes(), quantity=wrong)
-    with pytest.raises(InputError, match="spectra = '0 spectra'"):
+    with pytest.raises(InputError, match="spectra are 0"):
         plot_response_spectra([], axes())
     unlike = [response_spectrum(noise(1), [period]) for period in (1.0, 2.0)]
     with pytest.raises(InputError, match="same periods"):
