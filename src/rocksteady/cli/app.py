@@ -213,7 +213,8 @@ def _warn(
     line: str | None = None,  # noqa: ARG001
 ) -> None:
     """Say on standard error what a user should know, without where in the code it was said."""
-    terminal.say(str(message))
+    if not terminal.received:  # what a signal has cut short warns of being cut short
+        terminal.say(str(message))
 
 
 def _complain(message: str) -> int:
