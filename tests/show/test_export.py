@@ -218,7 +218,7 @@ def test_a_file_that_is_there_is_replaced(ending: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("ending", ["nc", "csv"])
 def test_a_folder_that_is_not_there_is_an_error_of_output(ending: str, tmp_path: Path) -> None:
-    with pytest.raises(OutputError, match="No such file or directory; check the folder"):
+    with pytest.raises(OutputError, match="its folder does not exist; create the folder"):
         export(result(), tmp_path / "nowhere" / f"x.{ending}")
 
 
