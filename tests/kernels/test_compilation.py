@@ -8,6 +8,7 @@ import sys
 import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from types import SimpleNamespace
 
 import numba
 import numba.core.config
@@ -143,7 +144,7 @@ def assert_private(folder: Path, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("below", range(4))
-@pytest.mark.parametrize("mode", [0o777, 0o775, 0o1777])
+@pytest.mark.parametrize("mode", [0o777, 0o1777])
 def test_a_cache_that_others_can_write_is_not_used(
     below: int, mode: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -158,6 +159,39 @@ def test_a_cache_that_others_can_write_is_not_used(
     assert len(caught) == 1
     assert str(weak) in str(caught[0].message)
     assert "\n" not in str(caught[0].message)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such groups")
+@pytest.mark.parametrize(
+    ("name", "members", "used"),
+    [
+        ("self", [], True),
+        ("self", ["self"], True),
+        ("self", ["other"], False),
+        ("staff", [], False),
+    ],
+)
+def test_a_group_may_write_if_the_user_is_alone_in_it(
+    name: str,
+    members: list[str],
+    used: bool,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    # As many systems set up each user, whose folders are then open to that group.
+    folder = preferred(tmp_path, monkeypatch)
+    group = folder.stat().st_gid
+    user = SimpleNamespace(pw_name="self", pw_gid=group)
+    monkeypatch.setattr("pwd.getpwuid", lambda _: user)
+    found = SimpleNamespace(gr_name=name, gr_gid=group, gr_mem=members)
+    monkeypatch.setattr("grp.getgrgid", lambda _: found)
+    for parent in (folder.parent, folder.parent.parent, folder.parent.parent.parent):
+        parent.chmod(0o775)
+    if used:
+        assert cache_folder() == folder
+    else:
+        with pytest.warns(UserWarning, match="can be written by other users"):
+            assert_private(cache_folder(), tmp_path)
 
 
 @pytest.mark.skipif(os.name == "nt" or os.getuid() != 0, reason="only root gives files away")

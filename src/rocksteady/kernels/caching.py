@@ -94,15 +94,36 @@ def _weakness(folder: Path) -> str | None:
             if links > MOST_LINKS:
                 return f"{there} is a link in a circle"
             left += there.readlink().parts[::-1]  # an absolute one begins at the top again
-        elif found.st_mode & 0o022 and not found.st_mode & stat.S_ISVTX:
+        elif _shared(found):
             return f"{there} can be written by other users"
         else:
             here = there
     if here.stat().st_uid != os.getuid():
         return f"{here} belongs to another user"
-    if here.stat().st_mode & 0o077:
-        return f"{here} is open to other users"
+    if here.stat().st_mode & 0o022:
+        return f"{here} can be written by other users"
     return None
+
+
+def _shared(found: os.stat_result) -> bool:
+    """Return whether another user may rename what is in a folder.
+
+    Many systems give each user a group of the same name with nobody else in it, and let that group
+    write what its user makes.
+    """
+    if found.st_mode & stat.S_ISVTX or not found.st_mode & 0o022:
+        return False
+    if found.st_mode & 0o002:
+        return True
+    import grp  # POSIX alone has them
+    import pwd
+
+    try:
+        user, group = pwd.getpwuid(os.getuid()), grp.getgrgid(found.st_gid)
+    except KeyError:
+        return True
+    alone = group.gr_gid == user.pw_gid and group.gr_name == user.pw_name
+    return not (alone and set(group.gr_mem) <= {user.pw_name})
 
 
 class CheckedCache(FunctionCache):
