@@ -141,7 +141,7 @@ def test_no_name_of_a_record_ends_a_command(odd: Path, tmp_path: Path) -> None:
     assert "".join(printable(odd.name).split()) in "".join(ran.out.split())
     assert rocksteady("record --json", odd).json["file"] == str(odd)
     more = ("--plot", plot, "--csv", csv, "--animate", film, "--record", odd)
-    ran = rocksteady(f"simulate {block} --force", *more)
+    ran = rocksteady(f"simulate {block} --speed 7 --force", *more)
     assert ran.code == 0, ran.err
     assert rocksteady(f"simulate {block} --json --record", odd).json["record"]
     store, nc = tmp_path / "a.zarr", tmp_path / "a.nc"

@@ -83,7 +83,7 @@ def test_a_bad_interval_or_name_is_refused(name: str, value: Any) -> None:
         Record(**arguments)
 
 
-@pytest.mark.parametrize("factor", [0.0, math.inf, math.nan, "2"])
+@pytest.mark.parametrize("factor", [0.0, 5e-324, -1e-60, math.inf, math.nan, "2"])
 def test_a_bad_factor_is_refused(factor: Any) -> None:
     with pytest.raises(InputError, match=r"^factor = "):
         Record(acceleration_m_s2=np.array(VALUES), dt_s=0.02).scaled(factor)

@@ -206,6 +206,7 @@ def test_single_values_are_no_dimensions_but_stay() -> None:
         ({"alpha": 1.2, "p": 2.0}, "Housner's restitution"),
         ({"alpha": [0.2, 0.2], "p": 2.0}, "each value once"),
         ({"alpha": 0.2, "p": 2.0, "scale": 0.0}, "scale = 0.0"),
+        ({"alpha": 0.2, "p": 2.0, "scale": 5e-324}, "scale = 5e-324"),
         ({"alpha": 0.2, "p": 2.0, "restitution": 1.2}, "restitution = 1.2"),
         ({"alpha": 0.2, "p": 2.0, "model": "exact"}, "model = 'exact'"),
         ({"alpha": 0.2, "p": 2.0, "tolerance": 1.0, "model": "nonlinear"}, "tolerance = 1.0"),

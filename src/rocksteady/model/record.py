@@ -83,7 +83,7 @@ class Record:
         Raises
         ------
         InputError
-            If the factor is 0 or not finite.
+            If the factor is 0, or its absolute value is not between 1e-50 and 1e50.
         """
         scale = in_range(
             "factor", factor, -LARGEST, LARGEST, "[]", hint="give a number; -1 reverses"
@@ -94,6 +94,13 @@ class Record:
                 value=factor,
                 valid="it must not be 0",
                 hint="give a Still() for a base that does not move",
+            )
+        if abs(scale) < 1.0 / LARGEST:
+            raise InputError(
+                name="factor",
+                value=factor,
+                valid=f"its absolute value must lie in [{1.0 / LARGEST:g}, {LARGEST:g}]",
+                hint="give a number; -1 reverses",
             )
         return replace(self, acceleration_m_s2=scale * self.acceleration_m_s2)
 

@@ -147,7 +147,12 @@ def rocking_spectrum(
     periods = _periods(periods_s, p)
     factors = [
         in_range(
-            "scale", value, 0.0, LARGEST, hint="give a factor, as 1.5; to reverse is another choice"
+            "scale",
+            value,
+            1.0 / LARGEST,
+            LARGEST,
+            "[]",
+            hint="give a factor, as 1.5; to reverse is another choice",
         )
         for value in _values("scale", scale)
     ]
