@@ -180,8 +180,8 @@ def test_what_has_settled_by_the_end_of_the_cycles_is_recognised() -> None:
 @pytest.mark.parametrize(
     ("point", "period", "rests"),
     [
-        ((1.0845049785897438, 2.088756243845506, 0.8191916687308698), 5, 1),  # 72 passages
-        ((1.0801369164916657, 22.804604695324915, 0.8240620929612219), 13, 2),  # 250
+        ((1.112926390436941, 8.003032001497338, 0.664791885510839), 11, 1),  # 261 passages
+        ((1.0629304171178815, 11.092625804515649, 0.8500066194737368), 11, 2),  # 714
     ],
 )
 def test_an_orbit_that_rocks_for_long_between_rests_is_recognised(
@@ -205,25 +205,51 @@ def test_where_chatter_just_fails_to_end_before_uplift_motions_repeat_from_rest_
     amplitude = ACCUMULATED[restitution] * (1.0 + beyond)
     for frequency in (1.3, 2.1, 3.3, 5.7, 7.9):
         found = settled(amplitude, frequency, restitution)
-        if found.kind is AttractorKind.OVERTURNED:
+        assert found.after < 400
+        if found.orbit is None:
+            if found.kind is AttractorKind.UNDECIDED:
+                assert found.growth > 1e12
+                assert "rounding decides" in found.reason
             continue
-        assert found.orbit is not None, (frequency, found.reason)
         assert found.orbit.residual <= 1e-12
         if found.orbit.rest_phases:
             begin = found.orbit.states[0]
             assert begin.speed == 0.0
             assert amplitude * abs(math.sin(begin.phase)) == pytest.approx(1.0, abs=1e-12)
-            assert found.after < 400
 
 
-def test_all_orbits_at_a_point_hold_one_that_rocks_for_long_between_rests() -> None:
-    # 336 impacts in 7 periods, over which a small difference grows by 1e14.
-    shaking = Harmonic(amplitude=1.0565565565565567, frequency_ratio=2.23003003003003)
-    block = DimensionlessBlock(restitution=0.87)
-    resting = [o for o in orbits(block, shaking, max_period=7, seeds=2) if o.rest_phases]
-    assert [(orbit.period, orbit.rest_phases) for orbit in resting] == [(7, 1)]
-    found = attractor(block, shaking)
-    assert found.peaks == (resting[0].highest, resting[0].lowest)
+@pytest.mark.parametrize("restitution", ACCUMULATED)
+def test_no_orbit_with_rests_depends_on_the_last_digit_of_the_amplitude(
+    restitution: float,
+) -> None:
+    decided = 0
+    for beyond in (4e-4, 1e-3, 3e-3, 0.01):
+        amplitude = ACCUMULATED[restitution] * (1.0 + beyond)
+        for frequency in (1.3, 2.1, 3.3, 5.7, 7.9):
+            found, *others = (
+                settled(moved, frequency, restitution)
+                for moved in (
+                    amplitude,
+                    math.nextafter(amplitude, 0.0),
+                    math.nextafter(amplitude, 2.0),
+                )
+            )
+            if found.orbit is None or not found.orbit.rest_phases or found.growth > 1e12:
+                continue
+            decided += 1
+            assert {(other.kind, other.period) for other in others} == {(found.kind, found.period)}
+    assert decided >= 3
+
+
+def test_where_rounding_decides_what_follows_a_rest_there_is_no_orbit() -> None:
+    # Steps of an ulp of the amplitude gave periods of 27, 20 and 11; 60 digits give 11.
+    found = settled(1.15, 5.4, 0.51)
+    assert found.kind is AttractorKind.UNDECIDED
+    assert found.after < 100
+    assert "rounding decides" in found.reason
+    block = DimensionlessBlock(restitution=0.51)
+    shaking = Harmonic(amplitude=1.15, frequency_ratio=5.4)
+    assert not [o for o in orbits(block, shaking, max_period=30, seeds=2) if o.rest_phases]
 
 
 def test_an_orbit_that_is_too_long_to_hold_ends_the_run_with_that_reason() -> None:
@@ -267,7 +293,7 @@ def test_more_cycles_than_an_integer_holds_are_refused() -> None:
 @pytest.mark.parametrize(
     "point",
     [
-        (1.1368188526200682, 6.776856331917819, 0.6041142871741525),  # period 17
+        (1.136807753871025, 12.779994015403771, 0.5560594737629436),  # period 20
         (1.14652, 10.28454, 0.51320),
         (1.07652, 4.55947, 0.80652),
         (1.05, 1.0, 0.3),

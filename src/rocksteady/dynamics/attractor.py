@@ -255,6 +255,12 @@ def _reason(found: kernel.Settled, block: DimensionlessBlock) -> str:
         return "without loss (restitution 1) motions do not settle"
     if found.after == 0:
         return "the block balances upright, and nothing brings it down"
+    if found.passages > 0 and found.passages <= kernel.LONGEST_ORBIT:
+        return (
+            f"it rests again and again, the last time after {found.passages} impacts in "
+            f"{found.periods} forcing periods, on which a small difference may grow "
+            f"{math.exp(min(found.growth, 700.0)):.1g}-fold: rounding decides how it goes on"
+        )
     if found.passages > 0:
         return (
             f"from one rest to the same again it has {found.passages} impacts in {found.periods} "

@@ -19,9 +19,11 @@ from rocksteady.dynamics.return_map import (
 )
 from rocksteady.dynamics.steady import steady_states
 from rocksteady.kernels import periodic
+from rocksteady.kernels.attractors import GENERIC, ROUNDED, Stretch, stretched
 from rocksteady.kernels.periodic import mirror
 from rocksteady.kernels.section import (
     FALL,
+    IMPACT,
     STAY,
     STUCK,
     UPLIFT,
@@ -236,24 +238,36 @@ Found = tuple[Floats, int, float]
 
 
 def _resting_orbits(system: System, longest: int) -> Iterable[Found]:
-    """Yield the orbits with rest phases: those that come back to an uplift of theirs."""
+    """Yield the orbits with rest phases: those that come back to an uplift of theirs.
+
+    Where a small difference grows so much between two rests that rounding decides the way, there is
+    none to be known.
+    """
     lifting = uplift_after(system, 0, 0.0)
     if lifting.kind == STAY:
         return
     begin, step = lifting.state, lifting
     states = [begin]
+    nothing = Stretch(GENERIC[0], GENERIC[1], 0.0, 0)
+    whole, grown = nothing, [0.0]  # since the last rest, and its logarithm at each passage
     while states[-1].half_cycles - begin.half_cycles <= 4 * longest:
         step = next_passage(system, step.state, guess_after(step))
         if step.kind in (FALL, STAY, STUCK):
             return
         states.append(step.state)
+        if step.kind == IMPACT:
+            whole = stretched(whole, step.jacobian)
+        grown.append(whole.logarithm)
         if step.kind != UPLIFT:
             continue
+        whole = nothing
         # An uplift is known by its side alone; of a block with two sides one must come again.
         earlier = [
             k for k, s in enumerate(states[:-1]) if s.speed == 0.0 and s.side == step.state.side
         ]
         if earlier:
+            if max(grown[earlier[-1] :]) > ROUNDED:
+                return
             passages = len(states) - 1 - earlier[-1]
             periods = (step.state.half_cycles - states[earlier[-1]].half_cycles) // 2
             table = np.zeros((passages, periodic.ORBIT_COLUMNS))

@@ -48,6 +48,8 @@ MEMORY = 256
 LONGEST_ORBIT = 2**17
 """Passages of the longest orbit, which a table has to hold: of some thousand forcing periods with a
 chatter in each half of them."""
+ROUNDED = math.log(1e12)
+"""Growth of a small difference between two rests from which on rounding decides what comes next."""
 NEAR = 1e-2
 """Difference of a state from an earlier one that is worth a search for an orbit."""
 ARRIVED = 1e-7
@@ -78,7 +80,7 @@ class Settled(NamedTuple):
 
     outcome: int
     state: Section  # on the orbit; of other outcomes the last one
-    passages: int  # of the orbit; without one those from a rest to the same, where a table is short
+    passages: int  # of the orbit; without one those from a rest to the same, if that is no orbit
     periods: int
     residual: float
     rests: int
@@ -130,6 +132,8 @@ def settle(
     third = fourth = Stretch(GENERIC[0], GENERIC[1], 0.0, half_cycles)  # quarters of the run
     whole = third  # since the start or the last rest
     growth = 0.0
+    between = 0.0  # the largest growth since the last rest
+    on_the_way = (0.0, 0.0)  # and of such since the last uplift to either side
     rested = True  # in the second half, or the run is not that long
     while True:
         state = step.state
@@ -143,7 +147,9 @@ def settle(
             if lifted_count[row] >= 0:
                 passages = count - lifted_count[row]
                 periods = (state.half_cycles - lifted_half[row]) // 2
-                if passages > LONGEST_ORBIT:  # it repeats itself, but no table holds it
+                largest = max(on_the_way[row], between)
+                # It repeats itself, but no table holds it, or rounding decides how.
+                if passages > LONGEST_ORBIT or largest > ROUNDED:
                     return Settled(
                         UNSETTLED,
                         state,
@@ -173,9 +179,12 @@ def settle(
             if row == 0:
                 lifted_half = (state.half_cycles, lifted_half[1])
                 lifted_count = (count, lifted_count[1])
+                on_the_way = (0.0, max(on_the_way[1], between))
             else:
                 lifted_half = (lifted_half[0], state.half_cycles)
                 lifted_count = (lifted_count[0], count)
+                on_the_way = (max(on_the_way[0], between), 0.0)
+            between = 0.0
             forgotten = count
             rested = True
             whole = Stretch(GENERIC[0], GENERIC[1], 0.0, state.half_cycles)
@@ -202,6 +211,7 @@ def settle(
             continue
         whole = stretched(whole, step.jacobian)
         growth = max(growth, whole.logarithm)
+        between = max(between, whole.logarithm)
         if 4 * passed < 3 * most_periods:
             if 2 * passed < most_periods:
                 rested = False
