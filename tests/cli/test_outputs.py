@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from rocksteady import durable
+from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
 
 SIMULATE = "simulate -A 2 -W 4 -r 0.8 --cycles 3 --csv"
@@ -96,3 +97,31 @@ def test_what_another_program_writes_meanwhile_is_kept(
     assert [path.name for path in tmp_path.iterdir()] == [name]
     assert rocksteady(f"{command} --force {flag}", tmp_path / name).code == 0
     assert (tmp_path / name).read_bytes() != b"mine"
+
+
+def test_a_record_that_is_read_is_not_written_over(tmp_path: Path) -> None:
+    file = tmp_path / "quake.csv"
+    at2(file, samples())
+    before = file.read_bytes()
+    link = tmp_path / "link.csv"
+    link.symlink_to(file)
+    for command, read in (
+        ("record", (file,)),
+        ("simulate --width-m 0.4 --height-m 2 --record", (file,)),
+        ("spectrum --alpha-rad 0.2 --periods-s 1:2:2 --record", (file,)),
+        ("record", (link,)),
+    ):
+        line = refused(command, *read, "--csv", file, "--force")
+        assert "the command reads this file" in line
+    assert file.read_bytes() == before
+
+
+def test_nothing_is_written_into_a_store(tmp_path: Path) -> None:
+    store = tmp_path / "a.zarr"
+    command = "map -A 1:2:3 -W 1:2:3 -r 0.8 --fate --out"
+    assert rocksteady(command, store).code == 0
+    before = sorted(store.rglob("*"))
+    for flag, name in (("--csv", "x.csv"), ("--plot", "x.png"), ("--netcdf", "done/x.nc")):
+        line = refused(command, store, "--resume", flag, store / name)
+        assert "it lies in --out" in line
+    assert sorted(store.rglob("*")) == before

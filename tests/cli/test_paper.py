@@ -97,11 +97,13 @@ def test_some_figures_are_written_without_statements(tmp_path: Path) -> None:
     values = ran.json
     assert values["claims"] == []
     assert values["out"] == str(folder)
-    expected = {f"figure-{name}.{kind}" for name in ("3b", "10") for kind in ("csv", "png", "svg")}
+    expected = {
+        f"figure-{name}.{kind}" for name in ("3b", "10") for kind in ("csv", "pdf", "png", "svg")
+    }
     assert set(values["files"]) == {file.name for file in folder.iterdir()} == expected
     text = rocksteady("paper --only 10 --only 3b --force --out", folder)
     assert text.code == 0
-    assert text.out.splitlines() == [f"6 files in {folder}"]
+    assert text.out.splitlines() == [f"8 files in {folder}"]
 
 
 def test_the_command_that_a_panel_names_makes_it(
@@ -210,7 +212,7 @@ def test_an_interrupted_paper_says_how_it_goes_on_and_draws_nothing_twice(
     with monkeypatch.context() as patched:
         patched.setattr(study_module, "figure_bytes", drawing)
         assert rocksteady(f"{command} --resume --out", folder).code == 0
-    assert len(drawn) == 2, "of the figure that was not finished"
+    assert len(drawn) == 3, "of the figure that was not finished"
     assert {file.name: file.read_bytes() for file in folder.iterdir()} == {
         file.name: file.read_bytes() for file in whole.iterdir()
     }

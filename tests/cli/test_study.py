@@ -64,7 +64,7 @@ def test_the_text_says_where_to_look_and_progress_goes_to_standard_error(tmp_pat
     ran = rocksteady(f"study atlas {AXES} --out", folder)
     assert ran.code == 0
     assert f"open {folder / 'atlas.html'}" in ran.out
-    assert "12 files in" in ran.out
+    assert "15 files in" in ran.out
     assert max(map(len, ran.out.replace(str(folder), "").splitlines())) <= 80
     lines = [line for line in ran.err.splitlines() if not line.startswith("compiling")]
     assert all(PROGRESS.fullmatch(line) for line in lines), ran.err
@@ -131,6 +131,16 @@ def test_an_interrupted_atlas_says_how_it_goes_on_and_does(
     assert not (folder / ".unfinished").exists()
 
 
+@pytest.mark.parametrize("name", ["part-mine.zarr/x", "figure-mine.png", "study.json"])
+def test_a_folder_of_parts_that_no_study_described_is_refused(name: str, tmp_path: Path) -> None:
+    file = tmp_path / "out" / ".unfinished" / name
+    file.parent.mkdir(parents=True)
+    file.write_text("precious")
+    for flag in ("", "--force", "--resume"):
+        assert "no study wrote" in refused(f"{TINY} {flag} --out", tmp_path / "out")
+    assert file.read_text() == "precious"
+
+
 def test_force_begins_an_interrupted_atlas_anew(
     whole: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -142,6 +152,11 @@ def test_force_begins_an_interrupted_atlas_anew(
         patched.setattr(module, "from_rest", interrupted)
         assert rocksteady(f"{TINY} -r 0.7 --out", folder).code == 130
     (folder / ".unfinished" / "mine.txt").write_text("precious")
+    inside = next((folder / ".unfinished").glob("part-*.zarr")) / "thesis.txt"
+    inside.write_text("precious")
+    for flag in ("--force", "-r 0.7 --resume"):
+        assert "thesis.txt" in refused(f"{TINY} {flag} --out", folder)
+    inside.unlink()
     assert rocksteady(f"{TINY} --force --out", folder).code == 0
     assert contents(folder) == whole
     assert [file.name for file in (folder / ".unfinished").iterdir()] == ["mine.txt"]

@@ -6,7 +6,7 @@ collects them again when the command is called.
 """
 
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, is_dataclass
 from functools import wraps
 from pathlib import Path
@@ -72,6 +72,30 @@ class OutputFlags:
             if file is not None:
                 check_writable(flag, file, force=self.force)
 
+    def refuse_read(self, read: Sequence[Path], **more: Path | None) -> None:
+        """Refuse to write over a file that the command reads.
+
+        Parameters
+        ----------
+        read
+            Files that are read.
+        more
+            Further files that are written, by the names of their flags.
+
+        Raises
+        ------
+        OutputError
+            If one of them is written too.
+        """
+        for name, file in {"plot": self.plot, "csv": self.csv, **more}.items():
+            if any(same_file(file, other) for other in read):
+                raise OutputError(
+                    name=f"--{name}",
+                    value=file,
+                    valid="the command reads this file",
+                    hint="name another one",
+                )
+
     @property
     def page(self) -> Page:
         """Width of a figure, and place of its legends.
@@ -94,19 +118,27 @@ class AnimationFlags:
     animate: flags.Animate = None
     speed: flags.Speed = None
 
-    def check(self, output: OutputFlags) -> None:
+    def check(self, output: OutputFlags, read: Sequence[Path] = ()) -> None:
         """Refuse, before anything is computed, what could not be written afterwards.
+
+        Parameters
+        ----------
+        output
+            What else is written.
+        read
+            Files that the command reads.
 
         Raises
         ------
         OutputError
             If the file is no .gif, exists and --force is off, its folder is missing or not
-            writable, or it is asked for by another flag.
+            writable, or it is asked for by another flag; if a file that is read is written over.
         InputError
             If the speed is not positive.
         InputError
             If there is a speed and no film.
         """
+        output.refuse_read(read, animate=self.animate)
         if self.speed is not None:
             positive("speed", self.speed, hint="give 1 for real time or one period a second")
         if self.animate is None:

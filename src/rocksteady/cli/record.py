@@ -90,6 +90,7 @@ def record(
 ) -> None:
     """Run `rocksteady record`; `HELP` is what its users read."""
     output.check()
+    output.refuse_read(files)
     body = sized(block)
     unit = unit_of(units_out, output)
     periods = None if periods_s is None else axis("--periods-s", periods_s)

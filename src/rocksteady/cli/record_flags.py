@@ -266,6 +266,11 @@ class RecordFlags:
     reverse: Reverse = False
     reverse_vertical: ReverseVertical = False
 
+    @property
+    def files(self) -> list[Path]:
+        """The files that are read."""
+        return [*(self.record or []), *([] if self.vertical is None else [self.vertical])]
+
     def given(self, reading: ReadingFlags) -> bool:
         """Return whether there is a record.
 

@@ -100,7 +100,7 @@ def simulate(
 ) -> None:
     """Run `rocksteady simulate`; `HELP` is what its users read."""
     output.check()
-    film.check(output)
+    film.check(output, recorded.files)
     of_record = recorded.given(reading)
     body = recorded.block(block) if of_record else block.described()
     equations = equations_for(model, body)

@@ -121,6 +121,7 @@ def spectrum(
         )
     refuse_of_linear(model, "--tolerance", tolerance)
     files = recorded.record or []
+    output.refuse_read(recorded.files, netcdf=sweep.netcdf)
     if recorded.vertical is not None and len(files) > 1:
         raise FlagError(
             name="--vertical",

@@ -15,6 +15,7 @@ from rocksteady.cli import flags
 from rocksteady.cli.groups import OutputFlags, same_file
 from rocksteady.cli.outputs import check_writable, impossible_name
 from rocksteady.cli.refusals import FlagError, both
+from rocksteady.durable import place_of
 from rocksteady.errors import OutputError, UnfinishedError
 from rocksteady.show.names import printable
 
@@ -111,6 +112,12 @@ class SweepFlags:
             if same_file(file, its):
                 raise OutputError(
                     name=other, value=its, valid=f"{flag} writes the same file", hint="rename one"
+                )
+        for flag, file in files.items():
+            inside = None if file is None or self.out is None else place_of(file).parents
+            if inside is not None and self.out is not None and place_of(self.out) in inside:
+                raise OutputError(
+                    name=flag, value=file, valid="it lies in --out", hint="name another folder"
                 )
         if self.netcdf is None:
             return

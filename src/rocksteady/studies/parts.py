@@ -11,12 +11,13 @@ from typing import Any
 
 from rocksteady import OutputError, Store, __version__
 from rocksteady.show.files import json_text, save_text, save_whole
+from rocksteady.sweep.ownership import others
 
 FOLDER = ".unfinished"
 """Name of the hidden folder inside that of the study."""
 SCHEMA = "rocksteady/unfinished/1"
 DESCRIPTION = "study.json"
-OURS = re.compile(r"part-[\w-]+\.zarr|figure-\w+\.(png|svg)|study\.json|\.partial-\w+")
+OURS = re.compile(r"part-[\w-]+\.zarr|figure-\w+\.(png|svg|pdf)|study\.json|\.partial-\w+")
 """Names of what lies there."""
 
 
@@ -52,6 +53,11 @@ class Parts:
         self.folder = self.study / FOLDER
         self._text = json_text(SCHEMA, {"version": __version__, **inputs}) + "\n"
         there = self._there()
+        foreign = self._foreign(described=there is not None)
+        if foreign:
+            raise self._refused(
+                f"no study wrote {foreign[0]} in it", "move that, or name another folder"
+            )
         if there is None:
             return
         if force and not resume:
@@ -72,6 +78,24 @@ class Parts:
 
     def _refused(self, valid: str, hint: str) -> OutputError:
         return OutputError(name="out", value=self.study, valid=valid, hint=hint)
+
+    def _foreign(self, *, described: bool) -> list[str]:
+        """Return what has the name of a part, or lies in one, and no study wrote: relative paths.
+
+        Without a description no study wrote anything.
+        """
+        if not self.folder.is_dir():
+            return []
+        found = []
+        for path in sorted(self.folder.iterdir()):
+            if not OURS.fullmatch(path.name):
+                continue  # it stays
+            if not described:
+                found.append(f"{FOLDER}/{path.name}")
+            elif path.suffix == ".zarr":
+                inside = others(path) if path.is_dir() and not path.is_symlink() else ["."]
+                found += [f"{FOLDER}/{path.name}/{name}" for name in inside]
+        return found
 
     def _there(self) -> str | None:
         """Return the description of the parts that are there; None where there are none."""
@@ -122,6 +146,8 @@ class Parts:
             for path in sorted(self.folder.iterdir(), key=lambda each: each.name == DESCRIPTION):
                 if not OURS.fullmatch(path.name):
                     continue
+                if path.suffix == ".zarr" and (path.is_symlink() or others(path)):
+                    continue  # somebody has put a file into it meanwhile
                 if path.is_dir() and not path.is_symlink():
                     shutil.rmtree(path, ignore_errors=True)
                 else:
