@@ -187,7 +187,7 @@ def test_a_bad_start_or_length_is_refused(flags: str, needle: str, tmp_path: Pat
 
 def test_an_axis_and_missing_shaking_are_refused() -> None:
     assert "--amplitude/-A has 3 values" in refused("attractor -A 1:2:3 -W 4 -r 0.8")
-    assert "both missing" in refused("attractor -r 0.8")
+    assert "neither given" in refused("attractor -r 0.8")
 
 
 # ----------------------------------------------------------------------------------- files

@@ -76,8 +76,8 @@ def process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[
         ("-A 2 -W 4 -r bouncy", ["--restitution/-r", "'bouncy'", "housner"]),
         ("-A 2 -W 4 -r housner", ["--restitution/-r", "'housner'", "block"]),
         ("-A 2 -W 4", ["--restitution/-r", "not given", "-r 0.8"]),
-        ("-A 2 -r 0.8", ["--frequency-ratio/-W and --freq-hz", "both missing"]),
-        ("-W 4 -r 0.8", ["--amplitude/-A and --accel-g", "both missing"]),
+        ("-A 2 -r 0.8", ["--frequency-ratio/-W and --freq-hz", "neither given"]),
+        ("-W 4 -r 0.8", ["--amplitude/-A and --accel-g", "neither given"]),
         ("-A 2 -W 4 -r 0.8 --accel-g 0.3", ["--accel-g", "0.3", "block"]),
         ("-A 2 -W 4 -r 0.8 --freq-hz 2", ["--freq-hz", "'2'", "block"]),
         ("-A 2 --accel-g 1 -W 4 --block tso-wong-1989", ["--accel-g", "both"]),
@@ -234,6 +234,7 @@ def test_a_disk_that_fills_leaves_nothing_behind(
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(Path, "replace", full)
+    monkeypatch.setattr(os, "link", full)  # the move of a file to where none is
     monkeypatch.setattr("rocksteady.cli.progress.QUIET", math.inf)
     line = refused(f"{SHAKEN[command]} -r 0.8 --csv", tmp_path / "out.csv")
     assert "No space left on device" in line

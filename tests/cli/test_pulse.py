@@ -104,7 +104,7 @@ def test_the_help_names_every_pulse() -> None:
     [
         ("-A 2 -W 5 -r 0.9 --pulse onesine", ["--pulse = 'onesine'", *PULSES]),
         ("-A 2 -W 5 -r 0.9 --pulse type-c0", ["--pulse = 'type-c0'"]),
-        ("-r 0.9 --pulse one-sine", ["--amplitude/-A and --accel-g", "are both missing"]),
+        ("-r 0.9 --pulse one-sine", ["--amplitude/-A and --accel-g", "neither given"]),
         ("-A 2 -r 0.9 --pulse one-sine", ["--frequency-ratio/-W and --freq-hz"]),
         ("-A 2:3:5 -W 5 -r 0.9 --pulse one-sine", ["one value"]),
         ("--accel-g 2 --freq-hz 1 -r 0.9 --pulse one-sine", ["--accel-g", "need a block"]),

@@ -324,7 +324,7 @@ def test_an_existing_film_is_left_alone_without_force(tmp_path: Path) -> None:
     ("command", "hint"),
     [
         (f"{SHAKEN} --cycles 60", "--cycles"),
-        (f"{SHAKEN} --cycles 1e9 --start rest -A 0.5", "--cycles"),
+        ("simulate -A 0.5 -W 4 -r 0.8 --cycles 1e9 --start rest", "--cycles"),
         ("simulate -r 1 --start 0.5,w=0", "--speed"),
         (f"{SHAKEN} --speed 1000", "--speed = 1000.0 "),
     ],

@@ -165,7 +165,7 @@ def test_figures_have_both_peaks_or_a_column_a_slenderness() -> None:
         (lambda: plot_rocking_spectrum(summary()), "result of rocking_spectrum"),
         (lambda: plot_rocking_spectrum(found(MOST_CURVES + 1)), "drawn as curves"),
         (lambda: plot_rocking_spectrum(found().isel(period=0)), "two periods"),
-        (lambda: plot_rocking_spectrum(found(), quantity="impacts"), "peak_angle and"),  # type: ignore[arg-type]
+        (lambda: plot_rocking_spectrum(found(), quantity="impacts"), "'peak_angle' or"),  # type: ignore[arg-type]
         (lambda: plot_spectrum_map(found().isel(alpha=0)), "two or more"),
         (lambda: plot_suite_spectrum(summary()), "one slenderness"),
         (lambda: plot_suite_spectrum(found()), "result of suite_spectrum"),

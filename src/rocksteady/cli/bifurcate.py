@@ -28,7 +28,6 @@ from rocksteady.cli.outputs import (
 from rocksteady.cli.progress import progress
 from rocksteady.cli.ranges import Range, range_of
 from rocksteady.cli.refusals import FlagError
-from rocksteady.errors import Words
 from rocksteady.model.block import Block
 from rocksteady.model.validation import odd_order, positive, whole_number
 
@@ -281,8 +280,7 @@ def check_sweeps(span: Range, start: SweepStart, *, no_sweeps: bool) -> bool:
         return False
     if len(span.values) > LONGEST_AXIS:
         raise FlagError(
-            name=span.parameter,
-            value=Words(f"has {len(span.values)} values"),
+            finding=f"{flags.FLAG_OF_ARGUMENT[span.parameter]} has {len(span.values)} values",
             valid=f"sweeps go through at most {LONGEST_AXIS}",
             hint="take fewer, or add --no-sweeps",
         )

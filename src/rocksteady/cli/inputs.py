@@ -2,8 +2,9 @@
 
 import math
 
-from rocksteady.cli.refusals import missing
-from rocksteady.errors import InputError, Words
+from rocksteady.cli.flags import FLAG_OF_ARGUMENT
+from rocksteady.cli.refusals import FlagError, missing
+from rocksteady.errors import InputError
 from rocksteady.model.block import Restitution, Restitutions
 
 MOST_AXIS_POINTS = 1_000_000
@@ -118,13 +119,12 @@ def single(flag: str, values: list[float]) -> float:
 
     Raises
     ------
-    InputError
+    FlagError
         If it is an axis of several.
     """
     if len(values) > 1:
-        raise InputError(
-            name=flag,
-            value=Words(f"has {len(values)} values"),
+        raise FlagError(
+            finding=f"{FLAG_OF_ARGUMENT.get(flag, flag)} has {len(values)} values",
             valid="this command takes one value",
             hint="give a number, not an axis",
         )

@@ -3,11 +3,11 @@
 from dataclasses import dataclass, replace
 from typing import Any
 
+from rocksteady.cli.flags import FLAG_OF_ARGUMENT
 from rocksteady.cli.nouns import BlockFlags, ShakingFlags
 from rocksteady.cli.refusals import FlagError
 from rocksteady.cli.values import block_values
 from rocksteady.dynamics.parameters import moved_to
-from rocksteady.errors import InputError, Words
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.motions import Harmonic
 
@@ -118,9 +118,8 @@ def range_of(shaking: ShakingFlags, block: BlockFlags) -> Range:
     (name,) = moving
     values = sorted(axes[name])
     if values[0] == values[-1]:
-        raise InputError(
-            name=name,
-            value=Words(f"is {values[0]:.12g} at both ends"),
+        raise FlagError(
+            finding=f"{FLAG_OF_ARGUMENT[name]} is {values[0]:.12g} at both ends",
             valid="the ends of an axis must differ",
             hint="give a range, as 1.6:2.4:400",
         )

@@ -11,7 +11,7 @@ from rocksteady.cli import terminal
 from rocksteady.cli.flags import FLAG_OF_ARGUMENT, MOTION
 from rocksteady.cli.nouns import BlockFlags
 from rocksteady.cli.refusals import FlagError, missing
-from rocksteady.errors import InputError, RecordFileError, Words
+from rocksteady.errors import InputError, RecordFileError
 from rocksteady.model.block import Block
 from rocksteady.show.names import printable
 
@@ -348,8 +348,7 @@ class RecordFlags:
         files = self.record or []
         if len(files) != 1:
             raise FlagError(
-                name="--record",
-                value=Words(f"names {len(files)} files"),
+                finding=f"--record names {len(files)} files",
                 valid="this command takes one",
                 hint="give one file",
             )

@@ -35,7 +35,22 @@ _ABC_NAMES: Final[Mapping[object, str]] = {str: "a text", bool: "True or False",
 Fit = Callable[[str, Any], Any]
 
 CHECKED_INSIDE: Final = frozenset({"model", "method"})
-"""Parameters whose own validator says more of what is valid than their types do."""
+"""Texts whose own validator says more of what is valid than their types do."""
+
+CHECKED_INSIDE_OF: Final = frozenset(
+    {
+        ("Piecewise.__init__", "pieces"),
+        ("attractor_trail", "values"),
+        ("bifurcation_branches", "within"),
+        ("bifurcation_curve", "start"),
+        ("bifurcation_curve", "within"),
+        ("continuation", "within"),
+        ("overturning_impulse", "block"),
+        ("overturning_windows", "amplitudes"),
+        ("steady_states", "order"),
+    }
+)
+"""Likewise of other types, each in one function."""
 
 LONGEST_NAME: Final = 255
 """Bytes of a file's name, on any file system in use."""
@@ -108,6 +123,8 @@ def _plan(function: Callable[..., Any], numbers: bool) -> list[tuple[str, int, b
             continue
         if parameter.name in CHECKED_INSIDE:
             fit = _plain_text
+        if (function.__qualname__, parameter.name) in CHECKED_INSIDE_OF:
+            fit = _kept
         many = parameter.kind is parameter.VAR_POSITIONAL
         by_name = parameter.kind is parameter.KEYWORD_ONLY
         if parameter.kind is not parameter.VAR_KEYWORD:
@@ -207,6 +224,12 @@ def _anything(_: str, value: Any) -> Any:
     return value
 
 
+def _kept(name: str, value: Any) -> Any:
+    """Pass what the function itself checks; a mask and a unit it would lose."""
+    refuse_mask_and_unit(name, value)
+    return value
+
+
 def _number(_: str, value: Any) -> Any:
     """Pass a real number, NaN and infinity too."""
     kind = type(value)
@@ -277,11 +300,14 @@ def _callable(_: str, value: Any) -> Any:
 
 def _choice(options: tuple[Any, ...]) -> Fit:
     kinds = tuple({type(option) for option in options})
+    words = " or ".join(map(repr, options))
+    if len(options) > 2:
+        words = f"one of {', '.join(map(str, options))}"
 
     def fit(_: str, value: Any) -> Any:
         plain = scalar_of(value)
         if not isinstance(plain, kinds) or isinstance(plain, bool) or plain not in options:
-            raise UnfitError("it must be " + " or ".join(map(repr, options)), "give one of them")
+            raise UnfitError(f"it must be {words}", "give one of them")
         return plain
 
     return fit
@@ -361,7 +387,7 @@ def _either(fits: Sequence[Fit | None]) -> Fit | None:
 
 def _row(fits: Sequence[Fit | None]) -> Fit:
     """Return the check of a tuple of a fixed length, as (low, high)."""
-    words = f"it must be a tuple of {len(fits)}"
+    words = f"it must be a tuple of {len(fits)} values"
 
     def fit(name: str, value: Any) -> Any:
         items = _listed(name, value, words, len(fits) + 1)
@@ -436,6 +462,8 @@ _MADE_BY: Final = {
 
 
 def _how_to_get(word: str, value: Any) -> str:
+    if word.endswith("Block") and callable(getattr(value, "segments", None)):
+        return "the block comes first, then the shaking"
     if isinstance(value, type) and value.__name__ == word:
         return f"make one of the class, {word}(...)"
     return _MADE_BY.get(word, f"give {_with_article(word)}")

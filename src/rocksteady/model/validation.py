@@ -10,8 +10,9 @@ conversion of one of them is a wrong result later.
 """
 
 import math
+from collections.abc import Sequence
 from numbers import Integral, Real
-from typing import Final, Literal
+from typing import Any, Final, Literal, TypeGuard
 
 from rocksteady.errors import InputError
 from rocksteady.model.arrays import scalar_of
@@ -21,6 +22,7 @@ __all__ = [
     "finite",
     "in_range",
     "index_value",
+    "is_pair",
     "non_negative",
     "odd_order",
     "positive",
@@ -261,6 +263,12 @@ def odd_order(value: object, *, name: str = "order") -> int:
         valid = "a symmetric orbit needs an odd number of half periods in its half cycle"
         raise InputError(name=name, value=value, valid=valid, hint=_ODD_ORDER_HINT)
     return number
+
+
+def is_pair(value: object) -> TypeGuard[Sequence[Any]]:
+    """Return whether `value` is a tuple, a list or an array of two items."""
+    row = isinstance(value, tuple | list) or getattr(value, "ndim", 0) == 1
+    return row and len(value) == 2  # type: ignore[arg-type]
 
 
 def _finite(name: str, value: object, valid: str, hint: str) -> float:

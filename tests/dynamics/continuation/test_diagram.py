@@ -197,7 +197,7 @@ def test_any_parameter(parameter: str) -> None:
         ({"max_impacts": 1.5}, "max_impacts = 1.5"),
         ({"max_branches": None}, "max_branches = None"),
         ({"starts": 3}, "starts = 3"),
-        ({"starts": [3]}, "start = 3"),
+        ({"starts": [3]}, "starts = [3]"),
         ({"within": (3.0, 2.0)}, "less than the second"),
         ({"parameter": "mass"}, "parameter = 'mass'"),
         ({"largest_step": 0.0}, "largest_step = 0"),

@@ -19,6 +19,7 @@ from rocksteady.dynamics.continuation.points import BIFURCATIONS, BranchPoint, P
 from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.arguments import checked
+from rocksteady.model.validation import is_pair
 
 
 @checked
@@ -83,7 +84,7 @@ def bifurcation_curve(
             valid="a curve begins at a " + ", ".join(BIFURCATIONS),
             hint="take such a point of a branch",
         )
-    if not (_pair(parameters) and _pair(within)) or parameters[0] == parameters[1]:
+    if not (is_pair(parameters) and is_pair(within)) or parameters[0] == parameters[1]:
         raise InputError(
             name="parameters",
             value=parameters,
@@ -96,10 +97,6 @@ def bifurcation_curve(
     family = Family(chain=start.chain, active=active, ranges=ranges, conditions=conditions)
     curve = Curve(evaluate=family.evaluate, largest_step=course.largest_step)
     return _followed(family, curve, start.type, course)
-
-
-def _pair(value: object) -> bool:
-    return isinstance(value, tuple | list | np.ndarray) and len(value) == 2
 
 
 def _followed(

@@ -13,7 +13,7 @@ from rocksteady.dynamics.continuation.paths import gradient
 from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError
 from rocksteady.model.motions import HIGHEST_FREQUENCY_RATIO, LOWEST_FREQUENCY_RATIO
-from rocksteady.model.validation import LARGEST, Ends, in_range, side_value, whole_number
+from rocksteady.model.validation import LARGEST, Ends, in_range, is_pair, side_value, whole_number
 
 Floats = NDArray[np.float64]
 
@@ -160,7 +160,7 @@ def checked_ranges(
 def _checked_range(index: int, ends: object) -> tuple[float, float]:
     name = PARAMETERS[index]
     hint = f"give two values of {name}, the lower one first"
-    if not isinstance(ends, tuple | list | np.ndarray) or len(ends) != 2:
+    if not is_pair(ends):
         raise InputError(name="within", value=ends, valid="it must be two numbers", hint=hint)
     least, most, interval = LIMITS[index]
     low, high = (in_range(name, end, least, most, interval, hint=hint) for end in ends)

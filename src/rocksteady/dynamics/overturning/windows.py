@@ -22,7 +22,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.arguments import checked, checked_result
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.pulses import Pulse
-from rocksteady.model.validation import in_range, index_value
+from rocksteady.model.validation import in_range, index_value, is_pair
 from rocksteady.sweep.axes import Axis
 from rocksteady.sweep.evaluate import Done, evaluate
 from rocksteady.sweep.grid import Grid
@@ -349,7 +349,7 @@ def _range(amplitudes: tuple[float, float]) -> tuple[float, float]:
     """Return the ends of the range of amplitudes."""
     given: object = amplitudes
     hint = "give the lowest and the highest a_max/(alpha g), as (1.0, 20.0)"
-    if not isinstance(given, tuple | list) or len(given) != 2:
+    if not is_pair(given):
         raise InputError(name="amplitudes", value=given, valid="it must be a pair", hint=hint)
     low = in_range("amplitudes", given[0], 0.0, HIGHEST, "[)", hint=hint)
     high = in_range("amplitudes", given[1], low, HIGHEST, "(]", hint=hint)
