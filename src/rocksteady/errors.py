@@ -255,7 +255,8 @@ def _shown(value: object) -> str:
     elif isinstance(value, PathLike):
         text = repr(fspath(value))
     else:
-        text = " ".join(repr(value).split())
+        plain = str(value) if isinstance(value, str) else value  # of NumPy, repr is "np.str_('a')"
+        text = " ".join(repr(plain).split())
     if len(text) <= _LONGEST_VALUE:
         return text
     half = (_LONGEST_VALUE - len(" ... ")) // 2

@@ -324,7 +324,7 @@ def test_an_existing_film_is_left_alone_without_force(tmp_path: Path) -> None:
     ("command", "hint"),
     [
         (f"{SHAKEN} --cycles 60", "--cycles"),
-        ("simulate -A 0.5 -W 4 -r 0.8 --cycles 1e9 --start rest", "--cycles"),
+        ("simulate -A 0.5 -W 4 -r 0.8 --cycles 1e5 --start rest", "--cycles"),
         ("simulate -r 1 --start 0.5,w=0", "--speed"),
         (f"{SHAKEN} --speed 1000", "--speed = 1000.0 "),
     ],
@@ -336,6 +336,16 @@ def test_a_run_too_long_for_a_film_leaves_no_file(
     line = refused(f"{command} --csv run.csv --plot run.png --animate run.gif")
     assert "at least 8" in line
     assert hint in line
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_run_of_any_length_is_too_long_for_a_film_at_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    still = "simulate -A 0.5 -W 4 -r 0.8 --cycles 1e9 --start rest --plot run.png"
+    assert "at least 8" in refused(f"{still} --animate run.gif")
+    assert "at most 50,000,000 rows" in refused(f"{still} --csv run.csv --animate run.gif")
     assert list(tmp_path.iterdir()) == []
 
 

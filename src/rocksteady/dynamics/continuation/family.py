@@ -1,7 +1,7 @@
 """The orbits of one chain over one or two parameters, as the equations of a curve."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -124,7 +124,7 @@ class Family:
 
 
 def checked_ranges(
-    chain: Chain, parameters: tuple[object, ...], within: tuple[object, ...]
+    chain: Chain, parameters: Sequence[object], within: Sequence[object]
 ) -> tuple[tuple[int, ...], Floats]:
     """Return the indices of parameters to follow a chain in, and their ranges, shape (k, 2).
 
