@@ -56,7 +56,8 @@ class Given:
         if self.units is not None:
             in_m_s2(self.units)
         if self.dt_s is not None:
-            positive("dt_s", self.dt_s, hint="give the time between samples in seconds")
+            given = positive("dt_s", self.dt_s, hint="give the time between samples in seconds")
+            object.__setattr__(self, "dt_s", given)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -198,7 +198,7 @@ def _seconds(text: RecordText, found: Table, time: int) -> float:
         valid = f"its unit of time, {named.uncertain!r}, is not understood"
         hint = "name the column time (s), time (ms), time (us) or time (min)"
         raise text.error(valid, hint, at=found.names_at)
-    return named.seconds
+    return named.seconds or 1.0
 
 
 def _columns(text: RecordText, found: Table, given: Given, time: int | None) -> tuple[int, ...]:
@@ -271,8 +271,11 @@ def _unit_of(text: RecordText, name: str, found: Table, given: Given) -> str | N
     if title and re.search(r"[:=]|\bunits?\b|\bin\b", name):
         # A line of words above one column is a title rather than a name.
         return stated_unit(text, [*words, found.names_at])
-    if named.uncertain and found.names:
-        valid = f"its column {name!r} is not understood: {named.uncertain!r}"
+    odd = named.uncertain
+    if found.columns > 1 or named.unit is not None:
+        odd = odd or named.leftover
+    if odd and found.names and named.kind != "other":
+        valid = f"its column {name!r} is not understood: {odd!r}"
         raise text.error(valid, f"give units: {', '.join(UNITS)}", at=found.names_at)
     of_words = stated_unit(text, words, explicit=named.unit is not None)
     if named.unit is None:

@@ -19,13 +19,24 @@ _OF_UNITS: Final = re.compile(r"(?:units?\s*(?:of|in|[:=])*|in)\s+", re.IGNORECA
 _GROUND: Final = re.compile(r"u_?g['.\"]*", re.IGNORECASE)
 """What the acceleration of the ground is called in theory, which is no millionth of g."""
 _TIME: Final = re.compile(
-    r"(?:t|time|times|zeit|temps|tempo|tiempo)(?![A-Za-z])(?P<rest>.*)", re.IGNORECASE
+    r"(?:(?:elapsed|relative|record(?:ing)?|sample|sampling)[\s_]+)?"
+    r"(?:t|time|times|elapsed|zeit|temps|tempo|tiempo)(?![A-Za-z])(?P<rest>.*)",
+    re.IGNORECASE,
 )
+_OF_TIME: Final = re.compile(
+    r"(?:(?:since|from|after|the|start|begin(?:ning)?|trigger|record(?:ing)?|first|sample|origin"
+    r"|axis|vector|elapsed|values?|stamps?|base|code)\b[\s_]*)*",
+    re.IGNORECASE,
+)
+"""Words behind time that leave it one."""
 _ACCELERATION: Final = re.compile(
     r"(?<![a-z])a(?:cc|ccel\w*|cceler\w*|g|[xyz]|h|v)?(?![a-z])|acc", re.IGNORECASE
 )
 _OTHER: Final = re.compile(
     r"(?<![a-z])(?:vel\w*|disp\w*|speed|p?s[av]|sd|rsa|spa|rotd\w*|fft|fas|psd|jerk|abs|rms|log\w*|ln"
+    r"|pg[avd]|err\w*|uncertain\w*|noise\w*|sigma|residuals?|misfit|diff\w*|coeff?\w*|tilt\w*"
+    r"|rotation\w*|respon[sc]e|ratio|fraction|accuracy|var(?:iance)?|tolerance|threshold|weights?"
+    r"|quality|phase|limit|bound|snr|strain|stress|force|drift|pressure|temp\w*|volt\w*"
     r"|std\w*|max\w*|min\w*|peak|mean|average|median|energy|sqrt|norm|srss|period)(?![a-z])"
     r"|spect|pseudo|fourier|envelope|husid|arias|cumul|integr|deriv|squared|intensity",
     re.IGNORECASE,
@@ -40,6 +51,46 @@ _UNCERTAIN: Final = re.compile(
     re.IGNORECASE,
 )
 """Signs and words of a factor."""
+
+_WORDS: Final = re.compile(
+    r"a|acc|accn|acce|accel|acceler|accelerogram|acceleration|accelerations"
+    r"|accelerometer|beschleunigung|accelerazione|aceleracion|aceleración|accélération"
+    r"|ag|üg|agx|agy|agz|ax|ay|az|ah|av|ug|ground|base|input|table|shaking"
+    r"|free|field|surface|borehole|motion|time|history|histories|series|th|data"
+    r"|value|values|sample|samples|signal|amplitude|amplitudes|record|recorded"
+    r"|recording|measured|raw|filtered|unfiltered|corrected|uncorrected|processed"
+    r"|horizontal|component|comp|channel|chan|ch|chn|sensor|station|sta|site|column"
+    r"|col|number|no|nr|direction|dir|seismic|earthquake|eq|strong|units|unit|in"
+    r"|of|the|at|is|positive|pos|deg|degrees|x|y|z|h|v|hor|horiz|transverse"
+    r"|lateral|longitudinal|radial|axis|long|tran|trans|parallel|normal|fault"
+    r"|bedrock|rock|outcrop|top|bottom|floor|roof"
+)
+"""Words that leave what they stand beside an acceleration of one size and sign."""
+_PARTS: Final = re.compile(
+    r"(?P<network>[A-Z0-9]{1,2}\.[A-Z0-9]{1,5}\.[A-Z0-9]{0,2}\.[A-Z]{2}[A-Z0-9](?!\w))"
+    r"|(?P<theory>d\^?2\s*[uxyz]_?g?\s*/\s*dt\^?2|[uüxyz]_?g?(?:''|\"|\.\.|_?ddot))(?!\w)"
+    r"|(?P<pair>(?<![A-Za-z])(?:n\s*/\s*s|e\s*/\s*w|u\s*/\s*d)(?![A-Za-z]))"
+    r"|(?P<word>[^\W\d_]+)(?P<digits>\d*)(?P<end>[A-Za-z]?(?![^\W_]))"
+    r"|(?P<number>\d+)(?![^\W_]|\.\d)|(?P<between>[\s_,:;.-]+)",
+    re.IGNORECASE,
+)
+_NUMBERED: Final = re.compile(
+    r"(?:a|acc|accel|acceleration|ch|chn|chan|channel|sensor|s|sta|station|col|column|comp|component"
+    r"|h|hn|v|l|t|n|floor|level|data)",
+    re.IGNORECASE,
+)
+_CODE: Final = re.compile(r"[A-Z]{2,5}")
+_FACTOR_WORD: Final = re.compile(
+    r"by|div|mul\w*|times?|gain|rev\w*|inv\w*|neg\w*|minus|scal\w*|fac\w*|exp|pow\w*|half|ten",
+    re.IGNORECASE,
+)
+_TOWARDS: Final = re.compile(r"acc(?:el(?:eration)?)?(?:[xyzhvneu]|ns|ew|ud)")
+_SIGNED: Final = re.compile(
+    r"(?:^|[\s_(,])-\s*\w(?<!\s\d)(?<!-\s\w)|\w-(?:$|[)\]])"
+    r"|(?<![^\W_])e\s*[-+]?\s*\d|\d\s*:|\d-\d",
+    re.IGNORECASE,
+)
+"""A sign, a power of ten or a ratio."""
 
 _NO_UNIT: Final = frozenset({"", "-", "--", "n/a", "none"})
 
@@ -57,16 +108,19 @@ class ColumnName:
     unit
         Its unit of acceleration, where it states one.
     seconds
-        Size of its unit of time [s].
+        Size of its unit of time, where it states one [s].
     uncertain
         What is not understood in it; nothing where all is.
+    leftover
+        Its first word or sign that is not known, of which the meaning may be any.
     """
 
     kind: Literal["time", "acceleration", "other", "unknown"]
     label: str
     unit: str | None = None
-    seconds: float = 1.0
+    seconds: float | None = None
     uncertain: str = ""
+    leftover: str = ""
 
 
 def column_name(name: str) -> ColumnName:
@@ -90,7 +144,7 @@ def column_name(name: str) -> ColumnName:
     if timed is not None:
         return _time(label, timed["rest"], brackets)
     if label.lower() in {"s", "sec", "secs", "second", "seconds"}:
-        return _time(label, "", brackets)
+        return _time(label, label, brackets)
     if _OTHER.search(name):
         return ColumnName(kind="other", label=label, unit=_of_brackets(brackets))
     if brackets:
@@ -102,24 +156,25 @@ def column_name(name: str) -> ColumnName:
         label=shorter,
         unit=unit,
         uncertain=shorter if _UNCERTAIN.search(shorter) and known else "",
+        leftover=_leftover(shorter),
     )
 
 
 def _time(label: str, rest: str, brackets: list[str]) -> ColumnName:
     """Return what the name of a column of times states."""
     rest = re.sub(r"^(?:in|of)\s+", "", rest.strip(" _/,:;-"), flags=re.IGNORECASE)
-    sizes = {in_seconds(written) for written in brackets if written not in _NO_UNIT}
+    sizes = {in_seconds(written) for written in brackets if written}
     uncertain = ""
     if rest:
         of_rest = in_seconds(rest.replace("_", " "))
         if of_rest is not None:
             sizes.add(of_rest)
-        elif re.search(r"[\d%^*]", rest) or any(in_seconds(word) for word in rest.split()):
+        elif _OF_TIME.fullmatch(rest.replace("_", " ")) is None:
             uncertain = rest
     if None in sizes or len(sizes) > 1 or min((size or 0.0 for size in sizes), default=1.0) <= 0.0:
         uncertain = ", ".join(brackets) or rest
         sizes = set()
-    seconds = next((size for size in sizes if size is not None), 1.0)
+    seconds = next((size for size in sizes if size is not None), None)
     return ColumnName(kind="time", label=label, seconds=seconds, uncertain=uncertain)
 
 
@@ -151,7 +206,42 @@ def _acceleration(label: str, brackets: list[str]) -> ColumnName:
         label=" ".join([label, *(f"({one})" for one in directions)]).strip(),
         unit=units[0] if units else None,
         uncertain=uncertain,
+        leftover=next((odd for one in (label, *rest) if (odd := _leftover(one))), ""),
     )
+
+
+def _leftover(label: str) -> str:
+    """Return the first part of a name without its unit that is not known, or nothing."""
+    label = label.strip()
+    if _SIGNED.search(label):
+        return label
+    if pointing(label).orientation is not None and not re.search(r"(?<!\w)100?(?!\w)", label):
+        return ""
+    at = 0
+    while at < len(label):
+        found = _PARTS.match(label, at)
+        if found is None or not _known(found):
+            return label[at:].split()[0]
+        at = found.end()
+    return ""
+
+
+def _known(found: re.Match[str]) -> bool:
+    """Return whether a part of a name leaves the acceleration its size and its sign."""
+    if found["number"] is not None:
+        # 10 and 100 are factors as well as azimuths.
+        return found[0] not in {"10", "100"} and len(found[0]) in {1, 3} and int(found[0]) <= 360
+    if found["word"] is None:
+        return True
+    word, digits = found["word"], found["digits"]
+    if pointing(found[0]).orientation is not None:
+        return True
+    if not digits:
+        whole = found[0].lower()
+        return _WORDS.fullmatch(whole) is not None or _TOWARDS.fullmatch(whole) is not None
+    numbered = _NUMBERED.fullmatch(word) is not None and len(digits) <= 2
+    code = _CODE.fullmatch(word) is not None and _FACTOR_WORD.fullmatch(word) is None
+    return numbered or code
 
 
 def _tail(label: str) -> tuple[str | None, str]:

@@ -27,6 +27,7 @@ _NO_VALUE: Final = re.compile(
     r"[+-]?(?:nan|inf(?:inity)?|null|none|n/?a|\*+|#\w+[!?/].*)", re.IGNORECASE
 )
 """What programs write where a number is missing or did not fit."""
+_NOT_INSIDE: Final = r"(?![^()\[\]]*[)\]])"
 _BEFORE_UNIT: Final = re.compile(r"\s+(?=[(\[])")
 
 
@@ -231,7 +232,9 @@ def _is_unit(field: str) -> bool:
 def _fields(line: str, separator: str | None, columns: int) -> tuple[str, ...]:
     """Return the fields of a line of names."""
     if separator is not None:
-        fields = [field.strip().strip('"').strip() for field in line.split(separator)]
+        # A separator in brackets or quotes stands inside a name.
+        apart_by = re.escape(separator) + _NOT_INSIDE
+        fields = [field.strip().strip('"').strip() for field in re.split(apart_by, line)]
         while fields and not fields[-1]:
             fields.pop()
         return tuple(fields)
