@@ -105,6 +105,14 @@ def test_one_file_may_hold_what_shakes_across_and_upwards(
     assert "0 are vertical" in refused(command, files[0], "--channel", 1, "--vertical", both)
 
 
+def test_a_vertical_whose_direction_is_not_stated(files: tuple[Path, Path], tmp_path: Path) -> None:
+    plain = tmp_path / "plain.csv"
+    rows = "".join(f"{0.02 * at:.2f},{value:.6f}\n" for at, value in enumerate(samples(9, 0.4)))
+    plain.write_text(f"time (s),acc (g)\n{rows}")
+    ran = rocksteady(f"simulate {SIZE} --model nonlinear --record", files[0], "--vertical", plain)
+    assert "is not stated: it is taken as vertical, upwards" in " ".join(ran.err.split())
+
+
 def test_a_vertical_that_is_filed_downwards(files: tuple[Path, Path], tmp_path: Path) -> None:
     across, up = files
     down = at2(tmp_path / "dn.AT2", -samples(9, 0.4), component="DWN")

@@ -41,6 +41,46 @@ def test_words(names: list[str], down: bool | None) -> None:
         assert (found.orientation, found.down) == ("vertical", down), name
 
 
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("D-U", "-U-D", "DU", "-UD", "UD-", "Z-", "-Z", "-UP", "-DWN", "Down-Up", "acc -UD"),
+        *("UP (positive down)", "UPSIDE DOWN", "not up", "DWN (positive upwards)"),
+        *("DOWN (reversed)", "U-D (inverted)", "vertical (reversed)"),
+    ],
+)
+def test_a_sense_that_is_not_understood_as_a_whole(tmp_path: Path, name: str) -> None:
+    for file, text in (
+        ("hut.UD", knet(COUNTS, direction=name)),
+        ("hut.AT2", at2(samples(), component=name)),
+    ):
+        (tmp_path / file).write_text(text)
+        (found,) = read_recordings(tmp_path / file)
+        assert f"{name!r}, of which the vertical sense is not understood" in found.warnings[0]
+        assert not any("sign changed" in note for note in found.processing)
+
+
+@pytest.mark.parametrize(
+    "name", ["U-D (down positive)", "Acc UD down positive", "DWN (positive down)", "-"]
+)
+def test_a_sense_in_more_words(name: str) -> None:
+    assert pointing(name).down is (True if name != "-" else None)
+    assert not pointing(name).unclear
+
+
+@pytest.mark.parametrize("name", ["down hole NS", "backup", "090", "updated", "HNZ"])
+def test_no_sense_is_seen_in_other_words(name: str) -> None:
+    assert not pointing(name).unclear
+
+
+def test_a_file_of_knet_whose_direction_is_damaged(tmp_path: Path) -> None:
+    path = tmp_path / "hut.txt"
+    for damaged in ("Dr.", "ir."):
+        path.write_text(knet(COUNTS, direction="U-D").replace("Dir.", damaged))
+        (found,) = read_recordings(path)
+        assert "no line 'Dir.'" in found.warnings[0]
+
+
 def test_names_of_files() -> None:
     for name in ("RSN77_SFERN_PULDWN", "a-DWN", "a_DOWN", "a.down", "PULDOWN", "pul-dn"):
         assert pointing_of_name(name).down is True, name

@@ -204,6 +204,8 @@ class ReadingFlags:
                 hint="give a file with one channel",
             )
         (one,) = self._ready(file, upright if len(found) > 1 else found)
+        if one.orientation is None:
+            warn(file, "where its channel points is not stated: it is taken as vertical, upwards")
         return one
 
     def _channels(self, file: Path) -> "tuple[Recording, ...]":

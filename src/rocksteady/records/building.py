@@ -164,6 +164,11 @@ def _pointing(text: RecordText, channel: Channel) -> tuple[Pointing, tuple[str, 
         down=channel.down,
     )
     doubts = []
+    if of_words.unclear and channel.down is None:
+        doubts.append(
+            f"the channel is called {channel.component!r}, of which the vertical sense is not "
+            f"understood: its sign is left as it is"
+        )
     found = of_words
     if of_code.orientation is not None:
         found = of_code

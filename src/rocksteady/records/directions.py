@@ -10,7 +10,7 @@ __all__ = ["TAIL", "Pointing", "direction", "pointing", "pointing_of_name", "tel
 
 _VERTICAL: Final = frozenset(
     {"up", "u", "ud", "u-d", "updo", "updown", "dwn", "down", "dn", "d"}
-    | {"v", "vert", "vertical", "vrt", "ver", "z", "-up", "v1"}
+    | {"v", "vert", "vertical", "vrt", "ver", "z", "v1"}
 )
 _UPWARDS: Final = frozenset({"up", "u", "upward", "upwards"})
 _DOWNWARDS: Final = frozenset({"dwn", "down", "dn", "downward", "downwards"})
@@ -21,6 +21,12 @@ _FILLERS: Final = re.compile(
     r"|history|un?corr\w*|filtered|record(?:ed)?|positive|pos|ve|is|sensor|direction"
 )
 """Words beside those of a direction, which tell nothing of it."""
+
+_SIGNED: Final = re.compile(
+    r"[-+]\s*(?:u-?d|up?|z|v(?:ert)?|d(?:ow)?n?|dwn)|(?:u-?d|z|v(?:ert)?|up?|d(?:ow)?n?|dwn)\s*[-+]"
+    r"|d-?u|down-?up|[-+]\s*vertical"
+)
+"""Names of a vertical channel with a sign, or from below to above, whose sense may be either."""
 
 _OF_A_STRUCTURE: Final = frozenset(
     {"h", "h1", "h2", "l", "l1", "t", "t1", "long", "tran", "fn", "fp", "radial", "transverse"}
@@ -65,11 +71,14 @@ class Pointing:
     down
         Whether positive values of a vertical channel point downwards; None where only "vertical"
         is stated, which networks use for upwards.
+    unclear
+        Whether a vertical sense is named and not understood as a whole: a sign, DU, "not up".
     """
 
     orientation: Orientation | None = None
     azimuth_deg: float | None = None
     down: bool | None = None
+    unclear: bool = False
 
 
 def pointing(component: str | None) -> Pointing:
@@ -86,14 +95,18 @@ def pointing(component: str | None) -> Pointing:
     [True, True, False, None, None]
     """
     text = "" if component is None else component.strip().strip("()[]").lower()
-    if text in _VERTICAL:
-        down = text in _DOWNWARDS or text == "d"
-        return Pointing(orientation="vertical", down=True if down else _or_none(text))
+    signed = _SIGNED.fullmatch(text) is not None
+    if signed or text in _VERTICAL:
+        down = True if text in _DOWNWARDS or text == "d" else _or_none(text)
+        return Pointing(orientation="vertical", down=None if signed else down, unclear=signed)
     azimuth = _azimuth(text)
     if azimuth is not None or text in _OF_A_STRUCTURE:
         return Pointing(orientation="horizontal", azimuth_deg=azimuth)
     words = [word for word in re.split(r"[^a-z0-9]+", text) if word and not _filler(word)]
-    if (vertical := _vertical(set(words))) is not None:
+    named = set(words) & (_UPWARDS | _DOWNWARDS | _WITHOUT_SENSE - {"v", "z"}) - {"u"}
+    named = named or set(re.findall(r"(?<![a-z])(?:u-?d|d-?u)(?![a-z])", text))
+    vertical = _vertical(text)
+    if named or vertical.orientation is not None:
         return vertical
     seed = _SEED.fullmatch(words[0] if len(words) == 1 else text)
     if seed is None:
@@ -157,18 +170,31 @@ def _filler(word: str) -> bool:
 
 def _or_none(word: str) -> bool | None:
     """Return that a word points upwards, or None where it states no sense."""
-    return False if word in _UPWARDS or word == "-up" else None
+    return False if word in _UPWARDS else None
 
 
-def _vertical(words: set[str]) -> Pointing | None:
-    """Return the vertical direction that several words state together."""
-    if not words or words - _UPWARDS - _DOWNWARDS - _WITHOUT_SENSE - _NEGATIVE - {"hnz", "hlz"}:
-        return None
-    if not words - _NEGATIVE:
-        return None
+def _vertical(text: str) -> Pointing:
+    """Return the vertical direction that several words state together, if they do as a whole.
+
+    A sense may be stated twice, as in ``DWN (positive down)``, and must be the same.
+    """
+    plain = re.sub(r"(?<![a-z])u-d(?![a-z])", "ud", text)
+    words = {word for word in re.split(r"[^a-z0-9]+", plain) if word and not _filler(word)}
+    known = _UPWARDS | _DOWNWARDS | _WITHOUT_SENSE | _NEGATIVE | {"hnz", "hlz"}
+    others = words - known
+    if not words - _NEGATIVE or (others and not words & known):
+        return Pointing()
+    if others:
+        # "down hole NS" is no vertical channel, and "UPSIDE DOWN" may be one.
+        level = any(_azimuth(word) is not None for word in others)
+        return Pointing(unclear=not level)
     down, up = bool(words & _DOWNWARDS), bool(words & _UPWARDS)
+    signed = re.search(r"(?:^|[\s(,_])-\s*[a-z]|[a-z]\s*-(?=$|[\s),])", plain) is not None
+    # "UP (positive down)" contradicts itself, as "negative" does beside no sense or two.
+    if signed or (down and up) or (words & _NEGATIVE and not down and not up):
+        return Pointing(orientation="vertical", unclear=True)
     if down == up:
-        return Pointing(orientation="vertical", down=True if words & _NEGATIVE else None)
+        return Pointing(orientation="vertical")
     return Pointing(orientation="vertical", down=down != bool(words & _NEGATIVE))
 
 

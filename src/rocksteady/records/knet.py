@@ -84,6 +84,8 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     if warnings and "more than" in warnings[0]:
         rates = f"{seconds:g} s at {1.0 / interval:g} Hz"
         warnings += (f"{rates} are {stated} samples: see whether duration and rate are right",)
+    if "Dir." not in lines:
+        warnings += ("its header has no line 'Dir.': where the channel points is not known",)
     gal = parts[0] / parts[1]
     offset = float(kept.mean())
     peak = _value(text, lines, "Max. Acc. (gal)")

@@ -50,6 +50,12 @@ _INTERVAL_ALONE: Final = re.compile(
 _OTHER: Final = re.compile(
     r"\s*(VELOCITY|DISPLACEMENT|(?:PSEUDO[\s-]*)?(?:SPECTRAL|RESPONSE)\s+\w+)\b", re.IGNORECASE
 )
+_OWNER: Final = re.compile(
+    r"\s*\((?![^()]*(?:posit|negat|\bup|\bdo?wn|\bdown|rever|invert|flip|turn|oppos|minus|sign))"
+    r"[^()]*\)\s*$",
+    re.IGNORECASE,
+)
+"""Who made the record; words of a direction in brackets belong to the component."""
 _DATE: Final = re.compile(r"\d{1,4}[/-]\d{1,2}[/-]\d{1,4}")
 
 
@@ -178,7 +184,7 @@ def _refuse_times(text: RecordText, values: "Floats", dt_s: float | None, at: in
 
 def _words(line: str) -> tuple[str | None, str | None, str | None]:
     """Return event, station and component from ``EVENT DATE, STATION, COMPONENT (OWNER)``."""
-    parts = [part.strip() for part in re.sub(r"\s*\([^()]*\)\s*$", "", line).split(",")]
+    parts = [part.strip() for part in _OWNER.sub("", line).split(",")]
     if len(parts) < 3:
         return (line.strip() or None), None, None
     dated = [index for index, part in enumerate(parts[:-2]) if _DATE.search(part)]
