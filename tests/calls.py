@@ -373,6 +373,12 @@ def calls() -> dict[str, Call]:
         found[label_of(function)] = Call(
             function, arguments, tuple(inspect.signature(function).parameters)
         )
+    # Arguments that only one kind of input reaches have a call of that kind too.
+    variants = {
+        "plot_section of a trajectory": ("plot_section", {"motions": run, "since": 0.1}),
+    }
+    for label, (name, arguments) in variants.items():
+        found[label] = found[name]._replace(arguments=arguments)
     return found
 
 

@@ -54,6 +54,16 @@ class Broken:
     __hash__ = None  # type: ignore[assignment]
 
 
+class Vast:
+    """A sequence that is said to be too long for any memory."""
+
+    def __len__(self) -> int:
+        return 2**62
+
+    def __getitem__(self, index: int) -> float:
+        return 1.0
+
+
 class Nonsense:
     """A base motion whose segments are none."""
 
@@ -102,6 +112,8 @@ SCALARS: tuple[Callable[[], Any], ...] = tuple(
         2,
         0.5,
         1e300,
+        1e308,
+        -1e308,
         -1e300,
         1e-300,
         5e-324,
@@ -121,10 +133,14 @@ SCALARS: tuple[Callable[[], Any], ...] = tuple(
         1 + 2j,
         complex("nan"),
         decimal.Decimal("0.5"),
+        decimal.Decimal("sNaN"),
         fractions.Fraction(1, 3),
         fractions.Fraction(10**400, 3),
         np.float16(0.5),
         np.longdouble(0.5),
+        np.longdouble("1e4000"),
+        np.uint8(3),
+        np.int16(3),
         np.float64("nan"),
         np.int8(-3),
         np.bool_(True),
@@ -161,6 +177,7 @@ SCALARS: tuple[Callable[[], Any], ...] = tuple(
 
 MADE: tuple[Callable[[], Any], ...] = (
     Broken,
+    Vast,
     Nonsense,
     endless,
     itself,
@@ -193,7 +210,14 @@ MADE: tuple[Callable[[], Any], ...] = (
     lambda: Quantity(1.0, "m"),
     lambda: Quantity(np.array([1.0, 2.0]), "cm"),
     lambda: [Quantity(1.0, "m"), Quantity(2.0, "m")],
+    lambda: Quantity(0.8, "g"),
     lambda: np.array(1.0),
+    lambda: np.array(3, dtype=np.int8),
+    lambda: np.ma.array(0.8),
+    lambda: [fractions.Fraction(1, 2), 1],
+    lambda: [fractions.Fraction(10**400), 1.0],
+    lambda: [decimal.Decimal("0.5")],
+    lambda: {"a" * 10_000: []},
     lambda: np.array(math.nan),
     lambda: np.array([]),
     lambda: np.array([1.0]),

@@ -74,7 +74,7 @@ class RocksteadyError(Exception):
         self.valid = valid
         self.hint = hint
         given = f"{value}" if isinstance(value, Words) else f"= {_shown(value)} {self._verdict}"
-        super().__init__(f"{name} {given}: {valid}; {hint}")
+        super().__init__(f"{_cut(name)} {given}: {valid}; {hint}")
 
     def __reduce__(self) -> tuple[object, ...]:
         # An exception is rebuilt from its positional arguments unless told otherwise; ours has
@@ -257,6 +257,11 @@ def _shown(value: object) -> str:
     else:
         plain = str(value) if isinstance(value, str) else value  # of NumPy, repr is "np.str_('a')"
         text = " ".join(repr(plain).split())
+    return _cut(text)
+
+
+def _cut(text: str) -> str:
+    """Return a text without the middle of a long one."""
     if len(text) <= _LONGEST_VALUE:
         return text
     half = (_LONGEST_VALUE - len(" ... ")) // 2

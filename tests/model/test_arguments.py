@@ -3,6 +3,8 @@
 import inspect
 import math
 import timeit
+from decimal import Decimal
+from fractions import Fraction
 from functools import partial
 from typing import Any
 
@@ -12,6 +14,7 @@ import xarray
 
 import rocksteady
 from rocksteady import (
+    Axis,
     Block,
     DimensionlessBlock,
     Harmonic,
@@ -163,3 +166,50 @@ def test_a_doctest_finder_sees_through_the_check() -> None:
         return x
 
     assert function.__globals__ is globals()
+
+
+@pytest.mark.parametrize("kind", [np.int8, np.uint8, np.int16, partial(np.array, dtype=np.int8)])
+def test_integers_of_small_types_are_plain_ones(kind: Any) -> None:
+    @checked
+    def taken(cycles: int, width: float, most: int | None = None) -> tuple[object, ...]:
+        return cycles, width, most
+
+    found = taken(kind(3), width=kind(4), most=kind(5))
+    assert found == (3, 4, 5)
+    assert {type(number) for number in found} == {int}
+
+
+@pytest.mark.parametrize(
+    "kind", [np.float16, np.longdouble, Fraction, partial(np.array, dtype=np.float32)]
+)
+def test_floats_of_other_types_are_plain_ones(kind: Any) -> None:
+    @checked
+    def taken(width: float, *, pair: tuple[float, float]) -> tuple[object, ...]:
+        return width, *pair
+
+    found = taken(kind(0.5), pair=(kind(1.0), kind(2.0)))
+    assert found == (0.5, 1.0, 2.0)
+    assert {type(number) for number in found} == {float}
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda number: Harmonic(amplitude=2.0, frequency_ratio=number),
+        lambda number: DimensionlessBlock(restitution=number),
+        lambda number: steady_states(2.0, 4.0, number),
+        lambda number: steady_states(2.0, [4.0, number], 0.8),
+        lambda number: Record(acceleration_m_s2=[0.0, number], dt_s=0.01),
+        lambda number: Axis(name="amplitude", values=[number]),
+        lambda number: simulate(BLOCK, SHAKING, cycles=number),
+    ],
+)
+def test_fractions_are_taken_and_decimals_are_refused_everywhere(call: Any) -> None:
+    call(Fraction(4, 5))
+    with pytest.raises(InputError, match="it is a Decimal, and numbers are computed as floats"):
+        call(Decimal("0.8"))
+
+
+def test_a_fraction_beyond_the_floats_is_infinite_and_refused() -> None:
+    with pytest.raises(InputError, match="finite"):
+        steady_states(2.0, [4.0, Fraction(-(10**400))], 0.8)

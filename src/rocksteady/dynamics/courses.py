@@ -11,7 +11,7 @@ Floats = NDArray[np.float64]
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Motions:
     """The block's motion at given times, arrays of the shape of the times.
 
@@ -50,7 +50,7 @@ class Motions:
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Flights:
     """All flights and rests in order, as arrays of shape (flights,).
 
@@ -84,7 +84,7 @@ class Flights:
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Impacts:
     """All impacts in order, as arrays of shape (impacts,).
 

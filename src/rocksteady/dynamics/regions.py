@@ -27,7 +27,7 @@ REGIONS = {
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Boundaries:
     """Amplitudes that bound the regions, arrays of the broadcast shape of the inputs.
 
@@ -73,7 +73,7 @@ def boundaries(
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class RegionMap:
     """Every curve of the plane of frequency and amplitude, for one restitution and order.
 

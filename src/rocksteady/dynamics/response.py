@@ -23,7 +23,7 @@ Floats = NDArray[np.float64]
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class ResponseCurve:
     """Peak of one branch against frequency, arrays of shape (frequencies,).
 

@@ -92,7 +92,7 @@ class ImpactState:
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Passage:
     """One or several steps of the return map.
 

@@ -31,7 +31,7 @@ FREQUENCIES = frozenset({"frequency_ratio", "frequency_hz"})
 STATE = frozenset({"angle", "velocity"})
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Cells:
     """Motions as the kernels see them, arrays of shape (cells,).
 

@@ -34,7 +34,7 @@ KIND_OUTPUT = Output(
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class SettledCells:
     """What motions settle to, arrays of shape (cells,).
 
@@ -141,7 +141,7 @@ def load_kernel() -> None:
     settled_cells(nothing, nothing, np.empty((0, 2, 3)), begin, 1)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Beginnings:
     """States at the start, as the kernels see them, arrays of shape (cells,).
 

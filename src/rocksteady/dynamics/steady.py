@@ -20,6 +20,7 @@ from rocksteady.dynamics.regions import REGIONS
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.symmetric import fill_half_cycle, fill_steady, symmetric_orbit
 from rocksteady.model.arguments import checked, checked_result
+from rocksteady.model.arrays import scalar_of
 from rocksteady.model.block import Block, DimensionlessBlock
 from rocksteady.model.validation import finite, whole_number
 
@@ -54,12 +55,13 @@ def validated_branch(branch: object) -> Literal[1, 2]:
     >>> validated_branch(2)
     2
     """
-    whole = isinstance(branch, Integral) and not isinstance(branch, bool)
-    if not whole or branch not in BRANCHES:
+    number = scalar_of(branch)
+    whole = isinstance(number, Integral) and not isinstance(number, bool)
+    if not whole or number not in BRANCHES:
         raise InputError(
             name="branch", value=branch, valid="there are two branches", hint="give 1 or 2"
         )
-    return 1 if branch == 1 else 2
+    return 1 if number == 1 else 2
 
 
 def refuse_unlike_sides(block: Block | DimensionlessBlock, name: str, what: str) -> None:
@@ -88,7 +90,7 @@ def refuse_unlike_sides(block: Block | DimensionlessBlock, name: str, what: str)
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class SteadyStates:
     """Both symmetric steady states at each point of a grid.
 
@@ -318,7 +320,7 @@ def steady_states(
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class SteadyOrbit:
     """One full period of a symmetric steady state of the algebra, arrays of shape (samples,).
 

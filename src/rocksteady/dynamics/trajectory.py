@@ -26,7 +26,7 @@ from rocksteady.model.arguments import checked_result
 from rocksteady.model.block import Block
 from rocksteady.model.motions import Harmonic, Motion
 from rocksteady.model.record import Record
-from rocksteady.model.validation import span_value, whole_number, within_memory
+from rocksteady.model.validation import LARGEST, span_value, whole_number, within_memory
 
 Floats = NDArray[np.float64]
 
@@ -35,7 +35,7 @@ OVERTURNED_SHOWN_TO = 2.0
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True, repr=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Trajectory:
     """What `rocksteady.simulate` returns: flights, impacts, and the motion at any time.
 
@@ -329,11 +329,11 @@ class Trajectory:
     def _times(self, s: ArrayLike) -> Floats:
         """Return finite times from 0 on."""
         times = real_array("s", s)
-        if not (np.isfinite(times) & (times >= 0.0)).all():
+        if not ((times >= 0.0) & (times <= LARGEST)).all():
             raise InputError(
                 name="s",
                 value=s,
-                valid="it must be finite, 0 or above",
+                valid=f"it must lie in [0, {LARGEST:g}]",
                 hint="give pivot times p t",
             )
         return times
@@ -417,7 +417,9 @@ class Trajectory:
                 valid="seconds need a block with a frequency parameter p",
                 hint="simulate a Block, or ask in pivot time: trajectory(s)",
             )
-        return self(real_array("t_s", t_s) * self.block.p)
+        with np.errstate(over="ignore"):  # infinite, it is outside the trajectory
+            s = real_array("t_s", t_s) * self.block.p
+        return self(s)
 
     def at_tau(self, tau: ArrayLike) -> Motions:
         """Return the motion at tau = omega t of harmonic shaking.
@@ -427,7 +429,9 @@ class Trajectory:
         ModelError
             If the shaking is not harmonic.
         """
-        return self(real_array("tau", tau) / self.frequency_ratio)
+        with np.errstate(over="ignore"):  # infinite, it is outside the trajectory
+            s = real_array("tau", tau) / self.frequency_ratio
+        return self(s)
 
     @property
     def frequency_ratio(self) -> float:

@@ -119,7 +119,7 @@ def _plan(function: Callable[..., Any], numbers: bool) -> list[tuple[str, int, b
     plan: list[tuple[str, int, bool, Fit]] = []
     for place, parameter in enumerate(inspect.signature(function).parameters.values()):
         fit = _fit_of(parameter.annotation, function.__globals__, numbers)
-        if fit is None or fit is _anything:
+        if fit is None:
             continue
         if parameter.name in CHECKED_INSIDE:
             fit = _plain_text
@@ -182,8 +182,8 @@ def _fit_of_class(kind: Any, numbers: bool) -> Fit | None:
     simple: dict[Any, Fit | None] = {
         None: _nothing,
         types.NoneType: _nothing,
-        float: _number if numbers else _anything,
-        int: _whole if numbers else _anything,
+        float: _number if numbers else _plain,
+        int: _whole if numbers else _plain,
         str: _text if numbers else _plain_text,
         Path: _path,
         PathLike: _path,
@@ -220,25 +220,27 @@ def _nothing(_: str, value: Any) -> Any:
     return value
 
 
-def _anything(_: str, value: Any) -> Any:
-    return value
-
-
 def _kept(name: str, value: Any) -> Any:
     """Pass what the function itself checks; a mask and a unit it would lose."""
     refuse_mask_and_unit(name, value)
     return value
 
 
-def _number(_: str, value: Any) -> Any:
-    """Pass a real number, NaN and infinity too."""
+def _plain(name: str, value: Any) -> Any:
+    """Return a number as a plain float or int; what it may be, the function knows."""
     kind = type(value)
     if kind is float or kind is int:
         return value
-    plain = scalar_of(value)
+    refuse_mask_and_unit(name, value)
+    return scalar_of(value)
+
+
+def _number(name: str, value: Any) -> Any:
+    """Return a real number, NaN and infinity too, as a plain one."""
+    plain = _plain(name, value)
     if isinstance(plain, bool) or not isinstance(plain, Real):
         raise UnfitError("it must be a real number", "give a float")
-    return value
+    return plain
 
 
 def _any_array(name: str, value: Any) -> Any:
@@ -256,11 +258,11 @@ def _kept_array(name: str, value: Any) -> Any:
     return numeric_array(name, value, None)
 
 
-def _whole(_: str, value: Any) -> Any:
-    plain = scalar_of(value)
+def _whole(name: str, value: Any) -> Any:
+    plain = _plain(name, value)
     if isinstance(plain, bool) or not isinstance(plain, Integral):
         raise UnfitError("it must be a whole number", "give an int")
-    return value
+    return plain
 
 
 def _text(_: str, value: Any) -> Any:
@@ -361,10 +363,10 @@ def _either(fits: Sequence[Fit | None]) -> Fit | None:
     if None in fits:
         return None
     known = [fit for fit in fits if fit is not None]
-    numeric = _anything in known
-    others = [fit for fit in known if fit is not _anything]
+    numeric = _plain in known
+    others = [fit for fit in known if fit is not _plain]
     if numeric and all(fit is _nothing for fit in others):
-        return _anything
+        return _plain
 
     def fit(name: str, value: Any) -> Any:
         unfit: list[tuple[str, str]] = [("it must be a number", "give one")] if numeric else []
@@ -377,8 +379,10 @@ def _either(fits: Sequence[Fit | None]) -> Fit | None:
                     raise
                 if one is not _nothing:
                     unfit.append((valid, hint))
-        if numeric and (value is None or isinstance(scalar_of(value), Number | str)):
-            return value
+        if numeric:
+            plain = _plain(name, value)
+            if plain is None or isinstance(plain, Number | str):
+                return plain
         clauses = dict.fromkeys(valid.removeprefix("it must be ") for valid, _ in unfit)
         raise UnfitError("it must be " + " or ".join(clauses), unfit[-1 if numeric else 0][1])
 

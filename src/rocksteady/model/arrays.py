@@ -2,9 +2,14 @@
 
 NumPy drops the mask of a masked array and the unit of a quantity without an error, so that both
 are refused here.  An `xarray.DataArray` may carry SI units, which are those of all arguments.
+Fractions are taken as the nearest floats; a `decimal.Decimal` is refused everywhere.
 """
 
+import math
 from collections.abc import Mapping
+from decimal import Decimal
+from fractions import Fraction
+from numbers import Integral, Real
 from typing import Any, Final
 
 __all__ = ["MOST_ITEMS", "UnfitError", "numeric_array", "refuse_mask_and_unit", "scalar_of"]
@@ -74,6 +79,8 @@ def numeric_array(name: str, value: Any, kinds: str | None = "iuf") -> Any:
         if kinds is None and isinstance(error, ValueError):
             return value
         raise UnfitError("it must be an array of numbers", "give rows of one length") from None
+    if array.dtype.kind == "O" and array.size <= MOST_ITEMS:
+        array = _fractions_as_floats(array)
     if kinds is not None and array.dtype.kind not in kinds:
         raise UnfitError(f"it must be an array of real numbers, not {array.dtype}", "give floats")
     if array.size > MOST_ELEMENTS:
@@ -81,8 +88,19 @@ def numeric_array(name: str, value: Any, kinds: str | None = "iuf") -> Any:
     return array
 
 
+def _fractions_as_floats(array: Any) -> Any:
+    """Return real numbers of which one or more are fractions as floats, all else as it is."""
+    import numpy as np
+
+    items = array.ravel().tolist()
+    real = all(isinstance(item, Real) and not isinstance(item, bool | np.bool_) for item in items)
+    if not real or not any(isinstance(item, Fraction) for item in items):
+        return array
+    return np.array([float(_plain_real(item)) for item in items]).reshape(array.shape)
+
+
 def refuse_mask_and_unit(name: str, value: Any, depth: int = 4) -> None:
-    """Refuse masked elements and units, which a conversion to an array would drop.
+    """Refuse masked elements, units and decimals, which a conversion would drop or cut.
 
     Of nested lists, `depth` levels are looked through.
     """
@@ -92,6 +110,8 @@ def refuse_mask_and_unit(name: str, value: Any, depth: int = 4) -> None:
                 if type(item) not in (float, int, str):
                     refuse_mask_and_unit(name, item, depth - 1)
         return
+    if isinstance(value, Decimal):
+        raise UnfitError("it is a Decimal, and numbers are computed as floats", "give a float")
     attributes = _attributes(value)
     mask = attributes.get("mask")
     if mask is not None and hasattr(value, "filled"):
@@ -132,16 +152,27 @@ def _attributes(value: Any) -> dict[str, Any]:
 def scalar_of(value: Any) -> Any:
     """Return the Python scalar that a NumPy scalar or an array of shape () holds, else the value.
 
-    A masked element and a quantity with a unit stay as they are, and are no number.
+    A fraction and a `numpy.longdouble` become floats, infinite where they are beyond them. A masked
+    element and a quantity with a unit stay as they are, and are no number.
     """
     if type(value) in (float, int) or isinstance(value, type):
         return value
     try:
         if value.shape == () and hasattr(value, "item"):
             refuse_mask_and_unit("", value)
-            return value.item()
+            return _plain_real(value.item())
     except UnfitError:
         return value
     except Exception:  # noqa: BLE001 - its own property fails: it is no scalar
+        pass
+    return _plain_real(value)
+
+
+def _plain_real(value: Any) -> Any:
+    """Return a real number that is no integer as a float, all else as it is."""
+    if not isinstance(value, Real) or isinstance(value, Integral):
         return value
-    return value
+    try:
+        return float(value)
+    except OverflowError:  # a fraction beyond the largest float
+        return math.inf if value > 0 else -math.inf

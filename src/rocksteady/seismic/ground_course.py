@@ -42,7 +42,7 @@ class Peak:
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class GroundCourse:
     """The motion of the ground at every sample of a record, which begins at rest.
 

@@ -10,7 +10,7 @@ from rocksteady.dynamics.grids import real_array
 from rocksteady.errors import InputError
 from rocksteady.model.arguments import checked, checked_result
 from rocksteady.model.record import Record
-from rocksteady.model.validation import in_range, positive, whole_number
+from rocksteady.model.validation import LARGEST, in_range, whole_number
 from rocksteady.seismic.ground_course import refuse_extreme
 from rocksteady.seismic.oscillators import peaks
 
@@ -26,7 +26,7 @@ DAMPING = 0.05
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class ResponseSpectrum:
     """Largest responses of damped oscillators to a record, of shape (periods,).
 
@@ -179,9 +179,11 @@ def average_spectral_acceleration(
     >>> print(f"{average_spectral_acceleration(record, 1.0):.6f}")
     0.189090
     """
-    middle = positive("period_s", period_s, hint="give a period in seconds")
+    hint = "give a period in seconds"
+    middle = in_range("period_s", period_s, 0.0, LARGEST, hint=hint)
     count = whole_number("count", count, at_least=2, at_most=1000, hint="give 10")
-    low, high = (positive("span", end, hint="give two parts of T, as (0.2, 3.0)") for end in span)
+    hint = "give two parts of T, as (0.2, 3.0)"
+    low, high = (in_range("span", end, 0.0, LARGEST, hint=hint) for end in span)
     if low >= high:
         raise InputError(
             name="span", value=span, valid="its ends must ascend", hint="give (0.2, 3.0)"

@@ -12,7 +12,7 @@ from rocksteady.errors import InputError
 from rocksteady.kernels import march as columns
 from rocksteady.model.motions import Harmonic
 from rocksteady.model.pulses import Pulse
-from rocksteady.model.validation import finite, in_range, positive
+from rocksteady.model.validation import LARGEST, finite, in_range
 
 Floats = NDArray[np.float64]
 
@@ -27,7 +27,7 @@ FREE_SPEED = 5.0
 """Pivot time a second without forcing period or block; one free swing to and fro lasts about 6."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Reel:
     """Which moments a film shows, and how fast.
 
@@ -99,7 +99,8 @@ def reel_of(
                 "span=(start, end), or choose a speed",
             )
     else:
-        step = positive("speed", speed, hint="give 1 for the usual speed") * unit / rate
+        hint = "give 1 for the usual speed"
+        step = in_range("speed", speed, 1.0 / LARGEST, LARGEST, "[]", hint=hint) * unit / rate
         slowest, fastest = length / (MOST_FRAMES * unit) * rate, longest / unit * rate
         if not slowest <= step / unit * rate <= fastest * (1.0 + 1e-9):
             raise InputError(

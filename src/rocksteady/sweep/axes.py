@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,6 +12,9 @@ from rocksteady.model.arrays import UnfitError, numeric_array
 
 Floats = NDArray[np.float64]
 Array = NDArray[Any]
+
+LONGEST_NAME: Final = 200
+"""Characters of a name: a store keeps a folder for each."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -59,6 +62,7 @@ class Axis:
     def __post_init__(self) -> None:
         """Validate, and keep the values as an array that nobody changes."""
         identifier(self.name)
+        described(self.long_name, self.units)
         try:
             array = np.asarray(numeric_array(self.name, self.values, None))
         except UnfitError as unfit:
@@ -147,12 +151,19 @@ def indices_of(name: str, given: ArrayLike, count: int) -> Array:
     return where.astype(np.int64)
 
 
+def described(long_name: object, units: object) -> None:
+    """Refuse a description or units that are no text."""
+    for name, text in (("long_name", long_name), ("units", units)):
+        if not isinstance(text, str):
+            raise InputError(name=name, value=text, valid="it must be a text", hint="give a str")
+
+
 def identifier(name: object) -> None:
-    """Refuse what is not the name of an argument and of a variable."""
-    if not isinstance(name, str) or not name.isidentifier():
+    """Refuse what is not the name of an argument and of a variable, or is too long for one."""
+    if not isinstance(name, str) or not name.isidentifier() or len(name) > LONGEST_NAME:
         raise InputError(
             name="name",
             value=name,
-            valid="it is the name of an argument and of a variable",
+            valid=f"it names an argument and a variable, in up to {LONGEST_NAME} characters",
             hint="give an identifier, as 'amplitude'",
         )

@@ -9,7 +9,7 @@ import numpy as np
 
 from rocksteady.errors import InputError
 from rocksteady.model.arguments import checked
-from rocksteady.sweep.axes import identifier
+from rocksteady.sweep.axes import described, identifier
 from rocksteady.sweep.grid import Grid, each_once
 
 
@@ -53,6 +53,7 @@ class Output:
     def __post_init__(self) -> None:
         """Validate."""
         identifier(self.name)
+        described(self.long_name, self.units)
         object.__setattr__(self, "dtype", _dtype(self.dtype))
         flags = dict(self.flags)
         entries: list[tuple[object, object]] = list(flags.items())

@@ -33,7 +33,7 @@ Test = Callable[[Chain], float]
 """A number that changes its sign at an event."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class ChainSolution:
     """A chain as the solution of equations, in scaled unknowns."""
 

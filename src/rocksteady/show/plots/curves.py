@@ -58,7 +58,7 @@ def plot_bifurcation_curves(
     Raises
     ------
     InputError
-        If a parameter has another name.
+        If a parameter has another name, or a point is no bifurcation.
 
     Examples
     --------
@@ -88,6 +88,13 @@ def plot_bifurcation_curves(
     for curve in curves:
         if not curve:
             continue
+        if curve[0].type not in CURVES:
+            raise InputError(
+                name="curves",
+                value=curve[0].type.value,
+                valid="a curve is one of " + ", ".join(CURVES),
+                hint="give what bifurcation_curve(...) returns, in lists",
+            )
         number, dash, word = CURVES[curve[0].type]
         colour = colour_of(number, inks)
         places = [[getattr(point, name) for name in parameters] for point in curve]

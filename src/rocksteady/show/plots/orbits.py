@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.orbit import Orbit
 from rocksteady.dynamics.trajectory import Trajectory
 from rocksteady.model.arguments import checked
+from rocksteady.model.validation import finite
 from rocksteady.show import palette
 from rocksteady.show.inks import Inks, inks_of
 from rocksteady.show.layout import axes_or_new, emptiest_corner, extent, put_beside
@@ -83,6 +84,7 @@ def plot_section(
     >>> [number.get_text() for number in axes.texts]  # the second is no motion
     ['1', '3']
     """
+    since = finite("since", since, hint="give a pivot time p t")
     axes = axes_or_new(ax)
     if isinstance(motions, Trajectory):
         labels: list[tuple[str, float, float]] = []

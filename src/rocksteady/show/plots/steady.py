@@ -250,6 +250,13 @@ def plot_response(
     >>> print(axes.get_yscale(), [entry.get_text() for entry in axes.get_legend().get_texts()])
     log ['A = 1', 'A = 2']
     """
+    if not curves:
+        raise InputError(
+            name="curves",
+            value=curves,
+            valid="there must be one or more",
+            hint="give what response_curve(...) returns, in a list",
+        )
     top = _checked_top(top, labels, len(curves))
     axes = axes_or_new(ax)
     inks = inks_of(axes)
