@@ -11,6 +11,7 @@ import math
 import os
 import types
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from decimal import Decimal
 from itertools import islice
 from numbers import Integral, Number, Real
 from os import PathLike, fspath
@@ -273,7 +274,8 @@ def _text(_: str, value: Any) -> Any:
 
 def _plain_text(_: str, value: Any) -> Any:
     """Pass a text, and what can be compared with one: the function knows which texts there are."""
-    if value is None or isinstance(value, str | bytes | Number):
+    comparable = isinstance(value, str | bytes | Number) and not isinstance(value, Decimal)
+    if value is None or comparable:
         return value
     raise UnfitError("it must be a text", "give a str")
 

@@ -69,7 +69,8 @@ def numeric_array(name: str, value: Any, kinds: str | None = "iuf") -> Any:
         return value
     import numpy as np
 
-    passes = kinds is None or getattr(getattr(value, "dtype", None), "kind", " ") in kinds
+    given = getattr(getattr(value, "dtype", None), "kind", " ")
+    passes = given in kinds if kinds is not None else given != "O"
     if kind is np.ndarray and passes and value.size <= MOST_ELEMENTS:
         return value
     refuse_mask_and_unit(name, value)
@@ -80,7 +81,7 @@ def numeric_array(name: str, value: Any, kinds: str | None = "iuf") -> Any:
             return value
         raise UnfitError("it must be an array of numbers", "give rows of one length") from None
     if array.dtype.kind == "O" and array.size <= MOST_ITEMS:
-        array = _fractions_as_floats(array)
+        array = _fractions_as_floats(name, array)
     if kinds is not None and array.dtype.kind not in kinds:
         raise UnfitError(f"it must be an array of real numbers, not {array.dtype}", "give floats")
     if array.size > MOST_ELEMENTS:
@@ -88,11 +89,12 @@ def numeric_array(name: str, value: Any, kinds: str | None = "iuf") -> Any:
     return array
 
 
-def _fractions_as_floats(array: Any) -> Any:
+def _fractions_as_floats(name: str, array: Any) -> Any:
     """Return real numbers of which one or more are fractions as floats, all else as it is."""
     import numpy as np
 
     items = array.ravel().tolist()
+    refuse_mask_and_unit(name, items)
     real = all(isinstance(item, Real) and not isinstance(item, bool | np.bool_) for item in items)
     if not real or not any(isinstance(item, Fraction) for item in items):
         return array
@@ -168,11 +170,11 @@ def scalar_of(value: Any) -> Any:
     return _plain_real(value)
 
 
-def _plain_real(value: Any) -> Any:
+def _plain_real(given: Any) -> Any:
     """Return a real number that is no integer as a float, all else as it is."""
-    if not isinstance(value, Real) or isinstance(value, Integral):
-        return value
+    if not isinstance(given, Real) or isinstance(given, Integral):
+        return given
     try:
-        return float(value)
+        return float(given)
     except OverflowError:  # a fraction beyond the largest float
-        return math.inf if value > 0 else -math.inf
+        return -math.inf if given < Fraction(0) else math.inf
