@@ -47,7 +47,10 @@ MASKED = np.ma.array([1.0, -99999.0, 2.0], mask=[False, True, False])
             ["block = DimensionlessBlock(", "it must be a Block;", "Block.rectangle("],
         ),
         (lambda: simulate(BLOCK, Harmonic), ["motion = ", "it must be a Motion"]),  # type: ignore[arg-type]
-        (lambda: simulate(SHAKING, BLOCK), ["block = ", "a Block or a DimensionlessBlock; the block comes first"]),  # type: ignore[arg-type]
+        (
+            lambda: simulate(SHAKING, BLOCK),  # type: ignore[arg-type]
+            ["block = ", "a Block or a DimensionlessBlock; the block comes first"],
+        ),
         (lambda: steady_states(2.0, 4.0, 0.8, order="1"), ["order = '1'", "a whole number"]),  # type: ignore[arg-type]
         (lambda: steady_states(2.0, 4.0, 0.8, order=MASKED), ["order = ", "1 of its 3 elements"]),
         (lambda: simulate(BLOCK, SHAKING, model="cubic"), ["model = 'cubic'"]),  # type: ignore[arg-type]
