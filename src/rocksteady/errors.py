@@ -159,7 +159,7 @@ must state the number of samples and their interval; write it as NPTS= 12, DT= .
             place = f"{place}, {_shown(found)}" if place else _shown(found)
         super().__init__(
             name="record",
-            value=fspath(path),
+            value=fspath(path) if isinstance(path, PathLike) else path,
             valid=f"{place}: {valid}" if place else valid,
             hint=hint,
         )
@@ -260,8 +260,9 @@ def _shown(value: object) -> str:
     return _cut(text)
 
 
-def _cut(text: str) -> str:
+def _cut(name: object) -> str:
     """Return a text without the middle of a long one."""
+    text = str(name)
     if len(text) <= _LONGEST_VALUE:
         return text
     half = (_LONGEST_VALUE - len(" ... ")) // 2
