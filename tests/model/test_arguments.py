@@ -51,7 +51,7 @@ MASKED = np.ma.array([1.0, -99999.0, 2.0], mask=[False, True, False])
             lambda: simulate(SHAKING, BLOCK),  # type: ignore[arg-type]
             ["block = ", "a Block or a DimensionlessBlock; the block comes first"],
         ),
-        (lambda: steady_states(2.0, 4.0, 0.8, order="1"), ["order = '1'", "a whole number"]),  # type: ignore[arg-type]
+        (lambda: steady_states(2.0, 4.0, 0.8, order="1"), ["order = '1'", "a whole number"]),
         (lambda: steady_states(2.0, 4.0, 0.8, order=MASKED), ["order = ", "1 of its 3 elements"]),
         (lambda: simulate(BLOCK, SHAKING, model="cubic"), ["model = 'cubic'"]),  # type: ignore[arg-type]
         (lambda: simulate(BLOCK, SHAKING, start=Rest), ["start = ", "a Rest or a State or a"]),  # type: ignore[arg-type]

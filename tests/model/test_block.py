@@ -14,6 +14,8 @@ from rocksteady.model.block import STANDARD_GRAVITY
 from tests.strategies import logarithmic
 
 slender = st.floats(0.01, 0.9)  # Housner's value is positive up to 0.955 rad
+pytestmark = pytest.mark.filterwarnings("ignore:.*sizes are in metres:UserWarning")
+
 sizes = logarithmic(0.01, 100.0)
 gravities = logarithmic(0.1, 100.0)
 
