@@ -164,6 +164,6 @@ def identifier(name: object) -> None:
         raise InputError(
             name="name",
             value=name,
-            valid=f"it names an argument and a variable, in up to {LONGEST_NAME} characters",
+            valid=f"it is the name of an argument and variable, up to {LONGEST_NAME} characters",
             hint="give an identifier, as 'amplitude'",
         )
