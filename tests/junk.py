@@ -238,6 +238,7 @@ MADE: tuple[Callable[[], Any], ...] = (
     lambda: np.array([0.5, 1.0], dtype=">f8"),
     lambda: np.array([0.5, 1.0], dtype=np.float16),
     lambda: np.array([0.5, 1.0], dtype=np.longdouble),
+    lambda: np.array([np.longdouble("1e4000"), 1.0]),
     lambda: np.array([2**63 + 1, 1], dtype=np.uint64),
     lambda: np.array([-5, 7], dtype=np.int8),
     lambda: np.arange(10.0)[::-3],

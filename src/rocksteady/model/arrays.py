@@ -69,9 +69,11 @@ def numeric_array(name: str, value: Any, kinds: str | None = "iuf") -> Any:
         return value
     import numpy as np
 
-    given = getattr(getattr(value, "dtype", None), "kind", " ")
-    passes = given in kinds if kinds is not None else given != "O"
-    if kind is np.ndarray and passes and value.size <= MOST_ELEMENTS:
+    passes = False
+    if kind is np.ndarray:  # objects may be fractions, and long doubles are beyond floats
+        known = kinds is None or value.dtype.kind in kinds
+        passes = known and value.dtype.char not in "Og"
+    if passes and value.size <= MOST_ELEMENTS:
         return value
     refuse_mask_and_unit(name, value)
     try:
@@ -82,6 +84,9 @@ def numeric_array(name: str, value: Any, kinds: str | None = "iuf") -> Any:
         raise UnfitError("it must be an array of numbers", "give rows of one length") from None
     if array.dtype.kind == "O" and array.size <= MOST_ITEMS:
         array = _fractions_as_floats(name, array)
+    if array.dtype.char == "g" and array.size <= MOST_ELEMENTS:
+        with np.errstate(over="ignore"):  # infinite, it is refused as any infinity
+            array = array.astype(np.float64)
     if kinds is not None and array.dtype.kind not in kinds:
         raise UnfitError(f"it must be an array of real numbers, not {array.dtype}", "give floats")
     if array.size > MOST_ELEMENTS:
