@@ -9,7 +9,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING, Final
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, RecordFileError
 from rocksteady.records.agreement import Lines, agreed, layout, timing
 from rocksteady.records.building import Channel, Given, built
 from rocksteady.records.names import column_name
@@ -20,6 +20,7 @@ from rocksteady.records.statements import (
     stated_count,
     stated_duration,
     stated_interval,
+    stated_time_unit,
     stated_unit,
 )
 from rocksteady.records.table import Table, table
@@ -70,11 +71,15 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     if count is None:
         _refuse_short_rows(text, found)
     if given.units is None:
-        refuse_factors(text, list(found.header_lines))
+        names = found.names_at if found.names and found.columns > 1 else None
+        refuse_factors(text, list(found.header_lines), names=names)
     header = list(found.header_lines) if found.columns == 1 else _words(found)
-    stated = None if given.dt_s is not None else stated_interval(text, header)
+    timed = found.columns > 1 and bool(_time_column(found) is not None)
+    stated, unread = None, ()
+    if given.dt_s is None:
+        stated, unread = _interval(text, header, timed=timed)
     spaced, picked = _values(text, found, given, interval or stated)
-    values, interval, warnings = spaced.values, spaced.dt_s, spaced.warnings
+    values, interval, warnings = spaced.values, spaced.dt_s, (*unread, *spaced.warnings)
     if len(picked) == 1 and not picked[0] and 1 < found.columns <= _AS_CHANNELS:
         what = f"{found.columns} numbers a line are taken as samples that follow each other"
         warnings += (f"{what}; give column where they are channels",)
@@ -90,17 +95,36 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         warnings += timing(values[:, 0], interval, duration=stated_duration(text, header))
     recordings = []
     for index, name in enumerate(picked):
+        units, doubts = _unit_of(text, name, found, given)
         channel = Channel(
             values=values[:, index],
-            units=_unit_of(text, name, found, given),
+            units=units,
             dt_s=interval,
             component=column_name(name).label or name or None,
             alone=len(picked) == 1,
-            warnings=warnings,
+            warnings=(*warnings, *doubts),
             processing=spaced.notes,
         )
         recordings.append(built(text, format_name, channel, given))
     return tuple(recordings)
+
+
+def _interval(
+    text: RecordText, header: list[int], *, timed: bool
+) -> tuple[float | None, tuple[str, ...]]:
+    """Return the interval that words state [s], and a warning where only the times are understood.
+
+    Raises
+    ------
+    RecordFileError
+        If it is not understood as a whole, and the table has no times.
+    """
+    try:
+        return stated_interval(text, header), ()
+    except RecordFileError as error:
+        if not timed:
+            raise
+        return None, (f"{error.valid}: the times of the table are taken",)
 
 
 def refuse_without_rows(text: RecordText) -> None:
@@ -191,14 +215,18 @@ def _seconds(text: RecordText, found: Table, time: int) -> float:
     RecordFileError
         If the name of their column states a unit that is not understood.
     """
+    of_words = stated_time_unit(text, _words(found))
     if not found.names:
-        return 1.0
+        return of_words or 1.0
     named = column_name(found.names[time])
+    if of_words is not None and named.seconds not in {None, of_words}:
+        valid = f"the words above its column {found.names[time]!r} state another unit of time"
+        raise text.error(valid, "correct one of them", at=found.names_at)
     if named.uncertain:
         valid = f"its unit of time, {named.uncertain!r}, is not understood"
         hint = "name the column time (s), time (ms), time (us) or time (min)"
         raise text.error(valid, hint, at=found.names_at)
-    return named.seconds or 1.0
+    return named.seconds or of_words or 1.0
 
 
 def _columns(text: RecordText, found: Table, given: Given, time: int | None) -> tuple[int, ...]:
@@ -252,8 +280,10 @@ def _words(found: Table) -> list[int]:
     return [at for at in found.header_lines if not found.names or at != found.names_at]
 
 
-def _unit_of(text: RecordText, name: str, found: Table, given: Given) -> str | None:
-    """Return the unit of a column: by its name, else by the words above the table.
+def _unit_of(
+    text: RecordText, name: str, found: Table, given: Given
+) -> tuple[str | None, tuple[str, ...]]:
+    """Return the unit of a column: by its name, else by the words above the table; and warnings.
 
     Raises
     ------
@@ -262,15 +292,15 @@ def _unit_of(text: RecordText, name: str, found: Table, given: Given) -> str | N
     """
     if given.units is not None:
         try:
-            return _unit_of(text, name, found, Given())
+            return _unit_of(text, name, found, Given())[0], ()
         except InputError:
-            return None
+            return None, ()
     words = _words(found)
     named = column_name(name)
     title = found.columns == 1 and bool(found.names)
     if title and re.search(r"[:=]|\bunits?\b|\bin\b", name):
         # A line of words above one column is a title rather than a name.
-        return stated_unit(text, [*words, found.names_at])
+        return stated_unit(text, [*words, found.names_at]), ()
     odd = named.uncertain
     if found.columns > 1 or named.unit is not None:
         odd = odd or named.leftover
@@ -280,11 +310,20 @@ def _unit_of(text: RecordText, name: str, found: Table, given: Given) -> str | N
     of_words = stated_unit(text, words, explicit=named.unit is not None)
     if named.unit is None:
         beside = {column_name(other).unit for other in found.names} - {None}
-        return of_words or (beside.pop() if len(beside) == 1 else None)
+        if of_words is not None or len(beside) != 1:
+            return of_words, ()
+        return beside.pop(), (
+            f"its column {name!r} states no unit: that of its neighbour is taken",
+        )
+    doubts: tuple[str, ...] = ()
+    try:
+        of_words = of_words or stated_unit(text, words)
+    except RecordFileError as error:
+        doubts = (f"{error.valid}: the unit of its column {name!r} is taken",)
     if of_words is not None and in_m_s2(of_words) != in_m_s2(named.unit):
         valid = f"its column {name!r} is in {named.unit}, and the words above it state {of_words}"
         raise text.error(valid, f"give units: {', '.join(UNITS)}", at=found.names_at)
-    return named.unit
+    return named.unit, doubts
 
 
 def _without_counts(text: RecordText, found: Table) -> tuple[int | None, float | None, Table]:

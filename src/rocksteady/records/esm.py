@@ -38,7 +38,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     RecordFileError
         If it is not one of acceleration, its header cannot be understood or samples are missing.
     """
-    lines = _header(text)
+    lines = _header(text, once=True)
     for key in (_COUNT, _INTERVAL):
         if key not in lines:
             raise text.error(f"its header does not state {key}", "fetch the file anew")
@@ -80,13 +80,19 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     return (built(text, FORMAT, channel, given),)
 
 
-def _header(text: RecordText) -> dict[str, int]:
-    """Return the index of the line of each key, up to the first line of numbers."""
+def _header(text: RecordText, *, once: bool = False) -> dict[str, int]:
+    """Return the index of the line of each key, up to the first line of numbers.
+
+    A key that is there twice with two values is refused if `once`; users' own lines may repeat.
+    """
     found: dict[str, int] = {}
     for at, line in enumerate(text.heads[:_WITHIN]):
         key, colon, _ = line.partition(":")
         if colon and _KEY.fullmatch(key.strip()):
-            found.setdefault(re.sub(r"[ _]+", "_", key.strip().upper()), at)
+            name = re.sub(r"[ _]+", "_", key.strip().upper())
+            if once and not name.startswith("USER"):
+                text.refuse_repeated(found.get(name, at), at)
+            found.setdefault(name, at)
         elif found and line.strip() and numbers(line):
             break
     return found

@@ -66,7 +66,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
     RecordFileError
         If its header cannot be understood or samples are missing.
     """
-    lines = _header(text)
+    lines = _header(text, once=True)
     scale_at = _line(text, lines, "Scale Factor")
     scale = _SCALE.fullmatch(_value(text, lines, "Scale Factor"))
     parts = () if scale is None else tuple(number(part) or 0.0 for part in scale.groups())
@@ -115,13 +115,15 @@ def _note(offset: float) -> str:
     )
 
 
-def _header(text: RecordText) -> dict[str, int]:
-    """Return the index of the line of each key of the header."""
+def _header(text: RecordText, *, once: bool = False) -> dict[str, int]:
+    """Return the index of the line of each key; one that is there twice is refused if `once`."""
     found: dict[str, int] = {}
     for at, line in enumerate(text.heads[:_WITHIN]):
         for key in _KEYS:
-            if line.lstrip().lower().startswith(key.lower()) and key not in found:
-                found[key] = at
+            if line.lstrip().lower().startswith(key.lower()):
+                if once and key in found and key != "Memo.":
+                    text.refuse_repeated(found[key], at)
+                found.setdefault(key, at)
     return found
 
 

@@ -112,6 +112,11 @@ def _line_of_counts(text: RecordText) -> int | None:
 def _counts(text: RecordText, at: int, given: Given) -> tuple[int | None, float | None, int]:
     """Return number of samples and interval, and the index of the last line that states them."""
     line = text.heads[at]
+    for pattern, name in ((_COUNT_ALONE, "count"), (_INTERVAL_ALONE, "dt")):
+        near = [text.heads[other] for other in (at - 1, at, at + 1) if 0 <= other < len(text.heads)]
+        values = {number(one[name]) for head in near for one in pattern.finditer(head)}
+        if len(values) > 1 and (name == "count" or given.dt_s is None):
+            raise text.error("it is stated twice, with two values", "correct one of them", at=at)
     found = _NAMES_FIRST.search(line) or _NUMBERS_FIRST.search(line)
     if found is not None:
         return _whole(found["count"]), _seconds(text, at, found, given), at

@@ -26,6 +26,7 @@ __all__ = [
     "stated_count",
     "stated_duration",
     "stated_interval",
+    "stated_time_unit",
     "stated_unit",
     "time_value",
 ]
@@ -40,6 +41,41 @@ _OF_A_PEAK: Final = re.compile(r"(?:pga|peak|max\w*)\W*(?:\w*acc\w*\W*)?$", re.I
 _EQUALS: Final = re.compile(r"\s*[(\[]\s*(?:1\s*)?(?:g\s*=\s*)?([^)\]=]*)[)\]]", re.IGNORECASE)
 _POWER_OF_TEN: Final = re.compile(
     r"[x*×]\s*10\s*(?:\^|\*\*|e\s*[+-]?\d|[⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹])", re.IGNORECASE
+)
+_MULTIPLE: Final = re.compile(
+    r"(?:^[#%!/*\s]*|\b(?:values?|data|acc\w*|samples?|amplitudes?|numbers?|units?|g|gal)\s*)"
+    r"(?:[x×]\s*\d|[*·]\s*\d+(?:\.\d*)?\s*$)|\d\s*[x×*·]\s*(?:values?|data|acc\w*|samples?|g)\b"
+    r"|\b(?:values?|data|acc\w*|samples?)\s+(?:are\s+)?(?:doubled|halved|negated)\b",
+    re.IGNORECASE,
+)
+"""A factor without a word for it."""
+_NOT_NOW: Final = re.compile(
+    r"\b(?:not|was|were|been|originally|formerly|previously|from|before)\W+(?:\w+ed\s+)?$",
+    re.IGNORECASE,
+)
+_TWO: Final = re.compile(
+    r"\W*(?:or|to)\b|[^.]*\b(?:now|converted|instead|doubled|halved|negated)\b", re.IGNORECASE
+)
+"""What stands beside a unit that may not be that of the samples."""
+_TWO_TIMES: Final = re.compile(
+    r"\W*(?:or|to|and|now|then)\W*[\d.]|.*(?:resampl|interpolat|decimat|down-?sampl|up-?sampl)"
+    r"|.*\bnow\b",
+    re.IGNORECASE,
+)
+_RATE_ALONE: Final = re.compile(rf"[#%!/*\s]*(?P<value>{NUMBER}\s*(?P<unit>[A-Za-z/ ]+?))\W*$")
+_COUNT_ALONE: Final = re.compile(
+    r"[#%!/*\s]*(?:(?:samples|points|values|pts|n)\s*[=:]?\s*(?P<value>\d+)"
+    r"|(?P<before>\d+)\s+(?:data\s+)?(?:points|samples|values|pts))\s*$",
+    re.IGNORECASE,
+)
+_TIME_IN: Final = re.compile(
+    r"(?<![A-Za-z])(?:times?|t)(?:\s+(?:is|are|values?|column))*\s*(?P<how>\bin\b|[(\[:=])\s*"
+    r"(?P<rest>[A-Za-zµμ%\d][^\n]*)",
+    re.IGNORECASE,
+)
+_OTHER_TIME: Final = re.compile(
+    r"(?:sampl\w*|origin|start|delay|rise|record|total|trigger|local|end|date|d)[\s_/-]*$",
+    re.IGNORECASE,
 )
 _FACTOR: Final = re.compile(
     r"\b(?:(?:amplitude|acc\w*|data)?[ _-]*scal(?:e|ing)(?:[ _-]*factors?)?|multiplier"
@@ -57,8 +93,8 @@ _NAMES: Final = {
 }
 _STATED: Final = {
     name: re.compile(
-        rf"(?<![A-Za-z])(?:{words})(?=[\s:=(\[])\s*(?:[(\[](?P<unit>[^)\]]*)[)\]])?\s*"
-        r"(?:(?:is|of|at)\b)?\s*[:=]?\s*(?P<value>[+-]?[\d.][^\n]*)",
+        rf"(?<![A-Za-z])(?:{words})(?=[\s:=(\[,])\s*(?:[(\[](?P<unit>[^)\]]*)[)\]])?\s*"
+        r"(?:(?:is|of|at)\b)?\s*[:=,]?\s*(?P<value>[+-]?[\d.][^\n]*)",
         re.IGNORECASE,
     )
     for name, words in _NAMES.items()
@@ -127,8 +163,11 @@ def _units_in(text: RecordText, at: int, *, explicit: bool) -> Iterator[str]:
             continue
         if _modified(unit, rest):
             raise _not_understood(text, at)
+        if _NOT_NOW.search(line[: statement.start()]):
+            raise _not_understood(text, at)
         # A value, (0.35 g), is no unit; nor is the number of a thing.
-        if not re.match(r"[\d.]", unit) or re.match(r"(?:10|0?\.0*1|1(?:[.]0*)?[eE])", unit):
+        power = r"(?:10\s*(?:\^|\*\*|[⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹])|0?"
+        if not re.match(r"[\d.]", unit) or re.match(power + r"\.0*1|1(?:[.]0*)?[eE])", unit):
             yield acceleration_unit(unit) or unit
 
 
@@ -155,7 +194,11 @@ def _modified(unit: str, rest: str) -> bool:
     same = _EQUALS.match(rest)
     if same is not None and (other := acceleration_unit(same[1])) is not None:
         return not math.isclose(in_m_s2(unit), in_m_s2(other), rel_tol=0.005)
-    return modifies(rest)
+    beside, _ = leading(rest.lstrip(" ,/|-"))
+    two = beside is not None and not re.match(r"[\d.]", beside)
+    if two and not math.isclose(in_m_s2(unit), in_m_s2(beside or unit), rel_tol=1e-9):
+        return True
+    return modifies(rest) or _TWO.match(rest) is not None
 
 
 def _not_understood(text: RecordText, at: int) -> RecordFileError:
@@ -163,10 +206,19 @@ def _not_understood(text: RecordText, at: int) -> RecordFileError:
     return text.error("its unit is not understood as a whole", _HINT_UNITS, at=at)
 
 
-def refuse_factors(text: RecordText, lines: list[int]) -> None:
+def refuse_factors(text: RecordText, lines: list[int], *, names: int | None = None) -> None:
     """Raise where lines of words state a factor other than 1 on the samples.
 
     Whether it has been applied already, and whether it multiplies or divides, is not stated.
+
+    Parameters
+    ----------
+    text
+        The file.
+    lines
+        Indices of its lines of words.
+    names
+        Index of the line of columns' names, such as ``x1``, which are understood elsewhere.
 
     Raises
     ------
@@ -177,7 +229,11 @@ def refuse_factors(text: RecordText, lines: list[int]) -> None:
         line = text.heads[at]
         factor = _FACTOR.search(line)
         one = factor is not None and number(factor["number"]) == 1.0 and not factor["rest"]
-        if (factor is not None and not one) or _POWER_OF_TEN.search(line):
+        if (
+            (factor is not None and not one)
+            or _POWER_OF_TEN.search(line)
+            or (at != names and _MULTIPLE.search(line))
+        ):
             valid = "a factor on the samples is stated, and whether it is applied already is not"
             hint = "give units: 'g' where it is applied, else with the factor in them, as '0.5 g'"
             raise text.error(valid, hint, at=at)
@@ -211,7 +267,7 @@ def time_value(text: RecordText, at: int, written: str, unit: str | None = None)
     else:
         return None
     hint = "give dt_s, in seconds"
-    if value is None or re.match(r"[\d.^]|,\d|\*\*", rest):
+    if value is None or re.match(r"[\d.^]|,\d|\*\*|\s*(?:-|\+|±|\.\.)+\s*[\d.]", rest):
         raise text.error("its number of seconds is not understood as a whole", hint, at=at)
     after, beyond = leading(rest.lstrip(" ("), time=True)
     before = None if unit is None or not unit.strip() else in_seconds(unit)
@@ -225,6 +281,8 @@ def time_value(text: RecordText, at: int, written: str, unit: str | None = None)
         and not re.match(r"\s*[,;]|\s*\d+\s*[A-Za-z]", beyond)
     ):
         raise text.error("its unit of time is not understood as a whole", hint, at=at)
+    if _TWO_TIMES.match(rest if after is None else beyond):
+        raise text.error("it states two times", hint, at=at)
     size = in_seconds(after) if after is not None else (1.0 if before is None else before)
     if size is None or (after is not None and before is not None and size != before):
         raise text.error("it states two units of time", hint, at=at)
@@ -244,23 +302,61 @@ def stated_interval(text: RecordText, lines: list[int]) -> float | None:
     found: list[tuple[float, float, int]] = []
     for at in lines:
         for name in ("interval", "rate"):
-            stated = _STATED[name].search(text.heads[at])
-            if stated is None:
-                continue
-            unit = stated["unit"]
-            written = stated["value"]
-            after = re.sub(rf"^\s*{NUMBER}\s*\(?", "", written)
-            if name == "rate" and not unit and leading(after, time=True)[0] is None:
-                unit = "Hz"
-            value = time_value(text, at, written, unit)
+            for stated in _all(_STATED[name], text.heads[at]):
+                unit = stated["unit"]
+                written = stated["value"]
+                after = re.sub(rf"^\s*{NUMBER}\s*\(?", "", written)
+                if name == "rate" and not unit and leading(after, time=True)[0] is None:
+                    unit = "Hz"
+                value = time_value(text, at, written, unit)
+                if value is not None:
+                    found.append((_relative_place(written), value, at))
+        alone = _RATE_ALONE.fullmatch(text.heads[at])
+        if alone is not None and (in_seconds(alone["unit"]) or 0.0) < 0.0:
+            value = time_value(text, at, alone["value"])
             if value is not None:
-                found.append((_relative_place(written), value, at))
+                found.append((_relative_place(alone["value"]), value, at))
     found.sort()
     for place, value, at in found[1:]:
         if abs(value - found[0][1]) > 1.01 * (place + found[0][0] + 1e-9) * value:
             valid = f"its header states {found[0][1]:g} s and {value:g} s between samples"
             raise text.error(valid, "give dt_s, in seconds", at=at)
     return found[0][1] if found else None
+
+
+def _all(pattern: re.Pattern[str], line: str) -> Iterator[re.Match[str]]:
+    """Yield what a pattern finds in a line, each from the beginning of the value before on."""
+    at = 0
+    while (found := pattern.search(line, at)) is not None:
+        yield found
+        at = found.start("value") + 1
+
+
+def stated_time_unit(text: RecordText, lines: list[int]) -> float | None:
+    """Return the size of the unit of times that lines of words state [s], or None.
+
+    Raises
+    ------
+    RecordFileError
+        If a statement is not understood as a whole, or two of them contradict each other.
+    """
+    found: dict[float, int] = {}
+    hint = "name the column of times with its unit, as time (ms)"
+    for at in lines:
+        for stated in _TIME_IN.finditer(text.heads[at]):
+            if _OTHER_TIME.search(text.heads[at][: stated.start()]):
+                continue
+            unit, rest = leading(stated["rest"], time=True)
+            clock = stated["how"] in {":", "="} or stated["rest"][:1].isdigit()
+            if unit is None and clock:
+                continue
+            size = None if unit is None else in_seconds(unit)
+            if size is None or size <= 0.0 or modifies(rest) or _TWO.match(rest):
+                raise text.error("its unit of time is not understood as a whole", hint, at=at)
+            found.setdefault(size, at)
+    if len(found) > 1:
+        raise text.error("it states another unit of time", hint, at=max(found.values()))
+    return next(iter(found), None)
 
 
 def stated_duration(text: RecordText, lines: list[int]) -> tuple[float, float] | None:
@@ -293,6 +389,8 @@ def stated_count(text: RecordText, lines: list[int]) -> tuple[int, int] | None:
             if value is None or value != int(value):
                 raise text.error("it must state a whole number", "correct the line", at=at)
             found.setdefault(int(value), at)
+        if (alone := _COUNT_ALONE.fullmatch(text.heads[at])) is not None:
+            found.setdefault(int(alone["value"] or alone["before"]), at)
     if len(found) > 1:
         valid = f"its header states {' and '.join(map(str, found))} samples"
         raise text.error(valid, "correct one of the lines", at=max(found.values()))

@@ -75,6 +75,24 @@ class RecordText:
         found = self.heads[at].strip()
         return RecordFileError(path=self.path, line=at + 1, found=found, valid=valid, hint=hint)
 
+    def refuse_repeated(self, first: int, at: int) -> None:
+        """Raise where a line repeats the key of an earlier line of the header with another value.
+
+        Parameters
+        ----------
+        first, at
+            Index of either line; both begin with the key.
+
+        Raises
+        ------
+        RecordFileError
+            As above.
+        """
+        one, other = (" ".join(self.heads[line].split()).lower() for line in (first, at))
+        if one != other:
+            valid = f"line {first + 1} states the same with another value"
+            raise self.error(valid, "take out the line that is wrong", at=at)
+
 
 def file_bytes(path: Path) -> bytes:
     """Return what a file holds.

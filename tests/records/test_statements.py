@@ -1,0 +1,159 @@
+"""Words above the samples: agreed with, refused with their line, or warned about; never passed."""
+
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rocksteady import RecordFileError, Recording, read_record, read_recordings
+from tests.records.writers import at2, esm, knet, samples
+
+ROWS = "0,1.0\n0.01,-2.5\n0.02,0.5\n"
+ALONE = "1.0\n-2.5\n0.5\n"
+
+
+def read(tmp_path: Path, text: str, **given: object) -> Recording:
+    path = tmp_path / "table.txt"
+    path.write_text(text, encoding="utf-8")
+    (found,) = read_recordings(path, **given)  # type: ignore[arg-type]
+    return found
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        *("acceleration in cm/s2", "acc (cm/s2)", "units: gal", "acc in g x 10", "values x 10"),
+        *("x10", "x 10", "10 x acc", "data * 100", "values are doubled", "acc \u00d7 1000"),
+        *("time in ms, given in s", "t in minutes", "time [ms]"),
+    ],
+)
+def test_words_that_contradict_the_names_are_refused(tmp_path: Path, words: str) -> None:
+    text = f"# {words}\ntime (s),acc (g)\n{ROWS}"
+    with pytest.raises(RecordFileError, match=r"line [12], "):
+        read(tmp_path, text)
+
+
+@pytest.mark.parametrize(
+    ("words", "size"),
+    [
+        *[("time in ms", 1e-3), ("time [ms]", 1e-3), ("time: ms", 1e-3), ("t in minutes", 60.0)],
+        *[("time (s)", 1.0), ("origin time: 12:03:00", 1.0), ("record time in ms", 1.0)],
+    ],
+)
+def test_the_unit_of_times_in_words(tmp_path: Path, words: str, size: float) -> None:
+    found = read(tmp_path, f"# {words}\ntime,acc (g)\n{ROWS}")
+    assert found.record.dt_s == pytest.approx(0.01 * size, rel=1e-12)
+
+
+@pytest.mark.parametrize("words", ["time in fortnights", "time in s or ms", "time (Hz)"])
+def test_a_unit_of_times_that_is_not_understood(tmp_path: Path, words: str) -> None:
+    with pytest.raises(RecordFileError, match="line 1, "):
+        read(tmp_path, f"# {words}\ntime,acc (g)\n{ROWS}")
+
+
+def test_words_that_are_not_understood_beside_a_name_are_warned_about(tmp_path: Path) -> None:
+    found = read(tmp_path, f"# acc in g or m/s2\ntime (s),acc (g)\n{ROWS}")
+    assert "not understood as a whole: the unit of its column 'acc (g)'" in found.warnings[0]
+    found = read(tmp_path, f"# dt 0.01 or 0.02 s\ntime (s),acc (g)\n{ROWS}")
+    assert "the times of the table are taken" in found.warnings[0]
+    text = "t (s),acc x (g),acc y\n0,1.0,1\n0.01,-2.5,1\n0.02,0.5,2\n"
+    path = tmp_path / "two.csv"
+    path.write_text(text)
+    first, second = read_recordings(path)
+    assert not first.warnings
+    assert "'acc y' states no unit: that of its neighbour is taken" in second.warnings[0]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        *("was in g, now m/s2", "acc in g or m/s2", "not in g", "acc m/s2 cm/s2", "acc in 10 g"),
+        *("trigger level 0.01 g", "acc in g (converted from gal)", "acc in g / cm/s2"),
+    ],
+)
+def test_two_units_in_one_statement_are_refused(tmp_path: Path, words: str) -> None:
+    with pytest.raises(RecordFileError):
+        read(tmp_path, f"# {words}\n{ALONE}", dt_s=0.01)
+    found = read(tmp_path, f"# {words}\n{ALONE}", dt_s=Fraction(1, 200), units="g")
+    assert found.record.dt_s == 0.005
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        *("dt 0.01 or 0.02 s", "sampling interval 0.02 s, resampled to 0.01 s", "dt = 0.01-0.02 s"),
+        *("dt 0.02 s now 0.01 s", "dt=0.01 s, dt=0.02 s", "dt,0.01\n# 50 sps", "dt 0.01 to 0.02"),
+    ],
+)
+def test_two_intervals_are_refused(tmp_path: Path, words: str) -> None:
+    with pytest.raises(RecordFileError, match=r"line [12], "):
+        read(tmp_path, f"# {words}\n{ALONE}", units="g")
+
+
+@pytest.mark.parametrize(("words", "dt"), [("dt,0.02", 0.02), ("50 sps", 0.02), ("100 Hz", 0.01)])
+def test_intervals_in_few_words(tmp_path: Path, words: str, dt: float) -> None:
+    assert read(tmp_path, f"# {words}\n{ALONE}", units="g").record.dt_s == dt
+    found = read(tmp_path, f"# {words}\ntime (s),acc (g)\n{ROWS}")
+    assert ("its times are 0.01 s apart" in " ".join(found.warnings)) == (dt != 0.01)
+
+
+@pytest.mark.parametrize(
+    "words", ["samples 400", "N = 400", "400 points", "points: 400", "400 samples"]
+)
+def test_counts_that_the_rows_contradict(tmp_path: Path, words: str) -> None:
+    with pytest.raises(RecordFileError, match="states 400"):
+        read(tmp_path, f"# {words}\ntime (s),acc (g)\n{ROWS}")
+    found = read(tmp_path, f"# {words.replace('400', '3')}\ntime (s),acc (g)\n{ROWS}")
+    assert not found.warnings
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("UNITS OF G", "UNITS OF G OR CM/S2"),
+        ("UNITS OF G", "UNITS OF G / GAL"),
+        ("DT= 0.01000 SEC", "DT= .0100-.02 SEC"),
+        ("DT= 0.01000 SEC", "DT= .0100 SEC, DT= .02 SEC"),
+        ("DT= 0.01000 SEC", "DT= .0100 OR .02 SEC"),
+        ("DT= 0.01000 SEC", "DT= .0100 SEC, NPTS= 7"),
+    ],
+)
+def test_two_values_in_a_file_of_peer(tmp_path: Path, old: str, new: str) -> None:
+    text = at2(samples())
+    assert old in text
+    with pytest.raises(RecordFileError, match=r"line [34], "):
+        read(tmp_path, text.replace(old, new))
+
+
+KNET = knet(np.rint(1e5 * samples(800)).astype(np.int64))
+
+
+@pytest.mark.parametrize(
+    ("text", "key", "value"),
+    [
+        (KNET, "Scale Factor", "7840(gal)/6182761"),
+        (KNET, "Sampling Freq(Hz)", "200Hz"),
+        (KNET, "Dir.", "U-D"),
+        (esm(samples()), "UNITS", "g"),
+        (esm(samples()), "NDATA", "7"),
+        (esm(samples()), "SAMPLING_INTERVAL_S", "0.02"),
+        (esm(samples()), "STREAM", "HNZ"),
+    ],
+)
+def test_a_line_of_a_header_that_is_there_twice(
+    tmp_path: Path, text: str, key: str, value: str
+) -> None:
+    (line,) = (line for line in text.splitlines() if line.startswith(key))
+    plain = read(tmp_path, text)
+    same = read(tmp_path, text.replace(line, f"{line}\n{line}", 1))
+    assert same.record == plain.record
+    other = line[: len(key)] + (": " if ":" in line else "   ") + value
+    with pytest.raises(RecordFileError, match="states the same with another value"):
+        read(tmp_path, text.replace(line, f"{line}\n{other}", 1))
+
+
+def test_an_interval_of_another_type(tmp_path: Path) -> None:
+    path = tmp_path / "table.txt"
+    path.write_text(ALONE)
+    assert read_record(path, units="g", dt_s=Fraction(1, 200)).dt_s == 0.005
