@@ -184,3 +184,12 @@ def test_the_real_file_cut_inside_its_last_number(tmp_path: Path) -> None:
     for at in range(len(text) - 12, len(text)):
         with pytest.raises(RecordFileError):
             read(tmp_path, text[:at])
+
+
+@pytest.mark.parametrize(("end", "doubted"), [("", True), ("\n", False)])
+def test_a_cut_in_the_last_of_uneven_numbers(tmp_path: Path, end: str, doubted: bool) -> None:
+    rows = [f"{0.02 * at:g},{value}" for at, value in enumerate([0, 0.0063, 0.00364, 0.001] * 9)]
+    path = tmp_path / "cut.csv"
+    path.write_text("time,acc (g)\n" + "\n".join([*rows, "0.72,-0.0001"]) + end)
+    (found,) = read_recordings(path)
+    assert ("may end inside its last number" in " ".join(found.warnings)) == doubted

@@ -82,6 +82,14 @@ def test_a_lost_row_is_no_printing(tmp_path: Path, gap: int, dt: float) -> None:
         table(tmp_path, times)
 
 
+@pytest.mark.parametrize("form", ["%.2f", "%g"])
+@pytest.mark.parametrize("each", [6, 7, 9, 10, 11, 14, 20, 50])
+def test_rows_that_are_missing_evenly(tmp_path: Path, each: int, form: str) -> None:
+    times = [form % (0.01 * k) for k in range(1000) if (k + 1) % each]
+    with pytest.raises(RecordFileError, match="ask for resampling"):
+        table(tmp_path, times)
+
+
 def test_jitter_that_digits_do_not_explain(tmp_path: Path) -> None:
     times = 0.01 * np.arange(500) + np.random.default_rng(2).uniform(-0.002, 0.002, 500)
     with pytest.raises(RecordFileError, match="ask for resampling"):

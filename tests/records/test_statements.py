@@ -2,6 +2,7 @@
 
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -156,4 +157,5 @@ def test_a_line_of_a_header_that_is_there_twice(
 def test_an_interval_of_another_type(tmp_path: Path) -> None:
     path = tmp_path / "table.txt"
     path.write_text(ALONE)
-    assert read_record(path, units="g", dt_s=Fraction(1, 200)).dt_s == 0.005
+    dt_s: Any = Fraction(1, 200)
+    assert read_record(path, units="g", dt_s=dt_s).dt_s == 0.005

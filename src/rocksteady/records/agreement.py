@@ -199,6 +199,10 @@ def layout(
         others = f" and {len(odd) - 1} more lines are" if len(odd) > 1 else " is"
         return (f"line {first}{others} not laid out as the others: a character may be lost",)
     digits = [sum(map(str.isdigit, row[-1][0])) for row in rows if row]
+    decimals = [_shape(row[-1][0]) for row in rows if row]
+    if ends_here and not text.ended and len(digits) > _FEWEST and decimals[-1] < max(decimals):
+        # Of uneven numbers the longest may be cut by as much as the last is shorter.
+        return (f"the file may end inside its last number, {written!r}: its last line has no end",)
     if ends_here and not text.ended and len(digits) > _FEWEST and digits[-1] < min(digits[:-1]):
         return (f"the file may end inside its last number, {written!r}, which has few digits",)
     return ()

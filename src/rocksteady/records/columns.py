@@ -74,10 +74,8 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
         names = found.names_at if found.names and found.columns > 1 else None
         refuse_factors(text, list(found.header_lines), names=names)
     header = list(found.header_lines) if found.columns == 1 else _words(found)
-    timed = found.columns > 1 and bool(_time_column(found) is not None)
-    stated, unread = None, ()
-    if given.dt_s is None:
-        stated, unread = _interval(text, header, timed=timed)
+    timed = found.columns > 1 and _time_column(found) is not None
+    stated, unread = _interval(text, header, given, timed=timed)
     spaced, picked = _values(text, found, given, interval or stated)
     values, interval, warnings = spaced.values, spaced.dt_s, (*unread, *spaced.warnings)
     if len(picked) == 1 and not picked[0] and 1 < found.columns <= _AS_CHANNELS:
@@ -110,7 +108,7 @@ def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
 
 
 def _interval(
-    text: RecordText, header: list[int], *, timed: bool
+    text: RecordText, header: list[int], given: Given, *, timed: bool
 ) -> tuple[float | None, tuple[str, ...]]:
     """Return the interval that words state [s], and a warning where only the times are understood.
 
@@ -119,6 +117,8 @@ def _interval(
     RecordFileError
         If it is not understood as a whole, and the table has no times.
     """
+    if given.dt_s is not None:
+        return None, ()
     try:
         return stated_interval(text, header), ()
     except RecordFileError as error:
