@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from rocksteady import RecordFileError, Recording, read_record, read_recordings
-from tests.records.writers import at2, esm, knet, samples
+from tests.records.writers import at2, cosmos_channel, esm, knet, samples
 
 ROWS = "0,1.0\n0.01,-2.5\n0.02,0.5\n"
 ALONE = "1.0\n-2.5\n0.5\n"
@@ -152,6 +152,14 @@ def test_a_line_of_a_header_that_is_there_twice(
     other = line[: len(key)] + (": " if ":" in line else "   ") + value
     with pytest.raises(RecordFileError, match="states the same with another value"):
         read(tmp_path, text.replace(line, f"{line}\n{other}", 1))
+
+
+@pytest.mark.parametrize("unit", ["mins", "hours", "furlongs"])
+def test_a_duration_of_cosmos_in_another_unit(tmp_path: Path, unit: str) -> None:
+    text = cosmos_channel(samples(403, peak=150.0), raw_dt=0.01)
+    assert " secs" in text
+    with pytest.raises(RecordFileError, match=r"no interval of its header|no unit of time"):
+        read(tmp_path, text.replace(" secs", f" {unit}"))
 
 
 def test_an_interval_of_another_type(tmp_path: Path) -> None:

@@ -20,7 +20,7 @@ from rocksteady.records.fortran import fixed_values, stated_width
 from rocksteady.records.numbers import NUMBER, samples
 from rocksteady.records.recording import Orientation, Recording
 from rocksteady.records.text import RecordText
-from rocksteady.records.units import acceleration_unit, in_m_s2
+from rocksteady.records.units import acceleration_unit, in_m_s2, in_seconds
 
 if TYPE_CHECKING:
     import numpy as np
@@ -38,7 +38,7 @@ _VALUES: Final = re.compile(
 )
 _DATA: Final = re.compile(
     rf"\s*(?P<count>\d+)\s+(?P<quantity>[A-Za-z]+)[A-Za-z ]*?\s+pts\s*,?\s*"
-    rf"(?:approx\s+(?P<seconds>{NUMBER})\s*secs?)?.*?units\s*=\s*(?P<unit>[^,()]*)"
+    rf"(?:approx\s+(?P<seconds>{NUMBER})\s*(?P<of>[a-z]+))?.*?units\s*=\s*(?P<unit>[^,()]*)"
     r"(?:\((?P<code>\d+)\))?",
     re.IGNORECASE,
 )
@@ -190,7 +190,12 @@ def _recording(
             units = f"{written} ({code:02d})"  # contradictory, and so none
     first = head.words[0].lower() if head.words else ""
     level = "cosmos-v1" if "uncorrected" in first or "raw" in first else "cosmos-v2"
-    seconds = float(described["seconds"]) if described["seconds"] else None
+    seconds = None
+    if described["seconds"]:
+        size = in_seconds(described["of"])
+        if (size is None or size <= 0.0) and given.dt_s is None:
+            raise text.error("its duration is in no unit of time", "give dt_s, in seconds", at=at)
+        seconds = float(described["seconds"]) * (size or 1.0)
     interval, doubt = _interval(head, len(values), seconds, corrected=level == "cosmos-v2")
     if interval is None and given.dt_s is None:
         raise text.error(
