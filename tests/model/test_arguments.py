@@ -2,7 +2,6 @@
 
 import inspect
 import math
-import timeit
 from decimal import Decimal
 from fractions import Fraction
 from functools import partial
@@ -141,16 +140,6 @@ def test_signatures_and_annotations_stay() -> None:
     ]  # fmt: skip
     with pytest.raises(TypeError, match=r"simulate.*unexpected keyword"):
         simulate(BLOCK, SHAKING, cycels=2)  # type: ignore[call-arg]
-
-
-def test_a_check_takes_a_few_microseconds() -> None:
-    bare = steady_states.__wrapped__  # type: ignore[attr-defined]
-    count = 300
-    checked_s, bare_s = (
-        min(timeit.repeat(partial(call, 2.0, 4.0, 0.8), number=count, repeat=5)) / count
-        for call in (steady_states, bare)
-    )
-    assert checked_s - bare_s < 20e-6
 
 
 def test_every_public_function_is_checked() -> None:

@@ -23,7 +23,7 @@ FASTEST = 1e50
 """Largest speed after an impact, as for any initial state."""
 
 
-MOST_STEPS = 1_000_000
+MOST_STEPS = 100_000
 """Of one call of the map: some ten seconds."""
 
 
