@@ -173,7 +173,7 @@ def test_a_sweep_that_a_signal_ends_says_how_it_goes_on(
 ) -> None:
     at2(tmp_path / "a.at2", samples())
     flags = {
-        "map": "map -A 0.1:6:400 -W 0.2:8:400 -r 0.8 --chunk 64 --out out.zarr",
+        "map": "map -A 0.1:6:2000 -W 0.2:8:2000 -r 0.8 --chunk 1024 --out out.zarr",
         "spectrum": "spectrum --record a.at2 --alpha-rad 0.05:0.4:400 --periods-s 0.5:5:400 "
         "--chunk 64 --out out.zarr",
     }

@@ -274,12 +274,9 @@ def _simplest_near(step: float, place: float) -> float:
 
 
 def _rounded(interval: float, error: float) -> float:
-    """Return an interval with as few digits as its error leaves meaning to."""
-    for digits in range(1, 15):
-        candidate = float(f"{interval:.{digits}g}")
-        if abs(candidate - interval) <= max(error, 1.0e-12 * interval):
-            return candidate
-    return interval
+    """Return an interval, or a rate's, with as few digits as its error leaves meaning to."""
+    error = max(error, 1.0e-12 * interval)
+    return _simplest(interval - error, interval + error)
 
 
 def places(written: Sequence[str]) -> "Floats":
