@@ -149,7 +149,7 @@ def _interval(
     off = np.abs(times - (times[0] + mean * np.arange(count)))
     place = np.broadcast_to(np.asarray(rounding, dtype=np.float64), times.shape)
     if bool((off <= 1.0e-6 * mean + noise).all()):
-        return _rounded(mean, float(place.min()) / (count - 1)), ()
+        return _rounded(mean, float(place[0] + place[-1]) / (count - 1)), ()
     # Rounded, or cut off.
     near = 1.01 * place + noise
     low_high = _slopes(times, near) or _slopes(times + place, near)
@@ -171,7 +171,7 @@ def _interval(
                 return None
             return chosen, _doubts(low, high, chosen)
     if bool((off <= _JITTER * mean + noise).all()):
-        return _rounded(mean, float(place.min()) / (count - 1)), ()
+        return _rounded(mean, float(place[0] + place[-1]) / (count - 1)), ()
     return None
 
 
