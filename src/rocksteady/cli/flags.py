@@ -71,6 +71,7 @@ FLAG_OF_ARGUMENT = {
     "resample": "--resample",
     "baseline": "--baseline",
     "damping": "--damping",
+    "period": "--periods-s",
     "periods_s": "--periods-s",
     "records": "--record",
     "scale": "--scale",
