@@ -43,7 +43,11 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-pytestmark = pytest.mark.filterwarnings("ignore:Glyph")
+pytestmark = [
+    pytest.mark.filterwarnings("ignore:Glyph"),
+    # One line on standard error; as an error it would be another's.
+    pytest.mark.filterwarnings("ignore:.*sizes are in metres"),
+]
 
 
 @pytest.mark.usefixtures("folder")
