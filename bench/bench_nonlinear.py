@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from bench.bench_march import CYCLES, RESTITUTION, THINNED, Cells, cells, note
 from rocksteady import Block, Record, Status
-from rocksteady.dynamics.nonlinear import nonlinear_segment_table, sides_of
-from rocksteady.kernels.cells import NO_LIMIT, fates_of_sides
-from rocksteady.kernels.march import ROW_COLUMNS, March, march
+from rocksteady.dynamics.history.models import nonlinear_segment_table, sides_of
+from rocksteady.kernels.batch.harmonic import NO_LIMIT, fates_of_sides
+from rocksteady.kernels.march.march import ROW_COLUMNS, March, march
 from tests.dynamics.full_integrator import impacts_by_integrator
 from tests.records import synthetic
 

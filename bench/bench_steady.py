@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady.kernels.symmetric import fill_steady
+from rocksteady.kernels.orbits.closed_form import fill_steady
 
 SIDE = 1000
 RESTITUTION = 0.8

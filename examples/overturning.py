@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import rocksteady as rs
-from rocksteady.show import palette
+from rocksteady.show.style import palette
 
 RATIOS = np.geomspace(0.5, 8.0, 400)
 

@@ -11,11 +11,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 import rocksteady as rs
-from rocksteady.dynamics import ground
-from rocksteady.dynamics.lowering import segment_table
-from rocksteady.model.motions import Motion
-from rocksteady.model.pulses import PULSES
-from rocksteady.show import palette
+from rocksteady.dynamics.history import base_motion
+from rocksteady.dynamics.history.lowering import segment_table
+from rocksteady.model.motions.pulses import PULSES
+from rocksteady.model.motions.segments import Motion
+from rocksteady.show.style import palette
 
 PERIOD = 2.0 * math.pi  # of every pulse: p t is then omega t
 
@@ -25,13 +25,13 @@ def draw(axes: Axes, title: str, motion: Motion, end: float) -> None:
     later = rs.delayed(motion, 0.1 * end)
     table = segment_table(later)
     even = np.linspace(0.0, 1.25 * end, 2001)
-    velocity = np.gradient(ground.displacement_from_rest(table, even), even)
-    times, acceleration = ground.base_course(table, even)
+    velocity = np.gradient(base_motion.displacement_from_rest(table, even), even)
+    times, acceleration = base_motion.base_course(table, even)
     even, times = (even - 0.1 * end) / PERIOD, (times - 0.1 * end) / PERIOD
     axes.axhline(0.0, color=palette.FAINT, lw=0.6)
     axes.plot(even, velocity, color=palette.LINES[1], lw=1.0, ls=(0, (4, 2)), label="velocity")
     axes.plot(times, acceleration, color=palette.BASE, label="acceleration")
-    struck, sizes = ground.impulses(table)
+    struck, sizes = base_motion.impulses(table)
     at = (struck - 0.1 * end) / PERIOD
     axes.vlines(at, 0.0, sizes, color=palette.BASE, lw=1.4)
     for up, marker in ((True, "^"), (False, "v")):

@@ -10,8 +10,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import rocksteady as rs
-from rocksteady.show import palette
-from rocksteady.show.spectra_figures import suite_figure
+from rocksteady.show.figures.spectra import suite_figure
+from rocksteady.show.style import palette
 
 STEP = 0.01  # s
 SAMPLES = 2000

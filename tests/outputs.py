@@ -11,9 +11,9 @@ import numpy as np
 import xarray
 from matplotlib.figure import Figure
 
-from rocksteady.show.cells import save_cells
-from rocksteady.show.export import export
-from rocksteady.show.files import save_csv, save_figure, save_text, save_whole
+from rocksteady.show.export.csv_files import save_cells
+from rocksteady.show.export.dataset import export
+from rocksteady.show.export.files import save_csv, save_figure, save_text, save_whole
 
 Writer = Callable[[Path, float], object]
 

@@ -11,7 +11,7 @@ import pytest
 
 from rocksteady import durable
 from rocksteady.errors import OutputError
-from rocksteady.show.files import save_text
+from rocksteady.show.export.files import save_text
 from rocksteady.studies.folder import check_folder, fill_folder
 from tests.disk import after_losses, recorded
 from tests.outputs import WRITERS

@@ -19,9 +19,9 @@ from bench.peers.work import (
     Outcome,
     Peer,
 )
-from rocksteady.kernels.cells import NO_LIMIT, harmonic_fates, harmonic_segment
-from rocksteady.kernels.lanes.fates import lane_fates
-from rocksteady.kernels.march import (
+from rocksteady.kernels.batch.harmonic import NO_LIMIT, harmonic_fates, harmonic_segment
+from rocksteady.kernels.lanes.driver import lane_fates
+from rocksteady.kernels.march.march import (
     ENDED_BY_IMPACT,
     LEAN,
     RATE,
@@ -34,7 +34,7 @@ from rocksteady.kernels.march import (
     March,
     march,
 )
-from rocksteady.kernels.march import RESTITUTION as SIDE_RESTITUTION
+from rocksteady.kernels.march.march import RESTITUTION as SIDE_RESTITUTION
 
 
 def peers() -> list[Peer]:

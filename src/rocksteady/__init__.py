@@ -8,26 +8,31 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from rocksteady.dynamics.attractor import Attractor, AttractorKind, attractor
-    from rocksteady.dynamics.basin_attractors import BasinAttractor
-    from rocksteady.dynamics.basins import Basins, Fraction, basins
+    from rocksteady.dynamics.basins.basins import Basins, Fraction, basins
+    from rocksteady.dynamics.basins.erosion import Drop, Erosion, erosion
+    from rocksteady.dynamics.basins.labels import BasinAttractor
     from rocksteady.dynamics.continuation.branch import continuation
+    from rocksteady.dynamics.continuation.branches import bifurcation_branches
     from rocksteady.dynamics.continuation.cascade import DoublingCascade, doubling_cascade
-    from rocksteady.dynamics.continuation.curves import bifurcation_curve
-    from rocksteady.dynamics.continuation.diagram import bifurcation_branches
+    from rocksteady.dynamics.continuation.loci import bifurcation_curve
     from rocksteady.dynamics.continuation.points import Branch, BranchPoint, PointType
-    from rocksteady.dynamics.continuation.stretches import Stretch, stretches
-    from rocksteady.dynamics.courses import Flights, Impacts, Motions
-    from rocksteady.dynamics.erosion import Drop, Erosion, erosion
-    from rocksteady.dynamics.fates import fate_map
-    from rocksteady.dynamics.free_rocking import (
+    from rocksteady.dynamics.continuation.stability import Stretch, stretches
+    from rocksteady.dynamics.history.samples import Flights, Impacts, Motions
+    from rocksteady.dynamics.history.simulate import simulate
+    from rocksteady.dynamics.history.start import Rest, State, Steady
+    from rocksteady.dynamics.history.trajectory import Trajectory
+    from rocksteady.dynamics.maps.attractor_map import attractor_map
+    from rocksteady.dynamics.maps.fate_map import fate_map
+    from rocksteady.dynamics.orbits.attractor import Attractor, AttractorKind, attractor
+    from rocksteady.dynamics.orbits.orbit import Orbit
+    from rocksteady.dynamics.orbits.return_map import ImpactState, Passage, PassageKind, ReturnMap
+    from rocksteady.dynamics.orbits.search import orbits
+    from rocksteady.dynamics.orbits.trail import AttractorTrail, attractor_trail
+    from rocksteady.dynamics.overturning.free_rocking import (
         equivalent_damping,
         free_rocking_peaks,
         free_rocking_period,
     )
-    from rocksteady.dynamics.maps import attractor_map
-    from rocksteady.dynamics.orbit import Orbit
-    from rocksteady.dynamics.orbits import orbits
     from rocksteady.dynamics.overturning.thresholds import (
         overturning_impulse,
         overturning_threshold,
@@ -37,7 +42,7 @@ if TYPE_CHECKING:
         OverturningWindows,
         overturning_windows,
     )
-    from rocksteady.dynamics.regions import (
+    from rocksteady.dynamics.steady.regions import (
         Boundaries,
         RegionMap,
         boundaries,
@@ -47,13 +52,13 @@ if TYPE_CHECKING:
         symmetry_breaking_amplitude,
         symmetry_breaking_frequency,
     )
-    from rocksteady.dynamics.response import ResponseCurve, response_curve
-    from rocksteady.dynamics.return_map import ImpactState, Passage, PassageKind, ReturnMap
-    from rocksteady.dynamics.simulate import simulate
-    from rocksteady.dynamics.start import Rest, State, Steady
-    from rocksteady.dynamics.steady import SteadyOrbit, SteadyStates, steady_orbit, steady_states
-    from rocksteady.dynamics.trail import AttractorTrail, attractor_trail
-    from rocksteady.dynamics.trajectory import Trajectory
+    from rocksteady.dynamics.steady.response import ResponseCurve, response_curve
+    from rocksteady.dynamics.steady.states import (
+        SteadyOrbit,
+        SteadyStates,
+        steady_orbit,
+        steady_states,
+    )
     from rocksteady.errors import (
         InputError,
         ModelError,
@@ -63,33 +68,33 @@ if TYPE_CHECKING:
         Status,
         UnfinishedError,
     )
-    from rocksteady.model.block import Block, DimensionlessBlock, Side, housner_restitution
-    from rocksteady.model.combine import added, delayed, joined, scaled
-    from rocksteady.model.examples import example_block
-    from rocksteady.model.impulses import Impulses
-    from rocksteady.model.motions import Harmonic, Piecewise, Segment, Still
-    from rocksteady.model.pulses import Pulse
-    from rocksteady.model.record import Record
-    from rocksteady.model.sides import impact_restitution
-    from rocksteady.model.synthetic import SyntheticMotion
-    from rocksteady.records.pairs import RecordSet, pair_records
+    from rocksteady.model.blocks.block import Block, DimensionlessBlock, Side, housner_restitution
+    from rocksteady.model.blocks.examples import example_block
+    from rocksteady.model.blocks.sides import impact_restitution
+    from rocksteady.model.motions.combine import added, delayed, joined, scaled
+    from rocksteady.model.motions.impulses import Impulses
+    from rocksteady.model.motions.pulses import Pulse
+    from rocksteady.model.motions.record import Record
+    from rocksteady.model.motions.segments import Harmonic, Piecewise, Segment, Still
+    from rocksteady.model.motions.synthetic import SyntheticMotion
+    from rocksteady.records.core.recording import Recording
+    from rocksteady.records.pairing import RecordSet, pair_records
     from rocksteady.records.processing import baseline_corrected, resampled
     from rocksteady.records.read import read_record, read_recordings
-    from rocksteady.records.recording import Recording
-    from rocksteady.seismic.ground_course import GroundCourse, Peak, ground_course
-    from rocksteady.seismic.measures import IntensityMeasures, intensity_measures
-    from rocksteady.seismic.response_spectrum import (
+    from rocksteady.seismic.measures.intensity import IntensityMeasures, intensity_measures
+    from rocksteady.seismic.measures.response_spectrum import (
         ResponseSpectrum,
         average_spectral_acceleration,
         response_spectrum,
     )
-    from rocksteady.seismic.spectra import rocking_spectrum
-    from rocksteady.seismic.spectra_suite import suite_spectrum
-    from rocksteady.show.animation import animate
-    from rocksteady.show.export import export
+    from rocksteady.seismic.measures.time_course import GroundCourse, Peak, ground_course
+    from rocksteady.seismic.spectra.rocking import rocking_spectrum
+    from rocksteady.seismic.spectra.suite import suite_spectrum
+    from rocksteady.show.export.dataset import export
+    from rocksteady.show.film.animation import animate
+    from rocksteady.show.film.still import plot_block
     from rocksteady.show.plots.basins import plot_basins, plot_erosion, plot_safe_basin
     from rocksteady.show.plots.bifurcations import plot_bifurcations
-    from rocksteady.show.plots.block import plot_block
     from rocksteady.show.plots.curves import plot_bifurcation_curves
     from rocksteady.show.plots.maps import plot_map
     from rocksteady.show.plots.motion import plot_base, plot_phase_portrait, plot_trajectory
@@ -103,12 +108,12 @@ if TYPE_CHECKING:
         plot_suite_spectrum,
     )
     from rocksteady.show.plots.steady import plot_orbit, plot_regions, plot_response
-    from rocksteady.sweep.axes import Axis
+    from rocksteady.sweep.cases.axes import Axis
+    from rocksteady.sweep.cases.grid import Grid
+    from rocksteady.sweep.cases.outputs import Output
     from rocksteady.sweep.evaluate import evaluate
-    from rocksteady.sweep.grid import Grid
-    from rocksteady.sweep.outputs import Output
-    from rocksteady.sweep.reading import open_store
-    from rocksteady.sweep.store import Store
+    from rocksteady.sweep.store.reading import open_store
+    from rocksteady.sweep.store.store import Store
 else:
     # Out of the sight of type checkers, which would take every misspelt name to be of type object.
     def __getattr__(name: str) -> object:
@@ -264,106 +269,106 @@ __all__ = [
 ]
 
 _DEFINED_IN = {
-    "Attractor": "rocksteady.dynamics.attractor",
-    "AttractorKind": "rocksteady.dynamics.attractor",
-    "AttractorTrail": "rocksteady.dynamics.trail",
-    "Axis": "rocksteady.sweep.axes",
-    "BasinAttractor": "rocksteady.dynamics.basin_attractors",
-    "Basins": "rocksteady.dynamics.basins",
-    "Block": "rocksteady.model.block",
-    "Boundaries": "rocksteady.dynamics.regions",
+    "Attractor": "rocksteady.dynamics.orbits.attractor",
+    "AttractorKind": "rocksteady.dynamics.orbits.attractor",
+    "AttractorTrail": "rocksteady.dynamics.orbits.trail",
+    "Axis": "rocksteady.sweep.cases.axes",
+    "BasinAttractor": "rocksteady.dynamics.basins.labels",
+    "Basins": "rocksteady.dynamics.basins.basins",
+    "Block": "rocksteady.model.blocks.block",
+    "Boundaries": "rocksteady.dynamics.steady.regions",
     "Branch": "rocksteady.dynamics.continuation.points",
     "BranchPoint": "rocksteady.dynamics.continuation.points",
-    "DimensionlessBlock": "rocksteady.model.block",
+    "DimensionlessBlock": "rocksteady.model.blocks.block",
     "DoublingCascade": "rocksteady.dynamics.continuation.cascade",
-    "Drop": "rocksteady.dynamics.erosion",
-    "Erosion": "rocksteady.dynamics.erosion",
-    "Flights": "rocksteady.dynamics.courses",
-    "Fraction": "rocksteady.dynamics.basins",
-    "Grid": "rocksteady.sweep.grid",
-    "GroundCourse": "rocksteady.seismic.ground_course",
-    "Harmonic": "rocksteady.model.motions",
-    "ImpactState": "rocksteady.dynamics.return_map",
-    "Impacts": "rocksteady.dynamics.courses",
-    "Impulses": "rocksteady.model.impulses",
+    "Drop": "rocksteady.dynamics.basins.erosion",
+    "Erosion": "rocksteady.dynamics.basins.erosion",
+    "Flights": "rocksteady.dynamics.history.samples",
+    "Fraction": "rocksteady.dynamics.basins.basins",
+    "Grid": "rocksteady.sweep.cases.grid",
+    "GroundCourse": "rocksteady.seismic.measures.time_course",
+    "Harmonic": "rocksteady.model.motions.segments",
+    "ImpactState": "rocksteady.dynamics.orbits.return_map",
+    "Impacts": "rocksteady.dynamics.history.samples",
+    "Impulses": "rocksteady.model.motions.impulses",
     "InputError": "rocksteady.errors",
-    "IntensityMeasures": "rocksteady.seismic.measures",
+    "IntensityMeasures": "rocksteady.seismic.measures.intensity",
     "ModelError": "rocksteady.errors",
-    "Motions": "rocksteady.dynamics.courses",
-    "Orbit": "rocksteady.dynamics.orbit",
-    "Output": "rocksteady.sweep.outputs",
+    "Motions": "rocksteady.dynamics.history.samples",
+    "Orbit": "rocksteady.dynamics.orbits.orbit",
+    "Output": "rocksteady.sweep.cases.outputs",
     "OutputError": "rocksteady.errors",
     "OverturningWindow": "rocksteady.dynamics.overturning.windows",
     "OverturningWindows": "rocksteady.dynamics.overturning.windows",
-    "Passage": "rocksteady.dynamics.return_map",
-    "PassageKind": "rocksteady.dynamics.return_map",
-    "Peak": "rocksteady.seismic.ground_course",
-    "Piecewise": "rocksteady.model.motions",
+    "Passage": "rocksteady.dynamics.orbits.return_map",
+    "PassageKind": "rocksteady.dynamics.orbits.return_map",
+    "Peak": "rocksteady.seismic.measures.time_course",
+    "Piecewise": "rocksteady.model.motions.segments",
     "PointType": "rocksteady.dynamics.continuation.points",
-    "Pulse": "rocksteady.model.pulses",
-    "Record": "rocksteady.model.record",
+    "Pulse": "rocksteady.model.motions.pulses",
+    "Record": "rocksteady.model.motions.record",
     "RecordFileError": "rocksteady.errors",
-    "RecordSet": "rocksteady.records.pairs",
-    "Recording": "rocksteady.records.recording",
-    "RegionMap": "rocksteady.dynamics.regions",
-    "ResponseCurve": "rocksteady.dynamics.response",
-    "ResponseSpectrum": "rocksteady.seismic.response_spectrum",
-    "Rest": "rocksteady.dynamics.start",
-    "ReturnMap": "rocksteady.dynamics.return_map",
+    "RecordSet": "rocksteady.records.pairing",
+    "Recording": "rocksteady.records.core.recording",
+    "RegionMap": "rocksteady.dynamics.steady.regions",
+    "ResponseCurve": "rocksteady.dynamics.steady.response",
+    "ResponseSpectrum": "rocksteady.seismic.measures.response_spectrum",
+    "Rest": "rocksteady.dynamics.history.start",
+    "ReturnMap": "rocksteady.dynamics.orbits.return_map",
     "RocksteadyError": "rocksteady.errors",
-    "Segment": "rocksteady.model.motions",
-    "Side": "rocksteady.model.block",
-    "State": "rocksteady.dynamics.start",
+    "Segment": "rocksteady.model.motions.segments",
+    "Side": "rocksteady.model.blocks.block",
+    "State": "rocksteady.dynamics.history.start",
     "Status": "rocksteady.errors",
-    "Steady": "rocksteady.dynamics.start",
-    "SteadyOrbit": "rocksteady.dynamics.steady",
-    "SteadyStates": "rocksteady.dynamics.steady",
-    "Still": "rocksteady.model.motions",
-    "Store": "rocksteady.sweep.store",
-    "Stretch": "rocksteady.dynamics.continuation.stretches",
-    "SyntheticMotion": "rocksteady.model.synthetic",
-    "Trajectory": "rocksteady.dynamics.trajectory",
+    "Steady": "rocksteady.dynamics.history.start",
+    "SteadyOrbit": "rocksteady.dynamics.steady.states",
+    "SteadyStates": "rocksteady.dynamics.steady.states",
+    "Still": "rocksteady.model.motions.segments",
+    "Store": "rocksteady.sweep.store.store",
+    "Stretch": "rocksteady.dynamics.continuation.stability",
+    "SyntheticMotion": "rocksteady.model.motions.synthetic",
+    "Trajectory": "rocksteady.dynamics.history.trajectory",
     "UnfinishedError": "rocksteady.errors",
-    "added": "rocksteady.model.combine",
-    "animate": "rocksteady.show.animation",
-    "attractor": "rocksteady.dynamics.attractor",
-    "attractor_map": "rocksteady.dynamics.maps",
-    "attractor_trail": "rocksteady.dynamics.trail",
-    "average_spectral_acceleration": "rocksteady.seismic.response_spectrum",
+    "added": "rocksteady.model.motions.combine",
+    "animate": "rocksteady.show.film.animation",
+    "attractor": "rocksteady.dynamics.orbits.attractor",
+    "attractor_map": "rocksteady.dynamics.maps.attractor_map",
+    "attractor_trail": "rocksteady.dynamics.orbits.trail",
+    "average_spectral_acceleration": "rocksteady.seismic.measures.response_spectrum",
     "baseline_corrected": "rocksteady.records.processing",
-    "basins": "rocksteady.dynamics.basins",
-    "bifurcation_branches": "rocksteady.dynamics.continuation.diagram",
-    "bifurcation_curve": "rocksteady.dynamics.continuation.curves",
-    "boundaries": "rocksteady.dynamics.regions",
+    "basins": "rocksteady.dynamics.basins.basins",
+    "bifurcation_branches": "rocksteady.dynamics.continuation.branches",
+    "bifurcation_curve": "rocksteady.dynamics.continuation.loci",
+    "boundaries": "rocksteady.dynamics.steady.regions",
     "continuation": "rocksteady.dynamics.continuation.branch",
-    "delayed": "rocksteady.model.combine",
+    "delayed": "rocksteady.model.motions.combine",
     "doubling_cascade": "rocksteady.dynamics.continuation.cascade",
-    "equivalent_damping": "rocksteady.dynamics.free_rocking",
-    "erosion": "rocksteady.dynamics.erosion",
+    "equivalent_damping": "rocksteady.dynamics.overturning.free_rocking",
+    "erosion": "rocksteady.dynamics.basins.erosion",
     "evaluate": "rocksteady.sweep.evaluate",
-    "example_block": "rocksteady.model.examples",
-    "export": "rocksteady.show.export",
-    "fate_map": "rocksteady.dynamics.fates",
-    "free_rocking_peaks": "rocksteady.dynamics.free_rocking",
-    "free_rocking_period": "rocksteady.dynamics.free_rocking",
-    "ground_course": "rocksteady.seismic.ground_course",
-    "heteroclinic_amplitude": "rocksteady.dynamics.regions",
-    "housner_restitution": "rocksteady.model.block",
-    "impact_restitution": "rocksteady.model.sides",
-    "intensity_measures": "rocksteady.seismic.measures",
-    "joined": "rocksteady.model.combine",
-    "melnikov_amplitude": "rocksteady.dynamics.regions",
-    "open_store": "rocksteady.sweep.reading",
-    "orbits": "rocksteady.dynamics.orbits",
+    "example_block": "rocksteady.model.blocks.examples",
+    "export": "rocksteady.show.export.dataset",
+    "fate_map": "rocksteady.dynamics.maps.fate_map",
+    "free_rocking_peaks": "rocksteady.dynamics.overturning.free_rocking",
+    "free_rocking_period": "rocksteady.dynamics.overturning.free_rocking",
+    "ground_course": "rocksteady.seismic.measures.time_course",
+    "heteroclinic_amplitude": "rocksteady.dynamics.steady.regions",
+    "housner_restitution": "rocksteady.model.blocks.block",
+    "impact_restitution": "rocksteady.model.blocks.sides",
+    "intensity_measures": "rocksteady.seismic.measures.intensity",
+    "joined": "rocksteady.model.motions.combine",
+    "melnikov_amplitude": "rocksteady.dynamics.steady.regions",
+    "open_store": "rocksteady.sweep.store.reading",
+    "orbits": "rocksteady.dynamics.orbits.search",
     "overturning_impulse": "rocksteady.dynamics.overturning.thresholds",
     "overturning_threshold": "rocksteady.dynamics.overturning.thresholds",
     "overturning_windows": "rocksteady.dynamics.overturning.windows",
-    "pair_records": "rocksteady.records.pairs",
+    "pair_records": "rocksteady.records.pairing",
     "plot_base": "rocksteady.show.plots.motion",
     "plot_basins": "rocksteady.show.plots.basins",
     "plot_bifurcation_curves": "rocksteady.show.plots.curves",
     "plot_bifurcations": "rocksteady.show.plots.bifurcations",
-    "plot_block": "rocksteady.show.plots.block",
+    "plot_block": "rocksteady.show.film.still",
     "plot_erosion": "rocksteady.show.plots.basins",
     "plot_free_rocking": "rocksteady.show.plots.overturning",
     "plot_ground_course": "rocksteady.show.plots.records",
@@ -385,19 +390,19 @@ _DEFINED_IN = {
     "plot_trajectory": "rocksteady.show.plots.motion",
     "read_record": "rocksteady.records.read",
     "read_recordings": "rocksteady.records.read",
-    "region_map": "rocksteady.dynamics.regions",
+    "region_map": "rocksteady.dynamics.steady.regions",
     "resampled": "rocksteady.records.processing",
-    "response_curve": "rocksteady.dynamics.response",
-    "response_spectrum": "rocksteady.seismic.response_spectrum",
-    "rocking_spectrum": "rocksteady.seismic.spectra",
-    "scaled": "rocksteady.model.combine",
-    "simulate": "rocksteady.dynamics.simulate",
-    "steady_orbit": "rocksteady.dynamics.steady",
-    "steady_states": "rocksteady.dynamics.steady",
-    "stretches": "rocksteady.dynamics.continuation.stretches",
-    "suite_spectrum": "rocksteady.seismic.spectra_suite",
-    "symmetry_breaking_amplitude": "rocksteady.dynamics.regions",
-    "symmetry_breaking_frequency": "rocksteady.dynamics.regions",
+    "response_curve": "rocksteady.dynamics.steady.response",
+    "response_spectrum": "rocksteady.seismic.measures.response_spectrum",
+    "rocking_spectrum": "rocksteady.seismic.spectra.rocking",
+    "scaled": "rocksteady.model.motions.combine",
+    "simulate": "rocksteady.dynamics.history.simulate",
+    "steady_orbit": "rocksteady.dynamics.steady.states",
+    "steady_states": "rocksteady.dynamics.steady.states",
+    "stretches": "rocksteady.dynamics.continuation.stability",
+    "suite_spectrum": "rocksteady.seismic.spectra.suite",
+    "symmetry_breaking_amplitude": "rocksteady.dynamics.steady.regions",
+    "symmetry_breaking_frequency": "rocksteady.dynamics.steady.regions",
 }
 
 

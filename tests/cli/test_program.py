@@ -12,19 +12,11 @@ from pathlib import Path
 import pytest
 
 from rocksteady import __version__
-from rocksteady.cli import (
-    app,
-    attractor,
-    basins,
-    bifurcate,
-    flags,
-    maps,
-    orbits,
-    simulate,
-    steady,
-    terminal,
-)
-from rocksteady.kernels import compilation
+from rocksteady.cli import app
+from rocksteady.cli.commands import attractor, basins, bifurcate, maps, orbits, simulate, steady
+from rocksteady.cli.console import terminal
+from rocksteady.cli.flags import options
+from rocksteady.kernels.core import compilation
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
 
@@ -235,7 +227,7 @@ def test_a_disk_that_fills_leaves_nothing_behind(
 
     monkeypatch.setattr(Path, "replace", full)
     monkeypatch.setattr(os, "link", full)  # the move of a file to where none is
-    monkeypatch.setattr("rocksteady.cli.progress.QUIET", math.inf)
+    monkeypatch.setattr("rocksteady.cli.console.progress.QUIET", math.inf)
     line = refused(f"{SHAKEN[command]} -r 0.8 --csv", tmp_path / "out.csv")
     assert "No space left on device" in line
     assert list(tmp_path.iterdir()) == []
@@ -292,7 +284,7 @@ def test_the_examples_in_the_help_run(
 
 def test_every_flag_that_errors_name_exists() -> None:
     text = "".join(rocksteady(f"{command} --help").out for command in EVERY_COMMAND)
-    for flag in flags.FLAG_OF_ARGUMENT.values():
+    for flag in options.FLAG_OF_ARGUMENT.values():
         assert flag.partition("/")[0] in text
 
 
@@ -401,7 +393,7 @@ def test_an_internal_error_says_so_and_ends_with_101(
     def broken(_: object) -> None:
         raise ZeroDivisionError("by nought")
 
-    monkeypatch.setattr("rocksteady.cli.nouns.BlockFlags.described", broken)
+    monkeypatch.setattr("rocksteady.cli.flags.block_and_shaking.BlockFlags.described", broken)
     ran = rocksteady(f"{SHAKEN[command]} -r 0.8")
     assert ran.code == 101
     assert ran.out == ""
@@ -416,7 +408,7 @@ def test_an_interruption_ends_with_130(command: str, monkeypatch: pytest.MonkeyP
     def stopped(_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("rocksteady.cli.nouns.BlockFlags.described", stopped)
+    monkeypatch.setattr("rocksteady.cli.flags.block_and_shaking.BlockFlags.described", stopped)
     ran = rocksteady(f"{SHAKEN[command]} -r 0.8")
     assert (ran.code, ran.out) == (130, "")
     assert ran.err == "rocksteady: interrupted\n"

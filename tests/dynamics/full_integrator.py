@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 from rocksteady import Block, Harmonic, Pulse, Record, State, Status, Trajectory, simulate
-from rocksteady.model.motions import Motion
+from rocksteady.model.motions.segments import Motion
 
 Ground = Callable[[float], float]
 Floats = NDArray[np.float64]

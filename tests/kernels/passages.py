@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.kernels.clock import clock
-from rocksteady.kernels.section import Section, System, make_system
+from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.orbits.return_map import Section, System, make_system
 from tests.kernels.tables import both_sides
 
 Floats = NDArray[np.float64]

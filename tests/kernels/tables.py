@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.kernels.clock import clock, segment_start
-from rocksteady.kernels.march import (
+from rocksteady.kernels.core.clock import clock, segment_start
+from rocksteady.kernels.march.march import (
     ALIKE,
     AMPLITUDE,
     CEILING,

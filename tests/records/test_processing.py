@@ -140,7 +140,7 @@ def test_what_differs_is_said() -> None:
     one = recording(samples(100), orientation="horizontal", azimuth_deg=0.0, start_time=START)
     later = START + timedelta(seconds=0.05)
     two = recording(samples(90), 0.02, orientation="horizontal", azimuth_deg=40.0, start_time=later)
-    from rocksteady.records.pairs import _doubts
+    from rocksteady.records.pairing import _doubts
 
     assert _doubts((one, two)) == (
         "intervals of 0.01, 0.02 s",

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from rocksteady import InputError, RecordFileError, read_record, read_recordings
+from rocksteady.records.core.text import LARGEST_FILE
 from rocksteady.records.read import FORMATS
-from rocksteady.records.text import LARGEST_FILE
 from tests.records.writers import at2, cosmos_channel, csv, esm, knet, samples, smc
 
 CM = samples(403, peak=150.0)

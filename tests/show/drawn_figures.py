@@ -33,8 +33,8 @@ from rocksteady import (
     steady_orbit,
     suite_spectrum,
 )
-from rocksteady.show.facets import map_figure
-from rocksteady.show.figures import (
+from rocksteady.show.figures.maps import map_figure
+from rocksteady.show.figures.single import (
     basins_figure,
     bifurcation_figure,
     cloud_figure,
@@ -47,8 +47,8 @@ from rocksteady.show.figures import (
     simulation_figure,
     steady_figure,
 )
-from rocksteady.show.page import Page
-from rocksteady.show.spectra_figures import spectrum_figure, suite_figure
+from rocksteady.show.figures.spectra import spectrum_figure, suite_figure
+from rocksteady.show.style.page import Page
 
 BARE = DimensionlessBlock(restitution=0.8)
 BLOCK = Block.rectangle(width=0.4, height=1.6)

@@ -11,9 +11,9 @@ from matplotlib.colors import to_hex
 from numpy.typing import ArrayLike
 
 from rocksteady import DimensionlessBlock, attractor_map
-from rocksteady.dynamics.settled import KIND_FLAGS
-from rocksteady.show import palette
-from rocksteady.show.classes import BLANK, LOOKS
+from rocksteady.dynamics.batch.attractors import KIND_FLAGS
+from rocksteady.show.plots.map_classes import BLANK, LOOKS
+from rocksteady.show.style import palette
 
 BLOCK = DimensionlessBlock(restitution=0.8)
 CLASS_OF = {

@@ -31,16 +31,16 @@ from rocksteady import (
     response_spectrum,
     simulate,
 )
-from rocksteady.cli.overturn_values import overturn_values, title_of
-from rocksteady.show.animation import film_of
-from rocksteady.show.figures import bifurcation_figure, simulation_figure
-from rocksteady.show.files import figure_bytes
-from rocksteady.show.insets import crowd_of
-from rocksteady.show.names import literal
-from rocksteady.show.page import Page
-from rocksteady.show.plots.sweeps import SWEEPS
+from rocksteady.cli.present.overturn_values import overturn_values, title_of
+from rocksteady.show.export.files import figure_bytes
+from rocksteady.show.figures.single import bifurcation_figure, simulation_figure
+from rocksteady.show.film.animation import film_of
+from rocksteady.show.plots._sweeps import SWEEPS
+from rocksteady.show.style.escaping import literal
+from rocksteady.show.style.insets import crowd_of
+from rocksteady.show.style.page import Page
 from tests.show.drawn_figures import resting, rocking, shock
-from tests.show.test_bifurcation_plots import MARKS, over_frequency, sweeps
+from tests.show.plots.test_bifurcations import MARKS, over_frequency, sweeps
 
 BARE = DimensionlessBlock(restitution=0.8)
 NAMES = (

@@ -23,7 +23,7 @@ KEPT = "settings = dict(mpl.rcParams)"
 OURS = "rs.plot_trajectory(run);"
 THEIRS = "import matplotlib.pyplot as plt; plt.plot([0, 1]);"
 THREAD = (
-    "import threading; from rocksteady.show.figures import simulation_figure\n"
+    "import threading; from rocksteady.show.figures.single import simulation_figure\n"
     "thread = threading.Thread(target=simulation_figure, args=(run,))\n"
     "thread.start(); thread.join()"
 )

@@ -43,9 +43,9 @@ from rocksteady import (
     steady_orbit,
     steady_states,
 )
-from rocksteady.show import palette
-from rocksteady.show.figures import response_figure, simulation_figure, steady_figure
-from rocksteady.show.layout import region_centres
+from rocksteady.show.figures.single import response_figure, simulation_figure, steady_figure
+from rocksteady.show.style import palette
+from rocksteady.show.style.layout import region_centres
 
 BARE = DimensionlessBlock(restitution=0.8)
 BLOCK = Block.from_p(alpha=0.2, p=2.0 * math.pi, restitution=0.8)

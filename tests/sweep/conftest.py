@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.sweep.faults import run
+from tests.sweep.store.faults import run
 
 
 @pytest.fixture(scope="module")

@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 
 import rocksteady
 from rocksteady.errors import InputError
-from rocksteady.sweep.axes import Axis
+from rocksteady.sweep.cases.axes import Axis
+from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.grid import Grid
-from rocksteady.sweep.outputs import Output
 
 Floats = NDArray[np.float64]
 Found = dict[str, NDArray[Any]]

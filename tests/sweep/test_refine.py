@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from rocksteady import DimensionlessBlock, attractor_map
 from rocksteady.errors import InputError, ModelError
-from rocksteady.sweep.axes import Axis
+from rocksteady.sweep.cases.axes import Axis
+from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.grid import Grid
-from rocksteady.sweep.outputs import Output
 from rocksteady.sweep.refine import refined
 
 Floats = NDArray[np.float64]

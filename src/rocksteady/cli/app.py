@@ -15,7 +15,7 @@ import typer
 from typer.exceptions import TyperException
 
 from rocksteady import __version__
-from rocksteady.cli import (
+from rocksteady.cli.commands import (
     attractor,
     basins,
     bifurcate,
@@ -28,11 +28,11 @@ from rocksteady.cli import (
     spectrum,
     steady,
     study,
-    terminal,
 )
-from rocksteady.cli.flags import FLAG_OF_ARGUMENT
-from rocksteady.cli.outputs import INCOMPLETE
-from rocksteady.cli.refusals import OncePerFlag
+from rocksteady.cli.console import terminal
+from rocksteady.cli.console.outputs import INCOMPLETE
+from rocksteady.cli.console.refusals import OncePerFlag
+from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
 from rocksteady.errors import RocksteadyError, UnfinishedError
 
 HELP = (

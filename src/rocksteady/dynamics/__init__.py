@@ -1,1 +1,1 @@
-"""Motions of the block: time histories and steady states, built from the kernels."""
+"""Motions of the block, built from the kernels: one, periodic ones, and all over a range."""

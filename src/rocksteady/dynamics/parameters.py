@@ -6,8 +6,8 @@ from itertools import combinations
 from typing import NamedTuple, TypeVar
 
 from rocksteady.errors import InputError, ModelError, Words
-from rocksteady.model.block import Block, DimensionlessBlock
-from rocksteady.model.motions import Harmonic
+from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.motions.segments import Harmonic
 
 PARAMETERS = ("amplitude", "frequency_ratio", "restitution")
 """What orbits are followed in and motions are carried along."""

@@ -11,9 +11,32 @@ import time
 
 import numpy as np
 
-from rocksteady.kernels.attractors import MEMORY, settle
-from rocksteady.kernels.cells import fates_of_sides, harmonic_fates, harmonic_segment
-from rocksteady.kernels.chains import (
+from rocksteady.kernels.batch.attractors import (
+    REAL_COLUMNS,
+    WHOLE_COLUMNS,
+    fill_clocks,
+    settle_cells,
+)
+from rocksteady.kernels.batch.harmonic import fates_of_sides, harmonic_fates, harmonic_segment
+from rocksteady.kernels.batch.pulses import pulse_fates
+from rocksteady.kernels.batch.records import record_fates
+from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.core.compilation import cache_folder
+from rocksteady.kernels.lanes.driver import lane_fates
+from rocksteady.kernels.march.march import (
+    DURATION,
+    ROW_COLUMNS,
+    SEGMENT_COLUMNS,
+    March,
+    march,
+)
+from rocksteady.kernels.march.recorded import (
+    fill_states,
+    last_crossing,
+    peaks_until_overturning,
+    recorded_peaks,
+)
+from rocksteady.kernels.orbits.chains import (
     CHAIN_COLUMNS,
     fill_arcs,
     fill_chain,
@@ -21,24 +44,15 @@ from rocksteady.kernels.chains import (
     side_of,
     turned_over,
 )
-from rocksteady.kernels.clock import clock
-from rocksteady.kernels.compilation import cache_folder
-from rocksteady.kernels.halves import symmetric_from
-from rocksteady.kernels.history import (
-    fill_states,
-    last_crossing,
-    peaks_until_overturning,
-    recorded_peaks,
+from rocksteady.kernels.orbits.closed_form import (
+    fill_curves,
+    fill_half_cycle,
+    fill_steady,
+    half_cycle_jacobian,
+    symmetric_orbit,
+    symmetry_breaking,
 )
-from rocksteady.kernels.lanes.fates import lane_fates
-from rocksteady.kernels.march import (
-    DURATION,
-    ROW_COLUMNS,
-    SEGMENT_COLUMNS,
-    March,
-    march,
-)
-from rocksteady.kernels.periodic import (
+from rocksteady.kernels.orbits.periodic import (
     ORBIT_COLUMNS,
     fill_peaks,
     is_symmetric,
@@ -51,18 +65,9 @@ from rocksteady.kernels.periodic import (
     search,
     state_at,
 )
-from rocksteady.kernels.pulsed import pulse_fates
-from rocksteady.kernels.section import make_system, next_passage, phase_between
-from rocksteady.kernels.settling import REAL_COLUMNS, WHOLE_COLUMNS, fill_clocks, settle_cells
-from rocksteady.kernels.shaken import record_fates
-from rocksteady.kernels.symmetric import (
-    fill_curves,
-    fill_half_cycle,
-    fill_steady,
-    half_cycle_jacobian,
-    symmetric_orbit,
-    symmetry_breaking,
-)
+from rocksteady.kernels.orbits.return_map import make_system, next_passage, phase_between
+from rocksteady.kernels.orbits.settle import MEMORY, settle
+from rocksteady.kernels.orbits.symmetric_nonlinear import symmetric_from
 
 logger = logging.getLogger(__name__)
 

@@ -1,1 +1,1 @@
-"""Ground-motion files: readers of the formats that networks publish, one module a format."""
+"""Ground-motion files: read, paired, and processed where it is asked for."""

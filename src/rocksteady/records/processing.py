@@ -4,10 +4,10 @@ import math
 from typing import TYPE_CHECKING, Final, Literal
 
 from rocksteady.errors import InputError
-from rocksteady.model.arguments import checked
-from rocksteady.model.record import Record
-from rocksteady.model.validation import positive
-from rocksteady.records.recording import Recording
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import positive
+from rocksteady.model.motions.record import Record
+from rocksteady.records.core.recording import Recording
 
 if TYPE_CHECKING:
     import numpy as np

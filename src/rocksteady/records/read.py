@@ -9,14 +9,14 @@ from typing import Final
 import numpy as np
 
 from rocksteady.errors import InputError, RecordFileError, Words
-from rocksteady.model.arguments import checked
-from rocksteady.model.record import Record
-from rocksteady.records import columns, cosmos, csmip, esm, knet, peer, smc, waveforms
-from rocksteady.records.building import Given
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.motions.record import Record
+from rocksteady.records.core.assembling import Given
+from rocksteady.records.core.recording import Recording
+from rocksteady.records.core.text import RecordText, as_text, file_bytes
+from rocksteady.records.formats import columns, cosmos, csmip, esm, knet, peer, smc, waveforms
+from rocksteady.records.formats.unrecognised import network_of
 from rocksteady.records.processing import baseline_corrected
-from rocksteady.records.recording import Recording
-from rocksteady.records.text import RecordText, as_text, file_bytes
-from rocksteady.records.traces import network_of
 
 __all__ = ["FORMATS", "chosen", "read_record", "read_recordings"]
 

@@ -1,1 +1,1 @@
-"""What ground motions are worth: their course, intensity measures and response spectra."""
+"""What recorded ground motions do: intensity measures, elastic and rocking spectra."""

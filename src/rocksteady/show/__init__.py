@@ -1,1 +1,1 @@
-"""Pictures: they take results, accept and return axes, and never compute."""
+"""Pictures, films, reports and files: they take results and never compute."""

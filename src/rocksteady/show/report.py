@@ -4,7 +4,7 @@ import re
 from base64 import b64encode
 from typing import TYPE_CHECKING
 
-from rocksteady.show import palette
+from rocksteady.show.style import palette
 
 if TYPE_CHECKING:
     from jinja2 import Environment

@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from rocksteady import OutputError, Store, __version__
-from rocksteady.show.files import json_text, save_text, save_whole
-from rocksteady.sweep.ownership import others
+from rocksteady.show.export.files import json_text, save_text, save_whole
+from rocksteady.sweep.store.ownership import others
 
 FOLDER = ".unfinished"
 """Name of the hidden folder inside that of the study."""

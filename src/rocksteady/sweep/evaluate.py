@@ -6,17 +6,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 from rocksteady.errors import InputError
-from rocksteady.model.arguments import checked
-from rocksteady.model.validation import whole_number
-from rocksteady.sweep.axes import identifier
-from rocksteady.sweep.deal import Deal
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import whole_number
+from rocksteady.sweep.cases.axes import identifier
+from rocksteady.sweep.cases.grid import Grid, each_once
+from rocksteady.sweep.cases.inputs import constants_of
+from rocksteady.sweep.cases.memory import Memory
+from rocksteady.sweep.cases.outputs import Output, outputs_of
+from rocksteady.sweep.cases.queue import Deal
+from rocksteady.sweep.cases.task import Answer, Cases, Piece, Task
 from rocksteady.sweep.executors.choice import team_for, validated_executor, validated_workers
-from rocksteady.sweep.grid import Grid, each_once
-from rocksteady.sweep.inputs import constants_of
-from rocksteady.sweep.memory import Memory
-from rocksteady.sweep.outputs import Output, outputs_of
-from rocksteady.sweep.store import Store
-from rocksteady.sweep.task import Answer, Cases, Piece, Task
+from rocksteady.sweep.store.store import Store
 
 if TYPE_CHECKING:
     import xarray
@@ -93,7 +93,7 @@ def evaluate(
     numbered
         Name of one more argument of the case function: the numbers of its cells in the grid, in C
         order, int64.  A random number that is keyed on it does not depend on who computes it: see
-        `rocksteady.sweep.draws.uniform`.
+        `rocksteady.sweep.cases.draws.uniform`.
     done
         Told in this thread how far it is: first the number of cells that are there already, when
         the first of the others is about to be computed; then of those just finished.  The last

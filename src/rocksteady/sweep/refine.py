@@ -15,15 +15,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError
-from rocksteady.model.validation import whole_number
-from rocksteady.sweep.axes import Array, Axis
+from rocksteady.model.checks.validation import whole_number
+from rocksteady.sweep.cases.axes import Array, Axis
+from rocksteady.sweep.cases.grid import Grid, within
+from rocksteady.sweep.cases.inputs import attributes_of, inputs_of
+from rocksteady.sweep.cases.labelled import labelled
+from rocksteady.sweep.cases.memory import MOST_CELLS
+from rocksteady.sweep.cases.outputs import Output, outputs_of
+from rocksteady.sweep.cases.task import Cases, Task
 from rocksteady.sweep.evaluate import BATCH, Done, evaluate
-from rocksteady.sweep.grid import Grid, within
-from rocksteady.sweep.inputs import attributes_of, inputs_of
-from rocksteady.sweep.labelled import labelled
-from rocksteady.sweep.memory import MOST_CELLS
-from rocksteady.sweep.outputs import Output, outputs_of
-from rocksteady.sweep.task import Cases, Task
 
 if TYPE_CHECKING:
     import xarray

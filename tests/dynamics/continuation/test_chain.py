@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from rocksteady import DimensionlessBlock, Harmonic, ModelError, Orbit, orbits, steady_states
-from rocksteady.dynamics.continuation.chain import Chain
-from rocksteady.dynamics.continuation.starts import chain_of
+from rocksteady.dynamics.continuation._chain import Chain
+from rocksteady.dynamics.continuation._from_orbit import chain_of
 from tests.dynamics.continuation.branches import setting, symmetric_start
 
 

@@ -18,7 +18,7 @@ from rocksteady import (
     orbits,
     symmetry_breaking_amplitude,
 )
-from rocksteady.dynamics.continuation.chain import Chain
+from rocksteady.dynamics.continuation._chain import Chain
 
 BLOCK = DimensionlessBlock(restitution=0.8)
 PLANE = ("amplitude", "frequency_ratio")

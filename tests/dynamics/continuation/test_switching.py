@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from rocksteady import BranchPoint, ModelError, PointType, attractor, continuation, orbits
-from rocksteady.dynamics.continuation.starts import chain_of
-from rocksteady.dynamics.continuation.switching import switched
-from rocksteady.dynamics.return_map import make_system, section_of
-from rocksteady.kernels import periodic
+from rocksteady.dynamics.continuation._from_orbit import chain_of
+from rocksteady.dynamics.continuation._switching import switched
+from rocksteady.dynamics.orbits.return_map import make_system, section_of
+from rocksteady.kernels.orbits import periodic
 from tests.dynamics.continuation.branches import (
     first,
     setting,

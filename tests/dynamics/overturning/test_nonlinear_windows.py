@@ -18,9 +18,9 @@ from rocksteady import (
     overturning_windows,
     simulate,
 )
-from rocksteady.dynamics.nonlinear import ModelName, nonlinear_segment_table, sides_of
-from rocksteady.kernels.clock import segment_start
-from rocksteady.kernels.march import LEAN, OVERTURNED, RATE, March, march
+from rocksteady.dynamics.history.models import ModelName, nonlinear_segment_table, sides_of
+from rocksteady.kernels.core.clock import segment_start
+from rocksteady.kernels.march.march import LEAN, OVERTURNED, RATE, March, march
 from tests.dynamics.full_integrator import impacts_by_integrator
 from tests.strategies import sample_size
 

@@ -19,7 +19,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
-from tests.model.formulae_of_pulses import FORMULAE
+from tests.model.motions.formulae_of_pulses import FORMULAE
 
 
 def lasting(duration: float) -> float:

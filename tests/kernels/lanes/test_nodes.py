@@ -3,10 +3,7 @@
 import numpy as np
 import pytest
 
-from rocksteady.kernels.lanes.launching import launch
-from rocksteady.kernels.lanes.loading import load, put
-from rocksteady.kernels.lanes.nodes import node_state, passes_over
-from rocksteady.kernels.lanes.table import (
+from rocksteady.kernels.lanes._fields import (
     AHEAD,
     AMPLITUDE,
     ANGLE_THERE,
@@ -23,7 +20,10 @@ from rocksteady.kernels.lanes.table import (
     VELOCITY,
     VELOCITY_THERE,
 )
-from rocksteady.kernels.march import March
+from rocksteady.kernels.lanes._launching import launch
+from rocksteady.kernels.lanes._loading import load, put
+from rocksteady.kernels.lanes._nodes import node_state, passes_over
+from rocksteady.kernels.march.march import March
 from tests.oracles import ExactFlight, mp
 from tests.strategies import sample_size
 

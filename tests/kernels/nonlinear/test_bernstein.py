@@ -9,7 +9,7 @@ import pytest
 from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
-from rocksteady.kernels.nonlinear.bernstein import (
+from rocksteady.kernels.nonlinear._bernstein import (
     FALLS,
     NO_CHANGE,
     RISES,

@@ -6,20 +6,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady.kernels.clock import clock
-from rocksteady.kernels.march import march
-from rocksteady.kernels.nonlinear.drive import Drive, acceleration
-from rocksteady.kernels.nonlinear.landing import lost_under_shaking
-from rocksteady.kernels.nonlinear.proofs import point_of_no_return
-from rocksteady.kernels.section import (
-    IMPACT,
-    Section,
-    highest_after,
-    like_sides,
-    make_system,
-    next_passage,
-)
-from rocksteady.kernels.tables import (
+from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.core.tables import (
     AMPLITUDE,
     CEILING,
     CONSTANT,
@@ -40,6 +28,18 @@ from rocksteady.kernels.tables import (
     ROW_VELOCITY,
     SLOPE,
     March,
+)
+from rocksteady.kernels.march.march import march
+from rocksteady.kernels.nonlinear.drive import Drive, acceleration
+from rocksteady.kernels.nonlinear.landing import lost_under_shaking
+from rocksteady.kernels.nonlinear.proofs import point_of_no_return
+from rocksteady.kernels.orbits.return_map import (
+    IMPACT,
+    Section,
+    highest_after,
+    like_sides,
+    make_system,
+    next_passage,
 )
 
 Floats = NDArray[np.float64]

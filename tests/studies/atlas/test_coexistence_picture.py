@@ -4,7 +4,7 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.contour import ContourSet
 
-from rocksteady.studies.atlas.pictures import PERIODS, REST_EDGE, draw_coexistence
+from rocksteady.studies.atlas.pages.pictures import PERIODS, REST_EDGE, draw_coexistence
 from tests.studies.atlas.small import small
 
 mpl.use("Agg")

@@ -14,7 +14,7 @@ from rocksteady import (
     symmetry_breaking_amplitude,
 )
 from rocksteady.studies.atlas.columns import column, columns, followed
-from rocksteady.studies.atlas.findings import bands_at
+from rocksteady.studies.atlas.pages.findings import bands_at
 from rocksteady.studies.atlas.plane import Plane
 
 BLOCK = DimensionlessBlock(restitution=0.8)

@@ -13,13 +13,13 @@ import pytest
 from rocksteady import OutputError
 from rocksteady.studies.atlas import atlas
 from rocksteady.studies.atlas import study as module
-from rocksteady.studies.atlas.findings import (
+from rocksteady.studies.atlas.from_rest import FATES
+from rocksteady.studies.atlas.pages.findings import (
     coexistence_sentences,
     family_sentences,
     rest_sentences,
 )
-from rocksteady.studies.atlas.from_rest import FATES
-from rocksteady.studies.atlas.report import command
+from rocksteady.studies.atlas.pages.report import command
 from rocksteady.studies.atlas.study import PICTURES, SCHEMA, TABLES, plane_of, steps
 from tests.studies.atlas.small import AMPLITUDES, FREQUENCY_RATIOS, small, tiny
 

@@ -98,7 +98,7 @@ def test_statements_that_cannot_be_checked_say_why_and_are_few() -> None:
 
 
 def test_the_outcomes_are_what_json_can_hold() -> None:
-    from rocksteady.show.files import json_text
+    from rocksteady.show.export.files import json_text
 
     for claim in claims().values():
         text = json_text("any", {"values": claim.finding.values})

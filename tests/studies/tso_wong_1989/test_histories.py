@@ -8,7 +8,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from rocksteady import DimensionlessBlock, Harmonic, Status, Steady, Trajectory, simulate
-from rocksteady.show import palette
+from rocksteady.show.style import palette
 from rocksteady.studies.tso_wong_1989.fates import Kind
 from rocksteady.studies.tso_wong_1989.histories import (
     CASES,

@@ -9,7 +9,7 @@ from itertools import pairwise
 import pytest
 from matplotlib.figure import Figure
 
-from rocksteady.show.files import figure_bytes
+from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.report import svg_data_uri
 from rocksteady.studies.tso_wong_1989.findings import Claim, Finding, Panel, Verdict
 from rocksteady.studies.tso_wong_1989.report import (

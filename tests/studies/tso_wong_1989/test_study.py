@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from rocksteady import InputError, OutputError, boundaries, steady_states
-from rocksteady.show.files import json_text, save_csv
+from rocksteady.show.export.files import json_text, save_csv
 from rocksteady.studies.tso_wong_1989 import Study, reproduce
 from rocksteady.studies.tso_wong_1989 import study as study_module
 from rocksteady.studies.tso_wong_1989.study import (

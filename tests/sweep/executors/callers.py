@@ -12,10 +12,10 @@ from typing import Any
 SCRIPT = """
 import sys
 import numpy as np
-from rocksteady.sweep.axes import Axis
+from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.grid import Grid
-from rocksteady.sweep.outputs import Output
+from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.cases.outputs import Output
 from tests.sweep.executors.cases import slow, GRID, OUTPUTS
 
 def mine(a, b):

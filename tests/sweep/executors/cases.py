@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError
-from rocksteady.sweep.axes import Axis
-from rocksteady.sweep.grid import Grid
-from rocksteady.sweep.outputs import Output
+from rocksteady.sweep.cases.axes import Axis
+from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.cases.outputs import Output
 
 Floats = NDArray[np.float64]
 Found = dict[str, NDArray[Any]]

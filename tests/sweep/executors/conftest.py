@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from rocksteady.sweep.executors.local import Local
+from rocksteady.sweep.executors._local import Local
 
 
 @pytest.fixture(scope="module")

@@ -20,15 +20,15 @@ import psutil
 import pytest
 
 from rocksteady.errors import InputError, UnfinishedError
-from rocksteady.sweep import inputs
-from rocksteady.sweep.axes import Axis
+from rocksteady.sweep.cases import inputs
+from rocksteady.sweep.cases.axes import Axis
+from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.executors import cluster, given, local, roll
-from rocksteady.sweep.executors.address import validated_address
-from rocksteady.sweep.executors.local import Local
-from rocksteady.sweep.executors.worker import START
-from rocksteady.sweep.grid import Grid
-from rocksteady.sweep.store import Store
+from rocksteady.sweep.executors import _cluster, _local, _remote, _roll
+from rocksteady.sweep.executors._address import validated_address
+from rocksteady.sweep.executors._local import Local
+from rocksteady.sweep.executors._worker import START
+from rocksteady.sweep.store.store import Store
 from tests.sweep.executors.callers import started, tree, within
 from tests.sweep.executors.cases import (
     GRID,
@@ -122,16 +122,16 @@ def test_a_worker_of_other_sources_that_joins_late_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     other = START.replace(
-        "from ", "import rocksteady.sweep.inputs as i; i._hash_of = lambda _: 'f' * 16; from "
+        "from ", "import rocksteady.sweep.cases.inputs as i; i._hash_of = lambda _: 'f' * 16; from "
     )
-    joined: list[local.Crew] = []
+    joined: list[_local.Crew] = []
     cases = functools.partial(slow, seconds=0.02)
     with Local(1) as members:
-        monkeypatch.setattr(local, "START", other)
+        monkeypatch.setattr(_local, "START", other)
 
         def join(cells: int) -> None:
             if cells and not joined:
-                joined.append(local.Crew(1, str(tmp_path)))
+                joined.append(_local.Crew(1, str(tmp_path)))
                 joined[0].serve(members.address)
 
         with pytest.raises(InputError, match=r"has other sources of .*, ffffffffffffffff"):
@@ -172,7 +172,7 @@ def test_what_cannot_be_sent_is_refused(address: str) -> None:
 def test_an_address_where_nobody_answers_is_refused(
     given_address: str, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(given, "ANSWERED", 0.3)
+    monkeypatch.setattr(_remote, "ANSWERED", 0.3)
     with pytest.raises(InputError, match=r"executor = .* must answer there within 0.3 seconds"):
         evaluate(some, GRID, OUTPUTS, executor=given_address)
     gc.collect()  # a client that is half made would try to close itself
@@ -209,7 +209,7 @@ def test_what_may_be_an_address_is_tried(given_address: str) -> None:
 
 
 def test_a_cluster_without_workers_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(given, "PATIENCE", 0.3)
+    monkeypatch.setattr(_remote, "PATIENCE", 0.3)
     with Local(0) as empty, pytest.raises(InputError, match="no worker for 0"):
         evaluate(some, GRID, OUTPUTS, executor=empty.address)
 
@@ -217,8 +217,8 @@ def test_a_cluster_without_workers_is_refused(monkeypatch: pytest.MonkeyPatch) -
 def test_one_is_told_that_all_workers_have_gone_and_goes_on_with_new_ones(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(given, "PATIENCE", 0.5)
-    monkeypatch.setattr(given, "LOOKED", 0.1)
+    monkeypatch.setattr(_remote, "PATIENCE", 0.5)
+    monkeypatch.setattr(_remote, "LOOKED", 0.1)
     with Local(1) as members:
         members.client.wait_for_workers(1)
         killed = threading.Timer(0.5, members._crew._processes[0].kill)
@@ -236,7 +236,7 @@ def test_one_is_told_that_all_workers_have_gone_and_goes_on_with_new_ones(
 
 
 def test_dask_may_not_be_installed(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(cluster, "find_spec", lambda _: None)
+    monkeypatch.setattr(_cluster, "find_spec", lambda _: None)
     with pytest.raises(InputError, match=r"install rocksteady\[cluster\]"):
         evaluate(some, GRID, OUTPUTS, executor="dask")
 
@@ -256,7 +256,7 @@ def test_an_answer_that_is_lost_with_the_last_worker_is_computed_again(
 ) -> None:
     killed: list[int] = []
 
-    class Killing(roll.Roll):
+    class Killing(_roll.Roll):
         """Kills the worker that has just finished a piece, before anybody can fetch it."""
 
         def add_worker(self, scheduler: Any, worker: str) -> None:
@@ -268,8 +268,8 @@ def test_an_answer_that_is_lost_with_the_last_worker_is_computed_again(
                 os.kill(self.last, signal.SIGKILL)
                 killed.append(self.last)
 
-    monkeypatch.setattr(roll, "Roll", Killing)
-    monkeypatch.setattr(given, "LOOKED", 0.1)
+    monkeypatch.setattr(_roll, "Roll", Killing)
+    monkeypatch.setattr(_remote, "LOOKED", 0.1)
     told: list[int] = []
     ended = threading.Event()
 
@@ -297,7 +297,7 @@ def test_an_answer_that_is_lost_with_the_last_worker_is_computed_again(
 def test_workers_that_are_killed_at_work_are_not_said_to_end_at_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(local, "KILLS", 1)
+    monkeypatch.setattr(_local, "KILLS", 1)
     cases = functools.partial(deadly, folder=str(tmp_path), times=3)
     found = evaluate(cases, GRID, OUTPUTS, executor="dask", workers=1)
     assert len(list(tmp_path.iterdir())) == 3

@@ -14,7 +14,7 @@ import pytest
 
 from rocksteady.errors import UnfinishedError
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.executors import local
+from rocksteady.sweep.executors import _local
 from tests.sweep.executors.callers import RUN, SCRIPT, script_in, started, within
 from tests.sweep.executors.cases import (
     GRID,
@@ -143,6 +143,6 @@ def test_a_caller_that_is_killed_while_its_workers_start_leaves_no_folder(tmp_pa
 def test_workers_that_cannot_start_are_no_endless_loop(
     does: str, how: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(local, "START", does)
+    monkeypatch.setattr(_local, "START", does)
     with within(60), pytest.raises(UnfinishedError, match=f"end at once, {how}"):
         evaluate(some, GRID, OUTPUTS, executor="dask", workers=1)

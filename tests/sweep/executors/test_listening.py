@@ -10,9 +10,9 @@ import psutil
 import pytest
 
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.executors import given
-from rocksteady.sweep.executors.address import open_to_others
-from rocksteady.sweep.executors.local import Local
+from rocksteady.sweep.executors import _remote
+from rocksteady.sweep.executors._address import open_to_others
+from rocksteady.sweep.executors._local import Local
 from tests.sweep.executors.cases import GRID, OUTPUTS, slow
 
 LISTENING = "0A"
@@ -121,9 +121,9 @@ def test_which_addresses_let_others_in(place: str, expected: bool) -> None:
 def test_a_cluster_that_lets_others_in_is_announced(
     address: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(given, "open_to_others", lambda _: True)
+    monkeypatch.setattr(_remote, "open_to_others", lambda _: True)
     with (
         pytest.warns(UserWarning, match=r"has no TLS: everyone who reaches .*; give a tls://"),
-        given.Given(address, None) as members,
+        _remote.Given(address, None) as members,
     ):
         assert members.at_once() >= 1

@@ -8,26 +8,31 @@ from itertools import islice
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.continuation.events import (
+from rocksteady.dynamics.continuation._events import (
     ChainCurve,
     ChainSpot,
     events_between,
     range_ends,
     returns,
 )
-from rocksteady.dynamics.continuation.family import (
+from rocksteady.dynamics.continuation._family import (
     LARGEST_STEP,
     Course,
     Family,
     checked_ranges,
 )
-from rocksteady.dynamics.continuation.paths import Curve, LostError, Spot, StalledError
+from rocksteady.dynamics.continuation._from_orbit import chain_at
+from rocksteady.dynamics.continuation._predictor_corrector import (
+    Curve,
+    LostError,
+    Spot,
+    StalledError,
+)
+from rocksteady.dynamics.continuation._switching import switched
 from rocksteady.dynamics.continuation.points import MARGINAL, BranchPoint, PointType
-from rocksteady.dynamics.continuation.starts import chain_at
-from rocksteady.dynamics.continuation.switching import switched
-from rocksteady.dynamics.orbit import Orbit
+from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.errors import ModelError, Words
-from rocksteady.model.arguments import checked
+from rocksteady.model.checks.arguments import checked
 
 Floats = NDArray[np.float64]
 
@@ -51,7 +56,7 @@ def continuation(
 ) -> Iterator[BranchPoint]:
     """Follow a periodic orbit over a parameter, stable or not, around its folds.
 
-    By pseudo-arclength on the phases of the impacts (`rocksteady.kernels.chains`).  Where a
+    By pseudo-arclength on the phases of the impacts (`rocksteady.kernels.orbits.chains`).  Where a
     bifurcation lies between two points it is located to rounding and yielded between them.
 
     Parameters

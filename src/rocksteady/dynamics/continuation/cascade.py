@@ -7,15 +7,15 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.continuation._family import LARGEST_STEP
+from rocksteady.dynamics.continuation._from_orbit import chain_at
 from rocksteady.dynamics.continuation.branch import continuation
-from rocksteady.dynamics.continuation.family import LARGEST_STEP
 from rocksteady.dynamics.continuation.points import Branch, BranchPoint, PointType
-from rocksteady.dynamics.continuation.starts import chain_at
-from rocksteady.dynamics.continuation.stretches import stretches
-from rocksteady.dynamics.orbit import Orbit
+from rocksteady.dynamics.continuation.stability import stretches
+from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.errors import ModelError, Words
-from rocksteady.model.arguments import checked, checked_result
-from rocksteady.model.validation import whole_number
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.validation import whole_number
 
 Floats = NDArray[np.float64]
 

@@ -8,14 +8,14 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.continuation.chain import Chain
-from rocksteady.dynamics.orbit import Orbit, orbit_from
-from rocksteady.dynamics.return_map import make_system, state_of
+from rocksteady.dynamics.continuation._chain import Chain
+from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
+from rocksteady.dynamics.orbits.return_map import make_system, state_of
 from rocksteady.errors import ModelError
-from rocksteady.kernels import periodic
-from rocksteady.model.arguments import checked_result
-from rocksteady.model.block import DimensionlessBlock
-from rocksteady.model.motions import Harmonic
+from rocksteady.kernels.orbits import periodic
+from rocksteady.model.blocks.block import DimensionlessBlock
+from rocksteady.model.checks.arguments import checked_result
+from rocksteady.model.motions.segments import Harmonic
 
 Floats = NDArray[np.float64]
 

@@ -2,12 +2,12 @@
 
 from collections.abc import Iterable, Iterator
 
-from rocksteady.dynamics.orbit import Orbit
-from rocksteady.dynamics.orbits import orbits
+from rocksteady.dynamics.orbits.orbit import Orbit
+from rocksteady.dynamics.orbits.search import orbits
+from rocksteady.dynamics.orbits.trail import AttractorTrail
 from rocksteady.dynamics.parameters import moved_to
-from rocksteady.dynamics.trail import AttractorTrail
-from rocksteady.model.block import DimensionlessBlock
-from rocksteady.model.motions import Harmonic
+from rocksteady.model.blocks.block import DimensionlessBlock
+from rocksteady.model.motions.segments import Harmonic
 
 PLACES = 9
 """Values over the range at which closed forms are asked for orbits."""

@@ -1,1 +1,1 @@
-"""Overturning by a pulse: the windows of amplitude in which a block falls, and closed forms."""
+"""Which pulses overturn a block, and how it rocks freely."""

@@ -15,13 +15,13 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.grids import real_array
+from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError
-from rocksteady.model.arguments import checked
-from rocksteady.model.block import Block
-from rocksteady.model.motions import LOWEST_FREQUENCY_RATIO
-from rocksteady.model.pulses import HIGHEST_PULSE_RATIO
-from rocksteady.model.validation import in_range
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import in_range
+from rocksteady.model.motions.pulses import HIGHEST_PULSE_RATIO
+from rocksteady.model.motions.segments import LOWEST_FREQUENCY_RATIO
 
 Floats = NDArray[np.float64]
 

@@ -8,25 +8,25 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.lowering import side_attributes
-from rocksteady.dynamics.nonlinear import ModelName, model_name, sides_of
-from rocksteady.dynamics.overturning.cases import (
+from rocksteady.dynamics.history.lowering import side_attributes
+from rocksteady.dynamics.history.models import ModelName, model_name, sides_of
+from rocksteady.dynamics.orbits.return_map import bare_block
+from rocksteady.dynamics.overturning._cases import (
     BATCH,
     OUTPUTS,
     load_kernel,
     uplifts_of,
     windows_at,
 )
-from rocksteady.dynamics.return_map import bare_block
 from rocksteady.errors import InputError
-from rocksteady.model.arguments import checked, checked_result
-from rocksteady.model.block import Block, DimensionlessBlock
-from rocksteady.model.pulses import Pulse
-from rocksteady.model.validation import in_range, index_value, is_pair
-from rocksteady.sweep.axes import Axis
+from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.validation import in_range, index_value, is_pair
+from rocksteady.model.motions.pulses import Pulse
+from rocksteady.sweep.cases.axes import Axis
+from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import Done, evaluate
-from rocksteady.sweep.grid import Grid
-from rocksteady.sweep.store import Store
+from rocksteady.sweep.store.store import Store
 
 if TYPE_CHECKING:
     import xarray
@@ -197,7 +197,7 @@ def overturning_windows(
     stronger one.  At each frequency ratio the borders are found to rounding, or in the nonlinear
     model to a part of 1e-12.  They are searched on
     a grid of amplitudes that is refined wherever the fate, the impacts on the way or the margin by
-    which the block stands or falls leave a doubt: `rocksteady.dynamics.overturning.scan` says how,
+    which the block stands or falls leave a doubt: `rocksteady.dynamics.overturning._scan` says how,
     and which windows could still be missed.  Long pulses with many impacts, below omega/p = 1 or of
     several cycles, have windows without end to their number: there the result is those that the
     resolution shows, and `unsettled` says where the search was ended.

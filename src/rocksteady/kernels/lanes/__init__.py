@@ -1,16 +1,16 @@
 """Trajectories side by side: harmonic sweeps of symmetric blocks in the lanes of vector registers.
 
-`rocksteady.kernels.lanes.fates.lane_fates` does what `rocksteady.kernels.cells.harmonic_fates`
-does, several times as fast.  Every lane carries one trajectory at its own stage; a pass is a chain
+`driver.lane_fates` does what `rocksteady.kernels.batch.harmonic.harmonic_fates` does, several times
+as fast.  Every lane carries one trajectory at its own stage; a pass is a chain
 of short loops over all lanes, written with selects in place of branches, which the compiler turns
 into vector instructions.  A lane whose trajectory has ended is given the next.  What a lane does
 never depends on the lanes beside it, so neither does the result, to the last bit.
 
-The parts: `table` the fields and stages of a lane, `elementary` exponential and sine, `polishing`
-steps towards an impact, `launching` what a flight begins with, `nodes` whether a piece has an
-impact, `periods` motions that have become periodic, `fates` the loop that drives them.
+The parts: `_fields` the fields and stages of a lane, `_exp_sincos` exponential and sine, `_newton`
+steps towards an impact, `_launching` what a flight begins with, `_nodes` whether a piece has an
+impact, `_periods` motions that have become periodic, `driver` the loop that drives them.
 
-**No impact can be missed.**  A lane decides only what the argument of `rocksteady.kernels.zeros`
+**No impact can be missed.**  A lane decides only what the argument of `kernels.linear.zeros`
 settles with room to spare; any other flight is left to the scalar `march`, and the lane goes on
 after it.
 
@@ -25,7 +25,7 @@ after it.
   ``y < -doubt``, none if ``y > doubt``, else the march.
 * A later piece with ``r > 0`` (`UP`) has no zero if ``y > doubt`` at its end and it is entered with
   ``g > 2 doubt``, or ``y' < -doubt`` at its end, or the tangents at both ends meet above the floor
-  (`rocksteady.kernels.zeros.tangents_meet_below`); it has one if entered with less and
+  (`rocksteady.kernels.linear.zeros.tangents_meet_below`); it has one if entered with less and
   ``y < -doubt``.  All else, every grazing dip among it, goes to the march.  Mostly there is none:
   its end is looked at together with its start, e^t growing by a constant from one to the other.
 * "No return" is the test of the march, after those for zeros.  For ``A <= 1`` the nodes are put to
@@ -35,7 +35,7 @@ after it.
 **Numbers.**  With ``g = e^t - 1`` and ``d = 1 - e^-t`` the closed form is ``y = G g - H d +
 beta (sin psi_0 - sin psi)``, which loses nothing to cancellation down to t = 1/4 or Omega t = 1/4;
 shorter flights take Taylor's polynomial, the trivial root divided out (`SHORT`), as in
-`rocksteady.kernels.flight`.  Phases stay the truth of the clock: a change of side subtracts an odd
+`kernels.linear.flight`.  Phases stay the truth of the clock: a change of side subtracts an odd
 multiple of pi from the phase and adds it, as an integer, to the half cycles.
 
 **Doubt.**  Let u = 2^-53, E = e^t and ``size = y'_0 + 1 + beta (1 + Omega)``, of which G, H and
@@ -45,7 +45,7 @@ the rounding of the phase of a node.  Summed over its terms y is off by no more 
 ``u size ((7.5 + t + 4/Omega) E + 22.5 + 12/Omega)``, and so is y'.  `doubt` is the simpler and
 larger ``16 u size (E + 3) (1 + t + 1/Omega)``.  A test holds it against fifty digits.
 
-**Rest.**  The bound is that of `rocksteady.kernels.rest`, sharpened.  Let c be the least of -r on
+**Rest.**  The bound is that of `kernels.march.rest`, sharpened.  Let c be the least of -r on
 both sides over the coming ``x = Omega T`` of phase, ``L = A Omega``, v < c the velocity after an
 impact and ``w = c - v <= sqrt(c^2 - v^2)``.  A bounce lies below ``v t - w t^2/2``, so that it
 lasts 2 v/w at most and its integral is at most ``(2/3) v^3/w^2``; hence the velocity after the next

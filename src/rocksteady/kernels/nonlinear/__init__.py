@@ -1,1 +1,1 @@
-"""The nonlinear equation of motion: its flights, in Taylor series, and what is proved of them."""
+"""One flight of the nonlinear model: its Taylor series, first zero, proofs and derivatives."""

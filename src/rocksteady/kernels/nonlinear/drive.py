@@ -18,9 +18,9 @@ linear model, ``y'' = r + y``, which is the limit of small alpha.
 import math
 from typing import NamedTuple
 
-from rocksteady.kernels.compilation import compiled
-from rocksteady.kernels.forcing import Forcing, make_forcing
-from rocksteady.kernels.tables import (
+from rocksteady.kernels.core.compilation import compiled
+from rocksteady.kernels.core.forcing import Forcing, make_forcing
+from rocksteady.kernels.core.tables import (
     ALPHA,
     AMPLITUDE,
     CONSTANT,

@@ -2,14 +2,14 @@
 
 import math
 
-from rocksteady.kernels.compilation import compiled
-from rocksteady.kernels.forcing import TWO_PI
+from rocksteady.kernels.core.compilation import compiled
+from rocksteady.kernels.core.forcing import TWO_PI
+from rocksteady.kernels.core.tables import PEAK_ANGLE, PEAK_SPEED, Floats
+from rocksteady.kernels.linear.zeros import FOUND, NO_RETURN, SPAN_END, Zero
+from rocksteady.kernels.nonlinear._zeros import first_rise, first_zero, largest
 from rocksteady.kernels.nonlinear.drive import Drive
-from rocksteady.kernels.nonlinear.isolation import first_rise, first_zero, largest
 from rocksteady.kernels.nonlinear.proofs import HALF_PI, falls_on_still_base
 from rocksteady.kernels.nonlinear.series import angle_at, angle_bound, expand
-from rocksteady.kernels.tables import PEAK_ANGLE, PEAK_SPEED, Floats
-from rocksteady.kernels.zeros import FOUND, NO_RETURN, SPAN_END, Zero
 
 LONGEST_STEP = 1e12
 """Of a block that stands upright to the last bit."""
@@ -83,7 +83,7 @@ def fly(
     left_out
         Part of the motion that a step may leave out.
     peaks
-        As for `rocksteady.kernels.march.march`.
+        As for `rocksteady.kernels.march.march.march`.
     lean, rate
         Of the side; they convert its speed.
     work

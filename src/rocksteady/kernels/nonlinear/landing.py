@@ -9,7 +9,7 @@ phase at the start and 0 for that by the velocity.  Their Taylor coefficients fo
 the flight by sums of products, step by step along with it.
 
 State on a section of impacts: phase psi of the forcing in the side frame and velocity ``v = dy/ds``
-just after the impact, as in `rocksteady.kernels.saltation`, and the landing takes the derivatives
+just after the impact, as in `kernels.linear.landing`, and the landing takes the derivatives
 onto the section in the same way: ``dT = -(y_psi dpsi + y_v dv)/y'(T)``.
 """
 
@@ -17,13 +17,13 @@ import math
 
 import numpy as np
 
-from rocksteady.kernels.compilation import compiled
+from rocksteady.kernels.core.compilation import compiled
+from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.linear.zeros import Zero
 from rocksteady.kernels.nonlinear.drive import Drive, acceleration
 from rocksteady.kernels.nonlinear.flight import fly, phase_at
-from rocksteady.kernels.nonlinear.history import leg_after, leg_from
+from rocksteady.kernels.nonlinear.recorded import leg_after, leg_from
 from rocksteady.kernels.nonlinear.series import COSINE, SHAKING, SINE, TERMS, WORK_ROWS
-from rocksteady.kernels.tables import Floats
-from rocksteady.kernels.zeros import Zero
 
 SHARE = 0.01
 """Of what may be left out of the motion: the derivatives have one term less and are larger."""

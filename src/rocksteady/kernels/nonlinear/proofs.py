@@ -11,7 +11,7 @@ never does.  On a base that stands still for ever the energy decides: from ``|y'
 y|/2)/alpha``, on which it would reach the upright position and stay there, a block that is faster
 towards that position passes it, and one beyond that is slower does not come back.
 
-**Rest.**  The argument is that of `rocksteady.kernels.rest`.  With c > 0 the least of -r and K the
+**Rest.**  The argument is that of `kernels.march.rest`.  With c > 0 the least of -r and K the
 largest of ``max(1, k + c alpha^2/2)`` over the window, ``y'' <= -c + K y`` while 0 <= y <= 1, since
 ``cos x >= 1 - x^2/2`` and ``sin x <= x``.  So a bounce with velocity v rises to ``Y <= v^2/c`` at
 most, which has to be below 1, and lasts no longer than ``2 v/sqrt(c^2 - K v^2)``; the square of its
@@ -21,10 +21,9 @@ y))/alpha^2``, which is at most ``2 (max |r'| + max |k'|) Y`` times the duration
 
 import math
 
-from rocksteady.kernels.compilation import compiled
-from rocksteady.kernels.forcing import largest_forcing, steepest_forcing
-from rocksteady.kernels.nonlinear.drive import Drive, foot_forcing, side_drive
-from rocksteady.kernels.tables import (
+from rocksteady.kernels.core.compilation import compiled
+from rocksteady.kernels.core.forcing import largest_forcing, steepest_forcing
+from rocksteady.kernels.core.tables import (
     ALPHA,
     CEILING,
     LEAN,
@@ -33,6 +32,7 @@ from rocksteady.kernels.tables import (
     RESTITUTION,
     Floats,
 )
+from rocksteady.kernels.nonlinear.drive import Drive, foot_forcing, side_drive
 
 HALF_PI = 0.5 * math.pi
 
@@ -120,7 +120,7 @@ def bounces_settle(
 ) -> bool:
     """Return whether the coming bounces are proved to end before an uplift and within `span`.
 
-    The parameters are those of `rocksteady.kernels.rest.settles`, with drives for forcings.
+    The parameters are those of `rocksteady.kernels.march.rest.settles`, with drives for forcings.
     """
     if restitution >= 1.0:
         return False

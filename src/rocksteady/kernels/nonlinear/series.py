@@ -19,9 +19,9 @@ and M. Zou, Experimental Mathematics 14, 99-117 (2005).
 
 import math
 
-from rocksteady.kernels.compilation import compiled, fused_inlined, inlined
+from rocksteady.kernels.core.compilation import compiled, fused_inlined, inlined
+from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.nonlinear.drive import Drive
-from rocksteady.kernels.tables import Floats
 
 TERMS = 24
 HIGHEST = TERMS - 1  # degree of the longest polynomial
@@ -32,7 +32,7 @@ SPEED = 1  # of y'
 SINE = 2  # of S
 COSINE = 3  # of C
 SHAKING = 4  # of h
-POINTS = 5  # control points of `rocksteady.kernels.nonlinear.bernstein`
+POINTS = 5  # control points of `rocksteady.kernels.nonlinear._bernstein`
 WORK_ROWS = 6
 
 

@@ -1,4 +1,1 @@
-"""Plots: each takes a result and, optionally, axes; draws; and returns the axes.
-
-The figures of `rocksteady.show.figures` put several together.
-"""
+"""One plot a result: takes it and, optionally, axes; draws; returns the axes."""

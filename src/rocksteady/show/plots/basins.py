@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.basin_attractors import BasinAttractor
-from rocksteady.dynamics.basins import Basins
-from rocksteady.dynamics.erosion import Drop, Erosion
-from rocksteady.model.arguments import checked
-from rocksteady.model.validation import index_value
-from rocksteady.show import palette
-from rocksteady.show.classes import FILLS, share_text
-from rocksteady.show.inks import inks_of
-from rocksteady.show.layout import axes_or_new, emptiest_corner, extent, spaced_by_ratio
-from rocksteady.show.legends import LegendPlace, draw_legend, place_of
+from rocksteady.dynamics.basins.basins import Basins
+from rocksteady.dynamics.basins.erosion import Drop, Erosion
+from rocksteady.dynamics.basins.labels import BasinAttractor
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import index_value
+from rocksteady.show.plots.map_classes import FILLS, share_text
+from rocksteady.show.style import palette
+from rocksteady.show.style.layout import axes_or_new, emptiest_corner, extent, spaced_by_ratio
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
+from rocksteady.show.style.line_colours import inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -7,17 +7,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.continuation.points import Branch, PointType
-from rocksteady.dynamics.continuation.stretches import stretches
-from rocksteady.dynamics.trail import AttractorTrail
+from rocksteady.dynamics.continuation.stability import stretches
+from rocksteady.dynamics.orbits.trail import AttractorTrail
 from rocksteady.errors import InputError
-from rocksteady.model.arguments import checked
-from rocksteady.model.validation import positive
-from rocksteady.show import palette
-from rocksteady.show.inks import Inks, inks_of
-from rocksteady.show.insets import crowd_of, draw_inset
-from rocksteady.show.layout import axes_or_new, plain_ticks, spaced_by_ratio
-from rocksteady.show.legends import GAP, LegendPlace, draw_legend, line_scale, place_of
-from rocksteady.show.plots.sweeps import NAMES_WIDTH, draw_dots, draw_sweeps, lane_of
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import positive
+from rocksteady.show.plots._sweeps import NAMES_WIDTH, draw_dots, draw_sweeps, lane_of
+from rocksteady.show.style import palette
+from rocksteady.show.style.insets import crowd_of, draw_inset
+from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
+from rocksteady.show.style.legends import GAP, LegendPlace, draw_legend, line_scale, place_of
+from rocksteady.show.style.line_colours import Inks, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist

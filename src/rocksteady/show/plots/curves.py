@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, Any
 from rocksteady.dynamics.continuation.points import BranchPoint, PointType
 from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError
-from rocksteady.model.arguments import checked
-from rocksteady.show import palette
-from rocksteady.show.inks import Inks, inks_of
-from rocksteady.show.layout import axes_or_new
-from rocksteady.show.legends import LegendPlace, draw_legend, place_of
+from rocksteady.model.checks.arguments import checked
+from rocksteady.show.style import palette
+from rocksteady.show.style.layout import axes_or_new
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
+from rocksteady.show.style.line_colours import Inks, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -6,9 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, Words
-from rocksteady.model.arguments import checked
-from rocksteady.show import palette
-from rocksteady.show.classes import (
+from rocksteady.model.checks.arguments import checked
+from rocksteady.show.plots.map_classes import (
     DARK_DOTS,
     LOOKS,
     CellClass,
@@ -18,10 +17,11 @@ from rocksteady.show.classes import (
     share_text,
     validated_map,
 )
-from rocksteady.show.inks import inks_of
-from rocksteady.show.layout import axes_or_new
-from rocksteady.show.legends import LegendPlace, draw_legend, place_of
-from rocksteady.show.spacing import picked, prepare_axis, runs, spacing_of
+from rocksteady.show.style import palette
+from rocksteady.show.style.axes import picked, prepare_axis, runs, spacing_of
+from rocksteady.show.style.layout import axes_or_new
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
+from rocksteady.show.style.line_colours import inks_of
 
 if TYPE_CHECKING:
     import xarray
@@ -119,7 +119,7 @@ def plot_map(
             name="found",
             value=Words(f"has {len(cells.names)} axes: {', '.join(cells.names)}"),
             valid="one or two axes with several values can be drawn on one pair of axes",
-            hint="draw three with rocksteady.show.facets.map_figure, or select a value with .sel",
+            hint="draw three with show.figures.maps.map_figure, or select a value with .sel",
         )
     return draw_map(axes_or_new(ax), cells, found, legend)
 

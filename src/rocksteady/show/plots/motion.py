@@ -6,15 +6,15 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics import ground
-from rocksteady.dynamics.trajectory import Trajectory
+from rocksteady.dynamics.history import base_motion
+from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.errors import Status
-from rocksteady.model.arguments import checked
-from rocksteady.model.motions import Harmonic
-from rocksteady.show import palette
-from rocksteady.show.inks import inks_of
-from rocksteady.show.layout import axes_or_new, emptiest_corner, extent
-from rocksteady.show.legends import LegendPlace, draw_legend, place_of
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.motions.segments import Harmonic
+from rocksteady.show.style import palette
+from rocksteady.show.style.layout import axes_or_new, emptiest_corner, extent
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
+from rocksteady.show.style.line_colours import inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -201,10 +201,10 @@ def plot_base(
     """
     axes = axes_or_new(ax)
     scale, label = time_axis(trajectory)
-    times, acceleration = ground.base_course(trajectory.segments, trajectory.times())
+    times, acceleration = base_motion.base_course(trajectory.segments, trajectory.times())
     inks, place = inks_of(axes), place_of(axes, legend, "inside")
     axes.plot(times * scale, acceleration, color=inks.base, lw=1.0, label="horizontal")
-    struck, velocities = ground.impulses(trajectory.segments)
+    struck, velocities = base_motion.impulses(trajectory.segments)
     height = 1.5 * max(1.0, float(np.abs(acceleration).max()))
     for sign, marker in ((1.0, "^"), (-1.0, "v")):
         at = struck[(sign * velocities > 0.0) & (struck <= times[-1])] * scale
@@ -220,7 +220,7 @@ def plot_base(
         xlim=time_limits(trajectory, times[0] * scale, times[-1] * scale),
     )
     if trajectory.vertical is not None and trajectory.block is not None:
-        upwards = ground.lift(trajectory.segments, times)
+        upwards = base_motion.lift(trajectory.segments, times)
         _draw_vertical(axes, times * scale, upwards, trajectory.block.alpha, place)
     return axes
 

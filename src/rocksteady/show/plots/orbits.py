@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.orbit import Orbit
-from rocksteady.dynamics.trajectory import Trajectory
-from rocksteady.model.arguments import checked
-from rocksteady.model.validation import finite
-from rocksteady.show import palette
-from rocksteady.show.inks import Inks, inks_of
-from rocksteady.show.layout import axes_or_new, emptiest_corner, extent, put_beside
-from rocksteady.show.legends import LegendPlace, draw_legend, place_of, size_of, text_size
+from rocksteady.dynamics.history.trajectory import Trajectory
+from rocksteady.dynamics.orbits.orbit import Orbit
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import finite
+from rocksteady.show.style import palette
+from rocksteady.show.style.layout import axes_or_new, emptiest_corner, extent, put_beside
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, size_of, text_size
+from rocksteady.show.style.line_colours import Inks, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

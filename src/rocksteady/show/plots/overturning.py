@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.free_rocking import free_rocking_peaks, free_rocking_period
+from rocksteady.dynamics.overturning.free_rocking import free_rocking_peaks, free_rocking_period
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS, overturning_threshold
 from rocksteady.dynamics.overturning.windows import OverturningWindow, OverturningWindows
 from rocksteady.errors import InputError, Words
-from rocksteady.model.arguments import checked
-from rocksteady.show import palette
-from rocksteady.show.inks import inks_of
-from rocksteady.show.layout import axes_or_new, plain_ticks, spaced_by_ratio
-from rocksteady.show.legends import LegendPlace, draw_legend, place_of
+from rocksteady.model.checks.arguments import checked
+from rocksteady.show.style import palette
+from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
+from rocksteady.show.style.line_colours import inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

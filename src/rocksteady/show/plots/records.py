@@ -6,15 +6,15 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from rocksteady.errors import InputError, Words
-from rocksteady.model.arguments import checked
-from rocksteady.model.block import STANDARD_GRAVITY
-from rocksteady.seismic.ground_course import GroundCourse
-from rocksteady.seismic.response_spectrum import ResponseSpectrum
-from rocksteady.show import palette
-from rocksteady.show.inks import inks_of
-from rocksteady.show.layout import axes_or_new, plain_ticks, spaced_by_ratio
-from rocksteady.show.legends import LegendPlace, draw_legend, place_of, text_size
-from rocksteady.show.names import literal
+from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.checks.arguments import checked
+from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
+from rocksteady.seismic.measures.time_course import GroundCourse
+from rocksteady.show.style import palette
+from rocksteady.show.style.escaping import literal
+from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, text_size
+from rocksteady.show.style.line_colours import inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -6,11 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, Status, Words
-from rocksteady.model.arguments import checked
-from rocksteady.show import palette
-from rocksteady.show.inks import inks_of
-from rocksteady.show.layout import axes_or_new
-from rocksteady.show.legends import (
+from rocksteady.model.checks.arguments import checked
+from rocksteady.show.style import palette
+from rocksteady.show.style.axes import Spacing, prepare_axis, runs, spacing_of
+from rocksteady.show.style.layout import axes_or_new
+from rocksteady.show.style.legends import (
     GAP,
     LegendPlace,
     checked_place,
@@ -19,7 +19,7 @@ from rocksteady.show.legends import (
     size_of,
     text_size,
 )
-from rocksteady.show.spacing import Spacing, prepare_axis, runs, spacing_of
+from rocksteady.show.style.line_colours import inks_of
 
 if TYPE_CHECKING:
     import xarray

@@ -7,22 +7,22 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.regions import RegionMap
-from rocksteady.dynamics.response import ResponseCurve
-from rocksteady.dynamics.steady import SteadyOrbit
+from rocksteady.dynamics.steady.regions import RegionMap
+from rocksteady.dynamics.steady.response import ResponseCurve
+from rocksteady.dynamics.steady.states import SteadyOrbit
 from rocksteady.errors import InputError
-from rocksteady.model.arguments import checked
-from rocksteady.model.validation import non_negative, positive, whole_number
-from rocksteady.show import palette
-from rocksteady.show.inks import LIGHT, inks_of
-from rocksteady.show.layout import (
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import non_negative, positive, whole_number
+from rocksteady.show.style import palette
+from rocksteady.show.style.layout import (
     axes_or_new,
     emptiest_corner,
     extent,
     region_centres,
     spaced_by_ratio,
 )
-from rocksteady.show.legends import LegendPlace, draw_legend, place_of, text_size
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, text_size
+from rocksteady.show.style.line_colours import LIGHT, inks_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -12,14 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady import AttractorKind, Store, steady_states
-from rocksteady.dynamics.attractor import KINDS
-from rocksteady.dynamics.lowering import symmetric_sides
-from rocksteady.dynamics.settled import Beginnings, SettledCells, settled_cells
+from rocksteady.dynamics.batch.attractors import Beginnings, SettledCells, settled_cells
+from rocksteady.dynamics.history.lowering import symmetric_sides
+from rocksteady.dynamics.orbits.attractor import KINDS
 from rocksteady.studies.atlas.plane import Plane
-from rocksteady.sweep.axes import Axis
+from rocksteady.sweep.cases.axes import Axis
+from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.grid import Grid
-from rocksteady.sweep.outputs import Output
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]

@@ -15,7 +15,7 @@ from rocksteady import (
     attractor_map,
     heteroclinic_amplitude,
 )
-from rocksteady.dynamics.attractor import KINDS
+from rocksteady.dynamics.orbits.attractor import KINDS
 from rocksteady.studies.atlas.plane import Plane
 from rocksteady.studies.folder import Done, nothing
 from rocksteady.studies.parts import Parts

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.errors import InputError
-from rocksteady.model.motions import HIGHEST_FREQUENCY_RATIO, LOWEST_FREQUENCY_RATIO
-from rocksteady.model.validation import in_range, odd_order
+from rocksteady.model.checks.validation import in_range, odd_order
+from rocksteady.model.motions.segments import HIGHEST_FREQUENCY_RATIO, LOWEST_FREQUENCY_RATIO
 
 Floats = NDArray[np.float64]
 

@@ -9,13 +9,15 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import ArrayLike
 
 from rocksteady import Store, __version__
-from rocksteady.show.files import figure_bytes, json_text, save_csv, save_text
+from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
 from rocksteady.show.report import svg_data_uri
-from rocksteady.studies.atlas import tables
 from rocksteady.studies.atlas.coexistence import Coexistence, coexistence
 from rocksteady.studies.atlas.columns import columns
 from rocksteady.studies.atlas.families import FamilyMap, family_map
-from rocksteady.studies.atlas.findings import (
+from rocksteady.studies.atlas.from_rest import MARKED, PARTS, FromRest, from_rest
+from rocksteady.studies.atlas.lines import Line, family_lines
+from rocksteady.studies.atlas.pages import tables
+from rocksteady.studies.atlas.pages.findings import (
     BandsAt,
     bands_at,
     coexistence_values,
@@ -23,11 +25,9 @@ from rocksteady.studies.atlas.findings import (
     rest_values,
     window_values,
 )
-from rocksteady.studies.atlas.from_rest import MARKED, PARTS, FromRest, from_rest
-from rocksteady.studies.atlas.lines import Line, family_lines
-from rocksteady.studies.atlas.pictures import draw_coexistence, draw_families, draw_from_rest
+from rocksteady.studies.atlas.pages.pictures import draw_coexistence, draw_families, draw_from_rest
+from rocksteady.studies.atlas.pages.report import report_html
 from rocksteady.studies.atlas.plane import AMPLITUDES, FREQUENCY_RATIOS, ORDERS, Plane
-from rocksteady.studies.atlas.report import report_html
 from rocksteady.studies.atlas.windows import Window, windows
 from rocksteady.studies.folder import Done, check_folder, environment, fill_folder, nothing
 from rocksteady.studies.parts import Parts

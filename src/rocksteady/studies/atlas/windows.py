@@ -18,8 +18,8 @@ from rocksteady import (
     State,
     attractor,
 )
-from rocksteady.dynamics.lowering import symmetric_sides
-from rocksteady.dynamics.settled import settled_cells
+from rocksteady.dynamics.batch.attractors import settled_cells
+from rocksteady.dynamics.history.lowering import symmetric_sides
 from rocksteady.studies.atlas.coexistence import CYCLES, Coexistence, OrbitClass, starts
 from rocksteady.studies.atlas.columns import band_ends, border_of
 from rocksteady.studies.atlas.lines import NAMES, Line, traced

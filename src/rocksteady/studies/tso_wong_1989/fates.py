@@ -26,7 +26,7 @@ from rocksteady import (
     evaluate,
     simulate,
 )
-from rocksteady.dynamics.attractor import KINDS
+from rocksteady.dynamics.orbits.attractor import KINDS
 
 if TYPE_CHECKING:
     import xarray

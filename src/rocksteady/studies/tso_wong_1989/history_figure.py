@@ -4,7 +4,7 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from rocksteady import plot_trajectory
-from rocksteady.show import palette
+from rocksteady.show.style import palette
 from rocksteady.studies.tso_wong_1989.fates import Fate, Kind
 from rocksteady.studies.tso_wong_1989.histories import KICK, KICKS, SIDES, History
 from rocksteady.studies.tso_wong_1989.words import sign

@@ -106,8 +106,8 @@ class Plane:
         from matplotlib.figure import Figure
         from matplotlib.patches import Patch
 
-        from rocksteady.show import palette
-        from rocksteady.show.legends import draw_legend
+        from rocksteady.show.style import palette
+        from rocksteady.show.style.legends import draw_legend
 
         states = self.states
         assert states.admissible is not None

@@ -150,7 +150,7 @@ class Responses:
     def _draw(self) -> "Figure":
         from matplotlib.figure import Figure
 
-        from rocksteady.show import palette
+        from rocksteady.show.style import palette
 
         with palette.style():
             figure = Figure(figsize=(5.6, 4.0))

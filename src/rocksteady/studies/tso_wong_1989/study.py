@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from rocksteady import InputError, __version__
-from rocksteady.show.files import figure_bytes, json_text, save_csv, save_text
+from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
 from rocksteady.show.report import svg_data_uri
 from rocksteady.studies import folder as study_folder
 from rocksteady.studies.folder import Done, environment, fill_folder, nothing

@@ -3,11 +3,11 @@
 from contextlib import AbstractContextManager
 
 from rocksteady.errors import InputError
-from rocksteady.model.validation import whole_number
-from rocksteady.sweep.executors.serial import serial
-from rocksteady.sweep.executors.team import Team, usable_cores
-from rocksteady.sweep.executors.threads import threads
-from rocksteady.sweep.task import Task
+from rocksteady.model.checks.validation import whole_number
+from rocksteady.sweep.cases.task import Task
+from rocksteady.sweep.executors._pool import Team, usable_cores
+from rocksteady.sweep.executors._serial import serial
+from rocksteady.sweep.executors._threads import threads
 
 EXECUTORS = ("threads", "dask", "serial")
 """By their names; the address of a scheduler, as tcp://host:8786, names a cluster that is there."""
@@ -30,7 +30,7 @@ def team_for(task: Task, executor: str, workers: int | None) -> AbstractContextM
         return serial(task)
     if executor == "threads":
         return threads(task, usable_cores() if workers is None else workers)
-    from rocksteady.sweep.executors.cluster import cluster
+    from rocksteady.sweep.executors._cluster import cluster
 
     return cluster(task, None if executor == "dask" else executor, workers)
 
@@ -44,7 +44,7 @@ def validated_executor(executor: object) -> str:
         If there is none of that name, or no scheduler can have that address.
     """
     if isinstance(executor, str) and "://" in executor:
-        from rocksteady.sweep.executors.address import validated_address
+        from rocksteady.sweep.executors._address import validated_address
 
         return validated_address(executor)
     if not isinstance(executor, str) or executor not in EXECUTORS:

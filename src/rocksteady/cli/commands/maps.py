@@ -1,0 +1,160 @@
+"""`rocksteady map`: what a block settles to, or what becomes of it, in every cell of a grid."""
+
+from typing import Annotated
+
+import typer
+
+from rocksteady.cli.console.outputs import (
+    INCOMPLETE,
+    announce_compilation,
+    print_json,
+    write_cells,
+    write_figure,
+    write_netcdf,
+)
+from rocksteady.cli.console.progress import sweeping
+from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.flags import options
+from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
+from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.map_axes import MapCase, MapStartFlags, map_case
+from rocksteady.cli.flags.sweep import SWEEP, SweepFlags
+from rocksteady.cli.present.maps_values import map_values, print_counts, title_of
+from rocksteady.errors import InputError
+
+HELP = (
+    "What the block settles to in every cell of a grid.\n\n"
+    "Any flags of shaking, block and start may be axes, start:stop:count: two make a map, one a "
+    "bifurcation diagram. With --fate each motion is followed for --cycles periods only, to see "
+    "whether the block falls. With --out the cells are kept on disk as they are finished, and "
+    "--resume continues after whatever ended the run. Exit code 3 where more than 1 cell in 1000 "
+    "is undecided."
+)
+EXAMPLES = (
+    "Examples:\n\n"
+    "rocksteady map -A 0.1:6:150 -W 0.2:8:200 -r 0.8 --plot map.png\n\n"
+    "rocksteady map -A 0.1:6:150 -W 0.2:8:200 -r 0.8 --out map.zarr --resume\n\n"
+    "rocksteady map -A 1:6:1000 -W 1:12:1000 -r 0.8 --start 0,w=0.3 --fate --plot fates.png\n\n"
+    "rocksteady map --width-m 0.3:0.9:50 --height-m 1:3:50 --accel-g 0.4 --freq-hz 2 --json\n\n"
+    "rocksteady map -A 2 -W 1.5:4:500 -r 0.8 --plot diagram.png"
+)
+FEW = 1e-3
+"""Share of undecided cells that is no failure."""
+
+FateFlag = Annotated[
+    bool,
+    typer.Option(
+        "--fate",
+        help="Only whether the block still rocks, rests or has fallen after --cycles periods, and "
+        "not what it settles to.",
+        rich_help_panel=options.START,
+    ),
+]
+MapCycles = Annotated[
+    int | None,
+    typer.Option(
+        "--cycles",
+        metavar="N",
+        help="Periods of the shaking after which a motion counts as aperiodic or undecided, 2000 "
+        "by default; with --fate those that it is followed for, 200 by default.",
+        rich_help_panel=options.START,
+    ),
+]
+RefineFlag = Annotated[
+    int | None,
+    typer.Option(
+        "--refine",
+        metavar="N",
+        help="Compute every Nth cell along each axis (8 is usual), and of the others only those "
+        "near a border of kinds: three to five times as fast, and 1 or 2 cells in 1000 differ. Not "
+        "with --out.",
+        rich_help_panel=SWEEP,
+    ),
+]
+
+
+@grouped
+def maps(
+    context: typer.Context,
+    shaking: ShakingFlags,
+    block: BlockFlags,
+    start: MapStartFlags,
+    sweep: SweepFlags,
+    output: OutputFlags,
+    fate: FateFlag = False,
+    cycles: MapCycles = None,
+    refine: RefineFlag = None,
+    model: options.Model = "linear",
+) -> None:
+    """Run `rocksteady map`; `HELP` is what its users read."""
+    sweep.check(output)
+    case = map_case(shaking, block, start)
+    equations = equations_for(model, case.body)
+    if output.plot is not None:
+        _check_drawable(case)
+    if sweep.out is not None and refine is not None:
+        raise FlagError(
+            name="--refine",
+            value=refine,
+            valid="a store holds every cell of its grid",
+            hint="leave --out or --refine out",
+        )
+    store = sweep.store(force=output.force)
+
+    announce_compilation("driver.lane_fates" if fate else "attractors.settle_cells")
+    from rocksteady.dynamics.maps.attractor_map import attractor_map
+    from rocksteady.dynamics.maps.fate_map import fate_map
+
+    periods = (200 if fate else 2000) if cycles is None else cycles
+    with (
+        sweep.resumable(context.find_root().obj),
+        start.as_typed(),
+        sweeping("following motions", case.cells) as meter,
+    ):
+        found = (fate_map if fate else attractor_map)(
+            case.body,
+            axes={**case.axes, **case.fixed},
+            start=case.start.of(case.shaking.frequency_ratio),
+            side=case.start.sign,
+            cycles=periods,
+            housner=case.housner,
+            executor=sweep.executor,
+            workers=sweep.workers,
+            store=store,
+            refine=refine,
+            model=equations,
+            done=meter,
+        )
+    values = map_values(case, found, meter)
+    values |= {"store": store and str(store.path), "cycles": periods, "fate": fate}
+    values["model"] = model
+    if output.csv is not None:
+        write_cells(output.csv, found)
+    if sweep.netcdf is not None:
+        write_netcdf(sweep.netcdf, found)
+    if output.plot is not None:
+        from rocksteady.show.figures.maps import map_figure
+
+        title = title_of(case, periods if fate else None, model)
+        write_figure(output.plot, map_figure(found, title, output.page))
+    if output.as_json:
+        print_json("map", values)
+    else:
+        print_counts(values)
+    if values["counts"].get("undecided", 0) > FEW * values["cells"]:
+        raise typer.Exit(INCOMPLETE)
+
+
+def _check_drawable(case: MapCase) -> None:
+    """Refuse, before anything is computed, a map of which there is no picture."""
+    from rocksteady.show.figures.maps import panels_axis
+
+    try:
+        panels_axis({name: len(values) for name, values in case.axes.items()})
+    except InputError as error:
+        raise InputError(
+            name="--plot",
+            value=error.value,
+            valid=error.valid,
+            hint="leave --plot out, or give fewer axes and values",
+        ) from None

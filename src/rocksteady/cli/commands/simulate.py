@@ -1,0 +1,249 @@
+"""`rocksteady simulate`: one time history."""
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rocksteady.cli.console.outputs import (
+    INCOMPLETE,
+    announce_compilation,
+    print_json,
+    write_csv,
+    write_figure,
+    write_film,
+)
+from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.flags import options
+from rocksteady.cli.flags.block_and_shaking import (
+    BlockFlags,
+    PulseFlags,
+    ShakingFlags,
+    equations_for,
+    refuse_of_linear,
+)
+from rocksteady.cli.flags.groups import AnimationFlags, OutputFlags, grouped
+from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
+from rocksteady.cli.flags.start import StartFlags, refuse_without_shaking
+from rocksteady.cli.present.record_values import processing_values
+from rocksteady.cli.present.shared import case_text
+from rocksteady.cli.present.simulate_values import (
+    csv_header,
+    csv_rows,
+    print_summary,
+    trajectory_values,
+)
+from rocksteady.errors import InputError, Status
+from rocksteady.model.checks.validation import whole_number
+from rocksteady.model.motions.segments import Harmonic, Motion, Still
+
+if TYPE_CHECKING:
+    from rocksteady.dynamics.history.trajectory import Trajectory
+    from rocksteady.model.motions.record import Record
+    from rocksteady.show.film.animation import Film
+
+HELP = (
+    "One time history: every flight in closed form (of the full equations with --model nonlinear: "
+    "to within a tolerance), every impact, overturning proved.\n\n"
+    "Without shaking (-A and -W, or --accel-g and --freq-hz) a block that is let go rocks freely "
+    "until it rests or overturns. After "
+    "a pulse (--pulse) and a recorded motion (--record) too it is followed until then."
+)
+EXAMPLES = (
+    "Examples:\n\n"
+    "rocksteady simulate -A 2 -W 1.9 -r 0.8 --start steady --cycles 40 --plot run.png\n\n"
+    "rocksteady simulate --width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 1 --csv run.csv\n\n"
+    "rocksteady simulate --block zhang-makris-2001 --pulse one-sine --accel-g 2 --freq-hz 1.7\n\n"
+    "rocksteady simulate --block zhang-makris-2001 --start 0.6,w=0 --json\n\n"
+    "rocksteady simulate --width-m 0.4 --height-m 0.8 -A 2 -W 4 --model nonlinear\n\n"
+    "rocksteady simulate --width-m 0.5 --height-m 2 --record RSN77_PUL164.AT2 --scale 0.5\n\n"
+    "rocksteady simulate --block tso-wong-1989 -A 4 -W 1.5 --animate fall.gif"
+)
+
+MOST_ROWS = 50_000_000
+"""Of --csv: some gigabytes."""
+
+CyclesFlag = Annotated[
+    float | None,
+    typer.Option(
+        "--cycles",
+        metavar="N",
+        help="Periods of the shaking to follow, default 50.",
+        rich_help_panel=options.START,
+    ),
+]
+SamplesFlag = Annotated[
+    int,
+    typer.Option(
+        "--samples",
+        metavar="N",
+        help="Rows of --csv per period of the shaking (per pt = 1 without shaking, around "
+        "a pulse and under a record); impacts are always rows.",
+        rich_help_panel=options.OUTPUT,
+    ),
+]
+
+
+@grouped
+def simulate(
+    shaking: ShakingFlags,
+    pulse: PulseFlags,
+    recorded: RecordFlags,
+    reading: ReadingFlags,
+    block: BlockFlags,
+    output: OutputFlags,
+    film: AnimationFlags,
+    start: StartFlags,
+    cycles: CyclesFlag = None,
+    samples: SamplesFlag = 100,
+    model: options.Model = "linear",
+    tolerance: options.Tolerance = None,
+) -> None:
+    """Run `rocksteady simulate`; `HELP` is what its users read."""
+    output.check()
+    film.check(output, recorded.files)
+    of_record = recorded.given(reading)
+    body = recorded.block(block) if of_record else block.described()
+    equations = equations_for(model, body)
+    motion: Motion | Record = Still()
+    vertical = None
+    notes: dict[str, list[str]] = {}
+    if of_record:
+        refuse_beside_record(pulse=pulse, shaking=shaking, phase=start.phase)
+        refuse_cycles(cycles, "a recorded motion")
+        refuse_of_linear(equations, "--vertical", recorded.vertical)
+        across = recorded.recording(reading)
+        lifting = recorded.vertical_recording(reading, across)
+        motion = across.record
+        vertical = None if lifting is None else recorded.scaled(lifting.record)
+        notes = processing_values(across, lifting)
+    elif pulse.given:
+        motion = pulse.of(shaking.at(body), phase=start.phase)
+        refuse_cycles(cycles, "a pulse")
+    elif shaking.given:
+        motion = shaking.at(body, phase=start.first_phase)
+    start.check(shaken=not isinstance(motion, Still))
+    if isinstance(motion, Still):
+        refuse_without_shaking("--cycles", cycles)
+    refuse_long_table(samples, cycles if output.csv is not None else None)
+    refuse_of_linear(model, "--tolerance", tolerance)
+
+    announce_compilation("march.march")
+    from rocksteady.dynamics.history.models import TOLERANCE
+    from rocksteady.dynamics.history.simulate import simulate as run
+
+    begin = start.of(motion.frequency_ratio if isinstance(motion, Harmonic) else None)
+    with start.as_typed():
+        trajectory = run(
+            body,
+            motion,
+            start=begin,
+            cycles=50.0 if cycles is None else cycles,
+            side=start.sign,
+            model=equations,
+            vertical=vertical,
+            tolerance=TOLERANCE if tolerance is None else tolerance,
+        )
+    values = trajectory_values(trajectory, body) | notes
+    # Made before any file is written: a run that is too long to be shown is refused here.
+    moving = None if film.animate is None else film_of_run(trajectory, film)
+    if output.csv is not None:
+        write_csv(output.csv, csv_header(trajectory), csv_rows(trajectory, samples))
+    if output.plot is not None:
+        from rocksteady.show.figures.single import simulation_figure
+
+        # The name of a record leaves no room for more.
+        title = case_text(values) if "record" in values else f"Rocking block: {case_text(values)}"
+        write_figure(output.plot, simulation_figure(trajectory, title, output.page))
+    if moving is not None and film.animate is not None:
+        write_film(film.animate, moving)
+    if output.as_json:
+        print_json("simulate", values)
+    else:
+        print_summary(values, trajectory)
+    if trajectory.status is Status.UNDECIDED:
+        raise typer.Exit(INCOMPLETE)
+
+
+def refuse_long_table(samples: int, cycles: float | None) -> None:
+    """Refuse --samples that is no number of rows, or with --cycles too many of them.
+
+    Raises
+    ------
+    InputError, FlagError
+        If it is.
+    """
+    whole_number("per_unit", samples, at_least=1, at_most=100_000, hint="give rows per period")
+    if cycles is not None and samples * cycles > MOST_ROWS:
+        raise FlagError(
+            finding=f"--samples {samples} with --cycles {cycles:g}",
+            valid=f"--csv has at most {MOST_ROWS:,} rows",
+            hint="give fewer of them",
+        )
+
+
+def refuse_cycles(cycles: float | None, thing: str) -> None:
+    """Refuse a number of cycles for a motion that ends.
+
+    Raises
+    ------
+    InputError
+        If there is one.
+    """
+    if cycles is not None:
+        raise FlagError(
+            name="--cycles",
+            value=cycles,
+            valid=f"{thing} ends, and the block is followed to rest or overturning",
+            hint="leave it out",
+        )
+
+
+def refuse_beside_record(*, pulse: PulseFlags, shaking: ShakingFlags, phase: float | None) -> None:
+    """Refuse another base motion beside a recorded one.
+
+    Raises
+    ------
+    InputError
+        If there is one.
+    """
+    others = {
+        "--pulse": pulse.pulse if pulse.given else None,
+        "--amplitude/-A": shaking.amplitude,
+        "--frequency-ratio/-W": shaking.frequency_ratio,
+        "--accel-g": shaking.accel_g,
+        "--freq-hz": shaking.freq_hz,
+        "--phase": phase,
+    }
+    for flag, value in others.items():
+        if value is not None:
+            raise FlagError(
+                name=flag,
+                value=value,
+                valid="--record says how the base moves",
+                hint="leave one of the two out; --scale makes a record stronger",
+            )
+
+
+def film_of_run(trajectory: "Trajectory", flags_of_film: AnimationFlags) -> "Film":
+    """Return the film of a whole run.
+
+    Raises
+    ------
+    InputError
+        If it would have too many frames, or too few to show each period.
+    """
+    from rocksteady.show.film.animation import film_of
+
+    try:
+        return film_of(trajectory, speed=flags_of_film.speed)
+    except InputError as error:
+        if error.name != "span":
+            raise
+        # The command has no part of a run to offer, but the run can be made shorter.
+        shaken = isinstance(trajectory.motion, Harmonic)
+        raise InputError(
+            name="--animate",
+            value=flags_of_film.animate,
+            valid=error.valid,
+            hint="follow fewer periods with --cycles" if shaken else "give a --speed",
+        ) from error

@@ -1,0 +1,133 @@
+"""`rocksteady study`: studies of the block itself, each a folder with pictures, data and a page."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from rocksteady.cli.console import terminal
+from rocksteady.cli.console.outputs import announce_compilation, print_json
+from rocksteady.cli.console.progress import progress
+from rocksteady.cli.console.refusals import OncePerFlag
+from rocksteady.cli.flags import options
+from rocksteady.cli.flags.parsing import axis, number
+from rocksteady.cli.flags.sweep import resumable_study
+
+if TYPE_CHECKING:
+    from rocksteady.studies.atlas import Atlas
+
+HELP = "Studies that take minutes: pictures, data and a page to read, in one folder."
+ATLAS_HELP = (
+    "The plane of frequency and amplitude for one restitution.\n\n"
+    "Every stable symmetric, leaning and doubled region of the families n = 1, 3, 5 with exact "
+    "borders, how many motions stand side by side, and what a block at rest comes to. Writes "
+    "pictures as PNG, SVG and PDF, their data as CSV, atlas.json, and the page atlas.html.\n\n"
+    "Takes about 2.5 minutes on two cores. What is finished is kept in the folder, and --resume "
+    "continues after whatever ended the run."
+)
+ATLAS_EXAMPLES = (
+    "Examples:\n\n"
+    "rocksteady study atlas --out atlas\n\n"
+    "rocksteady study atlas -r 0.9 -A 0.1:5:50 -W 0.1:8:80 --out quick"
+)
+
+app = typer.Typer(no_args_is_help=True, rich_markup_mode="rich")
+
+PLANE = "Plane"
+RestitutionFlag = Annotated[
+    str,
+    typer.Option(
+        "--restitution",
+        "-r",
+        metavar="R",
+        help="Ratio of angular velocities after and before an impact, in (0, 1).",
+        rich_help_panel=PLANE,
+    ),
+]
+AmplitudeFlag = Annotated[
+    str | None,
+    typer.Option(
+        "--amplitude",
+        "-A",
+        metavar="AXIS",
+        help="Rows of the maps, a_max over alpha g, as start:stop:count; default 0.08:8:100.",
+        rich_help_panel=PLANE,
+    ),
+]
+FrequencyFlag = Annotated[
+    str | None,
+    typer.Option(
+        "--frequency-ratio",
+        "-W",
+        metavar="AXIS",
+        help="Columns of the maps, omega/p, as start:stop:count; default 0.075:12:160. The time "
+        "goes with rows times columns.",
+        rich_help_panel=PLANE,
+    ),
+]
+OrderFlag = Annotated[
+    list[int] | None,
+    typer.Option(
+        "--order",
+        "-n",
+        metavar="N",
+        help="Family whose regions are followed, odd; may be repeated; default 1, 3 and 5.",
+        rich_help_panel=PLANE,
+    ),
+]
+
+
+@app.callback()
+def study() -> None:
+    """Run a study; `HELP` is what its users read."""
+
+
+@app.command("atlas", cls=OncePerFlag, help=ATLAS_HELP, epilog=ATLAS_EXAMPLES)
+def atlas(
+    context: typer.Context,
+    out: options.OutFolder,
+    restitution: RestitutionFlag = "0.8",
+    amplitude: AmplitudeFlag = None,
+    frequency_ratio: FrequencyFlag = None,
+    order: OrderFlag = None,
+    force: options.Force = False,
+    resume: options.ResumeStudy = False,
+    as_json: options.Json = False,
+) -> None:
+    """Run `rocksteady study atlas`; `ATLAS_HELP` is what its users read."""
+    from rocksteady.studies.atlas import study as module
+    from rocksteady.studies.folder import check_folder
+
+    arguments: dict[str, Any] = {"restitution": number("restitution", restitution)}
+    for name, text in (("amplitude", amplitude), ("frequency_ratio", frequency_ratio)):
+        if text is not None:
+            arguments[name] = axis(name, text)
+    if order:
+        arguments["orders"] = tuple(order)
+    plane = module.plane_of(**arguments)
+    check_folder(out, module.OURS, force=force or resume)
+    parts = module.parts_of(plane, out, resume=resume, force=force)
+    announce_compilation("attractors.settle_cells")
+    with resumable_study(parts, context):
+        with progress("computing", module.steps(plane)) as done:
+            found = module.atlas(**arguments, parts=parts, done=done)
+        with progress("drawing", found.steps) as done:
+            files = found.save(out, force=force or resume, parts=parts, done=done)
+    parts.remove()
+    if as_json:
+        names = [file.name for file in files]
+        print_json("atlas", {**found.values(), "out": str(out), "files": names})
+    else:
+        print_summary(found, out, files)
+
+
+def print_summary(found: "Atlas", out: Path, files: list[Path]) -> None:
+    """Print what came out and where to look."""
+    from rocksteady.studies.atlas.pages.findings import coexistence_sentences, rest_sentences
+
+    console = terminal.console(wrap=True)
+    for text in (*coexistence_sentences(found.found), *rest_sentences(found.rest, None)[:1]):
+        console.print(text.replace("\N{NO-BREAK SPACE}", " "))
+    quiet = terminal.console()
+    quiet.print(f"{len(files)} files in {out}")
+    quiet.print(f"open {out / 'atlas.html'}")

@@ -1,0 +1,1 @@
+"""What the program writes and where: streams, progress, files, refusals."""

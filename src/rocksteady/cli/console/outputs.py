@@ -1,0 +1,120 @@
+"""What a command leaves behind: JSON on standard output, and files that are whole or not there."""
+
+import os
+import sys
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from rocksteady import durable
+from rocksteady.cli.console.progress import progress
+from rocksteady.errors import OutputError
+from rocksteady.show.export.files import json_text, save_csv, save_figure, save_whole
+from rocksteady.show.style.escaping import printable
+
+if TYPE_CHECKING:
+    import xarray
+    from matplotlib.figure import Figure
+
+    from rocksteady.show.film.animation import Film
+
+
+INCOMPLETE = 3
+"""Exit code of a command that could not decide what it was asked."""
+
+
+def check_writable(flag: str, file: Path, *, force: bool) -> None:
+    """Refuse a file that could not be written.
+
+    Raises
+    ------
+    OutputError
+        If it exists and `force` is off, its folder is missing or not writable, it is "-", a folder,
+        a device or a pipe. A link counts as what it leads to, and as existing where that is
+        missing.
+    """
+    found = durable.obstacle(file)
+    if file == Path("-"):  # which elsewhere means standard output
+        valid, hint = "standard output is kept for text and --json", "name a file"
+    elif found is not None:
+        valid, hint = found
+    elif not os.access(durable.place_of(file).parent, os.W_OK):
+        valid, hint = "its folder is not writable", "choose another folder"
+    elif os.path.lexists(file) and not force:
+        missing = file.is_symlink() and not file.exists()
+        valid = "it is a link to a file that is missing" if missing else "it exists"
+        hint = "add --force to write it" if missing else "add --force to overwrite it"
+    else:
+        durable.expect(file, replace=force)
+        return
+    raise OutputError(name=flag, value=file, valid=valid, hint=hint)
+
+
+def impossible_name(file: Path) -> str | None:
+    """Return why the system takes no such name, as of too many characters; None where it does."""
+    try:
+        file.exists()
+    except OSError as error:
+        return error.strerror or str(error)
+    return None
+
+
+def announce_compilation(kernel: str) -> None:
+    """Say on standard error that a first run takes longer, where this is one.
+
+    Parameters
+    ----------
+    kernel
+        What the command calls for its work, as "march.march": module and function.
+    """
+    from rocksteady.kernels.core.compilation import must_compile
+
+    if must_compile(kernel):
+        print("compiling what this needs, once for each version: up to a minute", file=sys.stderr)
+
+
+def write_figure(file: Path, figure: "Figure") -> None:
+    """Save what --plot asks for."""
+    save_figure("--plot", file, figure)
+    announce_file(file)
+
+
+def write_csv(file: Path, header: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
+    """Save what --csv asks for."""
+    save_csv("--csv", file, header, rows)
+    announce_file(file)
+
+
+def write_cells(file: Path, found: "xarray.Dataset") -> None:
+    """Save what --csv asks for of a sweep: a row a cell."""
+    from rocksteady.show.export.csv_files import save_cells
+
+    save_cells("--csv", file, found)
+    announce_file(file)
+
+
+def write_netcdf(file: Path, found: "xarray.Dataset") -> None:
+    """Save what --netcdf asks for."""
+    from rocksteady.show.export.netcdf import save_netcdf
+
+    save_netcdf("--netcdf", file, found)
+    announce_file(file)
+
+
+def write_film(file: Path, film: "Film") -> None:
+    """Save what --animate asks for."""
+    from rocksteady.show.film.gif import save_gif
+
+    with progress("drawing the film", film.frames, lines=False) as done:
+        save_whole("--animate", file, lambda target: save_gif(film, target, done))
+    announce_file(file)
+
+
+def announce_file(file: Path) -> None:
+    """Say on standard error that a file is there."""
+    print(f"wrote {printable(file)}", file=sys.stderr)
+
+
+def print_json(command: str, values: dict[str, Any]) -> None:
+    """Print one object with its schema; NaN and infinity become null."""
+    print(json_text(f"rocksteady/{command}/1", values))

@@ -1,0 +1,1 @@
+"""What can be asked: flags, their groups, and the objects that they become."""

@@ -1,0 +1,340 @@
+"""What moves and what shakes it: flags that become nouns of the model."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, cast
+
+from rocksteady.cli.console.refusals import FlagError, both
+from rocksteady.cli.flags import options
+from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
+from rocksteady.cli.flags.parsing import MOST_AXIS_POINTS, axis, restitution_from, single
+from rocksteady.dynamics.parameters import SIZES
+from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block, DimensionlessBlock, Restitution
+from rocksteady.model.blocks.examples import example_block
+from rocksteady.model.checks.validation import LARGEST, in_range, non_negative
+from rocksteady.model.motions.pulses import Pulse
+from rocksteady.model.motions.segments import Harmonic
+
+if TYPE_CHECKING:
+    from rocksteady.dynamics.history.models import ModelName
+
+FIELDS = {name: FLAG_OF_ARGUMENT[name].removeprefix("--").replace("-", "_") for name in SIZES}
+"""Fields of the flags of a block, by the measures that they are."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ShakingFlags:
+    """Harmonic shaking, dimensionless or, for a block, in g and Hz."""
+
+    amplitude: options.Amplitude = None
+    frequency_ratio: options.FrequencyRatio = None
+    accel_g: options.AccelG = None
+    freq_hz: options.FreqHz = None
+
+    @property
+    def given(self) -> bool:
+        """Whether there is any of them."""
+        return any(getattr(self, field.name) is not None for field in fields(self))
+
+    def parameters(self, block: Block | DimensionlessBlock) -> dict[str, list[float]]:
+        """Return amplitudes and frequencies in the measures of the flags, g as m/s^2.
+
+        Each is an axis or one value, by its name in `rocksteady.dynamics.parameters.AXES`.
+
+        Raises
+        ------
+        InputError, ModelError
+            If a value is missing, given twice, no number, negative, or needs a block.
+        """
+        for flag, value in (("--accel-g", self.accel_g), ("--freq-hz", self.freq_hz)):
+            if value is not None and isinstance(block, DimensionlessBlock):
+                raise FlagError(
+                    name=flag,
+                    value=value,
+                    valid="g and Hz need a block with a slenderness and a p",
+                    hint="describe a block, or give -A and -W",
+                )
+        for flag, one, alias, other in (
+            ("--amplitude/-A", self.amplitude, "--accel-g", self.accel_g),
+            ("--frequency-ratio/-W", self.frequency_ratio, "--freq-hz", self.freq_hz),
+        ):
+            if one is not None and other is not None:
+                raise both(flag, alias, valid="exactly one of the two is needed")
+            if one is None and other is None:
+                raise FlagError(
+                    finding=f"of {flag} and {alias}, neither given",
+                    valid="exactly one of the two is needed",
+                    hint="give one",
+                )
+        found: dict[str, list[float]] = {}
+        if self.amplitude is not None:
+            found["amplitude"] = axis("amplitude", self.amplitude)
+        if self.accel_g is not None and isinstance(block, Block):
+            peaks = axis("--accel-g", self.accel_g)
+            for end in (peaks[0], peaks[-1]):
+                non_negative("--accel-g", end, hint="give the peak in g; 0.3 is usual")
+            found["acceleration_m_s2"] = [min(g, LARGEST) * block.gravity for g in peaks]
+        if self.frequency_ratio is not None:
+            found["frequency_ratio"] = axis("frequency_ratio", self.frequency_ratio)
+        if self.freq_hz is not None:
+            found["frequency_hz"] = axis("--freq-hz", self.freq_hz)
+        return found
+
+    def of(self, block: Block | DimensionlessBlock) -> tuple[list[float], list[float]]:
+        """Return amplitudes A and frequency ratios for a block, each an axis or one value.
+
+        Raises
+        ------
+        InputError, ModelError
+            If a value is missing, given twice, outside its range, or needs a block.
+        """
+        given = self.parameters(block)
+        if "acceleration_m_s2" in given:
+            given["amplitude"] = [_felt(block, a).amplitude for a in given["acceleration_m_s2"]]
+        if "frequency_hz" in given:
+            given["frequency_ratio"] = [
+                _felt(block, 0.0, hertz).frequency_ratio for hertz in given["frequency_hz"]
+            ]
+        amplitudes, ratios = given["amplitude"], given["frequency_ratio"]
+        if len(amplitudes) * len(ratios) > MOST_AXIS_POINTS:
+            raise InputError(
+                name="-A and -W",
+                value=f"{len(amplitudes)} amplitudes x {len(ratios)} frequencies",
+                valid=f"they may have {MOST_AXIS_POINTS} points together",
+                hint="take fewer points",
+            )
+        return amplitudes, ratios
+
+    def at(self, block: Block | DimensionlessBlock, *, phase: float = 0.0) -> Harmonic:
+        """Return the one motion of flags that are no axes.
+
+        Raises
+        ------
+        InputError, ModelError
+            As for `of`; and if a value is an axis, or the phase is not finite.
+        """
+        amplitudes, ratios = self.of(block)
+        ratio = single("frequency_ratio", ratios)
+        amplitude = single("amplitude", amplitudes)
+        return Harmonic(amplitude=amplitude, frequency_ratio=ratio, phase=phase)
+
+
+@dataclass(frozen=True, kw_only=True)
+class PulseFlags:
+    """A pulse in place of endless shaking."""
+
+    pulse: options.PulseName = None
+    oscillations: options.Oscillations = None
+
+    @property
+    def given(self) -> bool:
+        """Whether there is a pulse.
+
+        Raises
+        ------
+        ModelError
+            If there is none, and something that only a pulse has.
+        """
+        if self.pulse is None and self.oscillations is not None:
+            raise FlagError(
+                name="oscillations",
+                value=self.oscillations,
+                valid="without --pulse it has no meaning",
+                hint="add --pulse mavroeidis-papageorgiou, or leave it out",
+            )
+        return self.pulse is not None
+
+    def of(self, size: Harmonic, *, phase: float | None) -> Pulse:
+        """Return the pulse with the amplitude and the frequency of some shaking.
+
+        Raises
+        ------
+        InputError, ModelError
+            If there is no pulse of that name, or it cannot have the oscillations or the phase.
+        """
+        return Pulse(
+            shape=self.pulse or "",
+            amplitude=size.amplitude,
+            frequency_ratio=size.frequency_ratio,
+            oscillations=self.oscillations,
+            phase=phase,
+        )
+
+
+def _felt(
+    block: Block | DimensionlessBlock, acceleration_m_s2: float, frequency_hz: float | None = None
+) -> Harmonic:
+    """Return what a block feels of a ground of which only a part is asked for."""
+    assert isinstance(block, Block)
+    hertz = block.p if frequency_hz is None else frequency_hz  # valid for every block
+    return Harmonic.from_si(block, acceleration_m_s2=acceleration_m_s2, frequency_hz=hertz)
+
+
+@dataclass(frozen=True, kw_only=True)
+class BlockFlags:
+    """A block, or its restitution alone."""
+
+    restitution: options.Restitution = None
+    block: options.NamedBlock = None
+    width_m: options.WidthM = None
+    height_m: options.HeightM = None
+    left_m: options.LeftM = None
+    right_m: options.RightM = None
+    gyration_m: options.GyrationM = None
+    alpha_rad: options.AlphaRad = None
+    radius_m: options.RadiusM = None
+    p_rad_s: options.PRadS = None
+    gravity_m_s2: options.GravityMS2 = None
+
+    @property
+    def given(self) -> bool:
+        """Whether there is any of them."""
+        return any(getattr(self, field.name) is not None for field in fields(self))
+
+    def described(self) -> Block | DimensionlessBlock:
+        """Return the block that the flags describe; a dimensionless one where none does.
+
+        Raises
+        ------
+        InputError
+            If a number is outside its range.
+        ModelError
+            If the flags describe a block in two ways, or half of one.
+        """
+        gravity = STANDARD_GRAVITY if self.gravity_m_s2 is None else self.gravity_m_s2
+        given = [FLAG_OF_ARGUMENT[name] for name in (*self.sizes, *self.unlike)]
+        if not given and self.block is None:
+            if self.gravity_m_s2 is not None:
+                raise FlagError(
+                    name="--gravity-m-s2",
+                    value=self.gravity_m_s2,
+                    valid="without a block gravity has no meaning",
+                    hint="describe a block, or leave it out",
+                )
+            ratio = restitution_from(self.restitution, default=None)
+            first, second = ratio if isinstance(ratio, tuple) else (ratio, None)
+            return DimensionlessBlock(restitution=float(first), negative_restitution=second)
+        ratio = restitution_from(self.restitution, default="housner")
+        block = self._sized(ratio[0] if isinstance(ratio, tuple) else ratio, gravity)
+        if block is None:
+            flags_given = " ".join(["--block", *given] if self.block is not None else given)
+            raise FlagError(
+                finding=f"{flags_given} alone describe no block",
+                valid="it is described by --width-m with --height-m, by --alpha-rad with "
+                "--radius-m, by --alpha-rad with --p-rad-s, by --left-m and --right-m with "
+                "--height-m, or by --block alone",
+                hint="give one of these pairs, or the three",
+            )
+        return block.with_restitution(ratio) if isinstance(ratio, tuple) else block
+
+    def _sized(self, ratio: Restitution, gravity: float) -> Block | None:
+        """Return the block of the sizes that are given; None where they are not those of one."""
+        sizes = {name: single(FLAG_OF_ARGUMENT[name], self.sizes[name]) for name in self.sizes}
+        if self.block is not None:
+            own = None if self.restitution is None else ratio
+            named = not sizes and not self.unlike
+            return example_block(self.block, restitution=own, gravity=gravity) if named else None
+        whole = {"left", "right", *self.unlike} == self.unlike.keys()
+        makers: dict[tuple[str, ...], Callable[..., Block]] = {
+            ("width", "height"): Block.rectangle,
+            ("alpha", "radius"): Block.from_radius,
+            ("alpha", "p"): Block.from_p,
+        }
+        if self.unlike:
+            makers = {("height",): Block.asymmetric} if whole else {}
+        for name, value in self.unlike.items():  # the width that follows has no flag
+            in_range(name, value, 0.0, LARGEST, hint="give a distance in metres, as 0.3")
+        make = makers.get(tuple(sizes))
+        rest: dict[str, Any] = {"restitution": ratio, "gravity": gravity}
+        return None if make is None else make(**sizes, **self.unlike, **rest)
+
+    def refuse_sides(self, valid: str, hint: str) -> FlagError:
+        """Return the error of a block whose sides differ, with the flags that make them differ."""
+        flags_given = "--left-m and --right-m" if self.unlike else "--restitution/-r"
+        return FlagError(
+            finding=f"{flags_given} make a block whose sides differ", valid=valid, hint=hint
+        )
+
+    @property
+    def unlike(self) -> dict[str, float]:
+        """The measures that are given of a block whose sides differ."""
+        values = {"left": self.left_m, "right": self.right_m, "gyration": self.gyration_m}
+        return {name: value for name, value in values.items() if value is not None}
+
+    @cached_property
+    def sizes(self) -> dict[str, list[float]]:
+        """The measures that are given, each an axis or one value.
+
+        Raises
+        ------
+        InputError
+            If one is neither an axis nor a number.
+        """
+        texts = {name: getattr(self, FIELDS[name]) for name in SIZES}
+        return {
+            name: axis(FLAG_OF_ARGUMENT[name], text)
+            for name, text in texts.items()
+            if text is not None
+        }
+
+    @cached_property
+    def restitutions(self) -> list[float]:
+        """The values of the restitution where that is an axis, else none.
+
+        Raises
+        ------
+        InputError
+            If it is no axis, or not inside (0, 1].
+        """
+        if self.restitution is None or ":" not in self.restitution:
+            return []
+        values = axis("restitution", self.restitution)
+        for end in (values[0], values[-1]):
+            in_range("restitution", end, 0.0, 1.0, hint="give an axis inside (0, 1]")
+        return values
+
+    def at_first(self) -> "BlockFlags":
+        """Return the flags with the first value of each axis in its place."""
+        first: dict[str, Any] = {
+            FIELDS[name]: repr(values[0]) for name, values in self.sizes.items()
+        }
+        if self.restitutions:
+            first["restitution"] = repr(self.restitutions[0])
+        return replace(self, **first)
+
+
+def equations_for(model: str, body: Block | DimensionlessBlock) -> "ModelName":
+    """Return the equations of motion that --model names, for a block; other names pass.
+
+    Raises
+    ------
+    ModelError
+        If the nonlinear model meets a block of which only the restitution is known.
+    """
+    if model == "nonlinear" and not isinstance(body, Block):
+        raise FlagError(
+            name="--model",
+            value=model,
+            valid="the full equations need the block's slenderness",
+            hint="give the block, as --alpha-rad 0.3 --radius-m 1 or --width-m 0.4 --height-m 1.2",
+        )
+    return cast("ModelName", model)
+
+
+def refuse_of_linear(model: str, name: str, value: object) -> None:
+    """Refuse what only the nonlinear model has.
+
+    Raises
+    ------
+    ModelError
+        If it is given with the linear model.
+    """
+    if model == "linear" and value is not None:
+        raise FlagError(
+            name=name,
+            value=value,
+            valid="only the nonlinear model has it",
+            hint="leave it out, or take --model nonlinear",
+        )

@@ -1,0 +1,202 @@
+"""Groups of flags that several commands share: a command takes each group as one parameter.
+
+A group is a frozen dataclass whose fields are the flags; its methods turn them into nouns of the
+model.  `grouped` spreads the fields over the command's signature, where typer finds them, and
+collects them again when the command is called.
+"""
+
+import inspect
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, fields, is_dataclass
+from functools import wraps
+from pathlib import Path
+from typing import Any
+
+from rocksteady.cli.console.outputs import check_writable
+from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.flags import options
+from rocksteady.durable import place_of
+from rocksteady.errors import OutputError
+from rocksteady.model.checks.validation import positive
+from rocksteady.show.style.legends import checked_place
+from rocksteady.show.style.page import Page, width_mm_of
+
+FIGURE_FORMATS = (".png", ".svg", ".pdf")
+
+
+@dataclass(frozen=True, kw_only=True)
+class OutputFlags:
+    """What a command leaves behind."""
+
+    as_json: options.Json = False
+    plot: options.Plot = None
+    width: options.Width = None
+    legend: options.Legend = None
+    csv: options.Csv = None
+    force: options.Force = False
+
+    def check(self) -> None:
+        """Refuse, before anything is computed, what could not be written afterwards.
+
+        Raises
+        ------
+        OutputError
+            If a file exists and --force is off, its folder is missing or not writable, a figure's
+            format is unknown, or one file is asked for twice.
+        InputError
+            If a width or the place of legends is not valid.
+        ModelError
+            If there is one of these and no figure.
+        """
+        _ = self.page
+        for flag, value in (("--width", self.width), ("--legend", self.legend)):
+            if value is not None and self.plot is None:
+                raise FlagError(
+                    name=flag,
+                    value=value,
+                    valid="without --plot it has no meaning",
+                    hint="add --plot figure.pdf, or leave it out",
+                )
+        if self.plot is not None and self.plot.suffix.lower() not in FIGURE_FORMATS:
+            raise OutputError(
+                name="--plot",
+                value=self.plot,
+                valid="the ending says the format: " + ", ".join(FIGURE_FORMATS),
+                hint="rename it",
+            )
+        if same_file(self.plot, self.csv):
+            raise OutputError(
+                name="--csv", value=self.csv, valid="--plot writes the same file", hint="rename one"
+            )
+        for flag, file in (("--plot", self.plot), ("--csv", self.csv)):
+            if file is not None:
+                check_writable(flag, file, force=self.force)
+
+    def refuse_read(self, read: Sequence[Path], **more: Path | None) -> None:
+        """Refuse to write over a file that the command reads.
+
+        Parameters
+        ----------
+        read
+            Files that are read.
+        more
+            Further files that are written, by the names of their flags.
+
+        Raises
+        ------
+        OutputError
+            If one of them is written too.
+        """
+        for name, file in {"plot": self.plot, "csv": self.csv, **more}.items():
+            if any(same_file(file, other) for other in read):
+                raise OutputError(
+                    name=f"--{name}",
+                    value=file,
+                    valid="the command reads this file",
+                    hint="name another one",
+                )
+
+    @property
+    def page(self) -> Page:
+        """Width of a figure, and place of its legends.
+
+        Raises
+        ------
+        InputError
+            If one of the two is not valid.
+        """
+        return Page(
+            width_mm=None if self.width is None else width_mm_of(self.width),
+            legend=checked_place(self.legend),
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class AnimationFlags:
+    """A film, and how fast it plays."""
+
+    animate: options.Animate = None
+    speed: options.Speed = None
+
+    def check(self, output: OutputFlags, read: Sequence[Path] = ()) -> None:
+        """Refuse, before anything is computed, what could not be written afterwards.
+
+        Parameters
+        ----------
+        output
+            What else is written.
+        read
+            Files that the command reads.
+
+        Raises
+        ------
+        OutputError
+            If the file is no .gif, exists and --force is off, its folder is missing or not
+            writable, or it is asked for by another flag; if a file that is read is written over.
+        InputError
+            If the speed is not positive.
+        InputError
+            If there is a speed and no film.
+        """
+        output.refuse_read(read, animate=self.animate)
+        if self.speed is not None:
+            positive("speed", self.speed, hint="give 1 for real time or one period a second")
+        if self.animate is None:
+            if self.speed is not None:
+                raise FlagError(
+                    name="speed",
+                    value=self.speed,
+                    valid="without --animate it has no meaning",
+                    hint="add --animate run.gif, or leave it out",
+                )
+            return
+        if self.animate.suffix.lower() != ".gif":
+            raise OutputError(
+                name="--animate",
+                value=self.animate,
+                valid="the ending says the format: .gif",
+                hint="rename it",
+            )
+        for flag, file in (("--plot", output.plot), ("--csv", output.csv)):
+            if same_file(self.animate, file):
+                raise OutputError(
+                    name="--animate",
+                    value=self.animate,
+                    valid=f"{flag} writes the same file",
+                    hint="rename one",
+                )
+        check_writable("--animate", self.animate, force=output.force)
+
+
+def same_file(one: Path | None, other: Path | None) -> bool:
+    """Return whether two flags name one file."""
+    return one is not None and other is not None and place_of(one) == place_of(other)
+
+
+def grouped(command: Callable[..., None]) -> Callable[..., None]:
+    """Spread a command's parameters that are groups into one parameter for each of their flags."""
+    own = inspect.signature(command, eval_str=True)
+    groups: dict[str, type[Any]] = {
+        name: parameter.annotation
+        for name, parameter in own.parameters.items()
+        if isinstance(parameter.annotation, type) and is_dataclass(parameter.annotation)
+    }
+    spread: list[inspect.Parameter] = []
+    for name, parameter in own.parameters.items():
+        if name in groups:
+            spread += inspect.signature(groups[name], eval_str=True).parameters.values()
+        else:
+            spread.append(parameter.replace(kind=inspect.Parameter.KEYWORD_ONLY))
+
+    @wraps(command)
+    def run(**values: Any) -> None:
+        collected = {
+            name: group(**{field.name: values.pop(field.name) for field in fields(group)})
+            for name, group in groups.items()
+        }
+        command(**collected, **values)
+
+    # typer reads both.
+    run.__signature__ = own.replace(parameters=spread)  # type: ignore[attr-defined]
+    run.__annotations__ = {parameter.name: parameter.annotation for parameter in spread}
+    return run

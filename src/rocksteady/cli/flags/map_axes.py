@@ -1,0 +1,232 @@
+"""The axes of a map: any flags of block, shaking and start that were given as start:stop:count."""
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Annotated
+
+import typer
+
+from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.flags import options
+from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
+from rocksteady.cli.flags.parsing import axis
+from rocksteady.cli.flags.start import HINT, StartFlags
+from rocksteady.dynamics.parameters import AXES, shaking_of
+from rocksteady.errors import InputError, ModelError
+from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.motions.segments import Harmonic
+
+RESIZED = frozenset({"width", "height", "radius", "p"})
+"""Measures that change the frequency parameter of a block."""
+
+StartAxes = Annotated[
+    str,
+    typer.Option(
+        "--start",
+        metavar="START",
+        help="rest; steady or steady:2 (on branch 1 or 2 of order -n); U,DU (u and du/dtau); or "
+        "U,w=V (V = du/d(pt)). U and V may be axes, as --start=-1:1:200,w=0.",
+        rich_help_panel=options.START,
+    ),
+]
+PhaseAxis = Annotated[
+    str | None,
+    typer.Option(
+        "--phase",
+        metavar="RAD",
+        help="Phase of the shaking at the start \\[rad], default 0, or an axis; not with --start "
+        "steady.",
+        rich_help_panel=options.START,
+    ),
+]
+KickAxis = Annotated[
+    str | None,
+    typer.Option(
+        "--kick",
+        metavar="K",
+        help="How far from an unstable steady state the block is set off, default 1e-6, or an "
+        "axis: length of (phase \\[rad], velocity over the orbit's).",
+        rich_help_panel=options.START,
+    ),
+]
+
+
+@dataclass(frozen=True, kw_only=True)
+class MapStartFlags:
+    """Where the motions of a map begin; phase, state and kick may be axes."""
+
+    start: StartAxes = "rest"
+    order: options.Order = 1
+    phase: PhaseAxis = None
+    side: options.Side = "+"
+    kick: KickAxis = None
+
+    @cached_property
+    def parameters(self) -> dict[str, list[float]]:
+        """What is given of phase, kick, angle and velocity, each an axis or one value.
+
+        The velocity is in the unit of the flag.
+
+        Raises
+        ------
+        InputError
+            If one is neither an axis nor a number.
+        """
+        texts = {"phase": self.phase, "kick": self.kick}
+        found = {name: axis(name, text) for name, text in texts.items() if text is not None}
+        return found | self._state()
+
+    def _state(self) -> dict[str, list[float]]:
+        """Return the two halves of --start U,DU or U,w=V; nothing of another start."""
+        angle, comma, velocity = self.start.partition(",")
+        if not comma:
+            return {}
+        halves = {"angle": angle, "velocity": velocity.removeprefix("w=")}
+        try:
+            state = {name: axis("start", text) for name, text in halves.items()}
+        except InputError as error:
+            valid = error.valid if ":" in self.start else "it is not two numbers"
+            raise InputError(name="start", value=self.start, valid=valid, hint=HINT) from None
+        if not all(math.isfinite(value) for values in state.values() for value in values):
+            valid = "its numbers must be finite"
+            raise InputError(name="start", value=self.start, valid=valid, hint=HINT)
+        return state
+
+    def at_first(self) -> StartFlags:
+        """Return the flags of a single motion: of the first value of each axis."""
+        first = {name: values[0] for name, values in self.parameters.items()}
+        start = self.start
+        if "angle" in first and ":" in start:
+            equals = "w=" if self._per_pivot_time else ""
+            start = f"{first['angle']!r},{equals}{first['velocity']!r}"
+        return StartFlags(
+            start=start,
+            order=self.order,
+            side=self.side,
+            phase=first.get("phase"),
+            kick=first.get("kick"),
+        )
+
+    @contextmanager
+    def as_typed(self) -> Iterator[None]:
+        """Show in errors what was typed, not the first value of its axis."""
+        typed = {"start": self.start, "phase": self.phase, "kick": self.kick}
+        try:
+            yield
+        except ModelError as error:
+            text = typed.get(error.name.removeprefix("--"))
+            if text is None:
+                raise
+            raise FlagError(
+                name=error.name, value=text, valid=error.valid, hint=error.hint
+            ) from error
+
+    @property
+    def _per_pivot_time(self) -> bool:
+        """Whether the velocity is du/d(pt)."""
+        return ",w=" in self.start
+
+    def velocities(self, shaking: Harmonic, *, one_for_all: bool) -> list[float]:
+        """Return the velocities du/d(pt) of the start; none where it is no state.
+
+        Parameters
+        ----------
+        shaking
+            At the first value of each axis.
+        one_for_all
+            Whether its frequency ratio is that of every cell.
+
+        Raises
+        ------
+        ModelError
+            If du/dtau would be another du/d(pt) in each cell.
+        """
+        found = self.parameters.get("velocity", [])
+        if self._per_pivot_time or not any(found):
+            return found
+        if not one_for_all:
+            raise FlagError(
+                name="start",
+                value=self.start,
+                valid="where omega/p moves, du/dtau is another velocity in each cell",
+                hint="give du/d(pt), as 0.4,w=0.1",
+            )
+        return [velocity * shaking.frequency_ratio for velocity in found]
+
+
+@dataclass(frozen=True, kw_only=True)
+class MapCase:
+    """What a map is of.
+
+    Attributes
+    ----------
+    body, shaking, start
+        At the first value of each axis.
+    axes
+        Values by the names of `rocksteady.attractor_map`, in the order of the dimensions.
+    fixed
+        Parameters that were given one value, as it was given: what follows from it in a cell is
+        then what follows from it at that point alone.
+    housner
+        Whether the restitution follows from the slenderness in each cell.
+    """
+
+    body: Block | DimensionlessBlock
+    shaking: Harmonic
+    start: StartFlags
+    axes: dict[str, list[float]]
+    fixed: dict[str, float]
+    housner: bool
+
+    @property
+    def cells(self) -> int:
+        """Number of cells."""
+        return math.prod(len(values) for values in self.axes.values())
+
+
+def map_case(shaking: ShakingFlags, block: BlockFlags, start: MapStartFlags) -> MapCase:
+    """Return what the flags describe.
+
+    Raises
+    ------
+    InputError, ModelError
+        If a value is missing, given twice or outside its range, or there is no axis.
+    """
+    body = block.at_first().described()
+    given = shaking.parameters(body)
+    first = start.at_first()
+    shaken = shaking_of(
+        body, {"phase": first.first_phase, **{name: values[0] for name, values in given.items()}}
+    )
+    with start.as_typed():
+        first.check(shaken=True)
+    resized = any(len(values) > 1 for values in block.sizes.values())
+    if resized:  # else the block has them
+        given |= block.sizes
+    if block.restitutions:
+        given["restitution"] = block.restitutions
+    given |= start.parameters
+    moving = {name for name, values in given.items() if len(values) > 1}
+    one_for_all = not (
+        moving & {"frequency_ratio", "frequency_hz"}
+        or ("frequency_hz" in given and moving & RESIZED)
+    )
+    if "velocity" in given:
+        given["velocity"] = start.velocities(shaken, one_for_all=one_for_all)
+    if not moving:
+        raise FlagError(
+            finding="none of -A, -W, -r and the other flags of the case is an axis",
+            valid="at least one flag of block, shaking or start must be",
+            hint="give one as start:stop:count, as -A 0.1:6:300",
+        )
+    return MapCase(
+        body=body,
+        shaking=shaken,
+        start=first,
+        axes={name: given[name] for name in AXES if name in moving},
+        fixed={name: given[name][0] for name in AXES if name in given.keys() - moving},
+        housner=resized and block.restitution in (None, "housner"),
+    )

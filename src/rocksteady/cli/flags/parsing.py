@@ -1,0 +1,131 @@
+"""From the strings of the command line to numbers and axes."""
+
+import math
+
+from rocksteady.cli.console.refusals import FlagError, missing
+from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
+from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import Restitution, Restitutions
+
+MOST_AXIS_POINTS = 1_000_000
+
+
+def decimal(text: str) -> float:
+    """Return the number that a text is; of Python's, only digits that everyone reads.
+
+    Raises
+    ------
+    ValueError
+        If it is none.
+    """
+    if not text.isascii():
+        raise ValueError(text)
+    return float(text)
+
+
+def number(flag: str, text: str) -> float:
+    """Return the number that a flag was given.
+
+    Raises
+    ------
+    InputError
+        If the text is no number.
+    """
+    try:
+        return decimal(text)
+    except ValueError:
+        raise InputError(
+            name=flag, value=text, valid="it must be a number", hint="write it as 2 or 0.35"
+        ) from None
+
+
+def axis(flag: str, text: str) -> list[float]:
+    """Return the values of ``start:stop:count``, both ends included; ``log:`` before it spaces them
+    logarithmically.  A single number is an axis of one.
+
+    Raises
+    ------
+    InputError
+        If the text is neither.
+    """  # noqa: D205 -- one sentence
+    parts = text.split(":")
+    logarithmic = parts[0] == "log"
+    ends = parts[1:] if logarithmic else parts
+    if len(parts) == 1:
+        return [number(flag, text)]
+    hint = "write start:stop:count or log:start:stop:count, as 0.5:12:200"
+    if len(ends) != 3 or not (ends[2].isascii() and ends[2].isdigit()):
+        raise InputError(name=flag, value=text, valid="it must be a number or an axis", hint=hint)
+    start, stop = number(flag, ends[0]), number(flag, ends[1])
+    count = int(ends[2].lstrip("0")[:9] or "0")  # nine digits are too many, as are any more
+    if not (math.isfinite(start) and math.isfinite(stop)):
+        raise InputError(name=flag, value=text, valid="the ends must be finite", hint=hint)
+    if not 2 <= count <= MOST_AXIS_POINTS:
+        valid = f"an axis has from 2 to {MOST_AXIS_POINTS} points"
+        raise InputError(name=flag, value=text, valid=valid, hint=hint)
+    if logarithmic and not (start > 0.0 and stop > 0.0):
+        valid = "the ends of a logarithmic axis must be above 0"
+        raise InputError(name=flag, value=text, valid=valid, hint=hint)
+    last = count - 1
+    if logarithmic:
+        quotient = stop / start
+        if not 0.0 < quotient < math.inf:
+            valid = "the ends of a logarithmic axis must not lie so far apart"
+            raise InputError(name=flag, value=text, valid=valid, hint=hint)
+        ratio = math.log(quotient)
+        return [start, *(start * math.exp(ratio * i / last) for i in range(1, last)), stop]
+    return [start, *(start + (stop - start) * i / last for i in range(1, last)), stop]
+
+
+def restitution_from(text: str | None, *, default: Restitution | None) -> Restitutions:
+    """Return a restitution: a number, two, "housner", or the default where none was given.
+
+    Raises
+    ------
+    InputError
+        If it is missing and has no default, or is neither.
+    """
+    if text is None:
+        if default is None:
+            raise missing(
+                "--restitution/-r",
+                valid="without a block it is needed",
+                hint="add -r 0.8, or describe a block to take Housner's value",
+            )
+        return default
+    if text == "housner":
+        if default is None:
+            raise InputError(
+                name="restitution",
+                value=text,
+                valid="Housner's value follows from a block's slenderness",
+                hint="describe a block, or give a number in (0, 1]",
+            )
+        return "housner"
+    first, comma, second = text.partition(",")
+    try:
+        return (decimal(first), decimal(second)) if comma else decimal(text)
+    except ValueError:
+        raise InputError(
+            name="restitution",
+            value=text,
+            valid="it must be a number in (0, 1], two of them, or 'housner'",
+            hint="write it as -r 0.8, or -r 0.8,0.9",
+        ) from None
+
+
+def single(flag: str, values: list[float]) -> float:
+    """Return the one value of an axis of one.
+
+    Raises
+    ------
+    FlagError
+        If it is an axis of several.
+    """
+    if len(values) > 1:
+        raise FlagError(
+            finding=f"{FLAG_OF_ARGUMENT.get(flag, flag)} has {len(values)} values",
+            valid="this command takes one value",
+            hint="give a number, not an axis",
+        )
+    return values[0]

@@ -1,0 +1,132 @@
+"""The one axis of a diagram: a parameter with its range, and the values of the others."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
+from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
+from rocksteady.cli.present.shared import block_values
+from rocksteady.dynamics.parameters import moved_to
+from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.motions.segments import Harmonic
+
+SYMBOLS = {"amplitude": "A", "frequency_ratio": "Ω", "restitution": "restitution"}
+"""The three parameters, as texts and titles have them."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Range:
+    """A parameter that moves, and what it moves between.
+
+    Attributes
+    ----------
+    parameter
+        "amplitude", "frequency_ratio" or "restitution".
+    values
+        Of the axis, in ascending order.
+    body
+        The block; its restitution counts where that is not the axis.
+    amplitude, frequency_ratio
+        Of the shaking; the one that is the axis has its first value.
+    """
+
+    parameter: str
+    values: tuple[float, ...]
+    body: Block | DimensionlessBlock
+    amplitude: float
+    frequency_ratio: float
+
+    @property
+    def within(self) -> tuple[float, float]:
+        """Lower and upper end."""
+        return self.values[0], self.values[-1]
+
+    def at(self, value: float) -> tuple[DimensionlessBlock, Harmonic]:
+        """Return block and shaking at a value of the axis."""
+        shaking = Harmonic(amplitude=self.amplitude, frequency_ratio=self.frequency_ratio)
+        return moved_to(self.body.dimensionless(), shaking, self.parameter, value)
+
+    def in_si(self, amplitude: float, frequency_ratio: float) -> dict[str, float]:
+        """Return shaking in g and Hz where the block has a size, else nothing."""
+        if not isinstance(self.body, Block):
+            return {}
+        shaking = Harmonic(amplitude=amplitude, frequency_ratio=frequency_ratio)
+        return {
+            "accel_g": shaking.acceleration_m_s2(self.body) / self.body.gravity,
+            "freq_hz": shaking.frequency_hz(self.body),
+        }
+
+    def described(self) -> dict[str, Any]:
+        """Return what the contract says of the axis; None for the value of what moves."""
+        values: dict[str, Any] = {
+            "parameter": self.parameter,
+            "within": list(self.within),
+            "amplitude": self.amplitude,
+            "frequency_ratio": self.frequency_ratio,
+            "restitution": self.body.restitution,
+        }
+        if isinstance(self.body, Block):
+            values["block"] = block_values(self.body)
+            values |= self.in_si(self.amplitude, self.frequency_ratio)
+            alias = {"amplitude": "accel_g", "frequency_ratio": "freq_hz"}.get(self.parameter)
+            if alias is None:
+                values["block"]["restitution"] = None
+            else:
+                values[alias] = None
+        values[self.parameter] = None
+        return values
+
+    @property
+    def text(self) -> str:
+        """All three parameters in a few words."""
+        parts = []
+        for name, symbol in SYMBOLS.items():
+            equals = " " if name == "restitution" else " = "
+            value = self.described()[name]
+            text = f"{symbol}{equals}{value:.6g}" if value is not None else ""
+            parts.append(text or f"{symbol} from {self.values[0]:.6g} to {self.values[-1]:.6g}")
+        return ", ".join(parts)
+
+
+def range_of(shaking: ShakingFlags, block: BlockFlags) -> Range:
+    """Return the axis that the flags name.
+
+    Raises
+    ------
+    InputError
+        If a value is missing, given twice or outside its range, or there is not exactly one axis.
+    """
+    ratios_of_impact = block.restitutions
+    if ratios_of_impact:
+        block = replace(block, restitution=repr(ratios_of_impact[0]))
+    body = block.described()
+    amplitudes, ratios = shaking.of(body)
+    axes = {"amplitude": amplitudes, "frequency_ratio": ratios}
+    axes["restitution"] = ratios_of_impact or [body.dimensionless().restitution]
+    for amplitude, ratio in ((min(amplitudes), min(ratios)), (max(amplitudes), max(ratios))):
+        Harmonic(amplitude=amplitude, frequency_ratio=ratio)  # refuses what is outside its range
+    moving = [name for name, values in axes.items() if len(values) > 1]
+    if len(moving) != 1:
+        raise FlagError(
+            finding=f"{len(moving)} of -A, -W and -r are axes"
+            if moving
+            else "none of -A, -W and -r is an axis",
+            valid="exactly one of them is an axis",
+            hint="give one as start:stop:count, as -W 1.6:2.4:400, and the others as numbers",
+        )
+    (name,) = moving
+    values = sorted(axes[name])
+    if values[0] == values[-1]:
+        raise FlagError(
+            finding=f"{FLAG_OF_ARGUMENT[name]} is {values[0]:.12g} at both ends",
+            valid="the ends of an axis must differ",
+            hint="give a range, as 1.6:2.4:400",
+        )
+    return Range(
+        parameter=name,
+        values=tuple(values),
+        body=body,
+        amplitude=amplitudes[0],
+        frequency_ratio=ratios[0],
+    )

@@ -1,0 +1,417 @@
+"""Recorded ground motions as flags: which files, how they are read, and how they shake a block."""
+
+import re
+from dataclasses import dataclass, fields, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rocksteady.cli.console import terminal
+from rocksteady.cli.console.refusals import FlagError, missing
+from rocksteady.cli.flags.block_and_shaking import BlockFlags
+from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT, MOTION
+from rocksteady.errors import InputError, RecordFileError
+from rocksteady.model.blocks.block import Block
+from rocksteady.show.style.escaping import printable
+
+if TYPE_CHECKING:
+    from rocksteady.model.motions.record import Record
+    from rocksteady.records.core.recording import Recording
+
+READING = "Reading files"
+
+RecordFile = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--record",
+        metavar="FILE",
+        help="Ground-motion file whose acceleration shakes a block of known size; the base stands "
+        "still after its end.",
+        rich_help_panel=MOTION,
+    ),
+]
+Scale = Annotated[
+    float | None,
+    typer.Option(
+        "--scale",
+        metavar="S",
+        help="What accelerations of --record, and of --vertical, are multiplied by; default 1.",
+        rich_help_panel=MOTION,
+    ),
+]
+VerticalFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--vertical",
+        metavar="FILE",
+        help="Vertical acceleration beside --record, the vertical channel of a file with several; "
+        "upwards is positive, and DWN is turned. Needs --model nonlinear.",
+        rich_help_panel=MOTION,
+    ),
+]
+Reverse = Annotated[
+    bool,
+    typer.Option(
+        "--reverse",
+        help="Change the sign of --record: its positive values drive negative rotation.",
+        rich_help_panel=MOTION,
+    ),
+]
+ReverseVertical = Annotated[
+    bool,
+    typer.Option(
+        "--reverse-vertical",
+        help="Change the sign of --vertical, for a file that states its direction wrongly; PEER's "
+        "DWN is positive downwards and is turned by itself.",
+        rich_help_panel=MOTION,
+    ),
+]
+Channel = Annotated[
+    str | None,
+    typer.Option(
+        "--channel",
+        metavar="NAME",
+        help="Which channel of a file that has several: its component, or its number from 1.",
+        rich_help_panel=READING,
+    ),
+]
+FormatName = Annotated[
+    str | None,
+    typer.Option(
+        "--format",
+        metavar="NAME",
+        help="Format of the files; by default told from what they hold.",
+        rich_help_panel=READING,
+    ),
+]
+Units = Annotated[
+    str | None,
+    typer.Option(
+        "--units",
+        metavar="UNIT",
+        help="Unit of the numbers in files that do not state it: g, m/s^2, cm/s^2, gal, ...",
+        rich_help_panel=READING,
+    ),
+]
+DtS = Annotated[
+    float | None,
+    typer.Option(
+        "--dt-s",
+        metavar="DT",
+        help="Interval between samples \\[s] in files that do not state it.",
+        rich_help_panel=READING,
+    ),
+]
+Column = Annotated[
+    str | None,
+    typer.Option(
+        "--column",
+        metavar="NAME",
+        help="Of a table: the column with the acceleration, by its number from 1 or its name.",
+        rich_help_panel=READING,
+    ),
+]
+Resample = Annotated[
+    bool,
+    typer.Option(
+        "--resample",
+        help="Interpolate a table whose times are unevenly spaced to even ones.",
+        rich_help_panel=READING,
+    ),
+]
+Baseline = Annotated[
+    str,
+    typer.Option(
+        "--baseline",
+        metavar="NAME",
+        help="What is taken off the accelerations: none, mean, linear or polynomial:N.",
+        rich_help_panel=READING,
+    ),
+]
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReadingFlags:
+    """How ground-motion files are read."""
+
+    channel: Channel = None
+    format: FormatName = None
+    units: Units = None
+    dt_s: DtS = None
+    column: Column = None
+    resample: Resample = False
+    baseline: Baseline = "none"
+
+    @property
+    def given(self) -> dict[str, object]:
+        """The flags that were given, with their values."""
+        return {
+            "--" + field.name.replace("_", "-"): getattr(self, field.name)
+            for field in fields(self)
+            if getattr(self, field.name) != field.default
+        }
+
+    def recordings(self, file: Path) -> "list[Recording]":
+        """Return the channels of a file, or the one that is chosen; their warnings are printed.
+
+        Raises
+        ------
+        InputError
+            If it cannot be read, or has no such channel.
+        """
+        from rocksteady.records.read import chosen
+
+        found = self._channels(file)
+        return self._ready(file, found if self.channel is None else (chosen(found, self.channel),))
+
+    def read(self, file: Path) -> "Recording":
+        """Return the one channel of a file; what is odd about it is printed.
+
+        Raises
+        ------
+        InputError
+            If it cannot be read, or it is not clear which channel is meant.
+        """
+        from rocksteady.records.read import chosen
+
+        found = self._channels(file)
+        if self.channel is None and len(found) > 1:
+            try:
+                one = chosen(found, None)
+            except InputError as error:
+                raise missing("--channel", valid=error.valid, hint=error.hint) from None
+        else:
+            one = chosen(found, self.channel)
+        (ready,) = self._ready(file, (one,))
+        return ready
+
+    def read_vertical(self, file: Path) -> "Recording":
+        """Return the vertical channel of a file: its one channel, or the vertical one of several.
+
+        Raises
+        ------
+        InputError
+            If it cannot be read, or its channels do not say which one is vertical.
+        """
+        found = self._channels(file)
+        upright = tuple(one for one in found if one.orientation == "vertical")
+        if len(found) > 1 and len(upright) != 1:
+            raise InputError(
+                name="--vertical",
+                value=file,
+                valid=f"of its {len(found)} channels {len(upright)} are vertical",
+                hint="give a file with one channel",
+            )
+        (one,) = self._ready(file, upright if len(found) > 1 else found)
+        if one.orientation is None:
+            warn(file, "where its channel points is not stated: it is taken as vertical, upwards")
+        return one
+
+    def _channels(self, file: Path) -> "tuple[Recording, ...]":
+        """Return all channels of a file."""
+        from rocksteady.records.read import read_recordings
+
+        try:
+            return read_recordings(
+                file,
+                format=self.format,
+                units=self.units,
+                dt_s=self.dt_s,
+                column=self.column,
+                resample=self.resample,
+            )
+        except RecordFileError as error:
+            hint = _in_flags(error.hint)
+            raise RecordFileError(path=error.path, valid=error.valid, hint=hint) from error
+
+    def _ready(self, file: Path, found: "tuple[Recording, ...]") -> "list[Recording]":
+        """Return channels without their baseline, and print what is odd about them."""
+        from rocksteady.records.processing import baseline_corrected
+
+        for words in dict.fromkeys(words for one in found for words in one.warnings):
+            warn(file, _in_flags(words))
+        return [_named(baseline_corrected(one, self.baseline)) for one in found]
+
+
+def _named(one: "Recording") -> "Recording":
+    """Return a recording whose name every table, picture and store can hold."""
+    name = one.record.name
+    if name is None or printable(name) == name:
+        return one
+    return replace(one, record=replace(one.record, name=printable(name)))
+
+
+ASKED_FOR = re.compile(
+    r"(?<=\bgive )(units|dt_s|column)\b|(?<=\banother )dt_s\b|(?<=\()resample(?=\))"
+)
+"""Arguments of `rocksteady.read_recordings` in the hints and warnings of readers."""
+
+
+def _in_flags(words: str) -> str:
+    """Return a hint or a warning that asks for flags in place of arguments."""
+    return ASKED_FOR.sub(lambda found: FLAG_OF_ARGUMENT[found[0]], words)
+
+
+def warn(file: Path, words: str) -> None:
+    """Note what is odd about a file, beside which the result stands."""
+    terminal.note(f"{file}: {words}")
+
+
+@dataclass(frozen=True, kw_only=True)
+class RecordFlags:
+    """Recorded motions in place of harmonic shaking; a command takes `ReadingFlags` beside them."""
+
+    record: RecordFile = None
+    scale: Scale = None
+    vertical: VerticalFile = None
+    reverse: Reverse = False
+    reverse_vertical: ReverseVertical = False
+
+    @property
+    def files(self) -> list[Path]:
+        """The files that are read."""
+        return [*(self.record or []), *([] if self.vertical is None else [self.vertical])]
+
+    def given(self, reading: ReadingFlags) -> bool:
+        """Return whether there is a record.
+
+        Raises
+        ------
+        ModelError
+            If there is none, and something that only a record has.
+        """
+        if self.reverse_vertical and self.vertical is None:
+            raise FlagError(
+                name="--reverse-vertical",
+                value=True,
+                valid="without --vertical it has no meaning",
+                hint="add --vertical FILE, or leave it out",
+            )
+        if self.record:
+            return True
+        own = {
+            "--reverse": self.reverse or None,
+            "--scale": self.scale,
+            "--vertical": self.vertical,
+        }
+        idle = reading.given | {flag: value for flag, value in own.items() if value is not None}
+        for flag, value in idle.items():
+            raise FlagError(
+                name=flag,
+                value=value,
+                valid="without --record it has no meaning",
+                hint="add --record FILE, or leave it out",
+            )
+        return False
+
+    def recordings(self, reading: ReadingFlags) -> list["Recording"]:
+        """Return the horizontal channels, as their files have them.
+
+        Raises
+        ------
+        InputError
+            If a file cannot be read.
+        """
+        found = [reading.read(file) for file in self.record or []]
+        for one in found:
+            if one.orientation == "vertical" and self.vertical is None:
+                warn(one.path, f"{one.component or 'its channel'} is vertical, and shakes across")
+        return found
+
+    def block(self, described: BlockFlags) -> Block:
+        """Return the block that is shaken.
+
+        Raises
+        ------
+        InputError, ModelError
+            As for `BlockFlags.described`; and if it has no size.
+        """
+        body = described.described() if described.given else None
+        if isinstance(body, Block):
+            return body
+        raise FlagError(
+            name="--record",
+            value=(self.record or [])[0],
+            valid="m/s^2 and seconds need a block with a slenderness and a p",
+            hint="describe a block, as --width-m 0.4 --height-m 1.6",
+        )
+
+    def recording(self, reading: ReadingFlags) -> "Recording":
+        """Return the one channel that shakes a block across, scaled and reversed.
+
+        Raises
+        ------
+        InputError
+            As for `recordings`; and if the scale is 0 or not finite.
+        ModelError
+            If there are several records.
+        """
+        files = self.record or []
+        if len(files) != 1:
+            raise FlagError(
+                finding=f"--record names {len(files)} files",
+                valid="this command takes one",
+                hint="give one file",
+            )
+        (one,) = self.recordings(reading)
+        return replace(one, record=self._turned(one.record))
+
+    def vertical_recording(
+        self, reading: ReadingFlags, horizontal: "Recording"
+    ) -> "Recording | None":
+        """Return the vertical channel; what keeps it from belonging to the other is printed.
+
+        Parameters
+        ----------
+        reading
+            How files are read.
+        horizontal
+            The channel beside it.
+
+        Raises
+        ------
+        InputError
+            As for `recordings`.
+        """
+        if self.vertical is None:
+            return None
+        from rocksteady.records.pairing import pair_doubts
+
+        one = reading.read_vertical(self.vertical)
+        if doubts := pair_doubts(horizontal, one):
+            with_what = f"beside {horizontal.path.name} it may not belong"
+            warn(self.vertical, f"{with_what}: {'; '.join(doubts)}")
+        if not self.reverse_vertical:
+            return one
+        return one.processed(one.record.reversed(), "sign changed: --reverse-vertical")
+
+    def scaled(self, record: "Record") -> "Record":
+        """Return a record multiplied by the scale.
+
+        Raises
+        ------
+        InputError
+            If the scale is not above 0, or not finite.
+        """
+        return record if self.scale is None else record.scaled(self._factor)
+
+    def _turned(self, record: "Record") -> "Record":
+        """Return a record scaled and reversed."""
+        record = self.scaled(record)
+        return record.reversed() if self.reverse else record
+
+    @property
+    def _factor(self) -> float:
+        """The scale, above 0: what turns a record round is --reverse.
+
+        Raises
+        ------
+        InputError
+            If it is not.
+        """
+        from rocksteady.model.checks.validation import LARGEST, in_range
+
+        assert self.scale is not None
+        hint = "give a factor, as 1.5; --reverse changes the sign"
+        return in_range("--scale", self.scale, 0.0, LARGEST, hint=hint)

@@ -1,0 +1,179 @@
+"""Where a motion begins: the flags, and the start that they name."""
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.flags import options
+from rocksteady.cli.flags.parsing import decimal
+from rocksteady.errors import InputError, ModelError
+from rocksteady.model.checks.validation import odd_order
+
+if TYPE_CHECKING:
+    from rocksteady.dynamics.history.start import Start, State
+
+STEADY = ("steady", "steady:1", "steady:2")
+HINT = "write rest, steady, steady:2, U,DU (du/dtau) or U,w=V (du/d(pt)), as 0.4,0 or 0.4,w=0"
+
+
+@dataclass(frozen=True, kw_only=True)
+class StartFlags:
+    """A state to begin with, and the side on which an unstable one is left."""
+
+    start: options.Start = "rest"
+    order: options.Order = 1
+    phase: options.Phase = None
+    side: options.Side = "+"
+    kick: options.Kick = None
+
+    @property
+    def sign(self) -> int:
+        """+1 or -1, of --side."""
+        return 1 if self.side == "+" else -1
+
+    @property
+    def first_phase(self) -> float:
+        """Phase of the shaking at the start, 0 where none is given."""
+        return 0.0 if self.phase is None else self.phase
+
+    def values(self, phase: float) -> dict[str, object]:
+        """Return what repeats the start; `phase` is the one with which it began."""
+        return {
+            "start": self.start,
+            "order": self.order,
+            "side": self.side,
+            "kick": self.kick,
+            "phase": phase,
+        }
+
+    def check(self, *, shaken: bool) -> None:
+        """Refuse flags that are none or contradict each other.
+
+        Raises
+        ------
+        InputError
+            If the side is none.
+        ModelError
+            If a steady start has a phase, or something needs shaking and there is none.
+        """
+        if self.side not in ("+", "-"):
+            raise InputError(
+                name="side", value=self.side, valid="it must be + or -", hint="give + or -"
+            )
+        if self.start in STEADY and self.phase is not None:
+            raise FlagError(
+                name="--phase",
+                value=self.phase,
+                valid="a steady state decides its phase",
+                hint="leave --phase or --start steady out",
+            )
+        if shaken:
+            return
+        if self.start in STEADY:
+            raise FlagError(
+                name="--start",
+                value=self.start,
+                valid="a steady state needs shaking",
+                hint="give shaking with -A and -W, or another start as 0.5,w=0",
+            )
+        if self.start == "rest":
+            raise FlagError(
+                name="--start",
+                value=self.start,
+                valid="on a still base a block at rest stays there",
+                hint="give shaking with -A and -W, or let the block go: --start 0.5,w=0",
+            )
+        refuse_without_shaking("--phase", self.phase)
+
+    def of(self, frequency_ratio: float | None) -> "Start":
+        """Return the start that the flags name, under shaking of a frequency ratio or none.
+
+        Raises
+        ------
+        InputError
+            If --start is no start, or a number is outside its range.
+        ModelError
+            If another start than a steady one has an order or a kick.
+        """
+        from rocksteady.dynamics.history.start import KICK, Rest, Steady
+
+        odd_order(self.order)
+        if self.start in STEADY:
+            branch = 2 if self.start.endswith("2") else 1
+            kick = KICK if self.kick is None else self.kick
+            return Steady(branch=branch, order=self.order, kick=kick)
+        for name, thing, value, idle in (
+            ("order", "an order", self.order, 1),
+            ("kick", "a kick", self.kick, None),
+        ):
+            if value != idle:
+                raise FlagError(
+                    name=name,
+                    value=value,
+                    valid=f"only a steady start has {thing}",
+                    hint="add --start steady, or leave it out",
+                )
+        return Rest() if self.start == "rest" else state_from(self.start, frequency_ratio)
+
+    @contextmanager
+    def as_typed(self) -> Iterator[None]:
+        """Name in errors about the start what was typed, not the object that it has become."""
+        try:
+            yield
+        except ModelError as error:
+            if error.name != "start":
+                raise
+            raise FlagError(
+                name="start", value=self.start, valid=error.valid, hint=error.hint
+            ) from error
+
+
+def refuse_without_shaking(flag: str, value: object) -> None:
+    """Refuse a flag that only shaking gives a meaning.
+
+    Raises
+    ------
+    ModelError
+        If it has a value.
+    """
+    if value is not None:
+        raise FlagError(
+            name=flag,
+            value=value,
+            valid="without shaking it has no meaning",
+            hint="leave it out, or give shaking with -A and -W",
+        )
+
+
+def state_from(text: str, frequency_ratio: float | None) -> "State":
+    """Return the state that ``U,DU`` or ``U,w=V`` names.
+
+    Raises
+    ------
+    InputError
+        If the text is neither, or needs shaking and there is none.
+    """
+    from rocksteady.dynamics.history.start import State
+
+    first, comma, second = text.partition(",")
+    with_rate = second.startswith("w=")
+    try:
+        angle, velocity = decimal(first), decimal(second.removeprefix("w="))
+    except ValueError:
+        valid = "it is no known start" if not comma else "it is not two numbers"
+        raise InputError(name="start", value=text, valid=valid, hint=HINT) from None
+    if not (math.isfinite(angle) and math.isfinite(velocity)):
+        raise InputError(name="start", value=text, valid="its numbers must be finite", hint=HINT)
+    if with_rate:
+        return State(angle=angle, velocity=velocity)
+    if frequency_ratio is None:
+        raise InputError(
+            name="start",
+            value=text,
+            valid="du/dtau needs harmonic shaking",
+            hint="give du/d(pt) as U,w=V",
+        )
+    return State.per_tau(angle=angle, velocity=velocity, frequency_ratio=frequency_ratio)

@@ -1,0 +1,229 @@
+"""Flags of commands that compute many cases: who computes them, and where they are kept."""
+
+import shlex
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from itertools import combinations
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rocksteady.cli.console.outputs import check_writable, impossible_name
+from rocksteady.cli.console.refusals import FlagError, both
+from rocksteady.cli.flags import options
+from rocksteady.cli.flags.groups import OutputFlags, same_file
+from rocksteady.durable import place_of
+from rocksteady.errors import OutputError, UnfinishedError
+from rocksteady.show.style.escaping import printable
+
+if TYPE_CHECKING:
+    from rocksteady.studies.parts import Parts
+    from rocksteady.sweep.store.store import Store
+
+SWEEP = "Sweep"
+
+OutStore = Annotated[
+    Path | None,
+    typer.Option(
+        "--out",
+        metavar="STORE",
+        help="Keep the cells on disk, chunk by chunk, as map.zarr: what is finished survives an "
+        "interruption. Without it they are kept in memory.",
+        rich_help_panel=SWEEP,
+    ),
+]
+Resume = Annotated[
+    bool,
+    typer.Option(
+        "--resume",
+        help="Continue the store of --out where it stopped; begin it if it is not there.",
+        rich_help_panel=SWEEP,
+    ),
+]
+Executor = Annotated[
+    str,
+    typer.Option(
+        "--executor",
+        metavar="NAME",
+        help="threads (default), dask for a cluster of processes on this machine, the address of a "
+        "dask scheduler as tcp://host:8786, or serial. All give the same bytes.",
+        rich_help_panel=SWEEP,
+    ),
+]
+Workers = Annotated[
+    int | None,
+    typer.Option(
+        "--workers",
+        metavar="N",
+        help="Threads or processes; by default as many as there are cores, or as a cluster has.",
+        rich_help_panel=SWEEP,
+    ),
+]
+Chunk = Annotated[
+    int | None,
+    typer.Option(
+        "--chunk",
+        metavar="CELLS",
+        help="Cells that are written at once; by default a 64th of all, from 4096 to "
+        "65536, and of slow cells fewer.",
+        rich_help_panel=SWEEP,
+    ),
+]
+NetCdf = Annotated[
+    Path | None,
+    typer.Option(
+        "--netcdf",
+        metavar="FILE",
+        help="Save the data as NetCDF, .nc, with units and the meaning of classes.",
+        rich_help_panel=options.OUTPUT,
+    ),
+]
+
+
+@dataclass(frozen=True, kw_only=True)
+class SweepFlags:
+    """Who computes the cells, and where they are kept."""
+
+    out: OutStore = None
+    resume: Resume = False
+    executor: Executor = "threads"
+    workers: Workers = None
+    chunk: Chunk = None
+    netcdf: NetCdf = None
+
+    def check(self, output: OutputFlags) -> None:
+        """Refuse, before anything is computed, a file that could not be written afterwards.
+
+        With --resume files that are there are written again: the command is given again as it was.
+
+        Raises
+        ------
+        OutputError
+            As for `OutputFlags.check`; if two flags name one file, or --netcdf names no .nc file,
+            or one that could not be written.
+        """
+        replace(output, force=output.force or self.resume).check()
+        files = {"--plot": output.plot, "--csv": output.csv, "--netcdf": self.netcdf}
+        files["--out"] = self.out
+        for (flag, file), (other, its) in combinations(files.items(), 2):
+            if same_file(file, its):
+                raise OutputError(
+                    name=other, value=its, valid=f"{flag} writes the same file", hint="rename one"
+                )
+        for flag, file in files.items():
+            inside = None if file is None or self.out is None else place_of(file).parents
+            if inside is not None and self.out is not None and place_of(self.out) in inside:
+                raise OutputError(
+                    name=flag, value=file, valid="it lies in --out", hint="name another folder"
+                )
+        if self.netcdf is None:
+            return
+        if self.netcdf.suffix.lower() != ".nc":
+            raise OutputError(
+                name="--netcdf",
+                value=self.netcdf,
+                valid="the ending says the format: .nc",
+                hint="rename it",
+            )
+        check_writable("--netcdf", self.netcdf, force=output.force or self.resume)
+
+    def store(self, *, force: bool) -> "Store | None":
+        """Return where the cells are kept, checked; None for memory.
+
+        Raises
+        ------
+        InputError, OutputError
+            As for `rocksteady.Store` and its `check`.
+        InputError
+            If something is said of a store and there is none.
+        """
+        from rocksteady.sweep.store.ownership import is_store
+        from rocksteady.sweep.store.store import Store
+
+        if self.out is None:
+            for flag, value in (("--resume", self.resume or None), ("--chunk", self.chunk)):
+                if value is not None:
+                    raise FlagError(
+                        name=flag,
+                        value=value,
+                        valid="without --out there is no store",
+                        hint="add --out map.zarr, or leave it out",
+                    )
+            return None
+        impossible = impossible_name(self.out)
+        if impossible is not None:
+            raise OutputError(
+                name="--out", value=self.out, valid=impossible, hint="name another folder"
+            )
+        if self.resume and force:
+            raise both("--resume", "--force", valid="a store is continued or begun anew")
+        if is_store(self.out) and not (self.resume or force):
+            raise OutputError(
+                name="--out",
+                value=self.out,
+                valid="it exists",
+                hint="add --resume to continue it, or --force to begin anew",
+            )
+        store = Store(self.out, resume=self.resume, overwrite=force, chunk=self.chunk)
+        store.check()
+        return store
+
+    @contextmanager
+    def resumable(self, arguments: list[str]) -> Iterator[None]:
+        """Say, where the sweep inside is ended, what is kept of it and how it goes on.
+
+        Parameters
+        ----------
+        arguments
+            Of the program.
+        """
+        from rocksteady.sweep.store.ownership import is_store
+        from rocksteady.sweep.store.reading import finished_cells
+
+        try:
+            yield
+        except (KeyboardInterrupt, UnfinishedError):
+            if self.out is not None and is_store(self.out):
+                finished, cells = finished_cells(self.out)
+                where = printable(self.out)
+                print(
+                    f"{finished:,} of {cells:,} cells are kept in {where}; to go on:\n"
+                    f"  {printable(resuming(arguments))}",
+                    file=sys.stderr,
+                )
+            raise
+
+
+@contextmanager
+def resumable_study(parts: "Parts", context: typer.Context) -> Iterator[None]:
+    """Print, where the study inside is ended, where its finished parts are and how it goes on.
+
+    Parameters
+    ----------
+    parts
+        Of the study.
+    context
+        Of its command.
+    """
+    try:
+        yield
+    except BaseException as error:
+        ended = isinstance(error, KeyboardInterrupt | UnfinishedError)
+        if not (ended or (isinstance(error, OutputError) and parts.swept)):
+            parts.remove()  # of seconds of work, or of what would fail again
+        elif parts.folder.is_dir():
+            print(
+                f"finished parts are kept in {printable(parts.study)}; to go on:\n"
+                f"  {printable(resuming(context.find_root().obj))}",
+                file=sys.stderr,
+            )
+        raise
+
+
+def resuming(arguments: list[str]) -> str:
+    """Return the command that continues a sweep which was begun with some arguments."""
+    kept = [argument for argument in arguments if argument not in ("--resume", "--force")]
+    return shlex.join(["rocksteady", *kept, "--resume"])

@@ -1,0 +1,105 @@
+"""Arrays of amplitude, frequency ratio, restitution and order: validated and broadcast together."""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import restitution_value
+from rocksteady.model.checks.arrays import UnfitError, numeric_array
+from rocksteady.model.checks.validation import LARGEST, in_range, odd_order
+from rocksteady.model.motions.segments import HIGHEST_FREQUENCY_RATIO, LOWEST_FREQUENCY_RATIO
+
+Floats = NDArray[np.float64]
+
+HIGHEST_ORDER = 999_999
+"""The longest half cycle, in half periods of the shaking."""
+
+
+def validated_grid(
+    amplitude: ArrayLike, frequency_ratio: ArrayLike, restitution: ArrayLike, order: ArrayLike
+) -> tuple[Floats, Floats, Floats, NDArray[np.int64]]:
+    """Return the four arguments of the steady states as contiguous arrays of one shape.
+
+    Raises
+    ------
+    InputError
+        If a value is outside its range, or the shapes do not broadcast.
+    """
+    amplitudes = _checked("amplitude", amplitude, 0.0, LARGEST, "a_max/(alpha g)")
+    ratios = _checked(
+        "frequency_ratio",
+        frequency_ratio,
+        LOWEST_FREQUENCY_RATIO,
+        HIGHEST_FREQUENCY_RATIO,
+        "omega/p",
+    )
+    restitutions = real_array("restitution", restitution)
+    valid = (restitutions > 0.0) & (restitutions <= 1.0)
+    if not valid.all():
+        restitution_value(restitutions[~valid].flat[0].item())
+    try:
+        orders = np.asarray(numeric_array("order", order, None))
+    except (UnfitError, ValueError):
+        order_of_orbit(order)
+        raise
+    if orders.dtype.kind not in "iu":
+        for value in orders.flat:
+            order_of_orbit(value)
+        orders = orders.astype(np.int64)  # without elements, or the order of no integer type
+    odd = (orders >= 1) & (orders % 2 == 1) & (orders <= HIGHEST_ORDER)
+    if not odd.all():
+        order_of_orbit(orders[~odd].flat[0].item())
+    try:
+        shape = np.broadcast_shapes(
+            amplitudes.shape, ratios.shape, restitutions.shape, orders.shape
+        )
+    except ValueError:
+        raise InputError(
+            name="shapes",
+            value=(amplitudes.shape, ratios.shape, restitutions.shape, orders.shape),
+            valid="the arguments must broadcast against each other",
+            hint="give arrays of one shape, or add axes with [:, np.newaxis]",
+        ) from None
+    # Copies, so that the kernels see one type of array: read-only ones would be compiled for anew.
+    a, w, r = (
+        np.array(np.broadcast_to(array, shape), order="C")
+        for array in (amplitudes, ratios, restitutions)
+    )
+    return a, w, r, np.array(np.broadcast_to(orders, shape), dtype=np.int64, order="C")
+
+
+def real_array(name: str, values: ArrayLike) -> Floats:
+    """Return real numbers as an array of floats.
+
+    Raises
+    ------
+    InputError
+        If they are anything else: text and booleans are not converted.
+    """
+    try:
+        return np.asarray(numeric_array(name, values)).astype(np.float64)
+    except UnfitError:
+        raise InputError(
+            name=name,
+            value=values,
+            valid="it must be a real number or an array of them",
+            hint="give floats",
+        ) from None
+
+
+def _checked(name: str, values: ArrayLike, low: float, high: float, meaning: str) -> Floats:
+    """Return a float array whose values lie in an interval; the first that does not is reported."""
+    array = real_array(name, values)
+    valid = (array >= low) & (array <= high)
+    if not valid.all():
+        in_range(name, array[~valid].flat[0].item(), low, high, "[]", hint=f"give {meaning}")
+    return array
+
+
+def order_of_orbit(value: object) -> int:
+    """Return an order that the closed forms can follow."""
+    order = odd_order(value)
+    if order > HIGHEST_ORDER:
+        valid = f"it must be at most {HIGHEST_ORDER}"
+        raise InputError(name="order", value=value, valid=valid, hint="use 1, 3, 5, ...")
+    return order

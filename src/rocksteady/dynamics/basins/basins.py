@@ -1,0 +1,412 @@
+"""Basins of attraction: where each initial state at a moment of the shaking goes."""
+
+import functools
+import math
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.basins.labels import BasinAttractor, labelled
+from rocksteady.dynamics.basins.window import centred, moment, spacing, window_axis, window_of
+from rocksteady.dynamics.batch.attractors import Beginnings, batch_size, settled_cells
+from rocksteady.dynamics.history.lowering import side_table
+from rocksteady.dynamics.history.models import ModelName, attributes_of, model_name, sides_of
+from rocksteady.dynamics.orbits.attractor import AttractorKind, cycles_value
+from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
+from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.validation import in_range, whole_number
+from rocksteady.model.motions.segments import Harmonic
+from rocksteady.sweep.cases.draws import uniform
+from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.cases.outputs import Output
+from rocksteady.sweep.evaluate import Done, evaluate
+
+if TYPE_CHECKING:
+    import xarray
+
+Floats = NDArray[np.float64]
+
+CYCLES = 500
+"""Forcing periods for which a state is followed, where nobody says."""
+LARGEST_SEED = 2**64 - 1
+CELL_OUTPUTS = (
+    Output(name="kind", dtype=np.int8),
+    *(Output(name=name, dtype=np.int64) for name in ("side", "period", "passages", "rests")),
+    *(Output(name=name) for name in ("phase", "speed", "start_angle", "start_velocity")),
+)
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True)
+class Fraction:
+    """The share of a basin in a window.
+
+    Attributes
+    ----------
+    label
+        Of the attractor.
+    states
+        Initial states of the window that go there.
+    share
+        Of all states of the window.
+    low, high
+        Wilson's interval of the share.
+    """
+
+    label: int
+    states: int
+    share: float
+    low: float
+    high: float
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Basins:
+    """Basins of attraction over a window of initial states.
+
+    Attributes
+    ----------
+    block, shaking
+        What moves; the phase of `shaking` is that of all initial states, in [0, 2 pi).
+    angle
+        u = theta/alpha, shape (n,).
+    velocity
+        du/dtau, shape (m,).
+    label
+        Where each state goes: index of `attractors`, shape (m, n).
+    attractors
+        One for each label.
+    start_angle, start_velocity
+        The states, shape (m, n): points of the grid, or drawn in the cells around them.
+    cycles
+        Forcing periods for which they were followed.
+    seed
+        With which they were drawn; None for the points of the grid.
+    model
+        Which equations of motion hold: "linear" or "nonlinear".
+    """
+
+    block: Block | DimensionlessBlock
+    shaking: Harmonic
+    angle: Floats
+    velocity: Floats
+    label: NDArray[np.int64]
+    attractors: tuple[BasinAttractor, ...]
+    start_angle: Floats
+    start_velocity: Floats
+    cycles: int
+    seed: int | None
+    model: ModelName = "linear"
+
+    @cached_property
+    def states(self) -> NDArray[np.int64]:
+        """Number of initial states that go to each attractor, shape (attractors,)."""
+        return np.bincount(self.label.ravel(), minlength=len(self.attractors))
+
+    @cached_property
+    def stroboscopic(self) -> tuple[Floats, ...]:
+        """Where each attractor is at the phase of the shaking: (u, du/dtau), shape (points, 2).
+
+        An orbit of n forcing periods is at n points, a block at rest at one; others at none.
+        """
+        return tuple(_at_phase(one, self.shaking) for one in self.attractors)
+
+    def fractions(self, confidence: float = 0.95) -> tuple[Fraction, ...]:
+        """Return the share of each basin in the window, with Wilson's score interval.
+
+        The interval is that of as many states drawn at random in the whole window.  One state drawn
+        in each cell (with a seed) never varies more, so that the interval is on the safe side.  The
+        middles of the cells are no random sample: usually they are closer still, but a thin basin
+        along a line of the grid may be hit or missed as a whole.
+
+        Parameters
+        ----------
+        confidence
+            Of the interval, in (0, 1).
+
+        Returns
+        -------
+        tuple of Fraction
+            One for each attractor, in their order; the shares add up to 1.
+
+        Raises
+        ------
+        InputError
+            If the confidence is outside its range.
+
+        References
+        ----------
+        E. B. Wilson, J. Am. Stat. Assoc. 22, 209-212 (1927).
+        """
+        from scipy.stats import binomtest
+
+        level = in_range("confidence", confidence, 0.0, 1.0, "()", hint="give 0.95 for 95 %")
+        found = []
+        for label, states in enumerate(self.states.tolist()):
+            interval = binomtest(states, self.label.size).proportion_ci(level, method="wilson")
+            found.append(
+                Fraction(
+                    label=label,
+                    states=states,
+                    share=states / self.label.size,
+                    low=float(interval.low),
+                    high=float(interval.high),
+                )
+            )
+        return tuple(found)
+
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return the labels as an xarray Dataset with dimensions velocity, angle and attractor.
+
+        Returns
+        -------
+        xarray.Dataset
+            ``label`` with flags over velocity (du/dtau) and angle; ``start_angle`` and
+            ``start_velocity``; kind, period, impacts (0 without an orbit, -1 for infinitely many),
+            states and share over attractor.
+
+        Examples
+        --------
+        >>> from rocksteady import DimensionlessBlock, Harmonic, basins
+        >>> block = DimensionlessBlock(restitution=0.8)
+        >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
+        >>> window = [-0.5, 0.0, 0.5]
+        >>> data = basins(block, shaking, angles=window, velocities=window).to_dataset()
+        >>> print(data.label.dims, data.label.attrs["flag_meanings"])
+        ('velocity', 'angle') overturned symmetric-1
+        """
+        import xarray
+
+        names = [attractor.name for attractor in self.attractors]
+        flags = {"flag_values": list(range(len(names))), "flag_meanings": " ".join(names)}
+        plane, along = ("velocity", "angle"), ("attractor",)
+        fractions = self.fractions()
+        return xarray.Dataset(
+            {
+                "label": (plane, self.label, {"long_name": "attractor", "units": "1", **flags}),
+                "start_angle": (plane, self.start_angle, {"units": "1"}),
+                "start_velocity": (plane, self.start_velocity, {"units": "1"}),
+                "kind": (along, [str(attractor.kind.value) for attractor in self.attractors]),
+                "period": (along, [attractor.period or 0 for attractor in self.attractors]),
+                "impacts": (along, [attractor.impacts for attractor in self.attractors]),
+                "states": (along, self.states),
+                "share": (along, [fraction.share for fraction in fractions], {"units": "1"}),
+            },
+            coords={
+                "angle": ("angle", self.angle, {"long_name": "theta/alpha", "units": "1"}),
+                "velocity": (
+                    "velocity",
+                    self.velocity,
+                    {"long_name": "d(theta/alpha)/d(omega t)", "units": "1"},
+                ),
+                "attractor": ("attractor", names),
+            },
+            attrs={
+                "amplitude": self.shaking.amplitude,
+                "frequency_ratio": self.shaking.frequency_ratio,
+                "phase": self.shaking.phase,
+                **attributes_of(self.block, self.model),
+                "cycles": self.cycles,
+                "seed": "none" if self.seed is None else str(self.seed),
+            },
+        )
+
+    def _repr_html_(self) -> str:
+        """Return a small table for notebooks."""
+        rows = "".join(
+            f"<tr><td>{attractor.name}</td><td>{attractor.description}</td>"
+            f"<td>{100.0 * fraction.share:.2f} %</td>"
+            f"<td>{100.0 * fraction.low:.2f} to {100.0 * fraction.high:.2f} %</td></tr>"
+            for attractor, fraction in zip(self.attractors, self.fractions(), strict=True)
+        )
+        heads = "".join(f"<th>{text}</th>" for text in ("basin", "of", "share", "95 % interval"))
+        return f"<table><caption>Basins</caption><tr>{heads}</tr>{rows}</table>"
+
+
+@checked
+def basins(
+    block: Block | DimensionlessBlock,
+    shaking: Harmonic,
+    *,
+    angles: ArrayLike | None = None,
+    velocities: ArrayLike | None = None,
+    cycles: int = CYCLES,
+    seed: int | None = None,
+    executor: str = "threads",
+    workers: int | None = None,
+    model: ModelName = "linear",
+    done: Done | None = None,
+) -> Basins:
+    """Return where the states of a window go that a block may have at a moment of the shaking.
+
+    Each state is followed as by `attractor`, and motions that settle to one orbit, whatever their
+    shift in time by whole periods, go to one attractor.  Mirror images are two.  All motions that
+    have not repeated within `cycles` and from which neighbours part count as one attractor,
+    aperiodic, and so do those undecided.  With little loss a long way to a periodic motion looks
+    like that too: more cycles tell.
+
+    Parameters
+    ----------
+    block
+        Its restitution counts, and how unlike its sides are; in the nonlinear model also how
+        slender.
+    shaking
+        Its phase is that of all initial states.  It is taken modulo a period and to 12 decimals, so
+        that phases which are whole periods apart give the same basins to the last bit.
+    angles
+        u = theta/alpha, shape (n,), evenly spaced.  By default the middles of 200 cells up to
+        1 + A/sqrt(1 + Omega^2) on either side: from that |u + du/ds| on a flight of the linear
+        model grows for ever.
+        Of a block whose sides differ the larger of their bounds.
+    velocities
+        du/dtau, tau = omega t, shape (m,), evenly spaced.  By default the middles of 200 cells up
+        to the same bound, divided by Omega.
+    cycles
+        Forcing periods after which a motion counts as aperiodic or undecided.
+    seed
+        With one, a state is drawn in each cell of the grid, instead of its middle.
+    executor, workers, done
+        As for `rocksteady.sweep.evaluate.evaluate`.
+    model
+        As for `attractor`.
+
+    Returns
+    -------
+    Basins
+        Labels, attractors and shares.  Labels are in the order overturned, rest, orbits by period
+        and number of impacts, aperiodic, undecided.
+
+    Raises
+    ------
+    InputError, ModelError
+        If a number is outside its range, an axis is not evenly spaced, the shaking is not harmonic,
+        or the nonlinear model meets a block without slenderness.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from rocksteady import DimensionlessBlock, Harmonic
+    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
+    >>> found = basins(
+    ...     DimensionlessBlock(restitution=0.8),
+    ...     shaking,
+    ...     angles=np.linspace(-1.0, 1.0, 20),
+    ...     velocities=np.linspace(-0.5, 0.5, 20),
+    ... )
+    >>> for attractor, part in zip(found.attractors, found.fractions()):
+    ...     print(attractor.name, f"{part.share:.4f}", f"{part.low:.3f} to {part.high:.3f}")
+    overturned 0.9025 0.869 to 0.928
+    unsymmetric-1a 0.0525 0.035 to 0.079
+    unsymmetric-1b 0.0450 0.029 to 0.070
+    """
+    bare, shaken = bare_block(block), harmonic(shaking)
+    equations = model_name(model)
+    sides = sides_of(block, equations)
+    half, rest = moment(shaken)
+    ratio = shaken.frequency_ratio
+    widest, fastest = window_of(side_table(bare), shaken.amplitude, ratio)
+    angle = window_axis("angles", centred(widest) if angles is None else angles, "theta/alpha")
+    velocity = window_axis(
+        "velocities",
+        centred(fastest / ratio) if velocities is None else velocities,
+        "d(theta/alpha)/d(omega t)",
+    )
+    start = replace(shaken, phase=half * math.pi + rest)
+    cases = functools.partial(
+        _settled,
+        shaking=shaken,
+        sides=sides,
+        half_cycles=half,
+        phase=rest,
+        cycles=cycles_value(cycles),
+        seed=_seed(seed),
+        cell=(spacing(angle), spacing(velocity)),
+    )
+    data = evaluate(
+        cases,
+        Grid(axes=(velocity, angle)),
+        CELL_OUTPUTS,
+        executor=executor,
+        workers=workers,
+        batch=batch_size(cycles),
+        numbered="number",
+        done=done,
+    )
+    cells = {str(name): data[name].values for name in data.data_vars}
+    label, attractors = labelled(block, start, equations, cells)
+    return Basins(
+        block=block,
+        shaking=start,
+        angle=angle.points,
+        velocity=velocity.points,
+        label=label,
+        attractors=attractors,
+        start_angle=cells["start_angle"],
+        start_velocity=cells["start_velocity"],
+        cycles=cycles_value(cycles),
+        seed=_seed(seed),
+        model=equations,
+    )
+
+
+def _at_phase(one: BasinAttractor, shaking: Harmonic) -> Floats:
+    """Return the states of an attractor at the phase of a shaking."""
+    if one.orbit is None:
+        return np.zeros((1 if one.kind is AttractorKind.REST else 0, 2))
+    run, ratio = one.orbit.trajectory(), shaking.frequency_ratio
+    turn = 2.0 * math.pi
+    since = (shaking.phase - one.orbit.shaking.phase) % turn + turn * np.arange(one.orbit.period)
+    here = run(np.minimum(since / ratio, run.end_s))
+    points: Floats = np.column_stack([here.angle, here.velocity / ratio])
+    return points
+
+
+def _seed(seed: object) -> int | None:
+    if seed is None:
+        return None
+    hint = "give a seed, as 1, or leave it out"
+    return whole_number("seed", seed, at_least=0, at_most=LARGEST_SEED, hint=hint)
+
+
+def _settled(
+    velocities: Floats,
+    angles: Floats,
+    number: NDArray[np.int64],
+    *,
+    shaking: Harmonic,
+    sides: Floats,
+    half_cycles: int,
+    phase: float,
+    cycles: int,
+    seed: int | None,
+    cell: tuple[float, float],
+) -> dict[str, NDArray[Any]]:
+    """Return what the states of some cells settle to."""
+    angle, velocity = angles, velocities
+    if seed is not None:
+        part = uniform(seed, number, 2) - 0.5
+        angle, velocity = angle + part[:, 0] * cell[0], velocity + part[:, 1] * cell[1]
+    count = len(number)
+    found = settled_cells(
+        np.full(count, shaking.amplitude),
+        np.full(count, shaking.frequency_ratio),
+        sides,
+        Beginnings.of(angle, velocity * shaking.frequency_ratio, half_cycles, phase),
+        cycles,
+    )
+    return {
+        "kind": found.kind,
+        "side": found.side,
+        "phase": found.phase,
+        "speed": found.speed,
+        "period": found.period,
+        "passages": found.passages,
+        "rests": found.rests,
+        "start_angle": angle,
+        "start_velocity": velocity,
+    }

@@ -1,0 +1,455 @@
+"""Erosion of the safe basin: how much of what stands on a still base stands under shaking."""
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.arrays import validated_grid
+from rocksteady.dynamics.basins._safe import measured, safe_states
+from rocksteady.dynamics.basins.window import POINTS, centred, moment, window_axis
+from rocksteady.dynamics.history.models import ModelName, attributes_of, model_name, sides_of
+from rocksteady.dynamics.orbits.attractor import cycles_value
+from rocksteady.dynamics.orbits.return_map import bare_block
+from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
+from rocksteady.dynamics.steady.regions import heteroclinic_amplitude
+from rocksteady.errors import InputError, ModelError
+from rocksteady.kernels.core.tables import LEAN, RATE
+from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.validation import finite, in_range, positive
+from rocksteady.model.motions.segments import Harmonic
+from rocksteady.sweep.cases.axes import Axis
+from rocksteady.sweep.evaluate import Done
+
+if TYPE_CHECKING:
+    import xarray
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+CYCLES = 100
+"""Forcing periods that a safe state stands, where nobody says."""
+HALF_WIDTH, WIDENING, WIDEST = 1.5, 1.5, 20.0
+"""Of a window in theta/alpha and in its velocity per pivot time, where nobody says: the least one,
+and by how much and how far it is widened."""
+LEVEL = 0.5
+TOLERANCE = 1e-3
+MEASURES = ("integrity_factor", "global_integrity")
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True)
+class Drop:
+    """Where a measure of integrity first falls below a level.
+
+    Attributes
+    ----------
+    measure, level
+        Which, and below what.
+    low, high
+        The amplitudes between which it does.
+    above, below
+        The measure at these.
+    """
+
+    measure: str
+    level: float
+    low: float
+    high: float
+    above: float
+    below: float
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Erosion:
+    """The safe basin against the amplitude of the shaking.
+
+    Attributes
+    ----------
+    block, frequency_ratio, phase
+        What moves, and the moment at which the states are taken [rad].
+    amplitude
+        A = a_max/(alpha g), ascending, shape (amplitudes,).
+    angle, velocity
+        The window: u = theta/alpha, shape (n,), and du/dtau, shape (m,).
+    cycles
+        Forcing periods that a safe state stands.
+    safe
+        Which states do, shape (amplitudes, m, n).
+    safe_share
+        Share of the window that is safe, shape (amplitudes,).
+    radius
+        Of the largest circle of safe states, in the plane of u and du/d(p t), shape (amplitudes,).
+    still_share, still_radius
+        The same two on a still base (A = 0).
+    model
+        Which equations of motion hold: "linear" or "nonlinear".
+    """
+
+    block: Block | DimensionlessBlock
+    frequency_ratio: float
+    phase: float
+    amplitude: Floats
+    angle: Floats
+    velocity: Floats
+    cycles: int
+    safe: Bools
+    safe_share: Floats
+    radius: Floats
+    still_share: float
+    still_radius: float
+    model: ModelName = "linear"
+
+    @property
+    def global_integrity(self) -> Floats:
+        """Global integrity measure: the safe area over that on a still base."""
+        measure: Floats = self.safe_share / self.still_share
+        return measure
+
+    @property
+    def integrity_factor(self) -> Floats:
+        """Integrity factor: the radius of the largest safe circle over that on a still base."""
+        measure: Floats = self.radius / self.still_radius
+        return measure
+
+    @property
+    def heteroclinic(self) -> float | None:
+        """Amplitude of the heteroclinic tangency, in closed form: `heteroclinic_amplitude`.
+
+        Of a block whose sides differ, the lower one of both directions.  None in the nonlinear
+        model, which has no closed form of it.
+        """
+        if self.model != "linear":
+            return None
+        if not self.block.symmetric:
+            return tangency_amplitude(self.block.dimensionless().sides, self.frequency_ratio)
+        return float(heteroclinic_amplitude(self.frequency_ratio, self.block.restitution))
+
+    def measure(self, name: str) -> Floats:
+        """Return a measure by its name.
+
+        Raises
+        ------
+        InputError
+            If it is neither "integrity_factor" nor "global_integrity".
+        """
+        if name not in MEASURES:
+            raise InputError(
+                name="measure",
+                value=name,
+                valid=f"it must be one of {', '.join(MEASURES)}",
+                hint="leave it out for the integrity factor",
+            )
+        return self.integrity_factor if name == MEASURES[0] else self.global_integrity
+
+    def drop(
+        self,
+        measure: str = MEASURES[0],
+        *,
+        level: float = LEVEL,
+        tolerance: float = TOLERANCE,
+        executor: str = "threads",
+        workers: int | None = None,
+    ) -> Drop | None:
+        """Return where a measure first falls below a level, or None where it does not.
+
+        The first of the amplitudes below the level and the one before it (or 0) are brought closer
+        by bisection, each time with a new basin over the same window.  A dip between two of the
+        amplitudes is not seen.
+
+        Parameters
+        ----------
+        measure
+            "integrity_factor" or "global_integrity".
+        level
+            In (0, 1].
+        tolerance
+            How close the two amplitudes come, above 0.
+        executor, workers
+            As for `erosion`.
+
+        Raises
+        ------
+        InputError
+            If an argument is outside its range.
+        """
+        bound = in_range("level", level, 0.0, 1.0, hint="give a share, as 0.5")
+        close = positive("tolerance", tolerance, hint="give a difference of amplitudes, as 0.001")
+        values = self.measure(measure)
+        under = np.flatnonzero(values < bound)
+        if not under.size:
+            return None
+        first = int(under[0])
+        low, above = 0.0, 1.0
+        if first > 0:
+            low, above = float(self.amplitude[first - 1]), float(values[first - 1])
+        high, below = float(self.amplitude[first]), float(values[first])
+        while high - low > close:
+            middle = 0.5 * (low + high)
+            if not low < middle < high:  # neighbouring numbers
+                break
+            value = self._at(middle, measure, executor, workers)
+            if value < bound:
+                high, below = middle, value
+            else:
+                low, above = middle, value
+        return Drop(measure=measure, level=bound, low=low, high=high, above=above, below=below)
+
+    def _at(self, amplitude: float, measure: str, executor: str, workers: int | None) -> float:
+        """Return a measure at one more amplitude."""
+        safe = safe_states(
+            sides=sides_of(self.block, self.model),
+            frequency_ratio=self.frequency_ratio,
+            phase=self.phase,
+            amplitudes=[amplitude],
+            angles=self.angle,
+            velocities=self.velocity,
+            cycles=self.cycles,
+            executor=executor,
+            workers=workers,
+        )
+        share, radius = measured(safe[0], self.angle, self.frequency_ratio * self.velocity)
+        return radius / self.still_radius if measure == MEASURES[0] else share / self.still_share
+
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return the measures and the basins as an xarray Dataset.
+
+        Returns
+        -------
+        xarray.Dataset
+            ``global_integrity`` and ``integrity_factor`` over amplitude, ``safe`` over amplitude,
+            velocity (du/dtau) and angle; the heteroclinic amplitude, where there is a closed form
+            of it, among the attributes.
+        """
+        import xarray
+
+        tangency = self.heteroclinic
+        along = ("amplitude",)
+        return xarray.Dataset(
+            {
+                "global_integrity": (along, self.global_integrity, {"units": "1"}),
+                "integrity_factor": (along, self.integrity_factor, {"units": "1"}),
+                "safe": (("amplitude", "velocity", "angle"), self.safe, {"units": "1"}),
+            },
+            coords={
+                "amplitude": (along, self.amplitude, {"long_name": "a_max/(alpha g)"}),
+                "velocity": ("velocity", self.velocity, {"long_name": "d(theta/alpha)/d(omega t)"}),
+                "angle": ("angle", self.angle, {"long_name": "theta/alpha"}),
+            },
+            attrs={
+                "frequency_ratio": self.frequency_ratio,
+                "phase": self.phase,
+                **attributes_of(self.block, self.model),
+                "cycles": self.cycles,
+                **({} if tangency is None else {"heteroclinic_amplitude": tangency}),
+                "still_share": self.still_share,
+                "still_radius": self.still_radius,
+            },
+        )
+
+    def _repr_html_(self) -> str:
+        """Return a small table for notebooks."""
+        rows = "".join(
+            f"<tr><td>{a:.6g}</td><td>{area:.4f}</td><td>{circle:.4f}</td></tr>"
+            for a, area, circle in zip(
+                self.amplitude, self.global_integrity, self.integrity_factor, strict=True
+            )
+        )
+        heads = "".join(
+            f"<th>{text}</th>" for text in ("amplitude", "global integrity", "integrity factor")
+        )
+        tangency = self.heteroclinic
+        caption = "Erosion"
+        if tangency is not None:
+            caption += f"; heteroclinic tangency at A = {tangency:.6g}"
+        return f"<table><caption>{caption}</caption><tr>{heads}</tr>{rows}</table>"
+
+
+@checked
+def erosion(
+    block: Block | DimensionlessBlock,
+    frequency_ratio: float,
+    amplitudes: ArrayLike,
+    *,
+    phase: float = 0.0,
+    angles: ArrayLike | None = None,
+    velocities: ArrayLike | None = None,
+    cycles: int = CYCLES,
+    executor: str = "threads",
+    workers: int | None = None,
+    model: ModelName = "linear",
+    done: Done | None = None,
+) -> Erosion:
+    """Return how the safe basin shrinks and frays as the amplitude grows.
+
+    A state is safe if the block, shaken from that moment on, has not overturned in a number of
+    forcing periods; whether it rocks or rests does not matter.  Two measures of the safe basin are
+    given, both over their value on a still base.  The *global integrity measure* is its area [1]_:
+    easy to read, but fractal tongues that no design could rely on count in full.  The *integrity
+    factor* is the radius of the largest circle of safe states [2]_: it sees the compact core alone,
+    and so the tongues that enter it after the manifolds of the upright saddles have touched.  The
+    two are measured in the plane of u = theta/alpha and du/d(p t), in which the block's own motion
+    does not depend on the frequency of the shaking.  For the rocking block the touching was
+    computed in closed form and erosion discussed in [3]_.
+
+    The safe basin on a still base is a strip without end, so that the area depends on the window.
+    The edge of the window does not count as safe.  A radius is the distance of a state of the grid
+    to the nearest one that is not safe: it is known to about a cell.
+
+    Parameters
+    ----------
+    block
+        Its restitution counts, and how unlike its sides are; in the nonlinear model also how
+        slender.
+    frequency_ratio
+        Omega = omega/p.
+    amplitudes
+        A = a_max/(alpha g), ascending, shape (amplitudes,).
+    phase
+        Of the shaking when the states are taken [rad]; modulo a period and to 12 decimals.
+    angles, velocities
+        The window: u = theta/alpha, shape (n,), and du/dtau, shape (m,), both evenly spaced.  By
+        default the middles of 200 cells on either side up to 1.5 in u and in du/d(p t) (in units of
+        the larger side, where they differ), or further
+        where the edge of that window would cut the largest circle on a still base, as it does with
+        a restitution below .6.
+    cycles
+        Forcing periods that a safe state stands.
+    executor, workers, done
+        As for `rocksteady.sweep.evaluate.evaluate`; the still base is cells too.
+    model
+        "linear" (default) or "nonlinear", which needs a `Block` and takes some hundred times as
+        long.
+
+    Returns
+    -------
+    Erosion
+        Both measures, and the safe basins themselves.
+
+    Raises
+    ------
+    InputError
+        If a number is outside its range, the amplitudes do not ascend, or an axis is not evenly
+        spaced.
+    ModelError
+        If no state of the window is safe on a still base, or the nonlinear model meets a block
+        without slenderness.
+
+    References
+    ----------
+    .. [1] M. S. Soliman and J. M. T. Thompson, J. Sound Vib. 135, 453-475 (1989).
+    .. [2] G. Rega and S. Lenci, Nonlinear Analysis 63, 902-914 (2005).
+    .. [3] S. Lenci and G. Rega, Int. J. Bifurcation Chaos 15, 1901-1918 (2005).
+
+    Examples
+    --------
+    >>> from rocksteady import DimensionlessBlock
+    >>> found = erosion(DimensionlessBlock(restitution=0.9), 2.0, [0.2, 0.6, 1.0])
+    >>> print(found.global_integrity.round(2), found.integrity_factor.round(2))
+    [0.99 0.79 0.46] [1.   0.62 0.42]
+    """
+    bare = bare_block(block)
+    axis = Axis(name="amplitudes", values=amplitudes, long_name="a_max/(alpha g)")
+    validated_grid(axis.points, frequency_ratio, bare.restitution, 1)
+    equations = model_name(model)
+    sides = sides_of(block, equations)
+    if (np.diff(axis.points) <= 0.0).any():
+        raise InputError(
+            name="amplitudes",
+            value=amplitudes,
+            valid="the amplitudes must ascend",
+            hint="give them from the lowest to the highest",
+        )
+    ratio = finite("frequency_ratio", frequency_ratio, hint="give one number, omega/p")
+    reach = _least_half_width(sides)
+    if angles is None and velocities is None:
+        reach = _half_width(sides, executor, workers)
+    half, rest = moment(Harmonic(amplitude=0.0, frequency_ratio=ratio, phase=phase))
+    angle = window_axis("angles", centred(reach) if angles is None else angles, "theta/alpha")
+    velocity = window_axis(
+        "velocities",
+        centred(reach / ratio) if velocities is None else velocities,
+        "d(theta/alpha)/d(omega t)",
+    )
+    # The still base is one more amplitude, unless it is among those given.
+    given = axis.points
+    all_of_them = given if given[0] == 0.0 else np.concatenate([[0.0], given])
+    start, count = half * math.pi + rest, cycles_value(cycles)
+    safe = safe_states(
+        sides=sides,
+        frequency_ratio=ratio,
+        phase=start,
+        amplitudes=all_of_them,
+        angles=angle.points,
+        velocities=velocity.points,
+        cycles=count,
+        executor=executor,
+        workers=workers,
+        done=done,
+    )
+    shares, radii = np.array(
+        [measured(one, angle.points, ratio * velocity.points) for one in safe]
+    ).T
+    if shares[0] == 0.0:
+        raise ModelError(
+            name="angles",
+            value=angles,
+            valid="no state of this window stands on a still base",
+            hint="give a window around u = 0, du/dtau = 0",
+        )
+    shaken = slice(len(safe) - len(given), None)
+    return Erosion(
+        block=block,
+        frequency_ratio=ratio,
+        phase=start,
+        amplitude=given,
+        angle=angle.points,
+        velocity=velocity.points,
+        cycles=count,
+        safe=safe[shaken],
+        safe_share=shares[shaken],
+        radius=radii[shaken],
+        still_share=float(shares[0]),
+        still_radius=float(radii[0]),
+        model=equations,
+    )
+
+
+def _least_half_width(sides: Floats) -> float:
+    """Return how far a window reaches at least: in units of the larger side, where they differ."""
+    widths = sides[:, LEAN] * np.maximum(sides[:, RATE], 1.0)
+    return HALF_WIDTH * float(widths.max())
+
+
+def _half_width(sides: Floats, executor: str, workers: int | None) -> float:
+    """Return how far a window reaches whose edge does not cut the largest safe circle at A = 0."""
+    width = _least_half_width(sides)
+    radius = _still_radius(width, sides, executor, workers)
+    while width < WIDEST:
+        wider = WIDENING * width
+        there = _still_radius(wider, sides, executor, workers)
+        if there <= radius + 2.0 * wider / POINTS:  # but for a cell the same circle
+            break
+        width, radius = wider, there
+    return width
+
+
+def _still_radius(width: float, sides: Floats, executor: str, workers: int | None) -> float:
+    """Return the radius of the largest safe circle on a still base, in a square window."""
+    axis = centred(width)
+    safe = safe_states(
+        sides=sides,
+        frequency_ratio=1.0,
+        phase=0.0,
+        amplitudes=[0.0],
+        angles=axis,
+        velocities=axis,
+        cycles=CYCLES,
+        executor=executor,
+        workers=workers,
+    )
+    return measured(safe[0], axis, axis)[1]

@@ -1,0 +1,211 @@
+"""Which attractors the cells of a window have found: told apart by their states, and in order."""
+
+import math
+import string
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.batch.attractors import ENDLESS
+from rocksteady.dynamics.history.models import ModelName
+from rocksteady.dynamics.orbits.attractor import KINDS, AttractorKind
+from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
+from rocksteady.dynamics.orbits.return_map import ImpactState, make_system, section_of
+from rocksteady.dynamics.orbits.search import SAME
+from rocksteady.kernels.orbits import periodic
+from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.checks.arguments import checked_result
+from rocksteady.model.motions.segments import Harmonic
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Cells = Mapping[str, NDArray[Any]]
+
+ORDER = (
+    AttractorKind.OVERTURNED,
+    AttractorKind.REST,
+    AttractorKind.SYMMETRIC,
+    AttractorKind.UNSYMMETRIC,
+    AttractorKind.APERIODIC,
+    AttractorKind.UNDECIDED,
+)
+"""Of the labels, symmetric and unsymmetric orbits together by period."""
+PERIODIC = {AttractorKind.SYMMETRIC, AttractorKind.UNSYMMETRIC}
+TURN = 2.0 * math.pi
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False)
+class BasinAttractor:
+    """What the states of a basin go to.
+
+    Attributes
+    ----------
+    label
+        Its number in `Basins.label`.
+    kind
+        What it is.
+    name
+        Its own among the attractors of a window: the kind, and of orbits the period too, with a
+        letter where several have both in common.
+    orbit
+        The periodic motion, started at its state of the smallest phase; None of every other kind.
+    """
+
+    label: int
+    kind: AttractorKind
+    name: str
+    orbit: Orbit | None
+
+    @property
+    def period(self) -> int | None:
+        """Forcing periods of the orbit; None without one."""
+        return None if self.orbit is None else self.orbit.period
+
+    @property
+    def impacts(self) -> int:
+        """Impacts in a period of the orbit; 0 without one, -1 for infinitely many."""
+        if self.orbit is None:
+            return 0
+        return ENDLESS if self.orbit.impacts is None else self.orbit.impacts
+
+    @property
+    def description(self) -> str:
+        """What it is, in words."""
+        if self.orbit is None:
+            return str(self.kind.value)
+        periods = "1 period" if self.period == 1 else f"{self.period} periods"
+        return f"{self.kind.value}, {periods}, {self.orbit.lowest:.4f} to {self.orbit.highest:.4f}"
+
+
+def labelled(
+    block: Block | DimensionlessBlock, shaking: Harmonic, model: ModelName, cells: Cells
+) -> tuple[Integers, tuple[BasinAttractor, ...]]:
+    """Return the labels of cells and the attractors in the order of their labels.
+
+    Parameters
+    ----------
+    block, shaking, model
+        What moves, and by which equations.
+    cells
+        What each cell has found, arrays of one shape by the names of
+        `rocksteady.dynamics.batch.attractors.SettledCells`.
+    """
+    kind = cells["kind"]
+    found: list[tuple[AttractorKind, Orbit | None, NDArray[np.bool_]]] = [
+        (which, None, kind == KINDS.index(which))
+        for which in ORDER
+        if which not in PERIODIC and (kind == KINDS.index(which)).any()
+    ]
+    found += [
+        (AttractorKind(orbit.kind), orbit, of)
+        for orbit, of in _orbits(block, shaking, model, cells)
+    ]
+    found.sort(key=lambda one: _order(one[0], one[1]))
+    names = _names([(which, orbit) for which, orbit, _ in found])
+    label = np.full(kind.shape, -1, dtype=np.int64)
+    for number, (_, _, of) in enumerate(found):
+        label[of] = number
+    return label, tuple(
+        BasinAttractor(label=number, kind=which, name=name, orbit=orbit)
+        for number, ((which, orbit, _), name) in enumerate(zip(found, names, strict=True))
+    )
+
+
+def _order(kind: AttractorKind, orbit: Orbit | None) -> tuple[object, ...]:
+    """Return where an attractor stands among others; mirror images stand side by side."""
+    if orbit is None:
+        return (ORDER.index(kind),)
+    largest = max(orbit.highest, -orbit.lowest)
+    return (
+        ORDER.index(AttractorKind.SYMMETRIC),
+        orbit.period,
+        len(orbit.states),
+        not orbit.symmetric,
+        -round(largest, 9),
+        orbit.highest < -orbit.lowest,
+    )
+
+
+def _names(found: list[tuple[AttractorKind, Orbit | None]]) -> Iterator[str]:
+    """Yield a name for each attractor."""
+    plain = [
+        str(kind.value) if orbit is None else f"{kind.value}-{orbit.period}"
+        for kind, orbit in found
+    ]
+    several, before = Counter(plain), Counter[str]()
+    for name in plain:
+        letter = before[name]
+        before[name] += 1
+        if several[name] == 1:
+            yield name
+        else:
+            suffix = string.ascii_lowercase[letter] if letter < 26 else f"-{letter + 1}"
+            yield name + suffix
+
+
+def _orbits(
+    block: Block | DimensionlessBlock, shaking: Harmonic, model: ModelName, cells: Cells
+) -> Iterator[tuple[Orbit, NDArray[np.bool_]]]:
+    """Yield each orbit that cells have found, and which cells."""
+    left = cells["period"] > 0
+    while left.any():
+        first = np.unravel_index(int(np.argmax(left)), left.shape)
+        one = {name: values[first].item() for name, values in cells.items()}
+        orbit = _orbit(block, shaking, model, one)
+        same = left.copy()
+        for name in ("period", "passages", "rests"):
+            same &= cells[name] == one[name]
+        on = np.zeros_like(left)
+        for state in orbit.states:
+            on[same] |= _near(
+                state, cells["side"][same], cells["phase"][same], cells["speed"][same]
+            )
+        on[first] = True  # whatever rounding says
+        yield orbit, on
+        left &= ~on
+
+
+def _near(state: ImpactState, side: Integers, phase: Floats, speed: Floats) -> NDArray[np.bool_]:
+    """Return which states are one with another, as `rocksteady.dynamics.orbits.search` has it."""
+    apart = np.abs(phase - state.phase)
+    apart = np.minimum(apart, TURN - apart)
+    size = np.maximum(np.minimum(speed, state.speed), periodic.SMALLEST_SPEED)
+    near: NDArray[np.bool_] = (
+        (side == state.side) & (apart <= SAME) & (np.abs(speed - state.speed) <= SAME * size)
+    )
+    return near
+
+
+def _orbit(
+    block: Block | DimensionlessBlock,
+    shaking: Harmonic,
+    model: ModelName,
+    cell: Mapping[str, Any],
+) -> Orbit:
+    """Return the orbit of a cell, started where it would be whichever cell had found it."""
+    state = ImpactState(side=cell["side"], phase=cell["phase"], speed=cell["speed"])
+    orbit = _through(block, shaking, model, state, cell)
+    # A phase that is 0 but for a rounding may have come out as a whole turn; and an orbit with
+    # rests is closed from an uplift on, whose speed is 0.
+    begin = min(orbit.states, key=lambda here: (here.speed > 0.0, (here.phase + SAME) % TURN))
+    return orbit if begin is orbit.states[0] else _through(block, shaking, model, begin, cell)
+
+
+def _through(
+    block: Block | DimensionlessBlock,
+    shaking: Harmonic,
+    model: ModelName,
+    state: ImpactState,
+    cell: Mapping[str, Any],
+) -> Orbit:
+    """Return the orbit through a state that lies on it."""
+    system = make_system(block, shaking, model)
+    passages, periods = cell["passages"], cell["period"]
+    table = np.zeros((passages, periodic.ORBIT_COLUMNS))
+    fixed = periodic.polish(system, section_of(state), passages, periods, table)
+    return orbit_from(block, shaking, table, periods, fixed.residual, model)

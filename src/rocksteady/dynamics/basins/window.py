@@ -1,0 +1,95 @@
+"""Windows of initial states, and the moment of the shaking at which they are taken."""
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.errors import InputError
+from rocksteady.kernels.core.clock import clock
+from rocksteady.model.checks.validation import LARGEST, in_range
+from rocksteady.model.motions.segments import Harmonic
+from rocksteady.sweep.cases.axes import Axis
+
+Floats = NDArray[np.float64]
+
+POINTS = 200
+"""Points along an axis of a window, where nobody says."""
+DECIMALS = 12
+"""Of a phase in radians: what is beyond them is rounding of the whole periods taken off."""
+
+
+def reach(amplitude: float, frequency_ratio: float) -> float:
+    """Return the |u + du/ds| of a state from which on its flight grows, whatever the phase.
+
+    The flight of a state that leans to the positive side holds e^s with the coefficient
+    (u + du/ds - 1 + beta (sin phi + Omega cos phi))/2, whose last term is at most
+    A/sqrt(1 + Omega^2) in size.  Where that is positive the block could come back to its base only
+    in a dip on the way.
+    """
+    return 1.0 + amplitude / math.hypot(1.0, frequency_ratio)
+
+
+def window_of(sides: Floats, amplitude: float, frequency_ratio: float) -> tuple[float, float]:
+    """Return how far in u and in du/ds a state may be that does not fly off, on either side.
+
+    Parameters
+    ----------
+    sides
+        Of the block, as `rocksteady.dynamics.history.lowering.side_table` has them, shape (2, 3).
+    amplitude, frequency_ratio
+        Of the shaking; `reach` is counted in the units of each side.
+    """
+    angle = velocity = 0.0
+    for _, lean, rate in sides.tolist():
+        bound = lean * reach(amplitude / lean, frequency_ratio / rate)
+        angle, velocity = max(angle, bound), max(velocity, rate * bound)
+    return angle, velocity
+
+
+def centred(half_width: float, points: int = POINTS) -> Floats:
+    """Return the middles of equal cells between -half_width and half_width, mirrored exactly."""
+    from_middle = np.arange(points, dtype=np.float64) - 0.5 * (points - 1)
+    middles: Floats = from_middle * (2.0 * half_width / points)
+    return middles
+
+
+def window_axis(name: str, values: ArrayLike, long_name: str) -> Axis:
+    """Return an axis of a window: two or more values, ascending and evenly spaced.
+
+    Only of even spacing a share of states is a share of area.
+
+    Raises
+    ------
+    InputError
+        If the values are anything else.
+    """
+    axis = Axis(name=name, values=values, long_name=long_name)
+    for value in (axis.points.min(), axis.points.max()):
+        in_range(name, value, -LARGEST, LARGEST, "[]", hint="give a smaller window")
+    steps = np.diff(axis.points)
+    if not (steps.size and (steps > 0.0).all() and np.ptp(steps) <= 1e-6 * steps.mean()):
+        raise InputError(
+            name=name,
+            value=values,
+            valid="the window needs two values or more, ascending and evenly spaced",
+            hint="give them from the lowest to the highest in equal steps",
+        )
+    return axis
+
+
+def spacing(axis: Axis) -> float:
+    """Return the distance of neighbours on the axis of a window."""
+    return float(axis.points[-1] - axis.points[0]) / (len(axis) - 1)
+
+
+def moment(shaking: Harmonic) -> tuple[int, float]:
+    """Return the phase of a shaking as 0 or 1 half cycle and a rest in [0, pi).
+
+    The rest is rounded to 12 decimals.  Phases that are whole half periods apart then have the same
+    rest, although adding pi to a number rounds it, and near a fractal border a rounding decides.
+    """
+    half, rest = clock(shaking.phase)
+    if math.pi - rest < 0.5 * 10.0**-DECIMALS:
+        half, rest = half + 1, 0.0
+    return half % 2, round(rest, DECIMALS)

@@ -1,0 +1,1 @@
+"""Many motions at once: initial states, what they settle to, and how they end."""

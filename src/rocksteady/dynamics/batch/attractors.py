@@ -1,0 +1,199 @@
+"""What many motions settle to: the kernel's table of cells, and what grids say of it."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.orbits.attractor import KINDS, AttractorKind, kind_codes
+from rocksteady.kernels.batch import attractors as column
+from rocksteady.kernels.core.tables import RESTITUTION
+from rocksteady.sweep.cases.outputs import Output
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+NO_START = len(KINDS)
+"""Code of a cell whose start does not exist: a steady state where there is none."""
+KIND_FLAGS = {
+    **{code: str(kind.value) for code, kind in enumerate(KINDS)},
+    NO_START: "no-start",
+}
+ENDLESS = -1
+"""Number of impacts of an orbit that comes to rest: infinitely many."""
+
+BATCH = 1024
+"""The most motions that the kernel follows in one call,"""
+MOST_PERIODS = 512_000
+"""and the forcing periods that they may take together: half a second where all are chaotic,
+for which an interruption waits."""
+
+KIND_OUTPUT = Output(
+    name="kind", dtype=np.int8, long_name="what the motion settles to", flags=KIND_FLAGS
+)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SettledCells:
+    """What motions settle to, arrays of shape (cells,).
+
+    Attributes
+    ----------
+    kind
+        Indices of `rocksteady.dynamics.orbits.attractor.KINDS`.
+    side, phase, speed
+        A state on the orbit; 0 and nan without one.
+    period, passages, rests
+        Forcing periods, states and rests of the orbit; 0 without one.
+    highest, lowest
+        Extrema of theta/alpha; 0 at rest, nan without an orbit.
+    lyapunov
+        Per forcing period.
+    after
+        Forcing periods until that was known.
+    """
+
+    kind: NDArray[np.int8]
+    side: Integers
+    phase: Floats
+    speed: Floats
+    period: Integers
+    passages: Integers
+    rests: Integers
+    highest: Floats
+    lowest: Floats
+    lyapunov: Floats
+    after: Integers
+
+    @property
+    def impacts(self) -> Integers:
+        """Impacts in a period of the orbit; 0 without one, -1 for infinitely many."""
+        return np.where(self.rests > 0, ENDLESS, self.passages)
+
+
+def settled_cells(
+    amplitude: Floats,
+    frequency_ratio: Floats,
+    sides: Floats,
+    begin: "Beginnings",
+    cycles: int,
+) -> SettledCells:
+    """Return what motions settle to, each from its own state.
+
+    Parameters
+    ----------
+    amplitude, frequency_ratio
+        Shape (cells,).
+    sides
+        Of the block of all of them, or of each, as `dynamics.history.models.sides_of` has
+        them, shape (2, 3) or (cells, 2, 3), with five columns in the nonlinear model.
+    begin
+        Where they start.
+    cycles
+        Forcing periods after which a motion counts as unsettled.
+    """
+    cells = len(amplitude)
+    whole = np.empty((cells, column.WHOLE_COLUMNS), dtype=np.int64)
+    real = np.empty((cells, column.REAL_COLUMNS))
+    tables = np.ascontiguousarray(np.broadcast_to(sides, (cells, *sides.shape[-2:])))
+    column.settle_cells(
+        amplitude,
+        frequency_ratio,
+        tables,
+        begin.side,
+        begin.angle,
+        begin.velocity,
+        begin.half_cycles,
+        begin.phase,
+        cycles,
+        whole,
+        real,
+    )
+    kind = kind_codes(
+        whole[:, column.OUTCOME],
+        whole[:, column.SYMMETRIC],
+        real[:, column.LEAST],
+        tables[:, :, RESTITUTION].min(axis=1),
+    )
+    still = kind == KINDS.index(AttractorKind.REST)
+    return SettledCells(
+        kind=kind,
+        side=whole[:, column.ORBIT_SIDE],
+        phase=real[:, column.ORBIT_PHASE],
+        speed=real[:, column.ORBIT_SPEED],
+        period=whole[:, column.PERIODS],
+        passages=whole[:, column.PASSAGES],
+        rests=whole[:, column.RESTS],
+        highest=np.where(still, 0.0, real[:, column.HIGHEST]),
+        lowest=np.where(still, 0.0, real[:, column.LOWEST]),
+        lyapunov=real[:, column.LYAPUNOV],
+        after=whole[:, column.AFTER],
+    )
+
+
+def load_kernel() -> None:
+    """Load the kernel, or compile it, so that what is timed afterwards is computation alone."""
+    nothing, whole = np.empty(0), np.empty(0, dtype=np.int64)
+    begin = Beginnings(
+        side=whole, angle=nothing, velocity=nothing, half_cycles=whole, phase=nothing
+    )
+    settled_cells(nothing, nothing, np.empty((0, 2, 3)), begin, 1)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Beginnings:
+    """States at the start, as the kernels see them, arrays of shape (cells,).
+
+    Attributes
+    ----------
+    side
+        +1 or -1; 0 at rest.
+    angle, velocity
+        theta/alpha, and its derivative by pivot time.
+    half_cycles, phase
+        Of the shaking: whole half periods, and the rest in [0, pi).
+    """
+
+    side: Integers
+    angle: Floats
+    velocity: Floats
+    half_cycles: Integers
+    phase: Floats
+
+    @classmethod
+    def of(
+        cls, angle: Floats, velocity: Floats, half_cycles: int | Integers, phase: float | Floats
+    ) -> "Beginnings":
+        """Return the states of any angles and velocities, at one moment of the shaking or each."""
+        leaning = np.where(angle != 0.0, angle, velocity)
+        return cls(
+            side=np.sign(leaning).astype(np.int64),
+            angle=angle,
+            velocity=velocity,
+            half_cycles=np.full(len(angle), half_cycles, dtype=np.int64),
+            phase=np.full(len(angle), phase),
+        )
+
+
+def batch_size(cycles: int) -> int:
+    """Return how many motions one call takes, each followed for a number of forcing periods."""
+    return max(1, min(BATCH, MOST_PERIODS // cycles))
+
+
+def outputs_of_orbits() -> tuple[Output, ...]:
+    """Return what a grid of attractors says of each cell, by the names of `SettledCells`."""
+    integer: dict[str, Any] = {"dtype": np.int32}
+    return (
+        KIND_OUTPUT,
+        Output(name="period", long_name="forcing periods of the orbit; 0 without one", **integer),
+        Output(
+            name="impacts",
+            long_name="impacts in a period of the orbit; 0 without one, -1 for infinitely many",
+            **integer,
+        ),
+        Output(name="highest", long_name="largest theta/alpha of the orbit"),
+        Output(name="lowest", long_name="smallest theta/alpha of the orbit"),
+        Output(name="lyapunov", long_name="largest Lyapunov exponent per forcing period"),
+        Output(name="after", long_name="forcing periods until that was known", **integer),
+    )

@@ -1,0 +1,101 @@
+"""How many motions under harmonic shaking end after a time: the one place that chooses a kernel."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.history.lowering import alike
+from rocksteady.errors import Status
+from rocksteady.kernels.batch.harmonic import fates_of_sides
+from rocksteady.kernels.core.tables import RESTITUTION, SIDE_COLUMNS
+from rocksteady.kernels.lanes.driver import lane_fates
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+ENDS = (Status.ROCKING, Status.AT_REST, Status.OVERTURNED, Status.UNDECIDED)
+"""How such a motion can end."""
+MOST_IMPACTS = 4_000_000
+"""Impacts after which a motion is given up as undecided: small bounces without loss have no end.
+Those of periods leapt over do not count."""
+BATCH = 4096
+"""The most motions that the kernel follows in one call: it is given many, so that it may follow
+some of them side by side,"""
+MOST_PERIODS = 1_000_000
+"""and the forcing periods that they may take together: a tenth of a second, for which an
+interruption waits."""
+
+
+def ends_of(
+    *,
+    amplitude: Floats,
+    frequency_ratio: Floats,
+    sides: Floats,
+    angle: Floats,
+    velocity: Floats,
+    phase: Floats,
+    cycles: int,
+) -> tuple[Integers, Integers]:
+    """Return how motions end, and their numbers of impacts.
+
+    Symmetric blocks are followed side by side in the linear model, all others one by one: a cell's
+    answer depends on nothing but the cell.
+
+    Parameters
+    ----------
+    amplitude, frequency_ratio
+        Shape (cells,).
+    sides
+        Of the block of each cell, as `rocksteady.dynamics.history.models.sides_of` has them, shape
+        (cells, 2, 3), or (cells, 2, 5) in the nonlinear model.
+    angle, velocity, phase
+        theta/alpha, its derivative by pivot time, and the phase of the shaking [rad] at the start.
+    cycles
+        Forcing periods that they are followed for, at most.
+
+    Returns
+    -------
+    status, impacts
+        Codes of `ENDS`, and impacts until then; of the infinitely many before a rest those that
+        came before it was proved.
+    """
+    count = len(amplitude)
+    status, impacts = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int64)
+    # Lanes know the linear model alone, which is told by the columns of its sides.
+    same = alike(sides) & (sides.shape[2] == SIDE_COLUMNS)
+    for in_lanes, cells in ((True, same), (False, ~same)):
+        if count and not cells.any():  # without any cells at all both are to be loaded
+            continue
+        found = np.empty((2, np.count_nonzero(cells)), dtype=np.int64)
+        final = np.empty((found.shape[1], 3))
+        shaken = amplitude[cells], frequency_ratio[cells]
+        begin = angle[cells], velocity[cells], phase[cells]
+        if in_lanes:
+            ratio = sides[cells, 0, RESTITUTION]
+            lane_fates(
+                *shaken, ratio, *begin, cycles, True, MOST_IMPACTS, found[0], found[1], final
+            )
+        else:
+            fates_of_sides(
+                *shaken, sides[cells], *begin, cycles, MOST_IMPACTS, found[0], found[1], final
+            )
+        status[cells], impacts[cells] = found
+    return status, impacts
+
+
+def batch_size(cycles: int) -> int:
+    """Return how many motions one call takes, each followed for a number of forcing periods."""
+    return max(1, min(BATCH, MOST_PERIODS // cycles))
+
+
+def load_kernel() -> None:
+    """Load the kernel, or compile it, so that what is timed afterwards is computation alone."""
+    nothing = np.empty(0)
+    ends_of(
+        amplitude=nothing,
+        frequency_ratio=nothing,
+        sides=np.empty((0, 2, 3)),
+        angle=nothing,
+        velocity=nothing,
+        phase=nothing,
+        cycles=1,
+    )

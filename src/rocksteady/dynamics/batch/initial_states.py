@@ -1,0 +1,108 @@
+"""Initial states of many motions: arrays of what `dynamics.history.start` makes one by one."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.batch.attractors import Beginnings
+from rocksteady.dynamics.history.departure import set_off
+from rocksteady.dynamics.history.start import Steady
+from rocksteady.dynamics.steady.states import steady_states
+from rocksteady.errors import ModelError
+from rocksteady.kernels.batch.attractors import fill_clocks
+from rocksteady.kernels.core.tables import RESTITUTION, SIDE_COLUMNS
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+
+def at_phases(angle: Floats, velocity: Floats, phase: Floats) -> Beginnings:
+    """Return any angles and velocities, each at a phase of its own.
+
+    Parameters
+    ----------
+    angle, velocity
+        theta/alpha, and its derivative by pivot time, shape (cells,).
+    phase
+        Of the shaking [rad], shape (cells,).
+
+    Examples
+    --------
+    >>> import math
+    >>> upright = np.zeros(2)
+    >>> begin = at_phases(upright, upright, np.array([1.0, 1.0 - math.pi]))
+    >>> print(begin.side, begin.half_cycles, begin.phase.round(12))
+    [0 0] [ 0 -1] [1. 1.]
+    """
+    half_cycles, rest = np.empty(len(phase), dtype=np.int64), np.empty(len(phase))
+    fill_clocks(phase, half_cycles, rest)
+    # The motions' own jump at the start is added to the velocity, 0 here: it leaves no -0.0.
+    return Beginnings.of(angle, velocity + 0.0, half_cycles, rest)
+
+
+def on_orbits(
+    start: Steady,
+    kick: Floats,
+    amplitude: Floats,
+    frequency_ratio: Floats,
+    sides: Floats,
+    side: int,
+) -> tuple[Floats, Floats, Bools]:
+    """Return velocity and phase on a steady state at many points, and where it is a start.
+
+    Parameters
+    ----------
+    start
+        Its branch and order count.
+    kick
+        In place of its own, shape (cells,).
+    amplitude, frequency_ratio
+        Of the shaking, shape (cells,).
+    sides
+        Of the blocks, as `dynamics.history.models.sides_of` has them, shape (cells, 2, 3), or
+        (cells, 2, 5) in the nonlinear model.
+    side
+        +1 or -1, on which an unstable one is left.
+
+    Returns
+    -------
+    velocity, phase
+        d(theta/alpha)/d(p t) and the phase of the shaking [rad] at an impact, the angle being 0;
+        both 0 where there is no such state, or it is no motion.
+    there
+        Where there is one.
+
+    Examples
+    --------
+    >>> one = np.ones(2)
+    >>> sides = np.tile([0.8, 1.0, 1.0], (2, 2, 1))
+    >>> points = np.array([0.1, 2.0]), 4 * one, sides
+    >>> velocity, phase, there = on_orbits(Steady(), 1e-6 * one, *points, 1)
+    >>> print(there, velocity.round(6), phase.round(6))
+    [False  True] [0.       0.732389] [0.       2.846543]
+    """
+    restitution = sides[:, 0, RESTITUTION]
+    states = steady_states(amplitude, frequency_ratio, restitution, order=start.order)
+    assert states.admissible is not None
+    which = start.branch - 1
+    there = states.admissible[which].copy()
+    phase = np.where(there, states.phase[which], 0.0)
+    velocity = np.where(there, states.velocity[which], 0.0) * frequency_ratio
+    unstable = there & ~(states.stable[which] | states.neutral[which])
+    # All others of the linear model are known already.
+    left = there if sides.shape[2] > SIDE_COLUMNS else unstable
+    for cell in np.flatnonzero(left).tolist():
+        try:
+            phase[cell], velocity[cell] = set_off(
+                amplitude.item(cell),
+                frequency_ratio.item(cell),
+                sides[cell],
+                order=start.order,
+                branch=start.branch,
+                phase=phase.item(cell),
+                velocity=velocity.item(cell),
+                unstable=unstable.item(cell),
+                away=side * kick.item(cell),
+            )
+        except ModelError:  # there is none, or no number says how it is left
+            there[cell] = False
+    return np.where(there, velocity, 0.0), np.where(there, phase, 0.0), there

@@ -1,0 +1,283 @@
+"""A periodic orbit as the chain of arcs that continuation moves, at one set of parameters."""
+
+import cmath
+import math
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.orbits.orbit import ordered
+from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.orbits import chains as kernel
+from rocksteady.kernels.orbits.return_map import Section
+from rocksteady.kernels.orbits.return_map import make_system as system_of
+
+Floats = NDArray[np.float64]
+
+COLUMNS = (kernel.BY_AMPLITUDE, kernel.BY_FREQUENCY, kernel.BY_RESTITUTION)
+MERGED = 1e-9
+"""Duration up to which an arc between two impacts counts as none."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Chain:
+    """Phases of the impacts of an orbit, or of half a symmetric one, as in `kernels.orbits.chains`.
+
+    Attributes
+    ----------
+    parameters
+        Amplitude, frequency ratio and restitution, shape (3,).
+    turns, phases
+        Whole half cycles of the shaking and the phase beyond them at each impact, shape (m,); the
+        first impact sends the block to its positive side.
+    half_cycles
+        Half periods of the shaking after which the chain closes: odd, as m, for half of a symmetric
+        orbit.
+    """
+
+    parameters: Floats
+    turns: NDArray[np.int64]
+    phases: Floats
+    half_cycles: int
+
+    @property
+    def impacts(self) -> int:
+        """Number of impacts, m."""
+        return len(self.phases)
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether the chain is half of a symmetric orbit."""
+        return self.half_cycles % 2 == 1
+
+    @property
+    def period(self) -> int:
+        """Forcing periods of the whole orbit."""
+        return self.half_cycles if self.symmetric else self.half_cycles // 2
+
+    @cached_property
+    def sides(self) -> Floats:
+        """The block's sides for the kernels, shape (2, 3)."""
+        sides = np.ones((2, 3))
+        sides[:, 0] = self.parameters[2]
+        return sides
+
+    @cached_property
+    def table(self) -> Floats:
+        """What the kernel knows of each arc, shape (m, CHAIN_COLUMNS)."""
+        amplitude, frequency, _ = self.parameters.tolist()
+        table = np.empty((self.impacts, kernel.CHAIN_COLUMNS))
+        kernel.fill_chain(
+            amplitude, frequency, self.sides, self.turns, self.phases, self.half_cycles, table
+        )
+        return table
+
+    @property
+    def errors(self) -> Floats:
+        """By what the chain fails to be an orbit: speeds at its impacts, shape (m,)."""
+        return self.table[:, kernel.ERROR]
+
+    def matrix(self, closing: float) -> Floats:
+        """Return the derivative of the errors by the phases, closed with 1 or -1."""
+        matrix = np.empty((self.impacts, self.impacts))
+        kernel.fill_matrix(self.table, closing, matrix)
+        return matrix
+
+    def jacobian(self, active: tuple[int, ...]) -> Floats:
+        """Return the derivative of the errors by phases and active parameters, shape (m, m + k)."""
+        columns = self.table[:, [COLUMNS[index] for index in active]]
+        return np.hstack([self.matrix(1.0), columns])
+
+    def determinant(self, closing: float) -> float:
+        """Return the determinant of `matrix`, its rows over the sizes of their terms: in [-1, 1].
+
+        It is 0 where `closing` is a Floquet multiplier of the chain.
+        """
+        return self.scaled_determinant(closing, self.sizes)
+
+    @property
+    def sizes(self) -> Floats:
+        """Sum of the sizes of the terms in each row of `matrix`, shape (m,)."""
+        band = self.table[:, [kernel.BY_BEFORE, kernel.BY_HERE, kernel.BY_AFTER]]
+        sizes: Floats = np.abs(band).sum(axis=1)
+        return sizes
+
+    def scaled_determinant(self, closing: float, sizes: Floats) -> float:
+        """Return the determinant of `matrix` with its rows divided by sizes, shape (m,).
+
+        With sizes that stay the same it changes over a curve as the matrix does.  With the chain's
+        own it jumps from -1 to 1 where the arcs are long: at a fold all terms of a row of one arc
+        vanish like e^-T together.
+        """
+        return float(np.linalg.det(self.matrix(closing) / sizes[:, np.newaxis]))
+
+    def null_direction(self, closing: float) -> Floats:
+        """Return the displacement of the phases that the derivative all but forgets, length 1."""
+        direction: Floats = np.linalg.svd(self.matrix(closing))[2][-1]
+        return direction
+
+    @property
+    def durations(self) -> Floats:
+        """Pivot time of each arc."""
+        return self.table[:, kernel.DURATION]
+
+    @cached_property
+    def shape(self) -> Floats:
+        """Largest |theta|/alpha of each arc, its least minimum and when that is, shape (m, 3)."""
+        amplitude, frequency, _ = self.parameters.tolist()
+        system = system_of(amplitude, frequency, self.sides)
+        shape = np.empty((self.impacts, 3))
+        kernel.fill_arcs(system, self.turns, self.phases, self.table, shape)
+        return shape
+
+    @property
+    def shortest(self) -> float:
+        """Duration of the shortest arc; at 0 two impacts merge."""
+        return float(self.durations.min())
+
+    @property
+    def clearance(self) -> float:
+        """Least minimum of the height between impacts; inf where no arc dips."""
+        return float(np.nanmin(self.shape[:, 1], initial=math.inf))
+
+    @property
+    def admissible(self) -> bool:
+        """Whether the block leaves its base at each impact and meets it at the next, no earlier."""
+        return bool(
+            self.shortest > 0.0
+            and self.clearance > 0.0
+            and (self.table[:, kernel.START] > 0.0).all()
+        )
+
+    @property
+    def multipliers(self) -> NDArray[np.complex128]:
+        """Floquet multipliers of the whole orbit, shape (2,), the larger first; inf if unknown.
+
+        From the trace and the exact determinant, restitution^(2 m).
+        """
+        with np.errstate(all="ignore"):
+            over = kernel.turned_over(self.table)
+        half = complex(0.5 * (over.phase_by_phase + over.speed_by_speed))
+        if not cmath.isfinite(half):
+            return np.array([complex(math.inf, 0.0), complex(0.0, 0.0)])
+        determinant = float(self.parameters[2]) ** (2 * self.impacts)
+        first = half + cmath.sqrt(half * half - determinant) * (1.0 if half.real >= 0.0 else -1.0)
+        second = determinant / first
+        if self.symmetric:
+            first, second = first * first, second * second
+        return ordered(first, second)
+
+    @property
+    def peaks(self) -> Floats:
+        """Extreme u = theta/alpha of every flight of the whole orbit, with its side."""
+        signs = np.where(np.arange(self.impacts) % 2 == 0, 1.0, -1.0)
+        merged = np.abs(self.durations) < MERGED
+        peaks: Floats = signs * np.where(merged, 0.0, self.shape[:, 0])
+        return np.concatenate([peaks, -peaks]) if self.symmetric else peaks
+
+    @property
+    def sections(self) -> list[Section]:
+        """The whole orbit just after each of its impacts, as the kernels see it."""
+        count = self.impacts
+        sections = []
+        for k in range(2 * count if self.symmetric else count):
+            row = k % count
+            further, phase = clock(float(self.phases[row]))
+            half = int(self.turns[row]) + further + (self.half_cycles if k >= count else 0)
+            speed = max(float(self.table[row, kernel.START]), 0.0)
+            sections.append(Section(kernel.side_of(k), half, phase, speed))
+        return sections
+
+    def moved(self, phases: Floats, parameters: Floats) -> "Chain":
+        """Return the chain at other phases and parameters."""
+        return replace(self, phases=phases, parameters=parameters)
+
+    def doubled(self) -> "Chain":
+        """Return the chain run through twice, as one of twice the length."""
+        return self._repeated(2)
+
+    def halved(self) -> "Chain | None":
+        """Return the chain of half the length nearest to this one; None where none can be.
+
+        A chain that is its own half twice over is where a symmetry breaks or a period doubles.
+        """
+        return self._part(2)
+
+    @property
+    def halves_apart(self) -> Floats | None:
+        """By what the second half of the chain is no repetition of the first, shape (m/2,) [rad].
+
+        None of a chain that no shorter one can be the half of.
+        """
+        middle = self.halved()
+        if middle is None:
+            return None
+        half = middle.impacts
+        turns = middle.turns - self.turns[:half]
+        return 2.0 * (turns * math.pi + (middle.phases - self.phases[:half]))
+
+    def primitive(self, tolerance: float) -> "Chain":
+        """Return the shortest chain that gives this one when it is run through several times.
+
+        Parameters
+        ----------
+        tolerance
+            Largest difference of phases [rad].
+        """
+        for times in range(self.impacts, 1, -1):
+            part = self._part(times)
+            if part is not None and part._repeated(times).distance(self) <= tolerance:
+                return part
+        return self
+
+    def _part(self, times: int) -> "Chain | None":
+        """Return the chain nearest to a part of this one; None where none can be."""
+        count, rest = divmod(self.impacts, times)
+        turn, odd = divmod(self.half_cycles, times)
+        if rest or odd or count % 2 != turn % 2:
+            return None
+        total = (self.turns * math.pi + self.phases).reshape(times, count)
+        middle = (total - math.pi * turn * np.arange(times)[:, np.newaxis]).mean(axis=0)
+        turns = np.floor(middle / math.pi).astype(np.int64)
+        return replace(self, turns=turns, phases=middle - turns * math.pi, half_cycles=turn)
+
+    def _repeated(self, times: int) -> "Chain":
+        """Return the chain run through several times, as one so much longer."""
+        return replace(
+            self,
+            turns=np.concatenate([self.turns + k * self.half_cycles for k in range(times)]),
+            phases=np.tile(self.phases, times),
+            half_cycles=times * self.half_cycles,
+        )
+
+    def distance(self, other: "Chain") -> float:
+        """Return the largest difference of phases of two chains of one length, as they stand."""
+        apart = (self.turns - other.turns) * math.pi + (self.phases - other.phases)
+        return float(np.abs(apart).max())
+
+    def repeats(self, other: "Chain", tolerance: float, *, mirrors: bool = False) -> bool:
+        """Return whether two chains are one orbit, begun at different impacts.
+
+        Parameters
+        ----------
+        other
+            At the same parameters.
+        tolerance
+            Largest difference of phases [rad].
+        mirrors
+            Whether mirror images count as one orbit; a symmetric orbit is its own.
+        """
+        if (self.impacts, self.half_cycles) != (other.impacts, other.half_cycles):
+            return False
+        mine, theirs = (chain.turns * math.pi + chain.phases for chain in (self, other))
+        beyond = np.concatenate([theirs, theirs + other.half_cycles * math.pi])
+        either = self.symmetric or mirrors
+        for shift in range(0, self.impacts, 1 if either else 2):
+            apart = beyond[shift : shift + self.impacts] - mine
+            # An odd number of impacts later the block goes to the other side: so does the shaking.
+            halves = 2.0 * np.round(0.5 * (apart[0] / math.pi - shift % 2)) + shift % 2
+            if np.abs(apart - halves * math.pi).max() <= tolerance:
+                return True
+        return False

@@ -1,0 +1,96 @@
+"""Where a branch starts: an orbit, or a point of another branch, as a chain."""
+
+import math
+
+import numpy as np
+
+from rocksteady.dynamics.continuation._chain import Chain
+from rocksteady.dynamics.continuation.points import BranchPoint
+from rocksteady.dynamics.orbits.orbit import Orbit
+from rocksteady.dynamics.orbits.return_map import make_system, section_of
+from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.kernels.orbits.return_map import next_passage, phase_between
+
+
+def chain_at(start: object) -> Chain:
+    """Return the chain of an orbit or of a point of a branch.
+
+    Raises
+    ------
+    InputError, ModelError
+        If it is neither, or comes to rest.
+    """
+    if isinstance(start, BranchPoint):
+        return start.chain
+    if isinstance(start, Orbit):
+        return chain_of(start)
+    raise InputError(
+        name="start",
+        value=start,
+        valid="it must be an orbit or a point of a branch",
+        hint="take one of `orbits`, or of another branch",
+    )
+
+
+def chain_of(orbit: Orbit) -> Chain:
+    """Return the chain of an orbit: half of it where it is symmetric.
+
+    Raises
+    ------
+    ModelError
+        If the orbit is one of the nonlinear model or comes to rest, or the sides of its block
+        differ.
+    """
+    if orbit.model != "linear":
+        raise ModelError(
+            name="start",
+            value=Words(f"is an orbit of the {orbit.model} model"),
+            valid="branches are followed in the linear model alone, whose arcs are in closed form",
+            hint="ask for `orbits` at several values, or move the parameter with `attractor_map`",
+        )
+    if not orbit.block.symmetric:
+        raise ModelError(
+            name="start",
+            value=Words("is an orbit of an asymmetric block"),
+            valid="branches are followed of symmetric blocks alone: the arcs of a chain have one "
+            "restitution, alpha and p",
+            hint="move the parameter with `attractor_trail`, or ask for `orbits` at several values",
+        )
+    if orbit.rest_phases:
+        raise ModelError(
+            name="start",
+            value=Words("is an orbit with rests"),
+            valid="an orbit that comes to rest forgets its past and does not bifurcate smoothly",
+            hint="start from an orbit without rest, as one of steady_states",
+        )
+    bare = orbit.block.dimensionless()
+    shaking = orbit.shaking
+    states = orbit.states
+    if states[0].side < 0:  # an orbit without rest goes to either side in turn
+        states = (*states[1:], states[0])
+    system = make_system(bare, shaking)
+    turns, phases = [], []
+    here = section_of(states[0])
+    since = 0
+    for number, state in enumerate(states):
+        at = section_of(state)
+        if number:
+            # A flight alone knows how many periods it takes.
+            before = section_of(states[number - 1])
+            passed = 0.0
+            if orbit.admissible:
+                passed = phase_between(before, next_passage(system, before, -1.0).state)
+            elif orbit.branch is not None:  # half a symmetric orbit in closed form
+                passed = orbit.period * math.pi
+            halves = passed / math.pi - (at.phase - before.phase) / math.pi
+            since += round(halves)
+        turns.append(here.half_cycles + since)
+        phases.append(at.phase)
+    count = len(states)
+    half = orbit.symmetric
+    return Chain(
+        parameters=np.array([shaking.amplitude, shaking.frequency_ratio, bare.restitution]),
+        turns=np.array(turns[: count // 2 if half else count], dtype=np.int64),
+        phases=np.array(phases[: count // 2 if half else count]),
+        half_cycles=orbit.period if half else 2 * orbit.period,
+    )

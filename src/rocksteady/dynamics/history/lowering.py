@@ -1,0 +1,177 @@
+"""From the nouns of the model to the flat tables of the kernels."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.errors import InputError, ModelError
+from rocksteady.kernels.march import march as columns
+from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.checks.validation import LARGEST
+from rocksteady.model.motions.record import Record
+from rocksteady.model.motions.segments import LONGEST_DURATION, Motion, Segment, segments_of
+
+Floats = NDArray[np.float64]
+
+
+def segment_table(
+    motion: Motion | Record, block: Block | DimensionlessBlock | None = None
+) -> Floats:
+    """Return the table of a motion's segments, with a still base for ever after.
+
+    Parameters
+    ----------
+    motion
+        The base motion.
+    block
+        The block that it shakes, whose alpha, p and g a record needs.
+
+    Returns
+    -------
+    ndarray, shape (segments, 9)
+        Columns as in `rocksteady.kernels.core.tables`; the last segment is endless.
+
+    Raises
+    ------
+    ModelError
+        If a record shakes a dimensionless block.
+    InputError
+        If a record's samples are too long or too strong for the block.
+    """
+    if isinstance(motion, Record):
+        return _record_in_units_of(motion, block)
+    segments = list(segments_of(motion))
+    if not segments or segments[-1].duration != math.inf:
+        segments.append(Segment(duration=math.inf))
+    table = np.zeros((len(segments), columns.SEGMENT_COLUMNS))
+    for row, segment in zip(table, segments, strict=True):
+        row[columns.DURATION] = segment.duration
+        row[columns.JUMP] = segment.jump
+        row[columns.CONSTANT] = segment.constant
+        row[columns.SLOPE] = segment.slope
+        row[columns.AMPLITUDE] = segment.amplitude
+        # Kept at amplitude 0 too: it is the clock by which harmonic shaking counts its cycles.
+        row[columns.FREQUENCY] = segment.frequency
+        row[columns.PHASE] = segment.phase if segment.frequency else 0.0
+    table[:, columns.CEILING] = ceilings(table)
+    table[:, columns.ALIKE] = _alike(table)
+    return table
+
+
+def record_table(record: Record, *, rate: float = 1.0, acceleration: float = 1.0) -> Floats:
+    """Return the table of a record, linear between samples, with a still base for ever after.
+
+    Parameters
+    ----------
+    record
+        The record.
+    rate, acceleration
+        The p [rad/s] and the alpha g [m/s^2] that set the units.  With 1 and 1 they are seconds
+        and m/s^2; a block is then one whose sides have its own alpha g for lean and p for rate,
+        so that one table does for every block.
+
+    Returns
+    -------
+    ndarray, shape (samples, 9)
+        As for `segment_table`.
+    """
+    samples = record.acceleration_m_s2 / acceleration
+    step = record.dt_s * rate
+    table = np.zeros((len(samples), columns.SEGMENT_COLUMNS))
+    table[:, columns.DURATION] = step
+    table[-1, columns.DURATION] = math.inf
+    table[:-1, columns.CONSTANT] = samples[:-1]
+    table[:-1, columns.SLOPE] = np.diff(samples) / step
+    table[:, columns.CEILING] = ceilings(table)
+    table[:, columns.ALIKE] = _alike(table)
+    return table
+
+
+def _record_in_units_of(record: Record, block: Block | DimensionlessBlock | None) -> Floats:
+    """Return a record's table in the units of a block."""
+    if not isinstance(block, Block):
+        raise ModelError(
+            name="motion",
+            value=record,
+            valid="a record in seconds and m/s^2 needs a block with sizes",
+            hint="give a Block, which has p and alpha g, in place of a DimensionlessBlock",
+        )
+    if record.dt_s * block.p > LONGEST_DURATION:
+        raise InputError(
+            name="dt_s",
+            value=record.dt_s,
+            valid=f"for a block with p = {block.p:.6g} rad/s it must be at most "
+            f"{LONGEST_DURATION / block.p:.6g}",
+            hint="give the time step in seconds",
+        )
+    if record.peak_acceleration_m_s2 > LARGEST * block.uplift_acceleration:
+        raise InputError(
+            name="acceleration_m_s2",
+            value=record.peak_acceleration_m_s2,
+            valid=f"a block that lifts at {block.uplift_acceleration:.6g} m/s^2 takes at most "
+            f"{LARGEST:g} times as much",
+            hint="give the acceleration in m/s^2",
+        )
+    return record_table(record, rate=block.p, acceleration=block.uplift_acceleration)
+
+
+def _alike(table: Floats) -> Floats:
+    """Return how many samples like it follow each segment at once."""
+    lasting = table[:, columns.DURATION]
+    plain = table[:, columns.FREQUENCY] == 0.0
+    broken = np.ones(len(table), dtype=np.bool_)  # between a segment and the next
+    broken[:-1] = (
+        (lasting[:-1] != lasting[1:])
+        | np.isinf(lasting[:-1])
+        | ~(plain[:-1] & plain[1:])
+        | (table[1:, columns.JUMP] != 0.0)
+    )
+    order = np.arange(len(table))
+    ends = np.minimum.accumulate(np.where(broken, order, len(table))[::-1])[::-1]
+    alike: Floats = (ends - order).astype(np.float64)
+    return alike
+
+
+def ceilings(table: Floats) -> Floats:
+    """Return an upper bound of |a| from each segment's start on; infinite before a jump to come."""
+    start = table[:, columns.CONSTANT]
+    endless = np.isinf(table[:, columns.DURATION])  # without a slope, whose product would be nan
+    rise = table[:, columns.SLOPE] * np.where(endless, 0.0, table[:, columns.DURATION])
+    largest = np.maximum(np.abs(start), np.abs(start + rise)) + table[:, columns.AMPLITUDE]
+    ceilings: Floats = np.maximum.accumulate(largest[::-1])[::-1]
+    jumps = np.flatnonzero(table[:, columns.JUMP])
+    if len(jumps):
+        ceilings[: jumps[-1]] = math.inf
+    return ceilings
+
+
+def side_table(block: DimensionlessBlock) -> Floats:
+    """Return the block's sides, shape (2, 3): restitution, alpha ratio and p ratio."""
+    return np.array(block.sides)
+
+
+def symmetric_sides(restitution: Floats) -> Floats:
+    """Return the sides of symmetric blocks, shape (blocks, 2, 3), from their restitutions."""
+    sides = np.ones((len(restitution), 2, 3))
+    sides[:, :, columns.RESTITUTION] = restitution[:, np.newaxis]
+    return sides
+
+
+def side_attributes(block: Block | DimensionlessBlock) -> dict[str, float]:
+    """Return restitution and ratios of a block's sides, as a dataset names them."""
+    (first, _, _), (second, alpha_ratio, p_ratio) = block.dimensionless().sides
+    found = {"restitution": first}
+    if not block.symmetric:
+        found |= {
+            "negative_restitution": second,
+            "alpha_ratio": alpha_ratio,
+            "p_ratio": p_ratio,
+        }
+    return found
+
+
+def alike(sides: Floats) -> NDArray[np.bool_]:
+    """Return which blocks are symmetric, from their sides, shape (blocks, 2, 3)."""
+    same: NDArray[np.bool_] = (sides[:, 0] == sides[:, 1]).all(axis=1)
+    return same

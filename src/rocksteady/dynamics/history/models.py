@@ -1,0 +1,261 @@
+"""The tables of the nonlinear model: those of the linear one, with slenderness and vertical motion.
+
+Each segment of the horizontal motion is cut where the vertical acceleration, which is linear from
+sample to sample, bends; so both are in closed form on every segment.
+"""
+
+import math
+from typing import Literal, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.history.base_motion import segment_starts
+from rocksteady.dynamics.history.lowering import (
+    ceilings,
+    segment_table,
+    side_attributes,
+    side_table,
+)
+from rocksteady.errors import InputError, ModelError
+from rocksteady.kernels.core import tables as columns
+from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.checks.validation import in_range
+from rocksteady.model.motions.record import Record
+from rocksteady.model.motions.segments import Motion
+
+Floats = NDArray[np.float64]
+
+ModelName = Literal["linear", "nonlinear"]
+"""Which equations of motion hold."""
+
+TOLERANCE = 1e-10
+"""The error that a motion may have, as a part of it, where nobody says."""
+
+SHARE_OF_TOLERANCE = 1e-5
+"""What a step may leave out, over the tolerance: that of ten thousand steps stays below it."""
+
+LEAST_TOLERANCE = 1e-11
+LARGEST_TOLERANCE = 1e-3
+
+SAME_TIME = 1e-9
+"""Part of a segment by which a bend of the vertical motion may miss its ends and still be there."""
+
+
+def model_name(model: object) -> ModelName:
+    """Return which equations of motion hold.
+
+    Raises
+    ------
+    InputError
+        If there are none of that name.
+    """
+    if not isinstance(model, str) or model not in get_args(ModelName):
+        raise InputError(
+            name="model",
+            value=model,
+            valid="there are two equations of motion",
+            hint='give "linear" or "nonlinear"',
+        )
+    return "linear" if model == "linear" else "nonlinear"
+
+
+def sides_of(
+    block: Block | DimensionlessBlock, model: ModelName, tolerance: float = TOLERANCE
+) -> Floats:
+    """Return the block's sides for a model, shape (2, 3) or (2, 5).
+
+    Raises
+    ------
+    ModelError
+        If the nonlinear model meets a block without slenderness.
+    InputError
+        If the tolerance is not in [1e-11, 1e-3].
+    """
+    if model == "linear":
+        return side_table(block.dimensionless())
+    return nonlinear_side_table(block, tolerance)
+
+
+def attributes_of(block: Block | DimensionlessBlock, model: ModelName) -> dict[str, float | str]:
+    """Return what a dataset says of its block, and of its model where it is not the linear one."""
+    found: dict[str, float | str] = {**side_attributes(block)}
+    if model == "nonlinear":
+        found |= {"model": model, "alpha": slender_block(block).positive.alpha}
+    return found
+
+
+def slender_block(block: Block | DimensionlessBlock) -> Block:
+    """Return a block that has a slenderness.
+
+    Raises
+    ------
+    ModelError
+        If it has none.
+    """
+    if not isinstance(block, Block):
+        raise ModelError(
+            name="block",
+            value=type(block).__name__,
+            valid="the nonlinear model needs the block's slenderness alpha",
+            hint="give a Block, as Block.from_p(alpha=..., p=...), in place of a "
+            "DimensionlessBlock",
+        )
+    return block
+
+
+def nonlinear_side_table(block: Block | DimensionlessBlock, tolerance: float) -> Floats:
+    """Return the block's sides for the nonlinear model, shape (2, 5).
+
+    Parameters
+    ----------
+    block
+        The block; its slenderness matters.
+    tolerance
+        What errors may amount to, as a part of the motion.
+
+    Raises
+    ------
+    ModelError
+        If the block has no slenderness.
+    InputError
+        If the tolerance is not in [1e-11, 1e-3].
+    """
+    body = slender_block(block)
+    allowed = in_range(
+        "tolerance",
+        tolerance,
+        LEAST_TOLERANCE,
+        LARGEST_TOLERANCE,
+        "[]",
+        hint="give the error of the motion that you accept, as 1e-10",
+    )
+    sides = np.zeros((2, columns.NONLINEAR_SIDE_COLUMNS))
+    sides[:, : columns.ALPHA] = side_table(body.dimensionless())
+    sides[:, columns.ALPHA] = body.positive.alpha, body.negative.alpha
+    sides[:, columns.LEFT_OUT] = SHARE_OF_TOLERANCE * allowed
+    return sides
+
+
+def nonlinear_segment_table(
+    motion: Motion | Record,
+    block: Block | DimensionlessBlock,
+    vertical: Motion | Record | None = None,
+) -> Floats:
+    """Return the table of a horizontal and a vertical base motion, with a still base after both.
+
+    Parameters
+    ----------
+    motion
+        The horizontal base motion.
+    block
+        The block that it shakes.
+    vertical
+        The vertical base motion, upwards positive: a record, or segments without sinusoid.
+
+    Returns
+    -------
+    ndarray, shape (segments, 12)
+        Columns as in `rocksteady.kernels.core.tables`; the last segment is endless.
+
+    Raises
+    ------
+    ModelError
+        If the block has no slenderness, or the vertical motion has a sinusoid, an impulse or no
+        end.
+    InputError
+        As for `rocksteady.dynamics.history.lowering.segment_table`.
+    """
+    body = slender_block(block)
+    flat = segment_table(motion, body)
+    if vertical is None:
+        return lifted_table(flat)
+    if not (isinstance(vertical, Record) or hasattr(vertical, "segments")):
+        raise InputError(
+            name="vertical",
+            value=vertical,
+            valid="it must be a base motion",
+            hint="give a Record, or leave it out for none",
+        )
+    lifted = segment_table(vertical, body)
+    last = lifted[-1]
+    if lifted[:, columns.AMPLITUDE].any() or lifted[:, columns.JUMP].any() or last[2:4].any():
+        raise ModelError(
+            name="vertical",
+            value=vertical,
+            valid="vertical motion is linear between samples, and comes to an end",
+            hint="give a Record of its samples, or a Piecewise of straight lines",
+        )
+    return lifted_table(flat, lifted, body.positive.alpha)
+
+
+def lifted_table(flat: Floats, lifted: Floats | None = None, share: float = 1.0) -> Floats:
+    """Return the table of a horizontal and a vertical motion, cut where either has a new segment.
+
+    Parameters
+    ----------
+    flat, lifted
+        Their tables, shape (segments, 9), in one unit of time and one of acceleration; none for a
+        base that does not move vertically.
+    share
+        What the unit of acceleration is in g: the vertical motion counts in that.
+
+    Returns
+    -------
+    ndarray, shape (segments, 12)
+        As for `nonlinear_segment_table`.
+    """
+    if lifted is None:
+        table = np.zeros((len(flat), columns.NONLINEAR_SEGMENT_COLUMNS))
+        table[:, : columns.ALIKE] = flat[:, : columns.ALIKE]
+        return table
+    starts, bends = segment_starts(flat), segment_starts(lifted)
+    # A bend that rounding puts beside a start is at the start.
+    after = np.searchsorted(starts, bends)
+    later = np.append(starts, math.inf)[after]
+    nearest = np.minimum(np.abs(later - bends), np.abs(bends - starts[np.maximum(after - 1, 0)]))
+    lengths = lifted[:, columns.DURATION].copy()
+    lengths[-1] = lengths[-2] if len(lengths) > 1 else 1.0
+    kept = bends[nearest > SAME_TIME * lengths]
+    cuts = np.union1d(starts, kept)
+    table = np.zeros((len(cuts), columns.NONLINEAR_SEGMENT_COLUMNS))
+    index = np.searchsorted(starts, cuts, side="right") - 1
+    since = cuts - starts[index]
+    table[:, : columns.ALIKE] = flat[index, : columns.ALIKE]
+    ends = np.append(cuts[1:], math.inf)
+    whole = (since == 0.0) & np.isin(ends, np.append(starts, math.inf))
+    table[:, columns.DURATION] = np.where(whole, flat[index, columns.DURATION], ends - cuts)
+    table[:, columns.JUMP] = np.where(since == 0.0, flat[index, columns.JUMP], 0.0)
+    table[:, columns.CONSTANT] += flat[index, columns.SLOPE] * since
+    table[:, columns.PHASE] += flat[index, columns.FREQUENCY] * since
+    table[:, columns.CEILING] = ceilings(table)
+    middle = np.append(0.5 * (cuts[:-1] + cuts[1:]), math.inf)
+    above = np.searchsorted(bends, middle, side="right") - 1
+    slope = lifted[above, columns.SLOPE]
+    table[:, columns.LIFT] = share * (
+        lifted[above, columns.CONSTANT] + slope * np.maximum(cuts - bends[above], 0.0)
+    )
+    table[:, columns.LIFT_SLOPE] = share * slope
+    lift = np.zeros((len(cuts), columns.SEGMENT_COLUMNS))
+    lift[:, columns.DURATION] = table[:, columns.DURATION]
+    lift[:, columns.CONSTANT] = table[:, columns.LIFT]
+    lift[:, columns.SLOPE] = table[:, columns.LIFT_SLOPE]
+    table[:, columns.LIFT_CEILING] = ceilings(lift)
+    return table
+
+
+def refuse_vertical(vertical: Motion | Record | None) -> None:
+    """Refuse vertical motion in the linear model.
+
+    Raises
+    ------
+    ModelError
+        If there is one.
+    """
+    if vertical is not None:
+        raise ModelError(
+            name="vertical",
+            value=vertical,
+            valid="the linear equations of motion have no term for it",
+            hint='take model="nonlinear", or leave it out',
+        )

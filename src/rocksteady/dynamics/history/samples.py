@@ -1,0 +1,113 @@
+"""What a time history is asked for, as arrays: the motion at given times, flights, impacts."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.model.checks.arguments import checked_result
+
+Floats = NDArray[np.float64]
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Motions:
+    """The block's motion at given times, arrays of the shape of the times.
+
+    Attributes
+    ----------
+    s
+        Pivot time p t since the start.
+    tau
+        omega t of harmonic shaking; None for other motions.
+    t_s
+        Time [s]; None without a block.
+    angle
+        u = theta/alpha, with alpha of the positive side on either side.
+    velocity, acceleration
+        du/ds and d2u/ds2; at an impact the value just after it.
+    base_acceleration
+        In units of alpha g.
+    energy
+        Kinetic and potential energy above rest, in units of I_0 (p alpha)^2:
+        ``velocity^2/2 + |angle| - angle^2/2``; in the nonlinear model
+        ``velocity^2/2 + (cos(alpha (1 - |angle|)) - cos(alpha))/alpha^2``.  The upright position
+        has 1/2, or ``(1 - cos(alpha))/alpha^2``.  On the other side of an asymmetric block it is
+        over that side's I_0, which an impact without loss of velocity leaves as it is: with its
+        alpha and p over the reference's, lambda and rho, and y = |angle|/lambda the second term
+        is ``(lambda rho)^2`` times the same of y and of that side's alpha.
+    """
+
+    s: Floats
+    tau: Floats | None
+    t_s: Floats | None
+    angle: Floats
+    velocity: Floats
+    acceleration: Floats
+    base_acceleration: Floats
+    energy: Floats
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Flights:
+    """All flights and rests in order, as arrays of shape (flights,).
+
+    A flight that crosses from one segment of the base motion into the next is two of them.
+
+    Attributes
+    ----------
+    s
+        Pivot time at the start.
+    duration
+        In pivot time; infinite for the last flight of a block that overturns.
+    side
+        +1, -1, or 0 at rest.
+    angle, velocity
+        u and du/ds at the start.
+    ended_by
+        0 the end of the segment or of the run, 1 an impact, 2 proof that the block never comes
+        back, 3 uplift from rest.
+    """
+
+    s: Floats
+    duration: Floats
+    side: NDArray[np.int64]
+    angle: Floats
+    velocity: Floats
+    ended_by: NDArray[np.int64]
+
+    def __len__(self) -> int:
+        """Return the number of flights and rests."""
+        return len(self.s)
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Impacts:
+    """All impacts in order, as arrays of shape (impacts,).
+
+    Attributes
+    ----------
+    s
+        Pivot time since the start.
+    half_cycles, phase
+        Harmonic motion: whole half periods of the shaking and the phase within the next [rad],
+        which lose no digits however long the run; otherwise the segment's index and the time in it.
+    side
+        The side the block falls from, +1 or -1.
+    velocity_before, velocity_after
+        du/ds.
+    """
+
+    s: Floats
+    half_cycles: NDArray[np.int64]
+    phase: Floats
+    side: NDArray[np.int64]
+    velocity_before: Floats
+    velocity_after: Floats
+
+    def __len__(self) -> int:
+        """Return the number of impacts."""
+        return len(self.s)

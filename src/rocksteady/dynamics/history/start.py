@@ -1,0 +1,242 @@
+"""Initial states: at rest, anywhere, or on a symmetric steady state."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.history.departure import set_off
+from rocksteady.dynamics.history.lowering import side_table
+from rocksteady.dynamics.steady.states import (
+    refuse_unlike_sides,
+    steady_states,
+    validated_branch,
+)
+from rocksteady.errors import InputError, ModelError
+from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.march.march import March
+from rocksteady.kernels.nonlinear.drive import jump_share
+from rocksteady.model.blocks.block import DimensionlessBlock
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import LARGEST, in_range, odd_order, positive
+from rocksteady.model.motions.record import Record
+from rocksteady.model.motions.segments import Harmonic, Motion, segments_of
+
+Floats = NDArray[np.float64]
+
+KICK = 1e-6
+"""How far from an unstable orbit a block is set off, where nobody says."""
+LARGEST_KICK = 0.1
+"""Further from an orbit its unstable direction means nothing."""
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class Rest:
+    """At rest on its base."""
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class State:
+    """Any angle and velocity.
+
+    Parameters
+    ----------
+    angle
+        u = theta/alpha, with alpha of the positive side whichever way it leans.
+    velocity
+        du/ds, per pivot time s = p t.  `per_tau` takes du/dtau, the paper's.
+
+    Raises
+    ------
+    InputError
+        If a number is not finite, or beyond 1e50.
+    """
+
+    angle: float
+    velocity: float
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        angle = in_range("angle", self.angle, -LARGEST, LARGEST, "[]", hint="give theta/alpha")
+        velocity = in_range(
+            "velocity", self.velocity, -LARGEST, LARGEST, "[]", hint="give d(theta/alpha)/d(p t)"
+        )
+        object.__setattr__(self, "angle", angle)
+        object.__setattr__(self, "velocity", velocity)
+
+    @classmethod
+    def per_tau(cls, *, angle: float, velocity: float, frequency_ratio: float) -> "State":
+        """Return the state whose velocity is given as du/dtau, tau = omega t."""
+        rate = in_range(
+            "velocity", velocity, -LARGEST, LARGEST, "[]", hint="give d(theta/alpha)/d(omega t)"
+        )
+        ratio = positive("frequency_ratio", frequency_ratio, hint="give omega/p")
+        return cls(angle=angle, velocity=rate * ratio)
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class Steady:
+    """On a symmetric steady state of harmonic shaking, at the impact that begins its positive half.
+
+    Only of a block whose sides are alike.
+
+    In the nonlinear model it is that model's own: the one to which the linear model's leads as the
+    slenderness grows from 0 to the block's.
+
+    A stable one is started on exactly.  An unstable one would be left by round-off; it is left
+    instead along its unstable direction, on a named side, from a named distance.
+
+    Parameters
+    ----------
+    branch
+        1 or 2 (upper or lower signs of eqs 21, 22).
+    order
+        n = 1, 3, 5, ...
+    kick
+        How far from an unstable orbit the block is set off: the length of (phase shift [rad],
+        velocity shift / velocity of the orbit), above 0 and up to 0.1.
+
+    Raises
+    ------
+    InputError
+        If a value is outside its range, or the order is even.
+    """
+
+    branch: int = 1
+    order: int = 1
+    kick: float = KICK
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        object.__setattr__(self, "branch", validated_branch(self.branch))
+        object.__setattr__(self, "order", odd_order(self.order))
+        kick = in_range(
+            "kick", self.kick, 0.0, LARGEST_KICK, "(]", hint="give a small number, as 1e-6"
+        )
+        object.__setattr__(self, "kick", kick)
+
+
+Start = Rest | State | Steady
+
+
+def validated_start(start: object) -> Start:
+    """Return a start.
+
+    Raises
+    ------
+    InputError
+        If it is none.
+    """
+    if not isinstance(start, Rest | State | Steady):
+        raise InputError(
+            name="start",
+            value=start,
+            valid="it must be a Rest, a State or a Steady",
+            hint="give Rest(), State(angle=..., velocity=...) or Steady(branch=..., order=...)",
+        )
+    return start
+
+
+def initial_march(
+    start: Start,
+    block: DimensionlessBlock,
+    motion: Motion | Record,
+    side: int,
+    sides: Floats | None = None,
+) -> tuple[Motion | Record, March]:
+    """Return the motion, given its phase where the start decides on that, and the initial state.
+
+    Parameters
+    ----------
+    start
+        Where the block begins.
+    block, motion
+        What moves.
+    side
+        +1 or -1: the side on which an unstable state is left.
+    sides
+        Of the block in the nonlinear model, shape (2, 5): its steady states are another's, and an
+        impulse at the start turns it by the part that its angle lets act.  None in the linear
+        model.
+
+    Raises
+    ------
+    InputError
+        If it is no start.
+    ModelError
+        If a steady start has no harmonic shaking, or there is no admissible steady state.
+    """
+    start = validated_start(start)
+    if isinstance(start, Steady):
+        motion, state = _steady_state(start, block, motion, side, sides)
+    elif isinstance(start, State):
+        state = start
+    else:
+        state = State(angle=0.0, velocity=0.0)
+    half, phase, velocity = 0, 0.0, state.velocity
+    # The march reads clock and jump of the later segments itself; a record has neither.
+    for first in () if isinstance(motion, Record) else segments_of(motion)[:1]:
+        # Each side takes an impulse of the base by its own p^2.
+        leaning = state.angle or velocity + first.jump
+        _, lean, rate = block.sides[0 if leaning > 0.0 else 1]
+        jump = first.jump * (rate * rate)
+        if sides is not None:
+            jump *= jump_share(sides, 1 if leaning > 0.0 else -1, abs(state.angle) / lean)
+        velocity += jump
+        if first.frequency:
+            half, phase = clock(first.phase)
+    standing = state.angle == 0.0 and velocity == 0.0
+    leans = 0 if standing else (1 if (state.angle or velocity) > 0.0 else -1)
+    return motion, March(leans, state.angle, velocity, 0, half, phase, 0, 0)
+
+
+def _steady_state(
+    start: Steady,
+    block: DimensionlessBlock,
+    motion: Motion | Record,
+    side: int,
+    sides: Floats | None,
+) -> tuple[Harmonic, State]:
+    """Return the shaking with the orbit's phase, and the state on the orbit."""
+    if not isinstance(motion, Harmonic):
+        raise ModelError(
+            name="start",
+            value=start,
+            valid="a steady state needs harmonic shaking",
+            hint="give a Harmonic motion, or start from a State",
+        )
+    refuse_unlike_sides(block, "start", "a steady state to start on")
+    a, w, r = motion.amplitude, motion.frequency_ratio, block.restitution
+    states = steady_states(a, w, r, order=start.order)
+    which = start.branch - 1
+    if states.region == 4:
+        raise ModelError(
+            name="start",
+            value=start,
+            valid=f"at A = {a:.6g}, Omega = {w:.6g}, restitution {r:.6g} there is none of order "
+            f"{start.order}",
+            hint=f"raise the amplitude to {float(states.existence):.6g} or above (eq 23)",
+        )
+    if states.admissible is None or not states.admissible[which]:
+        raise ModelError(
+            name="start",
+            value=start,
+            valid="that solution of the algebra passes through the floor and is no motion",
+            hint="take the other branch or another order",
+        )
+    phase, velocity = set_off(
+        a,
+        w,
+        side_table(block) if sides is None else sides,
+        order=start.order,
+        branch=start.branch,
+        phase=float(states.phase[which]),
+        velocity=float(states.velocity[which]) * w,
+        unstable=not (states.stable[which] or states.neutral[which]),
+        away=side * start.kick,
+    )
+    shaken = Harmonic(amplitude=a, frequency_ratio=w, phase=phase)
+    return shaken, State(angle=0.0, velocity=velocity)

@@ -1,0 +1,491 @@
+"""A time history: the list of flights under one callable."""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.arrays import real_array
+from rocksteady.dynamics.history import base_motion
+from rocksteady.dynamics.history._growth import growth_of
+from rocksteady.dynamics.history.models import ModelName
+from rocksteady.dynamics.history.samples import Flights, Impacts, Motions
+from rocksteady.errors import InputError, ModelError, Status
+from rocksteady.kernels.core import tables as columns
+from rocksteady.kernels.core.clock import segment_start
+from rocksteady.kernels.core.tables import is_nonlinear
+from rocksteady.kernels.march.recorded import (
+    fill_states,
+    last_crossing,
+    peaks_until_overturning,
+    recorded_peaks,
+)
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.arguments import checked_result
+from rocksteady.model.checks.validation import LARGEST, span_value, whole_number, within_memory
+from rocksteady.model.motions.record import Record
+from rocksteady.model.motions.segments import Harmonic, Motion
+
+Floats = NDArray[np.float64]
+
+OVERTURNED_SHOWN_TO = 2.0
+"""|theta|/alpha up to which a fall is followed; the linear model means nothing much further on."""
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Trajectory:
+    """What `rocksteady.simulate` returns: flights, impacts, and the motion at any time.
+
+    Call it with pivot times, ``trajectory(s)``; `at_time` takes seconds and `at_tau` the paper's
+    tau = omega t.
+
+    Attributes
+    ----------
+    block
+        The block, or None for a dimensionless one.
+    motion
+        The base motion, with the phase that the start has given it.
+    status
+        How it ended: rocking (a flight or its end was in progress), at rest, overturned, or
+        undecided (the flight limit was reached).
+    segments, sides
+        The tables that the kernels saw.
+    rows
+        The flights and rests, shape (flights, 8), with the columns of `kernels.march.march`.
+    vertical
+        The vertical base motion, if any.
+    """
+
+    block: Block | None
+    motion: Motion | Record
+    status: Status
+    segments: Floats
+    sides: Floats
+    rows: Floats
+    vertical: Motion | Record | None = None
+
+    @property
+    def model(self) -> ModelName:
+        """Which equations of motion held: "linear" or "nonlinear"."""
+        return "nonlinear" if is_nonlinear(self.sides) else "linear"
+
+    @cached_property
+    def flights(self) -> Flights:
+        """All flights and rests in order."""
+        segment_starts = base_motion.segment_starts(self.segments)
+        first_half, first_phase = np.zeros((2, len(self.segments)))
+        for i in np.flatnonzero(self.segments[:, columns.FREQUENCY]).tolist():
+            first_half[i], first_phase[i] = segment_start(self.segments, i)
+        index = self.rows[:, columns.ROW_SEGMENT].astype(np.int64)
+        frequency = self.segments[index, columns.FREQUENCY]
+        # Half cycles are counted as integers, so that a long run loses no digits before the end.
+        halves = self.rows[:, columns.ROW_HALF_CYCLES] - first_half[index]
+        local = self.rows[:, columns.ROW_PHASE] - first_phase[index]
+        turned = (halves * math.pi + local) / np.where(frequency > 0.0, frequency, 1.0)
+        return Flights(
+            # A flight shorter than a clock's last digit may not seem to begin before the last.
+            s=np.maximum.accumulate(
+                segment_starts[index] + np.where(frequency > 0.0, turned, local)
+            ),
+            duration=self.rows[:, columns.ROW_DURATION],
+            side=self.rows[:, columns.ROW_SIDE].astype(np.int64),
+            angle=self.rows[:, columns.ROW_ANGLE],
+            velocity=self.rows[:, columns.ROW_VELOCITY],
+            ended_by=self.rows[:, columns.ROW_EVENT].astype(np.int64),
+        )
+
+    @cached_property
+    def _last_duration(self) -> float:
+        """Duration of the last row; of an endless fall, until |u| = `OVERTURNED_SHOWN_TO`."""
+        duration = float(self.rows[-1, columns.ROW_DURATION])
+        if self.status is not Status.OVERTURNED or math.isfinite(duration):
+            return duration
+        side = 0 if self.rows[-1, columns.ROW_SIDE] > 0.0 else 1
+        tilt = abs(float(self.rows[-1, columns.ROW_ANGLE])) / float(self.sides[side, columns.LEAN])
+        level = max(OVERTURNED_SHOWN_TO, 1.0 + tilt)
+        if is_nonlinear(self.sides):  # further than on its side no block falls
+            level = min(level, 0.5 * math.pi / float(self.sides[side, columns.ALPHA]))
+        row, since = last_crossing(self.segments, self.sides, self.rows, level)
+        return since if row == len(self.rows) - 1 else 0.0
+
+    @cached_property
+    def end_s(self) -> float:
+        """Pivot time up to which the trajectory reaches.
+
+        Of a block that overturns it is when it passes twice its slenderness (or, if its last flight
+        began further out, one slenderness more than that); where the proof came at the end of a
+        segment of the base motion, it is that end.
+        """
+        return float(self.flights.s[-1]) + self._last_duration
+
+    @cached_property
+    def rest_s(self) -> float | None:
+        """Pivot time at which the block came to rest where it stayed; None if it did not.
+
+        The recorded bounces end when they are proved to die out and rise below 1e-16 of alpha.
+        Those still to come last ``2 v (1/(1 - a) + r/(1 + a))/(1 - r^2)``, with the velocity v
+        after the last recorded impact and the base acceleration a towards the side of the next
+        bounce; what this leaves out is of the order of v times that.  Of a block whose sides differ
+        1 - a is the pull of that side, ``rho^2 (lambda - a)``, and r^2 the product of both.  In the
+        nonlinear model lambda is times ``sin(alpha)/alpha`` and the weight of the block in the
+        vertical motion, a times ``cos(alpha)``.
+        """
+        if self.status is not Status.AT_REST:
+            return None
+        resting = self.flights.side == 0
+        first = int(np.flatnonzero(~resting)[-1]) + 1 if (~resting).any() else 0
+        start = float(self.flights.s[first])
+        if first == 0 or self.flights.ended_by[first - 1] != columns.ENDED_BY_IMPACT:
+            return start
+        velocity = abs(float(self.impacts.velocity_after[-1]))
+        towards = -float(self.flights.side[first - 1]) * float(self.base_acceleration(start))
+        last = 0 if self.flights.side[first - 1] > 0 else 1
+        here, there = map(float, self.sides[[1 - last, last], columns.RESTITUTION])
+        near, far = self._pull(1 - last, start, towards), self._pull(last, start, -towards)
+        # The loss of two impacts, 1 - here there, in a form that does not cancel.
+        lost = (1.0 - here) * (1.0 + there) + (here - there)
+        return start + 2.0 * velocity * (1.0 / near + here / far) / lost
+
+    def _pull(self, row: int, s: float, push: float) -> float:
+        """Return how strongly a block on its base is pulled back from a side, against a push."""
+        lean, rate = self.sides[row, [columns.LEAN, columns.RATE]].tolist()
+        if not is_nonlinear(self.sides):
+            return float(rate * rate * (lean - push))
+        alpha, weight = (
+            float(self.sides[row, columns.ALPHA]),
+            1.0 + base_motion.lift(self.segments, s),
+        )
+        own = lean * (weight * math.sin(alpha) / alpha)
+        return float(rate * rate * (own - push * math.cos(alpha)))
+
+    @cached_property
+    def _overturning(self) -> tuple[int, float] | None:
+        """Row in which the block passes |theta| = alpha for the last time, and when since."""
+        if self.status is not Status.OVERTURNED:
+            return None
+        return last_crossing(self.segments, self.sides, self.rows, 1.0)
+
+    @cached_property
+    def overturn_s(self) -> float | None:
+        """Pivot time at which the block passes |theta| = alpha for the last time, if it overturns.
+
+        The alpha is that of the side to which it falls.  A block that is tilted further from its
+        start on overturns at time 0.
+        """
+        if self._overturning is None:
+            return None
+        row, since = self._overturning
+        return float(self.flights.s[row]) + since
+
+    @property
+    def overturn_time_s(self) -> float | None:
+        """Time of overturning [s]; None without a block, or if it does not overturn."""
+        if self.block is None or self.overturn_s is None:
+            return None
+        return self.overturn_s / self.block.p
+
+    @property
+    def overturn_tau(self) -> float | None:
+        """Time of overturning in tau = omega t; None unless the shaking is harmonic."""
+        if self.overturn_s is None or not isinstance(self.motion, Harmonic):
+            return None
+        return self.overturn_s * self.motion.frequency_ratio
+
+    @property
+    def peak(self) -> float:
+        """Largest |theta|/alpha, exact, up to the end; of a block that falls, up to `overturn_s`.
+
+        Each side counts in its own alpha, so that 1 is where the block balances.
+        """
+        return max(self.side_peaks)
+
+    @cached_property
+    def side_peaks(self) -> tuple[float, float]:
+        """Largest |theta|/alpha on the positive and on the negative side, each in its own alpha.
+
+        As for `peak`; 0 of a side to which the block does not go.
+        """
+        positive, negative, _ = self._peaks
+        return positive, negative
+
+    @property
+    def peak_velocity(self) -> float:
+        """Largest |d(theta/alpha)/d(p t)|, exact, up to where `peak` counts.
+
+        In the positive side's alpha and p on either side.  Times alpha it is the angular velocity
+        over p [rad].
+        """
+        return self._peaks[2]
+
+    @cached_property
+    def _peaks(self) -> tuple[float, float, float]:
+        """Largest |theta|/alpha on either side, and the largest velocity."""
+        if self.status is Status.OVERTURNED:
+            return peaks_until_overturning(self.segments, self.sides, self.rows)
+        return recorded_peaks(self.segments, self.sides, self.rows, self._last_duration)
+
+    @property
+    def balances(self) -> tuple[float, float]:
+        """Where the block balances on the negative and on the positive side, in u = theta/alpha.
+
+        -1 and 1 of a symmetric block.
+        """
+        positive, negative = self.sides[:, columns.LEAN].tolist()
+        return -negative, positive
+
+    @property
+    def uplifts(self) -> tuple[float, float]:
+        """Base accelerations that lift the block to the negative and to the positive side.
+
+        In units of alpha g.  In the linear model they are the `balances`; in the nonlinear one
+        those times ``tan(alpha)/alpha`` of the side, as long as the base does not move vertically.
+        """
+        negative, positive = self.balances
+        if not is_nonlinear(self.sides):
+            return negative, positive
+        first, second = self.sides[:, columns.ALPHA].tolist()
+        return negative * (math.tan(second) / second), positive * (math.tan(first) / first)
+
+    @cached_property
+    def impacts(self) -> Impacts:
+        """All impacts."""
+        index = np.flatnonzero(self.rows[:, columns.ROW_EVENT] == columns.ENDED_BY_IMPACT)
+        side = self.flights.side[index]
+        landing = np.empty((3, len(index)))
+        durations = self.rows[index, columns.ROW_DURATION]
+        fill_states(self.segments, self.sides, self.rows, index, durations, landing)
+        restitution = self.sides[np.where(side > 0, 0, 1), columns.RESTITUTION]
+        # The clock reading of an impact is that of the flight or rest which it begins; only at the
+        # flight limit does none follow.
+        after = np.minimum(index + 1, len(self.rows) - 1)
+        lone = after == index
+        s = np.where(lone, self.flights.s[index] + durations, self.flights.s[after])
+        return Impacts(
+            s=s,
+            half_cycles=self.rows[after, columns.ROW_HALF_CYCLES].astype(np.int64),
+            phase=self.rows[after, columns.ROW_PHASE],
+            side=side,
+            velocity_before=landing[1],
+            velocity_after=restitution * landing[1],
+        )
+
+    @cached_property
+    def growth(self) -> float | None:
+        """Largest factor by which a small difference at the start has grown on the way.
+
+        Exact derivatives through flights and impacts, looked at after each impact and counted anew
+        after a rest, which forgets what came before; infinite after a graze.  Above some 1e12
+        rounding decides how the run goes on, and another way of computing it may end otherwise.
+        None in the nonlinear model.
+        """
+        return None if is_nonlinear(self.sides) else growth_of(self)
+
+    @cached_property
+    def shown_to_s(self) -> float:
+        """Pivot time up to which pictures follow the run: a little into a rest, not for ever.
+
+        A base that still moves when the block has come to rest is followed to its end.
+        """
+        if not isinstance(self.motion, Harmonic):
+            if self.rest_s is not None:
+                moving = float(base_motion.segment_starts(self.segments)[-1])
+                return min(self.end_s, max(1.05 * self.rest_s, moving) + 0.1)
+            if self.status is Status.ROCKING:  # without loss, or balanced for ever
+                return min(self.end_s, float(self.flights.s[-1]) + 10.0)
+        return self.end_s
+
+    def times(self, per_unit: int = 100, *, span: tuple[float, float] | None = None) -> Floats:
+        """Return pivot times that draw the motion well: evenly spaced, and every impact.
+
+        Parameters
+        ----------
+        per_unit
+            Samples per unit of time: per forcing period of harmonic shaking, else per p t = 1, and
+            per period of a pulse while it lasts.
+        span
+            Pivot times between which they lie; from 0 to `shown_to_s` without.
+
+        Raises
+        ------
+        InputError
+            If `per_unit` is not a whole number from 1 to a million, or more than 1e8 times follow.
+        """
+        hint = "give samples per unit of time"
+        count = whole_number("per_unit", per_unit, at_least=1, at_most=1_000_000, hint=hint)
+        unit = 1.0
+        if isinstance(self.motion, Harmonic):
+            unit = 2.0 * math.pi / self.motion.frequency_ratio
+        start, end = (0.0, self.shown_to_s) if span is None else self._span(span)
+        wanted = count * ((end - start) / unit + base_motion.pulse_turns(self.segments))
+        within_memory("per_unit", per_unit, wanted, hint="take fewer, or a shorter span")
+        even = np.linspace(start, end, max(2, math.ceil(count * (end - start) / unit) + 1))
+        points = np.concatenate(
+            [even, self.flights.s, *base_motion.pulse_times(self.segments, count)]
+        )
+        return np.unique(points[(points >= start) & (points <= end)])
+
+    def _span(self, span: tuple[float, float]) -> tuple[float, float]:
+        """Return pivot times of the run, the first before the second."""
+        return span_value("span", span, 0.0, self.end_s, hint="give pivot times of the run")
+
+    def _times(self, s: ArrayLike) -> Floats:
+        """Return finite times from 0 on."""
+        times = real_array("s", s)
+        if not ((times >= 0.0) & (times <= LARGEST)).all():
+            raise InputError(
+                name="s",
+                value=s,
+                valid=f"it must lie in [0, {LARGEST:g}]",
+                hint="give pivot times p t",
+            )
+        return times
+
+    def __call__(self, s: ArrayLike) -> Motions:
+        """Return the motion at pivot times `s`, from 0 to `end_s`.
+
+        Raises
+        ------
+        InputError
+            If a time is outside the trajectory.
+        """
+        times = real_array("s", s)
+        flat = np.atleast_1d(times).ravel()
+        outside = ~((flat >= 0.0) & (flat <= self.end_s * (1.0 + 1e-15)))
+        if outside.any():
+            raise InputError(
+                name="s",
+                value=flat[outside][0].item(),
+                valid=f"the trajectory reaches from 0 to {self.end_s:.10g}",
+                hint="ask within it, or simulate more cycles",
+            )
+        index = np.searchsorted(self.flights.s, flat, side="right") - 1
+        since = np.maximum(flat - self.flights.s[index], 0.0)
+        states = np.empty((3, len(flat)))
+        fill_states(self.segments, self.sides, self.rows, index, since, states)
+        angle, velocity, acceleration = states.reshape(3, *times.shape)
+        harmonic = isinstance(self.motion, Harmonic)
+        return Motions(
+            s=times,
+            tau=times * self.frequency_ratio if harmonic else None,
+            t_s=None if self.block is None else times / self.block.p,
+            angle=angle,
+            velocity=velocity,
+            acceleration=acceleration,
+            base_acceleration=self.base_acceleration(times),
+            energy=self._energy(angle, velocity),
+        )
+
+    def _energy(self, angle: Floats, velocity: Floats) -> Floats:
+        """Return kinetic and potential energy above rest."""
+        own = self.sides[np.where(angle < 0.0, 1, 0)]
+        lean, square = own[..., columns.LEAN], own[..., columns.RATE] ** 2
+        energy: Floats
+        if is_nonlinear(self.sides):
+            alpha, tilt = own[..., columns.ALPHA], np.abs(angle) / lean
+            # cos x - cos y as a product, which keeps the digits of small angles.
+            raised = np.sin(alpha * (1.0 - 0.5 * tilt)) * np.sin(0.5 * alpha * tilt)
+            energy = 0.5 * velocity**2 + 2.0 * square * lean**2 * raised / alpha**2
+        else:
+            energy = 0.5 * velocity**2 + square * lean * np.abs(angle) - 0.5 * square * angle**2
+        return energy
+
+    def phase_path(self, per_unit: int = 100) -> tuple[Floats, Floats]:
+        """Return angle and velocity in the order of time, both states of each impact included.
+
+        Parameters
+        ----------
+        per_unit
+            As for `times`.
+        """
+        motion, impacts = self(self.times(per_unit)), self.impacts
+        kept = impacts.s <= motion.s[-1]
+        before = np.searchsorted(motion.s, impacts.s[kept], side="left")
+        angle = np.insert(motion.angle, before, 0.0)
+        velocity = np.insert(motion.velocity, before, impacts.velocity_before[kept])
+        return angle, velocity
+
+    def at_time(self, t_s: ArrayLike) -> Motions:
+        """Return the motion at times in seconds.
+
+        Raises
+        ------
+        ModelError
+            If the block is dimensionless.
+        """
+        if self.block is None:
+            raise ModelError(
+                name="block",
+                value=None,
+                valid="seconds need a block with a frequency parameter p",
+                hint="simulate a Block, or ask in pivot time: trajectory(s)",
+            )
+        with np.errstate(over="ignore"):  # infinite, it is outside the trajectory
+            s = real_array("t_s", t_s) * self.block.p
+        return self(s)
+
+    def at_tau(self, tau: ArrayLike) -> Motions:
+        """Return the motion at tau = omega t of harmonic shaking.
+
+        Raises
+        ------
+        ModelError
+            If the shaking is not harmonic.
+        """
+        with np.errstate(over="ignore"):  # infinite, it is outside the trajectory
+            s = real_array("tau", tau) / self.frequency_ratio
+        return self(s)
+
+    @property
+    def frequency_ratio(self) -> float:
+        """Omega of harmonic shaking.
+
+        Raises
+        ------
+        ModelError
+            If the shaking is not harmonic.
+        """
+        if not isinstance(self.motion, Harmonic):
+            raise ModelError(
+                name="motion",
+                value=self.motion,
+                valid="tau = omega t needs harmonic shaking",
+                hint="ask in pivot time: trajectory(s)",
+            )
+        return self.motion.frequency_ratio
+
+    def base_acceleration(self, s: ArrayLike) -> Floats:
+        """Return the base acceleration at pivot times, in units of alpha g."""
+        return base_motion.base_acceleration(self.segments, self._times(s))
+
+    def base_displacement(self, s: ArrayLike) -> Floats:
+        """Return where the base is at pivot times, in units of alpha g/p^2.
+
+        Harmonic shaking goes to and fro about 0; any other motion starts from rest at 0.
+        """
+        if isinstance(self.motion, Harmonic):
+            return base_motion.swinging_displacement(self.segments, self._times(s))
+        return base_motion.displacement_from_rest(self.segments, self._times(s))
+
+    def __repr__(self) -> str:
+        """Return how it went, not its tables."""
+        return (
+            f"Trajectory(model={self.model!r}, status={self.status.label!r}, peak={self.peak:.6g}, "
+            f"impacts={len(self.impacts)}, end_s={self.end_s:.6g})"
+        )
+
+    def _repr_html_(self) -> str:
+        """Return a small table for notebooks."""
+        rows = [
+            ("model", self.model),
+            ("status", self.status.label),
+            ("peak", f"{self.peak:.6g} alpha"),
+            ("impacts", str(len(self.impacts))),
+            ("followed to", f"pt = {self.end_s:.6g}"),
+        ]
+        if self.overturn_s is not None:
+            rows.append(("overturns at", f"pt = {self.overturn_s:.6g}"))
+        cells = "".join(f"<tr><th>{name}</th><td>{value}</td></tr>" for name, value in rows)
+        return f"<table><caption>Trajectory</caption>{cells}</table>"

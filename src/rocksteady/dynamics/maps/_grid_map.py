@@ -1,0 +1,133 @@
+"""What all maps share: a scenario over axes, and one question that is asked in every cell."""
+
+import functools
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from numbers import Number
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from numpy.typing import ArrayLike
+
+from rocksteady.dynamics.history.models import ModelName
+from rocksteady.dynamics.history.start import Rest, Start
+from rocksteady.dynamics.maps._scenario import Scenario
+from rocksteady.dynamics.orbits.attractor import cycles_value
+from rocksteady.dynamics.parameters import AXES, validated_axes
+from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.motions.segments import Harmonic
+from rocksteady.sweep.cases.axes import Axis
+from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.cases.outputs import Output
+from rocksteady.sweep.cases.task import Cases
+from rocksteady.sweep.evaluate import Done, evaluate
+from rocksteady.sweep.refine import refined
+from rocksteady.sweep.store.store import Store
+
+if TYPE_CHECKING:
+    import xarray
+
+
+@dataclass(frozen=True, kw_only=True)
+class Question:
+    """What is asked in each cell of a map.
+
+    Attributes
+    ----------
+    cases
+        A function at module level of ``scenario``, ``cycles`` and the coordinates of some cells.
+    outputs
+        What it answers.
+    classes
+        The outputs that make a class, where only the surroundings of borders are computed.
+    batch
+        Returns how many cells one call takes, from the forcing periods that each is followed for.
+    load
+        Loads the kernels, or compiles them, so that what is timed afterwards is computation alone.
+    """
+
+    cases: Cases
+    outputs: tuple[Output, ...]
+    classes: tuple[str, ...]
+    batch: Callable[[int], int]
+    load: Callable[[], None]
+
+
+def map_of(
+    question: Question,
+    block: Block | DimensionlessBlock,
+    shaking: Harmonic | None,
+    *,
+    axes: Mapping[str, ArrayLike],
+    start: Start | None,
+    side: int,
+    cycles: int,
+    housner: bool,
+    executor: str,
+    workers: int | None,
+    store: Store | Path | str | None,
+    refine: int | None,
+    model: ModelName,
+    done: Done | None,
+) -> "xarray.Dataset":
+    """Return the answers to a question over a grid of parameters.
+
+    Parameters and errors are those of `rocksteady.attractor_map`.
+    """
+    grid, fixed = _grid(axes)
+    scenario = Scenario(
+        axes=grid.names,
+        block=block,
+        shaking=shaking,
+        start=Rest() if start is None else start,
+        fixed=fixed,
+        side=side,
+        housner=housner,
+        model=model,
+    )
+    scenario.check({axis.name: axis.points for axis in grid.axes})
+    periods = cycles_value(cycles)
+    question.load()
+    cases = functools.partial(question.cases, scenario=scenario, cycles=periods)
+    how: dict[str, Any] = {
+        "executor": executor,
+        "workers": workers,
+        "batch": question.batch(periods),
+        "done": done,
+        "attributes": {**scenario.attributes, "cycles": periods},
+    }
+    if refine is None:
+        return evaluate(cases, grid, question.outputs, store=store, **how)
+    if store is not None:
+        raise ModelError(
+            name="refine",
+            value=Words(f"is {refine}, beside a store"),
+            valid="a store holds every cell of its grid",
+            hint="leave the store or the refinement out",
+        )
+    classes = question.classes
+    return refined(cases, grid, question.outputs, classes=classes, coarse=refine, **how)
+
+
+def _grid(axes: Mapping[str, ArrayLike]) -> tuple[Grid, tuple[tuple[str, Any], ...]]:
+    """Return the grid of parameters and their values, and those that are fixed."""
+    given: object = axes
+    if not isinstance(given, Mapping):
+        raise InputError(
+            name="axes",
+            value=given,
+            valid="it names parameters, each with its values",
+            hint="give a mapping, as {'amplitude': [1.0, 2.0]}",
+        )
+    fixed = {name: value for name, value in axes.items() if _is_single(value)}
+    names = validated_axes([name for name in axes if name not in fixed], fixed)
+    grid = Grid(
+        axes=tuple(Axis(name=name, values=axes[name], **AXES[name]._asdict()) for name in names)
+    )
+    return grid, tuple(fixed.items())
+
+
+def _is_single(value: object) -> bool:
+    """Return whether something is a number, of Python or of an array, rather than an axis."""
+    return isinstance(value, Number) or getattr(value, "shape", None) == ()

@@ -1,0 +1,362 @@
+"""A block, its shaking and its start, some of whose parameters are the axes of a map."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.arrays import order_of_orbit
+from rocksteady.dynamics.batch.attractors import Beginnings
+from rocksteady.dynamics.batch.initial_states import at_phases, on_orbits
+from rocksteady.dynamics.history.models import ModelName, model_name, sides_of, slender_block
+from rocksteady.dynamics.history.start import Rest, Start, State, Steady, validated_start
+from rocksteady.dynamics.maps._resizing import block_of, check_sizes, measures_of, sizes_with
+from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
+from rocksteady.dynamics.parameters import UNLIKE, shaking_of, validated_axes
+from rocksteady.dynamics.steady.states import refuse_unlike_sides
+from rocksteady.errors import InputError, ModelError
+from rocksteady.kernels.core.tables import ALPHA, LEAN, RATE, RESTITUTION
+from rocksteady.model.blocks.block import (
+    Block,
+    DimensionlessBlock,
+    Restitution,
+    housner_restitution,
+)
+from rocksteady.model.checks.validation import finite, side_value
+from rocksteady.model.motions.segments import Harmonic
+
+Floats = NDArray[np.float64]
+
+AMPLITUDES = frozenset({"amplitude", "acceleration_m_s2"})
+FREQUENCIES = frozenset({"frequency_ratio", "frequency_hz"})
+STATE = frozenset({"angle", "velocity"})
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Cells:
+    """Motions as the kernels see them, arrays of shape (cells,).
+
+    Attributes
+    ----------
+    amplitude, frequency_ratio
+        A and Omega.
+    sides
+        Of the blocks, as `dynamics.history.models.sides_of` has them, shape (cells, 2, 3), or
+        (cells, 2, 5) in the nonlinear model.
+    angle, velocity, phase
+        theta/alpha and its derivative by pivot time at the start, and where the shaking is then
+        [rad].
+    there
+        Where there is such a start; a steady state does not exist everywhere.
+    """
+
+    amplitude: Floats
+    frequency_ratio: Floats
+    sides: Floats
+    angle: Floats
+    velocity: Floats
+    phase: Floats
+    there: NDArray[np.bool_]
+
+    @property
+    def begin(self) -> Beginnings:
+        """The states at the start, their phases split into whole half cycles and a rest."""
+        return at_phases(self.angle, self.velocity, self.phase)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Scenario:
+    """A block, its shaking and its start, and which of their parameters are moved.
+
+    All that is in it are frozen nouns, numbers and names, so that it can be stored, and sent to
+    another process.
+
+    Parameters
+    ----------
+    axes
+        Names from `rocksteady.dynamics.parameters.AXES`, one or more.
+    block
+        What is neither axis nor fixed keeps the value that it has here, in the measures in which it
+        is given here; `sizes_with` says which of the sizes.
+    shaking
+        None only where amplitude and frequency are axes or fixed.
+    start
+        A rest with an angle or a velocity is a `State`, the other of them 0.
+    fixed
+        Names of the same kind, each with a value that takes the place of that of block, shaking or
+        start.
+    side
+        +1 or -1, on which an unstable steady state is left.
+    housner
+        Whether the restitution follows from the slenderness, in place of the block's own.
+    model
+        "linear" or "nonlinear", which needs a `Block`.
+
+    Raises
+    ------
+    InputError, ModelError
+        If a name is unknown, or the parts do not go together.
+
+    Examples
+    --------
+    >>> block = Block.rectangle(width=0.4, height=1.2, restitution=0.9)
+    >>> base = (("acceleration_m_s2", 5.0), ("frequency_hz", 1.0))
+    >>> scenario = Scenario(axes=("width",), block=block, fixed=base)
+    >>> cells = scenario.cells({"width": np.array([0.4, 0.8])})
+    >>> print(cells.amplitude.round(4), cells.frequency_ratio.round(4))
+    [1.5846 0.8671] [1.8425 1.9674]
+    """
+
+    axes: tuple[str, ...]
+    block: Block | DimensionlessBlock
+    shaking: Harmonic | None = None
+    start: Start = field(default_factory=Rest)
+    fixed: tuple[tuple[str, float], ...] = ()
+    side: int = 1
+    housner: bool = False
+    model: ModelName = "linear"
+
+    def __post_init__(self) -> None:
+        """Validate each part, and whether they go together."""
+        names = [name for name, _ in self.fixed]
+        object.__setattr__(self, "axes", validated_axes(self.axes, names))
+        hint = "give a number, or a list of the values of an axis"
+        fixed = tuple((name, finite(name, value, hint=hint)) for name, value in self.fixed)
+        object.__setattr__(self, "fixed", fixed)
+        bare_block(self.block)
+        if self.shaking is not None:
+            harmonic(self.shaking)
+        validated_start(self.start)
+        object.__setattr__(self, "side", side_value(self.side))
+        object.__setattr__(self, "housner", bool(self.housner))
+        object.__setattr__(self, "model", model_name(self.model))
+        if self.model == "nonlinear":
+            slender_block(self.block)
+        check_sizes(self.block, self.given)
+        self._check_restitution()
+        self._check_shaking()
+        self._check_start()
+
+    @cached_property
+    def given(self) -> tuple[str, ...]:
+        """The parameters that are axes or fixed."""
+        return (*self.axes, *(name for name, _ in self.fixed))
+
+    @property
+    def sizes(self) -> tuple[str, ...]:
+        """The two sizes that say what block it is; empty where it keeps its own."""
+        return sizes_with(self.given)
+
+    @cached_property
+    def kept(self) -> dict[str, float]:
+        """The parameters that are no axes, by their names, with the values that they keep.
+
+        Without the restitution where it follows from the slenderness of each cell.
+        """
+        block, given = self.block, set(self.given)
+        found: dict[str, float] = {name: getattr(block, name) for name in self.sizes}
+        if not self.housner and block.symmetric:
+            found["restitution"] = block.restitution
+        elif self.housner and isinstance(block, Block) and not self.sizes:
+            found["restitution"] = housner_restitution(
+                block.alpha, p=block.p, radius=block.radius, gravity=block.gravity
+            )
+        if not isinstance(self.start, Steady):  # which decides on the phase
+            found["phase"] = 0.0 if self.shaking is None else self.shaking.phase
+        if self.shaking is not None and not given & AMPLITUDES:
+            found["amplitude"] = self.shaking.amplitude
+        if self.shaking is not None and not given & FREQUENCIES:
+            found["frequency_ratio"] = self.shaking.frequency_ratio
+        if isinstance(self.start, Steady):
+            found["kick"] = self.start.kick
+        elif isinstance(self.start, State):
+            found.update(angle=self.start.angle, velocity=self.start.velocity)
+        elif STATE & given:
+            found.update(angle=0.0, velocity=0.0)
+        found.update(self.fixed)
+        return {name: value for name, value in found.items() if name not in self.axes}
+
+    @property
+    def attributes(self) -> dict[str, float | int | str]:
+        """What a dataset over the axes was computed from: numbers and words."""
+        found: dict[str, float | int | str] = {**self.kept}
+        if isinstance(self.block, Block):
+            found["gravity"] = self.block.gravity
+            if not self.sizes:
+                found.update({name: getattr(self.block, name) for name in ("alpha", "radius", "p")})
+        if not self.block.symmetric:
+            (first, _, _), (second, alpha_ratio, p_ratio) = self.block.dimensionless().sides
+            found.setdefault("alpha_ratio", alpha_ratio)
+            found.setdefault("p_ratio", p_ratio)
+            if "restitution" not in self.given:
+                found.update(restitution=first)
+                found.setdefault("negative_restitution", second)
+            found = {name: value for name, value in found.items() if name not in self.axes}
+        if self.housner:
+            found.setdefault("restitution", "housner")
+        if isinstance(self.start, Steady):
+            found.update(start="steady", branch=self.start.branch, order=self.start.order)
+        else:
+            moved = isinstance(self.start, State) or STATE & set(self.given)
+            found["start"] = "state" if moved else "rest"
+        if self.model == "nonlinear":
+            found["model"] = self.model
+        return {**found, "side": self.side}
+
+    def at(self, cell: Mapping[str, float]) -> tuple[Block | DimensionlessBlock, Harmonic, Start]:
+        """Return block, shaking and start where the axes have these values.
+
+        Raises
+        ------
+        InputError
+            If a value is outside its parameter's range.
+        """
+        given = {**self.kept, **cell}
+        own: Restitution | None = "housner" if self.block.symmetric else None
+        restitution: Restitution | None = given.get("restitution", own)
+        block = block_of(self.block, self.sizes, given, restitution)
+        shaking = shaking_of(block, given)
+        start = self.start
+        if isinstance(start, Steady):
+            start = replace(start, kick=given["kick"])
+        elif "angle" in given:
+            start = State(angle=given["angle"], velocity=given["velocity"])
+        return block, shaking, start
+
+    def check(self, values: Mapping[str, Floats]) -> None:
+        """Refuse values of the axes before anything is computed.
+
+        Every limit rises or falls with each of the parameters alone, so that all cells are within
+        it where those at the corners of the grid are.
+
+        Raises
+        ------
+        InputError
+            The one that block, shaking or start give.
+        """
+        if isinstance(self.start, Steady):
+            order_of_orbit(self.start.order)
+        ends = ((points.min().item(), points.max().item()) for points in values.values())
+        for corner in product(*ends):
+            self.at(dict(zip(values, corner, strict=True)))
+
+    def cells(self, coordinates: Mapping[str, Floats]) -> Cells:
+        """Return many cells as arrays; each to the last bit what `at` says of it.
+
+        Parameters
+        ----------
+        coordinates
+            Values of the axes, within their ranges, shape (cells,) each.
+        """
+        count = len(coordinates[self.axes[0]])
+        given: dict[str, float | Floats] = {**self.kept, **coordinates}
+        if isinstance(self.block, Block):
+            felt = measures_of(self.block, self.sizes, given, housner=self.housner)
+            if "acceleration_m_s2" in given:
+                given["amplitude"] = np.abs(given["acceleration_m_s2"]) / felt.uplift
+            if "frequency_hz" in given:
+                given["frequency_ratio"] = 2.0 * math.pi * given["frequency_hz"] / felt.p
+            if self.sizes:
+                given.setdefault("restitution", felt.restitution)
+                given.setdefault("alpha", felt.alpha)
+        full = {name: np.full(count, value) for name, value in given.items()}
+        sides = self._sides(full, count)
+        shaken = full["amplitude"], full["frequency_ratio"], sides
+        upright = np.zeros(count)
+        there = np.ones(count, dtype=np.bool_)
+        if isinstance(self.start, Steady):
+            angle = upright
+            velocity, phase, there = on_orbits(self.start, full["kick"], *shaken, self.side)
+        else:
+            angle, velocity = full.get("angle", upright), full.get("velocity", upright)
+            phase = full["phase"]
+        return Cells(
+            amplitude=full["amplitude"],
+            frequency_ratio=full["frequency_ratio"],
+            sides=sides,
+            angle=angle,
+            velocity=velocity,
+            phase=phase,
+            there=there,
+        )
+
+    def _sides(self, given: Mapping[str, Floats], count: int) -> Floats:
+        """Return the sides of the blocks of many cells."""
+        own = sides_of(self.block, self.model)
+        sides = np.empty((count, *own.shape))
+        sides[:] = own
+        if "restitution" in given:
+            sides[:, :, RESTITUTION] = given["restitution"][:, np.newaxis]
+        for name, column in zip(UNLIKE, (RESTITUTION, LEAN, RATE), strict=True):
+            if name in given:
+                sides[:, 1, column] = given[name]
+        if self.model == "nonlinear" and "alpha" in given:
+            sides[:, :, ALPHA] = given["alpha"][:, np.newaxis]
+        return sides
+
+    def _check_restitution(self) -> None:
+        if not self.housner:
+            return
+        if not self.block.symmetric:
+            raise ModelError(
+                name="housner",
+                value=self.housner,
+                valid="it moves with the slenderness of symmetric blocks, and the sides of this "
+                "one differ",
+                hint="leave it out: Block.asymmetric takes the restitutions of its shape",
+            )
+        if "restitution" in self.given:
+            raise ModelError(
+                name="axes",
+                value="restitution",
+                valid="with housner=True it follows from the slenderness",
+                hint="leave one of the two out",
+            )
+        if not isinstance(self.block, Block):
+            raise ModelError(
+                name="housner",
+                value=self.housner,
+                valid="a block of which only the restitution is known has no slenderness",
+                hint="give a Block, as Block.rectangle(width=..., height=...)",
+            )
+
+    def _check_shaking(self) -> None:
+        given = set(self.given)
+        if self.shaking is None and not (given & AMPLITUDES and given & FREQUENCIES):
+            raise InputError(
+                name="shaking",
+                value=None,
+                valid="it may be left out only where its amplitude and its frequency are given",
+                hint="give a Harmonic(amplitude=..., frequency_ratio=...)",
+            )
+
+    def _check_start(self) -> None:
+        steady = isinstance(self.start, Steady)
+        if steady:
+            refuse_unlike_sides(self.block, "start", "a steady state to start on")
+        for name in self.given:
+            if steady and name in UNLIKE:
+                raise ModelError(
+                    name="axes",
+                    value=name,
+                    valid="a block whose sides differ has no symmetric steady state to start on",
+                    hint="start from Rest() or a State, or leave it out",
+                )
+            if steady and (name == "phase" or name in STATE):
+                raise ModelError(
+                    name="axes",
+                    value=name,
+                    valid="a steady state to start on decides on it",
+                    hint="start from Rest() or a State, or leave it out",
+                )
+            if name == "kick" and not steady:
+                raise ModelError(
+                    name="axes",
+                    value=name,
+                    valid="it is how far from a steady state the block is set off",
+                    hint="give start=Steady(branch=..., order=...)",
+                )

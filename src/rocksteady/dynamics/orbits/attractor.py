@@ -1,0 +1,279 @@
+"""What a block under harmonic shaking settles to."""
+
+import math
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.history.models import ModelName, model_name, sides_of
+from rocksteady.dynamics.history.start import Rest, Start, initial_march
+from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
+from rocksteady.dynamics.orbits.return_map import (
+    ImpactState,
+    bare_block,
+    harmonic,
+    make_system,
+    state_of,
+)
+from rocksteady.kernels.orbits import settle as kernel
+from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS
+from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.validation import side_value, whole_number
+from rocksteady.model.motions.segments import Harmonic
+
+CHAOTIC = 0.01
+"""Lyapunov exponent per forcing period from which a motion without repetition counts as aperiodic,
+over each of the two last quarters of its run."""
+
+
+MOST_CYCLES = 1_000_000
+"""Some seconds."""
+
+
+class AttractorKind(StrEnum):
+    """What a motion settles to."""
+
+    SYMMETRIC = "symmetric"
+    UNSYMMETRIC = "unsymmetric"
+    REST = "rest"
+    OVERTURNED = "overturned"
+    APERIODIC = "aperiodic"
+    UNDECIDED = "undecided"
+
+
+KINDS = tuple(AttractorKind)
+"""The kinds by their codes in grids; stored results hold them, so that none changes its place."""
+
+
+def kind_codes(
+    outcome: ArrayLike, symmetric: ArrayLike, least: ArrayLike, restitution: ArrayLike
+) -> NDArray[np.int8]:
+    """Return what motions settle to, as indices of `KINDS`.
+
+    Parameters
+    ----------
+    outcome, least
+        As in `rocksteady.kernels.orbits.settle.Settled`, arrays of one shape.
+    symmetric
+        Whether the orbit is; without one it does not count.
+    restitution
+        The smaller of both impacts'.  Without loss (1) nothing is aperiodic: motions do not settle.
+    """
+    exponents, lossy = np.asarray(least), np.asarray(restitution) < 1.0
+    ends = np.asarray(outcome)
+    chosen = {
+        AttractorKind.SYMMETRIC: (ends == kernel.PERIODIC) & np.asarray(symmetric, dtype=np.bool_),
+        AttractorKind.UNSYMMETRIC: ends == kernel.PERIODIC,
+        AttractorKind.REST: ends == kernel.STAYS,
+        AttractorKind.OVERTURNED: ends == kernel.FALLS,
+        AttractorKind.APERIODIC: lossy & (exponents > CHAOTIC),
+    }
+    codes: NDArray[np.int8] = np.select(
+        list(chosen.values()),
+        [np.int8(KINDS.index(kind)) for kind in chosen],
+        default=np.int8(KINDS.index(AttractorKind.UNDECIDED)),
+    )
+    return codes
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Attractor:
+    """What a motion settles to.
+
+    Attributes
+    ----------
+    block, shaking
+        What moves; the phase of `shaking` is that at the start.
+    kind
+        What it is.
+    orbit
+        The stable periodic motion; None for every other kind.
+    lyapunov
+        Largest Lyapunov exponent per forcing period; nan for rest and overturned.
+    after
+        Forcing periods until that was known.
+    growth
+        Largest growth of a small difference on the way there.  Where it is above 1e12, a rounding
+        may have decided which of several attractors was reached.
+    reason
+        Why it is undecided; empty otherwise.
+    state
+        The last state after an impact or at an uplift, from which the motion can be followed on;
+        None at rest, and where the block falls without one.
+    model
+        Which equations of motion hold: "linear" or "nonlinear".
+    """
+
+    block: Block | DimensionlessBlock
+    shaking: Harmonic
+    kind: AttractorKind
+    orbit: Orbit | None
+    lyapunov: float
+    after: int
+    growth: float
+    reason: str
+    state: ImpactState | None
+    model: ModelName = "linear"
+
+    @property
+    def period(self) -> int | None:
+        """Forcing periods of the orbit; None without one."""
+        return None if self.orbit is None else self.orbit.period
+
+    @property
+    def peaks(self) -> tuple[float, float] | None:
+        """Highest and lowest u = theta/alpha of the orbit; 0 at rest, None without an orbit."""
+        if self.orbit is not None:
+            return self.orbit.highest, self.orbit.lowest
+        return (0.0, 0.0) if self.kind is AttractorKind.REST else None
+
+    def _repr_html_(self) -> str:
+        """Return a small table for notebooks."""
+        if self.orbit is not None:
+            return self.orbit._repr_html_().replace("<caption>Orbit", "<caption>Attractor", 1)
+        rows = f"<tr><th>kind</th><td>{self.kind}</td></tr>"
+        if self.reason:
+            rows += f"<tr><th>reason</th><td>{self.reason}</td></tr>"
+        return f"<table><caption>Attractor</caption>{rows}</table>"
+
+
+@checked
+def attractor(
+    block: Block | DimensionlessBlock,
+    shaking: Harmonic,
+    *,
+    start: Start | None = None,
+    side: int = 1,
+    cycles: int = 2000,
+    model: ModelName = "linear",
+) -> Attractor:
+    """Follow a motion until it is known what it settles to.
+
+    Recognised by returning states, polished by Newton's method on the return map to a residual of
+    1e-12, and believed only if it is stable by its exact multipliers and the motion comes to within
+    1e-7 of it, or nears a weakly attracting one at the rate of its multiplier.  An unstable orbit
+    is never returned.
+
+    Parameters
+    ----------
+    block
+        Its restitution counts, and how unlike its sides are: no motion of an asymmetric block is
+        symmetric, whatever it looks like.
+    shaking
+        Its phase is that at the start, unless a `Steady` start decides on it.
+    start
+        `Rest` (default), `State` or `Steady`.
+    side
+        +1 or -1, the side on which an unstable steady state is left.
+    cycles
+        Forcing periods after which the motion counts as aperiodic or undecided.
+    model
+        "linear" (default) or "nonlinear", which needs the block's slenderness.
+
+    Returns
+    -------
+    Attractor
+        Its kind, and its orbit if it is periodic.
+
+    Raises
+    ------
+    InputError, ModelError
+        If a number is outside its range, the shaking is not harmonic, or the start does not fit.
+
+    Examples
+    --------
+    >>> from rocksteady import DimensionlessBlock, Harmonic, Steady
+    >>> block = DimensionlessBlock(restitution=0.8)
+    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
+    >>> found = attractor(block, shaking, start=Steady(), side=-1)
+    >>> print(found.kind, found.period, [round(peak, 5) for peak in found.peaks])
+    unsymmetric 1 [0.90035, -0.44427]
+    """
+    bare, shaken = bare_block(block), harmonic(shaking)
+    periods = cycles_value(cycles)
+    side = side_value(side)
+    equations = model_name(model)
+    tilted = sides_of(block, equations) if equations == "nonlinear" else None
+    motion, begin = initial_march(Rest() if start is None else start, bare, shaken, side, tilted)
+    shaken = harmonic(motion)
+    memory, table = (
+        np.empty((rows, ORBIT_COLUMNS)) for rows in (kernel.MEMORY, kernel.LONGEST_ORBIT)
+    )
+    found = kernel.settle(
+        make_system(block, shaken, equations),
+        begin.side,
+        begin.half_cycles,
+        begin.phase,
+        begin.angle,
+        begin.velocity,
+        periods,
+        memory,
+        table,
+    )
+    orbit = None
+    if found.outcome == kernel.PERIODIC:
+        orbit = orbit_from(
+            block, shaken, table[: found.passages], found.periods, found.residual, equations
+        )
+    symmetric = orbit is not None and orbit.symmetric
+    least = min(restitution for restitution, _, _ in bare.sides)
+    kind = KINDS[int(kind_codes(found.outcome, symmetric, found.least, least))]
+    return Attractor(
+        block=block,
+        shaking=shaken,
+        kind=kind,
+        orbit=orbit,
+        lyapunov=found.lyapunov,
+        after=found.after,
+        growth=math.exp(min(found.growth, 700.0)),
+        reason=_reason(found, bare) if kind is AttractorKind.UNDECIDED else "",
+        state=state_of(found.state) if found.state.side != 0 else None,
+        model=equations,
+    )
+
+
+def cycles_value(cycles: object) -> int:
+    """Return forcing periods for which a motion may be followed.
+
+    Raises
+    ------
+    InputError
+        If it is not a whole number from 1 to a million.
+    """
+    return whole_number(
+        "cycles", cycles, at_least=1, at_most=MOST_CYCLES, hint="give forcing periods to follow"
+    )
+
+
+def _reason(found: kernel.Settled, block: DimensionlessBlock) -> str:
+    """Return why a motion is undecided, and what to do."""
+    if block.lossless:
+        return "without loss (restitution 1) motions do not settle"
+    if found.after == 0:
+        return "the block balances upright, and nothing brings it down"
+    if found.passages > 0 and found.passages <= kernel.LONGEST_ORBIT:
+        return (
+            f"it rests again and again, the last time after {found.passages} impacts in "
+            f"{found.periods} forcing periods, on which a small difference may grow "
+            f"{math.exp(min(found.growth, 700.0)):.1g}-fold: rounding decides how it goes on"
+        )
+    if found.passages > 0:
+        return (
+            f"from one rest to the same again it has {found.passages} impacts in {found.periods} "
+            f"forcing periods, more than an orbit may have, {kernel.LONGEST_ORBIT}: it repeats "
+            "itself, and no more cycles help"
+        )
+    start = f"no repetition within {found.after} forcing periods"
+    if math.isnan(found.lyapunov):
+        return (
+            f"{start}, too few, or with rests too near the end, for a Lyapunov exponent: follow "
+            "more cycles"
+        )
+    return (
+        f"{start}, and a Lyapunov exponent of {found.lyapunov:.2g} a period, too small or too "
+        "unsteady for chaos: follow more cycles"
+    )

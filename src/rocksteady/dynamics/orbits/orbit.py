@@ -1,0 +1,305 @@
+"""A periodic motion under harmonic shaking."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.history.lowering import segment_table
+from rocksteady.dynamics.history.models import ModelName, nonlinear_segment_table, sides_of
+from rocksteady.dynamics.history.simulate import simulate
+from rocksteady.dynamics.history.start import State
+from rocksteady.dynamics.history.trajectory import Trajectory
+from rocksteady.dynamics.orbits.return_map import ImpactState, make_system, section_of, state_of
+from rocksteady.errors import ModelError, Status, Words
+from rocksteady.kernels.march import march as columns
+from rocksteady.kernels.orbits import periodic
+from rocksteady.kernels.orbits.return_map import UPLIFT, Section, next_passage
+from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.checks.arguments import checked_result
+from rocksteady.model.motions.segments import Harmonic
+
+Floats = NDArray[np.float64]
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Orbit:
+    """A periodic motion under harmonic shaking.
+
+    Attributes
+    ----------
+    block, shaking
+        What moves, as it was given; the phase of `shaking` is that at the first of `states`.
+    period
+        Forcing periods of the whole orbit; above 1 it is subharmonic.
+    states
+        The orbit just after each of its impacts and at each uplift from rest, in order.  With a
+        rest they stand for infinitely many: impacts are listed until their end is proved.
+    rest_phases
+        Times it comes to rest within a period of its own.
+    symmetric
+        Whether half of it is the mirror image of the other half; never where the block's sides
+        differ.
+    highest, lowest
+        Extrema of u = theta/alpha, alpha the positive side's; nan where it is not admissible.
+    multipliers
+        Floquet multipliers of the whole orbit, shape (2,), the larger in modulus first, of a
+        conjugate pair the one above the real axis; with a rest both are 0.
+    residual
+        Largest error of a flight from one of the states to the next: of the phase [rad], or of the
+        speed relative to itself.  At most 1e-12 where Newton's method has found it; the closed
+        forms have theirs to the last digit, and a flight may magnify that; nan where their half
+        cycles are so long that no flight stays on them.
+    admissible
+        False for a solution of the symmetric algebra that passes through the floor: no motion.
+    branch
+        1 or 2 for the symmetric solutions in closed form, and for those of the nonlinear model to
+        which they lead; None for others.
+    model
+        Which equations of motion hold: "linear" or "nonlinear".
+    """
+
+    block: Block | DimensionlessBlock
+    shaking: Harmonic
+    period: int
+    states: tuple[ImpactState, ...]
+    rest_phases: int
+    symmetric: bool
+    highest: float
+    lowest: float
+    multipliers: NDArray[np.complex128]
+    residual: float
+    admissible: bool = True
+    branch: int | None = None
+    model: ModelName = "linear"
+
+    @property
+    def kind(self) -> str:
+        """Symmetric or unsymmetric, in that word."""
+        return "symmetric" if self.symmetric else "unsymmetric"
+
+    @property
+    def impacts(self) -> int | None:
+        """Impacts in a period of the orbit; None, for infinitely many, where it comes to rest."""
+        return None if self.rest_phases else len(self.states)
+
+    @property
+    def largest_multiplier(self) -> float:
+        """Modulus of the larger multiplier."""
+        return float(abs(self.multipliers[0]))
+
+    @property
+    def stable(self) -> bool:
+        """Whether it is a motion and both multipliers lie inside the unit circle.
+
+        Without loss (restitution 1) their product is 1, and rounding may not put them inside.
+        """
+        return self.admissible and not self.block.lossless and self.largest_multiplier < 1.0
+
+    @property
+    def neutral(self) -> bool:
+        """Whether both multipliers have modulus 1, as they may without loss (restitution 1)."""
+        turning = self.multipliers[0].imag != 0.0
+        return bool(self.admissible and self.block.lossless and turning)
+
+    @property
+    def lyapunov(self) -> float:
+        """Largest Lyapunov exponent per forcing period; -inf where the orbit comes to rest."""
+        size = self.largest_multiplier
+        return math.log(size) / self.period if size > 0.0 else -math.inf
+
+    @property
+    def start(self) -> State:
+        """The state at which the orbit starts, for `rocksteady.simulate` with its `shaking`."""
+        first = self.states[0]
+        return State(angle=0.0, velocity=first.side * first.speed)
+
+    @cached_property
+    def mirrored(self) -> "Orbit":
+        """Its mirror image, started at the mirrored first state; itself if it is symmetric.
+
+        Raises
+        ------
+        ModelError
+            If the block's sides differ: the mirror image is a motion of another block.
+        """
+        if self.symmetric:
+            return self
+        if not self.block.symmetric:
+            raise ModelError(
+                name="orbit",
+                value=Words("is one of an asymmetric block"),
+                valid="its mirror image is a motion of the mirrored block",
+                hint="ask for orbits of the block with its sides exchanged",
+            )
+        return replace(
+            self,
+            shaking=replace(self.shaking, phase=self.states[0].mirrored.phase),
+            states=tuple(state.mirrored for state in self.states),
+            highest=-self.lowest,
+            lowest=-self.highest,
+        )
+
+    def trajectory(self) -> Trajectory:
+        """Return one period of the orbit, each flight from the orbit's own state.
+
+        A run from the first state, ``simulate(block, orbit.shaking, start=orbit.start)``,
+        multiplies its rounding with the orbit's multipliers, and leaves an unstable orbit in time.
+        Here every flight begins anew, so that the course closes as exactly as the states are known.
+        Before a rest every bounce that one can see is a flight too.
+
+        Returns
+        -------
+        Trajectory
+            From just after the first of the states to just after the same state again.
+
+        Raises
+        ------
+        ModelError
+            If the solution passes through the floor and is no motion.
+
+        Examples
+        --------
+        >>> from rocksteady import DimensionlessBlock, Harmonic, orbits
+        >>> shaking = Harmonic(amplitude=1.2, frequency_ratio=0.7)
+        >>> orbit = orbits(DimensionlessBlock(restitution=0.8), shaking)[-1]
+        >>> run = orbit.trajectory()
+        >>> print(f"multiplier {orbit.largest_multiplier:.0e}, peak {run.peak:.6f}")
+        multiplier 5e+11, peak 1.802986
+        """
+        if not self.admissible:
+            raise ModelError(
+                name="orbit",
+                value=self.kind,
+                valid="this solution passes through the floor and is no motion",
+                hint="choose an orbit that is admissible",
+            )
+        return Trajectory(
+            block=self.block if isinstance(self.block, Block) else None,
+            motion=self.shaking,
+            status=Status.ROCKING,
+            segments=(
+                segment_table(self.shaking)
+                if self.model == "linear"
+                else nonlinear_segment_table(self.shaking, self.block)
+            ),
+            sides=sides_of(self.block, self.model),
+            rows=np.array(list(_course(self))),
+        )
+
+    def _repr_html_(self) -> str:
+        """Return a small table for notebooks."""
+        first, second = self.multipliers
+        rows = [
+            ("kind", self.kind),
+            ("period", f"{self.period} forcing periods"),
+            ("impacts", "infinitely many" if self.impacts is None else str(self.impacts)),
+            ("theta/alpha", f"{self.lowest:.6g} to {self.highest:.6g}"),
+            ("multipliers", f"{first:.6g}, {second:.6g}"),
+            ("stable", "yes" if self.stable else "no"),
+        ]
+        cells = "".join(f"<tr><th>{name}</th><td>{value}</td></tr>" for name, value in rows)
+        return f"<table><caption>Orbit</caption>{cells}</table>"
+
+
+def orbit_from(
+    block: Block | DimensionlessBlock,
+    shaking: Harmonic,
+    table: Floats,
+    periods: int,
+    residual: float,
+    model: ModelName = "linear",
+) -> Orbit:
+    """Return the orbit of a table that the kernels have filled.
+
+    Parameters
+    ----------
+    block, shaking
+        What moves.
+    table
+        One row a passage, shape (passages, ORBIT_COLUMNS).
+    periods
+        Forcing periods of the orbit.
+    residual
+        With which it was found.
+    model
+        In which.
+    """
+    system, passages = make_system(block, shaking, model), len(table)
+    fixed = periodic.measured(system, passages, periods, table)
+    periodic.fill_peaks(system, passages, table)
+    states = tuple(state_of(periodic.state_at(table, k)) for k in range(passages))
+    positive = table[:, periodic.SIDE] > 0.0
+    peak, other = table[:, periodic.PEAK], table[:, periodic.OTHER_PEAK]
+    determinant = periodic.loss(system, states[0].side, passages, fixed.rests)
+    return Orbit(
+        block=block,
+        shaking=replace(shaking, phase=states[0].phase),
+        period=periods,
+        states=states,
+        rest_phases=fixed.rests,
+        symmetric=bool(periodic.is_symmetric(system, table, passages, periods)),
+        highest=float(np.where(positive, peak, other).max()),
+        lowest=0.0 - float(np.where(positive, other, peak).max()),
+        multipliers=ordered(*periodic.multipliers(fixed.jacobian, determinant)),
+        residual=residual,
+        model=model,
+    )
+
+
+def ordered(first: complex, second: complex) -> NDArray[np.complex128]:
+    """Return two multipliers, the larger first, of a conjugate pair the one above the real axis."""
+    if first.imag != 0.0:
+        up = complex(first.real, abs(first.imag))
+        return np.array([up, up.conjugate()])
+    pair = sorted((first.real, second.real), key=abs, reverse=True)
+    return np.array([complex(value, 0.0) for value in pair])
+
+
+def _course(orbit: Orbit) -> Iterator[list[float]]:
+    """Yield the rows of a trajectory's table, one a flight and the state at the end."""
+    system = make_system(orbit.block, orbit.shaking, orbit.model)
+    begin = section_of(orbit.states[0])
+    half, phase = begin.half_cycles, begin.phase
+    for state in orbit.states:
+        here = section_of(state)
+        # The state's own clock, set on by the whole periods that have passed since the start.
+        apart = half - here.half_cycles + (phase - here.phase) / math.pi
+        passed = 2 * round(0.5 * apart)
+        step = next_passage(system, here, -1.0)
+        if step.kind == UPLIFT:
+            yield from _to_rest(orbit, state, step.time, passed)
+        else:
+            yield _row(here, passed, step.time, columns.ENDED_BY_IMPACT)
+        half, phase = step.state.half_cycles + passed, step.state.phase
+    yield _row(begin, 2 * orbit.period, 0.0, columns.ENDED_BY_SPAN)
+
+
+def _to_rest(orbit: Orbit, state: ImpactState, time: float, passed: int) -> Iterator[list[float]]:
+    """Yield the rows of the bounces that a state begins and of the rest in which they end."""
+    shaking = replace(orbit.shaking, phase=state.phase)
+    start = State(angle=0.0, velocity=state.side * state.speed)
+    # A little longer than until the uplift, so that the rest is seen to end.
+    periods = 1.001 * time * shaking.frequency_ratio / (2.0 * math.pi)
+    run = simulate(orbit.block, shaking, start=start, cycles=periods, model=orbit.model)
+    for row in run.rows.tolist():
+        row[columns.ROW_HALF_CYCLES] += passed
+        yield row
+        if row[columns.ROW_EVENT] == columns.ENDED_BY_UPLIFT:
+            return
+
+
+def _row(state: Section, passed: int, duration: float, event: int) -> list[float]:
+    """Return the row of a flight in a trajectory's table, `passed` half cycles after the start."""
+    row = [0.0] * columns.ROW_COLUMNS
+    row[columns.ROW_HALF_CYCLES] = state.half_cycles + passed
+    row[columns.ROW_PHASE] = state.phase
+    row[columns.ROW_SIDE] = state.side
+    row[columns.ROW_VELOCITY] = state.side * state.speed
+    row[columns.ROW_DURATION] = duration
+    row[columns.ROW_EVENT] = event
+    return row

@@ -1,0 +1,285 @@
+"""The return map of harmonic shaking, from impact to impact, with its exact derivative."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import IntEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.history.models import ModelName, model_name, sides_of
+from rocksteady.errors import InputError, ModelError
+from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.orbits import return_map
+from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.validation import finite, in_range, side_value, whole_number
+from rocksteady.model.motions.segments import Harmonic
+
+Floats = NDArray[np.float64]
+
+FASTEST = 1e50
+"""Largest speed after an impact, as for any initial state."""
+
+
+MOST_STEPS = 100_000
+"""Of one call of the map: some ten seconds."""
+
+
+class PassageKind(IntEnum):
+    """What a step of the return map was."""
+
+    IMPACT = return_map.IMPACT
+    """An impact follows; the map has a derivative there."""
+    UPLIFT = return_map.UPLIFT
+    """Chatter comes to rest and the block lifts again, at a phase that forgets what was before."""
+    GRAZE = return_map.GRAZE
+    """The block touches its base with next to no speed; the map has no derivative there."""
+    OVERTURNED = return_map.FALL
+    """No impact follows."""
+    AT_REST = return_map.STAY
+    """Chatter comes to rest, and the shaking never lifts the block again."""
+    UNDECIDED = return_map.STUCK
+    """The search for the next impact did not end."""
+
+    @property
+    def label(self) -> str:
+        """The kind in words."""
+        return self.name.lower().replace("_", "-")
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class ImpactState:
+    """A state just after an impact, or at an uplift from rest.
+
+    Parameters
+    ----------
+    side
+        +1 or -1: the side to which the block goes.
+    phase
+        Phase of the shaking then [rad]; taken modulo 2 pi.
+    speed
+        |d(theta/alpha)/d(p t)|; 0 where the block lifts from rest.
+
+    Raises
+    ------
+    InputError
+        If a value is outside its range.
+    """
+
+    side: int
+    phase: float
+    speed: float
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        side = side_value(self.side)
+        phase = finite("phase", self.phase, hint="give the phase of the shaking in radians")
+        speed = in_range(
+            "speed", self.speed, 0.0, FASTEST, "[]", hint="give |d(theta/alpha)/d(p t)|"
+        )
+        turned = math.fmod(phase, 2.0 * math.pi) % (2.0 * math.pi)
+        object.__setattr__(self, "side", side)
+        object.__setattr__(self, "phase", turned if turned < 2.0 * math.pi else 0.0)
+        object.__setattr__(self, "speed", speed)
+
+    @property
+    def mirrored(self) -> "ImpactState":
+        """Its mirror image: the other side, half a period of the shaking later."""
+        return ImpactState(side=-self.side, phase=self.phase + math.pi, speed=self.speed)
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Passage:
+    """One or several steps of the return map.
+
+    Attributes
+    ----------
+    kind
+        What the last step was.
+    state
+        After it; None where no impact follows.
+    impacts, uplifts
+        How many of each there were on the way.
+    phase
+        Phase of the shaking that has passed [rad].
+    time
+        Pivot time that has passed.
+    landing_speed
+        |d(theta/alpha)/d(p t)| just before the last impact.
+    jacobian
+        Derivative of (phase, speed) after by (phase, speed) before, shape (2, 2); 0 after a rest,
+        nan where there is none.
+    """
+
+    kind: PassageKind
+    state: ImpactState | None
+    impacts: int
+    uplifts: int
+    phase: float
+    time: float
+    landing_speed: float
+    jacobian: Floats
+
+
+@checked
+class ReturnMap:
+    """The map from just after one impact to just after the next.
+
+    Parameters
+    ----------
+    block
+        Its sides and their restitution count; in the nonlinear model their slenderness too.
+    shaking
+        Its phase does not: the states have theirs.
+    model
+        "linear" (default) or "nonlinear".
+
+    Raises
+    ------
+    InputError, ModelError
+        If the block is none, or has no slenderness for the nonlinear model, the motion is not
+        harmonic, or there is no such model.
+
+    Examples
+    --------
+    >>> from rocksteady import DimensionlessBlock, Harmonic, steady_states
+    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
+    >>> states = steady_states(2.0, 4.0, 0.8)
+    >>> state = ImpactState(side=1, phase=states.phase[0], speed=4.0 * states.velocity[0])
+    >>> passage = ReturnMap(DimensionlessBlock(restitution=0.8), shaking)(state)
+    >>> print(passage.kind.label, f"{passage.phase:.6f}", f"{passage.state.speed:.6f}")
+    impact 3.141593 0.732389
+    >>> print(f"{passage.jacobian.trace():.6f} {states.trace[0]:.6f}")
+    -0.521789 -0.521789
+    """
+
+    def __init__(
+        self, block: Block | DimensionlessBlock, shaking: Harmonic, *, model: ModelName = "linear"
+    ) -> None:
+        self.block = bare_block(block)
+        self.shaking = harmonic(shaking)
+        self.model = model_name(model)
+        self.system = make_system(block, self.shaking, self.model)
+
+    def __call__(self, state: ImpactState, steps: int = 1) -> Passage:
+        """Return what a number of steps from a state come to.
+
+        Parameters
+        ----------
+        state
+            Where to start.
+        steps
+            Impacts, or uplifts from rest, to pass, up to a million.
+
+        Returns
+        -------
+        Passage
+            It ends early where no impact follows.
+
+        Raises
+        ------
+        InputError
+            If `steps` is not a whole number from 1 to a million.
+        """
+        hint = "give the number of impacts"
+        count = whole_number("steps", steps, at_least=1, at_most=MOST_STEPS, hint=hint)
+        total, kind = np.eye(2), return_map.IMPACT
+        here = begin = section_of(state)
+        time = landing = 0.0
+        impacts = uplifts = 0
+        for _ in range(count):
+            step = return_map.next_passage(self.system, here, -1.0)
+            kind, landing = step.kind, step.landing
+            time += step.time
+            if kind not in (return_map.IMPACT, return_map.UPLIFT, return_map.GRAZE):
+                break
+            impacts += kind != return_map.UPLIFT
+            uplifts += kind == return_map.UPLIFT
+            jacobian = np.array(step.jacobian).reshape(2, 2)
+            total = jacobian @ total if kind != return_map.GRAZE else np.full((2, 2), math.nan)
+            here = step.state
+        ended = kind in (return_map.FALL, return_map.STAY, return_map.STUCK)
+        return Passage(
+            kind=PassageKind(kind),
+            state=None if ended else state_of(here),
+            impacts=impacts,
+            uplifts=uplifts,
+            phase=math.inf if ended else return_map.phase_between(begin, here),
+            time=time,
+            landing_speed=landing,
+            jacobian=np.full((2, 2), math.nan) if ended else total,
+        )
+
+    def passages(self, state: ImpactState) -> Iterator[Passage]:
+        """Yield the steps that follow a state, one at a time, until no impact follows."""
+        here: ImpactState | None = state
+        while here is not None:
+            passage = self(here)
+            yield passage
+            here = passage.state
+
+
+def bare_block(block: object) -> DimensionlessBlock:
+    """Return what dynamics need of a block.
+
+    Raises
+    ------
+    InputError
+        If it is none.
+    """
+    if not isinstance(block, Block | DimensionlessBlock):
+        raise InputError(
+            name="block",
+            value=block,
+            valid="it must be a Block or a DimensionlessBlock",
+            hint="the block comes first, then the shaking",
+        )
+    return block.dimensionless()
+
+
+def harmonic(shaking: object) -> Harmonic:
+    """Return a motion that is harmonic.
+
+    Raises
+    ------
+    ModelError
+        If it is not.
+    """
+    if not isinstance(shaking, Harmonic):
+        raise ModelError(
+            name="shaking",
+            value=shaking,
+            valid="periodic motions are those of harmonic shaking",
+            hint="give a Harmonic(amplitude=..., frequency_ratio=...)",
+        )
+    return shaking
+
+
+def make_system(
+    block: Block | DimensionlessBlock, shaking: Harmonic, model: ModelName = "linear"
+) -> return_map.System:
+    """Return block and shaking as the kernels see them.
+
+    Raises
+    ------
+    ModelError
+        If the nonlinear model meets a block without slenderness.
+    """
+    sides = sides_of(block, model)
+    return return_map.make_system(shaking.amplitude, shaking.frequency_ratio, sides)
+
+
+def section_of(state: ImpactState) -> return_map.Section:
+    """Return a state as the kernels see it."""
+    half, phase = clock(state.phase)
+    return return_map.Section(state.side, half, phase, state.speed)
+
+
+def state_of(here: return_map.Section) -> ImpactState:
+    """Return a state of the kernels as the package's users see it."""
+    phase = (here.half_cycles % 2) * math.pi + here.phase
+    return ImpactState(side=here.side, phase=phase, speed=here.speed)

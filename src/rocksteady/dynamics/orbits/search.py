@@ -1,0 +1,321 @@
+"""All periodic motions at a point of amplitude and frequency ratio."""
+
+import math
+from collections.abc import Iterable
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.history.departure import nonlinear_half
+from rocksteady.dynamics.history.models import ModelName, model_name, sides_of
+from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from, ordered
+from rocksteady.dynamics.orbits.return_map import (
+    ImpactState,
+    bare_block,
+    harmonic,
+    make_system,
+    section_of,
+)
+from rocksteady.dynamics.steady.states import steady_states
+from rocksteady.kernels.orbits import periodic
+from rocksteady.kernels.orbits.periodic import mirror
+from rocksteady.kernels.orbits.return_map import (
+    FALL,
+    IMPACT,
+    STAY,
+    STUCK,
+    UPLIFT,
+    System,
+    guess_after,
+    next_passage,
+    uplift_after,
+)
+from rocksteady.kernels.orbits.settle import GENERIC, ROUNDED, Stretch, stretched
+from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import whole_number
+from rocksteady.model.motions.segments import Harmonic
+
+Floats = NDArray[np.float64]
+
+ROOM = 4096
+"""Most orbits that one search returns."""
+MOST = 1000
+"""Of each limit of the search: minutes, or hours where all three are near it."""
+SAME = 1e-6
+"""Difference in phase and relative speed below which two orbits are one."""
+
+
+@checked
+def orbits(
+    block: Block | DimensionlessBlock,
+    shaking: Harmonic,
+    *,
+    max_period: int = 3,
+    max_impacts: int = 6,
+    seeds: int = 96,
+    model: ModelName = "linear",
+) -> tuple[Orbit, ...]:
+    """Return the periodic motions at a point, stable and unstable.
+
+    The symmetric ones with two impacts come in closed form for every odd number of forcing periods
+    (eqs 19, 21, 22); those that pass through the floor are given too, as not admissible.  Those
+    that come to rest are followed from their uplift: there is at most one for either side.  The
+    others are found by Newton's method from a grid of states after an impact; that is a search and
+    not a proof that there are no more.  Of two mirror images one is given, the one that leans to
+    the positive side; `Orbit.mirrored` is the other.  A block whose sides differ has no symmetric
+    orbits and no mirror images: all of its orbits are searched for and given.
+
+    In the nonlinear model the symmetric ones are those to which the closed forms lead as the
+    slenderness grows from 0 to the block's own, each with its branch; what passes through the floor
+    is not given.
+
+    Parameters
+    ----------
+    block
+        Its restitution counts, and how unlike its sides are; in the nonlinear model also how
+        slender.
+    shaking
+        Amplitude and frequency ratio; its phase does not count.
+    max_period
+        Longest orbits [forcing periods].
+    max_impacts
+        Most impacts in a period of the orbit.
+    seeds
+        The search starts from ``seeds x seeds`` states: phases over a period, speeds up to
+        1 + A/sqrt(1 + Omega^2), above which every flight of the linear model begins with a part
+        that grows for ever.
+    model
+        "linear" (default) or "nonlinear", which needs a `Block` and takes some thirty times as
+        long.
+
+    Returns
+    -------
+    tuple of Orbit
+        By period, then number of impacts, symmetric ones first, admissible ones before others,
+        stable before unstable.
+
+    Raises
+    ------
+    InputError, ModelError
+        If a number is not a whole one from 1 to 1000, the shaking is not harmonic, or the nonlinear
+        model meets a block without slenderness.
+
+    Examples
+    --------
+    >>> from rocksteady import DimensionlessBlock, Harmonic
+    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
+    >>> for orbit in orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1):
+    ...     print(orbit.kind, orbit.stable, orbit.admissible, f"{orbit.highest:.5f}")
+    symmetric False True 0.68676
+    symmetric False False nan
+    unsymmetric True True 0.90035
+    """
+    bare_block(block)
+    shaken = harmonic(shaking)
+    equations = model_name(model)
+    system = make_system(block, shaken, equations)
+    longest, most, count = (
+        whole_number(name, value, at_least=1, at_most=MOST, hint=hint)
+        for name, value, hint in (
+            ("max_period", max_period, "give a number of forcing periods"),
+            ("max_impacts", max_impacts, "give a number of impacts"),
+            ("seeds", seeds, "give a number, as 96"),
+        )
+    )
+    found: list[Orbit] = []
+    if block.symmetric:
+        symmetric = _symmetric_orbits if equations == "linear" else _nonlinear_symmetric_orbits
+        found += symmetric(block, shaken, system, longest)
+    searched = [
+        orbit_from(block, shaken, table, periods, residual, equations)
+        for table, periods, residual in (
+            *_resting_orbits(system, longest),
+            *_searched_orbits(system, shaken, longest, most, count, mirrors=block.symmetric),
+        )
+    ]
+    for orbit in sorted(searched, key=lambda orbit: -orbit.highest):
+        known = [orbit]
+        if block.symmetric:
+            leaning = orbit if orbit.highest >= -orbit.lowest else orbit.mirrored
+            known = [leaning, leaning.mirrored]
+        if not any(_same(one, other) for one in known for other in found):
+            found.append(known[0])
+    return tuple(sorted(found, key=_order))
+
+
+def _order(orbit: Orbit) -> tuple[object, ...]:
+    closed = orbit.branch if orbit.branch is not None else 3
+    return (
+        orbit.period,
+        len(orbit.states),
+        not orbit.symmetric,
+        not orbit.admissible,
+        closed,
+        not orbit.stable,
+        -orbit.highest,
+    )
+
+
+def _symmetric_orbits(
+    block: Block | DimensionlessBlock, shaking: Harmonic, system: System, longest: int
+) -> Iterable[Orbit]:
+    """Yield the symmetric orbits with two impacts of the linear model, in closed form."""
+    if shaking.amplitude == 0.0:
+        return
+    a, w, r = shaking.amplitude, shaking.frequency_ratio, block.dimensionless().restitution
+    for order in range(1, longest + 1, 2):
+        states = steady_states(a, w, r, order=order)
+        assert states.peak is not None
+        assert states.admissible is not None
+        if states.region == 4:
+            continue
+        for which in (0, 1):
+            phase, velocity = float(states.phase[which]), float(states.velocity[which])
+            admissible = bool(states.admissible[which])
+            peak = float(states.peak[which]) if admissible else math.nan
+            with np.errstate(over="ignore", invalid="ignore"):
+                pair = states.multipliers[which] ** 2
+            first = ImpactState(side=1, phase=phase, speed=abs(velocity) * w)
+            residual = math.nan
+            if admissible:
+                table = np.zeros((2, periodic.ORBIT_COLUMNS))
+                begin = section_of(first)
+                periodic.put(table, 0, begin)
+                periodic.put(table, 1, mirror(begin, order))
+                error = periodic.measured(system, 2, order, table).residual
+                residual = error if math.isfinite(error) else math.nan
+            yield Orbit(
+                block=block,
+                shaking=replace(shaking, phase=first.phase),
+                period=order,
+                states=(first, first.mirrored),
+                rest_phases=0,
+                symmetric=True,
+                highest=peak,
+                lowest=-peak,
+                multipliers=ordered(complex(pair[0]), complex(pair[1])),
+                residual=residual,
+                admissible=admissible,
+                branch=which + 1,
+            )
+
+
+def _nonlinear_symmetric_orbits(
+    block: Block | DimensionlessBlock, shaking: Harmonic, system: System, longest: int
+) -> Iterable[Orbit]:
+    """Yield the symmetric orbits with two impacts to which those of the linear model lead."""
+    if shaking.amplitude == 0.0:
+        return
+    a, w, r = shaking.amplitude, shaking.frequency_ratio, block.dimensionless().restitution
+    sides = sides_of(block, "nonlinear")
+    for order in range(1, longest + 1, 2):
+        states = steady_states(a, w, r, order=order)
+        assert states.admissible is not None
+        for which in np.flatnonzero(states.admissible).tolist():
+            half = nonlinear_half(
+                a,
+                w,
+                sides,
+                order=order,
+                branch=which + 1,
+                phase=float(states.phase[which]),
+                velocity=float(states.velocity[which]) * w,
+            )
+            if not half.found:
+                continue
+            table = np.zeros((2, periodic.ORBIT_COLUMNS))
+            periodic.put(table, 0, half.state)
+            periodic.put(table, 1, mirror(half.state, order))
+            residual = periodic.measured(system, 2, order, table).residual
+            orbit = orbit_from(block, shaking, table, order, residual, "nonlinear")
+            yield replace(orbit, branch=which + 1)
+
+
+Found = tuple[Floats, int, float]
+"""An orbit as the kernels leave it: its table, periods and residual."""
+
+
+def _resting_orbits(system: System, longest: int) -> Iterable[Found]:
+    """Yield the orbits with rest phases: those that come back to an uplift of theirs.
+
+    Where a small difference grows so much between two rests that rounding decides the way, there is
+    none to be known.
+    """
+    lifting = uplift_after(system, 0, 0.0)
+    if lifting.kind == STAY:
+        return
+    begin, step = lifting.state, lifting
+    states = [begin]
+    nothing = Stretch(GENERIC[0], GENERIC[1], 0.0, 0)
+    whole, grown = nothing, [0.0]  # since the last rest, and its logarithm at each passage
+    while states[-1].half_cycles - begin.half_cycles <= 4 * longest:
+        step = next_passage(system, step.state, guess_after(step))
+        if step.kind in (FALL, STAY, STUCK):
+            return
+        states.append(step.state)
+        if step.kind == IMPACT:
+            whole = stretched(whole, step.jacobian)
+        grown.append(whole.logarithm)
+        if step.kind != UPLIFT:
+            continue
+        whole = nothing
+        # An uplift is known by its side alone; of a block with two sides one must come again.
+        earlier = [
+            k for k, s in enumerate(states[:-1]) if s.speed == 0.0 and s.side == step.state.side
+        ]
+        if earlier:
+            if max(grown[earlier[-1] :]) > ROUNDED:
+                return
+            passages = len(states) - 1 - earlier[-1]
+            periods = (step.state.half_cycles - states[earlier[-1]].half_cycles) // 2
+            table = np.zeros((passages, periodic.ORBIT_COLUMNS))
+            fixed = periodic.polish(system, step.state, passages, periods, table)
+            if fixed.found and periods <= longest:
+                yield table, periods, fixed.residual
+            return
+
+
+def _searched_orbits(
+    system: System, shaking: Harmonic, longest: int, most: int, seeds: int, *, mirrors: bool
+) -> Iterable[Found]:
+    """Yield the orbits that Newton's method finds."""
+    w = shaking.frequency_ratio
+    fastest = 1.0 + shaking.amplitude / math.hypot(1.0, w)
+    steps = np.arange(seeds, dtype=np.float64)
+    phases: Floats = steps * (2.0 * math.pi / seeds)
+    speeds: Floats = (steps + 0.5) * (fastest / seeds)
+    found, shape = np.zeros((ROOM, 2)), np.zeros((ROOM, 2), dtype=np.int64)
+    table = np.zeros((most, periodic.ORBIT_COLUMNS))
+    count = 0
+    for column in range(seeds):
+        for row in range(seeds):  # one state at a time, so that an interruption is heard
+            phase, speed = phases[column : column + 1], speeds[row : row + 1]
+            count = periodic.search(
+                system, phase, speed, most, longest, mirrors, table, found, shape, count
+            )
+    for (turn, rate), (passages, periods) in zip(
+        found[:count].tolist(), shape[:count].tolist(), strict=True
+    ):
+        begin = section_of(ImpactState(side=1, phase=turn, speed=rate))
+        fixed = periodic.polish(system, begin, passages, periods, table)
+        if fixed.found:
+            yield table[:passages].copy(), periods, fixed.residual
+
+
+def _same(one: Orbit, other: Orbit) -> bool:
+    """Return whether two orbits are one, started at different impacts."""
+    if one.period != other.period or len(one.states) != len(other.states):
+        return False
+    if not (one.admissible and other.admissible):
+        return False
+    first = one.states[0]
+    for state in other.states:
+        apart = abs(state.phase - first.phase)
+        apart = min(apart, 2.0 * math.pi - apart)
+        slower = min(state.speed, first.speed)
+        close = abs(state.speed - first.speed) <= SAME * max(slower, 1e-3)
+        if state.side == first.side and apart <= SAME and close:
+            return True
+    return False

@@ -1,0 +1,233 @@
+"""What a motion settles to while a parameter is moved slowly: the brute-force diagram."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import groupby
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.arrays import real_array
+from rocksteady.dynamics.history.models import ModelName, model_name, slender_block
+from rocksteady.dynamics.history.start import Rest, Start, State
+from rocksteady.dynamics.orbits.attractor import Attractor, AttractorKind, attractor, cycles_value
+from rocksteady.dynamics.orbits.orbit import Orbit
+from rocksteady.dynamics.orbits.return_map import (
+    ImpactState,
+    bare_block,
+    harmonic,
+    make_system,
+    section_of,
+)
+from rocksteady.dynamics.parameters import PARAMETERS, moved_to
+from rocksteady.errors import InputError, ModelError
+from rocksteady.kernels.orbits.return_map import FALL, STAY, STUCK, highest_after, next_passage
+from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.motions.segments import Harmonic
+
+Floats = NDArray[np.float64]
+
+SHOWN_FLIGHTS = 200
+"""Flights of a motion without an orbit whose peaks are kept."""
+CARRIED = (AttractorKind.SYMMETRIC, AttractorKind.UNSYMMETRIC, AttractorKind.APERIODIC)
+"""Kinds from whose last state the next value goes on."""
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False)
+class AttractorTrail:
+    """What a motion settles to at one value of a parameter after another, carried along.
+
+    Attributes
+    ----------
+    parameter
+        "amplitude", "frequency_ratio" or "restitution".
+    values
+        In the order in which they were gone through, shape (values,).
+    attractors
+        One a value.
+    peaks
+        Extreme u = theta/alpha of each flight with its side, one array a value: of a periodic
+        motion those of a period, of an aperiodic one those of its next 200 flights; empty at rest
+        and of a fall.
+    """
+
+    parameter: str
+    values: Floats
+    attractors: tuple[Attractor, ...]
+    peaks: tuple[Floats, ...]
+
+    @property
+    def direction(self) -> str:
+        """Up or down, in that word."""
+        return "up" if self.values[-1] > self.values[0] else "down"
+
+    def runs(self) -> Iterator[tuple[float, float, list[Attractor]]]:
+        """Yield neighbouring values that settle to one kind of motion: first, last, what it is."""
+        pairs = zip(self.values.tolist(), self.attractors, strict=True)
+        for _, same in groupby(pairs, key=lambda pair: _kind_of(pair[1])):
+            run = list(same)
+            yield run[0][0], run[-1][0], [found for _, found in run]
+
+    @property
+    def kinds(self) -> list[str]:
+        """Kind of attractor at each value."""
+        return [found.kind.value for found in self.attractors]
+
+    @property
+    def periods(self) -> list[int | None]:
+        """Forcing periods of the orbit at each value; None without one."""
+        return [found.period for found in self.attractors]
+
+
+def _kind_of(found: Attractor) -> tuple[str, int | None, int | None]:
+    return (found.kind.value, found.period, None if found.orbit is None else found.orbit.impacts)
+
+
+@checked
+def attractor_trail(
+    block: Block | DimensionlessBlock,
+    shaking: Harmonic,
+    parameter: str,
+    values: ArrayLike,
+    *,
+    start: Start | None = None,
+    side: int = 1,
+    cycles: int = 2000,
+    model: ModelName = "linear",
+) -> AttractorTrail:
+    """Move a parameter in small steps, and settle each time from where the motion was.
+
+    Run upwards and downwards it shows hysteresis: the attractor is kept for as long as there is
+    one.  A block that has come to rest goes on from rest.  After a fall the next value begins from
+    `start` again, or from rest where that is a steady state which does not exist.
+
+    Parameters
+    ----------
+    block, shaking
+        What moves, and by what; their own value of the parameter does not count.
+    parameter
+        "amplitude", "frequency_ratio" or "restitution".
+    values
+        To go through, in this order.
+    start, side, cycles, model
+        As for `rocksteady.attractor`.
+
+    Returns
+    -------
+    AttractorTrail
+        One attractor a value.
+
+    Raises
+    ------
+    InputError, ModelError
+        If the parameter has another name, there are no values, one is outside its range, or the
+        nonlinear model meets a block without slenderness.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from rocksteady import DimensionlessBlock, Harmonic, Steady
+    >>> block = DimensionlessBlock(restitution=0.8)
+    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
+    >>> down = np.linspace(2.0, 1.75, 6)
+    >>> trail = attractor_trail(block, shaking, "frequency_ratio", down, start=Steady())
+    >>> for value, kind, period in zip(trail.values, trail.kinds, trail.periods):
+    ...     print(f"{value:.2f} {kind} {period}")
+    2.00 symmetric 1
+    1.95 symmetric 1
+    1.90 unsymmetric 1
+    1.85 unsymmetric 1
+    1.80 unsymmetric 1
+    1.75 overturned None
+    """
+    bare, shaken = bare_block(block), harmonic(shaking)
+    equations = model_name(model)
+    body = bare if equations == "linear" else slender_block(block)
+    if parameter not in PARAMETERS:
+        valid = "a motion is carried along " + ", ".join(PARAMETERS)
+        raise InputError(name="parameter", value=parameter, valid=valid, hint="name one of them")
+    steps = real_array("values", values)
+    if steps.ndim != 1 or steps.size == 0:
+        valid = "it must be a list of one value or more"
+        raise InputError(name="values", value=values, valid=valid, hint="use numpy.linspace")
+    periods = cycles_value(cycles)
+    begin = Rest() if start is None else start
+    found: list[Attractor] = []
+    carried: ImpactState | None = None
+    for value in steps.tolist():
+        body, shaken = moved_to(body, shaken, parameter, value)
+        if carried is None:
+            last = _from_start(body, shaken, begin, side, periods, equations)
+        else:
+            state = State(angle=0.0, velocity=carried.side * carried.speed)
+            here = replace(shaken, phase=carried.phase)
+            last = attractor(body, here, start=state, cycles=periods, model=equations)
+        found.append(last)
+        if last.kind is AttractorKind.REST:
+            begin = Rest()
+        carried = last.state if last.kind in CARRIED else None
+        if last.orbit is not None:
+            carried = last.orbit.states[0]
+    return AttractorTrail(
+        parameter=parameter,
+        values=steps,
+        attractors=tuple(found),
+        peaks=tuple(flight_peaks(each) for each in found),
+    )
+
+
+def _from_start(
+    block: Block | DimensionlessBlock,
+    shaking: Harmonic,
+    start: Start,
+    side: int,
+    cycles: int,
+    model: ModelName,
+) -> Attractor:
+    """Return what the block settles to from a start, or from rest where there is none such."""
+    try:
+        return attractor(block, shaking, start=start, side=side, cycles=cycles, model=model)
+    except ModelError:
+        return attractor(block, shaking, cycles=cycles, model=model)
+
+
+def flight_peaks(found: Attractor) -> Floats:
+    """Return the extreme u = theta/alpha of each flight of an attractor, with its side.
+
+    Parameters
+    ----------
+    found
+        Of a periodic motion the flights of one period are taken, of an aperiodic one the next 200.
+
+    Returns
+    -------
+    ndarray, shape (flights,)
+        Empty at rest and of a fall.  Before a rest the first bounce to either side stands for all.
+    """
+    if found.orbit is not None:
+        return _peaks_of(found.orbit)
+    if found.state is None or found.kind not in CARRIED:
+        return np.zeros(0)
+    system = make_system(found.block, found.shaking, found.model)
+    here, peaks = section_of(found.state), []
+    for _ in range(SHOWN_FLIGHTS):
+        step = next_passage(system, here, -1.0)
+        if step.kind in (FALL, STAY, STUCK):
+            break
+        peaks.append(here.side * highest_after(system, here, step)[0])
+        here = step.state
+    return np.array(peaks)
+
+
+def _peaks_of(orbit: Orbit) -> Floats:
+    system = make_system(orbit.block, orbit.shaking, orbit.model)
+    peaks = []
+    for state in orbit.states:
+        here = section_of(state)
+        step = next_passage(system, here, -1.0)
+        near, far = highest_after(system, here, step)
+        peaks += [here.side * near] + ([-here.side * far] if far > 0.0 else [])
+    return np.array([peak for peak in peaks if math.isfinite(peak)])

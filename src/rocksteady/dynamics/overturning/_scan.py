@@ -1,0 +1,291 @@
+"""The search for all windows of amplitude in which one pulse at one frequency overturns a block.
+
+Over the amplitude the block's fate is piecewise constant.  What decides it, the margin of
+`kernels.batch.pulses`, is continuous, so that every border of fates is a zero of it, and every
+border between ways of overturning a change of the impacts on the way.  The search looks in four
+ways, each of which adds amplitudes to those that have been tried:
+
+1. A grid: no two amplitudes of the first round are further apart than a stated part of themselves,
+   and towards uplift they crowd together.
+2. Between neighbours whose itineraries differ (impacts and side at the pulse's end, impacts and
+   side of overturning) the interval is halved until it is `FINE`: there flights graze, the margin
+   has its kinks, and a window may begin and end close by.  Impacts beyond `MANY`, chatter among
+   them, announce less: where only their number differs, or the block falls after so many, the
+   interval is halved until it is `COARSE`.
+3. Likewise where the margin could come to zero between two neighbours if inside the interval it
+   were `STEEPER` times as steep as there and in the two intervals beside it.
+4. Around every amplitude at which the margin of a block that stands is larger than at both
+   neighbours, or that of one that falls smaller, both intervals are halved until they are
+   `FINEST`, as long as the hump could reach over zero between them: while it lacks less than
+   `HIGHER` times what it stands out from the lower of its neighbours, or `MUCH_HIGHER` until they
+   are `FINE`.  Of a cusp, as the square root of a graze makes it, no more than 1.4 times as much is
+   hidden between two amplitudes; what rounding and straight lines do to the margin is no hump.
+
+What is left are neighbours of different fate, which bisection brings together to rounding, at the
+ends of the widest windows.  So a
+window, or a gap in one, is missed only if the margin has between two neighbours a hump that neither
+itineraries nor slopes nor maxima around it announce, and that is narrower than the grid's step, or
+than `FINE` in a doubtful place.  No bound on the slope is known: where flights graze it has none.
+
+Where windows have no number the search would not end for a long time.  After `MOST` amplitudes
+besides the grid it ends, the widest intervals halved first, and counts those that it leaves.
+"""
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+FINEST = 1e-7
+"""Part of an amplitude to which intervals beside a hump of the margin are halved."""
+MANY = 10
+"""Impacts from which on they are not told apart."""
+COARSE = 2e-4
+"""Part of an amplitude to which intervals are halved after more impacts than that."""
+FINE = 1e-5
+"""The same of intervals whose ends differ, and of those in which the margin may come to zero."""
+HIGHER = 8.0
+MUCH_HIGHER = 1000.0
+"""How many times as much as it stands out a hump may rise between the amplitudes beside it."""
+MOST = 10_000
+"""Amplitudes, besides the grid, after which doubtful intervals are left as they are."""
+STEEPER = 2.0
+"""How many times as steep as there the margin may be inside an interval."""
+NEAREST = 1e-6
+"""How close to uplift the grid begins, as a part of it."""
+DECADE = 16
+"""Points of the grid in a decade of a - uplift."""
+
+
+class Fates(NamedTuple):
+    """What becomes of the block, an array each of shape (amplitudes,)."""
+
+    overturns: NDArray[np.bool_]
+    decided: NDArray[np.bool_]
+    impacts: Integers
+    """Until it overturns."""
+    side: Integers
+    during: Integers
+    """Impacts and side at the pulse's end, as one number."""
+    margin: Floats
+
+
+class Found(NamedTuple):
+    """The windows at one frequency, in ascending order: arrays of shape (windows,)."""
+
+    low: Floats
+    high: Floats
+    impacts: Integers
+    side: Integers
+    undecided: int
+    """Amplitudes whose fate the march could not decide; each counts as one that stands."""
+    tried: int
+    unsettled: int
+    """Intervals in which a window might still hide when the search ended."""
+
+
+def scan(
+    follow: Callable[[Floats], Fates],
+    low: float,
+    high: float,
+    step: float,
+    *,
+    uplifts: Sequence[float] = (1.0,),
+    keep: int = 1000,
+    rough: Callable[[Floats], Fates] | None = None,
+    closest: float = 0.0,
+) -> Found:
+    """Return every window between two amplitudes.
+
+    Parameters
+    ----------
+    follow
+        Returns the fates at some amplitudes.
+    low, high
+        Ends of the range, in units of alpha g.
+    step
+        Largest distance of neighbours on the grid, as a part of the amplitude.
+    uplifts
+        Amplitudes at which a side of the block lifts; below all of them it rests.
+    keep
+        Of how many windows, the widest, the ends are wanted to rounding; those of others are found
+        to within the steps of the search.
+    rough
+        Returns fates that are nearly right and come at less cost, for the search; without, `follow`
+        does.  The borders found with it are moved to where `follow` has them.
+    closest
+        Part of an amplitude to which borders are wanted; 0 (default) for rounding.
+    """
+    amplitude = first_grid(low, high, step, uplifts)
+    looked = follow if rough is None else rough
+    fates, left = looked(amplitude), MOST
+    doubtful = np.flatnonzero(_doubtful(amplitude, fates))
+    while doubtful.size and left:
+        width = np.diff(amplitude)[doubtful] / amplitude[doubtful + 1]
+        where = np.sort(doubtful[np.argsort(-width, kind="stable")[:left]])
+        amplitude, fates = _with_middles(looked, amplitude, fates, where)
+        left -= len(where)
+        doubtful = np.flatnonzero(_doubtful(amplitude, fates))
+    if rough is not None:
+        amplitude = amplitude[_kept(fates)]
+        fates = follow(amplitude)
+    return _windows(follow, amplitude, fates, len(doubtful), keep, closest)
+
+
+def first_grid(low: float, high: float, step: float, uplifts: Sequence[float] = (1.0,)) -> Floats:
+    """Return the amplitudes of the first round, ends included.
+
+    No block lifts at the lowest uplift or below, so that nothing is tried there but the lower end.
+    """
+    floor = max(low, min(uplifts))
+    if high <= floor:
+        return np.unique([low, high])
+    count = int(np.ceil(np.log(high / floor) / np.log1p(step))) + 1
+    parts = [np.array([low]), np.geomspace(floor, high, max(count, 2))]
+    for uplift in sorted(set(uplifts)):
+        nearest, furthest = max(floor - uplift, NEAREST * uplift), high - uplift
+        if furthest > nearest:
+            decades = np.log10(furthest / nearest)
+            parts.append(
+                uplift + np.geomspace(nearest, furthest, int(np.ceil(DECADE * decades)) + 1)
+            )
+    # Ends that rounding has moved, and neighbours that it has made one.
+    return np.unique(np.clip(np.concatenate(parts), low, high))
+
+
+def _doubtful(amplitude: Floats, fates: Fates) -> NDArray[np.bool_]:
+    """Return which intervals are to be halved, shape (amplitudes - 1,)."""
+    margin = np.where(fates.overturns, -fates.margin, fates.margin)  # its distance from zero, < 0
+    lifted = fates.overturns | (margin > -1.0)  # -1 is that of a block at rest
+    inner = slice(1, -1)
+    hump = np.zeros(len(amplitude), dtype=np.bool_)
+    hump[inner] = (
+        lifted[inner]
+        & (margin[inner] > margin[:-2])  # of a plateau only its beginning
+        & (margin[inner] >= margin[2:])
+        & (fates.overturns[inner] == fates.overturns[:-2])
+        & (fates.overturns[inner] == fates.overturns[2:])
+    )
+    width = np.diff(amplitude)
+    drop = np.abs(np.diff(margin))
+    stands_out = np.maximum(np.append(drop, 0.0), np.append(0.0, drop))
+    high = hump & (margin + HIGHER * stands_out > 0.0)
+    hump &= margin + MUCH_HIGHER * stands_out > 0.0
+    finest, fine = width > FINEST * amplitude[1:], width > FINE * amplitude[1:]
+    doubtful: NDArray[np.bool_] = (
+        ((high[:-1] | high[1:]) & finest)
+        | ((_differ(fates, during=True) | _steep(width, margin) | hump[:-1] | hump[1:]) & fine)
+        | ((_many(fates) | (np.diff(fates.during) != 0)) & (width > COARSE * amplitude[1:]))
+    )
+    return doubtful
+
+
+def _steep(width: Floats, margin: Floats) -> NDArray[np.bool_]:
+    """Return in which intervals the margin may come to zero if it is nowhere steeper than around.
+
+    Shape (amplitudes - 1,); of the margin's distance from zero, below 0, shape (amplitudes,).
+    """
+    slope = np.abs(np.diff(margin)) / width
+    around = np.maximum(np.maximum(slope, np.append(slope[1:], 0.0)), np.append(0.0, slope[:-1]))
+    reach: NDArray[np.bool_] = np.maximum(margin[1:], margin[:-1]) + STEEPER * around * width > 0.0
+    return reach
+
+
+def _many(fates: Fates) -> NDArray[np.bool_]:
+    """Return between which neighbours the block falls after very many impacts."""
+    late = fates.overturns & (fates.impacts >= MANY)
+    both: NDArray[np.bool_] = late[1:] & late[:-1]
+    return both
+
+
+def _differ(fates: Fates, *, during: bool) -> NDArray[np.bool_]:
+    """Return between which neighbours the way of overturning changes, or what leads to it."""
+    columns = [fates.overturns, fates.impacts * fates.overturns, fates.side]
+    if during:
+        columns.append(np.minimum(fates.during, 3 * MANY + 3))
+    found = np.zeros(len(fates.overturns) - 1, dtype=np.bool_)
+    for column in columns:
+        found |= column[1:] != column[:-1]
+    return found
+
+
+def _with_middles(
+    follow: Callable[[Floats], Fates], amplitude: Floats, fates: Fates, where: Integers
+) -> tuple[Floats, Fates]:
+    """Return amplitudes and fates with the middle of some intervals among them."""
+    middle = 0.5 * (amplitude[where] + amplitude[where + 1])
+    more, count = follow(middle), len(amplitude)
+    order = np.insert(np.arange(count), where + 1, np.arange(count, count + len(where)))
+    merged = (np.concatenate([column, new])[order] for column, new in zip(fates, more, strict=True))
+    return np.concatenate([amplitude, middle])[order], Fates(*merged)
+
+
+def _windows(
+    follow: Callable[[Floats], Fates],
+    amplitude: Floats,
+    fates: Fates,
+    left: int,
+    keep: int,
+    closest: float,
+) -> Found:
+    """Return the windows that amplitudes close enough show, the borders of the widest to rounding.
+
+    All intervals whose ends differ are halved together; where a third way turns up between two,
+    both halves go on.
+    """
+    tried, undecided = len(amplitude), int((~fates.decided).sum())
+    kept = _kept(fates)
+    amplitude, fates = amplitude[kept], _at(fates, kept)
+    while True:
+        where = np.flatnonzero(_differ(fates, during=False))
+        starts = np.concatenate([[0], where + 1])
+        stops = np.concatenate([where, [len(amplitude) - 1]])
+        falls = fates.overturns[starts]
+        wide = _may_be_widest(amplitude, starts, stops, falls, keep)
+        apart = where[(wide[:-1] | wide[1:]) & _apart(amplitude, where, closest)]
+        if not apart.size:
+            break
+        amplitude, fates = _with_middles(follow, amplitude, fates, apart)
+        tried += len(apart)
+    starts, stops = starts[falls], stops[falls]
+    # A window begins at the first amplitude known to be in it.  Two that touch share the border.
+    low, high = amplitude[starts], amplitude[stops]
+    touching = np.flatnonzero(starts[1:] == stops[:-1] + 1)
+    high[touching] = low[touching + 1]
+    return Found(low, high, fates.impacts[starts], fates.side[starts], undecided, tried, left)
+
+
+def _at(fates: Fates, places: Integers) -> Fates:
+    """Return some of the fates."""
+    return Fates._make(column[places] for column in fates)
+
+
+def _kept(fates: Fates) -> Integers:
+    """Return the places of the ends and of both sides of every border: they say it all."""
+    where = np.flatnonzero(_differ(fates, during=False))
+    return np.unique(np.concatenate([[0, len(fates.overturns) - 1], where, where + 1]))
+
+
+def _may_be_widest(
+    amplitude: Floats, starts: Integers, stops: Integers, falls: NDArray[np.bool_], keep: int
+) -> NDArray[np.bool_]:
+    """Return which stretches of one fate are windows that may be among the widest, shape (n,)."""
+    if falls.sum() <= keep:
+        return falls
+    before, after = np.maximum(starts - 1, 0), np.minimum(stops + 1, len(amplitude) - 1)
+    least = np.sort((amplitude[stops] - amplitude[starts])[falls])[-keep]
+    found: NDArray[np.bool_] = falls & (amplitude[after] - amplitude[before] >= least)
+    return found
+
+
+def _apart(amplitude: Floats, where: Integers, closest: float) -> NDArray[np.bool_]:
+    """Return which intervals are wider than a part of them, or than the last digits."""
+    high = amplitude[where + 1]
+    found: NDArray[np.bool_] = high - amplitude[where] > np.maximum(
+        4.0 * np.spacing(high), closest * high
+    )
+    return found

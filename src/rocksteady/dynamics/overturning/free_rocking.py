@@ -1,0 +1,211 @@
+r"""Free rocking on a still base in closed form: period, decay, equivalent damping.
+
+Of slender blocks (the linear model), or of a given slenderness by the full equations, with phi =
+theta/alpha and time as p t.
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.arrays import real_array
+from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import restitution_value
+from rocksteady.model.blocks.sides import alpha_value
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import in_range, whole_number
+
+Floats = NDArray[np.float64]
+
+MOST_IMPACTS = 1_000_000
+
+
+SLENDER = 1e-8
+"""Slenderness [rad] up to which the full equations are the linear ones to the last digit."""
+
+
+@checked
+def free_rocking_period(amplitude_ratio: ArrayLike, *, alpha: float | None = None) -> Floats:
+    r"""Return the period of free rocking of an amplitude, ``p T = 4 arccosh(1/(1 - phi0))``.
+
+    A block let go at phi0 reaches its base after a quarter of it, and without loss comes back after
+    all of it.  The smaller the amplitude the shorter the period; towards 1 it grows without bound.
+
+    Of a slenderness alpha it is an elliptic integral.  With ``w0 = alpha (1 - phi0)`` the angle to
+    the upright position at which the block is let go, energy gives ``dw/d(pt) = 2 sqrt(sin^2(w/2) -
+    sin^2(w0/2))``, and in Carlson's symmetric form [2]_ ::
+
+        p T = 4 X R_F(1, 1 + X^2 sin^2(w0/2), 1 + X^2),
+        X = sqrt(sin^2(alpha/2) - sin^2(w0/2))/(sin(w0/2) cos(alpha/2)).
+
+    Parameters
+    ----------
+    amplitude_ratio
+        phi0 = theta0/alpha, in [0, 1).
+    alpha
+        Slenderness [rad], in (0, pi/2), for the full equations; left out, the block is slender
+        (the linear model).
+
+    Returns
+    -------
+    ndarray
+        p T, in the shape of `amplitude_ratio`; over p it is in seconds.
+
+    Raises
+    ------
+    InputError
+        If an amplitude is outside [0, 1), or the slenderness outside (0, pi/2).
+
+    References
+    ----------
+    .. [1] G. W. Housner, Bull. Seism. Soc. Am. 53, 403-417 (1963).
+    .. [2] B. C. Carlson, Numerical computation of real or complex elliptic integrals, Numerical
+       Algorithms 10, 13-26 (1995).
+
+    Examples
+    --------
+    >>> free_rocking_period([0.1, 0.5, 0.9]).round(6)
+    array([ 1.868581,  5.267832, 11.972891])
+    >>> free_rocking_period([0.1, 0.5, 0.9], alpha=0.2).round(6)
+    array([ 1.873831,  5.274018, 11.976509])
+    """
+    phi = real_array("amplitude_ratio", amplitude_ratio)
+    for value in phi[~((phi >= 0.0) & (phi < 1.0))][:1].tolist():
+        _ratio(value)
+    if alpha is not None and alpha_value(alpha) > SLENDER:
+        return _tilting_period(phi, float(alpha))
+    # arccosh(1/c) = arcsinh(sqrt(1 - c^2)/c), which keeps the digits of a small phi and of 1 - phi
+    period: Floats = 4.0 * np.arcsinh(np.sqrt(phi * (2.0 - phi)) / (1.0 - phi))
+    return period
+
+
+@checked
+def free_rocking_peaks(
+    amplitude_ratio: float, restitution: float, impacts: int, *, alpha: float | None = None
+) -> Floats:
+    r"""Return how the peaks of free rocking decay from impact to impact.
+
+    Each impact keeps the part r = restitution^2 of the energy ``1 - (1 - phi)^2``, so that after n
+    of them ``phi_n = 1 - sqrt(1 - r^n (1 - (1 - phi0)^2))``.  Of a slenderness alpha the energy is
+    ``cos(alpha (1 - phi)) - cos(alpha)``.
+
+    Parameters
+    ----------
+    amplitude_ratio
+        phi0 = theta0/alpha at which the block is let go, in [0, 1].
+    restitution
+        Ratio of angular velocities, in (0, 1]; the literature's r is its square.
+    impacts
+        How many, up to a million.
+    alpha
+        Slenderness [rad], in (0, pi/2), for the full equations; left out, the block is slender.
+
+    Returns
+    -------
+    ndarray, shape (impacts + 1,)
+        |theta|/alpha of the peaks, the first one phi0.
+
+    Raises
+    ------
+    InputError
+        If an argument is outside its range.
+
+    References
+    ----------
+    G. W. Housner, Bull. Seism. Soc. Am. 53, 403-417 (1963).
+
+    Examples
+    --------
+    >>> free_rocking_peaks(1.0, 0.7**0.5, 4).round(4)
+    array([1.    , 0.4523, 0.2859, 0.1894, 0.1283])
+    >>> free_rocking_peaks(1.0, 0.7**0.5, 4, alpha=0.5).round(4)
+    array([1.    , 0.4563, 0.2895, 0.1924, 0.1305])
+    """
+    hint = "give theta0/alpha, as 0.5"
+    phi = in_range("amplitude_ratio", amplitude_ratio, 0.0, 1.0, "[]", hint=hint)
+    ratio = restitution_value(restitution)
+    hint = "give a number of impacts"
+    count = whole_number("impacts", impacts, at_least=0, at_most=MOST_IMPACTS, hint=hint)
+    kept = np.power(ratio, 2.0 * np.arange(count + 1), dtype=np.float64)
+    if alpha is not None and alpha_value(alpha) > SLENDER:
+        return _tilting_peaks(phi, kept, float(alpha))
+    energy = phi * (2.0 - phi) * kept
+    # 1 - sqrt(1 - q) without its cancellation
+    peaks: Floats = energy / (1.0 + np.sqrt(np.maximum(1.0 - energy, 0.0)))
+    return peaks
+
+
+@checked
+def equivalent_damping(restitution: ArrayLike) -> Floats:
+    r"""Return the damping ratio of an oscillator that decays about as free rocking does.
+
+    ``beta = -0.34 ln(r)`` with r = restitution^2, the ratio of kinetic energies [2]_, a fit to the
+    decay over several cycles that [1]_ draws.  It is a number of the literature that stands for a
+    whole decay, not a property of the block: the two systems differ, and [2]_ warns of replacing
+    one by the other.
+
+    Parameters
+    ----------
+    restitution
+        Ratio of angular velocities, in (0, 1].
+
+    Returns
+    -------
+    ndarray
+        beta, 1 being critical, in the shape of `restitution`.
+
+    Raises
+    ------
+    InputError
+        If a restitution is outside (0, 1].
+
+    References
+    ----------
+    .. [1] M. J. N. Priestley, R. J. Evison and A. J. Carr, Bull. N. Z. Nat. Soc. Earthq. Eng. 11,
+       141-150 (1978).
+    .. [2] N. Makris and D. Konstantinidis, Earthq. Eng. Struct. Dyn. 32, 265-289 (2003).
+
+    Examples
+    --------
+    >>> from math import radians
+    >>> from rocksteady import housner_restitution
+    >>> ratios = [housner_restitution(radians(angle)) for angle in (10, 15, 20)]
+    >>> (100 * equivalent_damping(ratios)).round(3)
+    array([ 3.147,  7.201, 13.12 ])
+    """
+    ratio = real_array("restitution", restitution)
+    for value in ratio[~((ratio > 0.0) & (ratio <= 1.0))][:1].tolist():
+        restitution_value(value)
+    damping: Floats = np.abs(-0.68 * np.log(ratio))  # of 1 it is 0, not -0
+    return damping
+
+
+def _tilting_period(phi: Floats, alpha: float) -> Floats:
+    """Return the period by the full equations; the arguments are checked."""
+    from scipy.special import elliprf
+
+    upright = np.sin(0.5 * alpha * (1.0 - phi))
+    # sin^2(alpha/2) - sin^2(w0/2) as a product, which keeps the digits of a small phi
+    reach = np.sqrt(np.sin(alpha * (1.0 - 0.5 * phi)) * np.sin(0.5 * alpha * phi))
+    reach /= upright * math.cos(0.5 * alpha)
+    period: Floats = 4.0 * reach * elliprf(1.0, 1.0 + (reach * upright) ** 2, 1.0 + reach**2)
+    return period
+
+
+def _tilting_peaks(phi: float, kept: Floats, alpha: float) -> Floats:
+    """Return the peaks by the full equations, from the parts of the energy that are kept."""
+    sine, cosine = math.sin(0.5 * alpha), math.cos(0.5 * alpha)
+    half_energy = math.sin(alpha * (1.0 - 0.5 * phi)) * math.sin(0.5 * alpha * phi) * kept
+    # asin(sine) - asin(upright) as one, which keeps the digits of a small peak
+    square = np.maximum(sine * sine - half_energy, 0.0)
+    fall = half_energy / (sine * np.sqrt(1.0 - square) + np.sqrt(square) * cosine)
+    peaks: Floats = 2.0 * np.arcsin(fall) / alpha
+    return peaks
+
+
+def _ratio(value: object) -> None:
+    """Refuse an amplitude outside [0, 1)."""
+    hint = "give theta0/alpha, as 0.5"
+    in_range("amplitude_ratio", value, 0.0, 1.0, "[)", hint=hint)
+    raise InputError(name="amplitude_ratio", value=value, valid="it must be a number", hint=hint)

@@ -1,0 +1,134 @@
+"""Response curves: the peak of a symmetric steady state against frequency (Figs 5 to 7)."""
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.arrays import real_array
+from rocksteady.dynamics.steady.states import (
+    SteadyStates,
+    refuse_unlike_sides,
+    steady_states,
+    validated_branch,
+)
+from rocksteady.errors import ModelError, Words
+from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.validation import positive
+
+Floats = NDArray[np.float64]
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ResponseCurve:
+    """Peak of one branch against frequency, arrays of shape (frequencies,).
+
+    Attributes
+    ----------
+    frequency_ratio
+        Omega.
+    frequency_hz
+        The same for the block [Hz]; None for a dimensionless one.
+    peak
+        Largest u = theta/alpha of the half cycle; nan where there is no admissible solution.
+    stable
+        Whether it is stable.
+    branch
+        1 or 2.
+    states
+        The steady states from which it was read.
+    """
+
+    frequency_ratio: Floats
+    frequency_hz: Floats | None
+    peak: Floats
+    stable: NDArray[np.bool_]
+    branch: int
+    states: SteadyStates
+
+
+@checked
+def response_curve(
+    block: Block | DimensionlessBlock,
+    amplitude: float,
+    *,
+    frequency_ratio: ArrayLike | None = None,
+    frequency_hz: ArrayLike | None = None,
+    order: int = 1,
+    branch: Literal[1, 2] = 1,
+) -> ResponseCurve:
+    """Return the peak of a symmetric steady state over frequencies (eqs 7, 19, 21, 22).
+
+    Parameters
+    ----------
+    block
+        Its restitution counts and, for frequencies in Hz, its p (eqs 26, 27).
+    amplitude
+        A = a_max/(alpha g).
+    frequency_ratio, frequency_hz
+        Give one of them, shape (frequencies,): Omega, or Hz for a `Block`.
+    order
+        n = 1, 3, 5, ...
+    branch
+        1 or 2.
+
+    Returns
+    -------
+    ResponseCurve
+        Peaks, stability and both abscissas, arrays of shape (frequencies,).
+
+    Raises
+    ------
+    InputError
+        If a number is outside its range.
+    ModelError
+        If not exactly one kind of frequency is given, Hz for a dimensionless block, or a block
+        whose sides differ.
+
+    Examples
+    --------
+    >>> block = Block.from_p(alpha=0.2, p=6.283185307179586, restitution=0.8)
+    >>> curve = response_curve(block, 3.0, frequency_hz=[3.0, 4.0, 8.0])
+    >>> print(curve.frequency_ratio.round(12), curve.peak.round(5))
+    [3. 4. 8.] [0.41518 0.24397 0.06373]
+    """
+    if (frequency_ratio is None) == (frequency_hz is None):
+        raise ModelError(
+            name="frequency_ratio, frequency_hz",
+            value=Words("are both missing" if frequency_hz is None else "are both given"),
+            valid="exactly one of the two says at which frequencies",
+            hint="give frequency_ratio (omega/p), or frequency_hz for a Block",
+        )
+    branch = validated_branch(branch)
+    if frequency_hz is not None:
+        if not isinstance(block, Block):
+            raise ModelError(
+                name="frequency_hz",
+                value=frequency_hz,
+                valid="hertz need a block with a frequency parameter p",
+                hint="give a Block, or frequency_ratio",
+            )
+        hertz = np.atleast_1d(real_array("frequency_hz", frequency_hz))
+        for value in hertz[~(np.isfinite(hertz) & (hertz > 0.0))][:1]:
+            positive("frequency_hz", value, hint="give the frequency in Hz")
+        ratios = 2.0 * math.pi * hertz / block.p
+    else:
+        assert frequency_ratio is not None
+        ratios = np.atleast_1d(real_array("frequency_ratio", frequency_ratio))
+    refuse_unlike_sides(block, "block", "a response curve")
+    states = steady_states(amplitude, ratios, block.dimensionless().restitution, order=order)
+    assert states.peak is not None
+    assert states.admissible is not None
+    which = branch - 1
+    return ResponseCurve(
+        frequency_ratio=ratios,
+        frequency_hz=ratios * block.p / (2.0 * math.pi) if isinstance(block, Block) else None,
+        peak=np.where(states.admissible[which], states.peak[which], math.nan),
+        stable=states.stable[which],
+        branch=branch,
+        states=states,
+    )

@@ -1,0 +1,419 @@
+"""Symmetric steady states in closed form, over arrays of amplitude, frequency and restitution.
+
+A symmetric steady state repeats itself, mirrored, after n half periods of the shaking; n = 1 is the
+harmonic response and n = 3 the 1/3 subharmonic.  Wherever one exists there are two, the branches of
+eqs 21 and 22 of Tso and Wong (1989); here both are given, with what the algebra does not see:
+whether the block would pass through the floor on the way, and whether the motion is stable.
+"""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from numbers import Integral
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.arrays import order_of_orbit, validated_grid
+from rocksteady.dynamics.steady.regions import REGIONS
+from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.kernels.orbits.closed_form import fill_half_cycle, fill_steady, symmetric_orbit
+from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.arrays import scalar_of
+from rocksteady.model.checks.validation import finite, whole_number
+
+if TYPE_CHECKING:
+    import xarray
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+BRANCHES = (1, 2)
+
+
+def validated_branch(branch: object) -> Literal[1, 2]:
+    """Return the number of a branch, 1 or 2, as an int.
+
+    Parameters
+    ----------
+    branch
+        1 or 2: the upper or the lower signs of eqs 21 and 22.
+
+    Returns
+    -------
+    int
+        The same.
+
+    Raises
+    ------
+    InputError
+        If it is neither; 1.0 and True are refused.
+
+    Examples
+    --------
+    >>> validated_branch(2)
+    2
+    """
+    number = scalar_of(branch)
+    whole = isinstance(number, Integral) and not isinstance(number, bool)
+    if not whole or number not in BRANCHES:
+        raise InputError(
+            name="branch", value=branch, valid="there are two branches", hint="give 1 or 2"
+        )
+    return 1 if number == 1 else 2
+
+
+def refuse_unlike_sides(block: Block | DimensionlessBlock, name: str, what: str) -> None:
+    """Refuse a block whose sides differ for what only the closed forms know.
+
+    Parameters
+    ----------
+    block
+        Any.
+    name, what
+        The argument that is refused, and what is asked for, in words.
+
+    Raises
+    ------
+    ModelError
+        If it is asymmetric.
+    """
+    if not block.symmetric:
+        raise ModelError(
+            name=name,
+            value=Words("is asymmetric" if name == "block" else "is a steady state"),
+            valid=f"{what} comes from the closed forms of symmetric motions, whose second half "
+            "mirrors the first; a block whose sides differ has none",
+            hint="its periodic motions are found by `orbits`",
+        )
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SteadyStates:
+    """Both symmetric steady states at each point of a grid.
+
+    Arrays named below without a branch have the broadcast shape of the inputs, ``grid``; those of
+    the solutions have shape ``(2, *grid)``, branch 1 first, and are nan (False, 0) where there is
+    no solution.
+
+    Attributes
+    ----------
+    amplitude, frequency_ratio, restitution, order
+        The inputs, broadcast against each other.
+    region
+        1 to 5 (Figs 3, 4); no solution in 4.
+    existence, sign, kind
+        Boundaries in amplitude: eq 23, below which nothing exists; eq 24, above which the phase of
+        branch 2 is negative; eq 25, above which branch 1 is out of phase.
+    phase
+        Phase of the shaking at the impact that begins a positive half cycle, in (-pi, pi] [rad]
+        (eqs 21, 22).
+    velocity
+        du/dtau just after that impact (eq 19), u = theta/alpha.
+    trace
+        Trace of the half-cycle map of (phase, velocity); its determinant is restitution^2.
+    peak, extrema
+        Largest u among the extrema of the positive half cycle, and their number; None without
+        `shapes`.  Of an inadmissible orbit that begins downwards it may be negative.
+    admissible
+        Whether the half cycle stays above the floor; None without `shapes`.
+    """
+
+    amplitude: Floats
+    frequency_ratio: Floats
+    restitution: Floats
+    order: NDArray[np.int64]
+    region: NDArray[np.int64]
+    existence: Floats
+    sign: Floats
+    kind: Floats
+    phase: Floats
+    velocity: Floats
+    trace: Floats
+    peak: Floats | None
+    extrema: NDArray[np.int64] | None
+    admissible: Bools | None
+
+    @cached_property
+    def in_phase(self) -> Bools:
+        """Whether |phase| < pi/2; the other solutions are out of phase with the shaking."""
+        result: Bools = np.abs(self.phase) < 0.5 * math.pi
+        return result
+
+    @cached_property
+    def multipliers(self) -> NDArray[np.complex128]:
+        """Multipliers of the half cycle, shape (2, *grid, 2), the larger in modulus first.
+
+        They are the roots of ``m^2 - trace m + restitution^2``; a pair of equal modulus comes with
+        the positive imaginary part first.  The full orbit's are their squares.
+        """
+        half = 0.5 * self.trace
+        product = np.broadcast_to(self.restitution**2, half.shape)
+        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+            # sqrt(half^2 - product) without squaring a trace near the overflow
+            ratio = self.restitution / np.abs(half)
+            real = np.abs(half) >= self.restitution
+            root = np.abs(half) * np.sqrt(np.where(real, (1.0 - ratio) * (1.0 + ratio), 0.0))
+            large = half + np.copysign(root, half)
+            turn = np.sqrt(np.maximum(product - half * half, 0.0))
+            first = np.where(real, large + 0j, half + 1j * np.where(real, 0.0, turn))
+            second = np.where(real, product / large + 0j, np.conj(first))
+        nothing = np.isnan(half)
+        first[nothing] = second[nothing] = complex(math.nan, 0.0)
+        return np.stack([first, second], axis=-1)
+
+    @cached_property
+    def neutral(self) -> Bools:
+        """Whether both multipliers have modulus 1: restitution 1 and |trace| < 2."""
+        neutral: Bools = (np.abs(self.trace) < 2.0) & (self.restitution == 1.0) & self._allowed
+        return neutral
+
+    @cached_property
+    def stable(self) -> Bools:
+        """Whether the orbit is admissible and both multipliers lie inside the unit circle.
+
+        That is so where ``|trace| < 1 + restitution^2``; a neutral orbit is not stable.
+        """
+        inside: Bools = np.abs(self.trace) < 1.0 + self.restitution**2
+        stable: Bools = inside & (self.restitution < 1.0) & self._allowed
+        return stable
+
+    @property
+    def _allowed(self) -> Bools:
+        if self.admissible is None:
+            message = "stability needs admissibility: call steady_states(..., shapes=True)"
+            raise AttributeError(message)
+        return self.admissible
+
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return everything as an xarray Dataset with dimensions branch and grid_0, grid_1, ...
+
+        Returns
+        -------
+        xarray.Dataset
+            Inputs, region and boundaries over the grid; phase [rad], velocity and the rest over
+            branch and grid, those that need shapes only where there are any.
+
+        Examples
+        --------
+        >>> data = steady_states([1.0, 2.0], 4.0, 0.8).to_dataset()
+        >>> print(data.phase.dims, data.phase.attrs["units"])
+        ('branch', 'grid_0') rad
+        """
+        import xarray
+
+        dims = tuple(f"grid_{axis}" for axis in range(self.region.ndim))
+        units = {"phase": "rad"}
+        variables: dict[str, Any] = {}
+        for name in ("amplitude", "frequency_ratio", "restitution", "order"):
+            variables[name] = (dims, getattr(self, name), {"units": "1"})
+        meanings = " ".join(f"region_{number}" for number in REGIONS)
+        flags = {"flag_values": list(REGIONS), "flag_meanings": meanings, "units": "1"}
+        descriptions = "; ".join(f"{number}: {text}" for number, text in REGIONS.items())
+        variables["region"] = (dims, self.region, {**flags, "description": descriptions})
+        for name in ("existence", "sign", "kind"):
+            variables[f"{name}_amplitude"] = (dims, getattr(self, name), {"units": "1"})
+        names = ["phase", "velocity", "trace", "in_phase"]
+        if self.admissible is not None:
+            names += ["peak", "extrema", "admissible", "stable", "neutral"]
+        for name in names:
+            attributes = {"units": units.get(name, "1")}
+            variables[name] = (("branch", *dims), getattr(self, name), attributes)
+        return xarray.Dataset(variables, coords={"branch": list(BRANCHES)})
+
+
+@checked
+def steady_states(
+    amplitude: ArrayLike,
+    frequency_ratio: ArrayLike,
+    restitution: ArrayLike,
+    *,
+    order: ArrayLike = 1,
+    shapes: bool = True,
+) -> SteadyStates:
+    """Return both branches of symmetric steady states (eqs 12 to 25) over broadcast arrays.
+
+    They are those of symmetric blocks, of which the restitution is all that counts; the periodic
+    motions of an asymmetric one are found by `rocksteady.orbits`.
+
+    Parameters
+    ----------
+    amplitude
+        A = a_max / (alpha g), from 0 to 1e50.
+    frequency_ratio
+        Omega = omega / p, from 0.01 to 10 000.
+    restitution
+        Ratio of angular velocities, in (0, 1].
+    order
+        n = 1, 3, 5, ...: half periods of the shaking in one half cycle.
+    shapes
+        Whether to follow the half cycles for peaks, extrema and admissibility, without which
+        stability has no meaning.  Phase, velocity and trace alone are some ten times faster.
+
+    Returns
+    -------
+    SteadyStates
+        Arrays of shape (2, *grid) for the solutions.
+
+    Raises
+    ------
+    InputError
+        If a value is outside its range, or an order is even.
+
+    References
+    ----------
+    W. K. Tso and C. M. Wong, Earthquake Eng. Struct. Dyn. 18, 89-106 (1989).
+
+    Examples
+    --------
+    >>> states = steady_states(2.0, 4.0, 0.8)
+    >>> print(states.region, states.phase.round(6), states.velocity.round(6))
+    2 [ 2.846543 -0.03411 ] [ 0.183097 -0.021473]
+    >>> print(states.admissible, states.stable, states.peak[0].round(6))
+    [ True False] [ True False] 0.185499
+    """
+    amplitudes, ratios, restitutions, orders = validated_grid(
+        amplitude, frequency_ratio, restitution, order
+    )
+    shape = amplitudes.shape
+    size = amplitudes.size
+    region = np.empty(size, dtype=np.int64)
+    boundaries = np.empty((3, size))
+    phase, velocity, trace = (np.empty((2, size)) for _ in range(3))
+    peak = np.empty((2, size if shapes else 0))
+    extrema = np.zeros(peak.shape, dtype=np.int64)
+    admissible = np.zeros(peak.shape, dtype=np.bool_)
+    fill_steady(
+        amplitudes.ravel(),
+        ratios.ravel(),
+        restitutions.ravel(),
+        orders.ravel(),
+        shapes,
+        region,
+        boundaries,
+        phase,
+        velocity,
+        trace,
+        peak,
+        extrema,
+        admissible,
+    )
+    grid = (2, *shape)
+    return SteadyStates(
+        amplitude=amplitudes,
+        frequency_ratio=ratios,
+        restitution=restitutions,
+        order=orders,
+        region=region.reshape(shape),
+        existence=boundaries[0].reshape(shape),
+        sign=boundaries[1].reshape(shape),
+        kind=boundaries[2].reshape(shape),
+        phase=phase.reshape(grid),
+        velocity=velocity.reshape(grid),
+        trace=trace.reshape(grid),
+        peak=peak.reshape(grid) if shapes else None,
+        extrema=extrema.reshape(grid) if shapes else None,
+        admissible=admissible.reshape(grid) if shapes else None,
+    )
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SteadyOrbit:
+    """One full period of a symmetric steady state of the algebra, arrays of shape (samples,).
+
+    Attributes
+    ----------
+    tau
+        omega t from the impact that begins the positive half, 0 to 2 n pi.
+    angle, velocity
+        u = theta/alpha and du/dtau; the second half is the first one mirrored.
+    excitation
+        Base acceleration in units of alpha g.
+    """
+
+    tau: Floats
+    angle: Floats
+    velocity: Floats
+    excitation: Floats
+
+
+@checked
+def steady_orbit(
+    amplitude: float,
+    frequency_ratio: float,
+    restitution: float,
+    *,
+    order: int = 1,
+    branch: int = 1,
+    samples: int = 801,
+) -> SteadyOrbit:
+    """Return one period of a symmetric steady state, admissible or not (eqs 7, 8, 14, 15).
+
+    Parameters
+    ----------
+    amplitude, frequency_ratio, restitution, order
+        As for `steady_states`, one number each.
+    branch
+        1 or 2.
+    samples
+        Number of equally spaced times, odd so that the impact in the middle is one of them; 3 or
+        more.
+
+    Returns
+    -------
+    SteadyOrbit
+        Arrays of shape (samples,) over tau = omega t from 0 to 2 n pi.
+
+    Raises
+    ------
+    InputError
+        If a value is outside its range, or there is no solution.
+
+    Examples
+    --------
+    >>> orbit = steady_orbit(2.0, 4.0, 0.8)
+    >>> print(f"{orbit.angle.max():.5f} {orbit.angle.min():.5f}")
+    0.18550 -0.18550
+    """
+    for name, value in (
+        ("amplitude", amplitude),
+        ("frequency_ratio", frequency_ratio),
+        ("restitution", restitution),
+    ):
+        finite(name, value, hint="give one number")
+    order = order_of_orbit(order)
+    which = validated_branch(branch)
+    count = whole_number(
+        "samples", samples, at_least=3, at_most=999_999, hint="give an odd number, as 801"
+    )
+    if count % 2 == 0:
+        raise InputError(
+            name="samples",
+            value=samples,
+            valid="it must be odd, so that the impact in the middle is a sample",
+            hint="give an odd number, as 801",
+        )
+    a, w, r, n = validated_grid(amplitude, frequency_ratio, restitution, order)
+    states = steady_states(a, w, r, order=n, shapes=False)
+    if states.region == 4:
+        raise InputError(
+            name="amplitude",
+            value=amplitude,
+            valid=f"a symmetric steady state needs {float(states.existence):.6g} or above (eq 23)",
+            hint="raise the amplitude, or lower the frequency ratio",
+        )
+    orbit = symmetric_orbit(float(a), float(w), float(r), int(n), which)
+    half = (count + 1) // 2
+    length = int(n) * math.pi
+    tau = np.linspace(0.0, length, half)
+    motion = np.empty((2, half))
+    fill_half_cycle(float(a), float(w), int(n), orbit, tau / float(w), motion)
+    angle = np.concatenate([motion[0], -motion[0, 1:]])
+    velocity = np.concatenate([motion[1], -motion[1, 1:]]) / float(w)
+    tau = np.concatenate([tau, length + tau[1:]])
+    return SteadyOrbit(
+        tau=tau, angle=angle, velocity=velocity, excitation=float(a) * np.sin(tau + orbit.phase)
+    )

@@ -1,0 +1,121 @@
+"""What many motions settle to: the plain loop of `settle`, each cell independent of the others."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.core.compilation import compiled
+from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.orbits.periodic import (
+    ORBIT_COLUMNS,
+    OTHER_PEAK,
+    PEAK,
+    SIDE,
+    fill_peaks,
+    is_symmetric,
+    measured,
+    state_at,
+)
+from rocksteady.kernels.orbits.return_map import make_system
+from rocksteady.kernels.orbits.settle import LONGEST_ORBIT, MEMORY, PERIODIC, settle
+
+# Columns of the whole numbers of a cell.
+OUTCOME = 0
+ORBIT_SIDE = 1  # of a state on the orbit, whose phase and speed are below
+PASSAGES = 2
+PERIODS = 3
+RESTS = 4
+SYMMETRIC = 5
+AFTER = 6  # forcing periods until it was known
+WHOLE_COLUMNS = 7
+
+# Columns of its other numbers: nan where they mean nothing.
+ORBIT_PHASE = 0  # in [0, 2 pi)
+ORBIT_SPEED = 1
+HIGHEST = 2  # theta/alpha
+LOWEST = 3
+LYAPUNOV = 4
+LEAST = 5
+REAL_COLUMNS = 6
+
+
+@compiled
+def fill_clocks(phase: Floats, half_cycles: NDArray[np.int64], rest: Floats) -> None:
+    """Split phases into whole half cycles and rests in [0, pi), all of shape (cells,)."""
+    for i in range(len(phase)):
+        half_cycles[i], rest[i] = clock(phase[i])
+
+
+@compiled
+def settle_cells(
+    amplitude: Floats,
+    frequency_ratio: Floats,
+    sides: Floats,
+    side: NDArray[np.int64],
+    angle: Floats,
+    velocity: Floats,
+    half_cycles: NDArray[np.int64],
+    phase: Floats,
+    cycles: int,
+    whole: NDArray[np.int64],
+    real: Floats,
+) -> None:
+    """Follow motions until it is known what they settle to.
+
+    Parameters
+    ----------
+    amplitude, frequency_ratio
+        One value a cell, shape (cells,).
+    sides
+        Of the block of each cell, shape (cells, 2, 3) or, in the nonlinear model, (cells, 2, 5), as
+        in `rocksteady.kernels.core.tables`.
+    side, angle, velocity, half_cycles, phase
+        The state at the start, as in `rocksteady.kernels.march.march.March`; `side` 0 at rest.
+    cycles
+        Forcing periods after which a motion counts as unsettled.
+    whole, real
+        Receive the columns above, shape (cells, WHOLE_COLUMNS) and (cells, REAL_COLUMNS).
+    """
+    memory, table = np.empty((MEMORY, ORBIT_COLUMNS)), np.empty((LONGEST_ORBIT, ORBIT_COLUMNS))
+    for i in range(len(amplitude)):
+        system = make_system(amplitude[i], frequency_ratio[i], sides[i])
+        found = settle(
+            system,
+            side[i],
+            half_cycles[i],
+            phase[i],
+            angle[i],
+            velocity[i],
+            cycles,
+            memory,
+            table,
+        )
+        whole[i, :] = 0
+        real[i, :] = math.nan
+        whole[i, OUTCOME] = found.outcome
+        whole[i, AFTER] = found.after
+        real[i, LYAPUNOV] = found.lyapunov
+        real[i, LEAST] = found.least
+        if found.outcome != PERIODIC:
+            continue
+        passages, periods = found.passages, found.periods
+        # As for one orbit alone: the times that it leaves are where the peaks are searched from.
+        measured(system, passages, periods, table)
+        fill_peaks(system, passages, table)
+        highest = lowest = 0.0
+        for k in range(passages):
+            here, there = table[k, PEAK], table[k, OTHER_PEAK]
+            if table[k, SIDE] < 0.0:
+                here, there = there, here
+            highest, lowest = max(highest, here), max(lowest, there)
+        state = state_at(table, 0)
+        whole[i, ORBIT_SIDE] = state.side
+        whole[i, PASSAGES] = passages
+        whole[i, PERIODS] = periods
+        whole[i, RESTS] = found.rests
+        whole[i, SYMMETRIC] = 1 if is_symmetric(system, table, passages, periods) else 0
+        real[i, ORBIT_PHASE] = (state.half_cycles % 2) * math.pi + state.phase
+        real[i, ORBIT_SPEED] = state.speed
+        real[i, HIGHEST], real[i, LOWEST] = highest, 0.0 - lowest

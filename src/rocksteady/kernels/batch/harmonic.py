@@ -1,0 +1,139 @@
+"""The plain loop of the march over many cases, each independent of the others.
+
+Threads may run disjoint slices side by side: each cell is written by one loop only, so the result
+does not depend on how the cells are dealt out.
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.core.compilation import compiled
+from rocksteady.kernels.core.tables import NONLINEAR_SEGMENT_COLUMNS, SIDE_COLUMNS
+from rocksteady.kernels.march.march import (
+    AMPLITUDE,
+    CEILING,
+    DURATION,
+    FREQUENCY,
+    PHASE,
+    RESTITUTION,
+    ROW_COLUMNS,
+    Floats,
+    March,
+    march,
+)
+
+NO_LIMIT = 2**62
+
+
+@compiled
+def harmonic_segment(segments: Floats, amplitude: float, frequency: float, phase: float) -> None:
+    """Fill row 0 with endless harmonic shaking; `amplitude` and `frequency` as for the model."""
+    segments[0, :] = 0.0
+    segments[0, DURATION] = math.inf
+    segments[0, AMPLITUDE] = amplitude
+    segments[0, FREQUENCY] = frequency
+    segments[0, PHASE] = phase
+    segments[0, CEILING] = amplitude
+
+
+@compiled
+def fates_of_sides(
+    amplitude: Floats,
+    frequency_ratio: Floats,
+    sides: Floats,
+    angle: Floats,
+    velocity: Floats,
+    phase: Floats,
+    cycles: int,
+    most: int,
+    status: NDArray[np.int64],
+    impacts: NDArray[np.int64],
+    final: Floats,
+) -> None:
+    """March blocks under harmonic shaking and note how each ends.
+
+    Parameters
+    ----------
+    amplitude, frequency_ratio, angle, velocity, phase
+        One value a cell, shape (cells,); `velocity` is d(theta/alpha)/ds.
+    sides
+        Of the block of each cell, shape (cells, 2, 3) or, in the nonlinear model, (cells, 2, 5), as
+        in `rocksteady.kernels.core.tables`.
+    cycles
+        Forcing periods to run.
+    most
+        Flights after which a motion is given up as UNDECIDED.
+    status, impacts, final
+        Receive the status code, the number of impacts and, in shape (cells, 3), the final angle,
+        velocity and phase.
+    """
+    # On a base without vertical motion; the linear model does not look at its columns.
+    segments = np.zeros((1, NONLINEAR_SEGMENT_COLUMNS))
+    rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
+    for i in range(len(amplitude)):
+        harmonic_segment(segments, amplitude[i], frequency_ratio[i], phase[i])
+        half, start_phase = clock(phase[i])
+        side = 1
+        if angle[i] < 0.0 or (angle[i] == 0.0 and velocity[i] < 0.0):
+            side = -1
+        elif angle[i] == 0.0 and velocity[i] == 0.0:
+            side = 0
+        start = March(side, angle[i], velocity[i], 0, half, start_phase, 0, 0)
+        status[i], end = march(
+            segments,
+            sides[i],
+            start,
+            half + 2 * cycles,
+            start_phase,
+            math.inf,
+            most,
+            rows,
+            peaks,
+        )
+        impacts[i] = end.impacts
+        final[i, 0] = end.angle
+        final[i, 1] = end.velocity
+        final[i, 2] = end.phase
+
+
+@compiled
+def harmonic_fates(
+    amplitude: Floats,
+    frequency_ratio: Floats,
+    restitution: Floats,
+    angle: Floats,
+    velocity: Floats,
+    phase: Floats,
+    cycles: int,
+    status: NDArray[np.int64],
+    impacts: NDArray[np.int64],
+    final: Floats,
+) -> None:
+    """March symmetric blocks under harmonic shaking and note how each ends.
+
+    Parameters
+    ----------
+    restitution
+        One value a cell, shape (cells,).
+    amplitude, frequency_ratio, angle, velocity, phase, cycles, status, impacts, final
+        As for `fates_of_sides`.
+    """
+    sides = np.ones((len(amplitude), 2, SIDE_COLUMNS))
+    for i in range(len(amplitude)):
+        sides[i, :, RESTITUTION] = restitution[i]
+    fates_of_sides(
+        amplitude,
+        frequency_ratio,
+        sides,
+        angle,
+        velocity,
+        phase,
+        cycles,
+        NO_LIMIT,
+        status,
+        impacts,
+        final,
+    )

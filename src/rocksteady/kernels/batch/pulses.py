@@ -1,0 +1,220 @@
+"""The plain loop of the march over many sizes and frequencies of one pulse, up to its fate.
+
+The pulse stays as it is, of amplitude 1 and frequency ratio 1: to make it a times as strong is to
+divide the block's lean by a, to make it w times as fast to divide the block's rate by w.  Lean and
+rate are no more than units, so that this holds in the nonlinear model too: what its equation has of
+the block itself, the slenderness, is a column of its own.
+
+Each march ends with the pulse.  What follows on the still base, and the margin by which the block
+overturns or stands, is in closed form (`kernels.batch._still_base`).  A block that has bounced
+very often is not followed any longer where a bound shows that it stands
+(`rocksteady.kernels.batch._lossless_bound`).
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.kernels.batch._lossless_bound import largest_margin
+from rocksteady.kernels.batch._still_base import HALF_PI, NEAR, fate_on_still_base, over_the_top
+from rocksteady.kernels.core.clock import elapsed_time, segment_start, side_phase
+from rocksteady.kernels.core.compilation import compiled
+from rocksteady.kernels.core.tables import (
+    ALPHA,
+    AT_REST,
+    FREQUENCY,
+    LEAN,
+    LEFT_OUT,
+    OVERTURNED,
+    PEAK_ANGLE,
+    PEAK_COLUMNS,
+    RATE,
+    ROCKING,
+    ROW_COLUMNS,
+    ROW_DURATION,
+    UNDECIDED,
+    Floats,
+    March,
+    is_nonlinear,
+)
+from rocksteady.kernels.march.march import march
+from rocksteady.kernels.march.recorded import recorded_peaks
+from rocksteady.kernels.nonlinear.drive import side_drive
+from rocksteady.kernels.nonlinear.flight import fly
+from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS
+
+SOME = 200
+MANY = 2000
+"""Flights, besides one a segment, after which a proof that the block stands is tried."""
+STANDS = -1
+"""In place of a status: it is proved to stand, and has not been followed to the pulse's end."""
+LOST = 1.0
+"""Margin of a linear block that is lost before the pulse ends: how much has not been followed."""
+
+
+@compiled
+def pulse_fates(
+    segments: Floats,
+    sides: Floats,
+    amplitude: Floats,
+    frequency_ratio: Floats,
+    rest_velocity: float,
+    limit: int,
+    status: NDArray[np.int64],
+    impacts: NDArray[np.int64],
+    side: NDArray[np.int64],
+    during: NDArray[np.int64],
+    margin: Floats,
+) -> None:
+    """March a block from rest through a pulse of many sizes and note what becomes of it.
+
+    Parameters
+    ----------
+    segments
+        Table of the pulse of amplitude 1 and frequency ratio 1, without the still base that follows
+        it, shape (segments, 9); of the nonlinear model (segments, 12), with infinite ceilings.
+    sides
+        Of the block, shape (2, 3); of the nonlinear model (2, 5).
+    amplitude, frequency_ratio
+        Of the pulse, above 0, shape (cells,).
+    rest_velocity
+        Chatter slower than this, in the block's units, comes to rest as soon as that is proved.
+    limit
+        Flights, besides one a segment, after which a cell is UNDECIDED.
+    status
+        Receives AT_REST for whatever does not overturn, OVERTURNED or UNDECIDED.
+    impacts, side
+        Receive the impacts until overturning and its side; of what does not overturn, the impacts
+        while the pulse lasts, and 0.
+    during
+        Receives ``3 n + 1 + side`` of the n impacts and the side (or rest, 0) at the pulse's end.
+    margin
+        Receives how far beyond (above 0) or short of overturning the block is; nan if undecided.
+    """
+    nonlinear = is_nonlinear(sides)
+    own = sides.copy()
+    peaks = np.zeros(PEAK_COLUMNS if nonlinear else 0)
+    nobody = np.zeros(0)
+    half, phase = segment_start(segments, 0)
+    start = March(0, 0.0, 0.0, 0, half, phase, 0, 0)
+    for i in range(len(amplitude)):
+        lean, rate = 1.0 / amplitude[i], 1.0 / frequency_ratio[i]
+        for row in range(2):
+            own[row, LEAN] = sides[row, LEAN] * lean
+            own[row, RATE] = sides[row, RATE] * rate
+        peaks[:] = 0.0
+        code, end, bound = followed(
+            segments,
+            own,
+            start,
+            rest_velocity * lean * rate,
+            limit,
+            peaks,
+        )
+        status[i] = AT_REST
+        impacts[i] = end.impacts
+        side[i] = 0
+        during[i] = 3 * end.impacts + 1 + end.side
+        if code == STANDS:
+            margin[i] = bound
+            continue
+        if code not in (AT_REST, ROCKING, OVERTURNED):
+            status[i] = code
+            margin[i] = math.nan
+            continue
+        if code == OVERTURNED:
+            status[i] = OVERTURNED
+            side[i] = end.side
+            margin[i] = speed_at_the_floor(segments, own, end) if nonlinear else LOST
+            continue
+        margin[i] = -1.0
+        if code != AT_REST:
+            row = 0 if end.side > 0 else 1
+            unit = own[row, LEAN] * own[row, RATE]
+            fate = fate_on_still_base(
+                own, end.side, end.side * end.angle / own[row, LEAN], end.side * end.velocity / unit
+            )
+            margin[i] = fate.margin
+            if fate.margin > 0.0:
+                status[i] = OVERTURNED
+                impacts[i] = end.impacts + fate.impacts
+                side[i] = fate.side
+                continue
+        if nonlinear:
+            widest = max(sides[0, ALPHA], sides[1, ALPHA])
+            near = NEAR * (widest * peaks[PEAK_ANGLE] / HALF_PI - 1.0)
+            if sides[0, ALPHA] != sides[1, ALPHA] and near > margin[i]:
+                # The peak is in the alpha of its side, and which that was only rows tell.
+                rows = np.zeros((end.flights, ROW_COLUMNS))
+                flights = len(segments) + limit
+                rest = rest_velocity * lean * rate
+                march(segments, own, start, 0, 0.0, rest, flights, rows, nobody)
+                last = rows[len(rows) - 1, ROW_DURATION]
+                positive, negative, _ = recorded_peaks(segments, own, rows, last)
+                turned = max(sides[0, ALPHA] * positive, sides[1, ALPHA] * negative)
+                near = NEAR * (turned / HALF_PI - 1.0)
+            margin[i] = max(margin[i], near)
+
+
+@compiled
+def followed(
+    segments: Floats,
+    sides: Floats,
+    start: March,
+    rest_velocity: float,
+    limit: int,
+    peaks: Floats,
+) -> tuple[int, March, float]:
+    """March to the end of a pulse, or until a block that bounces often is proved to stand.
+
+    The parameters are those of `pulse_fates` and `kernels.march.march.march`; returned are the
+    status or STANDS, the final state, and the bound of its margin where it stands.
+    """
+    rows, end, bound = np.zeros((0, ROW_COLUMNS)), start, math.inf
+    code = UNDECIDED
+    for most in (min(SOME, limit), min(MANY, limit), limit):
+        flights = len(segments) + most
+        # From the start again: a march does not begin within a segment that has a slope.
+        code, end = march(segments, sides, start, 0, 0.0, rest_velocity, flights, rows, peaks)
+        if code != UNDECIDED:
+            break
+        bound = largest_margin(segments, sides, end)
+        if bound < 0.0:
+            return STANDS, end, bound
+    return code, end, bound
+
+
+@compiled
+def speed_at_the_floor(segments: Floats, sides: Floats, last: March) -> float:
+    """Return the speed with which a nonlinear block comes to lie on its side, over the barrier.
+
+    Parameters
+    ----------
+    segments, sides
+        The tables of its march.
+    last
+        How its last flight began.
+    """
+    row = 0 if last.side > 0 else 1
+    lean, rate = sides[row, LEAN], sides[row, RATE]
+    frequency = segments[last.segment, FREQUENCY]
+    first_half, first_phase = segment_start(segments, last.segment)
+    since = elapsed_time(last.half_cycles, last.phase, first_half, first_phase, frequency)
+    seen_phase, _ = side_phase(last.half_cycles, last.phase, last.side, frequency)
+    zero = fly(
+        side_drive(segments, last.segment, sides, last.side, since),
+        last.side * last.angle / lean,
+        last.side * last.velocity / (lean * rate),
+        seen_phase,
+        math.inf,
+        False,
+        math.inf,
+        last.angle == 0.0 and last.velocity == 0.0,
+        sides[0, LEFT_OUT],
+        np.zeros(0),
+        lean,
+        rate,
+        np.empty((WORK_ROWS, TERMS)),
+    )
+    return max(zero.velocity, 0.0) / -over_the_top(sides, row, 0.0)

@@ -1,0 +1,80 @@
+"""The plain loop of the march over many blocks on one record.
+
+Rows are not kept: what a spectrum asks for is the status, the impacts and the two peaks.  Chatter
+comes to rest as soon as that is proved, which leaves out impacts of no effect and no peak.
+
+A block that falls is marched once more, with rows, because its peaks are those until it passes its
+slenderness for good, and only the proof of its fall says which passage was the last.
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.kernels.core.compilation import compiled
+from rocksteady.kernels.core.tables import (
+    LEAN,
+    OVERTURNED,
+    PEAK_ANGLE,
+    PEAK_COLUMNS,
+    PEAK_SPEED,
+    RATE,
+    ROW_COLUMNS,
+    Floats,
+    March,
+)
+from rocksteady.kernels.march.march import march
+from rocksteady.kernels.march.recorded import peaks_until_overturning
+
+
+@compiled
+def record_fates(
+    segments: Floats,
+    sides: Floats,
+    afterwards: Floats,
+    limit: int,
+    status: NDArray[np.int64],
+    impacts: NDArray[np.int64],
+    peaks: Floats,
+) -> None:
+    """March blocks from rest through one motion and note how each fares.
+
+    The motion is in units of its own, as seconds and m/s^2, and stays as it is: a block is its
+    uplift acceleration alpha g and its p in them.  To scale a horizontal motion is to divide the
+    lean.
+
+    Parameters
+    ----------
+    segments
+        Table of the motion, shape (segments, 9), or (segments, 12) in the nonlinear model, whose
+        vertical motion is in g; the last segment is a still base without end.
+    sides
+        Of each block, shape (blocks, 2, 3) or (blocks, 2, 5): alpha g over the motion's scale for
+        lean and p for rate, in the units of the motion.
+    afterwards
+        Pivot time p t for which each is followed on the still base, shape (blocks,).
+    limit
+        Flights after which a block is UNDECIDED.
+    status, impacts, peaks
+        Receive the status code, the number of impacts and, in shape (blocks, 2), the largest
+        |theta|/alpha, each side in its own alpha, and the largest |d(theta/alpha)/d(p t)|, with the
+        positive side's alpha and p, until the end or overturning.
+    """
+    none, nothing = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
+    peak = np.zeros(PEAK_COLUMNS)
+    start = March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0)
+    for i in range(len(sides)):
+        own = sides[i]
+        unit = own[0, LEAN] * own[0, RATE]
+        stop = afterwards[i] / own[0, RATE]
+        peak[:] = 0.0
+        status[i], end = march(segments, own, start, 0, stop, math.inf, limit, none, peak)
+        impacts[i] = end.impacts
+        if status[i] == OVERTURNED:
+            rows = np.zeros((end.flights, ROW_COLUMNS))
+            march(segments, own, start, 0, stop, math.inf, limit, rows, nothing)
+            positive, negative, speed = peaks_until_overturning(segments, own, rows)
+            peak[PEAK_ANGLE], peak[PEAK_SPEED] = max(positive, negative), speed
+        peaks[i, PEAK_ANGLE] = peak[PEAK_ANGLE]
+        peaks[i, PEAK_SPEED] = peak[PEAK_SPEED] / unit

@@ -1,0 +1,118 @@
+"""The flat tables that the march reads and writes, and the state between two flights.
+
+A motion is a table of segments, the block two rows of side parameters, a recorded march a table of
+flights, all float64 with the columns below.
+
+The tables say which equation of motion holds.  The nonlinear one needs each side's slenderness and
+the vertical motion of the base, in further columns of both tables; tables without these columns are
+those of the linear one.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.errors import Status
+from rocksteady.kernels.core.compilation import inlined
+from rocksteady.kernels.linear.zeros import FOUND, NO_RETURN, SPAN_END
+
+Floats = NDArray[np.float64]
+
+# Columns of a table of segments: c0 + c1 s + A sin(Omega s + phi) for `DURATION` of pivot time.
+DURATION = 0
+JUMP = 1  # of a reference block's velocity at the segment's start, by an impulse of the base
+CONSTANT = 2
+SLOPE = 3
+AMPLITUDE = 4
+FREQUENCY = 5
+PHASE = 6
+CEILING = 7  # max |a| from this segment's start on; infinite while a later one has a jump
+ALIKE = 8  # samples like this one that follow at once: as long, without sinusoid and without jump
+SEGMENT_COLUMNS = 9
+# Nonlinear model only: the vertical acceleration of the base, upwards, over g.
+LIFT = 9  # at the segment's start
+LIFT_SLOPE = 10
+LIFT_CEILING = 11  # max of its absolute value from this segment's start on
+NONLINEAR_SEGMENT_COLUMNS = 12
+
+# Columns of the side table; row 0 is the positive side, row 1 the negative one.
+RESTITUTION = 0  # of the impact that ends a flight on this side
+LEAN = 1  # this side's alpha over the reference alpha
+RATE = 2  # this side's p over the reference p
+SIDE_COLUMNS = 3
+# Nonlinear model only.
+ALPHA = 3  # this side's alpha [rad]
+LEFT_OUT = 4  # what a step may leave out of the motion in it, as a part of that motion
+NONLINEAR_SIDE_COLUMNS = 5
+
+# Columns of a recorded flight, in reference units.
+ROW_SEGMENT = 0
+ROW_HALF_CYCLES = 1
+ROW_PHASE = 2
+ROW_SIDE = 3  # +1, -1, or 0 at rest
+ROW_ANGLE = 4
+ROW_VELOCITY = 5
+ROW_DURATION = 6
+ROW_EVENT = 7
+ROW_COLUMNS = 8
+
+# What ended a recorded flight or rest.
+ENDED_BY_SPAN = SPAN_END  # the segment or the run ended
+ENDED_BY_IMPACT = FOUND
+ENDED_BY_NO_RETURN = NO_RETURN
+ENDED_BY_UPLIFT = 3
+
+# What a march keeps of all its flights.
+PEAK_ANGLE = 0  # largest |theta|/alpha, each side in its own alpha
+PEAK_SPEED = 1  # largest |velocity|, in reference units
+PEAK_COLUMNS = 2
+
+ROCKING = int(Status.ROCKING)
+AT_REST = int(Status.AT_REST)
+OVERTURNED = int(Status.OVERTURNED)
+UNDECIDED = int(Status.UNDECIDED)
+LOST_CONTACT = int(Status.LOST_CONTACT)
+
+
+class March(NamedTuple):
+    """State of a march between two flights."""
+
+    side: int  # +1, -1, or 0 at rest
+    angle: float  # theta / alpha
+    velocity: float  # d(theta / alpha) / ds
+    segment: int
+    half_cycles: int
+    phase: float  # within the half cycle, or time within a segment without sinusoid
+    impacts: int
+    flights: int  # flights and rests: the rows that a record of the march has
+
+
+@inlined
+def is_nonlinear(sides: Floats) -> bool:
+    """Return whether a side table asks for the nonlinear equation of motion."""
+    return bool(sides.shape[1] > SIDE_COLUMNS)
+
+
+@inlined
+def write_row(
+    rows: Floats,
+    index: int,
+    segment: int,
+    half: int,
+    phase: float,
+    side: int,
+    angle: float,
+    velocity: float,
+    duration: float,
+    event: int,
+) -> None:
+    """Record one flight or rest."""
+    rows[index, ROW_SEGMENT] = segment
+    rows[index, ROW_HALF_CYCLES] = half
+    rows[index, ROW_PHASE] = phase
+    rows[index, ROW_SIDE] = side
+    rows[index, ROW_ANGLE] = angle
+    rows[index, ROW_VELOCITY] = velocity
+    rows[index, ROW_DURATION] = duration
+    rows[index, ROW_EVENT] = event

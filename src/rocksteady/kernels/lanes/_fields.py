@@ -1,0 +1,101 @@
+"""What a lane holds, and the stages that it goes through."""
+
+from rocksteady.kernels.core.compilation import fused_inlined
+
+# 16 or fewer lanes would be unrolled and stay scalar; more than 64 leave the first cache.
+LANES = 48
+
+# Stages of a lane, in the order in which the loops tell them apart.
+EMPTY = 0.0
+LAUNCH = 1.0  # at the start of a flight from the floor
+LANDED = 3.0  # the same, after an impact
+SPECIAL = 3.5  # the same, and slow or near the end of the run
+LEAVE = 4.0  # for the march: one flight
+ENDED = 5.0  # the run is over, in mid flight
+FALLEN = 6.0
+RESTED = 7.0  # for the march, at rest
+DOWN = 8.0  # the end of a piece with r < 0 is to be looked at
+UP = 9.0  # the same with r > 0
+POLISH = 14.0  # from a guess; the steps are counted on, to one of the `LAST_STEPS`
+KNOWN = 20.0  # the same, to a zero that is known to be there
+SHORT = 34.0  # the same, by Taylor's polynomial
+LAST_STEPS = (19.0, 29.0, 39.0)
+
+# The census: how many lanes are at each kind of stage, in one whole number.
+MANY = 255
+NODES_BITS = 8
+SHORTS_BITS = 16
+WAITING_BITS = 24
+SPECIALS_BITS = 32
+
+# Fields of the lanes, as offsets into one flat array.
+(
+    STAGE,
+    AMPLITUDE,
+    FREQUENCY,
+    INVERSE,
+    SQUARE,
+    SWING_RATE,
+    BETA,
+    SIZE,
+    DELTA,
+    CALMING,
+    EXCESS,
+    RISING,
+    NODE_SINE,
+    NODE_COSINE,
+    AHEAD,
+    GROWTH_AHEAD,
+    DECAY_AHEAD,
+    STOP,
+    STOP_SINE,
+    STOP_COSINE,
+    CELL,
+    LEFT,
+    IMPACTS,
+    PHASE,
+    SINE,
+    COSINE,
+    VELOCITY,
+    GROWING,
+    START_PHASE,
+    END_PHASE,
+    ENDING,
+    START_ANGLE,
+    START_VELOCITY,
+    TIME,
+    GUESS,
+    SINE_THERE,
+    COSINE_THERE,
+    GROWN,
+    ANGLE_THERE,
+    VELOCITY_THERE,
+    REACHED,
+    OUTCOME,
+    NEXT_ANGLE,
+    NEXT_VELOCITY,
+    NEXT_DOUBT,
+    STEP,
+    LAG,
+    WIDEST,
+    REF_PHASE,
+    REF_VELOCITY,
+    REF_LEFT,
+    REF_IMPACTS,
+) = range(0, 52 * LANES, LANES)
+FIELDS = 52
+
+LOSS = 2.0**-49  # sixteen roundings: what a computed number may be off, in units of its terms
+FARTHEST = 100.0  # further ahead nothing is known: squares of what has grown are to stay finite
+UNKNOWN = 1e140  # a doubt above all that can have grown
+
+
+@fused_inlined
+def weight(stage: float) -> int:
+    """Return what a lane adds to the census."""
+    number = 1 if stage > 0.0 else 0
+    number = 1 << SPECIALS_BITS if stage == SPECIAL else number
+    number = 1 << WAITING_BITS if stage >= LEAVE else number
+    number = 1 << NODES_BITS if stage >= DOWN else number
+    number = 1 if stage >= POLISH else number
+    return 1 << SHORTS_BITS if stage >= SHORT else number

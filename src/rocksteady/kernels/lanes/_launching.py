@@ -1,0 +1,149 @@
+"""What a flight begins with: its piece between two nodes, or an end in rest or with the run."""
+
+from rocksteady.kernels.core.clock import PI_HIGH
+from rocksteady.kernels.core.compilation import fused
+from rocksteady.kernels.core.forcing import HALF_PI, TWO_PI
+from rocksteady.kernels.lanes._fields import (
+    AMPLITUDE,
+    BETA,
+    CALMING,
+    COSINE,
+    DELTA,
+    DOWN,
+    END_PHASE,
+    ENDING,
+    FREQUENCY,
+    GROWING,
+    GUESS,
+    LANDED,
+    LANES,
+    LAUNCH,
+    LEFT,
+    NODE_COSINE,
+    NODE_SINE,
+    PHASE,
+    POLISH,
+    RESTED,
+    RISING,
+    SHORT,
+    SINE,
+    SPECIAL,
+    STAGE,
+    START_PHASE,
+    STOP,
+    TIME,
+    VELOCITY,
+    weight,
+)
+from rocksteady.kernels.march.march import Floats
+
+WINDOW = 3.0  # times v / (pull (1 - delta)): how long chatter is given to die out
+
+
+@fused
+def launch(lanes: Floats) -> int:
+    """Begin flights from the floor; return the census, `SPECIALS` for `begin_special` in it."""
+    count = 0
+    for j in range(LANES):
+        stage = lanes[STAGE + j]
+        launched = (stage > 0.0) & (stage <= LANDED)
+        phase = lanes[PHASE + j]
+        frequency = lanes[FREQUENCY + j]
+        velocity = lanes[VELOCITY + j]
+        sine = lanes[SINE + j]
+        rising = lanes[RISING + j]
+        time = lanes[TIME + j]
+        growing = 0.5 * (velocity + lanes[BETA + j] * (sine + frequency * lanes[COSINE + j]) - 1.0)
+        swing = lanes[AMPLITUDE + j] * sine
+        speed = frequency * velocity
+        early = phase < rising
+        positive = (velocity == 0.0) | ((not early) & (phase < PI_HIGH - rising))
+        start_phase = PI_HIGH - rising if positive else phase
+        end_phase = rising if early & (not positive) else rising + TWO_PI
+        least = 1.0 - abs(swing)
+        slow = (max(velocity, speed) < 0.1 * (1.0 - swing)) | (
+            (velocity < 0.2 * least) & (lanes[AMPLITUDE + j] * speed < lanes[CALMING + j] * least)
+        )
+        last = lanes[LEFT + j] * PI_HIGH + lanes[STOP + j] < end_phase
+        special = launched & (last | (slow & (not positive)))
+        guessed = phase + frequency * time
+        direct = (guessed > start_phase) & (guessed < end_phase)
+        following = POLISH if direct else DOWN
+        following = SPECIAL if special else following
+        following = following if launched else stage
+        lanes[STAGE + j] = following
+        lanes[GROWING + j] = growing
+        lanes[START_PHASE + j] = start_phase if launched else lanes[START_PHASE + j]
+        lanes[END_PHASE + j] = end_phase if launched else lanes[END_PHASE + j]
+        lanes[ENDING + j] = 0.0 if launched else lanes[ENDING + j]
+        lanes[GUESS + j] = time if launched else lanes[GUESS + j]
+        count += weight(following)
+    return count
+
+
+@fused
+def begin_special(lanes: Floats) -> None:
+    """Begin flights that may be short, come to rest, or outlast the run."""
+    for j in range(LANES):
+        stage = lanes[STAGE + j]
+        special = stage == SPECIAL
+        phase = lanes[PHASE + j]
+        frequency = lanes[FREQUENCY + j]
+        velocity = lanes[VELOCITY + j]
+        sine = lanes[SINE + j]
+        cosine = lanes[COSINE + j]
+        delta = lanes[DELTA + j]
+        amplitude = lanes[AMPLITUDE + j]
+        rising = lanes[RISING + j]
+        start_phase = lanes[START_PHASE + j]
+        end_phase = lanes[END_PHASE + j]
+        left = lanes[LEFT + j] * PI_HIGH + lanes[STOP + j]
+        speed = frequency * velocity
+        swing = amplitude * sine
+        pull = 1.0 - swing
+        # The end of the run.
+        last = left < end_phase
+        cut = left if last else end_phase
+        # A short bounce.
+        short = (
+            (start_phase == phase)
+            & (velocity > 0.0)
+            & (max(velocity, speed) < 0.1 * pull)
+            & (speed < 0.4 * pull * (cut - phase))
+        )
+        # Chatter.
+        least = 1.0 - abs(swing)
+        calming = 1.0 - delta
+        maybe = (velocity > 0.0) & (velocity < least) & (calming > 0.0) & special
+        x = WINDOW * speed / (least * calming if maybe else 1.0)
+        later = amplitude * (abs(sine + cosine * x) + x * x * (abs(sine) * 0.5 + x * (1.0 / 6.0)))
+        least_later = 1.0 - max(abs(swing), min(later, amplitude))
+        root = least_later - velocity
+        calm = (
+            maybe
+            & (root > 0.0)
+            & (
+                2.0 * least * calming * root
+                <= WINDOW * (root * root * calming - (2.0 / 3.0) * delta * amplitude * speed)
+            )
+            & (phase + x < left)
+        )
+        for_good = last | (amplitude <= 1.0)
+        lifting = calm & (not for_good)
+        guess = lanes[TIME + j]
+        time = 2.0 * velocity / (pull if short else 1.0) if short else guess
+        guessed = phase + frequency * guess
+        direct = (guessed > start_phase) & (guessed < cut)
+        following = POLISH if direct else DOWN
+        following = SHORT if short else following
+        resting = RESTED if for_good else LAUNCH
+        following = resting if calm else following
+        lanes[STAGE + j] = following if special else stage
+        lanes[END_PHASE + j] = cut if special else end_phase
+        lanes[ENDING + j] = 1.0 if special & last else lanes[ENDING + j]
+        lanes[TIME + j] = time if special else guess
+        lanes[LEFT + j] -= 1.0 if lifting & (phase > HALF_PI) else 0.0
+        lanes[PHASE + j] = rising if lifting else phase
+        lanes[VELOCITY + j] = 0.0 if lifting else velocity
+        lanes[SINE + j] = lanes[NODE_SINE + j] if lifting else sine
+        lanes[COSINE + j] = lanes[NODE_COSINE + j] if lifting else cosine

@@ -1,0 +1,209 @@
+"""Steps towards an impact: the state at a time, and where it leads."""
+
+from rocksteady.kernels.core.clock import PI_HIGH, PI_LOW
+from rocksteady.kernels.core.compilation import fused
+from rocksteady.kernels.core.forcing import HALF_PI, TWO_PI
+from rocksteady.kernels.lanes._exp_sincos import (
+    growth_and_decay,
+    nearest_whole,
+    sine_cosine,
+    turned_by,
+)
+from rocksteady.kernels.lanes._fields import (
+    AMPLITUDE,
+    ANGLE_THERE,
+    BETA,
+    COSINE,
+    COSINE_THERE,
+    DELTA,
+    DOWN,
+    END_PHASE,
+    FREQUENCY,
+    GROWING,
+    IMPACTS,
+    KNOWN,
+    LANDED,
+    LANES,
+    LAST_STEPS,
+    LEAVE,
+    LEFT,
+    OUTCOME,
+    PHASE,
+    POLISH,
+    REACHED,
+    SHORT,
+    SINE,
+    SINE_THERE,
+    SQUARE,
+    STAGE,
+    START_PHASE,
+    STEP,
+    SWING_RATE,
+    TIME,
+    VELOCITY,
+    VELOCITY_THERE,
+)
+from rocksteady.kernels.linear.zeros import reversion
+from rocksteady.kernels.march.march import Floats
+
+SHORTEST = 0.25  # below it, in t and Omega t, cancellation asks for Taylor's polynomial ...
+LONGEST = 0.3  # ... which serves up to here: 2e-17 of its largest term is left out
+
+
+@fused
+def shake(lanes: Floats) -> None:
+    """Find sine and cosine at `TIME`."""
+    for j in range(LANES):
+        sine, cosine = sine_cosine(lanes[PHASE + j] + lanes[FREQUENCY + j] * lanes[TIME + j])
+        lanes[SINE_THERE + j] = sine
+        lanes[COSINE_THERE + j] = cosine
+
+
+@fused
+def fly(lanes: Floats) -> None:
+    """Find angle and velocity at `TIME` by the closed form."""
+    for j in range(LANES):
+        grown, decayed = growth_and_decay(lanes[TIME + j])
+        beta = lanes[BETA + j]
+        sine = lanes[SINE + j]
+        growing = lanes[GROWING + j]
+        up = growing * grown
+        down = ((beta * sine - 1.0) - growing) * decayed
+        lanes[ANGLE_THERE + j] = up - down + beta * (sine - lanes[SINE_THERE + j])
+        lanes[VELOCITY_THERE + j] = (
+            lanes[VELOCITY + j]
+            + up
+            + down
+            + beta * lanes[FREQUENCY + j] * (lanes[COSINE + j] - lanes[COSINE_THERE + j])
+        )
+
+
+@fused
+def bounce(lanes: Floats) -> None:
+    """Find them by Taylor's polynomial, in the lanes at `SHORT`."""
+    for j in range(LANES):
+        short = lanes[STAGE + j] >= SHORT
+        time = lanes[TIME + j] if short else 0.0
+        w = lanes[FREQUENCY + j]
+        velocity = lanes[VELOCITY + j]
+        swing_even = lanes[AMPLITUDE + j] * lanes[SINE + j]
+        swing_odd = lanes[SWING_RATE + j] * lanes[COSINE + j]
+        w2 = -w * w
+        even = swing_even - 1.0
+        odd = velocity + swing_odd
+        half = 0.5 * time
+        third = time * time * (1.0 / 6.0)
+        rise = even * half + odd * third
+        speed = even * time + odd * half * time
+        for n in range(4, 14, 2):
+            swing_even *= w2
+            swing_odd *= w2
+            even += swing_even
+            odd += swing_odd
+            half = third * (time * (1.0 / n))
+            third = half * (time * (1.0 / (n + 1)))
+            rise += even * half + odd * third
+            speed += even * half * n + odd * third * (n + 1)
+        y, v = lanes[ANGLE_THERE + j], lanes[VELOCITY_THERE + j]
+        lanes[ANGLE_THERE + j] = time * (velocity + rise) if short else y
+        lanes[VELOCITY_THERE + j] = velocity + speed if short else v
+
+
+@fused
+def approach(lanes: Floats) -> None:
+    """Step towards the zero as `rocksteady.kernels.linear.zeros.series_step` does.
+
+    `OUTCOME` receives 2 where the step has landed on it, 1 where it has not, 0 where F does not
+    fall.
+    """
+    for j in range(LANES):
+        frequency = lanes[FREQUENCY + j]
+        v = lanes[VELOCITY_THERE + j]
+        falls = v < 0.0
+        v = v if falls else -1.0
+        y = lanes[ANGLE_THERE + j]
+        swing = lanes[AMPLITUDE + j] * lanes[SINE_THERE + j]
+        swing_rate = lanes[SWING_RATE + j] * lanes[COSINE_THERE + j]
+        w2 = lanes[SQUARE + j]
+        d2 = y - 1.0 + swing
+        d3 = v + swing_rate
+        d4 = d2 - w2 * swing
+        d5 = d3 - w2 * swing_rate
+        inverse = 1.0 / v
+        z = -y * inverse
+        # a_n = y^(n) z^(n-1) / (n! y')
+        ratio = (z * inverse) * (1.0 / 2.0)
+        a2 = d2 * ratio
+        ratio *= z
+        d3 *= 1.0 / 3.0
+        a3 = d3 * ratio
+        ratio *= z
+        d4 *= 1.0 / 12.0
+        a4 = d4 * ratio
+        ratio *= z
+        d5 *= 1.0 / 60.0
+        a5 = d5 * ratio
+        newton = (abs(a2) > 0.2) | (abs(a3) > 0.04)
+        step = z if newton else z * reversion(a2, a3, a4, a5)
+        final = (
+            (abs(frequency * z) < 0.03)
+            & (abs(a2) < 1e-3)
+            & (abs(a3) < 1e-6)
+            & (abs(a4) < 1e-9)
+            & (abs(a5) < 1e-12)
+        )
+        half = 0.5 * step
+        lanes[STEP + j] = step
+        lanes[REACHED + j] = lanes[TIME + j] + step
+        lanes[VELOCITY_THERE + j] = v + step * (
+            d2 + half * (3.0 * d3 + step * (4.0 * d4 + step * (5.0 * d5)))
+        )
+        lanes[OUTCOME + j] = (2.0 if final else 1.0) if falls else 0.0
+
+
+@fused
+def land(lanes: Floats, below: float) -> None:
+    """Judge the step of lanes at stages below one: an impact, another step, or another way."""
+    for j in range(LANES):
+        stage = lanes[STAGE + j]
+        active = (stage >= POLISH) & (stage < below)
+        old = lanes[PHASE + j]
+        frequency = lanes[FREQUENCY + j]
+        reached = lanes[REACHED + j]
+        outcome = lanes[OUTCOME + j]
+        turned = frequency * reached
+        phase = old + turned
+        inside = (
+            (outcome > 0.0)
+            & (reached > 0.0)
+            & (phase > lanes[START_PHASE + j])
+            & (phase < lanes[END_PHASE + j])
+        )
+        brief = max(reached, turned)
+        short = stage >= SHORT
+        tiny = (brief < SHORTEST) & (not short) & inside
+        right = inside & (not tiny) & ((brief < LONGEST) | (not short))
+        landed = active & right & (outcome > 1.0)
+        more = (stage != LAST_STEPS[0]) & (stage != LAST_STEPS[1]) & (stage != LAST_STEPS[2])
+        failed = DOWN if stage < KNOWN else LEAVE
+        failed = SHORT if tiny & (lanes[START_PHASE + j] == old) else failed
+        onward = stage + 1.0 if right & more else failed
+        onward = LANDED if landed else onward
+        lanes[STAGE + j] = onward if active else stage
+        turns = (phase - HALF_PI) * (1.0 / TWO_PI) - 0.5
+        halves = 2.0 * nearest_whole(turns) + 1.0
+        phase = (phase - halves * PI_HIGH) - halves * PI_LOW
+        lanes[PHASE + j] = phase if landed else old
+        lanes[LEFT + j] -= halves if landed else 0.0
+        lanes[IMPACTS + j] += 1.0 if landed else 0.0
+        lanes[VELOCITY + j] = (
+            -lanes[DELTA + j] * lanes[VELOCITY_THERE + j] if landed else lanes[VELOCITY + j]
+        )
+        sine, cosine = turned_by(
+            lanes[SINE_THERE + j],
+            lanes[COSINE_THERE + j],
+            frequency * lanes[STEP + j] if landed else 0.0,
+        )
+        lanes[SINE + j] = -sine if landed else lanes[SINE + j]
+        lanes[COSINE + j] = -cosine if landed else lanes[COSINE + j]
+        lanes[TIME + j] = reached if active & inside else lanes[TIME + j]

@@ -1,0 +1,284 @@
+"""The loop that gives cells to lanes, and what the lanes cannot settle to the march."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.kernels.batch.harmonic import harmonic_segment
+from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.core.compilation import compiled, fused
+from rocksteady.kernels.lanes._fields import (
+    CELL,
+    DOWN,
+    EMPTY,
+    ENDED,
+    FALLEN,
+    FIELDS,
+    IMPACTS,
+    LAG,
+    LANES,
+    LEAVE,
+    MANY,
+    NODES_BITS,
+    RESTED,
+    SHORT,
+    SHORTS_BITS,
+    SPECIALS_BITS,
+    STAGE,
+    STOP,
+    VELOCITY,
+    WAITING_BITS,
+    weight,
+)
+from rocksteady.kernels.lanes._launching import begin_special, launch
+from rocksteady.kernels.lanes._loading import at_the_end, load, put, taken
+from rocksteady.kernels.lanes._newton import approach, bounce, fly, land, shake
+from rocksteady.kernels.lanes._nodes import node_decision, node_state
+from rocksteady.kernels.lanes._periods import LEAPT, compare, leap
+from rocksteady.kernels.march.march import (
+    LEAN,
+    OVERTURNED,
+    RATE,
+    RESTITUTION,
+    ROCKING,
+    ROW_COLUMNS,
+    SEGMENT_COLUMNS,
+    UNDECIDED,
+    Floats,
+    March,
+    march,
+)
+from rocksteady.kernels.march.rest import STILL
+
+Integers = NDArray[np.int64]
+
+# A loop over few lanes costs as much as over all: they are let gather ...
+GATHERED = 10
+WAITING = 3
+SPECIALS = 6
+PATIENCE = 4  # ... but for no more than so many passes where others would go on without end
+ROUNDS = 4096  # passes from one look at the numbers of impacts to the next
+
+
+@fused
+def census(lanes: Floats) -> int:
+    """Count the lanes of each kind of stage."""
+    count = 0
+    for j in range(LANES):
+        count += weight(lanes[STAGE + j])
+    return count
+
+
+@compiled
+def lane_fates(
+    amplitude: Floats,
+    frequency_ratio: Floats,
+    restitution: Floats,
+    angle: Floats,
+    velocity: Floats,
+    phase: Floats,
+    cycles: int,
+    leaping: bool,
+    most: int,
+    status: Integers,
+    impacts: Integers,
+    final: Floats,
+) -> None:
+    """March symmetric blocks under harmonic shaking and note how each ends.
+
+    Fates are those of `kernels.batch.harmonic.harmonic_fates`; impacts too but for those of
+    chatter; final states agree to rounding, which a chaotic motion amplifies, and to 1e-11 after a
+    leap.
+
+    Parameters
+    ----------
+    amplitude, frequency_ratio, restitution, angle, velocity, phase
+        One value a cell, shape (cells,); `velocity` is d(theta/alpha)/ds.
+    cycles
+        Forcing periods to run, at least 1.
+    leaping
+        Whether to leap over the periods of a motion that has become periodic.
+    most
+        Impacts after which a motion is given up as UNDECIDED, those leapt over not counted.
+    status, impacts, final
+        Receive the status code, the number of impacts and, in shape (cells, 3), the final angle,
+        velocity and phase.
+    """
+    segments = np.zeros((1, SEGMENT_COLUMNS))
+    sides = np.zeros((2, 3))
+    sides[:, LEAN] = 1.0
+    sides[:, RATE] = 1.0
+    lanes = np.zeros(FIELDS * LANES)
+    for j in range(LANES):  # empty ones fly too, and come to no harm
+        load(lanes, j, 0, 0.0, 1.0, 0.5, 0.0)
+        lanes[VELOCITY + j] = 1.0
+    count = len(amplitude)
+    fresh = 0  # the next cell
+    busy = 0  # lanes that are not empty
+    bounces = 0  # passes since the last look at short bounces ...
+    delays = 0  # ... and at special flights
+    rounds = 0
+    numbers = census(lanes)
+    while True:
+        flying = numbers & MANY
+        nodes = (numbers >> NODES_BITS) & MANY
+        shorts = (numbers >> SHORTS_BITS) & MANY
+        waiting = (numbers >> WAITING_BITS) & MANY
+        if fresh < count:
+            waiting += LANES - busy
+        rounds += 1
+        if rounds % ROUNDS == 0:
+            for j in range(LANES):
+                if exhausted(lanes, j, most):
+                    lanes[STAGE + j] = LEAVE
+                    waiting = WAITING
+        if waiting >= WAITING or flying + nodes + shorts == 0:
+            for j in range(LANES):
+                if LEAVE <= lanes[STAGE + j] < DOWN:
+                    cell = int(lanes[CELL + j])
+                    prepare(segments, sides, amplitude, frequency_ratio, restitution, phase, cell)
+                    end_half = clock(phase[cell])[0] + 2 * cycles
+                    given_up = exhausted(lanes, j, most)
+                    if given_up:
+                        code = UNDECIDED
+                        state = March(0, math.nan, math.nan, 0, end_half, math.nan, most, 0)
+                    else:
+                        code, state = settled(lanes, j, segments, sides, end_half)
+                    if code == UNDECIDED and not given_up:
+                        put(lanes, j, state, end_half)
+                    else:
+                        note(status, impacts, final, cell, code, state)
+                        lanes[STAGE + j] = EMPTY
+                        busy -= 1
+                while lanes[STAGE + j] == EMPTY and fresh < count:
+                    cell = fresh
+                    fresh += 1
+                    half, start_phase = clock(phase[cell])
+                    end_half = half + 2 * cycles
+                    side = 1
+                    if angle[cell] < 0.0 or (angle[cell] == 0.0 and velocity[cell] < 0.0):
+                        side = -1
+                    elif angle[cell] == 0.0 and velocity[cell] == 0.0:
+                        side = 0
+                    code = UNDECIDED
+                    state = March(side, angle[cell], velocity[cell], 0, half, start_phase, 0, 0)
+                    if side == 0 or angle[cell] != 0.0:
+                        prepare(
+                            segments, sides, amplitude, frequency_ratio, restitution, phase, cell
+                        )
+                        code, state = launched(segments, sides, state, end_half, start_phase)
+                    if code != UNDECIDED:
+                        note(status, impacts, final, cell, code, state)
+                        continue
+                    load(
+                        lanes,
+                        j,
+                        cell,
+                        amplitude[cell],
+                        frequency_ratio[cell],
+                        restitution[cell],
+                        start_phase,
+                    )
+                    put(lanes, j, state, end_half)
+                    busy += 1
+            if busy == 0:
+                return
+        elif nodes > 0 and (nodes >= GATHERED or nodes >= flying):
+            node_state(lanes)
+            numbers = node_decision(lanes)
+            continue
+        else:
+            shake(lanes)
+            fly(lanes)
+            below = SHORT
+            bounces += 1
+            if shorts > 0 and (shorts >= GATHERED or shorts >= flying or bounces >= PATIENCE):
+                bounce(lanes)
+                below = math.inf
+                bounces = 0
+            approach(lanes)
+            land(lanes, below)
+        if leaping and compare(lanes, most) > 0:
+            leap(lanes)
+        numbers = launch(lanes)
+        specials = numbers >> SPECIALS_BITS
+        delays += 1
+        if specials > 0 and (
+            specials >= SPECIALS or specials >= numbers & MANY or delays >= PATIENCE
+        ):
+            begin_special(lanes)
+            numbers = census(lanes)
+            delays = 0
+
+
+@compiled
+def exhausted(lanes: Floats, j: int, most: int) -> bool:
+    """Return whether the motion of a lane, not leapt, has had more impacts than it is given."""
+    flies = lanes[STAGE + j] != EMPTY and lanes[LAG + j] != LEAPT
+    return bool(flies and lanes[IMPACTS + j] > most)
+
+
+@compiled
+def prepare(
+    segments: Floats,
+    sides: Floats,
+    amplitude: Floats,
+    frequency_ratio: Floats,
+    restitution: Floats,
+    phase: Floats,
+    cell: int,
+) -> None:
+    """Fill the tables of the march for a cell."""
+    harmonic_segment(segments, amplitude[cell], frequency_ratio[cell], phase[cell])
+    sides[:, RESTITUTION] = restitution[cell]
+
+
+@compiled
+def launched(
+    segments: Floats, sides: Floats, start: March, end_half: int, end_phase: float
+) -> tuple[int, March]:
+    """March until the block is in flight from the floor (UNDECIDED), or to the end."""
+    code, state = UNDECIDED, start
+    rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
+    while code == UNDECIDED and (state.side == 0 or state.angle != 0.0):
+        code, state = march(
+            segments, sides, state, end_half, end_phase, math.inf, state.flights + 1, rows, peaks
+        )
+    return code, state
+
+
+@compiled
+def settled(
+    lanes: Floats, j: int, segments: Floats, sides: Floats, end_half: int
+) -> tuple[int, March]:
+    """Return how the run of a waiting lane ended, or its next flight from the floor (UNDECIDED)."""
+    stage = lanes[STAGE + j]
+    state = taken(lanes, j, end_half)
+    if stage == FALLEN:
+        return OVERTURNED, state
+    if stage == ENDED:
+        return ROCKING, at_the_end(lanes, j, end_half)
+    if stage == RESTED:
+        state = March(0, 0.0, 0.0, 0, state.half_cycles, state.phase, state.impacts, 0)
+    stop = lanes[STOP + j]
+    rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
+    code, state = march(segments, sides, state, end_half, stop, math.inf, 1, rows, peaks)
+    if code != UNDECIDED:
+        return code, state
+    if stage != RESTED and state.angle == 0.0 and abs(state.velocity) < STILL:
+        # As the march has it, which would have come to this at the next flight.
+        state = March(0, 0.0, 0.0, 0, state.half_cycles, state.phase, state.impacts, 0)
+    return launched(segments, sides, state, end_half, stop)
+
+
+@compiled
+def note(
+    status: Integers, impacts: Integers, final: Floats, cell: int, code: int, state: March
+) -> None:
+    """Write how a cell ended."""
+    status[cell] = code
+    impacts[cell] = state.impacts
+    final[cell, 0] = state.angle
+    final[cell, 1] = state.velocity
+    final[cell, 2] = state.phase

@@ -1,0 +1,1 @@
+"""One flight of the linear model: its closed form, first zero, extrema and derivatives."""

@@ -1,0 +1,132 @@
+"""Peaks and level crossings of a flight, found without sampling.
+
+The velocity obeys ``w'' = w + dr/dt`` and ``y - level`` obeys ``z'' = z + (r + level)``: both are
+flights, so that `rocksteady.kernels.linear.zeros` isolates their zeros too.
+"""
+
+import math
+
+from rocksteady.kernels.core.compilation import compiled
+from rocksteady.kernels.core.forcing import Forcing
+from rocksteady.kernels.core.tables import PEAK_ANGLE, PEAK_SPEED, Floats
+from rocksteady.kernels.linear.flight import (
+    Flight,
+    flight_state,
+    rebased,
+    shifted_flight,
+    velocity_flight,
+    wrapped,
+)
+from rocksteady.kernels.linear.zeros import FOUND, Zero, next_zero
+
+
+@compiled
+def inner_extrema(flight: Flight, forcing: Forcing, span: float) -> tuple[float, float, float, int]:
+    """Return the largest extremum inside (0, span), the least minimum, its time, and their number.
+
+    Where there is none they are -inf, inf and nan.  A touch of the velocity at zero (an inflection)
+    does not count as an extremum.
+    """
+    largest, lowest, lowest_time = -math.inf, math.inf, math.nan
+    speed, rate = velocity_flight(flight, forcing)
+    passed, extrema = 0.0, 0
+    while passed < span:
+        zero = next_zero(speed, rate, span - passed, False, False, -1.0)
+        passed += zero.time
+        if zero.event != FOUND or passed >= span:
+            break
+        if zero.velocity != 0.0:
+            phase = flight.phase + forcing.frequency * passed
+            angle, _ = flight_state(flight, forcing, passed, math.sin(phase), math.cos(phase))
+            largest = max(largest, angle)
+            if zero.velocity > 0.0 and angle < lowest:
+                lowest, lowest_time = angle, passed
+            extrema += 1
+        speed, rate = restarted(speed, rate, zero)
+    return largest, lowest, lowest_time, extrema
+
+
+@compiled
+def highest_angle(flight: Flight, forcing: Forcing, span: float) -> tuple[float, int]:
+    """Return the largest angle over [0, span], ends included, and the number of extrema inside."""
+    phase = flight.phase + forcing.frequency * span
+    angle, _ = flight_state(flight, forcing, span, math.sin(phase), math.cos(phase))
+    largest, _, _, extrema = inner_extrema(flight, forcing, span)
+    return max(flight.angle, angle, largest), extrema
+
+
+@compiled
+def flight_peaks(
+    flight: Flight,
+    forcing: Forcing,
+    span: float,
+    end_angle: float,
+    end_velocity: float,
+    angle: float,
+    speed: float,
+) -> tuple[float, float]:
+    """Return the largest angle and speed of a flight above the floor over [0, span], exactly.
+
+    `angle` and `speed` are those of earlier flights: the larger ones are returned, and nothing is
+    looked for inside where neither can be surpassed.  For ``t <= 1`` sinh t < 1.2 t and cosh t - 1
+    < 0.6 t^2, so that with |r| <= R the angle is below ``y + 1.2 v t + 0.6 (y + R) t^2`` and the
+    speed below ``v + 1.2 (y + R) t + 0.6 v t^2``, with the speed v at the start.
+    """
+    y, v = flight.angle, abs(flight.velocity)
+    if span <= 1.0:
+        drive = y + abs(forcing.constant) + abs(forcing.slope) * span + forcing.amplitude
+        highest = y + span * (1.2 * v + 0.6 * span * drive)
+        fastest = v + span * (1.2 * drive + 0.6 * span * v)
+        if highest <= angle and fastest <= speed:
+            return angle, speed
+    top, _, _, _ = inner_extrema(flight, forcing, span)
+    velocity, rate = velocity_flight(flight, forcing)
+    swiftest, slowest, _, _ = inner_extrema(velocity, rate, span)
+    return (
+        max(angle, y, end_angle, top),
+        max(speed, v, abs(end_velocity), swiftest, -slowest),
+    )
+
+
+@compiled
+def keep_peaks(
+    flight: Flight, forcing: Forcing, zero: Zero, lean: float, rate: float, peaks: Floats
+) -> None:
+    """Raise `peaks` to the largest angle and speed of a flight on a side of this lean and rate."""
+    angle, speed = flight_peaks(
+        flight,
+        forcing,
+        zero.time,
+        zero.angle,
+        zero.velocity,
+        peaks[PEAK_ANGLE],
+        peaks[PEAK_SPEED] / (lean * rate),
+    )
+    peaks[PEAK_ANGLE] = angle
+    peaks[PEAK_SPEED] = max(peaks[PEAK_SPEED], speed * lean * rate)
+
+
+@compiled
+def last_rise(flight: Flight, forcing: Forcing, level: float, span: float, endless: bool) -> float:
+    """Return the last time in [0, span] at which the angle rises through `level`, or -1.
+
+    On an `endless` forcing `span` may be infinite where the angle grows for ever.
+    """
+    above, lowered = shifted_flight(flight, forcing, level)
+    passed, last = 0.0, -1.0
+    while passed < span:
+        zero = next_zero(above, lowered, span - passed, endless, False, -1.0)
+        if zero.event != FOUND:
+            break
+        passed += zero.time
+        if zero.velocity > 0.0:
+            last = passed
+        above, lowered = restarted(above, lowered, zero)
+    return last
+
+
+@compiled
+def restarted(flight: Flight, forcing: Forcing, zero: Zero) -> tuple[Flight, Forcing]:
+    """Return a flight that goes on from one of its zeros, to look for the next."""
+    phase = wrapped(zero.phase)
+    return rebased(flight, forcing, zero.time, 0.0, zero.velocity, phase, zero.sine, zero.cosine)

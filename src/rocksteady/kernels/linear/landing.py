@@ -1,0 +1,54 @@
+"""Exact derivatives of one flight through its impact (the saltation matrix of the linear model).
+
+State on a section of impacts: phase psi of the forcing in the side frame and velocity ``v = dy/ds``
+just after the impact.  A flight of length T takes (psi, v) to (psi + Omega T, -restitution y'(T)).
+Since y(T) = 0 for every start, ``dT = -(y_psi dpsi + y_v dv) / y'(T)``.
+"""
+
+import math
+
+from rocksteady.kernels.core.compilation import compiled
+from rocksteady.kernels.core.forcing import Forcing
+from rocksteady.kernels.linear.flight import Flight
+
+
+@compiled
+def landing_jacobian(
+    forcing: Forcing,
+    restitution: float,
+    flight: Flight,
+    time: float,
+    end_velocity: float,
+    end_sine: float,
+    end_cosine: float,
+) -> tuple[float, float, float, float]:
+    """Return d(psi', v') / d(psi, v) row by row, of a flight from angle 0 that lands at `time`.
+
+    `end_velocity`, `end_sine` and `end_cosine` are velocity and phase at the landing, which the
+    search for it has found: from the initial state they would lose digits in long flights.  The
+    forcing has no slope.  The new phase is counted in the old side's frame; a change of side adds
+    pi, which changes no derivative.
+    """
+    beta, frequency = forcing.beta, forcing.frequency
+    sine, cosine = flight.sine, flight.cosine
+    grown = math.expm1(time)
+    decayed = grown / (1.0 + grown)
+    sinh, cosh_less_1 = 0.5 * (grown + decayed), 0.5 * grown * decayed
+    end_acceleration = forcing.constant + forcing.amplitude * end_sine
+
+    angle_by_phase = (
+        -beta * frequency * sine * sinh + beta * cosine * cosh_less_1 + beta * (cosine - end_cosine)
+    )
+    velocity_by_phase = (
+        -beta * frequency * sine * cosh_less_1
+        + beta * cosine * sinh
+        - beta * frequency * (sine - end_sine)
+    )
+    time_by_phase = -angle_by_phase / end_velocity
+    time_by_velocity = -sinh / end_velocity
+    return (
+        1.0 + frequency * time_by_phase,
+        frequency * time_by_velocity,
+        -restitution * (velocity_by_phase + end_acceleration * time_by_phase),
+        -restitution * (1.0 + cosh_less_1 + end_acceleration * time_by_velocity),
+    )

@@ -1,0 +1,193 @@
+"""Runs of samples: equally long segments without sinusoid, at a few products each.
+
+A sampled base acceleration is linear between samples, and so is the forcing of a side:
+``r(t) = r0 + (r1 - r0) t/h`` over a sample of length h, in the side's own time.  The closed form of
+`rocksteady.kernels.linear.flight`, from state (y, v) at one sample to (Y, V) at the next, is::
+
+    Y = (y + P) + (C y + S v),   P = C r0 + (S/h - 1) (r1 - r0)
+    V = (v + Q) + (C v + S y),   Q = S r0 + (C/h) (r1 - r0)
+
+with ``S = sinh h`` and ``C = cosh h - 1``.  All four factors depend on h alone and are worked out
+once a run, by series without cancellation; each step adds to the state what changes it, so that it
+rounds like the state itself however small h is.
+
+**No zero is missed.**  While y > 0, ``y'' = y + r >= -q`` with ``q = max(0, -r0, -r1)``, because r
+lies between its ends.  Up to its first zero y stays above the parabola ``y + v t - q t^2/2``.  That
+is concave, so that it is lowest at an end of the sample: where it is positive at h (and y is
+positive, or zero with v > 0) there is no first zero in (0, h], grazing ones included.  The test
+keeps a margin of 1e-12 for rounding.  Whatever does not pass it is left to the exact search of
+`rocksteady.kernels.linear.zeros`: a sample or two before each impact, and all that graze.
+
+**No peak is missed.**  Within a sample ``a = y''`` obeys ``a'' = a``, so that it has one zero at
+most and lies between its ends and zero: |a| is at most the larger of its ends, the speed at most
+that of an end plus h times that, the angle likewise.  Only where these bounds surpass the peaks so
+far, and a changes sign or v falls through zero, is there an extremum to be found.
+"""
+
+from typing import NamedTuple
+
+from rocksteady.kernels.core.compilation import compiled
+from rocksteady.kernels.core.forcing import make_forcing
+from rocksteady.kernels.core.tables import (
+    ALIKE,
+    CEILING,
+    CONSTANT,
+    DURATION,
+    ENDED_BY_SPAN,
+    LEAN,
+    PEAK_ANGLE,
+    PEAK_SPEED,
+    RATE,
+    SLOPE,
+    Floats,
+    write_row,
+)
+from rocksteady.kernels.linear.extrema import flight_peaks
+from rocksteady.kernels.linear.flight import make_flight
+
+LONGEST = 1.0  # in a side's time; beyond it the series would need more terms
+MARGIN = 1e-12
+
+
+class Stride(NamedTuple):
+    """What the length h of a sample makes of the closed form."""
+
+    sinh: float
+    rise: float  # cosh h - 1
+    angle_share: float  # sinh h/h - 1
+    speed_share: float  # (cosh h - 1)/h
+    half_square: float  # h^2/2, and the margin
+
+
+@compiled
+def make_stride(h: float) -> Stride:
+    """Return the factors of a sample's length, 0 < h <= 1, to rounding."""
+    # Nested: each bracket is one plus the ratio of neighbouring terms times the next bracket.  What
+    # is left out is below 1e-17 of the whole.
+    square = h * h
+    even = odd = 1.0
+    for n in range(18, 3, -2):
+        even = 1.0 + even * (square / (n * (n - 1)))
+        odd = 1.0 + odd * (square / (n * (n + 1)))
+    share = odd * (square / 6.0)
+    rise = even * (0.5 * square)
+    return Stride(h + h * share, rise, share, even * (0.5 * h), 0.5 * square * (1.0 + MARGIN))
+
+
+@compiled
+def fly_through(
+    segments: Floats,
+    sides: Floats,
+    side: int,
+    angle: float,
+    velocity: float,
+    segment: int,
+    flights: int,
+    limit: int,
+    rows: Floats,
+    peaks: Floats,
+) -> tuple[int, float, float, int, bool]:
+    """Fly from the start of a sample through all that follow without a doubt.
+
+    Parameters are those of `rocksteady.kernels.march.march.march`.
+
+    Returns
+    -------
+    tuple
+        The segment at whose start it stops, angle and velocity there, the flights so far, and
+        whether the block is proved to overturn.
+    """
+    row = 0 if side > 0 else 1
+    lean, rate = sides[row, LEAN], sides[row, RATE]
+    duration = segments[segment, DURATION]
+    h = duration * rate
+    if h > LONGEST:
+        return segment, angle, velocity, flights, False
+    stride = make_stride(h)
+    pull = side / lean
+    y, v = side * angle / lean, side * velocity / (lean * rate)
+    record, watch = len(rows) > 0, len(peaks) > 0
+    top_angle = top_speed = 0.0
+    if watch:
+        top_angle, top_speed = peaks[PEAK_ANGLE], peaks[PEAK_SPEED] / (lean * rate)
+    stop = segment + min(int(segments[segment, ALIKE]), limit - flights)
+    first, fallen = segment, False
+    while segment < stop:
+        start = pull * segments[segment, CONSTANT] - 1.0
+        change = pull * (segments[segment, SLOPE] * duration)
+        lowest = min(start, start + change, 0.0)
+        if not (y - MARGIN * y) + v * h > -lowest * stride.half_square:
+            break
+        later_y = (y + (stride.rise * start + stride.angle_share * change)) + (
+            stride.rise * y + stride.sinh * v
+        )
+        later_v = (v + (stride.sinh * start + stride.speed_share * change)) + (
+            stride.rise * v + stride.sinh * y
+        )
+        if record:
+            write_row(
+                rows,
+                flights,
+                segment,
+                0,
+                0.0,
+                side,
+                side * y * lean,
+                side * v * lean * rate,
+                duration,
+                ENDED_BY_SPAN,
+            )
+        if watch:
+            here, there = y + start, later_y + (start + change)
+            speed = max(abs(v), abs(later_v))
+            fastest = speed + h * max(abs(here), abs(there))
+            highest = max(y, later_y) + h * fastest
+            if fastest > top_speed or highest > top_angle:
+                if (here > 0.0) != (there > 0.0) or (v > 0.0 and later_v < 0.0):
+                    forcing = make_forcing(start, change / h, 0.0, 0.0)
+                    flight = make_flight(forcing, y, v, 0.0, 0.0, 1.0)
+                    top_angle, top_speed = flight_peaks(
+                        flight, forcing, h, later_y, later_v, top_angle, top_speed
+                    )
+                else:
+                    top_angle = max(top_angle, y, later_y)
+                    top_speed = max(top_speed, speed)
+        y, v = later_y, later_v
+        segment += 1
+        flights += 1
+        if y * lean > lean + segments[segment, CEILING] and v >= 0.0:
+            fallen = True  # nothing that is still to come can bring it back
+            break
+    if watch:
+        peaks[PEAK_ANGLE] = top_angle
+        peaks[PEAK_SPEED] = max(peaks[PEAK_SPEED], top_speed * lean * rate)
+    if segment == first:  # untouched, to the last bit
+        return segment, angle, velocity, flights, fallen
+    return segment, side * y * lean, side * v * lean * rate, flights, fallen
+
+
+@compiled
+def rest_through(
+    segments: Floats, sides: Floats, segment: int, flights: int, limit: int, rows: Floats
+) -> tuple[int, int]:
+    """Rest from the start of a sample through all that lift neither side.
+
+    Returns
+    -------
+    tuple
+        The segment at whose start it stops, and the flights and rests so far.
+    """
+    above, below = sides[0, LEAN], -sides[1, LEAN]
+    duration = segments[segment, DURATION]
+    record = len(rows) > 0
+    stop = segment + min(int(segments[segment, ALIKE]), limit - flights)
+    while segment < stop:
+        start = segments[segment, CONSTANT]
+        end = start + segments[segment, SLOPE] * duration
+        if max(start, end) >= above or min(start, end) <= below:
+            break
+        if record:
+            write_row(rows, flights, segment, 0, 0.0, 0, 0.0, 0.0, duration, ENDED_BY_SPAN)
+        segment += 1
+        flights += 1
+    return segment, flights

@@ -1,0 +1,439 @@
+"""The march: flights strung together by impacts, uplifts and segment ends.
+
+A motion is a table of segments, the block two rows of side parameters (`kernels.core.tables`
+has the columns).  Time is kept as (segment, half cycles, phase), read and moved on by
+`kernels.core.clock`.  Runs of samples, segments alike without sinusoid, are passed through at
+a few products each (`rocksteady.kernels.march._samples`).
+
+The side table says which equation of motion holds (`kernels.core.tables.is_nonlinear`).  A
+flight, the proof that chatter dies out and the proof that a block overturns are then those of
+`rocksteady.kernels.nonlinear`; a block that stands on its base feels the same kind of forcing in
+both models, so that rest and uplift are one.
+"""
+
+import math
+
+import numpy as np
+
+from rocksteady.kernels.core.clock import (
+    clock,
+    elapsed_time,
+    later_clock,
+    segment_end,
+    segment_start,
+    side_phase,
+    uplift_clock,
+)
+from rocksteady.kernels.core.compilation import compiled, inlined
+from rocksteady.kernels.core.forcing import Forcing, make_forcing
+from rocksteady.kernels.core.tables import (
+    ALIKE,
+    AMPLITUDE,
+    AT_REST,
+    CEILING,
+    CONSTANT,
+    DURATION,
+    ENDED_BY_IMPACT,
+    ENDED_BY_NO_RETURN,
+    ENDED_BY_SPAN,
+    ENDED_BY_UPLIFT,
+    FREQUENCY,
+    JUMP,
+    LEAN,
+    LEFT_OUT,
+    LIFT_SLOPE,
+    LOST_CONTACT,
+    OVERTURNED,
+    PHASE,
+    RATE,
+    RESTITUTION,
+    ROCKING,
+    ROW_ANGLE,
+    ROW_COLUMNS,
+    ROW_DURATION,
+    ROW_EVENT,
+    ROW_HALF_CYCLES,
+    ROW_PHASE,
+    ROW_SEGMENT,
+    ROW_SIDE,
+    ROW_VELOCITY,
+    SEGMENT_COLUMNS,
+    SLOPE,
+    UNDECIDED,
+    Floats,
+    March,
+    is_nonlinear,
+    write_row,
+)
+from rocksteady.kernels.linear.extrema import keep_peaks
+from rocksteady.kernels.linear.flight import make_flight
+from rocksteady.kernels.linear.zeros import FOUND, NO_RETURN, next_zero
+from rocksteady.kernels.march._samples import fly_through, rest_through
+from rocksteady.kernels.march.rest import STILL, chatter_ends, next_uplift
+from rocksteady.kernels.nonlinear.drive import foot_forcing, jump_share, loss_of_contact, side_drive
+from rocksteady.kernels.nonlinear.flight import fly
+from rocksteady.kernels.nonlinear.proofs import bounces_end, point_of_no_return
+from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS
+
+# The columns too: whoever marches needs them.
+__all__ = [
+    "ALIKE",
+    "AMPLITUDE",
+    "AT_REST",
+    "CEILING",
+    "CONSTANT",
+    "DURATION",
+    "ENDED_BY_IMPACT",
+    "ENDED_BY_NO_RETURN",
+    "ENDED_BY_SPAN",
+    "ENDED_BY_UPLIFT",
+    "FREQUENCY",
+    "JUMP",
+    "LEAN",
+    "OVERTURNED",
+    "PHASE",
+    "RATE",
+    "RESTITUTION",
+    "ROCKING",
+    "ROW_ANGLE",
+    "ROW_COLUMNS",
+    "ROW_DURATION",
+    "ROW_EVENT",
+    "ROW_HALF_CYCLES",
+    "ROW_PHASE",
+    "ROW_SEGMENT",
+    "ROW_SIDE",
+    "ROW_VELOCITY",
+    "SEGMENT_COLUMNS",
+    "SLOPE",
+    "UNDECIDED",
+    "Floats",
+    "March",
+    "march",
+    "side_forcing",
+]
+
+
+@compiled
+def side_forcing(segments: Floats, index: int, sides: Floats, side: int, elapsed: float) -> Forcing:
+    """Return the forcing of a segment seen from one side, its slope counted from `elapsed`."""
+    row = 0 if side > 0 else 1
+    lean, rate = sides[row, LEAN], sides[row, RATE]
+    constant = segments[index, CONSTANT] + segments[index, SLOPE] * elapsed
+    return make_forcing(
+        side * constant / lean - 1.0,
+        side * segments[index, SLOPE] / (lean * rate),
+        segments[index, AMPLITUDE] / lean,
+        segments[index, FREQUENCY] / rate,
+    )
+
+
+@inlined
+def foot_of(
+    segments: Floats, index: int, sides: Floats, side: int, elapsed: float, nonlinear: bool
+) -> Forcing:
+    """Return the forcing of a block that stands on its base; the linear model's at any angle.
+
+    The model is an argument, so that each loop of the march holds its own case alone.
+    """
+    if nonlinear:
+        return foot_forcing(side_drive(segments, index, sides, side, elapsed))
+    return side_forcing(segments, index, sides, side, elapsed)
+
+
+@compiled
+def march(
+    segments: Floats,
+    sides: Floats,
+    start: March,
+    stop_half_cycles: int,
+    stop_phase: float,
+    rest_velocity: float,
+    limit: int,
+    rows: Floats,
+    peaks: Floats,
+) -> tuple[int, March]:
+    """March from `start` to the stop, to overturning, or to the limit.
+
+    Parameters
+    ----------
+    segments, sides
+        Tables of shape (segments, 9) and (2, 3); of the nonlinear model (segments, 12) and (2, 5).
+    start
+        Where to begin, within a segment too, as where another march has stopped.  At rest `side` is
+        0; a side with angle and velocity 0 is just lifting off.
+    stop_half_cycles, stop_phase
+        The clock reading on the last segment at which the run ends, where that is endless.
+    rest_velocity
+        Chatter slower than this comes to rest as soon as the bound of
+        `rocksteady.kernels.march.rest` proves that it will.
+    limit
+        Flights and rests after which the march gives up as UNDECIDED.
+    rows
+        Array of shape (flights, 8) that receives the flights, as many as a first march without
+        rows (0, 8) has counted: a march does not depend on whether it is recorded.
+    peaks
+        Array of shape (2,) in which the largest |theta|/alpha of either side and the largest
+        |velocity| are kept, those that it comes with included, up to the end or the proof of
+        overturning; or of shape (0,).
+
+    Returns
+    -------
+    tuple
+        Status (ROCKING, AT_REST, OVERTURNED, UNDECIDED or LOST_CONTACT) and final state.
+    """
+    if is_nonlinear(sides):
+        return _march(
+            segments,
+            sides,
+            start,
+            stop_half_cycles,
+            stop_phase,
+            rest_velocity,
+            limit,
+            rows,
+            peaks,
+            True,
+        )
+    return _march(
+        segments,
+        sides,
+        start,
+        stop_half_cycles,
+        stop_phase,
+        rest_velocity,
+        limit,
+        rows,
+        peaks,
+        False,
+    )
+
+
+@inlined
+def _march(
+    segments: Floats,
+    sides: Floats,
+    start: March,
+    stop_half_cycles: int,
+    stop_phase: float,
+    rest_velocity: float,
+    limit: int,
+    rows: Floats,
+    peaks: Floats,
+    nonlinear: bool,
+) -> tuple[int, March]:
+    """March; inlined once for each model, so that each loop holds the branches of its own alone."""
+    side, angle, velocity = start.side, start.angle, start.velocity
+    segment, half, phase = start.segment, start.half_cycles, start.phase
+    impacts, flights = start.impacts, start.flights
+    record, watch = len(rows) > 0, len(peaks) > 0
+    last = len(segments) - 1
+    work = np.empty((WORK_ROWS if nonlinear else 0, TERMS))
+    since, contact_lost = 0.0, math.inf  # nonlinear model: time on the segment, and to its loss
+
+    loaded = -1  # the segment that the following belong to
+    positive = foot_of(segments, segment, sides, 1, 0.0, nonlinear)
+    negative = positive
+    frequency, sloped, endless = 0.0, False, False
+    first_half, first_phase, end_half, end_phase = 0, 0.0, 0, 0.0
+    sine, cosine, turned_side = 0.0, 1.0, False  # of the phase, known after an impact
+    guess = -1.0
+    rest_velocity = max(rest_velocity, STILL)
+    bounced = False  # off an impact so slow that the block may be coming to rest
+
+    while True:
+        if flights >= limit:
+            return UNDECIDED, March(side, angle, velocity, segment, half, phase, impacts, flights)
+        if segment != loaded:
+            if segments[segment, ALIKE] > 0.0 and phase == 0.0:
+                # Into the first sample that needs what follows: an impact, an uplift, a doubt.
+                if side == 0:
+                    segment, flights = rest_through(segments, sides, segment, flights, limit, rows)
+                else:
+                    segment, angle, velocity, flights, fallen = fly_through(
+                        segments, sides, side, angle, velocity, segment, flights, limit, rows, peaks
+                    )
+                    if fallen:
+                        return OVERTURNED, March(
+                            side, angle, velocity, segment, half, phase, impacts, flights
+                        )
+                if flights >= limit:
+                    continue
+            loaded = segment
+            frequency = segments[segment, FREQUENCY]
+            sloped = segments[segment, SLOPE] != 0.0
+            if nonlinear and segments[segment, LIFT_SLOPE] != 0.0:
+                sloped = True
+            contact_lost = loss_of_contact(segments, segment) if nonlinear else math.inf
+            endless = segments[segment, DURATION] == math.inf
+            first_half, first_phase = segment_start(segments, segment)
+            end_half, end_phase = stop_half_cycles, stop_phase
+            if not endless:
+                end_half, end_phase = segment_end(segments, segment)
+            # Not 0 where the march begins within a segment.
+            since = elapsed_time(half, phase, first_half, first_phase, frequency)
+            positive = foot_of(segments, segment, sides, 1, since, nonlinear)
+            negative = foot_of(segments, segment, sides, -1, since, nonlinear)
+        elif sloped or nonlinear:
+            since = elapsed_time(half, phase, first_half, first_phase, frequency)
+            if sloped:  # a slope is counted from the start of the flight
+                positive = foot_of(segments, segment, sides, 1, since, nonlinear)
+                negative = foot_of(segments, segment, sides, -1, since, nonlinear)
+        span = elapsed_time(end_half, end_phase, half, phase, frequency)
+        leaving = nonlinear and contact_lost - since < span
+        if leaving:
+            span = max(contact_lost - since, 0.0)
+
+        # 1. At rest: wait for uplift, for the next segment, or for the end of the run.
+        if side == 0:
+            side, wait = next_uplift(positive, negative, sides, half, phase, frequency, span)
+            if side != 0 and wait == 0.0:
+                continue  # into flight, with angle and velocity 0
+            if record:
+                event = ENDED_BY_SPAN if side == 0 else ENDED_BY_UPLIFT
+                write_row(rows, flights, segment, half, phase, 0, 0.0, 0.0, wait, event)
+            flights += 1
+            if side != 0:
+                half, phase = uplift_clock(
+                    half, phase, frequency, wait, side, positive if side > 0 else negative
+                )
+                continue
+            if leaving:
+                half, phase = later_clock(half, phase, frequency, wait)
+                return LOST_CONTACT, March(0, 0.0, 0.0, segment, half, phase, impacts, flights)
+            half, phase = end_half, end_phase
+            if segment == last:
+                return AT_REST, March(0, 0.0, 0.0, segment, half, phase, impacts, flights)
+            segment += 1
+            half, phase = segment_start(segments, segment)
+            velocity = segments[segment, JUMP]
+            if velocity != 0.0:
+                side = 1 if velocity > 0.0 else -1
+                velocity *= sides[0 if side > 0 else 1, RATE] ** 2
+                if nonlinear:
+                    velocity *= jump_share(sides, side, 0.0)
+            continue
+
+        # 2. A flight, in the units of its side.
+        row = 0 if side > 0 else 1
+        lean, rate = sides[row, LEAN], sides[row, RATE]
+        forcing = positive if side > 0 else negative
+        seen_phase, seen_half = side_phase(half, phase, side, frequency)
+        if not turned_side:
+            sine, cosine = math.sin(seen_phase), math.cos(seen_phase)
+        turned_side = False
+        if bounced:
+            bounced = False
+            if nonlinear:
+                there_phase, _ = side_phase(half, phase, -side, frequency)
+                dies_out = bounces_end(
+                    segments,
+                    segment,
+                    sides,
+                    side,
+                    since,
+                    abs(velocity),
+                    seen_phase,
+                    there_phase,
+                    span,
+                )
+            else:
+                dies_out = chatter_ends(
+                    max(sides[0, RESTITUTION], sides[1, RESTITUTION]),
+                    abs(velocity) / (lean * rate),
+                    abs(velocity) / (sides[1 - row, LEAN] * sides[1 - row, RATE]),
+                    rate,
+                    sides[1 - row, RATE],
+                    span,
+                    forcing,
+                    negative if side > 0 else positive,
+                    seen_phase,
+                    sine,
+                )
+            if dies_out:
+                velocity = 0.0
+                side = 0
+                continue
+        lifting = angle == 0.0 and velocity == 0.0
+        if nonlinear:
+            zero = fly(
+                side_drive(segments, segment, sides, side, since),
+                side * angle / lean,
+                side * velocity / (lean * rate),
+                seen_phase,
+                span * rate,
+                endless,
+                point_of_no_return(segments, segment, sides, side),
+                lifting,
+                sides[0, LEFT_OUT],
+                peaks,
+                lean,
+                rate,
+                work,
+            )
+            duration = zero.time / rate
+        else:
+            flight = make_flight(
+                forcing,
+                side * angle / lean,
+                side * velocity / (lean * rate),
+                seen_phase,
+                sine,
+                cosine,
+            )
+            zero = next_zero(flight, forcing, span * rate, endless, lifting, guess)
+            duration = math.inf if zero.event == NO_RETURN else zero.time / rate
+            if watch:
+                keep_peaks(flight, forcing, zero, lean, rate, peaks)
+        if record:
+            write_row(
+                rows, flights, segment, half, phase, side, angle, velocity, duration, zero.event
+            )
+        flights += 1
+        if zero.event == NO_RETURN:
+            return OVERTURNED, March(side, angle, velocity, segment, half, phase, impacts, flights)
+
+        if zero.event == FOUND:
+            # 3. Impact: the velocity shrinks, the pivot changes.
+            impacts += 1
+            guess = zero.time
+            if frequency == 0.0:
+                phase += zero.time / rate
+            else:
+                turned, phase = clock(zero.phase, seen_half)
+                half += turned - seen_half + 2 * zero.cycle
+                sine, cosine, turned_side = -zero.sine, -zero.cosine, True
+            velocity = sides[row, RESTITUTION] * side * zero.velocity * lean * rate
+            angle = 0.0
+            side = -side
+            bounced = abs(velocity) <= rest_velocity
+            continue
+
+        # 4. The segment or the run ended in mid flight.
+        angle = side * zero.angle * lean
+        velocity = side * zero.velocity * lean * rate
+        if zero.angle <= 0.0:  # it has only just lifted off, and rounding put it into the floor
+            angle, velocity = 0.0, side * max(zero.velocity, 0.0) * lean * rate
+        if leaving:
+            half, phase = later_clock(half, phase, frequency, span)
+            return LOST_CONTACT, March(
+                side, angle, velocity, segment, half, phase, impacts, flights
+            )
+        half, phase = end_half, end_phase
+        if segment == last:
+            return ROCKING, March(side, angle, velocity, segment, half, phase, impacts, flights)
+        segment += 1
+        half, phase = segment_start(segments, segment)
+        # An impulse of the base turns each side by its own p^2, as any acceleration does.
+        jump = segments[segment, JUMP] * (rate * rate)
+        beyond = lean + segments[segment, CEILING]
+        if nonlinear:
+            jump *= jump_share(sides, side, side * angle / lean)
+            beyond = lean * point_of_no_return(segments, segment, sides, side)
+        velocity += jump
+        if angle == 0.0:  # the velocity alone says where it goes
+            side = int(np.sign(velocity))
+        if abs(angle) > beyond and velocity * side >= 0.0:
+            # Nothing that is still to come can bring it back.
+            return OVERTURNED, March(side, angle, velocity, segment, half, phase, impacts, flights)
+        guess = -1.0

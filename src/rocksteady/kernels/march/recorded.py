@@ -1,0 +1,247 @@
+"""What a recorded march tells: its state at any time, its peak, the time of overturning."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.kernels.core.clock import elapsed_time, segment_start, side_phase
+from rocksteady.kernels.core.compilation import compiled
+from rocksteady.kernels.core.forcing import Forcing
+from rocksteady.kernels.core.tables import LEFT_OUT, is_nonlinear
+from rocksteady.kernels.linear.extrema import flight_peaks, last_rise
+from rocksteady.kernels.linear.flight import Flight, flight_acceleration, flight_state, make_flight
+from rocksteady.kernels.march.march import (
+    ENDED_BY_IMPACT,
+    ENDED_BY_NO_RETURN,
+    ENDED_BY_SPAN,
+    FREQUENCY,
+    LEAN,
+    RATE,
+    ROW_ANGLE,
+    ROW_DURATION,
+    ROW_EVENT,
+    ROW_HALF_CYCLES,
+    ROW_PHASE,
+    ROW_SEGMENT,
+    ROW_SIDE,
+    ROW_VELOCITY,
+    Floats,
+    side_forcing,
+)
+from rocksteady.kernels.nonlinear.drive import Drive, acceleration, side_drive
+from rocksteady.kernels.nonlinear.flight import phase_at
+from rocksteady.kernels.nonlinear.proofs import point_of_no_return
+from rocksteady.kernels.nonlinear.recorded import (
+    Leg,
+    last_rise_of,
+    leg_after,
+    leg_from,
+    peaks_of,
+)
+from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS, angle_at
+
+
+@compiled
+def row_flight(
+    segments: Floats, sides: Floats, rows: Floats, index: int
+) -> tuple[Flight, Forcing, float, float]:
+    """Return a recorded flight in its side's units, its forcing, and the side's lean and rate."""
+    segment = int(rows[index, ROW_SEGMENT])
+    half, phase = int(rows[index, ROW_HALF_CYCLES]), rows[index, ROW_PHASE]
+    side = 1 if rows[index, ROW_SIDE] > 0.0 else -1
+    row = 0 if side > 0 else 1
+    lean, rate = sides[row, LEAN], sides[row, RATE]
+    frequency = segments[segment, FREQUENCY]
+    first_half, first_phase = segment_start(segments, segment)
+    since = elapsed_time(half, phase, first_half, first_phase, frequency)
+    forcing = side_forcing(segments, segment, sides, side, since)
+    seen, _ = side_phase(half, phase, side, frequency)
+    flight = make_flight(
+        forcing,
+        side * rows[index, ROW_ANGLE] / lean,
+        side * rows[index, ROW_VELOCITY] / (lean * rate),
+        seen,
+        math.sin(seen),
+        math.cos(seen),
+    )
+    return flight, forcing, lean, rate
+
+
+@compiled
+def row_start(
+    segments: Floats, sides: Floats, rows: Floats, index: int
+) -> tuple[Drive, float, float, float, float, float]:
+    """Return a recorded nonlinear flight: drive, phase and state, and the side's lean and rate."""
+    segment = int(rows[index, ROW_SEGMENT])
+    half, phase = int(rows[index, ROW_HALF_CYCLES]), rows[index, ROW_PHASE]
+    side = 1 if rows[index, ROW_SIDE] > 0.0 else -1
+    row = 0 if side > 0 else 1
+    lean, rate = sides[row, LEAN], sides[row, RATE]
+    frequency = segments[segment, FREQUENCY]
+    first_half, first_phase = segment_start(segments, segment)
+    since = elapsed_time(half, phase, first_half, first_phase, frequency)
+    seen, _ = side_phase(half, phase, side, frequency)
+    return (
+        side_drive(segments, segment, sides, side, since),
+        seen,
+        side * rows[index, ROW_ANGLE] / lean,
+        side * rows[index, ROW_VELOCITY] / (lean * rate),
+        lean,
+        rate,
+    )
+
+
+@compiled
+def fill_nonlinear(
+    segments: Floats,
+    sides: Floats,
+    rows: Floats,
+    index: NDArray[np.int64],
+    since: Floats,
+    states: Floats,
+) -> None:
+    """Fill what `fill_states` fills; times in order are reached in one pass over each flight."""
+    work = np.empty((WORK_ROWS, TERMS))
+    left_out = sides[0, LEFT_OUT]
+    row = -1  # whose step the working space holds
+    drive, seen, _, _, lean, rate = row_start(segments, sides, rows, 0)
+    span, side = 0.0, 0.0
+    leg = Leg(0.0, 0.0, 0, 0.0, 0.0)
+    for i in range(len(index)):
+        if rows[index[i], ROW_SIDE] == 0.0:
+            states[0, i] = states[1, i] = states[2, i] = 0.0
+            continue
+        if index[i] != row or since[i] * rate < leg.start:
+            row = index[i]
+            side = rows[row, ROW_SIDE]
+            drive, seen, y, v, lean, rate = row_start(segments, sides, rows, row)
+            span = rows[row, ROW_DURATION] * rate
+            leg = leg_from(drive, seen, 0.0, y, v, span, left_out, work)
+        time = since[i] * rate
+        while time > leg.start + leg.step and leg.start + leg.step < span:
+            leg = leg_after(leg, drive, seen, span, left_out, work)
+        angle, velocity = angle_at(work, leg.degree, time - leg.start)
+        _, turned = phase_at(drive, seen, time)
+        states[0, i] = side * lean * angle
+        states[1, i] = side * lean * rate * velocity
+        states[2, i] = (
+            side * lean * rate * rate * acceleration(drive, time, angle, math.sin(turned))
+        )
+
+
+@compiled
+def fill_states(
+    segments: Floats,
+    sides: Floats,
+    rows: Floats,
+    index: NDArray[np.int64],
+    since: Floats,
+    states: Floats,
+) -> None:
+    """Fill angle, velocity and acceleration, shape (3, times), in reference units.
+
+    `index` names the row in which each time lies, `since` the time since that row's start.
+    """
+    if is_nonlinear(sides):
+        fill_nonlinear(segments, sides, rows, index, since, states)
+        return
+    for i in range(len(index)):
+        side = rows[index[i], ROW_SIDE]
+        if side == 0.0:
+            states[0, i] = states[1, i] = states[2, i] = 0.0
+            continue
+        flight, forcing, lean, rate = row_flight(segments, sides, rows, index[i])
+        time = since[i] * rate
+        phase = flight.phase + forcing.frequency * time
+        sine, cosine = math.sin(phase), math.cos(phase)
+        angle, velocity = flight_state(flight, forcing, time, sine, cosine)
+        acceleration = flight_acceleration(forcing, time, angle, sine)
+        states[0, i] = side * lean * angle
+        states[1, i] = side * lean * rate * velocity
+        states[2, i] = side * lean * rate * rate * acceleration
+
+
+@compiled
+def last_crossing(segments: Floats, sides: Floats, rows: Floats, level: float) -> tuple[int, float]:
+    """Return row and time since its start at which the last flight last rises through a level.
+
+    The level is in units of the side's own slenderness.  A flight that starts above it and never
+    crosses it has been above since its start.
+    """
+    index = len(rows) - 1
+    while True:
+        if is_nonlinear(sides):
+            drive, seen, y, v, _, rate = row_start(segments, sides, rows, index)
+            span = rows[index, ROW_DURATION] * rate
+            side = 1 if rows[index, ROW_SIDE] > 0.0 else -1
+            lost = point_of_no_return(segments, int(rows[index, ROW_SEGMENT]), sides, side)
+            time = last_rise_of(drive, seen, y, v, span, sides[0, LEFT_OUT], level, lost)
+        else:
+            flight, forcing, _, rate = row_flight(segments, sides, rows, index)
+            endless = rows[index, ROW_EVENT] == ENDED_BY_NO_RETURN
+            time = last_rise(flight, forcing, level, rows[index, ROW_DURATION] * rate, endless)
+        if time >= 0.0:
+            return index, time / rate
+        before = rows[index - 1, ROW_EVENT] if index > 0 else ENDED_BY_IMPACT
+        same_flight = before == ENDED_BY_SPAN and rows[index - 1, ROW_SIDE] == rows[index, ROW_SIDE]
+        if not same_flight:
+            return index, 0.0
+        index -= 1
+
+
+@compiled
+def recorded_peaks(
+    segments: Floats, sides: Floats, rows: Floats, last_duration: float
+) -> tuple[float, float, float]:
+    """Return the largest |theta|/alpha on either side, and the largest |velocity|.
+
+    Each side counts in its own alpha; the velocity is in reference units.  `last_duration` replaces
+    the duration of the last row, which is infinite where the block falls.
+    """
+    positive = negative = speed = 0.0
+    for index in range(len(rows)):
+        if rows[index, ROW_SIDE] == 0.0:
+            continue
+        above = rows[index, ROW_SIDE] > 0.0
+        angle = positive if above else negative
+        duration = last_duration if index == len(rows) - 1 else rows[index, ROW_DURATION]
+        if is_nonlinear(sides):
+            drive, seen, y, v, lean, rate = row_start(segments, sides, rows, index)
+            angle, fast = peaks_of(
+                drive,
+                seen,
+                y,
+                v,
+                duration * rate,
+                sides[0, LEFT_OUT],
+                angle,
+                speed / (lean * rate),
+            )
+        else:
+            flight, forcing, lean, rate = row_flight(segments, sides, rows, index)
+            span = duration * rate
+            turned = flight.phase + forcing.frequency * span
+            y, v = flight_state(flight, forcing, span, math.sin(turned), math.cos(turned))
+            angle, fast = flight_peaks(flight, forcing, span, y, v, angle, speed / (lean * rate))
+        speed = max(speed, fast * lean * rate)
+        if above:
+            positive = angle
+        else:
+            negative = angle
+    return positive, negative, speed
+
+
+@compiled
+def peaks_until_overturning(
+    segments: Floats, sides: Floats, rows: Floats
+) -> tuple[float, float, float]:
+    """Return what `recorded_peaks` does, until a block that falls passes its alpha for good.
+
+    When the fall is proved depends on the proof; when it passes alpha, on the motion alone.
+    """
+    row, since = last_crossing(segments, sides, rows, 1.0)
+    positive, negative, speed = recorded_peaks(segments, sides, rows[: row + 1], since)
+    if rows[row, ROW_SIDE] > 0.0:  # it passes 1, to rounding
+        return max(positive, 1.0), negative, speed
+    return positive, max(negative, 1.0), speed

@@ -1,0 +1,182 @@
+"""Rest: when it ends in uplift, and when chatter may be said to have come to rest.
+
+A block at rest stays at rest while the base acceleration is below the uplift value of either side
+(|a| < 1 for a symmetric block); it lifts at the next node at which one side's forcing turns
+positive.
+
+**Chatter** is an infinite number of ever smaller bounces in finite time.  With velocity v after an
+impact, let c > 0 be the least of -r over both sides and a window of length T, and L the largest
+|dr/dt|.  While ``y'' <= y - c`` a bounce rises to ``Y = c - sqrt(c^2 - v^2)`` at most and lasts no
+longer than ``2 v / sqrt(c^2 - v^2)``.  The square of its landing velocity exceeds v^2 by twice the
+integral of ``r y'``, that is of ``-r' y``, so by no more than 2 L Y times that duration: it is at
+most ``1 + 4 L v / (c sqrt(c^2 - v^2))`` times v^2, since ``Y <= v^2/c``.  With
+``kappa^2 = restitution^2 (1 + ...) < 1`` the bounces shrink at least geometrically and all are over
+within ``2 v / (sqrt(c^2 - v^2) (1 - kappa))``.  If that is less than T, no uplift can come first (c
+is positive throughout T), and the block is at rest at the end of it.  This is a bound, not an
+estimate: where it does not fit, the march goes on bouncing.  restitution = 1 gives kappa >= 1.
+"""
+
+import math
+
+from rocksteady.kernels.core.clock import side_phase
+from rocksteady.kernels.core.compilation import compiled, inlined
+from rocksteady.kernels.core.forcing import (
+    HALF_PI,
+    LINE,
+    MIXED,
+    SINE,
+    TWO_PI,
+    Forcing,
+    largest_forcing,
+    mixed_node,
+    starts_positive,
+    steepest_forcing,
+)
+from rocksteady.kernels.core.tables import RATE, Floats
+
+# A bounce this slow lasts less than any clock resolves, and its square underflows.
+STILL = 1e-100
+
+
+@compiled
+def uplift_time(forcing: Forcing, phase: float, span: float) -> float:
+    """Return the first time in [0, span) at which the forcing is or turns positive, or infinity."""
+    if starts_positive(forcing, phase):
+        return 0.0
+    time = math.inf
+    if forcing.kind == SINE:
+        ahead = forcing.rising - phase
+        if ahead < 0.0:
+            ahead += TWO_PI
+        time = ahead / forcing.frequency
+    elif forcing.kind == LINE:
+        if forcing.slope > 0.0:
+            time = -forcing.constant / forcing.slope
+    elif forcing.kind == MIXED:
+        time = mixed_node(forcing, phase, 0.0, False, span)
+    return time if time < span else math.inf
+
+
+@compiled
+def next_uplift(
+    positive: Forcing,
+    negative: Forcing,
+    sides: Floats,
+    half: int,
+    phase: float,
+    frequency: float,
+    span: float,
+) -> tuple[int, float]:
+    """Return the side that lifts first and when; side 0 and `span` where none lifts before that."""
+    if span <= 0.0:
+        return 0, 0.0
+    plus_phase, _ = side_phase(half, phase, 1, frequency)
+    minus_phase, _ = side_phase(half, phase, -1, frequency)
+    plus = uplift_time(positive, plus_phase, span * sides[0, RATE]) / sides[0, RATE]
+    minus = uplift_time(negative, minus_phase, span * sides[1, RATE]) / sides[1, RATE]
+    if min(plus, minus) >= span:
+        return 0, span
+    return (1, plus) if plus <= minus else (-1, minus)
+
+
+@inlined
+def chatter_ends(
+    restitution: float,
+    speed_here: float,
+    speed_there: float,
+    rate_here: float,
+    rate_there: float,
+    span: float,
+    forcing_here: Forcing,
+    forcing_there: Forcing,
+    seen_phase: float,
+    sine: float,
+) -> bool:
+    """Return whether the bounces that start now are proved to die out within `span`.
+
+    `seen_phase` and its `sine` are those of the forcing seen from the side of the first bounce.
+    """
+    if speed_here < STILL:
+        return True
+    # Most impacts are told apart here.  The bound needs shaking below uplift and, with the pull of
+    # now in place of the least one to come, bounces that shrink.
+    pull_here = -(forcing_here.constant + forcing_here.amplitude * sine)
+    pull_there = -(forcing_there.constant - forcing_there.amplitude * sine)
+    if pull_here <= speed_here or pull_there <= speed_there:
+        return False
+    shrunk = restitution * restitution
+    drift_here = 4.0 * steepest_forcing(forcing_here) * speed_here
+    drift_there = 4.0 * steepest_forcing(forcing_there) * speed_there
+    if (
+        shrunk * (pull_here * pull_here + drift_here) >= pull_here * pull_here
+        or shrunk * (pull_there * pull_there + drift_there) >= pull_there * pull_there
+    ):
+        return False
+    phase_there = seen_phase + math.pi if seen_phase < HALF_PI else seen_phase - math.pi
+    return settles(
+        restitution,
+        span,
+        forcing_here,
+        seen_phase,
+        speed_here,
+        rate_here,
+        forcing_there,
+        phase_there,
+        speed_there,
+        rate_there,
+    )
+
+
+@compiled
+def settles(
+    restitution: float,
+    span: float,
+    here: Forcing,
+    phase_here: float,
+    velocity_here: float,
+    rate_here: float,
+    there: Forcing,
+    phase_there: float,
+    velocity_there: float,
+    rate_there: float,
+) -> bool:
+    """Return whether the coming bounces are proved to end before an uplift and within `span`.
+
+    `here` is the side of the first bounce.  Forcings and velocities are in the units of their own
+    side (one velocity of the base seen in both), `span` in reference time, in which a side's clock
+    runs `rate` times as fast; `restitution` is the larger of the two sides'.
+    """
+    if restitution >= 1.0:
+        return False
+    pull_here = -largest_forcing(here, phase_here, 0.0)
+    pull_there = -largest_forcing(there, phase_there, 0.0)
+    if pull_here <= velocity_here or pull_there <= velocity_there:
+        return False
+    window = (
+        4.0
+        * max(velocity_here / (pull_here * rate_here), velocity_there / (pull_there * rate_there))
+        / (1.0 - restitution)
+    )
+    if window > span:
+        return False
+    growth_here, duration_here = bounce_bounds(
+        here, phase_here, velocity_here, rate_here, window * rate_here
+    )
+    growth_there, duration_there = bounce_bounds(
+        there, phase_there, velocity_there, rate_there, window * rate_there
+    )
+    kappa = restitution * math.sqrt(max(growth_here, growth_there))
+    return kappa < 1.0 and max(duration_here, duration_there) <= (1.0 - kappa) * window
+
+
+@compiled
+def bounce_bounds(
+    forcing: Forcing, phase: float, velocity: float, rate: float, window: float
+) -> tuple[float, float]:
+    """Return upper bounds of a bounce's growth of velocity squared and of its duration."""
+    pull = -largest_forcing(forcing, phase, window)
+    if pull <= velocity:
+        return math.inf, math.inf
+    root = math.sqrt((pull - velocity) * (pull + velocity))
+    growth = 1.0 + 4.0 * steepest_forcing(forcing) * velocity / (pull * root)
+    return growth, 2.0 * velocity / (root * rate)

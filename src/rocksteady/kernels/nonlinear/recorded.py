@@ -1,0 +1,115 @@
+"""A recorded nonlinear flight again: step by step, its peak, its crossings of a level.
+
+A row holds where a flight begins; the steps from there on are the march's own, so that whatever is
+read off their polynomials is what the march has seen.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from rocksteady.kernels.core.compilation import compiled
+from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.nonlinear._zeros import largest, last_rise
+from rocksteady.kernels.nonlinear.drive import Drive
+from rocksteady.kernels.nonlinear.flight import phase_at, reach_of
+from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS, angle_at, expand
+
+
+class Leg(NamedTuple):
+    """One step of a flight, whose polynomial the working space holds."""
+
+    start: float  # side time since the start of the flight
+    step: float
+    degree: int
+    angle: float  # at its start
+    velocity: float
+
+
+@compiled
+def leg_from(
+    drive: Drive,
+    phase: float,
+    start: float,
+    angle: float,
+    velocity: float,
+    span: float,
+    left_out: float,
+    work: Floats,
+) -> Leg:
+    """Return the step that begins at `start`, of a flight that lasts `span`."""
+    _, turned = phase_at(drive, phase, start)
+    degree, step = expand(
+        drive,
+        start,
+        angle,
+        velocity,
+        math.sin(turned),
+        math.cos(turned),
+        angle == 0.0 and velocity == 0.0,
+        reach_of(velocity, span - start),
+        left_out,
+        work,
+    )
+    return Leg(start, step, degree, angle, velocity)
+
+
+@compiled
+def leg_after(
+    leg: Leg, drive: Drive, phase: float, span: float, left_out: float, work: Floats
+) -> Leg:
+    """Return the step after one."""
+    angle, velocity = angle_at(work, leg.degree, leg.step)
+    return leg_from(drive, phase, leg.start + leg.step, angle, velocity, span, left_out, work)
+
+
+@compiled
+def peaks_of(
+    drive: Drive,
+    phase: float,
+    angle: float,
+    velocity: float,
+    span: float,
+    left_out: float,
+    top_angle: float,
+    top_speed: float,
+) -> tuple[float, float]:
+    """Return the largest y and |y'| of a flight, or the tops given where these are larger."""
+    work = np.empty((WORK_ROWS, TERMS))
+    leg = leg_from(drive, phase, 0.0, angle, velocity, span, left_out, work)
+    while True:
+        top_angle, top_speed = largest(work, leg.degree, leg.step, top_angle, top_speed)
+        if leg.start + leg.step >= span:
+            return top_angle, top_speed
+        leg = leg_after(leg, drive, phase, span, left_out, work)
+
+
+@compiled
+def last_rise_of(
+    drive: Drive,
+    phase: float,
+    angle: float,
+    velocity: float,
+    span: float,
+    left_out: float,
+    level: float,
+    beyond: float,
+) -> float:
+    """Return the last time at which a flight rises through a level, or -1.
+
+    Of a flight that never ends it is the last before it passes `beyond`, from where it does not
+    come back.
+    """
+    work = np.empty((WORK_ROWS, TERMS))
+    last = -1.0
+    leg = leg_from(drive, phase, 0.0, angle, velocity, span, left_out, work)
+    while True:
+        time = last_rise(work, leg.degree, leg.step, level)
+        if time >= 0.0:
+            last = leg.start + time
+        if leg.start + leg.step >= span:
+            return last
+        leg = leg_after(leg, drive, phase, span, left_out, work)
+        if span == math.inf and leg.angle > max(level, beyond):
+            return last

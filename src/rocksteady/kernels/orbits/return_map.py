@@ -1,0 +1,415 @@
+"""The return map of harmonic shaking: from just after one impact to just after the next.
+
+A block that rocks under harmonic shaking is known at each impact by the side it goes to, the phase
+of the shaking and its speed just after.  `next_passage` takes such a state to the next one with the
+exact derivative; everything about orbits, attractors and their stability is built from it alone, so
+that another model needs another `next_passage` and nothing else.
+
+Two passages are not a plain impact.  Chatter that is proved to die out ends in a **rest**, from
+which the block lifts at a phase of its own whatever came before: the state after it is that uplift,
+with speed 0, and its derivative is 0.  And where the block only **grazes** its base, the derivative
+does not exist.
+"""
+
+import math
+from typing import NamedTuple
+
+from rocksteady.kernels.core.clock import clock, side_phase, uplift_clock
+from rocksteady.kernels.core.compilation import compiled, inlined
+from rocksteady.kernels.core.forcing import SINE, Forcing, make_forcing, starts_positive
+from rocksteady.kernels.core.tables import (
+    ALPHA,
+    LEAN,
+    LEFT_OUT,
+    RATE,
+    RESTITUTION,
+    Floats,
+    is_nonlinear,
+)
+from rocksteady.kernels.linear.extrema import highest_angle
+from rocksteady.kernels.linear.flight import Flight, make_flight
+from rocksteady.kernels.linear.landing import landing_jacobian
+from rocksteady.kernels.linear.zeros import FOUND, NO_RETURN, next_zero
+from rocksteady.kernels.march.rest import chatter_ends, uplift_time
+from rocksteady.kernels.nonlinear.drive import Drive, foot_forcing
+from rocksteady.kernels.nonlinear.landing import fly_to_landing, landing_derivative
+from rocksteady.kernels.nonlinear.proofs import bounces_settle
+from rocksteady.kernels.nonlinear.recorded import peaks_of
+
+# What a passage was.
+IMPACT = 0
+UPLIFT = 1  # chatter came to rest, and the block lifts again
+GRAZE = 2  # an impact so slow that the derivative means nothing
+FALL = 3  # no impact follows: the block overturns
+STAY = 4  # chatter came to rest, and nothing lifts the block again
+STUCK = 5  # the search for the next impact did not end
+
+GRAZING_SPEED = 1e-9
+"""Landing speed up to which an impact grazes, in units of the speeds that the shaking gives."""
+AT_NODE = 1e-12
+"""Difference of a phase from that of uplift which is rounding."""
+LONGEST_FLIGHT = 2000.0
+"""Pivot time for which the next impact is looked for.  The smallest growing part that a double can
+hold is past every bound after 745; only a flight without one, upright to the last bit, goes on."""
+ENDLESS = 1e15
+"""Pivot time in which chatter may come to rest: no end, in effect."""
+
+
+class System(NamedTuple):
+    """Harmonic shaking seen from both sides of a block.
+
+    Of the nonlinear model the forcings are those of a block on its base.
+    """
+
+    positive: Forcing
+    negative: Forcing
+    frequency: float  # Omega, in reference time
+    restitution: tuple[float, float]  # of the positive and the negative side
+    lean: tuple[float, float]
+    rate: tuple[float, float]
+    # Of the nonlinear model; 0 in the linear one.
+    alpha: tuple[float, float]
+    amplitude: float  # A of the reference
+    left_out: float
+
+
+class Section(NamedTuple):
+    """A state just after an impact, or (with speed 0) at an uplift."""
+
+    side: int  # +1 or -1: the side to which the block goes
+    half_cycles: int  # whole half periods of the shaking ...
+    phase: float  # ... and the phase within the next, in [0, pi)
+    speed: float  # |d(theta/alpha)/ds|
+
+
+class Jacobian(NamedTuple):
+    """Derivative of (phase, speed) after a passage by (phase, speed) before it."""
+
+    phase_by_phase: float
+    phase_by_speed: float
+    speed_by_phase: float
+    speed_by_speed: float
+
+
+class Passage(NamedTuple):
+    """One step of the return map."""
+
+    kind: int
+    state: Section  # after it; of a fall or a stay the one before
+    time: float  # pivot time that it took, the rest before an uplift included
+    landing: float  # speed just before the impact; 0 at an uplift
+    jacobian: Jacobian
+
+
+@compiled
+def make_system(amplitude: float, frequency: float, sides: Floats) -> System:
+    """Return the system of shaking ``A sin(Omega s + phi)`` and a table of sides."""
+    size_here, turn_here = amplitude / sides[0, LEAN], frequency / sides[0, RATE]
+    size_there, turn_there = amplitude / sides[1, LEAN], frequency / sides[1, RATE]
+    alpha_here = alpha_there = left_out = 0.0
+    if is_nonlinear(sides):
+        alpha_here, alpha_there, left_out = sides[0, ALPHA], sides[1, ALPHA], sides[0, LEFT_OUT]
+        here = Drive(alpha_here, 0.0, 0.0, size_here, turn_here, 0.0, 0.0)
+        there = Drive(alpha_there, 0.0, 0.0, size_there, turn_there, 0.0, 0.0)
+        positive, negative = foot_forcing(here), foot_forcing(there)
+    else:
+        positive = make_forcing(-1.0, 0.0, size_here, turn_here)
+        negative = make_forcing(-1.0, 0.0, size_there, turn_there)
+    return System(
+        positive,
+        negative,
+        frequency,
+        (sides[0, RESTITUTION], sides[1, RESTITUTION]),
+        (sides[0, LEAN], sides[1, LEAN]),
+        (sides[0, RATE], sides[1, RATE]),
+        (alpha_here, alpha_there),
+        amplitude,
+        left_out,
+    )
+
+
+@inlined
+def identity() -> Jacobian:
+    """Return the derivative of standing still."""
+    return Jacobian(1.0, 0.0, 0.0, 1.0)
+
+
+@inlined
+def product(after: Jacobian, before: Jacobian) -> Jacobian:
+    """Return the derivative of one passage after another."""
+    return Jacobian(
+        after.phase_by_phase * before.phase_by_phase + after.phase_by_speed * before.speed_by_phase,
+        after.phase_by_phase * before.phase_by_speed + after.phase_by_speed * before.speed_by_speed,
+        after.speed_by_phase * before.phase_by_phase + after.speed_by_speed * before.speed_by_phase,
+        after.speed_by_phase * before.phase_by_speed + after.speed_by_speed * before.speed_by_speed,
+    )
+
+
+@compiled
+def forcing_of(system: System, side: int) -> Forcing:
+    """Return the forcing seen from one side."""
+    return system.positive if side > 0 else system.negative
+
+
+@compiled
+def like_sides(system: System) -> bool:
+    """Return whether the two sides of a block are alike."""
+    return (
+        system.restitution[0] == system.restitution[1]
+        and system.lean[0] == system.lean[1]
+        and system.rate[0] == system.rate[1]
+        and system.alpha[0] == system.alpha[1]
+    )
+
+
+@compiled
+def drive_of(system: System, row: int) -> Drive:
+    """Return what drives the side of a row in the nonlinear model."""
+    return Drive(
+        system.alpha[row],
+        0.0,
+        0.0,
+        system.amplitude / system.lean[row],
+        system.frequency / system.rate[row],
+        0.0,
+        0.0,
+    )
+
+
+@compiled
+def flight_from(system: System, state: Section) -> Flight:
+    """Return the flight that a state begins, in the units of its side."""
+    row = 0 if state.side > 0 else 1
+    seen, _ = side_phase(state.half_cycles, state.phase, state.side, system.frequency)
+    unit = system.lean[row] * system.rate[row]
+    return make_flight(
+        forcing_of(system, state.side),
+        0.0,
+        state.speed / unit,
+        seen,
+        math.sin(seen),
+        math.cos(seen),
+    )
+
+
+@compiled
+def next_passage(system: System, state: Section, guess: float) -> Passage:
+    """Return the passage that follows a state; `guess` is a time near which the impact may be."""
+    row = 0 if state.side > 0 else 1
+    forcing = forcing_of(system, state.side)
+    flight = flight_from(system, state)
+    if state.speed > 0.0:
+        if comes_to_rest(system, state):
+            return uplift_after(system, state.half_cycles, state.phase)
+    elif not lifts(forcing, flight.phase):  # it touches its base and stays
+        return uplift_after(system, state.half_cycles, state.phase)
+    return passage_of(system, row, state.half_cycles, state.phase, flight, forcing, guess)
+
+
+@compiled
+def guess_after(step: Passage) -> float:
+    """Return a time near which the impact after a passage may be; -1 for none.
+
+    A rest forgets everything, this included.
+    """
+    return -1.0 if step.kind == UPLIFT else step.time
+
+
+@compiled
+def lifts(forcing: Forcing, phase: float) -> bool:
+    """Return whether a block without speed lifts to a side, at a phase of its forcing."""
+    return starts_positive(forcing, phase) or (
+        forcing.kind == SINE and abs(phase - forcing.rising) < AT_NODE
+    )
+
+
+@compiled
+def first_passage(
+    system: System, side: int, half_cycles: int, phase: float, angle: float, velocity: float
+) -> Passage:
+    """Return the passage from any state; angle and velocity are theirs of the reference.
+
+    At rest `side` is 0.  The derivative is that by phase and speed at angle 0 and means nothing for
+    another angle.
+    """
+    if side == 0:
+        return uplift_after(system, half_cycles, phase)
+    row = 0 if side > 0 else 1
+    forcing = forcing_of(system, side)
+    seen, _ = side_phase(half_cycles, phase, side, system.frequency)
+    lean, rate = system.lean[row], system.rate[row]
+    flight = make_flight(
+        forcing,
+        side * angle / lean,
+        side * velocity / (lean * rate),
+        seen,
+        math.sin(seen),
+        math.cos(seen),
+    )
+    return passage_of(system, row, half_cycles, phase, flight, forcing, -1.0)
+
+
+@compiled
+def passage_of(
+    system: System,
+    row: int,
+    half_cycles: int,
+    phase: float,
+    flight: Flight,
+    forcing: Forcing,
+    guess: float,
+) -> Passage:
+    """Return the passage at the end of a flight on the side of a row."""
+    side = 1 if row == 0 else -1
+    lifting = flight.angle == 0.0 and flight.velocity == 0.0
+    if system.left_out > 0.0:
+        zero = fly_to_landing(
+            drive_of(system, row),
+            flight.angle,
+            flight.velocity,
+            flight.phase,
+            LONGEST_FLIGHT,
+            system.left_out,
+        )
+    else:
+        zero = next_zero(flight, forcing, LONGEST_FLIGHT, True, lifting, guess)
+    lean, rate = system.lean[row], system.rate[row]
+    unit = lean * rate
+    if zero.event != FOUND:
+        kind = FALL if zero.event == NO_RETURN else STUCK
+        here = Section(side, half_cycles, phase, abs(flight.velocity) * unit)
+        return Passage(kind, here, math.inf, 0.0, Jacobian(0.0, 0.0, 0.0, 0.0))
+    restitution = system.restitution[row]
+    _, seen_half = side_phase(half_cycles, phase, side, system.frequency)
+    turned, landed = clock(zero.phase, seen_half)
+    half = half_cycles + turned - seen_half + 2 * zero.cycle
+    landing = abs(zero.velocity) * unit
+    after = Section(-side, half, landed, restitution * landing)
+    # Fast shaking moves the block little: a speed counts against what a period's work can give.
+    if landing <= GRAZING_SPEED * min(1.0, (1.0 + forcing.amplitude) / forcing.frequency):
+        return Passage(GRAZE, after, zero.time / rate, landing, Jacobian(0.0, 0.0, 0.0, 0.0))
+    if system.left_out > 0.0:
+        j11, j12, j21, j22 = landing_derivative(
+            drive_of(system, row), restitution, flight.velocity, flight.phase, zero, system.left_out
+        )
+    else:
+        j11, j12, j21, j22 = landing_jacobian(
+            forcing, restitution, flight, zero.time, zero.velocity, zero.sine, zero.cosine
+        )
+    return Passage(
+        IMPACT, after, zero.time / rate, landing, Jacobian(j11, j12 / unit, j21 * unit, j22)
+    )
+
+
+@compiled
+def comes_to_rest(system: System, state: Section) -> bool:
+    """Return whether the bounces that a state begins are proved to die out."""
+    row = 0 if state.side > 0 else 1
+    other = 1 - row
+    forcing, opposite = forcing_of(system, state.side), forcing_of(system, -state.side)
+    seen, _ = side_phase(state.half_cycles, state.phase, state.side, system.frequency)
+    if system.left_out > 0.0:
+        across, _ = side_phase(state.half_cycles, state.phase, -state.side, system.frequency)
+        return bounces_settle(
+            max(system.restitution[0], system.restitution[1]),
+            ENDLESS,
+            drive_of(system, row),
+            seen,
+            state.speed / (system.lean[row] * system.rate[row]),
+            system.rate[row],
+            drive_of(system, other),
+            across,
+            state.speed / (system.lean[other] * system.rate[other]),
+            system.rate[other],
+        )
+    return chatter_ends(
+        max(system.restitution[0], system.restitution[1]),
+        state.speed / (system.lean[row] * system.rate[row]),
+        state.speed / (system.lean[other] * system.rate[other]),
+        system.rate[row],
+        system.rate[other],
+        ENDLESS,
+        forcing,
+        opposite,
+        seen,
+        math.sin(seen),
+    )
+
+
+@compiled
+def uplift_after(system: System, half_cycles: int, phase: float) -> Passage:
+    """Return the uplift that ends a rest, or that nothing does."""
+    nothing = Jacobian(0.0, 0.0, 0.0, 0.0)
+    plus_phase, _ = side_phase(half_cycles, phase, 1, system.frequency)
+    minus_phase, _ = side_phase(half_cycles, phase, -1, system.frequency)
+    plus = uplift_time(system.positive, plus_phase, math.inf) / system.rate[0]
+    minus = uplift_time(system.negative, minus_phase, math.inf) / system.rate[1]
+    wait = min(plus, minus)
+    if wait == math.inf:
+        return Passage(STAY, Section(0, half_cycles, phase, 0.0), math.inf, 0.0, nothing)
+    side = 1 if plus <= minus else -1
+    half, lifted = half_cycles, phase
+    if wait > 0.0:
+        forcing = forcing_of(system, side)
+        half, lifted = uplift_clock(half_cycles, phase, system.frequency, wait, side, forcing)
+    return Passage(UPLIFT, Section(side, half, lifted, 0.0), wait, 0.0, nothing)
+
+
+@compiled
+def phase_between(earlier: Section, later: Section) -> float:
+    """Return the phase of the shaking that passes from one state to another."""
+    halves = later.half_cycles - earlier.half_cycles
+    return halves * math.pi + (later.phase - earlier.phase)
+
+
+@compiled
+def shifted(state: Section, phase: float, speed: float) -> Section:
+    """Return a state with its phase and speed moved."""
+    halves, rest = clock(state.phase + phase)
+    return Section(state.side, state.half_cycles + halves, rest, state.speed + speed)
+
+
+@compiled
+def highest_after(system: System, state: Section, passage: Passage) -> tuple[float, float]:
+    """Return the largest |theta|/alpha of the passage after a state, on its side and the other.
+
+    Of bounces that come to rest the first one on either side is the largest.
+    """
+    if passage.kind != UPLIFT:
+        return highest_of(system, state, passage.time), 0.0
+    if state.speed == 0.0:
+        return 0.0, 0.0
+    row = 0 if state.side > 0 else 1
+    flight, forcing = flight_from(system, state), forcing_of(system, state.side)
+    bounce = passage_of(system, row, state.half_cycles, state.phase, flight, forcing, -1.0)
+    if bounce.kind != IMPACT:
+        return 0.0, 0.0
+    here = highest_of(system, state, bounce.time)
+    row = 1 - row
+    state = bounce.state
+    flight, forcing = flight_from(system, state), forcing_of(system, state.side)
+    bounce = passage_of(system, row, state.half_cycles, state.phase, flight, forcing, -1.0)
+    return here, highest_of(system, state, bounce.time) if bounce.kind == IMPACT else 0.0
+
+
+@compiled
+def highest_of(system: System, state: Section, time: float) -> float:
+    """Return the largest |theta|/alpha of the flight that a state begins, up to a pivot time."""
+    row = 0 if state.side > 0 else 1
+    if system.left_out > 0.0:
+        flight = flight_from(system, state)
+        highest, _ = peaks_of(
+            drive_of(system, row),
+            flight.phase,
+            flight.angle,
+            flight.velocity,
+            time * system.rate[row],
+            system.left_out,
+            flight.angle,
+            math.inf,
+        )
+        return highest * system.lean[row]
+    angle, _ = highest_angle(
+        flight_from(system, state), forcing_of(system, state.side), time * system.rate[row]
+    )
+    return angle * system.lean[row]

@@ -1,0 +1,570 @@
+"""The block: its slenderness, its frequency parameter and what an impact leaves of its velocity.
+
+A free-standing rigid block rocks about two edges.  What its equation of motion needs of each side
+is its critical angle `alpha`, its frequency parameter `p` and its restitution; `Side` holds them,
+and a `Block` is two sides.  Those of a symmetric block are equal.
+
+Sizes are full dimensions in metres.  Much of the literature writes b and h for half of them.
+"""
+
+import math
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.blocks.sides import (
+    Restitution,
+    Restitutions,
+    Side,
+    alpha_value,
+    check_one_body,
+    gravity_value,
+    housner_ratio,
+    housner_restitution,
+    length_value,
+    p_value,
+    radius_value,
+    restitution_pair,
+    restitution_value,
+    sides_of_body,
+)
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import positive
+
+__all__ = [
+    "STANDARD_GRAVITY",
+    "Block",
+    "DimensionlessBlock",
+    "Restitution",
+    "Restitutions",
+    "Side",
+    "housner_ratio",
+    "housner_restitution",
+    "restitution_value",
+]
+
+STANDARD_GRAVITY = 9.80665
+"""Standard acceleration of gravity [m/s^2]."""
+
+
+TALLEST = 200.0
+"""Of the standing towers and obelisks none is taller [m]."""
+
+TALL = 50.0
+"""Height [m] above which two sizes in whole numbers are taken for millimetres or centimetres."""
+
+
+def question_millimetres(*, width: float, height: float) -> None:
+    """Warn of sizes that seem to be in millimetres.
+
+    So seem heights above 200 m, and heights above 50 m where both sizes are whole numbers, as those
+    of catalogues are.
+    """
+    whole = width.is_integer() and height.is_integer()
+    if height > TALLEST or (height > TALL and whole):
+        warnings.warn(
+            f"a block {width:g} m wide and {height:g} m high: sizes are in metres; of one in "
+            f"millimetres give width={width / 1000.0:g}, height={height / 1000.0:g}",
+            stacklevel=4,
+        )
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class Block:
+    """A free-standing rigid block.  Use one of the constructors below.
+
+    ==========================================  ====================================================
+    ``Block.rectangle(width, height)``          homogeneous rectangle of full width and height [m]
+    ``Block.from_radius(alpha, radius)``        homogeneous rectangle of slenderness and
+                                                half-diagonal
+    ``Block.from_p(alpha, p)``                  slenderness [rad] and frequency parameter [rad/s]
+    ``Block.general(...)``                      any mass distribution, symmetric
+    ``Block.asymmetric(left, right, height)``   mass centre nearer to one edge than to the other
+    ``Block.from_alphas(positive, negative)``   the same, by the critical angles of both sides
+    ==========================================  ====================================================
+
+    The positive side is rotation about the left edge, counterclockwise, which a positive base
+    acceleration (to the right) drives.  Its alpha and p are the reference of an asymmetric block:
+    angles count in units of its alpha, pivot time is its p times t, accelerations are in units of
+    its alpha g, and `alpha`, `radius`, `p`, `restitution` and `uplift_acceleration` are its own.
+
+    Parameters
+    ----------
+    positive, negative
+        The two sides.  Positive rotation is about the pivot of `positive`.
+    gravity
+        Acceleration of gravity [m/s^2].
+
+    Raises
+    ------
+    InputError
+        If the gravity is not positive.
+    ModelError
+        If the sides are not those of one rigid body: ``R cos(alpha)``, the height of its mass
+        centre, or ``g R/p^2 - R^2``, its radius of gyration squared, differ.
+
+    Examples
+    --------
+    >>> block = Block.rectangle(width=0.4, height=1.2)
+    >>> print(f"{block.alpha:.4f} rad, {block.radius:.4f} m, {block.p:.4f} rad/s")
+    0.3218 rad, 0.6325 m, 3.4102 rad/s
+    >>> print(f"{block.restitution:.4f}")
+    0.8500
+    """
+
+    positive: Side
+    negative: Side
+    gravity: float = STANDARD_GRAVITY
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        object.__setattr__(self, "gravity", gravity_value(self.gravity))
+        check_one_body(self.positive, self.negative, self.gravity)
+
+    @classmethod
+    def rectangle(
+        cls,
+        *,
+        width: float,
+        height: float,
+        restitution: Restitution = "housner",
+        gravity: float = STANDARD_GRAVITY,
+    ) -> "Block":
+        """Return a homogeneous rectangle: ``p = sqrt(3 g / (4 R))`` (eq 27).
+
+        Parameters
+        ----------
+        width, height
+            Full dimensions [m].
+        restitution
+            A ratio of angular velocities in (0, 1]; "housner" (default) for 1 - 1.5 sin^2 alpha.
+        gravity
+            [m/s^2]
+
+        Raises
+        ------
+        InputError
+            If a size is not a positive number, a restitution lies outside (0, 1], or Housner's
+            value is not positive (a block so stocky does not rock).
+        """
+        b = length_value("width", width, hint="give the full width in metres")
+        h = length_value("height", height, hint="give the full height in metres")
+        question_millimetres(width=b, height=h)
+        alpha = math.atan2(b, h)
+        if restitution == "housner" and housner_ratio(alpha) <= 0.0:
+            # Not left to the check of alpha, which the caller has not given.
+            raise InputError(
+                name="width",
+                value=width,
+                valid=f"with a height of {h:.6g} m Housner's restitution is "
+                f"{housner_ratio(alpha):.4g}, and rocking needs one above 0",
+                hint="give a measured restitution in (0, 1], or a more slender block",
+            )
+        return cls.from_radius(
+            alpha=alpha, radius=0.5 * math.hypot(b, h), restitution=restitution, gravity=gravity
+        )
+
+    @classmethod
+    def from_radius(
+        cls,
+        *,
+        alpha: float,
+        radius: float,
+        restitution: Restitution = "housner",
+        gravity: float = STANDARD_GRAVITY,
+    ) -> "Block":
+        """Return the homogeneous rectangle of slenderness `alpha` [rad] and half-diagonal [m].
+
+        Raises
+        ------
+        InputError
+            As for `rectangle`; `alpha` must lie in (0, pi/2).
+        """
+        r = radius_value(radius)
+        g = gravity_value(gravity)
+        return cls._symmetric(alpha, r, math.sqrt(0.75 * g / r), restitution, g)
+
+    @classmethod
+    def from_p(
+        cls,
+        *,
+        alpha: float,
+        p: float,
+        restitution: Restitution = "housner",
+        gravity: float = STANDARD_GRAVITY,
+    ) -> "Block":
+        """Return the homogeneous rectangle of slenderness `alpha` [rad] and parameter `p` [rad/s].
+
+        Raises
+        ------
+        InputError
+            As for `from_radius`; `p` must be a positive number.
+        """
+        rate = p_value(p)
+        g = gravity_value(gravity)
+        return cls._symmetric(alpha, 0.75 * g / (rate * rate), rate, restitution, g)
+
+    @classmethod
+    def general(
+        cls,
+        *,
+        mass: float,
+        inertia: float,
+        radius: float,
+        alpha: float,
+        restitution: Restitution = "housner",
+        gravity: float = STANDARD_GRAVITY,
+    ) -> "Block":
+        """Return a block of any mass distribution: ``p = sqrt(M g R / I_0)`` (eqs 6, 26).
+
+        Parameters
+        ----------
+        mass
+            M [kg].
+        inertia
+            I_0 about a pivot [kg m^2]; at least M R^2, which is all its mass in one point.
+        radius
+            R from pivot to mass centre [m].
+        alpha
+            Slenderness [rad].
+        restitution
+            A ratio of angular velocities in (0, 1]; "housner" (default) for
+            1 - 2 (M R^2 / I_0) sin^2 alpha, from angular momentum about the new pivot.
+        gravity
+            [m/s^2]
+
+        Raises
+        ------
+        InputError
+            As for `rectangle`.
+        ModelError
+            If the inertia is below M R^2, which no body has.
+        """
+        m = positive("mass", mass, hint="give the mass in kg")
+        i = positive("inertia", inertia, hint="give the moment of inertia about a pivot in kg m^2")
+        r = radius_value(radius)
+        if i < m * r * r * (1.0 - 1e-12):
+            raise ModelError(
+                name="inertia",
+                value=inertia,
+                valid=f"about a pivot it is at least mass * radius^2 = {m * r * r:.6g} kg m^2",
+                hint="add mass * radius^2 to a moment of inertia about the mass centre",
+            )
+        g = gravity_value(gravity)
+        return cls._symmetric(alpha, r, math.sqrt(m * g * r / i), restitution, g)
+
+    @classmethod
+    def asymmetric(
+        cls,
+        *,
+        left: float,
+        right: float,
+        height: float,
+        gyration: float | None = None,
+        restitution: Restitutions = "housner",
+        gravity: float = STANDARD_GRAVITY,
+    ) -> "Block":
+        """Return a block whose mass centre need not stand above the middle of its base.
+
+        Parameters
+        ----------
+        left, right
+            Horizontal distances from the left and from the right edge to the mass centre [m].  The
+            left edge is the pivot of positive rotation.
+        height
+            Twice the height of the mass centre [m]; the full height of a block whose mass centre
+            is at half of it.
+        gyration
+            Radius of gyration about the mass centre, ``sqrt(I_c/M)`` [m].  Without, that of the
+            homogeneous rectangle of this base and height, ``sqrt(((left + right)^2 +
+            height^2)/12)``: what moves the mass centre sideways is assumed to leave the moment of
+            inertia about it as it was.
+        restitution
+            A ratio of angular velocities in (0, 1] for both impacts; a pair, for the impact that
+            ends positive rotation and for the other; or "housner" (default), that of each impact
+            which conserves angular momentum about the edge that is struck (`impact_restitution`).
+        gravity
+            [m/s^2]
+
+        Returns
+        -------
+        Block
+            With ``left == right`` and no `gyration` it is ``Block.rectangle``, to the last bit.
+
+        Raises
+        ------
+        InputError
+            If a number is not positive, a restitution lies outside (0, 1], or one that follows
+            from angular momentum is not positive (a block so stocky does not rock).
+
+        Examples
+        --------
+        >>> block = Block.asymmetric(left=0.15, right=0.25, height=1.2)
+        >>> for side in (block.positive, block.negative):
+        ...     print(f"{side.alpha:.4f} rad, {side.p:.4f} rad/s, {side.restitution:.4f}")
+        0.2450 rad, 3.4290 rad/s, 0.8201
+        0.3948 rad, 3.3865 rad/s, 0.8837
+        """
+        made = cls._asymmetric(
+            left=left,
+            right=right,
+            height=height,
+            gyration=gyration,
+            restitution=restitution,
+            gravity=gravity,
+        )
+        if left != right or gyration is not None:  # else the rectangle has been questioned
+            question_millimetres(width=float(left + right), height=float(height))
+        return made
+
+    @classmethod
+    def from_alphas(
+        cls,
+        *,
+        positive: float,
+        negative: float,
+        radius: float | None = None,
+        p: float | None = None,
+        gyration: float | None = None,
+        restitution: Restitutions = "housner",
+        gravity: float = STANDARD_GRAVITY,
+    ) -> "Block":
+        """Return a block by the critical angles of its sides and one length or rate.
+
+        Parameters
+        ----------
+        positive, negative
+            Slenderness of either side [rad].
+        radius
+            R of the positive side [m]; that of the other follows from the common height of the mass
+            centre, ``R1 cos(alpha1) = R2 cos(alpha2)``.
+        p
+            Frequency parameter of the positive side [rad/s], in place of `radius`.
+        gyration
+            As for `asymmetric` [m]; not with `p`, which follows from it.
+        restitution, gravity
+            As for `asymmetric`.
+
+        Raises
+        ------
+        InputError
+            As for `asymmetric`; an angle must lie inside (0, pi/2).
+        ModelError
+            If not exactly one of `radius` and `p` is given, or `gyration` with `p`.
+
+        Examples
+        --------
+        >>> block = Block.from_alphas(positive=0.2, negative=0.3, radius=1.0)
+        >>> print(f"{block.negative.radius:.4f} m, {block.p:.4f} and {block.negative.p:.4f} rad/s")
+        1.0259 m, 2.7041 and 2.6868 rad/s
+        """
+        first = alpha_value(positive, "positive")
+        second = alpha_value(negative, "negative")
+        if (radius is None) == (p is None) or (p is not None and gyration is not None):
+            raise ModelError(
+                name="radius, p, gyration",
+                value=Words(_which(radius=radius, p=p, gyration=gyration)),
+                valid="a radius, with or without a gyration, or a p alone says how large it is",
+                hint="give radius=..., or p=...",
+            )
+        if first == second and p is not None:
+            return cls._alike(cls.from_p, restitution, gravity, alpha=first, p=p)
+        if first == second and radius is not None and gyration is None:
+            return cls._alike(cls.from_radius, restitution, gravity, alpha=first, radius=radius)
+        g = gravity_value(gravity)
+        if radius is not None:
+            length = radius_value(radius)
+        else:
+            assert p is not None
+            rate = p_value(p)
+            # Of a body R times as large as one with R = 1, p^2 = g/(R (1 + k^2)).
+            base = math.sin(first) + math.cos(first) * math.tan(second)
+            shape = (base * base + 4.0 * math.cos(first) ** 2) / 12.0
+            length = g / (rate * rate * (1.0 + shape))
+        centre = length * math.cos(first)
+        return cls._asymmetric(
+            left=length * math.sin(first),
+            right=centre * math.tan(second),
+            height=2.0 * centre,
+            gyration=gyration,
+            restitution=restitution,
+            gravity=g,
+        )
+
+    @classmethod
+    def _asymmetric(
+        cls,
+        *,
+        left: float,
+        right: float,
+        height: float,
+        gyration: float | None,
+        restitution: Restitutions,
+        gravity: float,
+    ) -> "Block":
+        """Return what `asymmetric` does, of whatever size."""
+        b1 = length_value("left", left, hint="give the distance of the left edge in metres")
+        b2 = length_value("right", right, hint="give the distance of the right edge in metres")
+        h = length_value(
+            "height", height, hint="give twice the height of the mass centre in metres"
+        )
+        k = None
+        if gyration is not None:
+            k = length_value("gyration", gyration, hint="give sqrt(I_c/M) in metres")
+        g = gravity_value(gravity)
+        # One way of computing a symmetric block, whoever makes it.
+        if b1 == b2 and k is None:
+            return cls._alike(cls.rectangle, restitution, g, width=2.0 * b1, height=h)
+        if b1 == b2 and k is not None:
+            radius = math.hypot(b1, 0.5 * h)
+            sizes = {"radius": radius, "alpha": math.atan2(b1, 0.5 * h)}
+            inertia = k * k + radius * radius
+            return cls._alike(cls.general, restitution, g, mass=1.0, inertia=inertia, **sizes)
+        one, other = sides_of_body(
+            left=b1,
+            right=b2,
+            centre_height=0.5 * h,
+            gyration=math.sqrt(((b1 + b2) ** 2 + h * h) / 12.0) if k is None else k,
+            restitution=restitution,
+            gravity=g,
+        )
+        return cls(positive=one, negative=other, gravity=g)
+
+    @classmethod
+    def _alike(
+        cls,
+        make: Callable[..., "Block"],
+        restitution: Restitutions,
+        gravity: float,
+        **sizes: float,
+    ) -> "Block":
+        """Return a symmetric block of a constructor, with one restitution or two."""
+        if restitution == "housner":
+            return make(restitution=restitution, gravity=gravity, **sizes)
+        pair = restitution_pair(restitution)
+        return make(restitution=pair[0], gravity=gravity, **sizes).with_restitution(pair)
+
+    @classmethod
+    def _symmetric(
+        cls, alpha: float, radius: float, p: float, restitution: Restitution, gravity: float
+    ) -> "Block":
+        """Return the block whose sides are both made of these."""
+        angle = alpha_value(alpha)
+        if restitution == "housner":
+            ratio = housner_restitution(angle, p=p, radius=radius, gravity=gravity)
+        else:
+            ratio = restitution
+        side = Side(alpha=angle, radius=radius, p=p, restitution=ratio)
+        return cls(positive=side, negative=side, gravity=gravity)
+
+    @property
+    def alpha(self) -> float:
+        """Slenderness of the positive side [rad]."""
+        return self.positive.alpha
+
+    @property
+    def radius(self) -> float:
+        """Distance R from the positive side's pivot to the mass centre [m]."""
+        return self.positive.radius
+
+    @property
+    def p(self) -> float:
+        """Frequency parameter of the positive side [rad/s]."""
+        return self.positive.p
+
+    @property
+    def restitution(self) -> float:
+        """Ratio of angular velocities after and before an impact that ends positive rotation."""
+        return self.positive.restitution
+
+    @property
+    def width(self) -> float:
+        """Distance between the pivots [m]; that of a rectangle is its full width."""
+        return self.positive.radius * math.sin(
+            self.positive.alpha
+        ) + self.negative.radius * math.sin(self.negative.alpha)
+
+    @property
+    def height(self) -> float:
+        """Twice the height of the mass centre [m]; that of a rectangle is its full height."""
+        return 2.0 * self.positive.radius * math.cos(self.positive.alpha)
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether its two sides are equal."""
+        return self.positive == self.negative
+
+    @property
+    def lossless(self) -> bool:
+        """Whether no impact takes anything from the velocity: restitution 1 on both sides."""
+        return self.positive.restitution == self.negative.restitution == 1.0
+
+    @property
+    def uplift_acceleration(self) -> float:
+        """Base acceleration that lifts the block from rest in the linear model, alpha g [m/s^2].
+
+        Of an asymmetric block it is that which lifts it to the positive side; the unit of all
+        accelerations.  To the negative side lifts one of ``negative.alpha * gravity``, reversed.
+        """
+        return self.positive.alpha * self.gravity
+
+    def with_restitution(self, restitution: float | tuple[float, float]) -> "Block":
+        """Return the block with other restitutions: a number for both impacts, or a pair.
+
+        Raises
+        ------
+        InputError
+            If one lies outside (0, 1].
+        """
+        first, second = restitution_pair(restitution)
+        return replace(
+            self,
+            positive=replace(self.positive, restitution=first),
+            negative=replace(self.negative, restitution=second),
+        )
+
+    def dimensionless(self) -> DimensionlessBlock:
+        """Return what the equation of motion sees of the block in its own units.
+
+        Those of an asymmetric block are the positive side's.
+
+        Raises
+        ------
+        InputError
+            If one side's alpha or p is more than a hundred times the other's.
+        """
+        one, other = self.positive, self.negative
+        return DimensionlessBlock(
+            restitution=one.restitution,
+            negative_restitution=other.restitution,
+            alpha_ratio=other.alpha / one.alpha,
+            p_ratio=other.p / one.p,
+        )
+
+    def _repr_html_(self) -> str:
+        """Return a small table for notebooks."""
+        sides = (self.positive,) if self.symmetric else (self.positive, self.negative)
+
+        def each(values: list[str], unit: str = "") -> str:
+            return " and ".join(values) + unit
+
+        rows: tuple[tuple[str, str], ...] = (
+            ("slenderness alpha", each([f"{side.alpha:.6g}" for side in sides], " rad")),
+            ("radius R", each([f"{side.radius:.6g}" for side in sides], " m")),
+            ("frequency parameter p", each([f"{side.p:.6g}" for side in sides], " rad/s")),
+            ("restitution", each([f"{side.restitution:.6g}" for side in sides])),
+            ("uplift at", each([f"{side.alpha:.6g}" for side in sides], " g")),
+        )
+        if not self.symmetric:
+            rows = (("sides", "positive (left edge) and negative (right edge)"), *rows)
+        cells = "".join(f"<tr><th>{name}</th><td>{value}</td></tr>" for name, value in rows)
+        return f"<table><caption>Block</caption>{cells}</table>"
+
+
+def _which(**given: object) -> str:
+    """Return which of several arguments are given, in words."""
+    names = [name for name, value in given.items() if value is not None]
+    return f"do not fit, with {' and '.join(names)} given" if names else "are all missing"

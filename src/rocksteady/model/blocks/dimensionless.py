@@ -1,0 +1,97 @@
+"""A block as the equation of motion sees it, in units of its own."""
+
+from dataclasses import dataclass, replace
+
+from rocksteady.model.blocks.sides import restitution_value
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import in_range
+
+SideRow = tuple[float, float, float]
+"""Restitution, alpha over the reference alpha, p over the reference p."""
+
+LARGEST_RATIO = 100.0
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class DimensionlessBlock:
+    """A block as the equation of motion sees it: its restitution, and how unlike its sides are.
+
+    Angles count in units of alpha, times in units of 1/p, accelerations in units of alpha g, with
+    alpha and p of the positive side.
+
+    Parameters
+    ----------
+    restitution
+        Ratio of the angular velocities after and before an impact, in (0, 1]; where there is a
+        `negative_restitution`, before an impact that ends positive rotation.
+    negative_restitution
+        The same of an impact that ends negative rotation; None (default) for `restitution`.
+    alpha_ratio, p_ratio
+        The negative side's alpha and p over the positive side's, from 0.01 to 100; 1 (default) of a
+        symmetric block.
+
+    Raises
+    ------
+    InputError
+        If a number lies outside its range.
+
+    Examples
+    --------
+    >>> DimensionlessBlock(restitution=0.8).sides
+    ((0.8, 1.0, 1.0), (0.8, 1.0, 1.0))
+    >>> DimensionlessBlock(restitution=0.8, alpha_ratio=1.5, p_ratio=0.95).sides
+    ((0.8, 1.0, 1.0), (0.8, 1.5, 0.95))
+    """
+
+    restitution: float
+    negative_restitution: float | None = None
+    alpha_ratio: float = 1.0
+    p_ratio: float = 1.0
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        object.__setattr__(self, "restitution", restitution_value(self.restitution))
+        if self.negative_restitution is not None:
+            other = restitution_value(self.negative_restitution, name="negative_restitution")
+            # Blocks that move alike are equal.
+            object.__setattr__(
+                self, "negative_restitution", None if other == self.restitution else other
+            )
+        for name in ("alpha_ratio", "p_ratio"):
+            ratio = in_range(
+                name,
+                getattr(self, name),
+                1.0 / LARGEST_RATIO,
+                LARGEST_RATIO,
+                "[]",
+                hint="give the negative side's over the positive side's",
+            )
+            object.__setattr__(self, name, ratio)
+
+    @property
+    def sides(self) -> tuple[SideRow, SideRow]:
+        """(restitution, alpha ratio, p ratio) of the positive and of the negative side.
+
+        The ratios refer to the positive side.
+        """
+        other = self.restitution if self.negative_restitution is None else self.negative_restitution
+        return (self.restitution, 1.0, 1.0), (other, self.alpha_ratio, self.p_ratio)
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether the two sides are alike, so that the mirror image of a motion is a motion."""
+        return self.sides[0] == self.sides[1]
+
+    @property
+    def lossless(self) -> bool:
+        """Whether no impact takes anything from the velocity: restitution 1 on both sides."""
+        return self.sides[0][0] == self.sides[1][0] == 1.0
+
+    def with_restitution(self, restitution: float) -> "DimensionlessBlock":
+        """Return the block with another restitution, the same of both impacts."""
+        return replace(self, restitution=restitution, negative_restitution=None)
+
+    def dimensionless(self) -> "DimensionlessBlock":
+        """Return itself."""
+        return self

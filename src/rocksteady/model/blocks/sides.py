@@ -1,0 +1,331 @@
+"""One side of a block: what its equation of motion needs of a pivot, and what an impact leaves.
+
+The **positive side** is rotation about the left edge, counterclockwise, which a base acceleration
+to the right (positive) drives; the negative side is rotation about the right edge.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from rocksteady.errors import InputError, ModelError
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import in_range
+
+SAME_BODY = 1e-6
+"""How near two sides' heights and moments of inertia are, relative to their size, if they belong to
+one body: measured values agree to less, computed ones to rounding."""
+
+Restitution = float | Literal["housner"]
+"""A ratio of angular velocities in (0, 1], or "housner" for that of inelastic impact."""
+
+Restitutions = Restitution | tuple[float, float]
+"""One for both impacts, or a pair: of the impact that ends positive rotation, and of the other."""
+
+
+def restitution_value(value: object, *, name: str = "restitution") -> float:
+    """Return a restitution in (0, 1], the ratio of angular velocities after and before an impact.
+
+    Raises
+    ------
+    InputError
+        If `value` is not a number in (0, 1].
+    """
+    hint = (
+        "give the ratio of the angular velocities after and before an impact; a ratio of energies "
+        "r is its square, so take sqrt(r)"
+    )
+    return in_range(name, value, 0.0, 1.0, "(]", hint=hint)
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class Side:
+    """One pivot of a block.
+
+    Parameters
+    ----------
+    alpha
+        Critical angle (slenderness) [rad]: the tilt at which the mass centre stands above the
+        pivot.
+    radius
+        Distance R from the pivot to the mass centre [m].
+    p
+        Frequency parameter ``sqrt(M g R / I_0)`` [rad/s] (eq 6).
+    restitution
+        Ratio of the angular velocities after and before the impact that ends rocking on this side
+        (eq 9).
+
+    Raises
+    ------
+    InputError
+        If alpha lies outside (0, pi/2), a restitution outside (0, 1], or another number is not
+        positive.
+    """
+
+    alpha: float
+    radius: float
+    p: float
+    restitution: float
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        object.__setattr__(self, "alpha", alpha_value(self.alpha))
+        object.__setattr__(self, "radius", radius_value(self.radius))
+        object.__setattr__(self, "p", p_value(self.p))
+        object.__setattr__(self, "restitution", restitution_value(self.restitution))
+
+    @property
+    def distance(self) -> float:
+        """Horizontal distance from the pivot to the mass centre [m]."""
+        return self.radius * math.sin(self.alpha)
+
+    @property
+    def centre_height(self) -> float:
+        """Height of the mass centre [m]."""
+        return self.radius * math.cos(self.alpha)
+
+
+def check_one_body(one: Side, other: Side, gravity: float) -> None:
+    """Refuse two sides that no rigid body has.
+
+    Raises
+    ------
+    ModelError
+        If their mass centres have unlike heights, or their moments of inertia about it differ.
+    """
+    if one == other:
+        return
+    here, there = one.centre_height, other.centre_height
+    if abs(here - there) > SAME_BODY * max(here, there):
+        raise ModelError(
+            name="radius * cos(alpha)",
+            value=(here, there),
+            valid="it is the height of the one mass centre, so the same on both sides",
+            hint="use Block.from_alphas with one radius, or Block.asymmetric",
+        )
+    # I_c/M = g R/p^2 - R^2 about the mass centre is that of one body seen from either pivot.
+    about = [gravity * side.radius / side.p**2 for side in (one, other)]
+    centre = [whole - side.radius**2 for whole, side in zip(about, (one, other), strict=True)]
+    if abs(centre[0] - centre[1]) > SAME_BODY * max(about):
+        raise ModelError(
+            name="g radius / p^2 - radius^2",
+            value=tuple(centre),
+            valid="it is the squared radius of gyration about the mass centre, so the same on each "
+            "side",
+            hint="leave p to Block.asymmetric or Block.from_alphas",
+        )
+
+
+def sides_of_body(
+    *,
+    left: float,
+    right: float,
+    centre_height: float,
+    gyration: float,
+    restitution: Restitutions,
+    gravity: float,
+) -> tuple[Side, Side]:
+    """Return the positive and the negative side of a rigid body; all arguments are valid numbers.
+
+    Parameters
+    ----------
+    left, right
+        Horizontal distances from the edges to the mass centre [m].
+    centre_height
+        Height of the mass centre [m].
+    gyration
+        Radius of gyration about the mass centre, ``sqrt(I_c/M)`` [m].
+    restitution, gravity
+        As for `rocksteady.Block.asymmetric`.
+    """
+    alphas = math.atan2(left, centre_height), math.atan2(right, centre_height)
+    radii = math.hypot(left, centre_height), math.hypot(right, centre_height)
+    rates = [math.sqrt(gravity * r / (gyration * gyration + r * r)) for r in radii]
+    if restitution == "housner":
+        ratios = (
+            impact_ratio(alphas, radii, gyration),
+            impact_ratio(alphas[::-1], radii[::-1], gyration),
+        )
+        if min(ratios) <= 0.0:
+            # Not left to the check of the angles, which the caller may not have given.
+            raise InputError(
+                name="left",
+                value=left,
+                valid=f"with {right:.6g} m to the right edge and {centre_height:.6g} m down to the "
+                f"base the restitution that conserves angular momentum is {min(ratios):.4g}, and "
+                "rocking needs one above 0",
+                hint="give a measured restitution in (0, 1], or a more slender block",
+            )
+    else:
+        ratios = restitution_pair(restitution)
+    first, second = (
+        Side(alpha=alpha, radius=radius, p=p, restitution=ratio)
+        for alpha, radius, p, ratio in zip(alphas, radii, rates, ratios, strict=True)
+    )
+    return first, second
+
+
+@checked
+def impact_restitution(
+    alphas: tuple[float, float], radii: tuple[float, float], *, gyration: float
+) -> float:
+    """Return the restitution that conserves angular momentum about the pivot that is struck.
+
+    ``(I_c + M R1 R2 cos(alpha1 + alpha2)) / (I_c + M R2^2)``, with 1 the pivot that is left and 2
+    the one that is struck: just before the impact the mass centre moves at right angles to the line
+    from pivot 1, and the two lines enclose alpha1 + alpha2 (`docs/theory/model.md`).
+
+    Parameters
+    ----------
+    alphas, radii
+        Slenderness [rad] and distance to the mass centre [m] of pivot 1 and pivot 2.
+    gyration
+        Radius of gyration about the mass centre, ``sqrt(I_c/M)`` [m].
+
+    Returns
+    -------
+    float
+        The ratio of angular velocities.
+
+    Raises
+    ------
+    InputError
+        If the ratio is not positive: the block is so stocky that it does not rock on.
+
+    Examples
+    --------
+    >>> print(f"{impact_restitution((0.2, 0.3), (1.0, 1.02588), gyration=0.58):.6f}")
+    0.890458
+    """
+    angles = tuple([alpha_value(alpha, "alphas") for alpha in alphas])
+    hint = "give the distances from both pivots to the mass centre in metres"
+    lengths = tuple([length_value("radii", radius, hint=hint) for radius in radii])
+    k = length_value("gyration", gyration, hint="give sqrt(I_c/M) in metres")
+    ratio = impact_ratio(angles, lengths, k)
+    if ratio <= 0.0:
+        raise InputError(
+            name="alphas",
+            value=alphas,
+            valid=f"the restitution that conserves angular momentum is {ratio:.4g}, and rocking "
+            "needs one above 0",
+            hint="give a measured restitution in (0, 1], or a more slender block",
+        )
+    return ratio
+
+
+@checked
+def housner_restitution(
+    alpha: float, *, p: float = 1.0, radius: float = 0.75, gravity: float = 1.0
+) -> float:
+    """Return the restitution that conserves angular momentum about the new pivot.
+
+    Housner's ``1 - 1.5 sin^2 alpha`` of a homogeneous rectangle is ``1 - 2 (p^2 R / g) sin^2
+    alpha`` with its p; the default arguments are those of a rectangle.
+
+    Parameters
+    ----------
+    alpha
+        Slenderness [rad].
+    p, radius, gravity
+        Frequency parameter [rad/s], R [m] and g [m/s^2]; only p^2 R / g = M R^2 / I_0 matters.
+
+    Returns
+    -------
+    float
+        The ratio of angular velocities.
+
+    Raises
+    ------
+    InputError
+        If the ratio is not positive: the block is so stocky that it does not rock on.
+
+    References
+    ----------
+    G. W. Housner, Bull. Seism. Soc. Am. 53, 403-417 (1963).
+
+    Examples
+    --------
+    >>> round(housner_restitution(0.17453292519943295), 6)
+    0.954769
+    """
+    ratio = housner_ratio(
+        alpha_value(alpha),
+        p=p_value(p),
+        radius=radius_value(radius),
+        gravity=gravity_value(gravity),
+    )
+    if ratio <= 0.0:
+        raise InputError(
+            name="alpha",
+            value=alpha,
+            valid=f"Housner's restitution for it is {ratio:.4g}, and rocking needs one above 0",
+            hint="give a measured restitution in (0, 1], or a more slender block",
+        )
+    return ratio
+
+
+def housner_ratio(
+    alpha: float, *, p: float = 1.0, radius: float = 0.75, gravity: float = 1.0
+) -> float:
+    """Return the value of `housner_restitution`, positive or not."""
+    return 1.0 - 2.0 * (p * p * radius / gravity) * math.sin(alpha) ** 2
+
+
+def impact_ratio(alphas: tuple[float, ...], radii: tuple[float, ...], gyration: float) -> float:
+    """Return the value of `impact_restitution`, positive or not."""
+    square = gyration * gyration
+    # R1 R2 cos(alpha1 + alpha2) is the height squared less the product of the two distances.
+    shared = radii[0] * radii[1] * math.cos(alphas[0] + alphas[1])
+    return (square + shared) / (square + radii[1] * radii[1])
+
+
+def restitution_pair(value: object) -> tuple[float, float]:
+    """Return the restitutions of both impacts: of a number twice that, of a pair each.
+
+    Raises
+    ------
+    InputError
+        If it is neither, or one of them lies outside (0, 1].
+    """
+    if isinstance(value, tuple | list):
+        if len(value) != 2:
+            raise InputError(
+                name="restitution",
+                value=value,
+                valid="there are two impacts, the one that ends positive rotation and the other",
+                hint="give one number for both, or a pair of them",
+            )
+        return restitution_value(value[0]), restitution_value(value[1])
+    both = restitution_value(value)
+    return both, both
+
+
+def alpha_value(value: float, name: str = "alpha") -> float:
+    """Return a slenderness inside (0, pi/2)."""
+    hint = "give the angle in radians at which the mass centre stands above the pivot"
+    return in_range(name, value, 0.0, 0.5 * math.pi, "()", hint=hint)
+
+
+def radius_value(value: float) -> float:
+    """Return a positive distance from a pivot to the mass centre."""
+    return length_value(
+        "radius", value, hint="give the distance from pivot to mass centre in metres"
+    )
+
+
+def length_value(name: str, value: object, *, hint: str) -> float:
+    """Return a length whose square and inverse square are numbers too."""
+    return in_range(name, value, 1e-50, 1e50, "[]", hint=hint)
+
+
+def p_value(value: float) -> float:
+    """Return a frequency parameter."""
+    hint = "give the frequency parameter sqrt(M g R / I_0) in rad/s"
+    return in_range("p", value, 1e-6, 1e6, "[]", hint=hint)
+
+
+def gravity_value(value: float) -> float:
+    """Return a positive acceleration of gravity."""
+    hint = "give the acceleration of gravity in m/s^2"
+    return in_range("gravity", value, 1e-50, 1e50, "[]", hint=hint)

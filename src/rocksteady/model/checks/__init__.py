@@ -1,0 +1,1 @@
+"""Which values are accepted, and what is said of the others: types, shapes, ranges."""

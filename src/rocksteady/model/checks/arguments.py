@@ -1,0 +1,475 @@
+"""Checks of the types of public arguments, read off the annotations of each signature.
+
+A value of the wrong type is refused where it enters, by one line that names the argument, and not
+by a traceback from deep inside.  What a number may be is checked by the validators of
+`rocksteady.model.checks.validation`, in the functions themselves, whose hints know its unit.
+"""
+
+import functools
+import inspect
+import math
+import os
+import types
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from decimal import Decimal
+from itertools import islice
+from numbers import Integral, Number, Real
+from os import PathLike, fspath
+from pathlib import Path
+from typing import Any, Final, Literal, TypeVar, Union, get_args, get_origin
+
+from rocksteady.errors import InputError
+from rocksteady.model.checks.arrays import (
+    MOST_ITEMS,
+    UnfitError,
+    numeric_array,
+    refuse_mask_and_unit,
+    scalar_of,
+)
+
+__all__ = ["checked", "checked_result"]
+
+T = TypeVar("T")
+
+_ABC_NAMES: Final[Mapping[object, str]] = {str: "a text", bool: "True or False", Path: "a path"}
+
+Fit = Callable[[str, Any], Any]
+
+CHECKED_INSIDE: Final = frozenset({"model", "method"})
+"""Texts whose own validator says more of what is valid than their types do."""
+
+CHECKED_INSIDE_OF: Final = frozenset(
+    {
+        ("Piecewise.__init__", "pieces"),
+        ("attractor_trail", "values"),
+        ("bifurcation_branches", "within"),
+        ("bifurcation_curve", "start"),
+        ("bifurcation_curve", "within"),
+        ("continuation", "within"),
+        ("overturning_impulse", "block"),
+        ("overturning_windows", "amplitudes"),
+        ("steady_states", "order"),
+    }
+)
+"""Likewise of other types, each in one function."""
+
+LONGEST_NAME: Final = 255
+"""Bytes of a file's name, on any file system in use."""
+
+
+def checked(target: T) -> T:
+    """Check the argument types of a function, or of a class's constructor and public methods.
+
+    The signature stays as it is.  Numbers, and numbers in place of texts, are left to the
+    function's own validators, whose hints know more.
+    """
+    guarded: T = _checked(target, numbers=False)
+    return guarded
+
+
+def checked_result(target: T) -> T:
+    """Check as `checked` does, and that numbers are numbers: of results, which may hold NaN."""
+    guarded: T = _checked(target, numbers=True)
+    return guarded
+
+
+def _checked(target: Any, *, numbers: bool) -> Any:
+    if not inspect.isclass(target):
+        return _guarded(target, numbers=False)
+    for name, member in list(vars(target).items()):
+        if name.startswith("_") and name not in ("__init__", "__call__"):
+            continue
+        if isinstance(member, classmethod | staticmethod):
+            setattr(target, name, type(member)(_guarded(member.__func__, numbers=False)))
+        elif inspect.isfunction(member):
+            setattr(target, name, _guarded(member, numbers=numbers and name == "__init__"))
+    return target
+
+
+def _guarded(function: Callable[..., Any], *, numbers: bool) -> Callable[..., Any]:
+    """Return a function that checks its arguments first; the function itself if none has a type."""
+    plan: list[tuple[str, int, bool, Fit]] | None = None
+    made = _plan  # the wrapper has the globals of the function's module, not of this one
+
+    def call(*args, **kwargs):  # type: ignore[no-untyped-def]
+        nonlocal plan
+        if plan is None:
+            plan = made(function, numbers)
+        given = args
+        for name, place, many, fit in plan:
+            if name in kwargs:
+                kwargs[name] = fit(name, kwargs[name])
+            elif many:
+                fits = tuple([fit(name, value) for value in given[place:]])
+                given = given[:place] + fits
+            elif 0 <= place < len(given):
+                value = fit(name, given[place])
+                if value is not given[place]:
+                    given = (*given[:place], value, *given[place + 1 :])
+        return function(*given, **kwargs)
+
+    # Finders of doctests know a module's functions by their globals.
+    local = types.FunctionType(
+        call.__code__, function.__globals__, function.__name__, closure=call.__closure__
+    )
+    return functools.wraps(function)(local)
+
+
+def _plan(function: Callable[..., Any], numbers: bool) -> list[tuple[str, int, bool, Fit]]:
+    """Return name, place (-1 of a keyword), whether it is ``*args``, and the check of each."""
+    plan: list[tuple[str, int, bool, Fit]] = []
+    for place, parameter in enumerate(inspect.signature(function).parameters.values()):
+        fit = _fit_of(parameter.annotation, function.__globals__, numbers)
+        if fit is None:
+            continue
+        if parameter.name in CHECKED_INSIDE:
+            fit = _plain_text
+        if (function.__qualname__, parameter.name) in CHECKED_INSIDE_OF:
+            fit = _kept
+        many = parameter.kind is parameter.VAR_POSITIONAL
+        by_name = parameter.kind is parameter.KEYWORD_ONLY
+        if parameter.kind is not parameter.VAR_KEYWORD:
+            check = _reported(fit, parameter.default)
+            plan.append((parameter.name, -1 if by_name else place, many, check))
+    return plan
+
+
+def _reported(fit: Fit, default: object) -> Fit:
+    """Return a check that raises the line of the package."""
+
+    def check(name: str, value: Any) -> Any:
+        if value is default:
+            return value
+        try:
+            return fit(name, value)
+        except UnfitError as unfit:
+            valid, hint = unfit.args
+            raise InputError(name=name, value=value, valid=valid, hint=hint) from None
+
+    return check
+
+
+def _fit_of(annotation: Any, names: Mapping[str, Any], numbers: bool) -> Fit | None:
+    """Return the check of an annotation; None where everything passes."""
+    if isinstance(annotation, str):
+        return _fit_of_text(annotation, names, numbers)
+    origin, inner = get_origin(annotation), get_args(annotation)
+    if any("_SupportsArray" in str(get_origin(part)) for part in inner):  # ArrayLike
+        array = _array_or_names if Sequence[str] in inner else numeric_array
+        return _either([array, _nothing]) if types.NoneType in inner else array
+    if origin in (Union, types.UnionType):
+        paths = any(part is Path or get_origin(part) is PathLike for part in inner)
+        parts = [part for part in inner if not (paths and part is str)]
+        parts.sort(key=lambda part: part is not Path)
+        return _either([_fit_of(part, names, numbers) for part in parts])
+    if "numpy.ndarray" in str(origin):
+        return _any_array if numbers else _kept_array
+    if origin in (tuple, list, Sequence, Iterable, Mapping):
+        return _fit_of_items(origin, [_fit_of(part, names, True) for part in inner])
+    return _choice(inner) if origin is Literal else _fit_of_class(origin or annotation, numbers)
+
+
+def _fit_of_items(origin: Any, fits: list[Fit | None]) -> Fit:
+    """Return the check of a sequence or a mapping."""
+    if origin is Mapping:
+        return _mapping
+    if origin is tuple and not (len(fits) == 2 and fits[1] is None):  # not tuple[X, ...]
+        return _row(fits)
+    return _items(fits[0], lazily=origin is Iterable)
+
+
+def _fit_of_class(kind: Any, numbers: bool) -> Fit | None:
+    """Return the check of a class; None where everything passes."""
+    simple: dict[Any, Fit | None] = {
+        None: _nothing,
+        types.NoneType: _nothing,
+        float: _number if numbers else _plain,
+        int: _whole if numbers else _plain,
+        str: _text if numbers else _plain_text,
+        Path: _path,
+        PathLike: _path,
+        Callable: _callable,
+        object: None,
+        Any: None,
+        inspect.Parameter.empty: None,
+    }
+    if kind in simple:
+        return simple[kind]
+    if not isinstance(kind, type):
+        return None  # a type variable, or Any
+    return _of_protocol(kind) if getattr(kind, "_is_protocol", False) else _instance(kind)
+
+
+def _fit_of_text(annotation: str, names: Mapping[str, Any], numbers: bool) -> Fit | None:
+    """Return the check of a quoted annotation, whose classes may not be imported yet."""
+    fits: list[Fit | None] = []
+    for part in annotation.split("|"):
+        word = part.strip().split(".")[-1]
+        if not word.isidentifier():
+            return None
+        known = names.get(word)
+        if word == "None":
+            fits.append(_nothing)
+        else:
+            fits.append(_fit_of_class(known, numbers) if isinstance(known, type) else _named(word))
+    return _either(fits)
+
+
+def _nothing(_: str, value: Any) -> Any:
+    if value is not None:
+        raise UnfitError("it must be None", "leave it out")
+    return value
+
+
+def _kept(name: str, value: Any) -> Any:
+    """Pass what the function itself checks; a mask and a unit it would lose."""
+    refuse_mask_and_unit(name, value)
+    return value
+
+
+def _plain(name: str, value: Any) -> Any:
+    """Return a number as a plain float or int; what it may be, the function knows."""
+    kind = type(value)
+    if kind is float or kind is int:
+        return value
+    refuse_mask_and_unit(name, value)
+    return scalar_of(value)
+
+
+def _number(name: str, value: Any) -> Any:
+    """Return a real number, NaN and infinity too, as a plain one."""
+    plain = _plain(name, value)
+    if isinstance(plain, bool) or not isinstance(plain, Real):
+        raise UnfitError("it must be a real number", "give a float")
+    return plain
+
+
+def _any_array(name: str, value: Any) -> Any:
+    """Pass an array of numbers, complex ones and booleans too, or of names."""
+    return numeric_array(name, value, "biufcU")
+
+
+def _array_or_names(name: str, value: Any) -> Any:
+    """Pass an array of numbers, or of names."""
+    return numeric_array(name, value, "iufU")
+
+
+def _kept_array(name: str, value: Any) -> Any:
+    """Pass what can be an array without a loss; what it holds, the class itself checks."""
+    return numeric_array(name, value, None)
+
+
+def _whole(name: str, value: Any) -> Any:
+    plain = _plain(name, value)
+    if isinstance(plain, bool) or not isinstance(plain, Integral):
+        raise UnfitError("it must be a whole number", "give an int")
+    return plain
+
+
+def _text(_: str, value: Any) -> Any:
+    if not isinstance(value, str):
+        raise UnfitError("it must be a text", "give a str")
+    return value
+
+
+def _plain_text(_: str, value: Any) -> Any:
+    """Pass a text, and what can be compared with one: the function knows which texts there are."""
+    comparable = isinstance(value, str | bytes | Number) and not isinstance(value, Decimal)
+    if value is None or comparable:
+        return value
+    raise UnfitError("it must be a text", "give a str")
+
+
+def _path(_: str, value: Any) -> Any:
+    if not isinstance(value, str | PathLike) or isinstance(value, type):
+        raise UnfitError("it must be a path", "give a str or a pathlib.Path")
+    try:
+        text = fspath(value)
+        os.fsencode(text)
+    except (TypeError, UnicodeError):
+        raise UnfitError("it must be a path", "give a str or a pathlib.Path") from None
+    if not isinstance(text, str) or "\0" in text:
+        raise UnfitError("it must be a path, in text", "give a str or a pathlib.Path")
+    longest = max((len(os.fsencode(part)) for part in Path(text).parts), default=0)
+    if longest > LONGEST_NAME:
+        raise UnfitError(f"it must be a path of names up to {LONGEST_NAME} bytes", "shorten it")
+    return value
+
+
+def _callable(_: str, value: Any) -> Any:
+    if not callable(value) or isinstance(value, type):
+        raise UnfitError("it must be a function", "give a callable")
+    return value
+
+
+def _choice(options: tuple[Any, ...]) -> Fit:
+    kinds = tuple({type(option) for option in options})
+    words = " or ".join(map(repr, options))
+    if len(options) > 2:
+        words = f"one of {', '.join(map(str, options))}"
+
+    def fit(_: str, value: Any) -> Any:
+        plain = scalar_of(value)
+        if not isinstance(plain, kinds) or isinstance(plain, bool) or plain not in options:
+            raise UnfitError(f"it must be {words}", "give one of them")
+        return plain
+
+    return fit
+
+
+def _instance(kind: type) -> Fit:
+    words = f"it must be {_ABC_NAMES.get(kind) or _with_article(kind.__name__)}"
+
+    def fit(_: str, value: Any) -> Any:
+        if not isinstance(value, kind):
+            if kind.__name__ == "Harmonic" and callable(getattr(value, "segments", None)):
+                return value  # another motion, which the function refuses with its reason
+            if kind is bool and type(value).__name__ in ("bool", "bool_"):
+                return bool(value)
+            raise UnfitError(words, _how_to_get(kind.__name__, value))
+        return value
+
+    return fit
+
+
+def _named(word: str) -> Fit:
+    """Return the check of a class by its name, without importing its package."""
+
+    def fit(_: str, value: Any) -> Any:
+        if not any(kind.__name__ == word for kind in type(value).__mro__):
+            raise UnfitError(f"it must be {_with_article(word)}", _how_to_get(word, value))
+        return value
+
+    return fit
+
+
+def _of_protocol(kind: type) -> Fit:
+    methods = [name for name in vars(kind) if not name.startswith("_")]
+    words = f"it must be {_with_article(kind.__name__)}"
+
+    def fit(_: str, value: Any) -> Any:
+        if isinstance(value, type) or not all(
+            callable(getattr(value, method, None)) for method in methods
+        ):
+            raise UnfitError(words, _how_to_get(kind.__name__, value))
+        return value
+
+    return fit
+
+
+def _either(fits: Sequence[Fit | None]) -> Fit | None:
+    """Return the check of a union; None where everything passes.
+
+    A number in it is left to the validator of that number, whose hint knows the unit.
+    """
+    if None in fits:
+        return None
+    known = [fit for fit in fits if fit is not None]
+    numeric = _plain in known
+    others = [fit for fit in known if fit is not _plain]
+    if numeric and all(fit is _nothing for fit in others):
+        return _plain
+
+    def fit(name: str, value: Any) -> Any:
+        unfit: list[tuple[str, str]] = [("it must be a number", "give one")] if numeric else []
+        for one in others:
+            try:
+                return one(name, value)
+            except UnfitError as error:
+                valid, hint = error.args
+                if not valid.startswith("it must be"):  # a mask, a unit: it was nearly right
+                    raise
+                if one is not _nothing:
+                    unfit.append((valid, hint))
+        if numeric:
+            plain = _plain(name, value)
+            if plain is None or isinstance(plain, Number | str):
+                return plain
+        clauses = dict.fromkeys(valid.removeprefix("it must be ") for valid, _ in unfit)
+        raise UnfitError("it must be " + " or ".join(clauses), unfit[-1 if numeric else 0][1])
+
+    return fit
+
+
+def _row(fits: Sequence[Fit | None]) -> Fit:
+    """Return the check of a tuple of a fixed length, as (low, high)."""
+    words = f"it must be a tuple of {len(fits)} values"
+
+    def fit(name: str, value: Any) -> Any:
+        items = _listed(name, value, words, len(fits) + 1)
+        if len(items) != len(fits):
+            raise UnfitError(words, "give (" + ", ".join(["..."] * len(fits)) + ")")
+        return tuple(_item(one, name, item) for one, item in zip(fits, items, strict=True))
+
+    return fit
+
+
+def _items(one: Fit | None, *, lazily: bool) -> Fit:
+    """Return the check of a sequence, each item of it."""
+
+    def fit(name: str, value: Any) -> Any:
+        if not lazily and not (hasattr(value, "__len__") and hasattr(value, "__getitem__")):
+            raise UnfitError("it must be a list or a tuple", "give a list")
+        items = _listed(name, value, "it must be a list or a tuple", MOST_ITEMS + 1)
+        if len(items) > MOST_ITEMS:
+            raise UnfitError(f"it must have at most {MOST_ITEMS} items", "give fewer")
+        fitted = tuple(_item(one, name, item) for item in items)
+        same = all(new is old for new, old in zip(fitted, items, strict=True))
+        return value if same and isinstance(value, list | tuple) else fitted
+
+    return fit
+
+
+def _listed(name: str, value: Any, words: str, most: int) -> list[Any]:
+    """Return the first items of an iterable that is no text and no mapping."""
+    if isinstance(value, str | bytes | bytearray | Mapping | type):
+        raise UnfitError(words, "give a list of them")
+    refuse_mask_and_unit(name, value)
+    try:
+        return list(islice(value, most))
+    except Exception:  # noqa: BLE001 - not iterable, or its own code fails
+        raise UnfitError(words, "give a list of them") from None
+
+
+def _item(one: Fit | None, name: str, item: Any) -> Any:
+    if one is None:
+        return item
+    item = one(name, item)
+    if isinstance(item, float) and math.isnan(item):
+        raise UnfitError("it must not hold NaN", "leave NaN out")
+    return item
+
+
+def _mapping(name: str, value: Any) -> Any:
+    """Pass a mapping whose values lose nothing as arrays; what it holds the function checks."""
+    if not isinstance(value, Mapping):
+        if name == "axes":  # a list of names is nearly right: the function says what is missing
+            return value
+        raise UnfitError("it must be a mapping", "give a dict")
+    for key, item in value.items():
+        refuse_mask_and_unit(str(key), item)
+    return value
+
+
+def _with_article(word: str) -> str:
+    return f"an {word}" if word[0] in "AEIO" else f"a {word}"
+
+
+_MADE_BY: Final = {
+    "Block": "make one with Block.rectangle(width=..., height=...)",
+    "Motion": "give a Harmonic, a Pulse, a Piecewise, a Record or a Still",
+    "Record": "read one with read_record(path), or make a Record(acceleration_m_s2=..., dt_s=...)",
+    "Trajectory": "give what simulate(...) returns",
+    "Orbit": "give what orbits(...) returns, or attractor(...).orbit",
+    "Harmonic": "make a Harmonic(amplitude=..., frequency_ratio=...)",
+    "Axes": "give the axes of matplotlib, or leave it out for new ones",
+    "Dataset": "give the dataset that the function named in the documentation returns",
+}
+
+
+def _how_to_get(word: str, value: Any) -> str:
+    if word.endswith("Block") and callable(getattr(value, "segments", None)):
+        return "the block comes first, then the shaking"
+    if isinstance(value, type) and value.__name__ == word:
+        return f"make one of the class, {word}(...)"
+    return _MADE_BY.get(word, f"give {_with_article(word)}")

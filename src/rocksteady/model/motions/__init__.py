@@ -1,0 +1,1 @@
+"""What shakes it: harmonic motion, pulses, impulses, records, and sums of them."""

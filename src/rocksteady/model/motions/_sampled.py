@@ -1,0 +1,87 @@
+"""Straight lines in place of what no segment holds: the one place that samples a base motion."""
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from rocksteady.errors import InputError
+from rocksteady.model.motions.segments import Segment
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+MOST_LINES = 200_000
+"""Straight lines of one motion; as many take some seconds to make."""
+
+
+def straight_lines(values: "Floats", step: float) -> tuple[Segment, ...]:
+    """Return the segments of a motion that is straight between evenly spaced samples.
+
+    Parameters
+    ----------
+    values
+        Base acceleration in units of alpha g, shape (samples,), at least two.
+    step
+        Pivot time p t between two of them.
+    """
+    slopes = (values[1:] - values[:-1]) / step
+    return tuple(
+        Segment(duration=step, constant=float(value), slope=float(slope))
+        for value, slope in zip(values[:-1], slopes, strict=True)
+    )
+
+
+def polyline(
+    acceleration: "Callable[[Floats], Floats]",
+    duration: float,
+    *,
+    curvature: float,
+    tolerance: float,
+    size: float = 1.0,
+) -> tuple[Segment, ...]:
+    """Return straight lines that are nowhere further than a tolerance from a smooth motion.
+
+    A chord over a time h misses a function by at most ``max|a''| h^2 / 8``.  The lines are of one
+    length, the longest that keeps this bound below the tolerance.
+
+    Parameters
+    ----------
+    acceleration
+        Base acceleration in units of alpha g, at an array of pivot times from 0 to `duration`.
+    duration
+        Pivot time p t.
+    curvature
+        An upper bound of its second derivative's size.
+    tolerance
+        In units of alpha g.
+    size
+        By what the lines are multiplied, and their error with them.
+
+    Raises
+    ------
+    InputError
+        If more than 200 000 lines would be needed.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> lines = polyline(lambda s: np.sin(s), 2.0, curvature=1.0, tolerance=1e-4)
+    >>> len(lines), round(1.0 * lines[0].duration ** 2 / 8.0, 6)
+    (71, 9.9e-05)
+    """
+    import numpy as np
+
+    needed = duration * math.sqrt(curvature / (8.0 * tolerance))
+    if needed > MOST_LINES:
+        raise InputError(
+            name="tolerance",
+            value=tolerance,
+            valid=f"{needed:.3g} straight lines would be needed, and {MOST_LINES} are the most",
+            hint=f"give {tolerance * (needed / MOST_LINES) ** 2:.2g} or more, or a shorter motion",
+        )
+    count = max(1, math.ceil(needed))
+    values = size * acceleration(np.linspace(0.0, duration, count + 1))
+    return straight_lines(values, duration / count)

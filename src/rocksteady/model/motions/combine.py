@@ -1,0 +1,249 @@
+"""Motions made of motions: scaled or turned round, delayed, one after another, and summed."""
+
+import cmath
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import accumulate, pairwise
+
+from rocksteady.errors import ModelError
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import LARGEST, in_range, positive
+from rocksteady.model.motions._sampled import polyline
+from rocksteady.model.motions.segments import (
+    LONGEST_DURATION,
+    Motion,
+    Piecewise,
+    Segment,
+    segments_of,
+)
+
+SUM_TOLERANCE = 1e-6
+"""How far [alpha g] a sum that has to be sampled may be from itself, where nobody says."""
+
+_SAME_TIME = 1e-12
+"""Times whose relative distance is below this differ by rounding."""
+
+
+@checked
+def scaled(motion: Motion, factor: float) -> Piecewise:
+    """Return a motion times a factor; -1 turns it round.
+
+    Parameters
+    ----------
+    motion
+        Any base motion.
+    factor
+        Accelerations and impulses are multiplied by it.
+
+    Raises
+    ------
+    InputError
+        If the factor, or an acceleration times the factor, is not finite or beyond 1e50.
+
+    Examples
+    --------
+    >>> from rocksteady import Pulse, scaled
+    >>> pulse = Pulse(shape="rectangle", amplitude=1.5, frequency_ratio=2.0)
+    >>> [piece.constant for piece in scaled(pulse, -1.0).segments()]
+    [-1.5]
+    """
+    by = in_range("factor", factor, -LARGEST, LARGEST, "[]", hint="give a number; -1 turns round")
+    return Piecewise(
+        pieces=tuple(
+            replace(
+                piece,
+                constant=by * piece.constant,
+                slope=by * piece.slope,
+                amplitude=by * piece.amplitude,
+                jump=by * piece.jump,
+            )
+            for piece in _segments(motion)
+        )
+    )
+
+
+@checked
+def delayed(motion: Motion, by: float) -> Piecewise:
+    """Return a motion that begins later, after a still base.
+
+    Parameters
+    ----------
+    motion
+        Any base motion.
+    by
+        Pivot time p t, from 0 to 1e6.
+
+    Raises
+    ------
+    InputError
+        If the time is outside its range.
+
+    Examples
+    --------
+    >>> from rocksteady import Pulse, delayed
+    >>> pulse = Pulse(shape="rectangle", amplitude=1.5, frequency_ratio=2.0)
+    >>> [piece.duration for piece in delayed(pulse, 0.5).segments()]
+    [0.5, 1.5707963267948966]
+    """
+    wait = in_range("by", by, 0.0, LONGEST_DURATION, "[]", hint="give a pivot time p t")
+    still = (Segment(duration=wait),) if wait > 0.0 else ()
+    return Piecewise(pieces=still + _segments(motion))
+
+
+@checked
+def joined(*motions: Motion) -> Piecewise:
+    """Return motions one after another, each beginning where the one before it ends.
+
+    Parameters
+    ----------
+    *motions
+        Base motions in order; only the last may be endless.
+
+    Raises
+    ------
+    ModelError
+        If a motion follows an endless one.
+
+    Examples
+    --------
+    >>> from rocksteady import Pulse, joined, scaled
+    >>> lobe = Pulse(shape="rectangle", amplitude=1.5, frequency_ratio=2.0)
+    >>> [piece.constant for piece in joined(lobe, scaled(lobe, -1.0)).segments()]
+    [1.5, -1.5]
+    """
+    return Piecewise(pieces=tuple(piece for motion in motions for piece in _segments(motion)))
+
+
+@checked
+def added(*motions: Motion, tolerance: float = SUM_TOLERANCE) -> Piecewise:
+    """Return the sum of motions that begin together.
+
+    Constants, slopes and sinusoids of one frequency add up in closed form.  While sinusoids of
+    several frequencies act, the sum is replaced by straight lines that are nowhere further from it
+    than the tolerance: over a line of length h a sum of ``A_i sin(Omega_i s + phi_i)`` is missed by
+    at most ``h^2/8`` times the sum of ``A_i Omega_i^2``.
+
+    Parameters
+    ----------
+    *motions
+        Any base motions; one that ends stands still from then on.
+    tolerance
+        In units of alpha g.
+
+    Raises
+    ------
+    InputError
+        If the tolerance is not above 0, or asks for more than 200 000 lines.
+    ModelError
+        If sinusoids of several frequencies act together for ever.
+
+    Examples
+    --------
+    >>> from rocksteady import Pulse, added, delayed
+    >>> pulse = Pulse(shape="rectangle", amplitude=1.5, frequency_ratio=2.0)
+    >>> [piece.constant for piece in added(pulse, delayed(pulse, 0.5)).segments()]
+    [1.5, 3.0, 1.5]
+    """
+    error = positive("tolerance", tolerance, hint="give a small part of alpha g, as 1e-6")
+    parts = [_Part(_segments(motion)) for motion in motions]
+    times = _distinct([time for part in parts if part.pieces for time in part.times])
+    pieces: list[Segment] = []
+    for low, high in pairwise(times):
+        middle = low + 1.0 if high == math.inf else 0.5 * (low + high)
+        jump = math.fsum(part.move_to(middle) for part in parts)
+        acting = [(low - part.begun, part.acting) for part in parts if part.acting is not None]
+        pieces += _sum(acting, high - low, jump, error)
+    return Piecewise(pieces=tuple(pieces))
+
+
+def _segments(motion: Motion) -> tuple[Segment, ...]:
+    if not hasattr(motion, "segments"):
+        raise ModelError(
+            name="motion",
+            value=motion,
+            valid="it must have segments in the block's own measures, which a record has not",
+            hint="use Record.scaled, or put records together before making one of them",
+        )
+    return segments_of(motion)
+
+
+class _Part:
+    """One motion of a sum, and where in it we are: each of its segments is passed once.
+
+    Attributes
+    ----------
+    pieces, times
+        The segments, and the times at which they begin, with the end of the last.
+    begun, acting
+        When the segment of now began, and that segment; None past the last.
+    """
+
+    def __init__(self, pieces: Sequence[Segment]) -> None:
+        self.pieces = pieces
+        self.times = [0.0, *accumulate(piece.duration for piece in pieces)]
+        self.next, self.begun = 0, 0.0
+        self.acting: Segment | None = None
+
+    def move_to(self, time: float) -> float:
+        """Go on to a time, and return the jumps of the segments that begin on the way."""
+        jump = 0.0
+        while self.next < len(self.pieces) and self.times[self.next] < time:
+            self.acting, self.begun = self.pieces[self.next], self.times[self.next]
+            jump += self.acting.jump
+            self.next += 1
+        if self.times[self.next] < time:
+            self.acting = None
+        return jump
+
+
+def _distinct(times: list[float]) -> list[float]:
+    """Return times in order, without those that differ from the one before by rounding."""
+    distinct: list[float] = []
+    for time in sorted(times):
+        if not distinct or not math.isclose(distinct[-1], time, rel_tol=_SAME_TIME):
+            distinct.append(time)
+    return distinct
+
+
+def _sum(
+    acting: list[tuple[float, Segment]], duration: float, jump: float, tolerance: float
+) -> tuple[Segment, ...]:
+    """Return the sum of segments, each some time after its start, over a duration."""
+    constant = math.fsum(piece.constant + piece.slope * since for since, piece in acting)
+    slope = math.fsum(piece.slope for _, piece in acting)
+    phasors: dict[float, complex] = {}
+    for since, piece in acting:
+        if piece.amplitude != 0.0:
+            turned = math.remainder(piece.phase + piece.frequency * since, 2.0 * math.pi)
+            swing = cmath.rect(piece.amplitude, turned)
+            phasors[piece.frequency] = phasors.get(piece.frequency, 0.0) + swing
+    if len(phasors) > 1:
+        if duration == math.inf:
+            raise ModelError(
+                name="motions",
+                value=sorted(phasors),
+                valid="sinusoids of several frequencies may not act together for ever",
+                hint="end all but one of them, as Piecewise(pieces=(Segment(duration=...),))",
+            )
+        import numpy as np
+
+        def together(s: "np.typing.NDArray[np.float64]") -> "np.typing.NDArray[np.float64]":
+            swings = [(np.exp(1j * w * s) * swing).imag for w, swing in phasors.items()]
+            return np.asarray(constant + slope * s + sum(swings))
+
+        curvature = math.fsum(abs(swing) * w * w for w, swing in phasors.items())
+        first, *others = polyline(together, duration, curvature=curvature, tolerance=tolerance)
+        return replace(first, jump=jump), *others
+    frequency, swing = next(iter(phasors.items())) if phasors else (0.0, 0j)
+    return (
+        Segment(
+            duration=duration,
+            constant=constant,
+            slope=slope,
+            amplitude=abs(swing),
+            frequency=frequency,
+            phase=cmath.phase(swing),
+            jump=jump,
+        ),
+    )

@@ -1,0 +1,154 @@
+"""Recorded base motion: samples of acceleration in SI units."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.errors import InputError
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.arrays import UnfitError, numeric_array
+from rocksteady.model.checks.validation import LARGEST, in_range, positive
+
+Floats = NDArray[np.float64]
+
+
+SHORTEST = 1e-15
+"""Of intervals between samples [s]; slopes of shorter ones overflow."""
+
+
+@checked
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Record:
+    """Recorded base acceleration at equal intervals: linear in between, then a still base.
+
+    Positive acceleration drives positive rotation.
+
+    Parameters
+    ----------
+    acceleration_m_s2
+        Samples [m/s^2], shape (samples,), at least two and not all zero.  They are copied and
+        cannot be changed.  The first acts at the start; after the last the base stands still.
+    dt_s
+        Interval between samples [s].
+    name
+        What to call the record; none by default.
+
+    Raises
+    ------
+    InputError
+        If the samples are not a row of finite numbers, fewer than two or all zero, the interval is
+        not positive, or the name is no text.
+
+    Examples
+    --------
+    >>> record = Record(acceleration_m_s2=[0.0, 3.1, -1.2, 0.0], dt_s=0.02, name="example")
+    >>> record
+    Record(name='example', samples=4, dt_s=0.02, peak_acceleration_m_s2=3.1)
+    >>> record.scaled(2.0).reversed().acceleration_m_s2.tolist()
+    [-0.0, -6.2, 2.4, -0.0]
+    """
+
+    acceleration_m_s2: Floats
+    dt_s: float
+    name: str | None = None
+
+    def __post_init__(self) -> None:
+        """Validate and copy."""
+        object.__setattr__(self, "acceleration_m_s2", _samples(self.acceleration_m_s2))
+        hint = "give the time between samples in seconds"
+        interval = positive("dt_s", self.dt_s, hint=hint)
+        object.__setattr__(
+            self, "dt_s", in_range("dt_s", interval, SHORTEST, LARGEST, "[]", hint=hint)
+        )
+        given: object = self.name
+        if not (given is None or isinstance(given, str)):
+            raise InputError(
+                name="name", value=given, valid="it must be a text", hint="leave it out for none"
+            )
+
+    @property
+    def duration_s(self) -> float:
+        """Time from the first sample to the last [s]."""
+        return (len(self.acceleration_m_s2) - 1) * self.dt_s
+
+    @property
+    def peak_acceleration_m_s2(self) -> float:
+        """Largest absolute acceleration [m/s^2]."""
+        return float(np.abs(self.acceleration_m_s2).max())
+
+    def scaled(self, factor: float) -> "Record":
+        """Return the record with all accelerations multiplied by a factor; a negative one reverses.
+
+        Raises
+        ------
+        InputError
+            If the factor is 0, or its absolute value is not between 1e-50 and 1e50.
+        """
+        scale = in_range(
+            "factor", factor, -LARGEST, LARGEST, "[]", hint="give a number; -1 reverses"
+        )
+        if scale == 0.0:
+            raise InputError(
+                name="factor",
+                value=factor,
+                valid="it must not be 0",
+                hint="give a Still() for a base that does not move",
+            )
+        if abs(scale) < 1.0 / LARGEST:
+            raise InputError(
+                name="factor",
+                value=factor,
+                valid=f"its absolute value must lie in [{1.0 / LARGEST:g}, {LARGEST:g}]",
+                hint="give a number; -1 reverses",
+            )
+        return replace(self, acceleration_m_s2=scale * self.acceleration_m_s2)
+
+    def reversed(self) -> "Record":
+        """Return the record with the sign of all accelerations changed."""
+        return replace(self, acceleration_m_s2=-self.acceleration_m_s2)
+
+    def __eq__(self, other: object) -> bool:
+        """Return whether name, interval and every sample are the same."""
+        if not isinstance(other, Record):
+            return NotImplemented
+        same = (self.name, self.dt_s) == (other.name, other.dt_s)
+        return same and np.array_equal(self.acceleration_m_s2, other.acceleration_m_s2)
+
+    def __hash__(self) -> int:
+        """Return a hash that equal records share."""
+        # Its sum is the same for -0.0 and 0.0, which its bytes are not.
+        return hash((self.name, self.dt_s, float(self.acceleration_m_s2.sum())))
+
+    def __repr__(self) -> str:
+        """Return what it is, not all its samples."""
+        return (
+            f"Record(name={self.name!r}, samples={len(self.acceleration_m_s2)}, dt_s={self.dt_s}, "
+            f"peak_acceleration_m_s2={self.peak_acceleration_m_s2:.6g})"
+        )
+
+
+def _samples(value: ArrayLike) -> Floats:
+    """Return samples as an array of their own that cannot be written to."""
+    hint = "give the samples of one component in m/s^2"
+    try:
+        given = np.asarray(numeric_array("acceleration_m_s2", value, None))
+    except UnfitError as unfit:
+        valid, hint = unfit.args
+        raise InputError(name="acceleration_m_s2", value=value, valid=valid, hint=hint) from None
+    except ValueError:  # rows of unequal lengths
+        given = np.empty((0, 0))
+    valid = ""
+    if given.ndim != 1 or given.dtype.kind not in "iuf":
+        valid = "it must be one row of numbers"
+    elif len(given) < 2:
+        valid = "it must have two samples or more"
+    elif not np.isfinite(given).all():
+        valid = f"sample {int(np.flatnonzero(~np.isfinite(given))[0])} is not a finite number"
+    elif not given.any():
+        valid, hint = "all samples are zero", "give a Still() for a base that does not move"
+    if valid:
+        raise InputError(name="acceleration_m_s2", value=value, valid=valid, hint=hint)
+    samples = given.astype(np.float64)  # a copy
+    samples.flags.writeable = False
+    return samples

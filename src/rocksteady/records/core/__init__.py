@@ -1,0 +1,1 @@
+"""What all readers share: numbers, units, intervals, directions, and checks of them."""

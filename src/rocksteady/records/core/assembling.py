@@ -1,0 +1,278 @@
+"""From the numbers of a file to a recording: units, interval, and what is odd about them."""
+
+from dataclasses import dataclass
+from datetime import datetime
+from typing import TYPE_CHECKING, Final
+
+from rocksteady.errors import InputError
+from rocksteady.model.checks.validation import positive
+from rocksteady.model.motions.record import Record
+from rocksteady.records.core.directions import Pointing, pointing, pointing_of_name, tells_nothing
+from rocksteady.records.core.recording import Orientation, Recording
+from rocksteady.records.core.text import RecordText
+from rocksteady.records.core.units import UNITS, acceleration_unit, in_m_s2
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+__all__ = ["TURNED", "Channel", "Given", "built", "interval", "unit"]
+
+_LARGEST_PEAK_G: Final = 10.0
+_FEWEST: Final = 20
+_LAST_STANDS_OUT: Final = 1.5
+_NO_RECORD_G: Final = 1000.0
+_INTERVALS: Final = (1.0e-4, 0.1)
+_PEAK_AGREES: Final = 0.01
+TURNED: Final = "sign changed: {component} is positive downwards, and vertical motion upwards"
+"""Note on a vertical channel that has been turned."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Given:
+    """What the caller says about a file that does not say it itself, or says it wrongly.
+
+    Parameters
+    ----------
+    units
+        Unit of its numbers.
+    dt_s
+        Interval between its samples [s].
+    column
+        Which column of a table holds the acceleration: its number from 1, or its name.
+    resample
+        Whether samples at unequal intervals may be brought to equal ones.
+    """
+
+    units: str | None = None
+    dt_s: float | None = None
+    column: str | int | None = None
+    resample: bool = False
+
+    def __post_init__(self) -> None:
+        """Refuse a unit or an interval that is none, before any file is opened."""
+        if self.units is not None:
+            in_m_s2(self.units)
+        if self.dt_s is not None:
+            given = positive("dt_s", self.dt_s, hint="give the time between samples in seconds")
+            object.__setattr__(self, "dt_s", given)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Channel:
+    """What a reader has found of one channel, in the file's own units.
+
+    Parameters
+    ----------
+    values
+        Shape (samples,), in the unit of the file.
+    units
+        The unit as the file has it, or None where it does not say.
+    dt_s
+        Interval as the file has it, or None where it does not say.
+    stated_peak
+        Largest absolute value by the header, in the same unit.
+    counts
+        Whether the file holds an instrument's counts, which the reader has scaled.
+    component, orientation, azimuth_deg, station, event, start_time, warnings, processing
+        As for `~rocksteady.records.core.recording.Recording`; the orientation is found from the
+        component where it is None.
+    down
+        Whether a code of the header states positive values to be downwards; None without a code.
+    alone
+        Whether it is the one channel of its file, whose name may then state its direction.
+    """
+
+    values: "Floats"
+    units: str | None
+    dt_s: float | None
+    stated_peak: float | None = None
+    units_in_file: str | None = None
+    component: str | None = None
+    orientation: Orientation | None = None
+    azimuth_deg: float | None = None
+    down: bool | None = None
+    alone: bool = True
+    station: str | None = None
+    event: str | None = None
+    start_time: datetime | None = None
+    warnings: tuple[str, ...] = ()
+    processing: tuple[str, ...] = ()
+
+
+def built(text: RecordText, format_name: str, channel: Channel, given: Given) -> Recording:
+    """Return the recording of a channel.
+
+    Raises
+    ------
+    RecordFileError
+        If neither the file nor the caller states unit and interval, or the numbers are no record.
+    """
+    import numpy as np
+
+    units, unit_warnings = unit(text, channel.units, given)
+    dt_s, interval_warnings = interval(text, channel.dt_s, given)
+    size = in_m_s2(units)
+    towards, direction_warnings = _pointing(text, channel)
+    values = np.asarray(channel.values, dtype=np.float64) * size
+    turned: tuple[str, ...] = ()
+    if towards.down:
+        values, turned = -values, (TURNED.format(component=channel.component or "file's name"),)
+    try:
+        record = Record(acceleration_m_s2=values, dt_s=dt_s, name=text.path.stem)
+    except InputError as error:
+        hint = "see whether this is the whole file"
+        raise text.error(f"its samples are no record, {error.valid}", hint) from error
+    if record.peak_acceleration_m_s2 > _NO_RECORD_G * UNITS["g"]:
+        valid = f"a peak of {record.peak_acceleration_m_s2 / UNITS['g']:.3g} g is none of a record"
+        raise text.error(valid, f"see whether its numbers are in {units}, and not garbled")
+    stated = None if channel.stated_peak is None else abs(channel.stated_peak) * size
+    return Recording(
+        record=record,
+        format=format_name,
+        path=text.path,
+        units_in_file=channel.units_in_file or units,
+        component=channel.component,
+        orientation=towards.orientation,
+        azimuth_deg=towards.azimuth_deg,
+        station=channel.station,
+        event=channel.event,
+        start_time=channel.start_time,
+        stated_peak_m_s2=stated,
+        warnings=(
+            *channel.warnings,
+            *direction_warnings,
+            *unit_warnings,
+            *interval_warnings,
+            *_doubts_about_peak(record, stated, units),
+        ),
+        processing=(*channel.processing, *turned),
+    )
+
+
+def _pointing(text: RecordText, channel: Channel) -> tuple[Pointing, tuple[str, ...]]:
+    """Return the direction of a channel, and a warning where codes, words and names contradict.
+
+    A code of the header goes before its words, and both before the name of the file.
+    """
+    of_words = pointing(channel.component)
+    of_code = Pointing(
+        orientation=channel.orientation,
+        azimuth_deg=None if channel.azimuth_deg is None else channel.azimuth_deg % 360.0,
+        down=channel.down,
+    )
+    doubts = []
+    if of_words.unclear and channel.down is None:
+        doubts.append(
+            f"the channel is called {channel.component!r}, of which the vertical sense is not "
+            f"understood: its sign is left as it is"
+        )
+    found = of_words
+    if of_code.orientation is not None:
+        found = of_code
+        if difference := _contradiction(of_words, of_code):
+            doubts.append(
+                f"the channel is called {channel.component!r}, {difference[0]}, and its code in "
+                f"the header states {difference[1]}: the code is taken"
+            )
+        elif of_code.orientation == "vertical" and of_code.down is None:
+            found = of_words if of_words.orientation == "vertical" else of_code
+    of_name = pointing_of_name(text.path.stem) if channel.alone else Pointing()
+    if found.orientation is not None:
+        if difference := _contradiction(of_name, found):
+            doubts.append(
+                f"the file's name states {difference[0]}, and its header {difference[1]}"
+                f"{f' ({channel.component})' if channel.component else ''}: the header is taken"
+            )
+    elif of_name.orientation == "vertical" and tells_nothing(channel.component):
+        found = of_name
+        if of_name.down:
+            doubts.append("the file's name alone states that its values are positive downwards")
+    return found, tuple(doubts)
+
+
+def _contradiction(one: Pointing, other: Pointing) -> tuple[str, str] | None:
+    """Return two directions in words where they cannot both be true."""
+    if one.orientation is None or other.orientation is None:
+        return None
+    if one.orientation != other.orientation:
+        return one.orientation, other.orientation
+    if one.orientation == "vertical":
+        # Without a sense, vertical is upwards, but not against a name that states one.
+        if None in {one.down, other.down} or one.down == other.down:
+            return None
+        return ("downwards", "upwards") if one.down else ("upwards", "downwards")
+    if one.azimuth_deg is None or other.azimuth_deg is None:
+        return None
+    apart = abs((one.azimuth_deg - other.azimuth_deg + 180.0) % 360.0 - 180.0)
+    return None if apart <= 1.0 else (f"{one.azimuth_deg:g} deg", f"{other.azimuth_deg:g} deg")
+
+
+def unit(text: RecordText, stated: str | None, given: Given) -> tuple[str, tuple[str, ...]]:
+    """Return the unit of a file's numbers, and a warning where the caller's differs from its own.
+
+    Raises
+    ------
+    RecordFileError
+        If neither states it.
+    """
+    of_file = None if stated is None else acceleration_unit(stated)
+    if given.units is not None:
+        chosen = acceleration_unit(given.units) or given.units
+        if of_file is not None and in_m_s2(of_file) != in_m_s2(chosen):
+            return chosen, (f"the file says {of_file}; its numbers are taken in {chosen}, as told",)
+        return chosen, ()
+    if of_file is None:
+        says = "the file does not state the unit of its numbers"
+        if stated is not None:
+            says = f"the unit that the file states, {stated!r}, is none of acceleration"
+        raise text.error(says, f"give units: {', '.join(UNITS)}")
+    return of_file, ()
+
+
+def interval(text: RecordText, stated: float | None, given: Given) -> tuple[float, tuple[str, ...]]:
+    """Return the interval between samples [s], and a warning where it is odd or overruled.
+
+    Raises
+    ------
+    RecordFileError
+        If neither the file nor the caller states it, or the file's is not above 0.
+    """
+    warnings: tuple[str, ...] = ()
+    if given.dt_s is not None:
+        if stated is not None and abs(stated - given.dt_s) > 1.0e-6 * given.dt_s:
+            warnings = (
+                f"the file says {stated:g} s between samples; {given.dt_s:g} s are taken, as told",
+            )
+        return given.dt_s, warnings
+    if stated is None:
+        raise text.error(
+            "the file does not state the interval between samples", "give dt_s, in seconds"
+        )
+    if not stated > 0.0:
+        raise text.error(
+            f"the interval between samples that it states, {stated:g} s, is not above 0",
+            "give dt_s, in seconds",
+        )
+    if not _INTERVALS[0] <= stated <= _INTERVALS[1]:
+        warnings = (f"samples {stated:g} s apart are unusual: see whether the header is right",)
+    return stated, warnings
+
+
+def _doubts_about_peak(record: Record, stated: float | None, units: str) -> tuple[str, ...]:
+    """Return a sentence on a peak that is not the header's, or larger than any ever recorded."""
+    peak = record.peak_acceleration_m_s2
+    doubts = []
+    if peak > _LARGEST_PEAK_G * UNITS["g"]:
+        doubts.append(
+            f"its peak is {peak / UNITS['g']:.3g} g, more than any earthquake has caused: see "
+            f"whether its numbers are in {units}"
+        )
+    values = abs(record.acceleration_m_s2)
+    if len(values) >= _FEWEST and values[-1] > _LAST_STANDS_OUT * float(values[:-1].max()):
+        doubts.append("its last sample is its peak by far: see whether the file is cut inside it")
+    if stated is not None and abs(peak - stated) > _PEAK_AGREES * stated:
+        doubts.append(f"its peak is {peak:.6g} m/s^2, and the header states {stated:.6g} m/s^2")
+    return tuple(doubts)

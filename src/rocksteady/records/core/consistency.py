@@ -1,0 +1,262 @@
+"""Samples held against their header and each other: count, layout, duration, time of the peak.
+
+Every reader that takes samples from lines of text ends here, so that a cut, a surplus or a wrong
+interval is found in all formats alike.
+"""
+
+import re
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+from rocksteady.records.core.numbers import NUMBER, numbers, samples
+from rocksteady.records.core.text import RecordText
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+__all__ = ["Lines", "agreed", "layout", "timing"]
+
+_LONGEST_WORD: Final = 40
+_HINT: Final = "fetch the file anew: it is cut or garbled"
+_REGULAR: Final = 0.9
+"""Part of the lines that share a layout where others are odd."""
+_FEWEST: Final = 8
+"""Lines or numbers that it takes to tell a layout."""
+_TOKEN: Final = re.compile(NUMBER)
+_EXPONENT: Final = re.compile(r"[EeDd][+-]?(\d+)$")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Lines:
+    """Where the samples of one channel stand.
+
+    Parameters
+    ----------
+    stated
+        Index of the line of the header that states their number.
+    start
+        Index of their first line.
+    end
+        Index of the first line that has not been read.
+    alone
+        Whether nothing may follow them: the file has one channel.
+    """
+
+    stated: int
+    start: int
+    end: int
+    alone: bool = True
+
+
+def agreed(
+    text: RecordText, values: "Floats", count: int, lines: Lines
+) -> tuple["Floats", tuple[str, ...]]:
+    """Return as many samples as the header states, and a warning about all that is odd.
+
+    Parameters
+    ----------
+    text
+        The file.
+    values
+        What has been read, shape (samples,).
+    count
+        The header's number of samples.
+    lines
+        Where they stand.
+
+    Raises
+    ------
+    RecordFileError
+        If there are fewer, or the last number is cut.
+    """
+    if count < 2:
+        valid = f"{count} samples are no record"
+        raise text.error(valid, "see whether the file is whole", at=lines.stated)
+    end = lines.end
+    if len(values) < count:
+        valid = f"{len(values)} samples are read so far, and line {lines.stated + 1} states {count}"
+        if end < len(text.lines):
+            words = text.heads[end].split()
+            odd = next((word for word in words if numbers(word) is None), words[-1])
+            valid = f"{odd[:_LONGEST_WORD]!r} is no number; {valid}"
+        raise text.error(valid, _HINT, at=end)
+    more, after = samples(text.lines, end)
+    surplus = len(values) - count + len(more)
+    doubts = []
+    if surplus:
+        rest = "one is" if surplus == 1 else f"{surplus} are"
+        doubts.append(
+            f"the file holds {count + surplus} samples, more than the {count} that its header "
+            f"states: the last {rest} left out"
+        )
+    elif lines.alone and any(line.strip() for line in text.lines[end:]):
+        doubts.append(f"what stands after the last sample, from line {end + 1}, is left out")
+    return values[:count], (*doubts, *layout(text, range(lines.start, after), strict=True))
+
+
+def timing(
+    values: "Floats",
+    dt_s: float | None,
+    *,
+    duration: tuple[float, float] | None = None,
+    peak_at: float | None = None,
+) -> tuple[str, ...]:
+    """Return a warning where duration or time of the peak do not fit the interval.
+
+    Parameters
+    ----------
+    values
+        The samples, shape (samples,).
+    dt_s
+        Interval between them [s].
+    duration
+        As the header states it, and half a unit of its last digit [s].
+    peak_at
+        Time of the largest absolute value after the first sample, by the header [s].
+    """
+    import numpy as np
+
+    if dt_s is None or not dt_s > 0.0:
+        return ()
+    doubts = []
+    if duration is not None:
+        stated, place = duration
+        lasts = (len(values) - 1) * dt_s
+        # From the first sample to the last, or an interval more.
+        if not -1.01 * place - 0.01 * dt_s <= stated - lasts <= 1.01 * (dt_s + place):
+            doubts.append(
+                f"its {len(values)} samples {dt_s:g} s apart last {lasts:.6g} s, and the header "
+                f"states {stated:g} s: see whether the interval is right"
+            )
+    if peak_at is not None and peak_at >= 0.0:
+        size = np.abs(values)
+        near = round(min(peak_at / dt_s, 1e15))
+        reach = 2 + near // 500
+        if size[max(near - reach, 0) : near + reach + 1].max(initial=0.0) < 0.99 * size.max():
+            doubts.append(
+                f"its peak comes after {int(size.argmax()) * dt_s:.6g} s, and the header states "
+                f"{peak_at:g} s: see whether the interval is right"
+            )
+    return tuple(doubts)
+
+
+def layout(
+    text: RecordText,
+    lines: Sequence[int],
+    *,
+    separator: str | None = None,
+    comma: bool = False,
+    strict: bool = False,
+) -> tuple[str, ...]:
+    """Return a warning about numbers that are not laid out as all others are.
+
+    Parameters
+    ----------
+    text
+        The file.
+    lines
+        Index of each line of numbers; blank ones do not count.
+    separator, comma
+        What stands between two numbers, and whether a comma is the decimal point.
+    strict
+        Whether a last number of another form is refused where only the form is odd.
+
+    Raises
+    ------
+    RecordFileError
+        If the last number of the file is one of them: it is cut.
+
+    Notes
+    -----
+    Where nearly all lines end their numbers in the same columns, the others must; else numbers must
+    have as many decimals and digits of the exponent as those above and below them, if nearly all
+    have.
+    """
+    kept = [at for at in lines if at < len(text.lines) and text.lines[at].strip()]
+    if not kept:
+        return ()
+    rows = [_tokens(text.lines[at], separator, comma=comma) for at in kept]
+    odd = _misplaced(rows)
+    aligned = odd is not None
+    if odd is None:
+        odd = _misshapen(rows)
+    last = len(kept) - 1
+    ends_here = not any(line.strip() for line in text.lines[kept[-1] + 1 :])
+    written = rows[-1][-1][0] if rows[-1] else ""
+    # A number that is cut ends early; one that ends late may have a sign more than the others.
+    late = aligned and last > 0 and rows[-1][-1:] and rows[-1][-1][1] > rows[0][-1][1]
+    aligned = aligned and not late
+    if last in odd and ends_here and (aligned or (strict and not text.ended)):
+        valid = f"the file ends inside its last number, {written!r}"
+        raise text.error(valid, _HINT, at=kept[-1])
+    if odd:
+        first = kept[odd[0]] + 1
+        others = f" and {len(odd) - 1} more lines are" if len(odd) > 1 else " is"
+        return (f"line {first}{others} not laid out as the others: a character may be lost",)
+    digits = [sum(map(str.isdigit, row[-1][0])) for row in rows if row]
+    decimals = [_shape(row[-1][0]) for row in rows if row]
+    if ends_here and not text.ended and len(digits) > _FEWEST and decimals[-1] < max(decimals):
+        # Of uneven numbers the longest may be cut by as much as the last is shorter.
+        return (f"the file may end inside its last number, {written!r}: its last line has no end",)
+    if ends_here and not text.ended and len(digits) > _FEWEST and digits[-1] < min(digits[:-1]):
+        return (f"the file may end inside its last number, {written!r}, which has few digits",)
+    return ()
+
+
+def _tokens(line: str, separator: str | None, *, comma: bool) -> list[tuple[str, int]]:
+    """Return the numbers of a line as they are written, each with the column of its end."""
+    if separator is not None:
+        fields = [field.strip().strip('"') for field in line.split(separator)]
+        while fields and not fields[-1]:
+            fields.pop()
+        return [(field.replace(",", ".") if comma else field, -1) for field in fields]
+    if comma:
+        line = line.replace(",", ".")
+    return [(found[0], found.end()) for found in _TOKEN.finditer(line)]
+
+
+def _misplaced(rows: list[list[tuple[str, int]]]) -> list[int] | None:
+    """Return which rows end their numbers elsewhere than the others; None where all do."""
+    ends = [tuple(end for _, end in row) for row in rows]
+    if len(ends) <= _FEWEST or any(-1 in row for row in ends):
+        return None
+    usual, share = Counter(ends[:-1]).most_common(1)[0]
+    # A row of one number tells nothing, nor do numbers of unlike length below each other by chance.
+    lengths = {len(token) for row in rows for token, _ in row}
+    if share < _REGULAR * (len(ends) - 1) or (len(lengths) == 1 and len(usual) == 1):
+        return None
+    odd = [at for at, row in enumerate(ends[:-1]) if row != usual]
+    return [*odd, *([len(ends) - 1] if ends[-1] != usual[: len(ends[-1])] else [])]
+
+
+def _misshapen(rows: list[list[tuple[str, int]]]) -> list[int]:
+    """Return which rows have a number of other decimals than all others of its column."""
+    shapes: dict[int, Counter[tuple[int, int]]] = {}
+    of_rows = [[_shape(token) for token, _ in row] for row in rows]
+    for row in of_rows:
+        for column, shape in enumerate(row):
+            shapes.setdefault(column, Counter())[shape] += 1
+    usual = {}
+    for column, counted in shapes.items():
+        shape, share = counted.most_common(1)[0]
+        total = sum(counted.values())
+        if total > _FEWEST and total - share <= max(1, 0.005 * total):
+            usual[column] = shape
+    return [
+        at
+        for at, row in enumerate(of_rows)
+        if any(usual.get(column, shape) != shape for column, shape in enumerate(row))
+    ]
+
+
+def _shape(token: str) -> tuple[int, int]:
+    """Return the decimals of a number and the digits of its exponent; -1 without a point."""
+    exponent = _EXPONENT.search(token)
+    mantissa = token if exponent is None else token[: exponent.start()]
+    decimals = len(mantissa) - mantissa.index(".") - 1 if "." in mantissa else -1
+    return decimals, 0 if exponent is None else len(exponent[1])

@@ -1,0 +1,211 @@
+"""Which way a channel points, from the name that a file gives to it or has itself."""
+
+import re
+from dataclasses import dataclass
+from typing import Final
+
+from rocksteady.records.core.recording import Orientation
+
+__all__ = ["TAIL", "Pointing", "direction", "pointing", "pointing_of_name", "tells_nothing"]
+
+_VERTICAL: Final = frozenset(
+    {"up", "u", "ud", "u-d", "updo", "updown", "dwn", "down", "dn", "d"}
+    | {"v", "vert", "vertical", "vrt", "ver", "z", "v1"}
+)
+_UPWARDS: Final = frozenset({"up", "u", "upward", "upwards"})
+_DOWNWARDS: Final = frozenset({"dwn", "down", "dn", "downward", "downwards"})
+_NEGATIVE: Final = frozenset({"negative", "neg", "minus"})
+_WITHOUT_SENSE: Final = frozenset({"v", "vert", "vertical", "vrt", "ver", "z", "ud", "updown"})
+_FILLERS: Final = re.compile(
+    r"a|ag|acc\w*|ch(?:a?n(?:nel)?)?|column|comp(?:onent)?|ground|base|input|table|motion|time|hist"
+    r"|history|un?corr\w*|filtered|record(?:ed)?|positive|pos|ve|is|sensor|direction"
+)
+"""Words beside those of a direction, which tell nothing of it."""
+
+_SIGNED: Final = re.compile(
+    r"[-+]\s*(?:u-?d|up?|z|v(?:ert)?|d(?:ow)?n?|dwn)|(?:u-?d|z|v(?:ert)?|up?|d(?:ow)?n?|dwn)\s*[-+]"
+    r"|d-?u|down-?up|[-+]\s*vertical"
+)
+"""Names of a vertical channel with a sign, or from below to above, whose sense may be either."""
+
+_OF_A_STRUCTURE: Final = frozenset(
+    {"h", "h1", "h2", "l", "l1", "t", "t1", "long", "tran", "fn", "fp", "radial", "transverse"}
+)
+"""Horizontal directions of a structure, a fault or a path, whose azimuth is not in their name."""
+
+_COMPASS: Final = {
+    **dict.fromkeys(("n", "ns", "n-s", "north", "north-south", "s-n", "sn"), 0.0),
+    **dict.fromkeys(("e", "ew", "e-w", "east", "east-west", "w-e", "we"), 90.0),
+    **dict.fromkeys(("s", "south"), 180.0),
+    **dict.fromkeys(("w", "west"), 270.0),
+}
+_QUADRANT: Final = re.compile(r"([ns])\s*(\d+(?:\.\d*)?)\s*(?:deg\w*)?\s*([ew])")
+# 1, 2 and 3 alone number channels.
+_DEGREES: Final = re.compile(r"(?:[nh]\s*(?=\d{3}))?(?![123]$)(\d{1,3}(?:\.\d*)?)\s*(?:deg\w*)?")
+# Band, instrument, direction: the three letters of a SEED channel whose instrument is one that
+# measures acceleration.
+_SEED: Final = re.compile(r"[a-z][gnl]([enz123xyrt])")
+
+
+TAIL: Final = re.compile(
+    r"(?:[-_. ](?:hor[12]?|h[12]|up|dwn|down|dn|vert?|ud|ns|ew|[neswvz]|[a-z][gnl][enz123])"
+    r"|[-_. ]?\d{3}|(?<=[A-Za-z0-9])[-_.]?(?:up|dwn)|(?-i:(?<=[A-Z0-9])DOWN))$",
+    re.IGNORECASE,
+)
+"""The end of a file's name that tells a component from the others of its station."""
+
+_CERTAIN: Final = re.compile(r"[-_. ].*|[A-Z]+|dwn")
+"""Ends of names that are no end of a word, as in ``backup``, nor a number."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Pointing:
+    """Direction of positive values of a channel.
+
+    Parameters
+    ----------
+    orientation
+        Horizontal or vertical, where that is known.
+    azimuth_deg
+        Clockwise from north, where a horizontal direction is known [degrees].
+    down
+        Whether positive values of a vertical channel point downwards; None where only "vertical"
+        is stated, which networks use for upwards.
+    unclear
+        Whether a vertical sense is named and not understood as a whole: a sign, DU, "not up".
+    """
+
+    orientation: Orientation | None = None
+    azimuth_deg: float | None = None
+    down: bool | None = None
+    unclear: bool = False
+
+
+def pointing(component: str | None) -> Pointing:
+    """Return the direction of a channel by its name.
+
+    Parameters
+    ----------
+    component
+        As the file names it.
+
+    Examples
+    --------
+    >>> [pointing(name).down for name in ("DWN", "Vert, positive down", "UP", "HNZ", "090")]
+    [True, True, False, None, None]
+    """
+    text = "" if component is None else component.strip().strip("()[]").lower()
+    signed = _SIGNED.fullmatch(text) is not None
+    if signed or text in _VERTICAL:
+        down = True if text in _DOWNWARDS or text == "d" else _or_none(text)
+        return Pointing(orientation="vertical", down=None if signed else down, unclear=signed)
+    azimuth = _azimuth(text)
+    if azimuth is not None or text in _OF_A_STRUCTURE:
+        return Pointing(orientation="horizontal", azimuth_deg=azimuth)
+    words = [word for word in re.split(r"[^a-z0-9]+", text) if word and not _filler(word)]
+    named = set(words) & (_UPWARDS | _DOWNWARDS | _WITHOUT_SENSE - {"v", "z"}) - {"u"}
+    named = named or set(re.findall(r"(?<![a-z])(?:u-?d|d-?u)(?![a-z])", text))
+    vertical = _vertical(text)
+    if named or vertical.orientation is not None:
+        return vertical
+    seed = _SEED.fullmatch(words[0] if len(words) == 1 else text)
+    if seed is None:
+        if len(words) == 1 and words[0] != text and len(words[0]) > 1:
+            return pointing(words[0])
+        return Pointing()
+    # A channel named 3 is the vertical one of some networks and not of others.
+    towards: dict[str, Orientation | None] = {"z": "vertical", "3": None}
+    return Pointing(
+        orientation=towards.get(seed[1], "horizontal"),
+        azimuth_deg={"n": 0.0, "e": 90.0}.get(seed[1]),
+    )
+
+
+def direction(component: str | None) -> tuple[Orientation | None, float | None]:
+    """Return whether a channel is horizontal or vertical, and its azimuth [degrees].
+
+    Parameters
+    ----------
+    component
+        As the file names it.
+
+    Examples
+    --------
+    >>> [direction(name) for name in ("S69E", "N-S", "HNZ", "090", "DWN")]  # doctest: +ELLIPSIS
+    [('horizontal', 111.0), ('horizontal', 0.0), ('vertical', None), ('horizontal', 90.0), ...]
+    >>> direction("HN1"), direction("sensor 7")
+    (('horizontal', None), (None, None))
+    """
+    found = pointing(component)
+    return found.orientation, found.azimuth_deg
+
+
+def pointing_of_name(stem: str) -> Pointing:
+    """Return the direction that the end of a file's name states, where it can mean nothing else.
+
+    Examples
+    --------
+    >>> pointing_of_name("RSN77_SFERN_PULDWN").down, pointing_of_name("backup").orientation
+    (True, None)
+    """
+    tail = TAIL.search(stem)
+    if stem.lower() in _UPWARDS | _DOWNWARDS | _WITHOUT_SENSE and len(stem) > 1:
+        return pointing(stem)
+    if tail is None or _CERTAIN.fullmatch(tail[0]) is None or re.search(r"\d{3}$", tail[0]):
+        return Pointing()
+    word = tail[0].strip("-_. ").lower()
+    return Pointing(orientation="horizontal") if word.startswith("h") else pointing(word)
+
+
+def tells_nothing(component: str | None) -> bool:
+    """Return whether no word of a channel's name can be about its direction."""
+    words = re.split(r"[^a-z0-9]+", (component or "").lower())
+    return all(_filler(word) or word.isdecimal() for word in words if word)
+
+
+def _filler(word: str) -> bool:
+    """Return whether a word tells nothing of a direction."""
+    return _FILLERS.fullmatch(word) is not None
+
+
+def _or_none(word: str) -> bool | None:
+    """Return that a word points upwards, or None where it states no sense."""
+    return False if word in _UPWARDS else None
+
+
+def _vertical(text: str) -> Pointing:
+    """Return the vertical direction that several words state together, if they do as a whole.
+
+    A sense may be stated twice, as in ``DWN (positive down)``, and must be the same.
+    """
+    plain = re.sub(r"(?<![a-z])u-d(?![a-z])", "ud", text)
+    words = {word for word in re.split(r"[^a-z0-9]+", plain) if word and not _filler(word)}
+    known = _UPWARDS | _DOWNWARDS | _WITHOUT_SENSE | _NEGATIVE | {"hnz", "hlz"}
+    others = words - known
+    if not words - _NEGATIVE or (others and not words & known):
+        return Pointing()
+    if others:
+        # "down hole NS" is no vertical channel, and "UPSIDE DOWN" may be one.
+        level = any(_azimuth(word) is not None for word in others)
+        return Pointing(unclear=not level)
+    down, up = bool(words & _DOWNWARDS), bool(words & _UPWARDS)
+    signed = re.search(r"(?:^|[\s(,_])-\s*[a-z]|[a-z]\s*-(?=$|[\s),])", plain) is not None
+    # "UP (positive down)" contradicts itself, as "negative" does beside no sense or two.
+    if signed or (down and up) or (words & _NEGATIVE and not down and not up):
+        return Pointing(orientation="vertical", unclear=True)
+    if down == up:
+        return Pointing(orientation="vertical")
+    return Pointing(orientation="vertical", down=down != bool(words & _NEGATIVE))
+
+
+def _azimuth(text: str) -> float | None:
+    """Return the azimuth [degrees] that the name of a direction states."""
+    if text in _COMPASS:
+        return _COMPASS[text]
+    if quadrant := _QUADRANT.fullmatch(text):
+        degrees = float(quadrant[2]) if quadrant[3] == "e" else -float(quadrant[2])
+        return (degrees if quadrant[1] == "n" else 180.0 - degrees) % 360.0
+    number = _DEGREES.fullmatch(text)
+    if number is None or float(number[1]) > 360.0:
+        return None
+    return float(number[1]) % 360.0

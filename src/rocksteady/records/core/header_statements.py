@@ -1,0 +1,420 @@
+"""What the words above the samples state: unit, interval, count, duration, and factors.
+
+A statement is understood as a whole or refused with its line, and several of one thing must agree.
+"""
+
+import math
+import re
+from collections.abc import Iterator
+from typing import Final
+
+from rocksteady.errors import RecordFileError
+from rocksteady.records.core.numbers import NUMBER, number
+from rocksteady.records.core.text import RecordText
+from rocksteady.records.core.units import (
+    UNITS,
+    acceleration_unit,
+    in_m_s2,
+    in_seconds,
+    leading,
+    modifies,
+)
+
+__all__ = [
+    "last_place",
+    "refuse_factors",
+    "stated_count",
+    "stated_duration",
+    "stated_interval",
+    "stated_time_unit",
+    "stated_unit",
+    "time_value",
+]
+
+_EXPLICIT: Final = re.compile(
+    r"\bunits?\b\s*(?:(?:of|in(?!\s*/)|is|are|for)\b\s*)*(?:the\s+)?(?:acc\w*|data|samples|values)?\s*"
+    r"(?:(?:of|in(?!\s*/)|is|are)\b\s*)*[:=(\[]*\s*(?:in\s+)?",
+    re.IGNORECASE,
+)
+_IN: Final = re.compile(r"(?<![A-Za-z])in\s+(?!units?\b)|[(\[]\s*(?!units?\b)", re.IGNORECASE)
+_OF_A_PEAK: Final = re.compile(r"(?:pga|peak|max\w*)\W*(?:\w*acc\w*\W*)?$", re.IGNORECASE)
+_EQUALS: Final = re.compile(r"\s*[(\[]\s*(?:1\s*)?(?:g\s*=\s*)?([^)\]=]*)[)\]]", re.IGNORECASE)
+_POWER_OF_TEN: Final = re.compile(
+    r"[x*×]\s*10\s*(?:\^|\*\*|e\s*[+-]?\d|[⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹])", re.IGNORECASE
+)
+_MULTIPLE: Final = re.compile(
+    r"(?:^[#%!/*\s]*|\b(?:values?|data|acc\w*|samples?|amplitudes?|numbers?|units?|g|gal)\s*)"
+    r"(?:[x×]\s*\d|[*·]\s*\d+(?:\.\d*)?\s*$)|\d\s*[x×*·]\s*(?:values?|data|acc\w*|samples?|g)\b"
+    r"|\b(?:values?|data|acc\w*|samples?)\s+(?:are\s+)?(?:doubled|halved|negated)\b",
+    re.IGNORECASE,
+)
+"""A factor without a word for it."""
+_NOT_NOW: Final = re.compile(
+    r"\b(?:not|was|were|been|originally|formerly|previously|from|before)\W+(?:\w+ed\s+)?$",
+    re.IGNORECASE,
+)
+_TWO: Final = re.compile(
+    r"\W*(?:or|to)\b|[^.]*\b(?:now|converted|instead|doubled|halved|negated)\b", re.IGNORECASE
+)
+"""What stands beside a unit that may not be that of the samples."""
+_TWO_TIMES: Final = re.compile(
+    r"\W*(?:or|to|and|now|then)\W*[\d.]|.*(?:resampl|interpolat|decimat|down-?sampl|up-?sampl)"
+    r"|.*\bnow\b",
+    re.IGNORECASE,
+)
+_RATE_ALONE: Final = re.compile(rf"[#%!/*\s]*(?P<value>{NUMBER}\s*(?P<unit>[A-Za-z/ ]+?))\W*$")
+_COUNT_ALONE: Final = re.compile(
+    r"[#%!/*\s]*(?:(?:samples|points|values|pts|n)\s*[=:]?\s*(?P<value>\d+)"
+    r"|(?P<before>\d+)\s+(?:data\s+)?(?:points|samples|values|pts))\s*$",
+    re.IGNORECASE,
+)
+_TIME_IN: Final = re.compile(
+    r"(?<![A-Za-z])(?:times?|t)(?:\s+(?:is|are|values?|column))*\s*(?P<how>\bin\b|[(\[:=])\s*"
+    r"(?P<rest>[A-Za-zµμ%\d][^\n]*)",
+    re.IGNORECASE,
+)
+_OTHER_TIME: Final = re.compile(
+    r"(?:sampl\w*|origin|start|delay|rise|record|total|trigger|local|end|date|d)[\s_/-]*$",
+    re.IGNORECASE,
+)
+_FACTOR: Final = re.compile(
+    r"\b(?:(?:amplitude|acc\w*|data)?[ _-]*scal(?:e|ing)(?:[ _-]*factors?)?|multiplier"
+    r"|multipl(?:y|ied|ication)(?:[ _-]+(?:by|factor))?|(?:conversion|calibration)(?:[ _-]factor)?"
+    r"|factor|(?:divided?|scaled?)[ _-]+by|gain|lsb)\b(?:\s*[(\[][^)\]]*[)\]])?"
+    r"(?:\s+(?:of|is|applied|used|by|to|the|all|data|samples|values))*\s*[:=]?\s*"
+    rf"(?P<number>{NUMBER})(?P<rest>\s*[/*^x]\s*\d+)?",
+    re.IGNORECASE,
+)
+_NAMES: Final = {
+    "interval": r"dt|d\.t\.|Δt|delta(?:[ _]*t)?|time[ _-]?(?:step|interval|increment)"
+    r"|sampl(?:e|ing)[ _-](?:interval|period|step|time)",
+    "rate": r"sampl(?:e|ing)[ _-](?:rate|freq\w*)|fs",
+    "duration": r"duration|(?:record|total)[ _-]length|length[ _-]of[ _-]record",
+}
+_STATED: Final = {
+    name: re.compile(
+        rf"(?<![A-Za-z])(?:{words})(?=[\s:=(\[,])\s*(?:[(\[](?P<unit>[^)\]]*)[)\]])?\s*"
+        r"(?:(?:is|of|at)\b)?\s*[:=,]?\s*(?P<value>[+-]?[\d.][^\n]*)",
+        re.IGNORECASE,
+    )
+    for name, words in _NAMES.items()
+}
+_OTHER_DURATION: Final = re.compile(
+    r"(?:signif\w*|bracket\w*|strong|uniform|effective|d5|5-95)[^,;]*$", re.IGNORECASE
+)
+_COUNT: Final = re.compile(
+    r"(?<![A-Za-z])(?:npts|ndata|(?:number|num|no\.?|nr\.?)[ _]of[ _](?:\w+[ _])?"
+    r"(?:data|points|samples|values|records|steps)(?:[ _]points)?|samples|points)"
+    rf"\s*[:=]\s*(?P<value>{NUMBER})(?P<rest>[\d.,]*)",
+    re.IGNORECASE,
+)
+_DECIMAL_COMMA: Final = re.compile(r"([+-]?\d+),(\d+)(?![\d,.])")
+_FIRST_WORD: Final = re.compile(r"\s*([A-Za-zµμ%][\w/^%*-]*)\s*(?:$|[,;).\]])")
+_COARSEST: Final = 0.005
+"""Part by which an interval and a rate may differ for the digits that they are written with."""
+_HINT_UNITS: Final = f"give units: {', '.join(UNITS)}, with a factor before it where there is one"
+
+
+def stated_unit(text: RecordText, lines: list[int], *, explicit: bool = False) -> str | None:
+    """Return the unit of acceleration that lines of words state, or None.
+
+    Parameters
+    ----------
+    text
+        The file.
+    lines
+        Indices of its lines of words.
+    explicit
+        Whether only statements with the word unit count.
+
+    Raises
+    ------
+    RecordFileError
+        If a statement is not understood to its end, or two of them contradict each other.
+    """
+    found: dict[str, int] = {}
+    for at in lines:
+        for unit in _units_in(text, at, explicit=explicit):
+            found.setdefault(unit, at)
+    sizes = {in_m_s2(unit) for unit in found}
+    if len(sizes) > 1:
+        valid = f"its header states {' and '.join(found)}, which are not one unit"
+        raise text.error(valid, _HINT_UNITS, at=max(found.values()))
+    return next(iter(found), None)
+
+
+def _units_in(text: RecordText, at: int, *, explicit: bool) -> Iterator[str]:
+    """Yield the units that one line states."""
+    line = text.heads[at]
+    for statement in _EXPLICIT.finditer(line):
+        phrase = line[statement.end() :]
+        unit, rest = leading(phrase)
+        if unit is not None and not _modified(unit, rest):
+            yield acceleration_unit(unit) or unit
+        elif (listed := _of_a_list(phrase)) is not None:
+            yield listed
+        elif phrase.strip() and not _OTHER_QUANTITY.match(phrase):
+            raise _not_understood(text, at)
+    if explicit:
+        return
+    for statement in _IN.finditer(line):
+        unit, rest = leading(line[statement.end() :])
+        if unit is None or _OF_A_PEAK.search(line[: statement.start()]):
+            continue
+        if _modified(unit, rest):
+            raise _not_understood(text, at)
+        if _NOT_NOW.search(line[: statement.start()]):
+            raise _not_understood(text, at)
+        # A value, (0.35 g), is no unit; nor is the number of a thing.
+        power = r"(?:10\s*(?:\^|\*\*|[⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹])|0?"
+        if not re.match(r"[\d.]", unit) or re.match(power + r"\.0*1|1(?:[.]0*)?[eE])", unit):
+            yield acceleration_unit(unit) or unit
+
+
+def _of_a_list(phrase: str) -> str | None:
+    """Return the one unit of acceleration of a list of units, one for each column."""
+    body = re.split(r"[)\].]", phrase)[0]
+    pieces = [piece.strip() for piece in re.split(r"[,;]|\band\b", body) if piece.strip()]
+    units = [acceleration_unit(piece) for piece in pieces]
+    others = [
+        piece
+        for piece, unit in zip(pieces, units, strict=True)
+        if unit is None and in_seconds(piece) is None and piece.lower() not in _OTHER_UNITS
+    ]
+    named = {unit for unit in units if unit is not None}
+    return named.pop() if len(named) == 1 and not others else None
+
+
+_OTHER_QUANTITY: Final = re.compile(r"(?:of|in)?\s*(?:vel|disp|time|sec)", re.IGNORECASE)
+_OTHER_UNITS: Final = frozenset({"cm/s", "m/s", "cm", "m", "mm", "in", "in/s", "ft", "ft/s", "-"})
+
+
+def _modified(unit: str, rest: str) -> bool:
+    """Return whether words after a unit change its size; ``g (9.81 m/s2)`` only explains it."""
+    same = _EQUALS.match(rest)
+    if same is not None and (other := acceleration_unit(same[1])) is not None:
+        return not math.isclose(in_m_s2(unit), in_m_s2(other), rel_tol=0.005)
+    beside, _ = leading(rest.lstrip(" ,/|-"))
+    two = beside is not None and not re.match(r"[\d.]", beside)
+    if two and not math.isclose(in_m_s2(unit), in_m_s2(beside or unit), rel_tol=1e-9):
+        return True
+    return modifies(rest) or _TWO.match(rest) is not None
+
+
+def _not_understood(text: RecordText, at: int) -> RecordFileError:
+    """Return the error that a unit is not understood as a whole."""
+    return text.error("its unit is not understood as a whole", _HINT_UNITS, at=at)
+
+
+def refuse_factors(text: RecordText, lines: list[int], *, names: int | None = None) -> None:
+    """Raise where lines of words state a factor other than 1 on the samples.
+
+    Whether it has been applied already, and whether it multiplies or divides, is not stated.
+
+    Parameters
+    ----------
+    text
+        The file.
+    lines
+        Indices of its lines of words.
+    names
+        Index of the line of columns' names, such as ``x1``, which are understood elsewhere.
+
+    Raises
+    ------
+    RecordFileError
+        As above; the caller has not called this where units are given.
+    """
+    for at in lines:
+        line = text.heads[at]
+        factor = _FACTOR.search(line)
+        one = factor is not None and number(factor["number"]) == 1.0 and not factor["rest"]
+        if (
+            (factor is not None and not one)
+            or _POWER_OF_TEN.search(line)
+            or (at != names and _MULTIPLE.search(line))
+        ):
+            valid = "a factor on the samples is stated, and whether it is applied already is not"
+            hint = "give units: 'g' where it is applied, else with the factor in them, as '0.5 g'"
+            raise text.error(valid, hint, at=at)
+
+
+def time_value(text: RecordText, at: int, written: str, unit: str | None = None) -> float | None:
+    """Return a time [s] by a number with its unit, at the start of a text; rates as intervals.
+
+    Parameters
+    ----------
+    text
+        The file.
+    at
+        Index of the line.
+    written
+        Number, unit and whatever follows them.
+    unit
+        Unit that stands before the number; seconds without either, or ``Hz`` for a rate.
+
+    Raises
+    ------
+    RecordFileError
+        If number or unit are not understood as a whole.
+    """
+    decimal = _DECIMAL_COMMA.match(written.strip())
+    found = re.match(rf"\s*({NUMBER})", written)
+    if decimal is not None and (len(decimal[2]) != 3 or decimal[1].strip("+-") == "0"):
+        value, rest = number(f"{decimal[1]}.{decimal[2]}"), written.strip()[decimal.end() :]
+    elif found is not None:
+        value, rest = number(found[1]), written[found.end() :]
+    else:
+        return None
+    hint = "give dt_s, in seconds"
+    if value is None or re.match(r"[\d.^]|,\d|\*\*|\s*(?:-|\+|±|\.\.)+\s*[\d.]", rest):
+        raise text.error("its number of seconds is not understood as a whole", hint, at=at)
+    after, beyond = leading(rest.lstrip(" ("), time=True)
+    before = None if unit is None or not unit.strip() else in_seconds(unit)
+    unknown = unit is not None and unit.strip() != "" and before is None
+    if after is None and (unknown or _FIRST_WORD.match(rest) or re.match(r"\s*[*/^x]\s*\d", rest)):
+        raise text.error("its unit of time is not understood as a whole", hint, at=at)
+    # What stands behind a comma is of another thing: SEC, NPTS= 400.
+    if (
+        after is not None
+        and modifies(beyond)
+        and not re.match(r"\s*[,;]|\s*\d+\s*[A-Za-z]", beyond)
+    ):
+        raise text.error("its unit of time is not understood as a whole", hint, at=at)
+    if _TWO_TIMES.match(rest if after is None else beyond):
+        raise text.error("it states two times", hint, at=at)
+    size = in_seconds(after) if after is not None else (1.0 if before is None else before)
+    if size is None or (after is not None and before is not None and size != before):
+        raise text.error("it states two units of time", hint, at=at)
+    if size < 0.0:
+        return -size / value if value else math.inf
+    return value * size
+
+
+def stated_interval(text: RecordText, lines: list[int]) -> float | None:
+    """Return the interval between samples that lines of words state [s], or None.
+
+    Raises
+    ------
+    RecordFileError
+        If a statement is not understood, or an interval and a rate contradict each other.
+    """
+    found: list[tuple[float, float, int]] = []
+    for at in lines:
+        for name in ("interval", "rate"):
+            for stated in _all(_STATED[name], text.heads[at]):
+                unit = stated["unit"]
+                written = stated["value"]
+                after = re.sub(rf"^\s*{NUMBER}\s*\(?", "", written)
+                if name == "rate" and not unit and leading(after, time=True)[0] is None:
+                    unit = "Hz"
+                value = time_value(text, at, written, unit)
+                if value is not None:
+                    found.append((_relative_place(written), value, at))
+        alone = _RATE_ALONE.fullmatch(text.heads[at])
+        if alone is not None and (in_seconds(alone["unit"]) or 0.0) < 0.0:
+            value = time_value(text, at, alone["value"])
+            if value is not None:
+                found.append((_relative_place(alone["value"]), value, at))
+    found.sort()
+    for place, value, at in found[1:]:
+        if abs(value - found[0][1]) > 1.01 * (place + found[0][0] + 1e-9) * value:
+            valid = f"its header states {found[0][1]:g} s and {value:g} s between samples"
+            raise text.error(valid, "give dt_s, in seconds", at=at)
+    return found[0][1] if found else None
+
+
+def _all(pattern: re.Pattern[str], line: str) -> Iterator[re.Match[str]]:
+    """Yield what a pattern finds in a line, each from the beginning of the value before on."""
+    at = 0
+    while (found := pattern.search(line, at)) is not None:
+        yield found
+        at = found.start("value") + 1
+
+
+def stated_time_unit(text: RecordText, lines: list[int]) -> float | None:
+    """Return the size of the unit of times that lines of words state [s], or None.
+
+    Raises
+    ------
+    RecordFileError
+        If a statement is not understood as a whole, or two of them contradict each other.
+    """
+    found: dict[float, int] = {}
+    hint = "name the column of times with its unit, as time (ms)"
+    for at in lines:
+        for stated in _TIME_IN.finditer(text.heads[at]):
+            if _OTHER_TIME.search(text.heads[at][: stated.start()]):
+                continue
+            unit, rest = leading(stated["rest"], time=True)
+            clock = stated["how"] in {":", "="} or stated["rest"][:1].isdigit()
+            if unit is None and clock:
+                continue
+            size = None if unit is None else in_seconds(unit)
+            if size is None or size <= 0.0 or modifies(rest) or _TWO.match(rest):
+                raise text.error("its unit of time is not understood as a whole", hint, at=at)
+            found.setdefault(size, at)
+    if len(found) > 1:
+        raise text.error("it states another unit of time", hint, at=max(found.values()))
+    return next(iter(found), None)
+
+
+def stated_duration(text: RecordText, lines: list[int]) -> tuple[float, float] | None:
+    """Return the duration that lines of words state, and half a unit of its last digit [s]."""
+    for at in lines:
+        stated = _STATED["duration"].search(text.heads[at])
+        if stated is None or _OTHER_DURATION.search(text.heads[at][: stated.start()]):
+            continue
+        try:
+            value = time_value(text, at, stated["value"], stated["unit"])
+        except RecordFileError:
+            continue
+        if value is not None and value > 0.0:
+            return value, value * _relative_place(stated["value"])
+    return None
+
+
+def stated_count(text: RecordText, lines: list[int]) -> tuple[int, int] | None:
+    """Return the number of samples that lines of words state, and the index of the line.
+
+    Raises
+    ------
+    RecordFileError
+        If it is no whole number, or two lines state different ones.
+    """
+    found: dict[int, int] = {}
+    for at in lines:
+        for stated in _COUNT.finditer(text.heads[at]):
+            value = number(stated["value"] + stated["rest"].replace(",", "").rstrip("."))
+            if value is None or value != int(value):
+                raise text.error("it must state a whole number", "correct the line", at=at)
+            found.setdefault(int(value), at)
+        if (alone := _COUNT_ALONE.fullmatch(text.heads[at])) is not None:
+            found.setdefault(int(alone["value"] or alone["before"]), at)
+    if len(found) > 1:
+        valid = f"its header states {' and '.join(map(str, found))} samples"
+        raise text.error(valid, "correct one of the lines", at=max(found.values()))
+    return next(iter(found.items()), None)
+
+
+def _relative_place(written: str) -> float:
+    """Return half a unit of the last digit of the number that a text begins with, over it."""
+    found = re.match(rf"\s*({NUMBER})", written)
+    value = None if found is None else number(found[1])
+    if found is None or not value:
+        return 0.0
+    return min(0.5 * last_place(found[1]) / abs(value), _COARSEST)
+
+
+def last_place(written: str) -> float:
+    """Return one unit of the last digit of a number.
+
+    Examples
+    --------
+    >>> last_place("1.25"), last_place("1.5e-3")
+    (0.01, 0.0001)
+    """
+    mantissa, _, exponent = written.lower().replace("d", "e").partition("e")
+    decimals = len(mantissa.partition(".")[2])
+    power = int(exponent) if re.fullmatch(r"[+-]?\d{1,3}", exponent) else 0
+    return float(10.0 ** (power - decimals))

@@ -1,0 +1,82 @@
+"""What a ground-motion file holds of one channel: the record, and what the file says about it."""
+
+from dataclasses import dataclass, replace
+from datetime import datetime
+from pathlib import Path
+from typing import Literal
+
+from rocksteady.model.checks.arguments import checked_result
+from rocksteady.model.motions.record import Record
+
+__all__ = ["Orientation", "Recording"]
+
+Orientation = Literal["horizontal", "vertical"]
+"""Which way a channel points."""
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True)
+class Recording:
+    r"""One channel of acceleration of a ground-motion file.
+
+    Made by `~rocksteady.records.read.read_recordings`.
+
+    Parameters
+    ----------
+    record
+        The samples [m/s^2] and their interval.
+    format
+        Short name of the file's format (``peer-at2``).
+    path
+        The file.
+    units_in_file
+        Unit of the file's numbers (``g``, ``counts``).
+    component
+        The channel's direction as the file names it (``N-S``, ``360``).
+    orientation
+        Whether the channel is horizontal or vertical, where that can be told.
+    azimuth_deg
+        Direction of positive values of a horizontal channel, clockwise from north [degrees].
+    station, event
+        Where and what was recorded, as the file has it.
+    start_time
+        Time of the first sample (UTC).
+    stated_peak_m_s2
+        Largest absolute acceleration [m/s^2] as the file's header states it.
+    warnings
+        What is odd about the file and has not kept it from being read, a sentence each.
+    processing
+        What has been done to the numbers beyond converting their unit, in order: an offset taken
+        off, a baseline correction, a new interval.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from rocksteady.records.read import read_recordings
+    >>> path = Path(tempfile.mkdtemp()) / "example.AT2"
+    >>> head = "PEER\nSomewhere, 1/2/1990, Hut, UP\nACCELERATION IN UNITS OF G\n"
+    >>> _ = path.write_text(head + "NPTS= 3, DT= .01 SEC\n .1 -.2 .05\n")
+    >>> (recording,) = read_recordings(path)
+    >>> recording.format, recording.units_in_file, recording.orientation
+    ('peer-at2', 'g', 'vertical')
+    >>> recording.record.peak_acceleration_m_s2
+    1.96133
+    """
+
+    record: Record
+    format: str
+    path: Path
+    units_in_file: str
+    component: str | None = None
+    orientation: Orientation | None = None
+    azimuth_deg: float | None = None
+    station: str | None = None
+    event: str | None = None
+    start_time: datetime | None = None
+    stated_peak_m_s2: float | None = None
+    warnings: tuple[str, ...] = ()
+    processing: tuple[str, ...] = ()
+
+    def processed(self, record: Record, note: str) -> "Recording":
+        """Return the recording with another record, and a note on how it came about."""
+        return replace(self, record=record, processing=(*self.processing, note))

@@ -1,0 +1,251 @@
+"""Tables of numbers in text: how the columns are set apart, what they are called, their rows."""
+
+import re
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from typing import Final
+
+from rocksteady.records.core.numbers import apart, number, numbers
+from rocksteady.records.core.text import RecordText
+from rocksteady.records.core.units import acceleration_unit, in_seconds
+
+__all__ = ["Table", "table"]
+
+_COMMENT: Final = ("#", "%", "//")
+"""What a comment between rows begins with; stars stand for a number that did not fit."""
+
+_NO_ROW: Final = "it must be a row of numbers, as the ones around it"
+_TAKE_OUT: Final = "fetch the file anew, or take out what is no sample"
+_SAMPLE: Final = 200
+_DECIMAL_COMMA: Final = re.compile(r"[+-]?\d*,\d+(?:[eEdD][+-]?\d+)?|[+-]?\d+(?:[eEdD][+-]?\d+)?")
+_LONGEST_HEADER: Final = 200
+_LONGEST_NAME: Final = 40
+_OTHER_UNITS: Final = frozenset({"", "-", "cm/s", "m/s", "cm", "m", "mm"})
+_TRUE_SPACES: Final = re.compile(r"\t|\s{2,}")
+_NO_VALUE: Final = re.compile(
+    r"[+-]?(?:nan|inf(?:inity)?|null|none|n/?a|\*+|#\w+[!?/].*)", re.IGNORECASE
+)
+"""What programs write where a number is missing or did not fit."""
+_NOT_INSIDE: Final = r"(?![^()\[\]]*[)\]])"
+_BEFORE_UNIT: Final = re.compile(r"\s+(?=[(\[])")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Table:
+    """Rows of numbers with what stands above them.
+
+    Parameters
+    ----------
+    header
+        Lines of words above the rows, without the marks of a comment.
+    header_lines
+        Index of each of them.
+    names
+        Fields of the last of them, where there are as many as columns.
+    names_at
+        Index of their line.
+    rows
+        The numbers of each line.
+    lines
+        Index of the line of each row.
+    separator
+        What stands between two numbers; None for blanks.
+    comma
+        Whether a comma stands for the decimal point.
+    """
+
+    header: tuple[str, ...]
+    header_lines: tuple[int, ...]
+    names: tuple[str, ...]
+    names_at: int
+    rows: tuple[tuple[float, ...], ...]
+    lines: tuple[int, ...]
+    separator: str | None
+    comma: bool
+
+    @cached_property
+    def columns(self) -> int:
+        """Numbers of the widest row."""
+        return max(map(len, self.rows))
+
+
+def table(text: RecordText) -> Table | None:
+    """Return the table of a file, or None where it has no line of numbers.
+
+    Raises
+    ------
+    RecordFileError
+        If anything but numbers stands below the first line of numbers.
+    """
+    # A line of separators alone is a blank one of a spreadsheet.
+    filled = [at for at, line in enumerate(text.lines) if line.strip(" \t,;")]
+    if not filled:
+        return None
+    separator, comma = _dialect(text, filled)
+    rows_from = (_row(text.lines[at], separator, comma=comma) for at in filled[:_LONGEST_HEADER])
+    numeric = [row is not None for row in rows_from]
+    # One line of numbers may be words of a header, a date or a count; two are the table. A file of
+    # one line is one too.
+    first = next((place for place, both in enumerate(pairwise(numeric)) if all(both)), None)
+    if first is None and numeric[-1] and len(numeric) == len(filled):
+        first = len(numeric) - 1
+    if first is None:
+        return None
+    _refuse_torn(text, filled[: first + 1], separator, comma=comma)
+    if first:
+        _refuse_spoilt(text, filled[first - 1], filled[first], separator, comma=comma)
+    rows: list[tuple[float, ...]] = []
+    lines: list[int] = []
+    for at in filled[first:]:
+        line = text.lines[at]
+        row = _row(line, separator, comma=comma)
+        if row is None:
+            if line.lstrip().startswith(_COMMENT):
+                continue
+            raise text.error(
+                _NO_ROW,
+                _TAKE_OUT,
+                at=at,
+            )
+        rows.append(row)
+        lines.append(at)
+    header = tuple(text.heads[at].strip().lstrip("#%!*/ ") for at in filled[:first])
+    names = _names(header, separator, max(map(len, rows)))
+    return Table(
+        header=header,
+        header_lines=tuple(filled[:first]),
+        names=names,
+        names_at=filled[first - 1] if first else 0,
+        rows=tuple(rows),
+        lines=tuple(lines),
+        separator=separator,
+        comma=comma,
+    )
+
+
+def _refuse_torn(
+    text: RecordText, filled: list[int], separator: str | None, *, comma: bool
+) -> None:
+    """Raise where a row like those of the table stands above it, with words in between.
+
+    Parameters
+    ----------
+    text
+        The file.
+    filled
+        Index of each line that is not blank, down to the first row.
+    separator, comma
+        As of the table.
+    """
+    columns = len(_row(text.lines[filled[-1]], separator, comma=comma) or ())
+    for place, at in enumerate(filled[:-1]):
+        if len(_row(text.lines[at], separator, comma=comma) or ()) == columns:
+            raise text.error(_NO_ROW, _TAKE_OUT, at=filled[place + 1])
+
+
+def _refuse_spoilt(
+    text: RecordText, at: int, first: int, separator: str | None, *, comma: bool
+) -> None:
+    """Raise where the line above the first row is a row itself, with something that is no number.
+
+    Taken for names it would be a sample lost, and all others would come too early.
+    """
+    columns = len(_row(text.lines[first], separator, comma=comma) or ())
+    fields = [field.strip().strip('"') for field in text.heads[at].split(separator)]
+    if len(fields) != columns:
+        return
+    begins = columns > 1 and number(fields[0].replace(",", ".") if comma else fields[0]) is not None
+    if begins or any(_NO_VALUE.fullmatch(field) for field in fields):
+        raise text.error(_NO_ROW, _TAKE_OUT, at=at)
+
+
+def _dialect(text: RecordText, filled: list[int]) -> tuple[str | None, bool]:
+    """Return the separator of columns, and whether a comma is the decimal point.
+
+    They are told from the second half of the file, where no header stands.
+    """
+    sample = [text.lines[at].strip() for at in filled[len(filled) // 2 :][:_SAMPLE]]
+    for separator in (";", "\t"):
+        if _most(sample, separator):
+            body = "".join(sample)
+            return separator, "," in body and "." not in body
+    if not _most(sample, ","):
+        return None, False
+    tokens = [line.split() for line in sample]
+    decimal = all(_DECIMAL_COMMA.fullmatch(token) for line in tokens for token in line)
+    if not decimal:
+        return ",", False
+    if all(len(line) == 1 for line in tokens):
+        # 0,5: two columns, or one number? The names of two columns decide.
+        above = [text.heads[at] for at in filled[:3]]
+        named = any("," in line and re.search("[A-Za-z]", line) is not None for line in above)
+        return ("," if named else None), not named
+    return None, True
+
+
+def _most(lines: list[str], separator: str) -> bool:
+    """Return whether a separator stands in most lines."""
+    return 2 * sum(separator in line for line in lines) > len(lines)
+
+
+def _row(line: str, separator: str | None, *, comma: bool) -> tuple[float, ...] | None:
+    """Return the numbers of a line, or None where it holds anything else."""
+    if comma:
+        line = line.replace(",", ".")
+    if separator is None:
+        found = numbers(line)
+        return tuple(found) if found else None
+    fields = line.split(separator)
+    quickly = apart(fields, None)
+    if quickly is not None:
+        return tuple(quickly)
+    fields = [field.strip().strip('"') for field in fields]
+    while fields and not fields[-1]:  # a separator at the end of the line
+        fields.pop()
+    values = [number(field) for field in fields]
+    kept = tuple(value for value in values if value is not None)
+    return kept if kept and len(kept) == len(values) else None
+
+
+def _names(header: tuple[str, ...], separator: str | None, columns: int) -> tuple[str, ...]:
+    """Return the names of the columns with their units, or nothing where there are none."""
+    if not header:
+        return ()
+    last = _fields(header[-1], separator, columns)
+    # A line such as "units: cm/s^2" is not one of names.
+    if len(last) != columns or (separator is None and set(header[-1]) & set(":=")):
+        return ()
+    above = _fields(header[-2], separator, columns) if len(header) > 1 else ()
+    if columns > 1 and len(above) == columns and all(map(_is_unit, last)):
+        pairs = zip(above, last, strict=True)
+        return tuple(f"{name} ({unit.strip('()[] ')})" for name, unit in pairs)
+    return last
+
+
+def _is_unit(field: str) -> bool:
+    """Return whether a field below a name is its unit."""
+    known = acceleration_unit(field) is not None or in_seconds(field) is not None
+    return known or field.strip("()[] ").lower() in _OTHER_UNITS
+
+
+def _fields(line: str, separator: str | None, columns: int) -> tuple[str, ...]:
+    """Return the fields of a line of names."""
+    if separator is not None:
+        # A separator in brackets or quotes stands inside a name.
+        apart_by = re.escape(separator) + _NOT_INSIDE
+        fields = [field.strip().strip('"').strip() for field in re.split(apart_by, line)]
+        while fields and not fields[-1]:
+            fields.pop()
+        return tuple(fields)
+    if columns == 1:
+        return (line.strip(),) if len(line) <= _LONGEST_NAME else ()
+    # Names may hold blanks: first apart by wide ones, then with their units joined on.
+    wide = tuple(part.strip() for part in _TRUE_SPACES.split(line) if part.strip())
+    if len(wide) == columns:
+        return wide
+    for candidate in (_BEFORE_UNIT.sub("", line), line.replace(",", " ")):
+        parts = tuple(candidate.split())
+        if len(parts) == columns:
+            return parts
+    return ()

@@ -1,0 +1,388 @@
+"""Tables of numbers: CSV with names of columns, or plain columns; with times, or samples alone.
+
+What a file does not say is asked for: the unit of its numbers, and the interval where it has no
+times. Names are understood with their unit, as in ``time [s]``, ``Acc (g)`` or ``accel_cm/s2``.
+"""
+
+import re
+from dataclasses import replace
+from itertools import pairwise
+from typing import TYPE_CHECKING, Final
+
+from rocksteady.errors import InputError, RecordFileError
+from rocksteady.records.core.assembling import Channel, Given, built
+from rocksteady.records.core.column_names import column_name
+from rocksteady.records.core.consistency import Lines, agreed, layout, timing
+from rocksteady.records.core.header_statements import (
+    refuse_factors,
+    stated_count,
+    stated_duration,
+    stated_interval,
+    stated_time_unit,
+    stated_unit,
+)
+from rocksteady.records.core.recording import Recording
+from rocksteady.records.core.sampling import Spaced, evenly_spaced, places
+from rocksteady.records.core.table import Table, table
+from rocksteady.records.core.text import RecordText
+from rocksteady.records.core.units import UNITS, in_m_s2
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+__all__ = ["COLUMNS", "CSV", "read", "recognises"]
+
+CSV: Final = "csv"
+COLUMNS: Final = "columns"
+
+_BEGINS: Final = re.compile(r"""\s*["']?[+-]?\.?\d""")
+_FEW_LINES: Final = 40
+_AS_CHANNELS: Final = 4
+"""Columns without names that may be channels as well as consecutive samples."""
+
+
+def recognises(text: RecordText) -> bool:
+    """Return whether a file has a line that begins with a number."""
+    return any(_BEGINS.match(line) for line in text.heads)
+
+
+def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
+    """Return the channels of a table.
+
+    Raises
+    ------
+    RecordFileError
+        If it is no table, a row of it is no row of numbers, or what it does not state is not given.
+    InputError
+        If the column that is asked for is not there.
+    """
+    refuse_geonet(text)
+    found = table(text)
+    if found is None:
+        raise text.error("it holds no rows of numbers", "give a record as text")
+    at = found.lines[0]
+    count, interval, found = _without_counts(text, found)
+    named = found.columns > 1 and bool(found.names)
+    format_name = CSV if named or found.separator is not None else COLUMNS
+    _refuse_other_quantities(text, found)
+    if count is None:
+        _refuse_short_rows(text, found)
+    if given.units is None:
+        names = found.names_at if found.names and found.columns > 1 else None
+        refuse_factors(text, list(found.header_lines), names=names)
+    header = list(found.header_lines) if found.columns == 1 else _words(found)
+    timed = found.columns > 1 and _time_column(found) is not None
+    stated, unread = _interval(text, header, given, timed=timed)
+    spaced, picked = _values(text, found, given, interval or stated)
+    values, interval, warnings = spaced.values, spaced.dt_s, (*unread, *spaced.warnings)
+    if len(picked) == 1 and not picked[0] and 1 < found.columns <= _AS_CHANNELS:
+        what = f"{found.columns} numbers a line are taken as samples that follow each other"
+        warnings += (f"{what}; give column where they are channels",)
+    if count is None and (of_words := stated_count(text, header)) is not None:
+        count, at = of_words
+    where = Lines(stated=at, start=found.lines[0], end=len(text.lines))
+    if count is not None:
+        values, doubts = agreed(text, values, count, where)
+        warnings = (*warnings, *doubts)
+    else:
+        warnings += layout(text, found.lines, separator=found.separator, comma=found.comma)
+    if given.dt_s is None:
+        warnings += timing(values[:, 0], interval, duration=stated_duration(text, header))
+    recordings = []
+    for index, name in enumerate(picked):
+        units, doubts = _unit_of(text, name, found, given)
+        channel = Channel(
+            values=values[:, index],
+            units=units,
+            dt_s=interval,
+            component=column_name(name).label or name or None,
+            alone=len(picked) == 1,
+            warnings=(*warnings, *doubts),
+            processing=spaced.notes,
+        )
+        recordings.append(built(text, format_name, channel, given))
+    return tuple(recordings)
+
+
+def _interval(
+    text: RecordText, header: list[int], given: Given, *, timed: bool
+) -> tuple[float | None, tuple[str, ...]]:
+    """Return the interval that words state [s], and a warning where only the times are understood.
+
+    Raises
+    ------
+    RecordFileError
+        If it is not understood as a whole, and the table has no times.
+    """
+    if given.dt_s is not None:
+        return None, ()
+    try:
+        return stated_interval(text, header), ()
+    except RecordFileError as error:
+        if not timed:
+            raise
+        return None, (f"{error.valid}: the times of the table are taken",)
+
+
+def refuse_without_rows(text: RecordText) -> None:
+    """Raise where a file has the names of a table's columns, and no rows.
+
+    Raises
+    ------
+    RecordFileError
+        As above; other files without numbers are left to the caller.
+    """
+    filled = [at for at, line in enumerate(text.heads) if line.strip()]
+    for at in filled[:_FEW_LINES] if len(filled) <= _FEW_LINES else ():
+        fields = re.split(r"[;,\t]|\s{2,}", text.heads[at].strip().lstrip("#%!*/ "))
+        kinds = [column_name(field.strip(" \"'")).kind for field in fields if field.strip()]
+        if {"time", "acceleration"} & set(kinds) and (len(kinds) > 1 or len(filled) == 1):
+            valid = "it holds the names of columns and no rows of numbers"
+            raise text.error(valid, "fetch the file anew: it is cut after its header", at=at)
+
+
+def _values(
+    text: RecordText, found: Table, given: Given, stated: float | None
+) -> tuple[Spaced, tuple[str, ...]]:
+    """Return the samples (samples, channels) with their interval, and the channels' names."""
+    import numpy as np
+
+    width = found.columns
+    alone = width == 1 or (not found.names and given.column is None and not _has_times(found))
+    if alone:
+        if found.names and column_name(found.names[0]).kind == "other" and given.column is None:
+            raise _no_acceleration(text, found)
+        if given.column is not None:
+            _asked_for(found, given.column)
+        flat = np.array([value for row in found.rows for value in row], dtype=np.float64)
+        return Spaced(values=flat[:, None], dt_s=stated), found.names[:1] or ("",)
+    _refuse_short_rows(text, found, last=True)
+    numbers = np.array(found.rows, dtype=np.float64)
+    time = _time_column(found)
+    columns = _columns(text, found, given, time)
+    names = tuple(
+        found.names[column] if found.names else f"column {column + 1}" for column in columns
+    )
+    chosen = numbers[:, list(columns)]
+    if time is None:
+        return Spaced(values=chosen, dt_s=stated), names
+    size = _seconds(text, found, time)
+    spaced = evenly_spaced(
+        text,
+        numbers[:, time] * size,
+        chosen,
+        given,
+        rounding=size * places(_written(text, found, time)),
+        line_of=lambda row: found.lines[row],
+    )
+    doubts = spaced.warnings
+    apart = spaced.dt_s or 0.0
+    if stated is not None and abs(stated - apart) > 0.005 * apart:
+        words = f"the words above the table state {stated:g} s between samples"
+        doubts += (f"{words}, and its times are {apart:g} s apart: the times are taken",)
+    return replace(spaced, warnings=doubts), names
+
+
+def _has_times(found: Table) -> bool:
+    """Return whether a table without names has times in its first column."""
+    rows = found.rows[: 2000 if len(found.rows) > 2 else 0]
+    if any(len(row) < 2 for row in rows[:-1]) or len(rows) < 3:
+        return False
+    times = [row[0] for row in rows]
+    steps = sorted(later - before for before, later in pairwise(times))
+    # Times grow, and nearly all by the same; samples of a record do neither for long.
+    usual = steps[len(steps) // 2]
+    near = sum(abs(step - usual) <= 0.5 * usual for step in steps)
+    return usual > 0.0 and (steps[0] >= 0.0 or near >= 0.9 * len(steps))
+
+
+def _time_column(found: Table) -> int | None:
+    """Return which column holds the times, or None."""
+    named = [at for at, name in enumerate(found.names) if column_name(name).kind == "time"]
+    if named:
+        return named[0]
+    return 0 if not found.names and _has_times(found) else None
+
+
+def _seconds(text: RecordText, found: Table, time: int) -> float:
+    """Return the size of the unit of the times [s].
+
+    Raises
+    ------
+    RecordFileError
+        If the name of their column states a unit that is not understood.
+    """
+    of_words = stated_time_unit(text, _words(found))
+    if not found.names:
+        return of_words or 1.0
+    named = column_name(found.names[time])
+    if of_words is not None and named.seconds not in {None, of_words}:
+        valid = f"the words above its column {found.names[time]!r} state another unit of time"
+        raise text.error(valid, "correct one of them", at=found.names_at)
+    if named.uncertain:
+        valid = f"its unit of time, {named.uncertain!r}, is not understood"
+        hint = "name the column time (s), time (ms), time (us) or time (min)"
+        raise text.error(valid, hint, at=found.names_at)
+    return named.seconds or of_words or 1.0
+
+
+def _columns(text: RecordText, found: Table, given: Given, time: int | None) -> tuple[int, ...]:
+    """Return the columns of acceleration."""
+    if given.column is not None:
+        return (_asked_for(found, given.column),)
+    others = [at for at in range(found.columns) if at != time]
+    if not found.names:
+        return tuple(others)
+    kinds = {at: column_name(found.names[at]).kind for at in others}
+    for wanted in ("acceleration", "unknown"):
+        of_kind = tuple(at for at in others if kinds[at] == wanted)
+        if of_kind and (wanted == "acceleration" or len(of_kind) == 1):
+            return of_kind
+    raise _no_acceleration(text, found)
+
+
+def _no_acceleration(text: RecordText, found: Table) -> InputError:
+    """Return the error that no column is one of acceleration."""
+    return text.error(
+        f"none of its columns is called an acceleration: {', '.join(found.names)}",
+        "give column, by its name or its number from 1",
+    )
+
+
+def _asked_for(found: Table, column: str | int) -> int:
+    """Return the index of the column that the caller names.
+
+    Raises
+    ------
+    InputError
+        If there is none.
+    """
+    lowered = [name.lower() for name in found.names]
+    wanted = str(column).strip().lower()
+    if wanted in lowered:
+        return lowered.index(wanted)
+    if len(wanted) < 10 and wanted.isdecimal() and 1 <= int(wanted) <= found.columns:
+        return int(wanted) - 1
+    listed = ", ".join(found.names) or f"1 to {found.columns}"
+    raise InputError(
+        name="column",
+        value=column,
+        valid="the table has no such column",
+        hint=f"choose one of these: {listed}",
+    )
+
+
+def _words(found: Table) -> list[int]:
+    """Return the index of each line of words above the samples that is no row of names."""
+    return [at for at in found.header_lines if not found.names or at != found.names_at]
+
+
+def _unit_of(
+    text: RecordText, name: str, found: Table, given: Given
+) -> tuple[str | None, tuple[str, ...]]:
+    """Return the unit of a column: by its name, else by the words above the table; and warnings.
+
+    Raises
+    ------
+    RecordFileError
+        If one of them is not understood as a whole, or they contradict each other.
+    """
+    if given.units is not None:
+        try:
+            return _unit_of(text, name, found, Given())[0], ()
+        except InputError:
+            return None, ()
+    words = _words(found)
+    named = column_name(name)
+    title = found.columns == 1 and bool(found.names)
+    if title and re.search(r"[:=]|\bunits?\b|\bin\b", name):
+        # A line of words above one column is a title rather than a name.
+        return stated_unit(text, [*words, found.names_at]), ()
+    odd = named.uncertain
+    if found.columns > 1 or named.unit is not None:
+        odd = odd or named.leftover
+    if odd and found.names and named.kind != "other":
+        valid = f"its column {name!r} is not understood: {odd!r}"
+        raise text.error(valid, f"give units: {', '.join(UNITS)}", at=found.names_at)
+    of_words = stated_unit(text, words, explicit=named.unit is not None)
+    if named.unit is None:
+        beside = {column_name(other).unit for other in found.names} - {None}
+        if of_words is not None or len(beside) != 1:
+            return of_words, ()
+        return beside.pop(), (
+            f"its column {name!r} states no unit: that of its neighbour is taken",
+        )
+    doubts: tuple[str, ...] = ()
+    try:
+        of_words = of_words or stated_unit(text, words)
+    except RecordFileError as error:
+        doubts = (f"{error.valid}: the unit of its column {name!r} is taken",)
+    if of_words is not None and in_m_s2(of_words) != in_m_s2(named.unit):
+        valid = f"its column {name!r} is in {named.unit}, and the words above it state {of_words}"
+        raise text.error(valid, f"give units: {', '.join(UNITS)}", at=found.names_at)
+    return named.unit, doubts
+
+
+def _without_counts(text: RecordText, found: Table) -> tuple[int | None, float | None, Table]:
+    """Return what a row of count and interval above the samples states, and the table without it.
+
+    Some programs write such a row: a whole number, and mostly the interval after it.
+    """
+    first, rest = found.rows[0], found.rows[1:]
+    if len(first) > 3 or len(rest) < 2:
+        return None, None, found
+    words, next_words = (text.lines[at].replace(",", " ").split() for at in found.lines[:2])
+    whole = words[0].isdecimal() and first[0] >= 2.0 and all("." in word for word in next_words)
+    unlike = len(first) != len(rest[0]) or (len(first) == 1 and first[0] > 99.0)
+    # Above times and samples the row is as wide as theirs, and counts them.
+    unlike = unlike or (len(first) == 2 and first[0] == len(rest))
+    if not (whole and unlike and all(0.0 < value <= 1.0 for value in first[1:2])):
+        return None, None, found
+    interval = first[1] if len(first) > 1 else None
+    names = found.names if len(found.names) == max(map(len, rest)) else ()
+    return int(first[0]), interval, replace(found, rows=rest, lines=found.lines[1:], names=names)
+
+
+def _refuse_short_rows(text: RecordText, found: Table, *, last: bool = False) -> None:
+    """Raise where a row has fewer numbers than others; the last one may, unless `last` says not."""
+    columns = found.columns
+    rows = list(zip(found.rows, found.lines, strict=True))
+    for row, at in rows if last else rows[:-1]:
+        if len(row) != columns:
+            valid = f"it has {len(row)} numbers, and the table has {columns} columns"
+            raise text.error(valid, "fetch the file anew, or take out what is no sample", at=at)
+
+
+def refuse_geonet(text: RecordText) -> None:
+    """Raise where the numbers of a header would pass for samples, as in New Zealand's files."""
+    if re.match(r"\s*(?:un)?corrected accelerogram", text.first, re.IGNORECASE) and any(
+        re.match(r"\s*number of points\s+\d", line, re.IGNORECASE) for line in text.heads[:20]
+    ):
+        raise text.error(
+            "it is one of GeoNet's files (V1A, V2A), which are not read",
+            "give its samples of acceleration as a table",
+        )
+
+
+def _refuse_other_quantities(text: RecordText, found: Table) -> None:
+    """Raise where the words above say counts, or velocity or displacement and no acceleration."""
+    words = " ".join(found.header)
+    if re.search(r"\(\s*gal\s*\)\s*/\s*\d", words, re.IGNORECASE):
+        valid = "its header states the scale of an instrument's counts, which is not applied here"
+        raise text.error(valid, "give the file as its network publishes it (K-NET, KiK-net)")
+    if found.names or not words or re.search("acc", words, re.IGNORECASE):
+        return
+    if re.search(r"velocit|displacement", words, re.IGNORECASE):
+        valid = "its header speaks of another quantity, and the base moves by its acceleration"
+        raise text.error(valid, "give the file of acceleration")
+
+
+def _written(text: RecordText, found: Table, column: int) -> list[str]:
+    """Return the numbers of a column as they stand in the file."""
+    lines = (text.lines[at] for at in found.lines)
+    rows = (line.replace(",", ".") if found.comma else line for line in lines)
+    fields = (row.split(found.separator) if found.separator else row.split() for row in rows)
+    return [row[column].strip().strip('"') if column < len(row) else "0" for row in fields]

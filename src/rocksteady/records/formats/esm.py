@@ -1,0 +1,132 @@
+"""Files of the European strong-motion networks (ESM, ITACA, AFAD): DYNA's header, then the samples.
+
+The header is a line a key, ``UNITS: cm/s^2``, and ends where a line of numbers begins.
+"""
+
+import re
+from datetime import UTC, datetime
+from typing import Final
+
+from rocksteady.records.core.assembling import Channel, Given, built
+from rocksteady.records.core.consistency import Lines, agreed, timing
+from rocksteady.records.core.header_statements import last_place, refuse_factors
+from rocksteady.records.core.numbers import number, numbers, samples
+from rocksteady.records.core.recording import Recording
+from rocksteady.records.core.text import RecordText
+
+__all__ = ["FORMAT", "read", "recognises"]
+
+FORMAT: Final = "esm-ascii"
+
+_WITHIN: Final = 200
+_KEY: Final = re.compile(r"[A-Za-z][A-Za-z0-9_ /^().-]*")
+_INTERVAL: Final = "SAMPLING_INTERVAL_S"
+_COUNT: Final = "NDATA"
+
+
+def recognises(text: RecordText) -> bool:
+    """Return whether a file has DYNA's header."""
+    found = _header(text)
+    return _INTERVAL in found and _COUNT in found
+
+
+def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
+    """Return the one channel of a file.
+
+    Raises
+    ------
+    RecordFileError
+        If it is not one of acceleration, its header cannot be understood or samples are missing.
+    """
+    lines = _header(text, once=True)
+    for key in (_COUNT, _INTERVAL):
+        if key not in lines:
+            raise text.error(f"its header does not state {key}", "fetch the file anew")
+    _refuse_other_quantities(text, lines)
+    if given.units is None:
+        free = ("USER", "INSTRUMENT", "PROCESSING", "DATA_")
+        refuse_factors(text, [at for key, at in lines.items() if not key.startswith(free)])
+    count = number(_value(text, lines, _COUNT))
+    if count is None or count != int(count):
+        raise text.error("it must state a whole number", "fetch the file anew", at=lines[_COUNT])
+    interval = number(_value(text, lines, _INTERVAL))
+    if interval is None and given.dt_s is None:
+        raise text.error("it must state a number of seconds", "give dt_s", at=lines[_INTERVAL])
+    start = max(lines.values()) + 1
+    values, end = samples(text.lines, start, at_most=max(int(count), 1))
+    kept, warnings = agreed(
+        text, values, int(count), Lines(stated=lines[_COUNT], start=start, end=end)
+    )
+    lasts = number(_value(text, lines, "DURATION_S"))
+    duration = (
+        None if lasts is None else (lasts, 0.5 * last_place(_value(text, lines, "DURATION_S")))
+    )
+    peak_at = number(_value(text, lines, "TIME_PGA_S"))
+    if given.dt_s is None:
+        warnings += timing(kept, interval, duration=duration, peak_at=peak_at)
+    units = _value(text, lines, "UNITS") or None
+    channel = Channel(
+        values=kept,
+        units=units,
+        dt_s=interval,
+        # The key names the unit of the peak, whatever that of the samples is.
+        stated_peak=_peak(_value(text, lines, "PGA_CM/S^2"), units),
+        component=_value(text, lines, "STREAM") or None,
+        station=_value(text, lines, "STATION_CODE") or _value(text, lines, "STATION_NAME") or None,
+        event=_value(text, lines, "EVENT_ID") or _value(text, lines, "EVENT_NAME") or None,
+        start_time=_start(_value(text, lines, "DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS")),
+        warnings=warnings,
+    )
+    return (built(text, FORMAT, channel, given),)
+
+
+def _header(text: RecordText, *, once: bool = False) -> dict[str, int]:
+    """Return the index of the line of each key, up to the first line of numbers.
+
+    A key that is there twice with two values is refused if `once`; users' own lines may repeat.
+    """
+    found: dict[str, int] = {}
+    for at, line in enumerate(text.heads[:_WITHIN]):
+        key, colon, _ = line.partition(":")
+        if colon and _KEY.fullmatch(key.strip()):
+            name = re.sub(r"[ _]+", "_", key.strip().upper())
+            if once and not name.startswith("USER"):
+                text.refuse_repeated(found.get(name, at), at)
+            found.setdefault(name, at)
+        elif found and line.strip() and numbers(line):
+            break
+    return found
+
+
+def _value(text: RecordText, lines: dict[str, int], key: str) -> str:
+    """Return what a key says; nothing where it is not there."""
+    return text.heads[lines[key]].partition(":")[2].strip() if key in lines else ""
+
+
+def _refuse_other_quantities(text: RecordText, lines: dict[str, int]) -> None:
+    """Raise where a file holds velocity, displacement or a spectrum."""
+    quantity = _value(text, lines, "DATA_TYPE").upper()
+    if quantity and quantity != "ACCELERATION":
+        raise text.error(
+            "the base moves by its acceleration, and this is another quantity",
+            "give the file of acceleration (ACC)",
+            at=lines["DATA_TYPE"],
+        )
+
+
+def _peak(written: str, units: str | None) -> float | None:
+    """Return the stated peak in the unit of the samples, where that is known."""
+    from rocksteady.records.core.units import acceleration_unit, in_m_s2
+
+    value, name = number(written), acceleration_unit(units or "")
+    return None if value is None or name is None else value * in_m_s2("cm/s^2") / in_m_s2(name)
+
+
+def _start(written: str) -> datetime | None:
+    """Return the time of the first sample (UTC)."""
+    for pattern in ("%Y%m%d_%H%M%S.%f", "%Y%m%d_%H%M%S"):
+        try:
+            return datetime.strptime(written, pattern).replace(tzinfo=UTC)
+        except ValueError:
+            continue
+    return None

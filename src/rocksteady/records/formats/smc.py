@@ -1,0 +1,157 @@
+"""Files of the U.S. Geological Survey's national strong-motion program: SMC.
+
+Eleven lines of words, six of whole numbers and ten of real ones, whose first value each marks what
+is missing, then lines of comment and the samples [cm/s^2] in columns of ten characters that run
+together. An uncorrected file without a sampling rate holds times and samples in turn.
+"""
+
+import re
+from datetime import UTC, datetime, timedelta
+from typing import Final
+
+from rocksteady.records.core.assembling import Channel, Given, built
+from rocksteady.records.core.consistency import Lines, agreed, timing
+from rocksteady.records.core.numbers import numbers, samples
+from rocksteady.records.core.recording import Orientation, Recording
+from rocksteady.records.core.sampling import evenly_spaced
+from rocksteady.records.core.text import RecordText
+
+__all__ = ["FORMAT", "read", "recognises"]
+
+FORMAT: Final = "smc"
+
+_WORDS, _WHOLE, _REAL = 11, 6, 10
+"""Lines of each part of the header."""
+
+_KIND: Final = re.compile(r"\s*(?:\d+\s+(?:UN)?CORRECTED\s+ACCELEROGRAM|\*)\s*", re.IGNORECASE)
+_OTHER: Final = re.compile(r"\s*\d+\s+.*(VELOCITY|DISPLACEMENT|SPECTR)", re.IGNORECASE)
+_HINT: Final = "fetch the file anew, as text"
+
+
+def recognises(text: RecordText) -> bool:
+    """Return whether a file is laid out like an SMC file."""
+    first = text.heads[0]
+    if _KIND.fullmatch(first) is None and _OTHER.match(first) is None:
+        return False
+    return sum(line.strip() == "*" for line in text.heads[:_WORDS]) >= 2
+
+
+def read(text: RecordText, given: Given) -> tuple[Recording, ...]:
+    """Return the one channel of a file.
+
+    Raises
+    ------
+    RecordFileError
+        If it is not one of acceleration, its header cannot be understood or samples are missing.
+    """
+    if _KIND.fullmatch(text.heads[0]) is None:
+        valid = "it must be an accelerogram: the base moves by its acceleration"
+        raise text.error(valid, "give the file of acceleration", at=0)
+    whole = _values(text, _WORDS, _WHOLE, 48)
+    real = _values(text, _WORDS + _WHOLE, _REAL, 50)
+    known = [None if value == whole[0] else value for value in whole]
+    stated = [None if value == real[0] else value for value in real]
+    comments = int(known[15] or 0)
+    if not 0 <= comments < len(text.lines):
+        raise text.error("it states more comments than the file has lines", _HINT, at=_WORDS + 1)
+    start = _WORDS + _WHOLE + _REAL + comments
+    start += sum(line.startswith("|") for line in text.heads[start : start + 1000])
+    at = _WORDS + 2
+    if known[16] is None:
+        raise text.error("it must state the number of samples first", _HINT, at=at)
+    values, end = samples(text.lines, start, at_most=max(int(known[16]), 1))
+    kept, warnings = agreed(text, values, int(known[16]), Lines(stated=at, start=start, end=end))
+    rate, interval = stated[1], None
+    notes: tuple[str, ...] = ()
+    if rate is not None and rate > 0.0:
+        interval = 1.0 / rate
+        sizes = [(abs(stated[place + 1] or 0.0), stated[place]) for place in (28, 30)]
+        peak_at = max(sizes, key=lambda pair: pair[0])[1]
+        if given.dt_s is None:
+            warnings += timing(kept, interval, peak_at=peak_at)
+    elif len(kept) >= 4 and bool((kept[2::2] > kept[:-2:2]).all()):
+        kept = kept[: len(kept) // 2 * 2]
+        spaced = evenly_spaced(
+            text,
+            kept[0::2],
+            kept[1::2],
+            given,
+            rounding=5.0e-5,
+            line_of=lambda sample: start + sample // 4,
+        )
+        kept, interval, notes = spaced.values, spaced.dt_s, spaced.notes
+        warnings += spaced.warnings
+    if text.heads[0].strip() == "*":
+        warnings = (*warnings, "the file does not say what it holds: taken to be acceleration")
+    orientation, azimuth, down = _pointing(known[12], known[13])
+    channel = Channel(
+        values=kept,
+        units="cm/s^2",
+        dt_s=interval,
+        stated_peak=max((abs(peak) for peak in (stated[29], stated[31]) if peak), default=None),
+        component=_after(text, 5, "component") or None,
+        orientation=orientation,
+        azimuth_deg=azimuth,
+        down=down,
+        station=_after(text, 5, "station", until="component") or text.heads[2].strip() or None,
+        event=text.heads[3][25:].strip() or None,
+        start_time=_start(known[1:7]),
+        warnings=warnings,
+        processing=notes,
+    )
+    return (built(text, FORMAT, channel, given),)
+
+
+def _values(text: RecordText, start: int, lines: int, count: int) -> list[float]:
+    """Return the numbers of a part of the header."""
+    found: list[float] = []
+    for at in range(start, start + lines):
+        line = text.heads[at] if at < len(text.lines) else ""
+        row = numbers(line, 15 if count == 50 else 10)
+        if not row:
+            raise text.error("it must hold numbers of the header", _HINT, at=at)
+        found += row
+    if len(found) < count:
+        valid = f"lines {start + 1} to {start + lines} must hold {count} numbers, not {len(found)}"
+        raise text.error(valid, _HINT)
+    return found
+
+
+def _pointing(
+    vertical: float | None, horizontal: float | None
+) -> tuple[Orientation | None, float | None, bool | None]:
+    """Return orientation, azimuth and sense from the angles from upward and from north."""
+    if vertical in {0.0, 180.0}:
+        return "vertical", None, vertical == 180.0
+    if vertical == 90.0 and horizontal is not None and 0.0 <= horizontal <= 360.0:
+        return "horizontal", horizontal, None
+    return None, None, None
+
+
+def _after(text: RecordText, at: int, key: str, until: str | None = None) -> str:
+    """Return what stands after ``key =`` in a line of words."""
+    _, _, rest = text.heads[at].partition(key)
+    rest = rest.lstrip().removeprefix("=")
+    if until is not None:
+        rest = rest.partition(until)[0]
+    return rest.strip()
+
+
+def _start(parts: list[float | None]) -> datetime | None:
+    """Return the start from year, day of the year, hour, minute, second and millisecond (UTC)."""
+    year, day, hour, minute, second, milliseconds = (
+        None if part is None else int(part) for part in parts
+    )
+    if None in (year, day, hour, minute) or not 1800 <= (year or 0) <= 9999:
+        return None
+    try:
+        first = datetime(year or 1, 1, 1, tzinfo=UTC)
+        return first + timedelta(
+            days=(day or 1) - 1,
+            hours=hour or 0,
+            minutes=minute or 0,
+            seconds=second or 0,
+            milliseconds=milliseconds or 0,
+        )
+    except OverflowError:
+        return None

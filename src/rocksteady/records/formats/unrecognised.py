@@ -1,0 +1,65 @@
+"""What is left of a network's header in a file that no reader of that network recognises.
+
+Such a file is damaged. As a table its counts, or half its header, would pass for samples.
+"""
+
+import re
+from typing import Final
+
+from rocksteady.records.core.text import RecordText
+
+__all__ = ["network_of"]
+
+_WITHIN: Final = 120
+"""Lines of words and of numbers that the longest header has before its samples."""
+
+_TRACES: Final = {
+    "K-NET or KiK-net": re.compile(
+        r"\s*(?:Origin Time|Depth\. \(km\)|Station (?:Code|Lat\.|Long\.|Height\(m\))|Record Time|"
+        r"Sampling Freq\(Hz\)|Duration Time\(s\)|Scale Factor .*\(gal\)|Max\. Acc\. \(gal\)|"
+        r"Last Correction|Memo\.)\s",
+        re.IGNORECASE,
+    ),
+    "ESM, ITACA or AFAD": re.compile(
+        r"\s*(?:EVENT_(?:NAME|ID|DATE_\w+|TIME_\w+|LATITUDE\w*|LONGITUDE\w*|DEPTH\w*)|MAGNITUDE_\w+|"
+        r"STATION_\w+|NETWORK|VS30_\S*|SITE_CLASS\w*|DATE_TIME_FIRST\w*|SAMPLING_INTERVAL_S|NDATA|"
+        r"DURATION_S|STREAM|PGA_\S*|TIME_PGA_S|BASELINE_CORRECTION|FILTER_\w+|\w+_CUT_FREQUENCY_HZ|"
+        r"DATABASE_VERSION|HEADER_FORMAT|DATA_(?:TYPE|TIMESTAMP\w*|LICENSE|CITATION|CREATOR)|"
+        r"INSTRUMENT\w*|USER\d|ORIGINAL_DATA\w*|EPICENTRAL_DISTANCE_KM)\s*:"
+    ),
+    "COSMOS": re.compile(
+        r".*(?:\(Format v\d|(?:Integer|Real)-header values|\bpts\s*,\s*approx|Rcrdr Chan"
+        r"|Comment line\(s\) follow|Values used when parameter|End.of.data for chan)",
+        re.IGNORECASE,
+    ),
+    "CSMIP": re.compile(
+        r".*(?:corrected accelerogram|Accelerogram points at|points of \w+ data|instrument- and "
+        r"|Units of uncor|CHAN\s+\d+\s*:)",
+        re.IGNORECASE,
+    ),
+    "SMC": re.compile(
+        r"(?:\*\s*$|.*(?:-32768\s+-32768|1\.?7\d*E\+38|0\.17\d*E\+39|inst type=.*data source))",
+        re.IGNORECASE,
+    ),
+    "PEER": re.compile(
+        r".*(?:PEER NGA|PEER STRONG MOTION|STRONG.MOTION DATABASE RECORD|ACCELERATION TIME "
+        r"(?:SERIES|HISTORY) IN UNITS|NPTS\W.*\bDT\b)",
+        re.IGNORECASE,
+    ),
+}
+"""A line that only files of this network have."""
+
+
+def network_of(text: RecordText) -> tuple[str, int] | None:
+    """Return the network whose header stands in a file in part, and the index of a line of it.
+
+    Parameters
+    ----------
+    text
+        A file that no reader of a network recognises.
+    """
+    for at, line in enumerate(text.heads[:_WITHIN]):
+        for network, trace in _TRACES.items():
+            if trace.match(line):
+                return network, at
+    return None

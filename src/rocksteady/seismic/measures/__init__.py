@@ -1,0 +1,1 @@
+"""How strong a ground motion is: its course, durations, intensities, elastic spectra."""

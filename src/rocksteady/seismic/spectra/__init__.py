@@ -1,0 +1,1 @@
+"""How blocks of all sizes fare on recorded ground motions."""

@@ -1,0 +1,185 @@
+"""How blocks of any size fare on recorded ground: one table a record, one kernel for both models.
+
+The tables are in seconds and m/s^2, with vertical motion in g, and serve every block: a block is
+its uplift acceleration and its p.  Horizontal motion is scaled by dividing the uplift acceleration,
+vertical motion in its columns of the table.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import groupby
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.history.lowering import record_table
+from rocksteady.dynamics.history.models import ModelName, lifted_table, sides_of
+from rocksteady.dynamics.history.simulate import ELASTIC_TIME, FLIGHT_LIMIT, LONGEST_REST
+from rocksteady.kernels.batch.records import record_fates
+from rocksteady.kernels.core.tables import (
+    ALPHA,
+    LEAN,
+    LIFT,
+    PEAK_ANGLE,
+    PEAK_COLUMNS,
+    PEAK_SPEED,
+    RATE,
+    RESTITUTION,
+    SIDE_COLUMNS,
+)
+from rocksteady.model.blocks.block import Block, Restitution, housner_ratio
+from rocksteady.model.motions.record import Record
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+
+@dataclass(frozen=True, kw_only=True)
+class GroundShaking:
+    """What shakes a base: a horizontal record, and a vertical one where there is any.
+
+    Parameters
+    ----------
+    record, vertical
+        The records, both from the same moment on.
+    """
+
+    record: Record
+    vertical: Record | None = None
+
+
+class Fared(NamedTuple):
+    """How blocks fared, arrays of shape (cells,)."""
+
+    status: Integers
+    """Codes of `rocksteady.Status`."""
+    impacts: Integers
+    """Of the infinitely many before a rest those that came before it was proved."""
+    peak_angle: Floats
+    """Largest |theta|/alpha, as `rocksteady.Trajectory.peak` has it."""
+    peak_velocity: Floats
+    """Largest |d(theta/alpha)/d(p t)|, as `rocksteady.Trajectory.peak_velocity` has it."""
+
+
+def shaken_fates(
+    *, shaking: NDArray[np.object_], scale: Floats, sides: Floats, gravity: float
+) -> Fared:
+    """Return how blocks fare that are at rest when the ground begins to shake.
+
+    Each is followed to rest or proven overturning, without loss (restitution 1) for p t = 1e4 on
+    the still base.  A cell's answer depends on nothing but the cell; neighbours on the same shaking
+    share its table.
+
+    Parameters
+    ----------
+    shaking
+        A `GroundShaking` for each cell, shape (cells,).
+    scale
+        What its accelerations are multiplied by, above 0, shape (cells,).
+    sides
+        Of the blocks, as `sides_in_si` has them, shape (cells, 2, 3) or (cells, 2, 5).
+    gravity
+        Acceleration of gravity [m/s^2].
+    """
+    count = len(scale)
+    status, impacts = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int64)
+    peaks = np.empty((count, PEAK_COLUMNS))
+    own = sides.copy()
+    own[:, :, LEAN] /= scale[:, np.newaxis]
+    elastic = (sides[:, :, RESTITUTION] == 1.0).all(axis=1)
+    afterwards = np.where(elastic, ELASTIC_TIME, LONGEST_REST)
+    nonlinear = sides.shape[2] > SIDE_COLUMNS
+
+    def table_of(cell: int) -> tuple[int, float]:
+        ground = shaking[cell]
+        return id(ground), 1.0 if ground.vertical is None else float(scale[cell])
+
+    for (_, factor), run in groupby(range(count), key=table_of):
+        first, *rest = run
+        cells = slice(first, first + 1 + len(rest))
+        table = _table(shaking[first], nonlinear, gravity)
+        if factor != 1.0:
+            table = table.copy()
+            table[:, LIFT:] *= factor
+        record_fates(
+            table,
+            own[cells],
+            afterwards[cells],
+            FLIGHT_LIMIT,
+            status[cells],
+            impacts[cells],
+            peaks[cells],
+        )
+    return Fared(status, impacts, peaks[:, PEAK_ANGLE], peaks[:, PEAK_SPEED])
+
+
+def sides_in_si(block: Block, model: ModelName, tolerance: float) -> Floats:
+    """Return a block's sides with alpha g [m/s^2] for lean and p [rad/s] for rate.
+
+    Parameters, errors and shape are those of `rocksteady.dynamics.history.models.sides_of`.
+    """
+    sides = sides_of(block, model, tolerance)
+    sides[:, LEAN] *= block.uplift_acceleration
+    sides[:, RATE] *= block.p
+    return sides
+
+
+def rectangles_in_si(
+    *,
+    alpha: Floats,
+    p: Floats,
+    restitution: Restitution,
+    gravity: float,
+    model: ModelName,
+    tolerance: float,
+) -> Floats:
+    """Return the sides of homogeneous rectangles, as `sides_in_si` has them.
+
+    Parameters
+    ----------
+    alpha, p
+        Slenderness [rad] and frequency parameter [rad/s], shape (cells,).
+    restitution
+        A number, or "housner" for that of each slenderness.
+    gravity, model, tolerance
+        As for `sides_in_si`, of a block whose gravity this is.
+    """
+    pattern = sides_in_si(Block.from_p(alpha=0.1, p=1.0, gravity=gravity), model, tolerance)
+    sides = np.repeat(pattern[np.newaxis], len(alpha), axis=0)
+    sides[:, :, LEAN] = (alpha * gravity)[:, np.newaxis]
+    sides[:, :, RATE] = p[:, np.newaxis]
+    sides[:, :, ALPHA : ALPHA + 1] = alpha[:, np.newaxis, np.newaxis]  # of the nonlinear model
+    if restitution == "housner":
+        # One by one: NumPy's sine may round as its place in the array has it.
+        ratios = np.array([housner_ratio(value) for value in alpha.tolist()])
+        sides[:, :, RESTITUTION] = ratios[:, np.newaxis]
+    else:
+        sides[:, :, RESTITUTION] = restitution
+    return sides
+
+
+def load_kernel(model: ModelName, tolerance: float) -> None:
+    """Load the kernel, or compile it, so that what is timed afterwards is computation alone.
+
+    Raises
+    ------
+    InputError
+        If the nonlinear model cannot have the tolerance.
+    """
+    pattern = sides_in_si(Block.from_p(alpha=0.1, p=1.0), model, tolerance)
+    nobody = np.empty((0, *pattern.shape))
+    still = Record(acceleration_m_s2=np.array([1.0, 0.0]), dt_s=1.0)
+    none = np.empty(0, dtype=np.int64)
+    table = _table(GroundShaking(record=still), len(pattern[0]) > SIDE_COLUMNS, 1.0)
+    record_fates(table, nobody, np.empty(0), 1, none, none, np.empty((0, PEAK_COLUMNS)))
+
+
+@lru_cache(maxsize=16)
+def _table(shaking: GroundShaking, nonlinear: bool, gravity: float) -> Floats:
+    """Return the table of a shaking, which nobody may change."""
+    flat = record_table(shaking.record)
+    if not nonlinear:
+        return flat
+    lifted = None if shaking.vertical is None else record_table(shaking.vertical)
+    return lifted_table(flat, lifted, 1.0 / gravity)

@@ -1,0 +1,332 @@
+"""Rocking spectra: the largest rotation and velocity of blocks of all sizes on recorded ground."""
+
+import functools
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.arrays import real_array
+from rocksteady.dynamics.history.lowering import segment_table
+from rocksteady.dynamics.history.models import TOLERANCE, ModelName, model_name, refuse_vertical
+from rocksteady.errors import InputError, Status, Words
+from rocksteady.model.blocks.block import (
+    STANDARD_GRAVITY,
+    Block,
+    Restitution,
+    restitution_value,
+)
+from rocksteady.model.blocks.sides import alpha_value, p_value
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import LARGEST, in_range
+from rocksteady.model.motions.record import Record
+from rocksteady.seismic.spectra._batch import (
+    GroundShaking,
+    load_kernel,
+    rectangles_in_si,
+    shaken_fates,
+)
+from rocksteady.sweep.cases.axes import Axis
+from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.cases.outputs import Output
+from rocksteady.sweep.evaluate import Done, evaluate
+from rocksteady.sweep.store.store import Store
+
+if TYPE_CHECKING:
+    import xarray
+
+Floats = NDArray[np.float64]
+
+OUTPUTS = (
+    Output(
+        name="status",
+        dtype=np.int8,
+        long_name="how it ended",
+        flags={int(status): status.label for status in Status},
+    ),
+    Output(name="peak_angle", long_name="largest |theta|/alpha"),
+    Output(name="peak_velocity", long_name="largest |d(theta/alpha)/d(p t)|"),
+    Output(name="impacts", dtype=np.int64, long_name="impacts until then"),
+)
+
+
+@checked
+def rocking_spectrum(
+    records: Record | Sequence[Record],
+    *,
+    alpha: ArrayLike,
+    periods_s: ArrayLike | None = None,
+    p: ArrayLike | None = None,
+    restitution: Restitution = "housner",
+    model: ModelName = "linear",
+    vertical: Record | Sequence[Record | None] | None = None,
+    scale: ArrayLike = 1.0,
+    reverse: bool = False,
+    gravity: float = STANDARD_GRAVITY,
+    tolerance: float = TOLERANCE,
+    executor: str = "threads",
+    workers: int | None = None,
+    store: Store | Path | str | None = None,
+    done: Done | None = None,
+) -> "xarray.Dataset":
+    """Return the largest rotation and velocity of homogeneous blocks on recorded ground.
+
+    The rocking spectrum of Makris and Konstantinidis [1]_: of every block, at rest when the ground
+    begins to shake, what `simulate` would find.  The block is a slenderness alpha and a period
+    2 pi/p; its half-diagonal is ``R = 3 g/(4 p^2)``.
+
+    Parameters
+    ----------
+    records
+        The ground motion, or a suite of them.
+    alpha
+        Slenderness [rad], a number or several.
+    periods_s, p
+        One of the two, a number or several: periods 2 pi/p [s], or frequency parameters [rad/s].
+    restitution
+        A number in (0, 1], or "housner" (default) for that of each slenderness.
+    model
+        "linear" (default) or "nonlinear", the full equations.
+    vertical
+        Nonlinear model: the vertical motion beside the record, upwards positive; of a suite one for
+        each, None where there is none.
+    scale
+        What all accelerations are multiplied by, above 0, a number or several.
+    reverse
+        Whether the horizontal records are reversed: their positive values then drive negative
+        rotation.
+    gravity
+        Acceleration of gravity [m/s^2].
+    tolerance
+        Nonlinear model: as for `simulate`.
+    executor, workers, store, done
+        As for `rocksteady.sweep.evaluate.evaluate`.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over ``record``, ``scale``, ``alpha`` and ``period``, in this order; what was given as a
+        single record or number is no dimension.  ``peak_angle`` is the largest |theta|/alpha and
+        ``peak_velocity`` the largest |d(theta/alpha)/d(p t)|: times alpha it is the angular
+        velocity over p [rad].  ``status`` has the flags of `Status`; of a block that is
+        "overturned" the peaks are those until it passes alpha for the last time, so that the first
+        is 1, or more where it had been further out and come back.  ``impacts`` counts, of the
+        infinitely many before a rest, those before it was proved.
+
+    Raises
+    ------
+    InputError
+        If an argument is outside its range, or both or none of `periods_s` and `p` are given.
+    ModelError
+        If the linear model meets a vertical motion.
+    OutputError, UnfinishedError
+        As for `rocksteady.sweep.evaluate.evaluate`.
+
+    References
+    ----------
+    .. [1] N. Makris and D. Konstantinidis, Earthquake Eng. Struct. Dyn. 32, 1879-1898 (2003).
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from rocksteady import Record, rocking_spectrum
+    >>> time = np.arange(0.0, 1.0, 0.01)
+    >>> shock = Record(acceleration_m_s2=4.0 * np.sin(2.0 * np.pi * time), dt_s=0.01)
+    >>> found = rocking_spectrum(shock, alpha=0.2, periods_s=[2.0, 4.0, 8.0])
+    >>> found.peak_angle.values.round(4)
+    array([1.    , 1.    , 0.1836])
+    >>> found.status.values
+    array([2, 2, 1], dtype=int8)
+    """
+    equations = model_name(model)
+    suite, verticals = _suite(records), _verticals(records, vertical)
+    if equations == "linear":
+        for one in verticals:
+            refuse_vertical(one)
+    if reverse:
+        suite = [record.reversed() for record in suite]
+    slenderness = [alpha_value(value) for value in _values("alpha", alpha)]
+    periods = _periods(periods_s, p)
+    factors = [
+        in_range(
+            "scale",
+            value,
+            1.0 / LARGEST,
+            LARGEST,
+            "[]",
+            hint="give a factor, as 1.5; to reverse is another choice",
+        )
+        for value in _values("scale", scale)
+    ]
+    ratio: Restitution = "housner"
+    if restitution != "housner":
+        ratio = restitution_value(restitution)
+    # Of the grid, the corner that asks most of the records, and the shape with least restitution.
+    shapes = [
+        Block.from_p(
+            alpha=value, p=2.0 * math.pi / min(periods), restitution=ratio, gravity=gravity
+        )
+        for value in (min(slenderness), max(slenderness))
+    ]
+    corner = shapes[0]
+    for motion in (*suite, *(one for one in verticals if one is not None)):
+        segment_table(motion.scaled(max(factors)), corner)
+    grounds = [
+        GroundShaking(record=record, vertical=beside)
+        for record, beside in zip(suite, verticals, strict=True)
+    ]
+    axes = (
+        Axis(name="record", values=_names(suite), long_name="ground motion", items=grounds),
+        Axis(name="scale", values=factors, long_name="factor of all accelerations"),
+        Axis(name="alpha", values=slenderness, units="rad", long_name="slenderness of the block"),
+        Axis(name="period", values=periods, units="s", long_name="2 pi/p"),
+    )
+    load_kernel(equations, tolerance)
+    cases = functools.partial(
+        _peaks,
+        restitution=ratio,
+        gravity=corner.gravity,
+        model=equations,
+        tolerance=tolerance,
+    )
+    found = evaluate(
+        cases,
+        Grid(axes=axes),
+        OUTPUTS,
+        executor=executor,
+        workers=workers,
+        store=store,
+        done=done,
+        attributes={
+            "model": equations,
+            "restitution": ratio,
+            "gravity": corner.gravity,
+            "direction": "reversed" if reverse else "as recorded",
+            "vertical": ", ".join(_names([one for one in verticals if one is not None])) or "none",
+        },
+    )
+    single = [
+        name
+        for name, given in (("record", records), ("scale", scale), ("alpha", alpha))
+        if _is_single(given)
+    ]
+    single += ["period"] if _is_single(p if periods_s is None else periods_s) else []
+    words = {"units": "rad s-1", "long_name": "frequency parameter of the block"}
+    rates = ("period", 2.0 * math.pi / np.array(periods), words)
+    return found.assign_coords(p=rates).isel(dict.fromkeys(single, 0))
+
+
+def _peaks(
+    record: NDArray[np.object_],
+    scale: Floats,
+    alpha: Floats,
+    period: Floats,
+    *,
+    restitution: Restitution,
+    gravity: float,
+    model: ModelName,
+    tolerance: float,
+) -> dict[str, NDArray[Any]]:
+    """Return how the blocks of some cells fare."""
+    sides = rectangles_in_si(
+        alpha=alpha,
+        p=2.0 * math.pi / period,
+        restitution=restitution,
+        gravity=gravity,
+        model=model,
+        tolerance=tolerance,
+    )
+    fared = shaken_fates(shaking=record, scale=scale, sides=sides, gravity=gravity)
+    return {
+        "status": fared.status.astype(np.int8),
+        "peak_angle": fared.peak_angle,
+        "peak_velocity": fared.peak_velocity,
+        "impacts": fared.impacts,
+    }
+
+
+def _is_single(value: object) -> bool:
+    """Return whether something is one record or one number, and no axis."""
+    return isinstance(value, Record) or np.ndim(value) == 0  # type: ignore[arg-type]
+
+
+def _suite(records: Record | Sequence[Record]) -> list[Record]:
+    """Return one or more records."""
+    given: object = records
+    found = [given] if isinstance(given, Record) else given
+    if (
+        not isinstance(found, list | tuple)
+        or not found
+        or not all(isinstance(record, Record) for record in found)
+    ):
+        raise InputError(
+            name="records",
+            value=given,
+            valid="it must be a record or a list of them",
+            hint="give records, as [read_record('one.AT2'), read_record('two.AT2')]",
+        )
+    return list(found)
+
+
+def _verticals(
+    records: Record | Sequence[Record], vertical: Record | Sequence[Record | None] | None
+) -> list[Record | None]:
+    """Return the vertical motion beside each record."""
+    count = 1 if isinstance(records, Record) else len(records)
+    if vertical is None:
+        return [None] * count
+    given: object = vertical
+    found = [given] if isinstance(given, Record) else given
+    if (
+        not isinstance(found, list | tuple)
+        or len(found) != count
+        or not all(one is None or isinstance(one, Record) for one in found)
+    ):
+        raise InputError(
+            name="vertical",
+            value=given,
+            valid=f"it must be a record for each of {count}, or None",
+            hint="give the vertical records in the order of the horizontal ones",
+        )
+    return list(found)
+
+
+def _names(suite: Sequence[Record]) -> list[str]:
+    """Return a name for each record, no two alike."""
+    found: list[str] = []
+    for number, record in enumerate(suite, start=1):
+        name = record.name or f"record {number}"
+        found.append(name if name not in found else f"{name} ({number})")
+    return found
+
+
+def _values(name: str, given: ArrayLike) -> list[float]:
+    """Return the values of an axis, or the one of a number."""
+    values: list[float] = np.atleast_1d(real_array(name, given)).tolist()
+    if not values:
+        raise InputError(
+            name=name, value=given, valid="it must have one value or more", hint="give one"
+        )
+    return values
+
+
+def _periods(periods_s: ArrayLike | None, p: ArrayLike | None) -> list[float]:
+    """Return the periods 2 pi/p [s]."""
+    if (periods_s is None) == (p is None):
+        raise InputError(
+            name="periods_s",
+            value=Words("and p are both missing" if p is None else "and p are both given"),
+            valid="a spectrum is over periods 2 pi/p or over p",
+            hint="give periods_s=numpy.linspace(0.5, 8.0, 100), or p",
+        )
+    if p is not None:
+        return [2.0 * math.pi / p_value(value) for value in _values("p", p)]
+    hint = "give periods 2 pi/p in seconds"
+    shortest, longest = 2e-6 * math.pi, 2e6 * math.pi
+    return [
+        in_range("periods_s", value, shortest, longest, "[]", hint=hint)
+        for value in _values("periods_s", periods_s if periods_s is not None else [])
+    ]

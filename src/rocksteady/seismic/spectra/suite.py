@@ -1,0 +1,108 @@
+"""What the rocking spectra of a suite of records have in common."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.errors import InputError, Status
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import in_range
+
+if TYPE_CHECKING:
+    import xarray
+
+Floats = NDArray[np.float64]
+
+QUANTILES = (0.16, 0.5, 0.84)
+
+
+@checked
+def suite_spectrum(
+    found: "xarray.Dataset", quantiles: Sequence[float] = QUANTILES
+) -> "xarray.Dataset":
+    """Return quantiles of the spectra of a suite, and the share of records that overturn.
+
+    A record that overturns a block counts as larger than any that does not.  A quantile is the
+    least peak that this part of the records does not exceed: a peak of one of them, or infinite
+    where it is one that overturns.
+
+    Parameters
+    ----------
+    found
+        From `rocking_spectrum`, of several records.
+    quantiles
+        From 0 to 1.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``peak_angle`` and ``peak_velocity`` over ``quantile`` and what is left without ``record``;
+        ``overturned``, the share of the records that overturn the block; ``undecided``, the share
+        of those that neither overturn it nor leave it rocking or at rest, and which no quantile
+        counts.
+
+    Raises
+    ------
+    InputError
+        If it has no axis of records, or a quantile is outside [0, 1].
+
+    Examples
+    --------
+    >>> from rocksteady import Record, rocking_spectrum, suite_spectrum
+    >>> shock = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.2)
+    >>> suite = [shock.scaled(factor) for factor in (0.6, 0.8, 4.0)]
+    >>> found = rocking_spectrum(suite, alpha=0.2, periods_s=[4.0, 8.0])
+    >>> summary = suite_spectrum(found, quantiles=(0.5,))
+    >>> summary.peak_angle.values.round(4)
+    array([[0.0824, 0.0198]])
+    >>> summary.overturned.values.round(3)
+    array([0.333, 0.   ])
+    """
+    import xarray
+
+    if "record" not in found.dims:
+        raise InputError(
+            name="found",
+            value=", ".join(map(str, found.dims)),
+            valid="it has no axis of records",
+            hint="give rocking_spectrum a list of records",
+        )
+    hint = "give parts, as (0.16, 0.5, 0.84)"
+    parts = [in_range("quantiles", part, 0.0, 1.0, "[]", hint=hint) for part in quantiles]
+    if not parts:
+        raise InputError(
+            name="quantiles", value=quantiles, valid="it must hold one part or more", hint=hint
+        )
+    status = found["status"]
+    fell = status == Status.OVERTURNED
+    known = fell | (status == Status.ROCKING) | (status == Status.AT_REST)
+    variables = {}
+    for name in ("peak_angle", "peak_velocity"):
+        peaks = found[name].where(~fell, np.inf).where(known)
+        values = peaks.transpose("record", ...).values
+        left = peaks.isel(record=0, drop=True)
+        variables[name] = (("quantile", *left.dims), _quantiles(values, parts), found[name].attrs)
+    kept = found["peak_angle"].isel(record=0, drop=True)
+    for name, which, words in (
+        ("overturned", fell, "share of records that overturn the block"),
+        ("undecided", ~known, "share of records without an answer"),
+    ):
+        share = which.mean("record").transpose(*kept.dims)
+        variables[name] = (kept.dims, share.values, {"units": "1", "long_name": words})
+    coordinates = {name: kept.coords[name] for name in kept.coords}
+    return xarray.Dataset(
+        variables,
+        coords={**coordinates, "quantile": ("quantile", parts, {"long_name": "part of records"})},
+        attrs={**found.attrs, "records": found.sizes["record"]},
+    )
+
+
+def _quantiles(values: Floats, parts: Sequence[float]) -> Floats:
+    """Return order statistics along the first axis, nan left out, shape (parts, ...)."""
+    ordered = np.sort(values, axis=0)  # nan last
+    count = np.sum(~np.isnan(values), axis=0)
+    places = [np.clip(np.ceil(part * count).astype(np.int64) - 1, 0, None) for part in parts]
+    picked = [np.take_along_axis(ordered, place[np.newaxis], axis=0)[0] for place in places]
+    return np.stack(picked)

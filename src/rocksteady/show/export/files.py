@@ -1,0 +1,125 @@
+"""Files that are whole or not there: figures, tables, text."""
+
+import csv
+import json
+import math
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from rocksteady import durable
+from rocksteady.errors import OutputError
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def save_whole(name: str, file: Path, write: Callable[[Path], object]) -> None:
+    """Write a file that is whole, or leave what was there before.
+
+    Parameters
+    ----------
+    name
+        What asked for the file, for the error.
+    file
+        Where it goes; a link stays, and the file that it leads to is replaced.
+    write
+        Writes it to the path that it is given.
+
+    Raises
+    ------
+    OutputError
+        If it cannot be written, or what is there is no file.
+    """
+    found = durable.obstacle(file)
+    if found is not None:
+        raise OutputError(name=name, value=file, valid=found[0], hint=found[1])
+    try:
+        durable.write(file, write)
+    except FileExistsError as error:
+        raise OutputError(
+            name=name,
+            value=file,
+            valid="another program has written it meanwhile",
+            hint="add --force to overwrite it, or name another file",
+        ) from error
+    except OSError as error:
+        raise OutputError(
+            name=name,
+            value=file,
+            valid=error.strerror or str(error),
+            hint="check the folder and the space that is left",
+        ) from error
+
+
+def figure_bytes(figure: "Figure", kind: str) -> bytes:
+    """Return a figure as a file of a kind, "png", "svg" or "pdf".
+
+    A figure that has not been drawn before gives the same bytes each time; drawing it settles its
+    layout, which may move by a pixel when it is drawn again.
+    """
+    from io import BytesIO
+
+    from rocksteady.show.style import palette
+
+    stream = BytesIO()
+    metadata = {"svg": {"Date": None, "Creator": None}, "pdf": {"CreationDate": None}}.get(kind)
+    with palette.style():
+        figure.savefig(stream, format=kind, metadata=metadata)
+    return stream.getvalue()
+
+
+def save_figure(name: str, file: Path, figure: "Figure") -> None:
+    """Save a figure in the format of the file's ending."""
+    data = figure_bytes(figure, file.suffix.lower()[1:])
+    save_whole(name, file, lambda target: target.write_bytes(data))
+
+
+def save_csv(
+    name: str, file: Path, header: Sequence[str], rows: Iterable[Sequence[object]]
+) -> None:
+    """Save a table; floats are written so that reading them gives the same number."""
+
+    def save(target: Path) -> None:
+        with target.open("w", newline="", encoding="utf-8") as stream:
+            writer = csv.writer(stream, lineterminator="\n")
+            writer.writerow(header)
+            writer.writerows(rows)
+
+    save_whole(name, file, save)
+
+
+def save_text(name: str, file: Path, text: str) -> None:
+    """Save a text as UTF-8."""
+    save_whole(name, file, lambda target: target.write_text(text, encoding="utf-8"))
+
+
+def json_text(schema: str, values: dict[str, Any], *, indent: int | None = None) -> str:
+    """Return one JSON object with its schema; NaN and infinity become null.
+
+    Parameters
+    ----------
+    schema
+        What the object holds, as ``rocksteady/simulate/1``.
+    values
+        Numbers, texts, arrays, and lists and dicts of them; complex numbers become [re, im].
+    indent
+        Spaces of indentation; all in one line without.
+    """
+    plain = _plain({"schema": schema, **values})
+    return json.dumps(plain, allow_nan=False, indent=indent, ensure_ascii=indent is None)
+
+
+def _plain(value: Any) -> Any:
+    """Return a value that JSON can say."""
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    if hasattr(value, "tolist"):
+        return _plain(value.tolist())
+    if isinstance(value, complex):
+        return [_plain(value.real), _plain(value.imag)]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value

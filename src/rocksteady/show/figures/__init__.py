@@ -1,0 +1,1 @@
+"""Whole figures of several plots, as the command line saves them."""

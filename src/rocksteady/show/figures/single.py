@@ -1,0 +1,323 @@
+"""Whole figures, as the command line saves them."""
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rocksteady.dynamics.basins.basins import Basins
+from rocksteady.dynamics.basins.erosion import Drop, Erosion
+from rocksteady.dynamics.continuation.points import Branch
+from rocksteady.dynamics.history.trajectory import Trajectory
+from rocksteady.dynamics.orbits.orbit import Orbit
+from rocksteady.dynamics.orbits.trail import AttractorTrail
+from rocksteady.dynamics.overturning.windows import OverturningWindows
+from rocksteady.dynamics.steady.regions import RegionMap
+from rocksteady.dynamics.steady.response import ResponseCurve
+from rocksteady.dynamics.steady.states import SteadyOrbit
+from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
+from rocksteady.seismic.measures.time_course import GroundCourse
+from rocksteady.show.plots.basins import plot_basins, plot_erosion, plot_safe_basin
+from rocksteady.show.plots.bifurcations import plot_bifurcations
+from rocksteady.show.plots.motion import plot_base, plot_phase_portrait, plot_trajectory
+from rocksteady.show.plots.orbits import plot_multipliers, plot_section
+from rocksteady.show.plots.overturning import plot_overturning
+from rocksteady.show.plots.records import (
+    Quantity,
+    plot_ground_course,
+    plot_husid,
+    plot_response_spectra,
+)
+from rocksteady.show.plots.steady import (
+    LOGARITHMIC_SPAN,
+    plot_orbit,
+    plot_regions,
+    plot_response,
+)
+from rocksteady.show.style import palette
+from rocksteady.show.style.legends import draw_legend
+from rocksteady.show.style.page import SCREEN, Page
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+
+def simulation_figure(trajectory: Trajectory, title: str = "", page: Page = SCREEN) -> "Figure":
+    """Return a figure of a time history, its base motion and its phase portrait."""
+    with page.figure(9.6, 4.4, title, stacked=1.5) as figure:
+        history, base, portrait = _panels_of_motion(figure, page.stacks(9.6), (2.3, 1.0))
+        _draw_history(trajectory, history, base, page)
+        plot_phase_portrait(trajectory, portrait, legend=page.legend)
+        portrait.locator_params(axis="x", nbins=5)
+    return figure
+
+
+def orbit_figure(
+    orbit: Orbit, course: Trajectory, title: str = "", page: Page = SCREEN
+) -> "Figure":
+    """Return a figure of one period of an orbit: history, base, phase portrait and multipliers.
+
+    Parameters
+    ----------
+    orbit
+        The periodic motion.
+    course
+        One period of it.
+    title
+        Above the panels.
+    page
+        Width of the figure, and place of its legends.
+    """
+    with page.figure(11.6, 4.2, title, stacked=2.2) as figure:
+        shape = (1.25, 0.9, 1.0)
+        history, base, portrait, last = _panels_of_motion(figure, page.stacks(11.6), shape)
+        _draw_history(course, history, base, page)
+        plot_phase_portrait(course, portrait, mark="impacts", legend=page.legend)
+        portrait.locator_params(axis="x", nbins=5)
+        plot_multipliers([orbit], last, legend=page.legend)
+    return figure
+
+
+def cloud_figure(
+    whole: Trajectory, part: Trajectory, *, since: float, title: str = "", page: Page = SCREEN
+) -> "Figure":
+    """Return a figure of a motion that does not repeat: a part of it, and the section it fills.
+
+    Parameters
+    ----------
+    whole
+        A long run.
+    part
+        What time history and phase portrait show.
+    since
+        Pivot time of the long run from which on its impacts are drawn.
+    title
+        Above the panels.
+    page
+        Width of the figure, and place of its legends.
+    """
+    with page.figure(11.6, 4.2, title, stacked=2.2) as figure:
+        shape = (1.25, 0.9, 1.0)
+        history, base, portrait, last = _panels_of_motion(figure, page.stacks(11.6), shape)
+        _draw_history(part, history, base, page)
+        plot_phase_portrait(part, portrait, mark="impacts", legend=page.legend)
+        portrait.locator_params(axis="x", nbins=5)
+        plot_section(whole, last, since=since, legend=page.legend)
+    return figure
+
+
+def orbits_figure(orbits: Sequence[Orbit], title: str = "", page: Page = SCREEN) -> "Figure":
+    """Return a figure of orbits: their Poincare section beside their multipliers."""
+    with page.figure(10.4, 4.8, title, stacked=1.75) as figure:
+        if page.stacks(10.4):
+            section, plane = figure.subplots(2, 1, height_ratios=(1.0, 1.2))
+        else:
+            section, plane = figure.subplots(1, 2, width_ratios=(1.3, 1.0))
+        plot_section(orbits, section, legend=page.legend)
+        plot_multipliers(orbits, plane, legend=page.legend)
+        if not any(orbit.admissible for orbit in orbits):
+            section.text(
+                0.5, 0.5, "no periodic motion found", transform=section.transAxes, ha="center"
+            )
+    return figure
+
+
+def _panels_of_motion(figure: "Figure", stacked: bool, shape: Sequence[float]) -> "list[Axes]":
+    """Return axes of a time history above its base, and of what stands beside or below them.
+
+    Parameters
+    ----------
+    figure
+        On which they are.
+    stacked
+        Whether all stand one above the other.
+    shape
+        Widths of the columns, where they do not.
+    """
+    if stacked:
+        grid = figure.add_gridspec(len(shape) + 1, 1, height_ratios=(1.0, 0.5, *shape[1:]))
+        places = [grid[k, 0] for k in range(len(shape) + 1)]
+    else:
+        grid = figure.add_gridspec(2, len(shape), width_ratios=shape, height_ratios=(3.0, 1.0))
+        places = [grid[0, 0], grid[1, 0], *(grid[:, k] for k in range(1, len(shape)))]
+    history = figure.add_subplot(places[0])
+    base = figure.add_subplot(places[1], sharex=history)
+    return [history, base, *map(figure.add_subplot, places[2:])]
+
+
+def _draw_history(trajectory: Trajectory, history: "Axes", base: "Axes", page: Page) -> None:
+    """Draw a time history above its base motion, which share the time axis."""
+    plot_trajectory(trajectory, history, legend=page.legend)
+    history.set_xlabel("")
+    history.tick_params(labelbottom=False)
+    plot_base(trajectory, base, legend=page.legend)
+
+
+def steady_figure(
+    orbits: Sequence[tuple[str, SteadyOrbit]],
+    curves: RegionMap,
+    *,
+    point: tuple[float, float],
+    title: str = "",
+    page: Page = SCREEN,
+) -> "Figure":
+    """Return a figure of the steady states at a point beside the map in which it lies.
+
+    Parameters
+    ----------
+    orbits
+        Legend entry and period of each solution; may be empty.
+    curves
+        The map.
+    point
+        (frequency_ratio, amplitude).
+    title
+        Above both panels.
+    page
+        Width of the figure, and place of its legends.
+    """
+    with page.figure(9.6, 4.4, title, stacked=1.75) as figure:
+        motion, base, plane = _panels_of_motion(figure, page.stacks(9.6), (1.0, 1.0))
+        motion.axhline(0.0, color=palette.INK, lw=0.7)
+        for number, (label, orbit) in enumerate(orbits):
+            plot_orbit(orbit, motion, label=label, series=number)
+            base.plot(
+                orbit.tau / (2.0 * math.pi),
+                orbit.excitation,
+                color=palette.LINES[number],
+                ls=palette.DASHES[number],
+                lw=1.0,
+            )
+        if orbits:
+            drawn = draw_legend(motion, page.legend or "inside", corner="lower left")
+            if drawn is not None and page.legend is None:
+                # Above the axes, and clear of the tick labels' common power of ten at their left.
+                drawn.set_bbox_to_anchor((0.1, 1.0), motion.transAxes)
+        else:
+            motion.text(
+                0.5, 0.5, "no symmetric steady state here", transform=motion.transAxes, ha="center"
+            )
+            motion.set_ylabel(palette.LABELS["angle"])
+        motion.set_xlabel("")
+        motion.tick_params(labelbottom=False)
+        base.set(xlabel=palette.LABELS["half_cycle"], ylabel=palette.LABELS["base"])
+        # The curves level out; above twice the sign boundary's level there is only region 2.
+        top = max(2.2 * float(np.median(curves.sign)), 1.4 * point[1])
+        if top > LOGARITHMIC_SPAN:
+            top *= 20.0
+        plot_regions(curves, plane, point=point, top=top, legend=page.legend)
+    return figure
+
+
+def response_figure(
+    curves: Sequence[ResponseCurve], *, hertz: bool = False, title: str = "", page: Page = SCREEN
+) -> "Figure":
+    """Return a figure of response curves."""
+    with page.figure(7.2, 4.4, title) as figure:
+        plot_response(curves, figure.add_subplot(), hertz=hertz, legend=page.legend)
+    return figure
+
+
+def basins_figure(basins: Basins, title: str = "", page: Page = SCREEN) -> "Figure":
+    """Return a figure of basins of attraction."""
+    with page.figure(7.6, 4.8, title) as figure:
+        plot_basins(basins, figure.add_subplot(), legend=page.legend)
+    return figure
+
+
+def erosion_figure(
+    erosion: Erosion, drops: Sequence[Drop] = (), title: str = "", page: Page = SCREEN
+) -> "Figure":
+    """Return a figure of the measures of integrity, and of up to three safe basins below them.
+
+    These are the last before the heteroclinic tangency (of the nonlinear model the first of all),
+    the first after the first drop, and the last of all; one where two of them are the same.
+    """
+    last = len(erosion.amplitude) - 1
+    tangency = erosion.heteroclinic
+    before = 0 if tangency is None else int((erosion.amplitude <= tangency).sum()) - 1
+    fallen = [int((erosion.amplitude < drop.high).sum()) for drop in drops]
+    shown = sorted({max(before, 0), min([*fallen, last]), last})
+    with page.figure(8.4, 6.4, title, stacked=1.05) as figure:
+        grid = figure.add_gridspec(2, len(shown), height_ratios=(1.25, 1.0))
+        plot_erosion(erosion, figure.add_subplot(grid[0, :]), drops=drops, legend=page.legend)
+        for column, index in enumerate(shown):
+            axes = plot_safe_basin(erosion, index, figure.add_subplot(grid[1, column]))
+            axes.locator_params(axis="x", nbins=3 if page.stacks(8.4) else 5)
+            if column:
+                axes.set_ylabel("")
+                axes.tick_params(labelleft=False)
+    return figure
+
+
+def overturning_figure(
+    windows: OverturningWindows, title: str = "", page: Page = SCREEN
+) -> "Figure":
+    """Return a figure of an overturning spectrum."""
+    with page.figure(8.0, 4.6, title) as figure:
+        plot_overturning(windows, figure.add_subplot(), legend=page.legend)
+    return figure
+
+
+def bifurcation_figure(
+    branches: Sequence[Branch],
+    trails: Sequence[AttractorTrail],
+    parameter: str,
+    *,
+    top: float | None = None,
+    title: str = "",
+    page: Page = SCREEN,
+) -> "Figure":
+    """Return a figure of branches over a parameter, with sweeps beneath them."""
+    with page.figure(8.8, 4.8, title) as figure:
+        axes = figure.add_subplot()
+        if branches or trails:
+            plot_bifurcations(branches, trails, axes, top=top, legend=page.legend)
+        else:
+            axes.set(xlabel=palette.LABELS[parameter], ylabel=palette.LABELS["flight_peak"])
+            axes.text(0.5, 0.5, "no periodic motion found", transform=axes.transAxes, ha="center")
+    return figure
+
+
+def record_figure(
+    courses: Sequence[GroundCourse],
+    spectra: Sequence[ResponseSpectrum],
+    title: str = "",
+    page: Page = SCREEN,
+) -> "Figure":
+    """Return a figure of a record: its course, Husid's curve and spectrum; of several, spectra.
+
+    Parameters
+    ----------
+    courses, spectra
+        One of each a record.
+    title
+        Above the panels.
+    page
+        Width of the figure, and place of its legends.
+    """
+    if len(courses) > 1:
+        with page.figure(7.2, 4.8, title) as figure:
+            plot_response_spectra(spectra, figure.add_subplot(), legend=page.legend)
+        return figure
+    with page.figure(10.4, 5.6, title, stacked=2.2) as figure:
+        if page.stacks(10.4):
+            grid = figure.add_gridspec(5, 1, height_ratios=(1.0, 1.0, 1.0, 1.4, 1.6))
+            rows = [figure.add_subplot(grid[k]) for k in range(5)]
+        else:
+            outer = figure.add_gridspec(1, 2, width_ratios=(1.7, 1.0))
+            left, right = outer[0].subgridspec(3, 1), outer[1].subgridspec(2, 1)
+            places = [*(left[k] for k in range(3)), right[0], right[1]]
+            rows = [figure.add_subplot(place) for place in places]
+        quantities: tuple[Quantity, ...] = ("acceleration", "velocity", "displacement")
+        for axes, quantity in zip(rows, quantities, strict=False):
+            plot_ground_course(courses[0], axes, quantity=quantity)
+        for axes in rows[:2]:
+            axes.set_xlabel("")
+            axes.tick_params(labelbottom=False)
+        figure.align_ylabels(rows[:3])
+        plot_husid(courses[0], rows[3])
+        plot_response_spectra(spectra, rows[4])
+    return figure

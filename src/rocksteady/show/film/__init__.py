@@ -1,0 +1,1 @@
+"""The block in true scale, still or moving."""

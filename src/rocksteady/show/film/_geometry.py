@@ -1,0 +1,128 @@
+"""True lengths: the block's corners at any tilt, and the unit of its ground's way."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.history.trajectory import Trajectory
+from rocksteady.errors import ModelError
+from rocksteady.model.checks.validation import in_range
+
+Floats = NDArray[np.float64]
+
+ALPHA = 0.2
+"""Slenderness [rad] of the rectangle that stands for a dimensionless block."""
+LYING = 0.5 * math.pi
+"""|theta| at which a block lies on its side; it is not drawn further down."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shape:
+    """What is drawn of a block, in metres, or in units of R for a dimensionless one.
+
+    Attributes
+    ----------
+    alpha
+        Slenderness of the positive side [rad], the unit of angles.
+    radius
+        Distance from the left corner to the mass centre: half the diagonal of a symmetric block.
+    left, right
+        Horizontal distances from the corners to the mass centre.
+    height
+        Of the rectangle: twice that of the mass centre.
+    travel
+        Length of alpha g/p^2, the unit of the ground's displacement.
+    unit
+        ``"m"`` or ``"radius"``, the end of the names of the axis labels.
+    """
+
+    alpha: float
+    radius: float
+    left: float
+    right: float
+    height: float
+    travel: float
+    unit: str
+
+    @property
+    def half_width(self) -> float:
+        """Half the distance between the pivots."""
+        return 0.5 * (self.left + self.right)
+
+    @property
+    def offset(self) -> float:
+        """How far to the right of the middle between the pivots the mass centre is."""
+        return 0.5 * (self.left - self.right)
+
+    def corners(self, theta: ArrayLike) -> Floats:
+        """Return the corners of the block at rotations [rad], seen from the ground.
+
+        Positive rotation is about the left corner, negative about the right one; x is 0 midway
+        between the two.
+
+        Returns
+        -------
+        ndarray, shape (..., 4, 2)
+            Bottom left, bottom right, top right, top left.
+        """
+        b, h = self.half_width, self.height
+        standing = np.array([[-b, 0.0], [b, 0.0], [b, h], [-b, h]])
+        angle = np.asarray(theta, dtype=np.float64)[..., np.newaxis]
+        pivot = np.where(angle < 0.0, b, -b)
+        x, y = standing[:, 0] - pivot, standing[:, 1]
+        cos, sin = np.cos(angle), np.sin(angle)
+        return np.stack([pivot + x * cos - y * sin, x * sin + y * cos], axis=-1)
+
+
+def shape_of(trajectory: Trajectory, alpha: float | None = None) -> Shape:
+    """Return the shape of a trajectory's block; `alpha` is for a dimensionless one.
+
+    Raises
+    ------
+    InputError
+        If alpha is outside (0, pi/2), or so large that the other side's is.
+    ModelError
+        If it is given for a block that has its own.
+    """
+    block = trajectory.block
+    if block is None:
+        lean = -trajectory.balances[0]
+        widest = max(lean, 1.0)  # the alpha of either side stays below a right angle
+        hint = "give the slenderness in radians of the rectangle to draw"
+        slenderness = in_range(
+            "alpha",
+            ALPHA / widest if alpha is None else alpha,
+            0.0,
+            LYING / widest,
+            "()",
+            hint=hint,
+        )
+        centre = math.cos(slenderness)
+        return Shape(
+            alpha=slenderness,
+            radius=1.0,
+            left=math.sin(slenderness),
+            right=math.sin(slenderness) if lean == 1.0 else centre * math.tan(lean * slenderness),
+            height=2.0 * centre,
+            # g/(p^2 R) of a homogeneous rectangle is 4/3.
+            travel=slenderness * 4.0 / 3.0,
+            unit="radius",
+        )
+    if alpha is not None:
+        raise ModelError(
+            name="alpha",
+            value=alpha,
+            valid=f"the block has its own slenderness, {block.alpha:.6g} rad",
+            hint="leave alpha out; it is for a dimensionless block",
+        )
+    return Shape(
+        alpha=block.alpha,
+        radius=block.radius,
+        left=block.positive.distance,
+        right=block.negative.distance,
+        height=block.height,
+        travel=block.uplift_acceleration / block.p**2,
+        unit="m",
+    )

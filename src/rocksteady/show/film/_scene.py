@@ -1,0 +1,369 @@
+"""The block on its moving ground in true scale: artists that can be moved to any moment."""
+
+import math
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.history.base_motion import largest_acceleration
+from rocksteady.dynamics.history.trajectory import Trajectory
+from rocksteady.show.film._geometry import LYING, shape_of
+from rocksteady.show.style import palette
+from rocksteady.show.style.legends import text_size
+from rocksteady.show.style.line_colours import inks_of
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+    from matplotlib.text import Text
+    from matplotlib.transforms import Transform
+
+Floats = NDArray[np.float64]
+
+GLOW = 0.5
+"""Pivot time for which an impact is seen at the corner that has struck."""
+FAR = 2.0
+"""Travel of the ground to either side, in half-diagonals, beyond which the camera goes with it."""
+FAR_OFF = 1e6
+"""Distance of the ground, in half-diagonals, at which its place has too many digits for an axis."""
+THICKNESS = 0.36
+"""Of the ground, in half-diagonals; the arrow of its acceleration has to fit in."""
+MARGIN = 1.1
+"""Ground to either side of the block's base, in half-diagonals."""
+LINE = 14.0
+"""Distance of the two lines of text above the block [points]."""
+
+
+class BlockScene:
+    """The block on its ground as artists that `show` moves to any moment.
+
+    Parameters
+    ----------
+    axes
+        Where it is drawn; its limits are set so that all `times` fit in, in true scale.
+    trajectory
+        What moves.
+    times
+        Pivot times that will be shown.
+    alpha
+        Slenderness [rad] to draw a dimensionless block with.
+    glow
+        Pivot time for which an impact is seen.
+
+    Attributes
+    ----------
+    moving
+        All artists that `show` may move; where the camera moves too, so do the axes' ticks.
+    camera
+        ``"fixed"``; ``"following"``: it goes with ground that travels far; ``"riding"``: as that,
+        but the ground is so far off, or so fast between two of the times, that no background is
+        drawn and positions count from the ground.
+    """
+
+    def __init__(
+        self,
+        axes: "Axes",
+        trajectory: Trajectory,
+        times: Floats,
+        *,
+        alpha: float | None = None,
+        glow: float = GLOW,
+    ) -> None:
+        self.axes, self.trajectory, self.glow = axes, trajectory, glow
+        self.inks = inks_of(axes)
+        self.shape = shape_of(trajectory, alpha)
+        self.strongest = float(np.abs(trajectory.impacts.velocity_before).max(initial=0.0))
+        self.largest = largest_acceleration(trajectory.segments)
+        negative, positive = self.uplifts = trajectory.uplifts
+        # Arrows fit in beside the marks of both uplift accelerations.
+        self.strongest_push = max(self.largest, positive, -negative)
+        self.symbol = "α" if -negative == positive else "α₊"
+        self._view(times)
+        before = set(axes.get_children())
+        self._draw()
+        self.moving: list[Artist] = [a for a in axes.get_children() if a not in before]
+
+    def theta(self, s: ArrayLike) -> Floats:
+        """Return the rotation [rad] as it is drawn: no further than lying on the ground."""
+        # A flight begins and ends at 0 only to rounding; its side decides about the pivot.
+        times = np.asarray(s, dtype=np.float64)
+        turned = np.maximum(self.trajectory(times).angle * self.side(times), 0.0)
+        return np.minimum(turned * self.shape.alpha, LYING) * self.side(times)
+
+    def side(self, s: ArrayLike) -> Floats:
+        """Return 1 where the block stands on its left corner, -1 on its right one, 0 on both."""
+        flights = self.trajectory.flights
+        index = np.searchsorted(flights.s, np.asarray(s, dtype=np.float64), side="right") - 1
+        return flights.side[index].astype(np.float64)
+
+    def ground(self, s: ArrayLike) -> Floats:
+        """Return where the ground is, in the unit of the axes."""
+        return self.shape.travel * self.trajectory.base_displacement(s)
+
+    def _view(self, times: Floats) -> None:
+        """Set limits, ticks and labels, and decide what the camera does."""
+        from matplotlib.ticker import MaxNLocator
+
+        axes, radius = self.axes, self.shape.radius
+        corners, ground = self.shape.corners(self.theta(times)), self.ground(times)
+        low, high = float(ground.min()), float(ground.max())
+        self.travelled = high - low
+        still = high - low <= 2.0 * FAR * radius
+        self.margin = self.shape.half_width + MARGIN * radius
+        reach = max(float(np.abs(corners[..., 0]).max()), self.margin) + 0.15 * radius
+        reach += 0.5 * (high - low) if still else 0.0
+        floor = -(THICKNESS + 0.02) * radius
+        top = max(float(corners[..., 1].max()), self.shape.height) + 0.06 * radius
+        box = axes.get_window_extent()
+        figure = axes.get_figure(root=True)
+        assert figure is not None
+        # Two lines of text stand above the block, wherever it goes.
+        share = min(0.45, 2.3 * LINE / 72.0 * figure.dpi / box.height)
+        top = floor + (top - floor) / (1.0 - share)
+        # A wide picture shows more to the sides, a narrow one more above.
+        self.half = max(reach, 0.5 * (top - floor) * box.width / box.height)
+        top = floor + max(top - floor, 2.0 * reach * box.height / box.width)
+        axes.set_aspect("equal", adjustable="box")
+        axes.set_autoscale_on(False)
+        axes.set(
+            ylim=(floor, top),
+            xlim=(-self.half, self.half),
+            ylabel=palette.LABELS[f"height_{self.shape.unit}"],
+        )
+        axes.xaxis.set_major_locator(MaxNLocator(8, steps=[1, 2, 5, 10]))
+        axes.yaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 5, 10]))
+        axes.grid(visible=False, axis="y")
+        step = float(np.abs(np.diff(ground)).max(initial=0.0))
+        first, second = axes.get_xticks()[:2]
+        if max(-low, high) > FAR_OFF * radius or (not still and step > 0.45 * (second - first)):
+            self.camera = "riding"
+        elif still:
+            self.camera = "fixed"
+            centre = 0.5 * (low + high)
+            axes.set_xlim(centre - self.half, centre + self.half)
+        else:
+            self.camera = "following"
+        seen = "ground" if self.camera == "riding" else "position"
+        axes.set_xlabel(palette.LABELS[f"{seen}_{self.shape.unit}"])
+        if self.camera == "following":  # past these the ground moves
+            axes.grid(axis="x", color=self.inks.faint, lw=0.8)
+
+    def _draw(self) -> None:
+        """Make the artists, the block standing and the ground at 0."""
+        from matplotlib.collections import LineCollection
+        from matplotlib.patches import Polygon, Rectangle
+        from matplotlib.transforms import Affine2D
+
+        axes, shape = self.axes, self.shape
+        r, b, h = shape.radius, shape.half_width, shape.height
+        wide = self.margin if self.camera == "fixed" else 3.0 * self.half
+        self._shift, self._turn = Affine2D(), Affine2D()
+        ground = self._shift + axes.transData
+        block = self._turn + ground
+        deep = THICKNESS * r
+        axes.add_patch(
+            Rectangle(
+                (-b, 0.0),
+                2.0 * b,
+                20.0 * r,
+                transform=ground,
+                color=palette.SYMMETRIC,
+                alpha=0.18,
+                lw=0,
+                zorder=1.0,
+            )
+        )
+        axes.add_patch(
+            Rectangle(
+                (-wide, -deep),
+                2.0 * wide,
+                deep,
+                transform=ground,
+                facecolor=palette.GROUND,
+                lw=0,
+                zorder=2.0,
+            )
+        )
+        surface = [((-wide, 0.0), (wide, 0.0))]
+        strokes = np.arange(-wide + 0.11 * r, wide, 0.11 * r)
+        hatching = [((x, 0.0), (x - 0.07 * r, -0.07 * r)) for x in strokes]
+        ink = self.inks.ink
+        for lines, colour, width in ((hatching, palette.FAINT, 0.7), (surface, ink, 1.2)):
+            drawn = LineCollection(
+                lines, colors=colour, linewidths=width, transform=ground, zorder=2.2
+            )
+            axes.add_collection(drawn, autolim=False)
+        self.body = Polygon(
+            [(-b, 0.0), (b, 0.0), (b, h), (-b, h)],
+            closed=True,
+            transform=block,
+            edgecolor=ink,
+            lw=1.2,
+            joinstyle="round",
+            zorder=3.0,
+        )
+        axes.add_patch(self.body)
+        (self.lever,) = axes.plot([], [], color=palette.INK, lw=0.8, transform=block, zorder=3.5)
+        (self.mass,) = axes.plot(
+            [shape.offset],
+            [0.5 * h],
+            marker="o",
+            ms=6.5,
+            mfc="white",
+            mec=palette.INK,
+            mew=1.3,
+            ls="none",
+            transform=block,
+            zorder=4.0,
+        )
+        (self.pivots,) = axes.plot(
+            [],
+            [],
+            marker=[(0.0, 0.0), (-0.5, -0.9), (0.5, -0.9), (0.0, 0.0)],
+            ms=11,
+            mfc=ink,
+            mec=self.inks.paper,
+            mew=0.6,
+            ls="none",
+            transform=ground,
+            zorder=4.0,
+        )
+        self.rings = {
+            side: axes.plot(
+                [side * b],
+                [0.0],
+                marker="o",
+                mfc="none",
+                mec=self.inks.impact,
+                ls="none",
+                visible=False,
+                transform=ground,
+                zorder=5.0,
+            )[0]
+            for side in (-1, 1)
+        }
+        self._draw_base(ground)
+        size = text_size(axes, 9.0)
+        self.clock, self.tilt = self._written(0, size), self._written(1, size)
+        self.push, self.verdict = (
+            self._written(1, size, "right"),
+            self._written(0, size + 2.0, "right"),
+        )
+        self.verdict.set_fontweight("bold")
+        self.tilt.set_color(self.inks.lines[0])
+        self.push.set_color(self.inks.base)
+
+    def _written(self, line: int, size: float, side: Literal["left", "right"] = "left") -> "Text":
+        """Make a text in a line above the block."""
+        from matplotlib.transforms import ScaledTranslation
+
+        figure = self.axes.get_figure(root=True)
+        assert figure is not None
+        down = ScaledTranslation(0.0, -(3.0 + LINE * line) / 72.0, figure.dpi_scale_trans)
+        x = 0.012 if side == "left" else 0.988
+        return self.axes.text(
+            *(x, 1.0, ""),
+            transform=self.axes.transAxes + down,
+            ha=side,
+            va="top",
+            fontsize=size,
+            color=self.inks.ink,
+            zorder=6.0,
+        )
+
+    def _draw_base(self, ground: "Transform") -> None:
+        """Make the arrow of the base acceleration and the marks at the ones that lift a block."""
+        from matplotlib.patches import Polygon
+
+        axes, r = self.axes, self.shape.radius
+        self.arrow_y, self.arrow_length = -0.21 * r, 0.75 * self.margin
+        self.arrow = Polygon(
+            np.zeros((7, 2)),
+            closed=True,
+            transform=ground,
+            facecolor=palette.BASE,
+            lw=0,
+            zorder=2.6,
+            visible=self.largest > 0.0,
+        )
+        axes.add_patch(self.arrow)
+        lifts = self.arrow_length / self.strongest_push
+        negative, positive = self.uplifts
+        for x, reach in ((negative * lifts, 0.055), (0.0, 0.09), (positive * lifts, 0.055)):
+            axes.plot(
+                [x, x],
+                [self.arrow_y - reach * r, self.arrow_y + reach * r],
+                color=palette.FAINT,
+                lw=0.9,
+                transform=ground,
+                zorder=2.5,
+                visible=self.largest > 0.0,
+            )
+
+    def show(self, s: float) -> "list[Artist]":
+        """Move everything to a pivot time and return what may have moved."""
+        theta, side = float(self.theta(s)), int(self.side(s))
+        ground = float(self.ground(s))
+        b, h = self.shape.half_width, self.shape.height
+        self._shift.clear().translate(0.0 if self.camera == "riding" else ground, 0.0)
+        if self.camera == "following":
+            self.axes.set_xlim(ground - self.half, ground + self.half)
+        self._turn.clear().rotate_around(-b if side > 0 else b, 0.0, theta)
+        over = self.trajectory.overturn_s
+        fallen = over is not None and s >= over
+        self.body.set_facecolor(palette.OVERTURNED if fallen else palette.BLOCK)
+        self.lever.set_color("white" if fallen else palette.INK)
+        centre = self.shape.offset
+        self.lever.set_data(([-side * b, centre], [0.0, 0.5 * h]) if side else ([], []))
+        corners = [-side * b] if side else [-b, b]
+        self.pivots.set_data(corners, [0.0] * len(corners))
+        self._flash(s)
+        self._push(float(self.trajectory.base_acceleration(s)))
+        angle = float(self.trajectory(s).angle)
+        self.clock.set_text(self._time(s))
+        degrees = math.degrees(angle * self.shape.alpha)
+        self.tilt.set_text(f"θ = {signed(angle, 2)} {self.symbol} = {signed(degrees, 1)}°")
+        self.verdict.set_text("overturned" if fallen else "" if side else "at rest")
+        return self.moving
+
+    def _time(self, s: float) -> str:
+        """Return a pivot time as it stands in the picture."""
+        if self.trajectory.block is not None:
+            return f"t = {s / self.trajectory.block.p:.2f} s"
+        return f"pt = {s:.2f}"
+
+    def _flash(self, s: float) -> None:
+        """Draw a ring at each corner that has struck, wider and fainter the longer ago."""
+        impacts = self.trajectory.impacts
+        first, last = np.searchsorted(impacts.s, [s - self.glow, s], side="right")
+        age = (s - impacts.s[first:last]) / self.glow
+        strength = np.sqrt(np.abs(impacts.velocity_before[first:last]) / self.strongest)
+        for side, ring in self.rings.items():
+            # A block that falls from its positive side stood on the left corner: the right strikes.
+            bright = np.where(impacts.side[first:last] == side, (1.0 - age**2) * strength, 0.0)
+            seen = bright.max(initial=0.0)
+            ring.set_visible(bool(seen > 0.01))
+            if ring.get_visible():
+                since = float(age[bright.argmax()])
+                ring.set(
+                    alpha=float(seen),
+                    markersize=7.0 + 24.0 * since,
+                    markeredgewidth=3.2 - 2.0 * since,
+                )
+
+    def _push(self, acceleration: float) -> None:
+        """Draw the arrow of the base acceleration, in units of alpha g."""
+        r, tip = self.shape.radius, self.arrow_length * acceleration / self.strongest_push
+        head = math.copysign(min(abs(tip), 0.15 * r), tip)
+        x = np.array([0.0, tip - head, tip - head, tip, tip - head, tip - head, 0.0])
+        y = np.array([0.024, 0.024, 0.075, 0.0, -0.075, -0.024, -0.024]) * r
+        self.arrow.set_xy(np.column_stack([x, self.arrow_y + y]))
+        pushed = f"a = {signed(acceleration, 2)} {self.symbol}g"
+        self.push.set_text(pushed if self.largest > 0.0 else "")
+
+
+def signed(value: float, digits: int) -> str:
+    """Return a number with its sign, as the tick labels write it, and none where it shows 0."""
+    text = f"{value:+.{digits}f}" if abs(value) < 1e5 else f"{value:+.{digits}e}"
+    return text[1:] if float(text) == 0.0 else text.replace("-", "−")

@@ -1,0 +1,287 @@
+"""A film of a time history: the block on its moving ground, and the angle with a moving mark."""
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rocksteady.dynamics.history.trajectory import Trajectory
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.motions.pulses import Pulse
+from rocksteady.model.motions.record import Record
+from rocksteady.model.motions.segments import Harmonic, Still
+from rocksteady.show.film._playback import FRAMES_PER_SECOND, Reel, reel_of, speed_text, speed_unit
+from rocksteady.show.film._scene import BlockScene
+from rocksteady.show.plots.motion import plot_trajectory, time_axis
+from rocksteady.show.style import palette
+from rocksteady.show.style.escaping import literal
+from rocksteady.show.style.palette import shortened
+
+if TYPE_CHECKING:
+    from matplotlib.animation import FuncAnimation
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
+GLOW_SECONDS = 0.35
+"""Time of the film for which an impact is seen, if a period lasts long enough."""
+HOLD_SECONDS = 1.0
+"""Time of the film for which its last picture stays."""
+SIZE = (6.8, 5.4)
+"""Inches."""
+KEY_SIZE = 7.0
+"""Of the text that says what the marks are [points]."""
+
+
+class Film:
+    """The figure of a film and how it is moved; `animate` and its tests use it.
+
+    Attributes
+    ----------
+    figure
+        With the axes `scene.axes` and `history`.
+    scene
+        The block on its ground.
+    reel
+        The frames, the hold at the end not counted.
+    """
+
+    def __init__(self, trajectory: Trajectory, reel: Reel, alpha: float | None) -> None:
+        from matplotlib.figure import Figure
+
+        self.trajectory, self.reel = trajectory, reel
+        self.frames = len(reel.times) + round(HOLD_SECONDS * reel.fps)
+        with palette.style():
+            # The margins are fixed: a layout found anew for each frame would jitter.
+            self.figure = Figure(figsize=SIZE, dpi=100.0)
+            self.figure.set_layout_engine("none")
+            wide, high = SIZE
+            left, right = 0.78 / wide, 1.0 - 0.12 / wide
+            scene = self.figure.add_axes((left, 2.02 / high, right - left, (high - 2.88) / high))
+            self.history = self.figure.add_axes((left, 0.45 / high, right - left, 1.05 / high))
+            self.scene = BlockScene(
+                scene,
+                trajectory,
+                reel.times,
+                alpha=alpha,
+                glow=min(GLOW_SECONDS * reel.speed * speed_unit(trajectory), 0.4 * reel.period),
+            )
+            name = literal(title(self.scene))
+            self.figure.text(left, 1.0 - 0.12 / high, name, va="top", fontsize=10.5)
+            self.figure.text(
+                left,
+                1.0 - 0.32 / high,
+                caption(self.scene, reel),
+                va="top",
+                fontsize=8.0,
+                color=palette.NUMBER,
+            )
+            self._draw_history(self.history)
+            self._draw_key(scene)
+        self.show(0)
+
+    def _draw_history(self, axes: "Axes") -> None:
+        """Draw the angle over the span of the film, and the mark that moves along it."""
+        start, end = float(self.reel.times[0]), float(self.reel.times[-1])
+        self.scale, _ = time_axis(self.trajectory)
+        impacts = self.trajectory.impacts.s
+        self.shown_impacts = impacts[(impacts >= start) & (impacts <= end)]
+        plot_trajectory(self.trajectory, axes, span=(start, end), legend="none")
+        self.line = axes.axvline(start * self.scale, color=palette.INK, lw=0.9)
+        (self.dot,) = axes.plot(
+            [],
+            [],
+            "o",
+            ms=5.5,
+            color=palette.LINES[0],
+            mec="white",
+            mew=0.8,
+            clip_on=False,
+            zorder=4,
+        )
+
+    def _draw_key(self, axes: "Axes") -> None:
+        """Say what the marks are, above the axes: a block that falls may come anywhere in them."""
+        from matplotlib.lines import Line2D
+        from matplotlib.patches import Patch
+
+        looks: list[dict[str, Any]] = [
+            {"marker": "o", "mfc": "white", "mec": palette.INK, "mew": 1.2, "ms": 5.5},
+            {"marker": "^", "mfc": palette.INK, "mec": palette.INK, "ms": 5.0},
+            {"marker": "o", "mfc": "none", "mec": palette.IMPACT, "mew": 1.5, "ms": 7.5},
+            {"marker": (3, 0, -90), "color": palette.BASE, "lw": 3.0, "ms": 6.0, "ls": "-"},
+            {"marker": "|", "mec": palette.FAINT, "mew": 1.0, "ms": 7.0},
+        ]
+        inside = "|θ| < α" if self.scene.symbol == "α" else "−α₋ < θ < α₊"
+        words = ["mass centre", "pivot", "impact", "base acceleration a", uplift_words(self.scene)]
+        if self.scene.largest == 0.0:
+            looks, words = looks[:3], words[:3]
+        handles: list[Artist] = [
+            Line2D([], [], label=word, **{"ls": "", **look})
+            for look, word in zip(looks, words, strict=True)
+        ]
+        handles.insert(
+            1,
+            Patch(color=palette.SYMMETRIC, alpha=0.35, lw=0, label=f"mass centre inside: {inside}"),
+        )
+        axes.legend(
+            handles=handles,
+            loc="lower left",
+            bbox_to_anchor=(0.0, 1.01),
+            borderaxespad=0.0,
+            borderpad=0.0,
+            labelspacing=0.45,
+            handlelength=1.6,
+            columnspacing=1.2,
+            ncols=min(3, math.ceil(len(handles) / 2)),
+            fontsize=KEY_SIZE,
+        )
+
+    def frame_after(self, s: float) -> int:
+        """Return the first frame that is not before a pivot time."""
+        return int(np.searchsorted(self.reel.times, s))
+
+    def show(self, frame: int) -> "list[Artist]":
+        """Move everything to a frame; those after the last one of the reel repeat it."""
+        s = float(self.reel.times[min(frame, len(self.reel.times) - 1)])
+        moved = self.scene.show(s)
+        self.line.set_xdata([s * self.scale] * 2)
+        self.dot.set_data([s * self.scale], [float(self.trajectory(s).angle)])
+        return [*moved, self.line, self.dot]
+
+
+def title(scene: BlockScene) -> str:
+    """Return what moves, in one line."""
+    motion = scene.trajectory.motion
+    if isinstance(motion, Pulse):  # its name leaves no room for the block
+        return f"Pulse {motion.shape}, A = {motion.amplitude:.4g}, Ω = {motion.frequency_ratio:.4g}"
+    if isinstance(motion, Record):  # nor do many of theirs
+        name = literal(shortened(motion.name or f"Record of {motion.duration_s:.4g} s"))
+        upwards = scene.trajectory.vertical is not None
+        return f"{name}, with vertical motion, not drawn" if upwards else name
+    if isinstance(motion, Harmonic):
+        parts = [f"A = {motion.amplitude:.4g}, Ω = {motion.frequency_ratio:.4g}"]
+    elif isinstance(motion, Still):
+        parts = ["Free rocking"]
+    else:
+        pieces = len(motion.segments())
+        parts = [f"Base motion of {pieces} segment{'' if pieces == 1 else 's'}"]
+    return ", ".join([*parts, *block_words(scene)])
+
+
+def uplift_words(scene: BlockScene) -> str:
+    """Return which base accelerations lift the block from rest."""
+    nonlinear = scene.trajectory.model == "nonlinear"
+    if scene.symbol == "α":
+        return "a = ±g tan α: uplift" if nonlinear else "a = ±αg: uplift"
+    return "a = g tan α₊, −g tan α₋: uplift" if nonlinear else "a = α₊g, −α₋g: uplift"
+
+
+def block_words(scene: BlockScene) -> list[str]:
+    """Return restitution and size of the block."""
+    trajectory, block = scene.trajectory, scene.trajectory.block
+    first, second = trajectory.sides[:, 0].tolist()
+    parts = [
+        f"restitution {first:.4g}" if first == second else f"restitution {first:.3g}/{second:.3g}"
+    ]
+    if block is None:
+        return [*parts, f"drawn with {scene.symbol} = {scene.shape.alpha:.4g} rad"]
+    if block.symmetric:
+        return [*parts, f"α = {block.alpha:.4g} rad, p = {block.p:.4g} rad/s"]
+    return [*parts, f"α = {block.alpha:.3g}/{block.negative.alpha:.3g} rad"]
+
+
+def caption(scene: BlockScene, reel: Reel) -> str:
+    """Return how it is shown, in one line: every length is true, and the speed is named."""
+    trajectory = scene.trajectory
+    parts = block_words(scene) if isinstance(trajectory.motion, Pulse | Record) else []
+    parts += ["true scale", speed_text(trajectory, reel.speed)]
+    if scene.camera != "fixed":
+        unit = "m" if trajectory.block is not None else "R"
+        parts.append(f"camera moves with the ground (over {scene.travelled:.3g} {unit})")
+    return ", ".join(parts)
+
+
+def film_of(
+    trajectory: Trajectory,
+    *,
+    span: tuple[float, float] | None = None,
+    speed: float | None = None,
+    fps: float = FRAMES_PER_SECOND,
+    alpha: float | None = None,
+) -> Film:
+    """Return the film that `animate` plays; its parameters and errors are the same."""
+    return Film(trajectory, reel_of(trajectory, span, speed, fps), alpha)
+
+
+@checked
+def animate(
+    trajectory: Trajectory,
+    *,
+    span: tuple[float, float] | None = None,
+    speed: float | None = None,
+    fps: float = FRAMES_PER_SECOND,
+    alpha: float | None = None,
+) -> "FuncAnimation":
+    """Return a film of the block on its moving ground, in true scale, above its time history.
+
+    What the picture holds is said at `plot_block`.  A block that overturns turns black when it
+    passes |theta| = alpha for the last time, and is followed to twice alpha.  Where the ground
+    moves further than four half-diagonals the camera goes with it, past lines that stand still.
+    The last picture stays for a second.
+
+    Parameters
+    ----------
+    trajectory
+        From `rocksteady.simulate`.
+    span
+        Pivot times p t between which the film runs; the whole run without.
+    speed
+        What passes in a second of the film: for a `rocksteady.Block` seconds, so that 1 is real
+        time; for a dimensionless block forcing periods of harmonic shaking, else pivot time.
+        Without, it is real time or one period a second, slower for fast shaking, and faster where
+        the film would have more than 400 frames.
+    fps
+        Frames a second of the film, from 1 to 60.  A GIF counts in hundredths of a second: 10, 20,
+        25 and 50 are exact.
+    alpha
+        Slenderness [rad] to draw a dimensionless block with, in (0, pi/2); 0.2 without.
+
+    Returns
+    -------
+    matplotlib.animation.FuncAnimation
+        Save it with ``save("run.gif", writer="pillow")``, or show it in a notebook with
+        ``to_jshtml()``.  Its figure belongs to no window.
+
+    Raises
+    ------
+    InputError
+        If a number is outside its range, the span leaves the run, a period (of the forcing, or
+        p t = 2 pi where that is shorter) would have fewer than 8 frames, or the film more than
+        1500.
+    ModelError
+        If `alpha` is given for a block that has its own.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> from tempfile import TemporaryDirectory
+    >>> from rocksteady import Block, State, Still, simulate
+    >>> block = Block.rectangle(width=0.5, height=2.0)
+    >>> run = simulate(block, Still(), start=State(angle=0.8, velocity=0.0))
+    >>> film = animate(run, span=(0.0, 0.5), fps=10)
+    >>> with TemporaryDirectory() as folder:
+    ...     file = Path(folder) / "run.gif"
+    ...     film.save(file, writer="pillow")
+    ...     print(file.read_bytes()[:6])
+    b'GIF89a'
+    """
+    from matplotlib.animation import FuncAnimation
+
+    film = film_of(trajectory, span=span, speed=speed, fps=fps, alpha=alpha)
+    return FuncAnimation(
+        film.figure,
+        film.show,
+        frames=film.frames,
+        interval=1000.0 / film.reel.fps,
+        cache_frame_data=False,
+    )

@@ -1,0 +1,78 @@
+"""Plot of the block on its ground, in its true shape at one moment."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rocksteady.dynamics.history.trajectory import Trajectory
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import finite, positive
+from rocksteady.show.film._scene import GLOW, BlockScene
+from rocksteady.show.style.layout import axes_or_new
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+@checked
+def plot_block(
+    trajectory: Trajectory,
+    s: float,
+    ax: "Axes | None" = None,
+    *,
+    alpha: float | None = None,
+    glow: float = GLOW,
+) -> "Axes":
+    """Draw the block on its ground at one pivot time, in true scale.
+
+    The block stands on the corner with the black triangle; its mass centre is the white circle. As
+    long as that is above the blue band between the two corners' verticals, |theta| < alpha.  A ring
+    fades at the corner that has struck last.  The arrow in the ground is the base acceleration; the
+    marks beside its root are alpha g, which lifts a block at rest.
+
+    A `rocksteady.Block` is drawn in metres, as the rectangle that it is (or that has its pivots and
+    its mass centre); a dimensionless one in units of R, as a homogeneous rectangle.  Beyond
+    |theta| = pi/2 the block is drawn lying on its side.
+
+    Parameters
+    ----------
+    trajectory
+        From `rocksteady.simulate`.
+    s
+        Pivot time p t, from 0 to ``trajectory.end_s``.
+    ax
+        Axes to draw on, whose limits are set; those of a new figure without.
+    alpha
+        Slenderness [rad] to draw a dimensionless block with, in (0, pi/2); 0.2 without.
+    glow
+        Pivot time for which an impact is seen.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes, in metres or units of R.  Positive rotation is counterclockwise, about the left
+        corner.
+
+    Raises
+    ------
+    InputError
+        If the time is outside the trajectory, or another number outside its range.
+    ModelError
+        If `alpha` is given for a block that has its own.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import Block, State, Still, simulate
+    >>> block = Block.rectangle(width=0.5, height=2.0)
+    >>> run = simulate(block, Still(), start=State(angle=0.8, velocity=0.0))
+    >>> axes = plot_block(run, 0.0, Figure().add_subplot())
+    >>> print(axes.get_xlabel(), axes.texts[1].get_text(), sep=", ")
+    position [m], θ = +0.80 α = +11.2°
+    """
+    time = finite("s", s, hint="give a pivot time p t")
+    lasts = positive("glow", glow, hint="give the pivot time for which an impact is seen")
+    trajectory(time)  # refuses a time outside it
+    axes = axes_or_new(ax)
+    BlockScene(axes, trajectory, np.array([time]), alpha=alpha, glow=lasts).show(time)
+    return axes

@@ -1,0 +1,122 @@
+"""Sweeps of a parameter: what a motion settles to at one value after another, as dots and bars."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.orbits.trail import AttractorTrail
+from rocksteady.show.style import palette
+from rocksteady.show.style.legends import line_scale, size_of, text_size
+from rocksteady.show.style.line_colours import inks_of
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
+Floats = NDArray[np.float64]
+
+SWEEPS = {1: ("upward sweep", 0, 4.2, "up"), -1: ("downward sweep", 1, 3.1, "down")}
+"""Name, number of the colour, size of the dots and short name of a sweep by its direction: a rim of
+a point shows around a line."""
+CLOUD = 1.5
+"""Size of dots where a value has more than `MOST_DOTS`."""
+MOST_DOTS = 32
+FATES: dict[str, dict[str, Any]] = {
+    "overturned": {"fc": palette.OVERTURNED, "ec": "none", "lw": 0.0},
+    "at rest": {"fc": palette.GROUND, "ec": palette.FAINT, "lw": 0.4},
+}
+"""Look of the bars along the upper edge, one row a sweep."""
+KINDS = {"overturned": "overturned", "at rest": "rest"}
+"""The kind of attractor of which each bar tells."""
+LANE = 8.0
+"""Height of a row of bars [points]."""
+NAMES_WIDTH = 24.0
+"""Of the names of the rows, to the right of the axes [points]."""
+
+
+def draw_sweeps(axes: "Axes", trails: Sequence[AttractorTrail], *, sizes: bool) -> list["Artist"]:
+    """Draw the dots and bars of sweeps and return the entries of the legend.
+
+    Parameters
+    ----------
+    axes
+        Axes to draw on, with room for a row of bars a sweep along its upper edge.
+    trails
+        The sweeps.
+    sizes
+        Whether the sizes of the angles are drawn, without their sides.
+    """
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    handles: dict[str, Artist] = {}
+    inks, lane = inks_of(axes), lane_of(axes)
+    draw_dots(axes, trails, sizes=sizes)
+    for row, trail in enumerate(trails):
+        way = 1 if trail.values[-1] >= trail.values[0] else -1
+        word, number, size, short = SWEEPS[way]
+        colour = inks.sweeps[number]
+        style: dict[str, Any] = {"marker": "o", "color": colour, "mew": 0.0, "ls": "none"}
+        handles[word] = Line2D([], [], ms=size, label=word, **style)
+        low = 1.0 - (row + 1) * lane
+        met = False
+        for fate, usual in FATES.items():
+            # The dark fill of a fall needs an outline on dark paper.
+            look = {**usual, "ec": inks.ink, "lw": 0.6} if inks.dark else usual
+            bars = _bars(trail, fate)
+            if bars:
+                met = True
+                edges = axes.get_xaxis_transform()
+                axes.broken_barh(bars, (low, 0.75 * lane), transform=edges, zorder=4.5, **look)
+                handles[fate] = Patch(label=fate, **look)
+        if met:
+            axes.annotate(
+                short,
+                (1.0, low + 0.375 * lane),
+                (3.0, 0.0),
+                xycoords="axes fraction",
+                textcoords="offset points",
+                va="center",
+                fontsize=text_size(axes, 7.0),
+                color=inks.number,
+                annotation_clip=False,
+            )
+    return sorted(handles.values(), key=lambda handle: str(handle.get_label()) in FATES)
+
+
+def lane_of(axes: "Axes") -> float:
+    """Return the height of a row of bars, in parts of the axes."""
+    return min(0.12, LANE / size_of(axes)[1])
+
+
+def draw_dots(axes: "Axes", trails: Sequence[AttractorTrail], *, sizes: bool) -> None:
+    """Draw what sweeps meet; the parameters are those of `draw_sweeps`."""
+    inks, scale = inks_of(axes), line_scale(axes)
+    for trail in trails:
+        way = 1 if trail.values[-1] >= trail.values[0] else -1
+        _, number, size, _ = SWEEPS[way]
+        dots: dict[float, list[Floats]] = {size: [], CLOUD: []}
+        for value, extremes in zip(trail.values, trail.peaks, strict=True):
+            drawn = np.abs(extremes) if sizes else extremes
+            many = CLOUD if len(drawn) > MOST_DOTS else size
+            dots[many].append(np.column_stack([np.full(drawn.shape, value), drawn]))
+        for big, places in dots.items():
+            x, y = np.concatenate([np.empty((0, 2)), *places]).T
+            look: dict[str, Any] = {"color": inks.sweeps[number], "mew": 0.0, "ls": "none"}
+            axes.plot(x, y, marker="o", ms=big * scale, zorder=2.0 - 0.1 * way, **look)
+
+
+def _bars(trail: AttractorTrail, fate: str) -> list[tuple[float, float]]:
+    """Return begin and width of each run of values at which a sweep's motion ended so."""
+    order = np.argsort(trail.values)
+    values = trail.values[order]
+    there = np.array([trail.kinds[index] == KINDS[fate] for index in order])
+    # Each value stands for what is nearest to it.
+    borders = np.concatenate([values[:1], 0.5 * (values[1:] + values[:-1]), values[-1:]])
+    change = np.flatnonzero(np.diff(np.concatenate([[False], there, [False]]).astype(int)))
+    return [
+        (float(borders[first]), float(borders[last] - borders[first]))
+        for first, last in change.reshape(-1, 2)
+    ]

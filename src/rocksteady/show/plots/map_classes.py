@@ -1,0 +1,309 @@
+"""What the cells of maps and basins are filled with, and the class of each cell of a map."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.batch.attractors import KIND_FLAGS, NO_START
+from rocksteady.dynamics.orbits.attractor import AttractorKind
+from rocksteady.errors import InputError, Status
+from rocksteady.show.style import palette
+
+if TYPE_CHECKING:
+    import xarray
+
+Floats = NDArray[np.float64]
+Classes = NDArray[np.int8]
+
+FILLS = {
+    AttractorKind.OVERTURNED: palette.OVERTURNED,
+    AttractorKind.REST: palette.REST,
+    AttractorKind.SYMMETRIC: palette.SYMMETRIC,
+    AttractorKind.UNSYMMETRIC: palette.UNSYMMETRIC,
+    AttractorKind.APERIODIC: palette.APERIODIC,
+    AttractorKind.UNDECIDED: palette.UNDECIDED,
+}
+BLANK = -128
+"""Kind or fate of a cell that has not been computed, in a map that is not finished."""
+
+
+class CellClass(IntEnum):
+    """What a cell of a map is, in the order of a legend."""
+
+    REST = 0
+    SYMMETRIC = 1
+    UNSYMMETRIC = 2
+    SUBHARMONIC = 3
+    APERIODIC = 4
+    ROCKING = 5
+    OVERTURNED = 6
+    UNDECIDED = 7
+    NO_START = 8
+    NOT_COMPUTED = 9
+
+
+@dataclass(frozen=True, kw_only=True)
+class Look:
+    """How a class is drawn.
+
+    Attributes
+    ----------
+    words
+        In a legend.
+    fill
+        Of its cells.
+    dot
+        Of its orbits in a diagram, on white.
+    hatch
+        Pattern over the cells, for what is no answer; none of what is one.
+    ink
+        Colour of the pattern.
+    outlined
+        Whether its areas have an outline, because the fill alone is nearly that of another.
+    """
+
+    words: str
+    fill: str
+    dot: str
+    hatch: str = ""
+    ink: str = palette.FAINT
+    outlined: bool = False
+
+
+LOOKS = {
+    CellClass.REST: Look(words="at rest", fill=palette.REST, dot=palette.FAINT),
+    CellClass.SYMMETRIC: Look(words="symmetric", fill=palette.SYMMETRIC, dot=palette.LINES[0]),
+    CellClass.UNSYMMETRIC: Look(
+        words="unsymmetric", fill=palette.UNSYMMETRIC, dot=palette.LINES[4]
+    ),
+    CellClass.SUBHARMONIC: Look(
+        words="subharmonic (period ≥ 2)",
+        fill=palette.SUBHARMONIC,
+        dot=palette.SUBHARMONIC_LINES[0],
+    ),
+    CellClass.APERIODIC: Look(words="aperiodic", fill=palette.APERIODIC, dot=palette.APERIODIC),
+    CellClass.ROCKING: Look(words="still rocking", fill=palette.ROCKING, dot=palette.LINES[2]),
+    CellClass.OVERTURNED: Look(words="overturned", fill=palette.OVERTURNED, dot=palette.OVERTURNED),
+    CellClass.UNDECIDED: Look(
+        words="undecided",
+        fill=palette.UNDECIDED,
+        dot=palette.UNDECIDED,
+        hatch="xxxx",
+        ink=palette.NUMBER,
+    ),
+    CellClass.NO_START: Look(
+        words="no such start", fill="#ffffff", dot=palette.FAINT, hatch="////", outlined=True
+    ),
+    CellClass.NOT_COMPUTED: Look(
+        words="not computed", fill=palette.GRID, dot=palette.FAINT, hatch="....", outlined=True
+    ),
+}
+DARK_DOTS = {
+    one: palette.DARK_INK if one is CellClass.OVERTURNED else look.fill
+    for one, look in LOOKS.items()
+}
+"""Colours of orbits in a diagram on dark paper, on which the fills stand out."""
+MEANINGS = {
+    AttractorKind.REST.value: CellClass.REST,
+    AttractorKind.SYMMETRIC.value: CellClass.SYMMETRIC,
+    AttractorKind.UNSYMMETRIC.value: CellClass.UNSYMMETRIC,
+    AttractorKind.APERIODIC.value: CellClass.APERIODIC,
+    AttractorKind.OVERTURNED.value: CellClass.OVERTURNED,
+    AttractorKind.UNDECIDED.value: CellClass.UNDECIDED,
+    KIND_FLAGS[NO_START]: CellClass.NO_START,
+    Status.ROCKING.label: CellClass.ROCKING,
+    Status.AT_REST.label: CellClass.REST,
+    Status.OVERTURNED.label: CellClass.OVERTURNED,
+}
+"""The class of each of a map's ``flag_meanings``; subharmonic ones are told by their period."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class MapCells:
+    """The cells of a map, without the axes that have a single value.
+
+    Attributes
+    ----------
+    names
+        Of the axes.
+    values
+        Coordinates along each of them, ascending.
+    classes
+        A `CellClass` for each cell, shape of the axes.
+    fixed
+        What all cells have in common: names and values.
+    """
+
+    names: tuple[str, ...]
+    values: tuple[Floats, ...]
+    classes: Classes
+    fixed: tuple[tuple[str, float], ...]
+
+    def shares(self) -> dict[CellClass, float]:
+        """Return the part of the cells that each class has; only those that occur."""
+        counts = {one: int(np.count_nonzero(self.classes == one)) for one in CellClass}
+        return {one: count / self.classes.size for one, count in counts.items() if count}
+
+    def turned(self, names: Sequence[str]) -> "MapCells":
+        """Return the same cells with the axes in another order."""
+        order = [self.names.index(name) for name in names]
+        return MapCells(
+            names=tuple(names),
+            values=tuple(self.values[axis] for axis in order),
+            classes=self.classes.transpose(order),
+            fixed=self.fixed,
+        )
+
+    def parts(self, name: str) -> "list[MapCells]":
+        """Return the cells at each value of an axis, which they have in common then."""
+        turned = self.turned([name, *(other for other in self.names if other != name)])
+        return [
+            MapCells(
+                names=turned.names[1:],
+                values=turned.values[1:],
+                classes=classes,
+                fixed=((name, float(value)),),
+            )
+            for value, classes in zip(turned.values[0], turned.classes, strict=True)
+        ]
+
+
+def map_cells(found: "xarray.Dataset") -> MapCells:
+    """Return the cells of a map.
+
+    Parameters
+    ----------
+    found
+        From `rocksteady.attractor_map` or `rocksteady.fate_map`; of its variables only ``kind`` and
+        ``period``, or ``fate``, are read.
+
+    Raises
+    ------
+    InputError
+        If it is something else, or has no axis with two values or more.
+
+    Examples
+    --------
+    >>> from rocksteady import DimensionlessBlock, attractor_map
+    >>> axes = {"amplitude": [0.5, 2.0], "frequency_ratio": [8.0, 1.0, 4.0]}
+    >>> found = attractor_map(DimensionlessBlock(restitution=0.8), axes=axes)
+    >>> cells = map_cells(found)
+    >>> cells.names, cells.classes
+    (('amplitude', 'frequency_ratio'), array([[0, 0, 0],
+           [6, 1, 1]], dtype=int8))
+    """
+    read = ("fate",) if has_fates(found) else ("kind", "period")
+    variables = validated_map(found, read)
+    kind = variables[read[0]]
+    names = tuple(str(name) for name in kind.dims)
+    classes = _classes(kind.values, _flags_of(kind))
+    for name in read[1:]:
+        _mark_subharmonic(classes, variables[name].transpose(*names).values)
+    values = []
+    for axis, name in enumerate(names):
+        points = variables[name].values.astype(np.float64)
+        order = np.argsort(points)
+        if (order[1:] < order[:-1]).any():
+            points, classes = points[order], np.take(classes, order, axis=axis)
+        values.append(points)
+    return MapCells(
+        names=names, values=tuple(values), classes=classes, fixed=fixed_values(variables)
+    )
+
+
+def has_fates(found: object) -> bool:
+    """Return whether a map is one of fates; else it is one of attractors, or none."""
+    import xarray
+
+    return isinstance(found, xarray.Dataset) and "fate" in found
+
+
+def fixed_values(variables: "xarray.Dataset") -> tuple[tuple[str, float], ...]:
+    """Return names and values of the coordinates that have one value alone."""
+    return tuple(
+        (str(name), float(coordinate))
+        for name, coordinate in variables.coords.items()
+        if coordinate.ndim == 0 and coordinate.dtype.kind in "iuf"
+    )
+
+
+def validated_map(found: object, names: Sequence[str]) -> "xarray.Dataset":
+    """Return variables of a map over the axes that have two values or more.
+
+    Raises
+    ------
+    InputError
+        If it is no dataset with these variables, or there is no such axis.
+    """
+    import xarray
+
+    if not isinstance(found, xarray.Dataset) or not set(names) <= set(found.data_vars):
+        raise InputError(
+            name="found",
+            value=sorted(map(str, found)) if isinstance(found, xarray.Dataset) else found,
+            valid=f"a map is a dataset with {' and '.join(names)}",
+            hint="give what attractor_map or fate_map returned, whole",
+        )
+    variables = found[list(names)].squeeze()
+    if variables[names[0]].ndim == 0 or 0 in variables[names[0]].shape:
+        raise InputError(
+            name="found",
+            value=dict(found.sizes),
+            valid="a picture needs an axis with two values or more",
+            hint="give more values, or read the numbers of the one cell",
+        )
+    return variables
+
+
+def share_text(share: float) -> str:
+    """Return a share as in a legend.
+
+    Examples
+    --------
+    >>> share_text(0.123), share_text(1e-5)
+    ('12.3 %', '< 0.1 %')
+    """
+    return f"{100.0 * share:.1f} %" if share >= 5e-4 else "< 0.1 %"
+
+
+def _flags_of(kind: "xarray.DataArray") -> dict[int, CellClass]:
+    """Return the class of each value that the kinds of a map may have."""
+    words = str(kind.attrs.get("flag_meanings", "")).split()
+    unknown = [word for word in words if word not in MEANINGS]
+    if unknown or not words:
+        raise InputError(
+            name="found",
+            value=unknown[0] if unknown else "kind without flag_meanings",
+            valid=f"the kinds of a map are {', '.join(MEANINGS)}",
+            hint="give what the map returned, attributes included",
+        )
+    codes = np.ravel(kind.attrs.get("flag_values", range(len(words)))).tolist()
+    return {int(code): MEANINGS[word] for code, word in zip(codes, words, strict=True)}
+
+
+def _classes(kind: NDArray[Any], flags: dict[int, CellClass]) -> Classes:
+    """Return the class of each cell; a large map holds no more than bytes and truth values."""
+    classes = np.full(kind.shape, CellClass.NOT_COMPUTED, dtype=np.int8)
+    for code, one in flags.items():
+        classes[kind == code] = one
+    left = kind[classes == CellClass.NOT_COMPUTED]
+    strange = left[(left != BLANK) & ~np.isnan(left)]
+    if strange.size:
+        raise InputError(
+            name="found",
+            value=strange[0].item(),
+            valid=f"a kind is one of {', '.join(map(str, flags))}, and {BLANK} where none is known",
+            hint="give what the map returned, unchanged",
+        )
+    return classes
+
+
+def _mark_subharmonic(classes: Classes, period: NDArray[Any]) -> None:
+    """Tell orbits of several forcing periods from the others."""
+    again = period > 1
+    again &= (classes == CellClass.SYMMETRIC) | (classes == CellClass.UNSYMMETRIC)
+    classes[again] = CellClass.SUBHARMONIC

@@ -1,0 +1,228 @@
+"""Which axes are drawn on, where legends and numbers go, and which scales are logarithmic."""
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rocksteady.dynamics.steady.regions import RegionMap
+from rocksteady.show.style import palette
+from rocksteady.show.style.legends import size_of
+from rocksteady.show.style.line_colours import inks_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Corner = Literal["upper left", "upper right", "lower left", "lower right"]
+CORNERS: dict[Corner, tuple[int, int]] = {
+    "upper left": (0, 1),
+    "upper right": (1, 1),
+    "lower left": (0, 0),
+    "lower right": (1, 0),
+}
+"""Places of a legend, in the order of preference, with the corner in fractions of the axes."""
+
+
+LABEL_PLACES = [
+    (radius * math.cos(turn), radius * math.sin(turn))
+    for radius in (8.5, 12.0, 16.0, 21.0)
+    for turn in (math.radians(angle) for angle in (45, 135, 90, 0, 180, 315, 225, 270))
+]
+"""Where a label may stand [points], seen from its point, in the order of preference."""
+
+
+TICK_ROOM = 62.0
+"""Length of a decade [points] below which it has one tick."""
+
+
+def axes_or_new(ax: "Axes | None") -> "Axes":
+    """Return the given axes, or those of a new pyplot figure in the house style.
+
+    The new figure has the user's own settings where there are any: its size, a dark theme.
+    """
+    if ax is not None:
+        return ax
+    import matplotlib.pyplot as plt
+
+    # Outside of the style: the first figure loads the backend, which brings settings of its own.
+    figure = plt.figure(layout="constrained")
+    with palette.style_beneath():
+        return figure.add_subplot()
+
+
+def emptiest_corner(axes: "Axes", points: Sequence[ArrayLike], size: tuple[float, float]) -> Corner:
+    """Return the corner in which a legend hides fewest points, the upper left one if several do.
+
+    Parameters
+    ----------
+    axes
+        With their final limits and scales.
+    points
+        Abscissas and ordinates, two arrays of one shape.
+    size
+        Width and height of the legend in fractions of the axes.
+    """
+    x, y = (np.asarray(values, dtype=np.float64).ravel() for values in points)
+    places = axes.transAxes.inverted().transform(axes.transData.transform(np.column_stack([x, y])))
+
+    def hidden(corner: tuple[int, int]) -> int:
+        near = [
+            (places[:, k] > 1.0 - size[k] if corner[k] else places[:, k] < size[k])
+            & (places[:, k] >= 0.0)
+            & (places[:, k] <= 1.0)
+            for k in (0, 1)
+        ]
+        return int((near[0] & near[1]).sum())
+
+    return min(CORNERS, key=lambda name: hidden(CORNERS[name]))
+
+
+def put_beside(
+    axes: "Axes", labels: Sequence[tuple[str, float, float]], marks: Sequence[ArrayLike]
+) -> None:
+    """Write short labels beside their points, clear of one another and of the marks.
+
+    Parameters
+    ----------
+    axes
+        With their final limits and scales.
+    labels
+        Text, abscissa and ordinate of each; an empty text is none.
+    marks
+        Abscissas and ordinates of what is drawn there, two arrays of one shape.
+    """
+    figure = axes.get_figure(root=True)
+    assert figure is not None
+    per_point = figure.dpi / 72.0
+    xy = np.column_stack([np.asarray(values, dtype=np.float64).ravel() for values in marks])
+    taken = [(x, y, 4.0, 4.0) for x, y in (axes.transData.transform(xy) / per_point).tolist()]
+    box = (np.array(axes.get_window_extent().extents) / per_point).tolist()
+    for text, x, y in labels:
+        if not text:
+            continue
+        here = axes.transData.transform((x, y)) / per_point
+        half = (2.4 * len(text) + 0.6, 4.0)
+
+        def crowd(
+            offset: tuple[float, float], here: ArrayLike = here, half: tuple[float, float] = half
+        ) -> float:
+            """Return how much of the label would lie on something."""
+            at = (np.asarray(here) + offset).tolist()
+            outside: float = max(
+                box[0] - at[0], at[0] - box[2], box[1] - at[1], at[1] - box[3], -5.0
+            )
+            over: float = 100.0 * (outside + 5.0)
+            for px, py, wide, high in taken:
+                across = wide + half[0] - abs(px - at[0])
+                up = high + half[1] - abs(py - at[1])
+                over += max(across, 0.0) * max(up, 0.0)
+            return over
+
+        offset = min(LABEL_PLACES, key=crowd)
+        taken.append((*(here + offset).tolist(), *half))
+        axes.annotate(
+            text,
+            (x, y),
+            offset,
+            textcoords="offset points",
+            ha="center",
+            va="center_baseline",
+            fontsize=7.0,
+            color=inks_of(axes).ink,
+            zorder=5.0,
+            annotation_clip=False,
+        )
+
+
+def extent(axes: "Axes", *, width: float, height: float) -> tuple[float, float]:
+    """Return a size in points as fractions of the axes, at most the whole of them."""
+    wide, high = size_of(axes)
+    return min(1.0, width / wide), min(1.0, height / high)
+
+
+def spaced_by_ratio(values: ArrayLike) -> bool:
+    """Return whether positive numbers are spread like powers, and belong on a logarithmic axis."""
+    array = np.asarray(values, dtype=np.float64)
+    low, high = float(array.min()), float(array.max())
+    return low > 0.0 and float(np.median(array)) < low + 0.25 * (high - low)
+
+
+def plain_ticks(axes: "Axes") -> None:
+    """Write the ticks of logarithmic axes as numbers."""
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+    for axis, scale in ((axes.xaxis, axes.get_xscale()), (axes.yaxis, axes.get_yscale())):
+        if scale == "log":
+            low, high = axis.get_view_interval()
+            room = size_of(axes)[0 if axis is axes.xaxis else 1]
+            sparse = room < TICK_ROOM * math.log10(high / low)
+            axis.set_major_locator(LogLocator(subs=(1.0,) if sparse else (1.0, 2.0, 5.0)))
+            axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+            axis.set_minor_formatter(NullFormatter())
+
+
+def region_centres(
+    curves: RegionMap,
+    ceiling: float,
+    floor: float = 0.0,
+    *,
+    taken: tuple[Corner, tuple[float, float]] | None = None,
+    point: tuple[float, float] | None = None,
+) -> dict[int, tuple[float, float]]:
+    """Return where each region has most room for its number; too narrow ones are left out.
+
+    Parameters
+    ----------
+    curves
+        The map, its frequencies in ascending order.
+    ceiling, floor
+        Ends of the amplitude axis; it is logarithmic where the floor is above 0.
+    taken
+        Corner that the legend takes, and the legend's size in fractions of the axes.
+    point
+        A marked (frequency_ratio, amplitude), from which the numbers keep away.
+    """
+    from scipy.ndimage import distance_transform_edt
+
+    rows = 160
+    spread = np.geomspace if floor > 0.0 else np.linspace
+    height = spread(floor, ceiling, rows)[:, np.newaxis]
+    above_kind, above_sign = height > curves.kind, height > curves.sign
+    region = np.where(above_kind, np.where(above_sign, 2, 1), np.where(above_sign, 5, 3))
+    region = np.where(height < curves.existence, 4, region)
+    w = curves.frequency_ratio
+    spread = np.geomspace if spaced_by_ratio(w) else np.linspace
+    columns = np.searchsorted(w, spread(w[0], w[-1], rows)[:-1])
+    columns = np.append(columns, len(w) - 1)
+    free = np.ones((rows, rows), dtype=bool)
+    if taken is not None:
+        (right, upper), (wide, high) = CORNERS[taken[0]], taken[1]
+        across, up = math.ceil(wide * rows), math.ceil(high * rows)
+        free[
+            rows - up if upper else 0 : rows if upper else up,
+            rows - across if right else 0 : rows if right else across,
+        ] = False
+    clear = free.copy()
+    for curve in (curves.symmetry_breaking, curves.heteroclinic):
+        above = np.pad(height > curve[columns], ((1, 0), (1, 0)), mode="edge")
+        clear &= (above[1:, 1:] == above[:-1, 1:]) & (above[1:, 1:] == above[1:, :-1])
+    if point is not None:
+        column = min(int(np.searchsorted(w[columns], point[0])), rows - 1)
+        clear[min(int(np.searchsorted(height[:, 0], point[1])), rows - 1), column] = False
+    centres: dict[int, tuple[float, float]] = {}
+    for number in range(1, 6):
+        room = np.zeros((rows, rows))
+        # Clear of the other curves and the point where that is possible.
+        for allowed in (clear, free):
+            inside = np.pad((region[:, columns] == number) & allowed, 1)
+            room = distance_transform_edt(inside)[1:-1, 1:-1]
+            if room.max() > 5.0:
+                break
+        if room.max() > 5.0:
+            # Of the roomiest places that furthest right: the curves crowd together on the left.
+            row, column = max(np.argwhere(room > 0.95 * room.max()), key=lambda place: place[1])
+            place = float(w[columns[min(column, rows - 12)]])
+            centres[number] = (place, float(height[row, 0]))
+    return centres

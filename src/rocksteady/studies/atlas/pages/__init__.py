@@ -1,0 +1,1 @@
+"""What the atlas shows: its pictures, tables, sentences and page."""

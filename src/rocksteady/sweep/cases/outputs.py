@@ -1,0 +1,138 @@
+"""What is computed in each cell of a grid."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from numbers import Integral
+from typing import Any
+
+import numpy as np
+
+from rocksteady.errors import InputError
+from rocksteady.model.checks.arguments import checked
+from rocksteady.sweep.cases.axes import described, identifier
+from rocksteady.sweep.cases.grid import Grid, each_once
+
+
+@checked
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Output:
+    """What is computed in each cell.
+
+    Parameters
+    ----------
+    name
+        An identifier: the variable of the result.
+    dtype
+        Of its array: boolean, integer or float, of up to 64 bits.
+    long_name, units
+        As for `Axis`.
+    flags
+        Of an integer that stands for a class: what each value means.
+
+    Raises
+    ------
+    InputError
+        If the name is no identifier, the dtype another one, or flags are given to what is no
+        integer.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from rocksteady import Output
+    >>> kind = Output(name="kind", dtype=np.int8, flags={0: "rest", 1: "overturned"})
+    >>> kind.attributes["flag_meanings"]
+    'rest overturned'
+    """
+
+    name: str
+    dtype: Any = np.float64
+    long_name: str = ""
+    units: str = "1"
+    flags: Mapping[int, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        identifier(self.name)
+        described(self.long_name, self.units)
+        object.__setattr__(self, "dtype", _dtype(self.dtype))
+        flags = dict(self.flags)
+        entries: list[tuple[object, object]] = list(flags.items())
+        if not all(
+            isinstance(value, Integral) and isinstance(meaning, str) for value, meaning in entries
+        ):
+            raise InputError(
+                name="flags",
+                value=self.flags,
+                valid="each value of an integer has a meaning in words",
+                hint="give flags={0: 'rest', 1: 'overturned'}",
+            )
+        object.__setattr__(self, "flags", flags)
+        if self.dtype.kind not in "biuf" or self.dtype.itemsize > 8:
+            raise InputError(
+                name="dtype",
+                value=str(self.dtype),
+                valid="an output is boolean, integer or float, of up to 64 bits",
+                hint="code what it says as an integer with flags",
+            )
+        if self.flags and self.dtype.kind not in "iu":
+            raise InputError(
+                name="flags",
+                value=self.name,
+                valid=f"only integers have flags, and this output is {self.dtype}",
+                hint="give it an integer dtype",
+            )
+
+    @property
+    def attributes(self) -> dict[str, Any]:
+        """What a dataset says of it, flags as in the CF conventions."""
+        found = words_of(self.long_name, self.units)
+        if self.flags:
+            found["flag_values"] = np.array(list(self.flags), dtype=self.dtype)
+            found["flag_meanings"] = " ".join(
+                meaning.replace(" ", "_") for meaning in self.flags.values()
+            )
+        return found
+
+    @property
+    def nothing(self) -> float | int | bool:
+        """What stands where a cell has not been computed: nan, the lowest integer, or False."""
+        if self.dtype.kind == "f":
+            return float("nan")
+        return False if self.dtype.kind == "b" else int(np.iinfo(self.dtype).min)
+
+
+def _dtype(given: object) -> np.dtype[Any]:
+    try:
+        return np.dtype(given)  # type: ignore[call-overload,no-any-return]
+    except Exception:  # noqa: BLE001 - numpy raises five kinds
+        raise InputError(
+            name="dtype",
+            value=given,
+            valid="it must be the dtype of an array",
+            hint="give numpy.float64, numpy.int8, ...",
+        ) from None
+
+
+def words_of(long_name: str, units: str) -> dict[str, Any]:
+    """Return the attributes of a variable that has these."""
+    return {"long_name": long_name, "units": units} if long_name else {"units": units}
+
+
+def outputs_of(outputs: Sequence[Output], grid: Grid) -> tuple[Output, ...]:
+    """Return the outputs, one or more, whose names are theirs alone.
+
+    Raises
+    ------
+    InputError
+        If there is none, or a name is that of another or of an axis.
+    """
+    found = tuple(outputs)
+    if not found or not all(isinstance(output, Output) for output in found):
+        raise InputError(
+            name="outputs",
+            value=outputs,
+            valid="there is one or more",
+            hint="give outputs=(Output(...), Output(...))",
+        )
+    each_once("outputs", [*grid.names, *(output.name for output in found)])
+    return found

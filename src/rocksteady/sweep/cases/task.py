@@ -1,0 +1,162 @@
+"""A task: everything that a worker needs to compute any cells of a sweep."""
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from rocksteady.errors import InputError, Words
+from rocksteady.sweep.cases.axes import Array
+from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.cases.outputs import Output
+
+Cases = Callable[..., Mapping[str, Array]]
+Piece = tuple[int, int]
+"""First cell, and the one after the last."""
+
+LONG_ENOUGH = 0.01
+"""Seconds of a call beside which what it costs to make one does not count."""
+GROWTH = 8
+"""How many times as many cells the next call takes where even that will be short."""
+
+
+class Answer(NamedTuple):
+    """What was found in the cells of a piece, or in the first of them."""
+
+    piece: Piece
+    stop: int
+    """The first cell that is left to do; the end of the piece where all are done."""
+    arrays: dict[str, Array]
+    """An array of shape (stop - piece[0],) for each output."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Task:
+    """The case function, the cells and what is wanted of them.
+
+    Attributes
+    ----------
+    cases
+        Takes the coordinates of some cells, returns an array for each output.
+    grid, outputs
+        The cells and what is computed in each.
+    numbered
+        The argument by which the case function is told the numbers of its cells, if it is.
+    batch
+        The most cells that one call takes.
+    """
+
+    cases: Cases
+    grid: Grid
+    outputs: tuple[Output, ...]
+    numbered: str | None
+    batch: int
+
+    def run(self, piece: Piece, seconds: float) -> Answer:
+        """Compute the cells of a piece, as far as one comes in a time.
+
+        Calls begin with one cell and take more each time, as long as they are short.  At least one
+        call is made; what is left when the time is over is somebody's next piece, so that nobody is
+        kept waiting by cells that turn out to be slow.
+        """
+        began = time.monotonic()
+        first, stop = piece
+        here, many = first, 1
+        found: list[dict[str, Array]] = []
+        while here < stop and (not found or time.monotonic() - began < seconds):
+            called = time.monotonic()
+            last = min(here + many, stop)
+            found.append(self._call(here, last))
+            here = last
+            took = time.monotonic() - called
+            if took < LONG_ENOUGH:
+                many = min((GROWTH if GROWTH * took < LONG_ENOUGH else 2) * many, self.batch)
+        names = [output.name for output in self.outputs]
+        joined = {name: np.concatenate([part[name] for part in found]) for name in names}
+        return Answer(piece, here, joined)
+
+    def _call(self, first: int, stop: int) -> dict[str, Array]:
+        """Return what the case function finds in some cells."""
+        cells = self.grid.cells(first, stop)
+        if self.numbered is not None:
+            cells[self.numbered] = np.arange(first, stop, dtype=np.int64)
+        try:
+            found = self.cases(**cells)
+            return {output.name: _checked(output, found, stop - first) for output in self.outputs}
+        except Exception as error:
+            error.add_note(f"in {self.words_for((first, stop))}")
+            raise
+
+    def words_for(self, piece: Piece) -> str:
+        """Return which cells a piece has, in words: their numbers, and the first to the last."""
+        first, stop = piece
+        ends = (np.unravel_index(cell, self.grid.shape) for cell in (first, stop - 1))
+        places = zip(self.grid.axes, *ends, strict=True)
+        where = ", ".join(
+            f"{axis.name} {_short(axis.points[here].item())} to {_short(axis.points[last].item())}"
+            for axis, here, last in places
+        )
+        return f"cells {first} to {stop - 1} of {self.grid.size}: {where}"
+
+
+def _short(value: object) -> str:
+    return f"{value:.15g}" if isinstance(value, float) else str(value)
+
+
+def _checked(output: Output, found: object, cells: int) -> Array:
+    """Return one output of the case function as what it is declared to be."""
+    if not isinstance(found, Mapping) or output.name not in found:
+        raise InputError(
+            name="cases",
+            value=sorted(found) if isinstance(found, Mapping) else found,
+            valid=f"it must return a mapping with the output {output.name!r}",
+            hint="return an array for each output, or leave the output out",
+        )
+    array = np.asarray(found[output.name])
+    if array.shape != (cells,):
+        raise InputError(
+            name=output.name,
+            value=array.shape,
+            valid=f"an output has the shape of the cells, here {(cells,)}",
+            hint="return one value for each cell",
+        )
+    if not np.can_cast(array.dtype, output.dtype, casting="same_kind"):
+        raise InputError(
+            name=output.name,
+            value=str(array.dtype),
+            valid=f"it must fit {output.dtype}, as which it is declared",
+            hint="change the dtype of the output, or convert the array",
+        )
+    if np.ma.isMaskedArray(found[output.name]):
+        raise InputError(
+            name=output.name,
+            value=Words("hold a masked array"),
+            valid="a result has no masks",
+            hint="fill it with what stands for nothing",
+        )
+    return _fitting(output, array)
+
+
+def _fitting(output: Output, array: Array) -> Array:
+    """Return an array as the type of an output, which may be shorter: what does not fit is refused.
+
+    What becomes a float may lose digits, but not become infinite.
+    """
+    if array.dtype == output.dtype:
+        return array
+    with np.errstate(over="ignore"):
+        found: Array = array.astype(output.dtype)
+    if output.dtype.kind == "f" and array.dtype.kind == "f":
+        lost = np.isfinite(array) & ~np.isfinite(found)
+    else:
+        lost = found != array
+    if lost.any():
+        raise InputError(
+            name=output.name,
+            value=array[lost][0].item(),
+            valid=f"it must fit {output.dtype}, as which it is declared",
+            hint="declare a longer type",
+        )
+    return found

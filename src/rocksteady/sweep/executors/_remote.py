@@ -1,0 +1,115 @@
+"""A cluster that is there: its scheduler has an address, its workers come and go."""
+
+import time
+import warnings
+from contextlib import ExitStack
+from typing import Self
+
+from distributed import Client
+
+from rocksteady.errors import InputError
+from rocksteady.sweep.executors._address import open_to_others
+from rocksteady.sweep.executors._pool import WAITING
+from rocksteady.sweep.executors._quiet import quiet
+
+ANSWERED = 10.0
+"""Seconds in which a scheduler answers."""
+PATIENCE = 30.0
+"""Seconds without a worker, after which that is said."""
+LOOKED = 1.0
+"""Seconds between two looks at the workers."""
+
+
+class Given:
+    """The cluster of a scheduler, for as long as it is entered.
+
+    Parameters
+    ----------
+    address
+        Of the scheduler.
+    workers
+        On how many pieces it works at the same time, at most; None for all that it can.
+    """
+
+    def __init__(self, address: str, workers: int | None) -> None:
+        self.name = address
+        self._most = workers
+        self._threads = 0
+        self._looked = 0.0
+        self._seen = 0.0
+        self._said = False
+
+    def __enter__(self) -> Self:
+        """Connect, and wait for a worker.
+
+        Raises
+        ------
+        InputError
+            If nobody answers, or there is no worker.
+        """
+        with ExitStack() as stack:
+            stack.enter_context(quiet())
+            try:
+                self.client = Client(self.name, timeout=ANSWERED, set_as_default=False)
+            except (OSError, ValueError, TypeError, RuntimeError) as error:
+                raise InputError(
+                    name="executor",
+                    value=self.name,
+                    valid=f"a dask scheduler must answer there within {ANSWERED:g} seconds",
+                    hint="start one with 'dask scheduler' and give the address that it prints, or "
+                    "leave the executor out for threads",
+                ) from error
+            stack.callback(self.client.close)
+            try:
+                self.client.wait_for_workers(1, timeout=PATIENCE)
+            except TimeoutError as error:
+                raise InputError(
+                    name="executor",
+                    value=self.name,
+                    valid=f"the scheduler has had no worker for {PATIENCE:g} seconds",
+                    hint=f"start some with 'dask worker {self.name}'",
+                ) from error
+            if open_to_others(self.name):
+                warnings.warn(
+                    f"{self.name} has no TLS: everyone who reaches the scheduler or a worker can "
+                    "run programs as you; give a tls:// address, or keep others out of the network",
+                    stacklevel=2,
+                )
+            self._look()
+            self._stack = stack.pop_all()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Disconnect."""
+        self._stack.close()
+
+    def at_once(self) -> int:
+        """Return how many pieces it works on at the same time: one or more."""
+        many = max(1, self._threads)  # those that were there may have gone just now
+        return many if self._most is None else min(self._most, many)
+
+    def in_flight(self) -> int:
+        """Return how many pieces it is to have, those included that wait there: one or more."""
+        many = max(1, WAITING * self._threads)
+        return many if self._most is None else min(self._most, many)
+
+    def mend(self, *, progress: bool) -> None:
+        """Look who is there, and say so where that is nobody: they may be on their way."""
+        if time.monotonic() - self._looked < LOOKED:
+            return
+        self._look()
+        if self._threads or progress:
+            self._said = False
+        elif time.monotonic() - self._seen > PATIENCE and not self._said:
+            self._said = True
+            warnings.warn(
+                f"{self.name}: the cluster has had no worker for {PATIENCE:g} seconds; what is "
+                "left waits for the next one",
+                stacklevel=2,
+            )
+
+    def _look(self) -> None:
+        self._threads = sum(self.client.nthreads().values())
+        self._looked = time.monotonic()
+        if self._threads:
+            self._seen = self._looked

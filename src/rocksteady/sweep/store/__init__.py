@@ -1,0 +1,1 @@
+"""Where results are kept: a zarr store on disk that can be resumed and verified."""

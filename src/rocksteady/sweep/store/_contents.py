@@ -1,0 +1,191 @@
+"""What lies in a store: a zarr group that any reader of zarr opens.
+
+It has an array for each axis and each output, and ``done``, the checksums of each finished chunk of
+cells, which are on the disk after its files.
+"""
+
+import json
+from collections.abc import Callable, Iterable
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.errors import InputError, RocksteadyError
+from rocksteady.sweep.cases.axes import Array
+from rocksteady.sweep.cases.inputs import digest_of
+from rocksteady.sweep.store._checksums import identity_of
+from rocksteady.sweep.store.chunks import Chunks
+
+if TYPE_CHECKING:
+    import zarr
+
+GROUP = "zarr.json"
+"""Description of a group, and of an array."""
+DONE = "done"
+CHUNK = "chunk"
+"""Dimension of the checksums."""
+COMPUTED = "computed"
+"""Whether cells are finished, in an unfinished result."""
+TAKEN = (DONE, CHUNK, COMPUTED)
+OUTPUTS = "outputs"
+"""Attribute of the checksums: names of the outputs in their order, which a folder does not keep."""
+LOCK = "lock"
+"""A file beside the checksums: zarr would complain of it beside the arrays."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Contents:
+    """The arrays of a store.
+
+    Attributes
+    ----------
+    folder
+        Of the store.
+    attributes
+        Of the result.
+    axes, outputs
+        Arrays by their names, in the order of the sweep.
+    flags
+        Checksums of the files of each finished chunk, as many as there are outputs, 0 of others.
+        Those of a store of an earlier version are flags, one a chunk.
+    chunks
+        The cells of each.
+    """
+
+    folder: Path
+    attributes: dict[str, Any]
+    axes: "dict[str, zarr.Array[Any]]"
+    outputs: "dict[str, zarr.Array[Any]]"
+    flags: "zarr.Array[Any]"
+    chunks: Chunks
+
+    @property
+    def inputs(self) -> dict[str, Any]:
+        """What its results follow from."""
+        found: dict[str, Any] = json.loads(self.attributes["inputs"])
+        return found
+
+    def files(self, chunk: int) -> list[Path]:
+        """Return the files of a chunk, its checksums first."""
+        place = self.chunks.place(chunk)
+        return [self._flag(chunk)] + [
+            self.folder / name / array.metadata.encode_chunk_key(place)
+            for name, array in self.outputs.items()
+        ]
+
+    def _flag(self, chunk: int) -> Path:
+        return self.folder / DONE / self.flags.metadata.encode_chunk_key((chunk,))
+
+    def sums(self) -> NDArray[np.uint64]:
+        """Return the checksums, shape (chunks, outputs); 0 where they cannot be read."""
+        dtype, (many,) = self.flags.dtype, self.flags.chunks
+        found = np.zeros((len(self.chunks), many), dtype=np.uint64)
+        for chunk, row in enumerate(found):
+            with suppress(OSError):
+                content = self._flag(chunk).read_bytes()
+                if len(content) == dtype.itemsize * many:
+                    row[:] = np.frombuffer(content, dtype)
+        return found
+
+    def flagged(self) -> NDArray[np.bool_]:
+        """Return which chunks are marked as finished."""
+        return np.asarray((self.sums() != 0).all(axis=1))
+
+    def complete(self, flagged: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """Return which of the finished chunks have all their files.
+
+        What is in the files is not looked at.  Without this, zarr would take values for nothing
+        where a file is missing.
+        """
+        return np.array(
+            [
+                flag and all(file.is_file() for file in self.files(chunk))
+                for chunk, flag in enumerate(flagged.tolist())
+            ]
+        )
+
+
+def attributes_in(folder: Path) -> dict[str, Any] | None:
+    """Return the attributes of a store; None where that is none, or they cannot be read."""
+    try:
+        found = json.loads((folder / GROUP).read_text(encoding="utf-8"))["attributes"]
+        json.loads(found["inputs"])
+    except (OSError, ValueError, LookupError, TypeError):
+        return None
+    return dict(found)
+
+
+def contents_of(folder: Path, refused: Callable[[str], RocksteadyError]) -> Contents:
+    """Return what lies in a store.
+
+    Parameters
+    ----------
+    folder
+        Of a store.
+    refused
+        Makes the error to raise where it cannot be read, from a clause that says why.
+    """
+    import zarr
+
+    from rocksteady.sweep.store._chunk_files import ChunkFiles
+
+    try:
+        group = zarr.open_group(folder, mode="r", zarr_format=3, use_consolidated=False)
+        flags: Any = group[DONE]
+        names = list(flags.attrs[OUTPUTS])
+        first: Any = group[names[0]]
+        chunks = Chunks(shape=first.shape, box=first.chunks)
+        files = ChunkFiles(folder, read_only=True)
+        outputs = {name: zarr.open_array(files, path=name, mode="r") for name in names}
+        axes: dict[str, Any] = {name: group[name] for name in first.metadata.dimension_names}
+        found = Contents(
+            folder=folder,
+            attributes=group.attrs.asdict(),
+            axes=axes,
+            outputs=outputs,
+            flags=flags,
+            chunks=chunks,
+        )
+        for name, array in axes.items():
+            if digest_of(points_of(array)) != found.inputs["axes"][name]["sha256"]:
+                message = f"the values of {name} are not those that were written"
+                raise ValueError(message)
+        if flags.dtype != np.bool_:
+            files.check(found, identity_of(found.inputs, chunks.box))
+    except Exception as error:
+        raise refused(f"it cannot be read: {said(error)}") from error
+    return found
+
+
+def points_of(array: Any) -> Array:
+    """Return the values of an axis, names as NumPy writes them."""
+    points = np.asarray(array[:])
+    return np.array(points.tolist()) if points.dtype.kind in "OT" else points
+
+
+def refuse_taken(names: Iterable[str]) -> None:
+    """Refuse axes and outputs that have the names of what is in a store beside them.
+
+    Raises
+    ------
+    InputError
+        If one has.
+    """
+    for name in names:
+        if name in TAKEN:
+            raise InputError(
+                name="name",
+                value=name,
+                valid=f"a store has {', '.join(TAKEN)} of its own",
+                hint="rename the axis or the output",
+            )
+
+
+def said(error: Exception) -> str:
+    """Return what an error says, in one line."""
+    text = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+    return " ".join(text.split()) or type(error).__name__

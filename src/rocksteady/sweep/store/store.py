@@ -1,0 +1,194 @@
+"""A sweep's results on disk, a chunk at a time: what is finished survives whatever ends the run.
+
+`Store` says where and how; `rocksteady.sweep.store._writer` writes what lies there.
+"""
+
+import os
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
+from dataclasses import KW_ONLY, dataclass
+from pathlib import Path
+from typing import Any
+
+from rocksteady import durable
+from rocksteady.errors import OutputError
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import whole_number
+from rocksteady.sweep.cases.inputs import inputs_of, named_function
+from rocksteady.sweep.cases.task import Task
+from rocksteady.sweep.store._contents import DONE, LOCK, attributes_in, refuse_taken
+from rocksteady.sweep.store._descriptions import Described, refuse_others
+from rocksteady.sweep.store._writer import Desk, Shelf, locked
+from rocksteady.sweep.store.chunks import Chunks
+from rocksteady.sweep.store.ownership import is_begun, others, owner_of, remove, replaced_in
+
+LARGEST_CHUNK = 2**24
+
+
+@checked
+@dataclass(frozen=True)
+class Store:
+    """Where a sweep keeps its results on disk.
+
+    Parameters
+    ----------
+    path
+        Of a folder, as "map.zarr"; the folder that it is in exists.
+    resume
+        Whether a store that is there, of the same inputs, is continued.
+    overwrite
+        Whether a store that is there is replaced.
+    chunk
+        The most cells that are written at once: what is lost when a run is ended, at most, for each
+        of its workers.  By default a 64th of the grid, but from 4096 to 65,536 cells, or from as
+        many as one call takes where these are fewer.  A store that is continued keeps its own.
+
+    Raises
+    ------
+    InputError
+        If the chunk is not a whole number from 1 to 2^24.
+    OutputError
+        If it is to be continued and replaced.
+    """
+
+    path: Path | str
+    _: KW_ONLY
+    resume: bool = False
+    overwrite: bool = False
+    chunk: int | None = None
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        object.__setattr__(self, "path", Path(self.path))
+        if self.chunk is not None:
+            hint = "give a number of cells, as 10000, or leave it out"
+            whole_number("chunk", self.chunk, at_least=1, at_most=LARGEST_CHUNK, hint=hint)
+        if self.resume and self.overwrite:
+            raise self._refused("it cannot be both continued and replaced", "choose one")
+
+    @property
+    def folder(self) -> Path:
+        """Where it is: of a link the folder that it leads to."""
+        path = Path(self.path)
+        return path.resolve() if path.is_symlink() else path
+
+    def check(self) -> None:
+        """Refuse, before anything is computed, a place where nothing could be written.
+
+        Raises
+        ------
+        OutputError
+            If it is a file or another folder, its own folder is missing or not writable, or a
+            store is there that is neither to be continued nor to be replaced.
+        """
+        parent = self.folder.absolute().parent
+        if not parent.is_dir():
+            raise self._refused("the folder it would be in does not exist", "create that folder")
+        if os.path.lexists(self.folder):
+            self._check_there()
+        elif not os.access(parent, os.W_OK):
+            raise self._refused("its folder is not writable", "choose another folder")
+
+    def _check_there(self) -> None:
+        """Refuse what is there, unless it is a store that may be written, or could be begun."""
+        if not self.folder.is_dir():
+            raise self._refused("it is a file", "name a folder, as map.zarr")
+        try:
+            marks = owner_of(self.folder)
+            foreign = others(self.folder)
+        except OSError as error:
+            raise self._refused(error.strerror or str(error), "name another one") from error
+        if marks is None:
+            if foreign or not self.resume:  # else one that was about to be begun
+                raise self._refused(
+                    "it is a folder and no store of a sweep of this version", "name another one"
+                )
+            return
+        if not self.overwrite and is_begun(self.folder) and attributes_in(self.folder) is None:
+            raise self._refused(
+                "its zarr.json is damaged, and says no more what it holds",
+                "overwrite it, or name another one",
+            )
+        if not (self.resume or self.overwrite):
+            raise self._refused("it exists", "resume it, overwrite it, or name another one")
+        if self.overwrite and foreign:
+            more = f" and {len(foreign) - 1} more" if foreign[1:] else ""
+            raise self._refused(
+                f"no sweep wrote {foreign[0]}{more} in it", "move that, or name another one"
+            )
+
+    def _refused(self, valid: str, hint: str) -> OutputError:
+        return OutputError(name="store", value=self.path, valid=valid, hint=hint)
+
+    @contextmanager
+    def opened(self, task: Task, attributes: Mapping[str, Any]) -> Iterator[Shelf]:
+        """Yield what keeps the answers to a task, while no other process may write the store.
+
+        Raises
+        ------
+        InputError
+            If other processes could not find the case function, a constant cannot be written down,
+            or a name is one of the store's own.
+        OutputError
+            As for `check`; if another process writes the store, or it holds results of other
+            inputs; `UnfinishedError` later, where a chunk cannot be written.
+        """
+        named_function(task)
+        refuse_taken([*task.grid.names, *(output.name for output in task.outputs)])
+        self.check()
+        inputs = inputs_of(task)
+        made = self._make_folder()
+        with locked(self.folder) as desk:
+            if not made or owner_of(self.folder) is not None:
+                self.check()  # another process may have been here
+            try:
+                shelf = self._shelf(desk, task, inputs, attributes)
+            finally:
+                if made and owner_of(self.folder) is None:
+                    self._remove_empty()
+            try:
+                yield shelf
+            finally:
+                shelf.keep()
+
+    def _make_folder(self) -> bool:
+        """Make the folder, as far as it is missing, and return whether it was."""
+        made = not self.folder.is_dir()
+        try:
+            (self.folder / DONE).mkdir(parents=True, exist_ok=True)
+            durable.sync_folder(self.folder)
+            durable.sync_folder(self.folder.absolute().parent)
+        except OSError as error:
+            raise self._refused(error.strerror or str(error), "check the folder") from error
+        return made
+
+    def _remove_empty(self) -> None:
+        """Remove a folder in which no store has been begun."""
+        with suppress(OSError):
+            (self.folder / DONE / LOCK).unlink(missing_ok=True)
+            (self.folder / DONE).rmdir()
+            self.folder.rmdir()
+
+    def _shelf(
+        self, desk: Desk, task: Task, inputs: Mapping[str, Any], attributes: Mapping[str, Any]
+    ) -> Shelf:
+        """Return what writes the store: it is begun, or continued where it stopped."""
+        marks = owner_of(self.folder)
+        if marks is not None and not self.overwrite:
+            refuse_others(self.folder, marks, inputs)
+            chunks = Chunks(shape=task.grid.shape, box=marks.box)
+        else:
+            chunks = Chunks.of(task.grid.shape, self.chunk, batch=task.batch)
+        described = Described(task, chunks, inputs, attributes)
+        try:
+            before = replaced_in(self.folder)
+            if before is not None:
+                remove(self.folder, before)
+            if marks is None or self.overwrite:
+                desk.begin(described, marks)
+            desk.describe(described)
+        except OSError as error:
+            raise self._refused(
+                f"it cannot be described: {error.strerror or error}", "check the folder"
+            ) from error
+        return Shelf(desk, task, described)

@@ -1,0 +1,192 @@
+"""`rocksteady basins`: its contract, its text and its files."""
+
+import csv
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rocksteady import DimensionlessBlock, Harmonic, basins, erosion
+from rocksteady.cli.flags.parsing import axis
+from tests.cli.program import refused, rocksteady
+
+WINDOW = "--angles=-1:1:30 --velocities=-0.6:0.6:30"
+POINT = f"basins -A 0.5 -W 2 -r 0.95 {WINDOW}"
+AXIS = f"basins -A 0.2:1:3 -W 2 -r 0.9 {WINDOW}"
+AXES: dict[str, Any] = {"angles": axis("", "-1:1:30"), "velocities": axis("", "-0.6:0.6:30")}
+FRACTION_KEYS = {
+    "label",
+    "name",
+    "kind",
+    "period",
+    "share",
+    "low",
+    "high",
+    "states",
+    "stroboscopic",
+    "orbit",
+}
+
+
+def test_the_json_keeps_the_contract() -> None:
+    ran = rocksteady(f"{POINT} --json")
+    assert (ran.code, ran.err) == (0, "")
+    values = ran.json
+    assert next(iter(values)) == "schema"
+    assert values["schema"] == "rocksteady/basins/1"
+    assert (values["erosion"], values["drop"], values["seed"]) == (None, None, None)
+    found = basins(
+        DimensionlessBlock(restitution=0.95), Harmonic(amplitude=0.5, frequency_ratio=2.0), **AXES
+    )
+    fractions = values["fractions"]
+    assert len(fractions) == len(found.attractors) > 2
+    for listed, attractor, part in zip(fractions, found.attractors, found.fractions(), strict=True):
+        assert set(listed) == FRACTION_KEYS
+        assert (listed["name"], listed["kind"]) == (attractor.name, attractor.kind.value)
+        assert listed["period"] == attractor.period
+        assert (listed["share"], listed["low"], listed["high"]) == (part.share, part.low, part.high)
+        assert len(listed["stroboscopic"]) == (
+            attractor.period or int(attractor.kind.value == "rest")
+        )
+        assert (listed["orbit"] is None) == (attractor.orbit is None)
+    assert sum(listed["share"] for listed in fractions) == pytest.approx(1.0, abs=1e-12)
+    assert values["angles"] == {"start": -1.0, "stop": 1.0, "count": 30}
+    assert (values["amplitude"], values["frequency_ratio"]) == (0.5, 2.0)
+
+
+def test_a_whole_period_later_nothing_has_changed() -> None:
+    one = rocksteady(f"{POINT} --phase 0.7 --json").json
+    other = rocksteady(f"{POINT} --phase {0.7 + 2.0 * np.pi} --json").json
+    assert one == other
+
+
+def test_a_seed_gives_the_same_twice() -> None:
+    one, other = (rocksteady(f"{POINT} --seed 4 --json").json for _ in range(2))
+    assert one == other
+    assert one["seed"] == 4
+    assert one != rocksteady(f"{POINT} --seed 5 --json").json
+
+
+def test_an_axis_of_amplitudes_is_an_erosion() -> None:
+    ran = rocksteady(f"{AXIS} --json")
+    assert (ran.code, ran.err) == (0, "")
+    values = ran.json
+    assert values["fractions"] is None
+    amplitudes = axis("", "0.2:1:3")
+    found = erosion(DimensionlessBlock(restitution=0.9), 2.0, amplitudes, **AXES)
+    assert [row["amplitude"] for row in values["erosion"]] == amplitudes
+    for name in ("global_integrity", "integrity_factor"):
+        assert [row[name] for row in values["erosion"]] == found.measure(name).tolist()
+        drop = found.drop(name)
+        assert drop is not None
+        assert values["drop"][name] == {
+            "level": 0.5,
+            "low": drop.low,
+            "high": drop.high,
+            "above": drop.above,
+            "below": drop.below,
+        }
+    assert values["heteroclinic_amplitude"] == found.heteroclinic
+    assert "amplitude" not in values
+
+
+def test_a_real_block_is_in_si() -> None:
+    values = rocksteady(f"basins --block tso-wong-1989 -A 1 --freq-hz 2 {WINDOW} --json").json
+    assert values["freq_hz"] == pytest.approx(2.0)
+    (orbit,) = (part["orbit"] for part in values["fractions"] if part["orbit"])
+    assert orbit["peaks_rad"] == [0.2 * peak for peak in orbit["peaks"]]
+    values = rocksteady(f"basins --block tso-wong-1989 -A 0.1:1:2 --freq-hz 2 {WINDOW} --json").json
+    assert values["freq_hz"] == pytest.approx(2.0)
+    assert "accel_g" not in values
+    for row in values["erosion"]:
+        assert row["accel_g"] == pytest.approx(0.2 * row["amplitude"])
+    exact = 0.2 * values["heteroclinic_amplitude"]
+    assert values["heteroclinic_accel_g"] == pytest.approx(exact)
+
+
+@pytest.mark.parametrize("command", [POINT, AXIS])
+def test_the_text_fits_80_columns(command: str) -> None:
+    ran = rocksteady(command)
+    assert (ran.code, ran.err) == (0, "")
+    assert max(map(len, ran.out.splitlines())) <= 80
+    assert "…" not in ran.out
+
+
+def test_what_does_not_settle_is_said_and_has_its_code() -> None:
+    ran = rocksteady(f"basins -A 0.3 -W 2 -r 1 --cycles 50 {WINDOW}")
+    assert ran.code == 3
+    assert "Without loss" in ran.out
+    ran = rocksteady(f"basins -A 6 -W 6 -r 0.25 --cycles 40 {WINDOW}")
+    assert ran.code == 3
+    assert "more --cycles" in ran.out
+
+
+def test_a_state_that_balances_for_ever_is_said_and_is_no_failure() -> None:
+    # At phase 0 those with u + du/ds = 1 - beta Omega lie on the stable manifold of the saddle.
+    ran = rocksteady(
+        "basins -A 0.5 -W 2 -r 0.95 --angles=-1.2:1.2:400 --velocities=-0.6:0.6:400 --json"
+    )
+    (part,) = (part for part in ran.json["fractions"] if part["kind"] == "undecided")
+    assert 0 < part["states"] < 10
+    assert ran.code == 0
+
+
+def test_files_hold_every_state(tmp_path: Path) -> None:
+    table, picture = tmp_path / "b.csv", tmp_path / "b.png"
+    ran = rocksteady(POINT, "--csv", table, "--plot", picture, "--json")
+    assert ran.err == f"wrote {table}\nwrote {picture}\n"
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    with table.open(encoding="utf-8", newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert len(rows) == 900
+    for part in ran.json["fractions"]:
+        assert sum(row["attractor"] == part["name"] for row in rows) == part["states"]
+    assert [float(row["angle"]) for row in rows[:30]] == AXES["angles"]
+    assert "it exists" in refused(POINT, "--csv", table)
+
+
+def test_files_hold_the_erosion(tmp_path: Path) -> None:
+    table, picture = tmp_path / "e.csv", tmp_path / "e.svg"
+    ran = rocksteady(AXIS, "--csv", table, "--plot", picture, "--json")
+    assert ran.code == 0
+    with table.open(encoding="utf-8", newline="") as stream:
+        rows = [
+            {name: float(value) for name, value in row.items()} for row in csv.DictReader(stream)
+        ]
+    assert rows == ran.json["erosion"]
+    assert "<svg" in picture.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("command", "flag", "says"),
+    [
+        ("basins -W 2 -r 0.8", "--amplitude/-A", "exactly one"),
+        ("basins -A 1 -W 1:2:3 -r 0.8", "--frequency-ratio/-W", "one value"),
+        ("basins -A 1 -W 2 -r 0.8 --angles 1", "--angles", "evenly spaced"),
+        ("basins -A 1 -W 2 -r 0.8 --angles log:1:2:5", "--angles", "evenly spaced"),
+        ("basins -A 1 -W 2 -r 0.8 --velocities 0:x:5", "--velocities", "must be a number"),
+        ("basins -A 1 -W 2 -r 0.8 --cycles 0", "--cycles", "whole number"),
+        ("basins -A 1 -W 2 -r 0.8 --seed -1", "--seed", "whole number"),
+        ("basins -A 0:1:3 -W 2 -r 0.8 --seed 1", "--seed", "one amplitude"),
+        ("basins -A 1:0:3 -W 2 -r 0.8", "--amplitude/-A", "must ascend"),
+        ("basins -A -1 -W 2 -r 0.8", "--amplitude/-A", "must lie in"),
+        ("basins -A 1 -W 2 -r 0.8 --phase nan", "--phase", "must lie in"),
+        ("basins -A 0:1:2 -W 2 -r 0.8 --angles 3:4:5 --velocities 1:2:5", "--angles", "stands"),
+    ],
+)
+def test_bad_input_is_one_line_and_leaves_nothing(
+    command: str, flag: str, says: str, tmp_path: Path
+) -> None:
+    line = refused(command, "--plot", tmp_path / "x.png", "--csv", tmp_path / "x.csv")
+    assert flag in line
+    assert says in line
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_an_interval_is_that_of_drawn_states_alone() -> None:
+    point = "basins -A 0.5 -W 2 -r 0.95 --angles=-1:1:20 --velocities=-0.5:0.5:20 --cycles 100"
+    assert "interval" not in rocksteady(point).out
+    assert rocksteady(f"{point} --json").json["confidence"] is None
+    assert "95 % interval" in rocksteady(f"{point} --seed 1").out
+    assert rocksteady(f"{point} --seed 1 --json").json["confidence"] == 0.95

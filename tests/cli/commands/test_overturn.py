@@ -1,0 +1,146 @@
+"""`rocksteady overturn`: its contract, its text, its files and what it refuses."""
+
+import csv
+import re
+from pathlib import Path
+
+import pytest
+import xarray
+
+from rocksteady import Block, DimensionlessBlock, overturning_windows
+from rocksteady.cli.commands import overturn
+from tests.cli.program import refused, rocksteady
+
+POINT = "overturn --pulse one-sine -W 2:6:3 -r 0.9"
+
+
+def test_the_json_keeps_the_contract() -> None:
+    ran = rocksteady(f"{POINT} --json")
+    assert (ran.code, ran.err) == (0, "")
+    values = ran.json
+    assert next(iter(values)) == "schema"
+    assert values["schema"] == "rocksteady/overturn/1"
+    found = overturning_windows(DimensionlessBlock(restitution=0.9), "one-sine", [2.0, 4.0, 6.0])
+    assert [row["frequency_ratio"] for row in values["windows"]] == [2.0, 4.0, 6.0]
+    for index, row in enumerate(values["windows"]):
+        assert row["intervals"] == [list(ends) for ends in found.intervals(index)]
+        assert [tuple(mode["interval"]) for mode in row["modes"]] == [
+            (window.low, window.high) for window in found.at(index)
+        ]
+        assert [mode["impacts"] for mode in row["modes"]] == [1, 0]
+        assert [mode["side"] for mode in row["modes"]] == [-1, 1]
+        assert [mode["endless"] for mode in row["modes"]] == [False, True]
+        assert row["first"] == found.first[index]
+        assert row["closed_form"] == pytest.approx(found.at(index)[1].low, rel=1e-12)
+        assert "intervals_g" not in row
+    assert (values["amplitudes"], values["pulse"]) == ([1.0, 20.0], "one-sine")
+
+
+def test_a_block_is_told_in_g_and_hz() -> None:
+    size = "--width-m 1 --height-m 3 -r 0.85 --gravity-m-s2 9.81"
+    values = rocksteady(f"overturn --pulse one-sine {size} --accel-g 1 --freq-hz 1 --json").json
+    (row,) = values["windows"]
+    assert row["freq_hz"] == pytest.approx(1.0, rel=1e-14)
+    assert row["intervals_g"][0][0] == pytest.approx(0.451540, abs=5.1e-7)  # M1
+    block = Block.rectangle(width=1, height=3, restitution=0.85, gravity=9.81)
+    assert values["amplitudes"] == [1.0, pytest.approx(1.0 / block.alpha)]
+    assert values["block"]["alpha_rad"] == block.alpha
+
+
+def test_the_full_equations_keep_the_contract(tmp_path: Path) -> None:
+    table, picture = tmp_path / "w.csv", tmp_path / "w.png"
+    size = "--alpha-rad 0.25 --p-rad-s 2.14 -r 0.9"
+    point = f"overturn --pulse one-sine -W 5:5.5:2 {size} --model nonlinear"
+    ran = rocksteady(f"{point} --csv {table} --plot {picture} --json")
+    assert ran.code == 0
+    assert ran.json["model"] == "nonlinear"
+    first, _ = ran.json["windows"]
+    ((low, high), (without, top)) = first["intervals"]
+    assert (low, high) == (pytest.approx(3.0323392), pytest.approx(6.743019))
+    assert (without, top) == (pytest.approx(7.4929997), 20.0)
+    assert first["intervals_g"][0][0] == pytest.approx(0.25 * low, rel=1e-14)
+    assert first["closed_form"] is None
+    assert (first["undecided"], first["unsettled"]) == (0, 0)
+    with table.open(encoding="utf-8", newline="") as file:
+        assert float(next(csv.DictReader(file))["low"]) == low
+    assert picture.stat().st_size > 5000
+    text = rocksteady(point).out
+    assert "nonlinear" in text.splitlines()[0]
+    assert "3.0323392" in text
+
+
+def test_the_table_has_a_row_a_window() -> None:
+    ran = rocksteady(f"{POINT} -A 8")
+    assert ran.code == 0
+    lines = [" ".join(line.split()) for line in ran.out.splitlines()]
+    assert "2 1.2251794 2.314403 1 -" in lines
+    assert "2.3499031 the end 0 +" in lines
+    assert lines[-1] == "6 5.1641589 7.669873 1 -"
+    assert all(len(line) <= 80 for line in ran.out.splitlines())
+    assert "stands" in rocksteady("overturn --pulse one-sine -W 12 -r 0.9 -A 2").out
+    many = rocksteady("overturn --pulse type-c2 -W 0.7 -r 0.9 -A 1.2 --resolution 0.01")
+    assert "narrower windows are left out" in many.out
+
+
+def test_the_files_hold_the_same(tmp_path: Path) -> None:
+    names = ("w.csv", "w.nc", "w.png", "w.zarr")
+    table, data, picture, store = (tmp_path / name for name in names)
+    command = f"{POINT} --csv {table} --netcdf {data} --plot {picture} --out {store}"
+    ran = rocksteady(f"{command} --json")
+    assert ran.code == 0
+    with table.open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    modes = [mode for row in ran.json["windows"] for mode in row["modes"]]
+    assert [float(row["low"]) for row in rows] == [mode["interval"][0] for mode in modes]
+    assert [int(row["impacts"]) for row in rows] == [mode["impacts"] for mode in modes]
+    with xarray.open_dataset(data) as kept:
+        assert kept.low.sel(window=0).values.tolist() == [
+            mode["interval"][0] for mode in modes[::2]
+        ]
+    assert picture.stat().st_size > 5000
+    again = rocksteady(f"{command} --json --resume").json
+    assert again["windows"] == ran.json["windows"]
+    assert "exists" in refused(command)
+
+
+@pytest.mark.parametrize(
+    ("command", "words"),
+    [
+        ("overturn -W 2 -r 0.9", "--pulse"),
+        (f"{POINT} --model nonlinear", "--alpha-rad"),
+        (f"{POINT} --model exact", "model"),
+        ("overturn --pulse bell -W 2 -r 0.9", "no pulse of that name"),
+        ("overturn --pulse one-sine -W 2", "--restitution/-r"),
+        ("overturn --pulse one-sine -r 0.9", "--frequency-ratio/-W"),
+        (f"{POINT} --freq-hz 2", "--freq-hz"),
+        (f"{POINT} -A 3:2", "ascend"),
+        (f"{POINT} -A 1:20:30", "range"),
+        (f"{POINT} -A many", "number"),
+        (f"{POINT} -A nan", "ascend"),
+        (f"{POINT} -A -1", "-1"),
+        (f"{POINT} -A 0:inf", "--amplitude/-A"),
+        ("overturn --pulse one-sine -W nan -r 0.9", "--frequency-ratio/-W"),
+        ("overturn --pulse one-sine -W 1:6000:5 -r 0.9", "--frequency-ratio/-W"),
+        ("overturn --pulse one-sine --freq-hz 0 --block tso-wong-1989", "--freq-hz"),
+        ("overturn --pulse one-sine --freq-hz 2 --accel-g 0 --block tso-wong-1989", "--accel-g"),
+        (f"{POINT} -A 1e9", "--amplitude/-A"),
+        (f"{POINT} --accel-g 1", "needs a block"),
+        (f"{POINT} -A 2 --accel-g 1", "both given"),
+        (f"{POINT} --resolution 2", "--resolution"),
+        (f"{POINT} --oscillations 3", "--oscillations"),
+        ("overturn --pulse one-sine -W 0.001 -r 0.9", "--frequency-ratio/-W"),
+        ("overturn --pulse one-sine -W 2 -r 0.9 --plot nowhere.png", "two frequencies"),
+    ],
+)
+def test_what_is_refused_says_so_in_one_line(command: str, words: str) -> None:
+    assert words in refused(command)
+
+
+def test_the_examples_in_the_help_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    examples = re.findall(r"^rocksteady (.*)$", overturn.EXAMPLES, flags=re.MULTILINE)
+    assert len(examples) == 5
+    for example in examples:
+        # Fewer frequencies show the same.
+        assert rocksteady(re.sub(r":200\b|:25\b", ":10", example)).code == 0, example
+    assert len(list(tmp_path.iterdir())) == 2

@@ -1,0 +1,215 @@
+"""`rocksteady record`: what it says of files, what it writes, and what it refuses."""
+
+import csv
+import math
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+from scipy.integrate import cumulative_trapezoid
+
+from rocksteady import Block, Record, intensity_measures, response_spectrum
+from rocksteady.cli.commands import record as command
+from tests.cli.motion_files import at2, real, samples
+from tests.cli.program import refused, rocksteady
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    return at2(tmp_path / "hut.AT2", samples())
+
+
+def record_of(values_g: Any) -> Record:
+    return Record(acceleration_m_s2=9.80665 * values_g, dt_s=0.02)
+
+
+def test_one_file_is_one_object_with_the_keys_of_the_contract(file: Path) -> None:
+    ran = rocksteady("record --json", file)
+    assert (ran.code, ran.err) == (0, "")
+    values = ran.json
+    assert values["schema"] == "rocksteady/record/1"
+    assert values["format"] == "peer-at2"
+    assert (values["npts"], values["dt_s"], values["units_in_file"]) == (601, 0.02, "g")
+    assert values["warnings"] == []
+    truth = intensity_measures(record_of(samples()))
+    assert values["pga_g"] == pytest.approx(np.abs(samples()).max())
+    assert values["pgv_m_s"] == pytest.approx(truth.pgv_m_s)
+    assert values["significant_5_95_s"] == pytest.approx(truth.significant_5_95_s)
+    assert "spectrum" not in values
+    assert "pga_per_uplift" not in values
+
+
+def test_several_files_are_records(file: Path, tmp_path: Path) -> None:
+    other = at2(tmp_path / "other.AT2", samples(2, 0.3))
+    values = rocksteady("record --json", file, other).json
+    assert [row["file"] for row in values["records"]] == [str(file), str(other)]
+    single = rocksteady("record --json", other).json
+    assert {**values["records"][1], "schema": single["schema"]} == single
+    text = rocksteady("record", file, other).out
+    assert [line.split()[0] for line in text.splitlines()] == ["record", "hut.AT2", "other.AT2"]
+
+
+def test_a_block_adds_what_it_feels_and_periods_add_a_spectrum(file: Path) -> None:
+    command = "record --json --width-m 0.4 --height-m 1.6 --periods-s 0.5:2:4 --damping 0.02"
+    values = rocksteady(command, file).json
+    block = Block.rectangle(width=0.4, height=1.6)
+    truth = intensity_measures(record_of(samples()), block, damping=0.02)
+    for name in ("pga_per_uplift", "p_pgv_per_uplift", "p_pgv_per_pga", "housner_intensity_m"):
+        assert values[name] == pytest.approx(getattr(truth, name)), name
+    spectrum = response_spectrum(record_of(samples()), [0.5, 1.0, 1.5, 2.0], damping=0.02)
+    assert values["damping"] == 0.02
+    for name, found in values["spectrum"].items():
+        np.testing.assert_allclose(found, getattr(spectrum, name), err_msg=name)
+
+
+def test_the_text_says_what_the_file_and_the_record_are(file: Path) -> None:
+    ran = rocksteady("record", file)
+    assert ran.code == 0
+    assert "Town, 1/2/1990, Hut, 090" in ran.out
+    assert "601 every 0.02 s, 12 s, in g" in ran.out
+    for words in ("PGA", "PGV/PGA", "Arias intensity", "mean period"):
+        assert words in ran.out
+
+
+def test_a_spectrum_is_printed_where_periods_are_given(file: Path) -> None:
+    lines = rocksteady("record --periods-s 0.5:1:2", file).out.splitlines()
+    spectrum = response_spectrum(record_of(samples()), [0.5, 1.0])
+    at = next(k for k, line in enumerate(lines) if line.startswith("T s"))
+    for line, period, psa in zip(
+        lines[at + 1 : at + 3], (0.5, 1.0), spectrum.pseudo_acceleration_m_s2 / 9.80665, strict=True
+    ):
+        assert [float(word) for word in line.split()[:2]] == pytest.approx([period, psa], rel=1e-4)
+
+
+def test_a_record_is_written_in_the_unit_that_is_asked_for(file: Path, tmp_path: Path) -> None:
+    for unit, column, size in (
+        ("m/s^2", "acceleration_m_s2", 9.80665),
+        ("gal", "acceleration_gal", 980.665),
+        ("g", "acceleration_g", 1.0),
+    ):
+        table = tmp_path / f"{column}.csv"
+        ran = rocksteady("record --units-out", unit, "--csv", table, file)
+        assert (ran.code, ran.err) == (0, f"wrote {table}\n")
+        with table.open(encoding="utf-8", newline="") as stream:
+            rows = list(csv.DictReader(stream))
+        assert list(rows[0]) == ["time_s", column, "velocity_m_s", "displacement_m"]
+        np.testing.assert_allclose([float(row[column]) for row in rows], size * samples())
+        assert float(rows[-1]["time_s"]) == pytest.approx(12.0)
+        # The table says all that is needed to read it again.
+        again = rocksteady("record --json", table).json
+        assert (again["npts"], again["units_in_file"]) == (601, unit)
+        assert again["pga_g"] == pytest.approx(0.6)
+
+
+def test_pictures_of_one_and_of_several(file: Path, tmp_path: Path) -> None:
+    for name, files in (("one.png", [file]), ("several.png", [file, file])):
+        ran = rocksteady("record --json --plot", tmp_path / name, *files)
+        assert ran.code == 0
+        with Image.open(tmp_path / name) as picture:
+            assert picture.size[0] > 1000
+
+
+def test_a_drift_is_said_and_a_line_taken_off_removes_it(tmp_path: Path) -> None:
+    file = at2(tmp_path / "tilted.AT2", samples() + 0.002)
+    ran = rocksteady("record --json", file)
+    assert ran.code == 0
+    assert ran.err.startswith(f"rocksteady: {file}: PGD = ")
+    assert ran.err.count("\n") == 1
+    assert "--baseline linear" in ran.json["warnings"][0]
+    again = rocksteady("record --json --baseline linear", file)
+    assert (again.err, again.json["warnings"]) == ("", [])
+    assert "straight line" in again.json["processing"][0]
+    assert again.json["pgd_m"] < 0.5 * ran.json["pgd_m"]
+
+
+def test_the_examples_in_the_help_run(
+    file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    file.rename("RSN77_PUL164.AT2")
+    Path("column.txt").write_text("\n".join(str(9.80665 * value) for value in samples()))
+    examples = re.findall(r"^rocksteady (.*)$", command.EXAMPLES, flags=re.MULTILINE)
+    assert len(examples) >= 3
+    for example in examples:  # of which a shell makes the names of files
+        ran = rocksteady(example.replace("*.AT2", "RSN77_PUL164.AT2"))
+        assert ran.code == 0, ran.err
+    assert Path("pacoima.png").is_file()
+
+
+def test_every_file_that_cannot_be_read_has_its_line(file: Path, tmp_path: Path) -> None:
+    text = file.read_text()
+    cut, odd = tmp_path / "cut.AT2", tmp_path / "odd.AT2"
+    cut.write_text(text[: len(text) // 2])
+    odd.write_text(text.replace("DT= 0.02", "DT= soon"))
+    ran = rocksteady("record", cut, file, odd)
+    assert (ran.code, ran.out) == (2, "")
+    first, last = ran.err.splitlines()
+    assert first.startswith(f"rocksteady: record = '{cut}' cannot be read: ")
+    assert last.startswith(f"rocksteady: record = '{odd}' cannot be read: line 4")
+
+
+@pytest.mark.parametrize(
+    ("flags", "words"),
+    [
+        ("nowhere.AT2", ["nowhere.AT2"]),
+        ("column.txt", ["column.txt", "unit", "give --units"]),
+        ("column.txt --units g", ["column.txt", "interval", "give --dt-s"]),
+        ("uneven.txt --units g", ["uneven.txt", "line 5", "(--resample)"]),
+        ("uneven.txt --units g --resample --dt-s 1e-12", ["uneven.txt", "another --dt-s"]),
+        ("speed.csv --units g", ["speed.csv", "give --column"]),
+        ("broken.AT2", ["broken.AT2", "line 6", "'0.1.2'"]),
+        ("hut.AT2 --damping 1", ["--damping = 1.0", "[0, 1)"]),
+        ("hut.AT2 --periods-s 0:2:4", ["--periods-s = 0.0", "from 0.0002 s"]),
+        ("hut.AT2 --periods-s x", ["--periods-s = 'x'"]),
+        ("hut.AT2 --csv x.csv --units-out km", ["--units-out = 'km'", "gal"]),
+        ("hut.AT2 --units-out g", ["--units-out = 'g'", "--csv"]),
+        ("hut.AT2 -r 0.9", ["--restitution/-r"]),
+        ("hut.AT2 hut.AT2 --csv all.csv", ["--csv = 'all.csv'", "there are 2"]),
+        ("hut.AT2 --csv hut.AT2", ["--force"]),
+        ("hut.AT2 --format grib", ["--format = 'grib'", "peer-at2"]),
+        ("hut.AT2 --channel 2", ["--channel = '2'", "1 (090)"]),
+        ("hut.AT2 --baseline quadratic", ["--baseline = 'quadratic'"]),
+    ],
+)
+def test_what_is_refused(
+    flags: str, words: list[str], file: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(file.parent)
+    text = file.read_text().splitlines()
+    text[5] = "  0.1.2"
+    Path("broken.AT2").write_text("\n".join(text))
+    Path("column.txt").write_text("0.1\n-0.2\n0.3\n")
+    Path("uneven.txt").write_text("t acc\n0 1\n.1 2\n.2 1\n.35 0\n.4 1\n")
+    Path("speed.csv").write_text("time,velocity,other velocity\n0,1,2\n1,2,3\n2,1,2\n")
+    before = sorted(file.parent.iterdir())
+    line = refused(f"record {flags}")
+    for word in words:
+        assert word in line
+    assert sorted(file.parent.iterdir()) == before
+
+
+@pytest.mark.parametrize(
+    ("pattern", "npts", "dt_s"),
+    [
+        ("RSN6_*ELC180*", 5372, 0.01),
+        ("RSN77_*PUL164*", 4172, 0.01),
+        ("RSN753_*CLS000*", 7997, 0.005),
+    ],
+)
+def test_real_records_beside_sums_of_their_samples(pattern: str, npts: int, dt_s: float) -> None:
+    file = real(pattern)
+    values = rocksteady("record --json", file).json
+    assert (values["npts"], values["dt_s"]) == (npts, dt_s)
+    a = 9.80665 * np.array(" ".join(file.read_text().splitlines()[4:]).split(), dtype=float)
+    velocity = cumulative_trapezoid(a, dx=dt_s)
+    assert values["pga_m_s2"] == pytest.approx(np.abs(a).max())
+    largest = float(np.abs(velocity).max())
+    assert largest <= values["pgv_m_s"] * (1 + 1e-12) <= 1.002 * largest
+    fine = np.interp(np.arange(20 * (npts - 1) + 1) / 20, np.arange(npts), a)
+    energy = np.cumsum(fine * fine) * dt_s / 20
+    assert values["arias_m_s"] == pytest.approx(math.pi / 2 / 9.80665 * energy[-1], rel=1e-3)
+    begin, end = np.searchsorted(energy / energy[-1], [0.05, 0.95]) * dt_s / 20
+    assert values["significant_5_95_s"] == pytest.approx(end - begin, abs=0.1 * dt_s)

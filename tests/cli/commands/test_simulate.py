@@ -1,0 +1,377 @@
+"""`rocksteady simulate`: its contract, its starts, its text and its files."""
+
+import csv
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from rocksteady import Block, DimensionlessBlock, Harmonic, State, Steady, Still, simulate
+from tests.cli.program import refused, rocksteady
+
+SHAKEN = "simulate -A 2 -W 4 -r 0.8"
+BARE = DimensionlessBlock(restitution=0.8)
+MOTION = Harmonic(amplitude=2.0, frequency_ratio=4.0)
+
+
+def test_the_json_of_a_rocking_block_keeps_the_contract() -> None:
+    ran = rocksteady(f"{SHAKEN} --json")
+    assert (ran.code, ran.err) == (0, "")
+    values = ran.json
+    assert next(iter(values)) == "schema"
+    assert values["schema"] == "rocksteady/simulate/1"
+    run = simulate(BARE, MOTION)
+    assert values["status"] == "rocking"
+    assert values["peak"] == run.peak
+    assert values["impacts"] == len(run.impacts)
+    assert type(values["impacts"]) is int
+    assert values["overturn_time_tau"] is None
+    assert "overturn_time_s" not in values
+
+
+def test_the_json_of_an_overturning_block_keeps_the_contract() -> None:
+    values = rocksteady("simulate -A 2 -W 1.7 -r 0.8 --start steady --cycles 40 --json").json
+    run = simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=1.7), start=Steady(), cycles=40)
+    assert values["status"] == "overturned"
+    assert values["overturn_time_tau"] == run.overturn_tau
+    assert values["impacts"] == len(run.impacts)
+
+
+def test_the_json_of_a_real_block_is_in_seconds() -> None:
+    values = rocksteady(
+        "simulate --width-m 0.4 --height-m 1.2 --accel-g 1.2 --freq-hz 0.5 --json"
+    ).json
+    block = Block.rectangle(width=0.4, height=1.2)
+    motion = Harmonic.from_si(block, acceleration_m_s2=1.2 * 9.80665, frequency_hz=0.5)
+    run = simulate(block, motion)
+    assert values["status"] == "overturned"
+    assert values["overturn_time_s"] == run.overturn_time_s
+    assert "overturn_time_tau" not in values
+    assert values["peak_rad"] == pytest.approx(values["peak"] * math.atan(1.0 / 3.0))
+    assert (values["accel_g"], values["freq_hz"]) == pytest.approx((1.2, 0.5))
+    assert values["block"]["p_rad_s"] == block.p
+
+
+def test_free_rocking_comes_to_rest() -> None:
+    values = rocksteady("simulate --block zhang-makris-2001 --start 0.6,w=0 --json").json
+    block = Block.from_p(alpha=0.25, p=2.14, restitution=0.9)
+    run = simulate(block, Still(), start=State(angle=0.6, velocity=0.0))
+    assert values["status"] == "at-rest"
+    assert values["peak"] == 0.6
+    assert run.rest_s is not None
+    assert values["rest_time_s"] == run.rest_s / 2.14
+    assert values["overturn_time_s"] is None
+    assert "amplitude" not in values
+
+
+# ---------------------------------------------------------------------------------- starts
+
+
+@pytest.mark.parametrize(
+    ("flags", "start", "phase"),
+    [
+        ("--start rest", State(angle=0.0, velocity=0.0), 0.0),
+        ("--start 0.4,0", State(angle=0.4, velocity=0.0), 0.0),
+        ("--start 0.1,0.2", State(angle=0.1, velocity=0.8), 0.0),
+        ("--start 0.1,w=0.2", State(angle=0.1, velocity=0.2), 0.0),
+        ("--start -0.1,-2e-1", State(angle=-0.1, velocity=-0.8), 0.0),
+        ("--start=-0.1,w=-0.2 --phase 1.5", State(angle=-0.1, velocity=-0.2), 1.5),
+        ("--start 0,w=0.3 --phase -1", State(angle=0.0, velocity=0.3), -1.0),
+    ],
+)
+def test_every_form_of_a_start(flags: str, start: State, phase: float) -> None:
+    values = rocksteady(f"{SHAKEN} --cycles 3 {flags} --json").json
+    motion = Harmonic(amplitude=2.0, frequency_ratio=4.0, phase=phase)
+    run = simulate(BARE, motion, start=start, cycles=3)
+    assert values["peak"] == run.peak
+    assert values["impacts"] == len(run.impacts)
+    assert values["phase"] == phase
+
+
+def test_a_steady_start_keeps_its_peak() -> None:
+    values = rocksteady(f"{SHAKEN} --start steady --json").json
+    assert values["peak"] == pytest.approx(0.1854991060, abs=5.1e-11)
+    assert values["phase"] == pytest.approx(2.8465425429, abs=5.1e-11)
+    third = rocksteady("simulate -A 2 -W 6 -r 0.8 --start steady:1 -n 3 --json").json
+    assert third["peak"] == pytest.approx(0.2888312915, abs=5.1e-11)
+
+
+def test_the_side_decides_the_fate_of_an_unstable_start() -> None:  # E6
+    command = "simulate -A 1 -W 1 -r 0.8 --start steady:2 --json --side"
+    assert rocksteady(command, "+").json["status"] == "overturned"
+    assert rocksteady(command, "-").json["status"] == "at-rest"
+    assert rocksteady(command[: -len(" --side")]).json["status"] == "overturned", "+ is the default"
+
+
+@pytest.mark.parametrize(
+    ("flags", "needle"),
+    [
+        ("--start foo", "'foo'"),
+        ("--start steady:3", "'steady:3'"),
+        ("--start steady:0", "'steady:0'"),
+        ("--start steady:", "'steady:'"),
+        ("--start steady:-1", "'steady:-1'"),
+        ("--start 1", "'1'"),
+        ("--start 1,2,3", "'1,2,3'"),
+        ("--start a,0", "'a,0'"),
+        ("--start 0,w=b", "'0,w=b'"),
+        ("--start 0,v=1", "'0,v=1'"),
+        ("--start nan,0", "'nan,0'"),
+        ("--start 0,w=inf", "'0,w=inf'"),
+        ("--start 1e60,0", "1e+60"),
+        ("--side 1", "'1'"),
+        ("--side left", "'left'"),
+        ("--start steady --phase 1", "1.0"),
+        ("--phase nan", "nan"),
+        ("--cycles 0", "0.0"),
+        ("--cycles -3", "-3.0"),
+        ("--cycles nan", "nan"),
+        ("--cycles inf", "inf"),
+        ("--cycles 1e300", "1e+300"),
+        ("--cycles ten", "'ten'"),
+        ("--samples 0", "0"),
+        ("--samples 1.5", "'1.5'"),
+        ("-n 2", "2"),
+        ("-n 2 --start steady", "2"),
+    ],
+)
+def test_a_bad_start_or_length_is_refused(flags: str, needle: str) -> None:
+    line = refused(f"{SHAKEN} {flags}")
+    assert needle in line
+    flag = flags.split(maxsplit=1)[0]
+    assert flag in line or "--phase" in line or "--order" in line
+
+
+def test_a_steady_start_that_is_none_says_what_was_typed_and_what_to_do() -> None:
+    line = refused("simulate -A 0.2 -W 4 -r 0.8 --start steady")
+    assert "--start = 'steady' " in line
+    assert "0.260201 or above" in line
+    line = refused("simulate -A 2 -W 4 -r 0.8 --start steady:2")
+    assert "--start = 'steady:2' " in line
+    assert "floor" in line
+
+
+@pytest.mark.parametrize(
+    ("flags", "needle"),
+    [
+        ("", "'rest'"),
+        ("--start steady", "needs shaking"),
+        ("--start 0.5,0", "U,w=V"),
+        ("--start 0.5,w=0 --phase 1", "--phase = 1.0"),
+        ("--start 0.5,w=0 --cycles 10", "--cycles = 10.0"),
+    ],
+)
+def test_what_has_no_meaning_without_shaking_is_refused(flags: str, needle: str) -> None:
+    assert needle in refused(f"simulate -r 0.8 {flags}")
+
+
+def test_an_axis_is_refused() -> None:
+    line = refused("simulate -A 1:2:3 -W 4 -r 0.8")
+    assert "--amplitude/-A has 3 values" in line
+    assert "--frequency-ratio/-W has 5 values" in refused("simulate -A 1 -W 2:4:5 -r 0.8")
+
+
+def test_a_run_that_cannot_be_decided_ends_with_3(monkeypatch: pytest.MonkeyPatch) -> None:
+    import rocksteady.dynamics.history.simulate as module
+
+    whole = module.simulate
+    monkeypatch.setattr(module, "simulate", lambda *a, **k: whole(*a, **k, flight_limit=5))
+    ran = rocksteady(f"{SHAKEN} --json")
+    assert ran.code == 3
+    assert ran.json["status"] == "undecided"
+
+
+# ------------------------------------------------------------------------------------ text
+
+
+@pytest.mark.parametrize(
+    ("command", "words"),
+    [
+        (SHAKEN, ["rocking", "impacts", "0.36009221"]),
+        ("simulate -A 0.5 -W 4 -r 0.8", ["at-rest", "pt = 0"]),
+        (
+            "simulate -A 4 -W 1 --block tso-wong-1989",
+            ["overturned", "overturns at", "tau =", "periods", " s", "rad"],
+        ),
+    ],
+)
+def test_the_text_says_how_it_ended(command: str, words: list[str]) -> None:
+    ran = rocksteady(command)
+    assert (ran.code, ran.err) == (0, "")
+    for word in words:
+        assert word in ran.out
+
+
+# ----------------------------------------------------------------------------------- files
+
+
+def test_the_csv_holds_the_motion_and_every_impact(tmp_path: Path) -> None:
+    file = tmp_path / "run.csv"
+    command = "simulate --alpha-rad 0.2 --p-rad-s 3 -r 0.8 -A 2 -W 4 --cycles 5 --samples 10 --csv"
+    ran = rocksteady(command, file)
+    assert ran.code == 0
+    rows = list(csv.DictReader(file.read_text(encoding="utf-8").splitlines()))
+    table = {name: np.array([float(row[name]) for row in rows]) for name in rows[0]}
+    block = Block.from_p(alpha=0.2, p=3.0, restitution=0.8)
+    run = simulate(block, MOTION, cycles=5)
+    motion = run(run.times(10))
+    np.testing.assert_array_equal(table["pivot_time"], motion.s)
+    np.testing.assert_array_equal(table["angle_per_alpha"], motion.angle)
+    np.testing.assert_array_equal(table["velocity_per_pivot_time"], motion.velocity)
+    np.testing.assert_array_equal(table["acceleration_per_pivot_time2"], motion.acceleration)
+    np.testing.assert_array_equal(table["energy"], motion.energy)
+    np.testing.assert_allclose(table["tau"], 4.0 * motion.s)
+    np.testing.assert_allclose(table["time_s"], motion.s / 3.0)
+    np.testing.assert_allclose(table["angle_rad"], 0.2 * motion.angle)
+    np.testing.assert_allclose(
+        table["base_acceleration_m_s2"], 2.0 * 0.2 * 9.80665 * np.sin(4.0 * motion.s), atol=1e-12
+    )
+    assert np.isin(run.impacts.s, table["pivot_time"]).all()
+    assert len(rows) > 50
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        SHAKEN,
+        "simulate -A 2 -W 1.7 -r 0.8 --start steady",
+        "simulate -A 0.5 -W 4 -r 0.8",
+        "simulate --block zhang-makris-2001 --start 0.6,w=0",
+        "simulate -r 0.8 --start 1,w=0",
+        "simulate -r 0.8 --start 1.5,w=0",
+        "simulate -A 2 -W 4 -r 0.8 --cycles 1e-9",
+    ],
+)
+def test_every_kind_of_run_can_be_drawn(command: str, tmp_path: Path) -> None:
+    file = tmp_path / "run.png"
+    ran = rocksteady(f"{command} --json --plot", file)
+    assert ran.code == 0
+    assert ran.json["schema"] == "rocksteady/simulate/1"
+    assert file.read_bytes().startswith(b"\x89PNG")
+    assert [path.name for path in tmp_path.iterdir()] == ["run.png"]
+
+
+# ------------------------------------------------------------------------------------ film
+
+FALL = "simulate --block tso-wong-1989 -A 4 -W 1.5"
+
+
+def test_a_film_is_written_beside_the_other_outputs(tmp_path: Path) -> None:
+    film, table = tmp_path / "fall.gif", tmp_path / "fall.csv"
+    ran = rocksteady(f"{FALL} --json --csv", table, "--animate", film)
+    assert ran.code == 0
+    assert ran.json["status"] == "overturned"
+    assert ran.err.splitlines() == [f"wrote {table}", f"wrote {film}"], (
+        "and no bar without a terminal"
+    )
+    assert film.read_bytes().startswith(b"GIF89a")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["fall.csv", "fall.gif"]
+
+
+def test_the_speed_of_a_film_changes_its_length(tmp_path: Path) -> None:
+    lengths = []
+    for speed in ("1", "0.5"):
+        file = tmp_path / f"{speed}.gif"
+        assert rocksteady(f"{FALL} --speed {speed} --animate", file).code == 0
+        with Image.open(file) as picture:
+            total = 0
+            for frame in range(getattr(picture, "n_frames", 1)):
+                picture.seek(frame)
+                total += picture.info["duration"]
+        lengths.append(total)
+    # What is left of a second is its last picture; frames come in steps of 40 ms.
+    assert lengths[1] - 1000 == pytest.approx(2 * (lengths[0] - 1000), abs=81)
+
+
+@pytest.mark.parametrize(
+    ("flags", "needles"),
+    [
+        ("--animate run.mp4", ["--animate", "'run.mp4'", ".gif"]),
+        ("--animate run", ["--animate", "'run'", ".gif"]),
+        ("--animate no/run.gif", ["--animate", "does not exist"]),
+        ("--animate run.gif --csv run.gif", ["--animate", "--csv writes the same file"]),
+        ("--speed 2", ["--speed", "2.0", "--animate"]),
+        ("--speed 0 --animate run.gif", ["--speed", "0.0"]),
+        ("--speed nan --animate run.gif", ["--speed", "nan"]),
+        ("--speed fast --animate run.gif", ["--speed", "'fast'"]),
+    ],
+)
+def test_a_film_that_cannot_be_is_refused_before_anything_is_computed(
+    flags: str, needles: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import rocksteady.dynamics.history.simulate as module
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(module, "simulate", None)
+    line = refused(f"{SHAKEN} {flags}")
+    for needle in needles:
+        assert needle in line
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_an_existing_film_is_left_alone_without_force(tmp_path: Path) -> None:
+    file = tmp_path / "fall.gif"
+    file.write_text("precious")
+    assert "--force" in refused(f"{FALL} --animate", file)
+    assert file.read_text() == "precious"
+    assert rocksteady(f"{FALL} --force --animate", file).code == 0
+    assert file.read_bytes().startswith(b"GIF89a")
+
+
+@pytest.mark.parametrize(
+    ("command", "hint"),
+    [
+        (f"{SHAKEN} --cycles 60", "--cycles"),
+        ("simulate -A 0.5 -W 4 -r 0.8 --cycles 1e5 --start rest", "--cycles"),
+        ("simulate -r 1 --start 0.5,w=0", "--speed"),
+        (f"{SHAKEN} --speed 1000", "--speed = 1000.0 "),
+    ],
+)
+def test_a_run_too_long_for_a_film_leaves_no_file(
+    command: str, hint: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    line = refused(f"{command} --csv run.csv --plot run.png --animate run.gif")
+    assert "at least 8" in line
+    assert hint in line
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_run_of_any_length_is_too_long_for_a_film_at_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    still = "simulate -A 0.5 -W 4 -r 0.8 --cycles 1e9 --start rest --plot run.png"
+    assert "at least 8" in refused(f"{still} --animate run.gif")
+    assert "at most 50,000,000 rows" in refused(f"{still} --csv run.csv --animate run.gif")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_disk_that_fills_leaves_no_film(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    import rocksteady.show.film.gif as module
+
+    def full(_film: object, target: Path, _progress: object) -> None:
+        target.write_bytes(b"GIF89a")
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(module, "save_gif", full)
+    line = refused(f"{FALL} --animate", tmp_path / "fall.gif")
+    assert "--animate = " in line
+    assert "No space left on device" in line
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("flags", "words"),
+    [
+        ("--left-m 1e308 --right-m 0.3 --height-m 2 -A 2 -W 4", ["--left-m = 1e+308"]),
+        ("--left-m 0.3 --right-m 1e308 --height-m 2 -A 2 -W 4", ["--right-m = 1e+308"]),
+        ("-A 2 -W 4 -r 0.8 --samples 1000000000", ["--samples = 1000000000"]),
+        ("-A 2 -W 4 -r 0.8 --samples 1000 --cycles 1e9 --csv a.csv", ["--samples", "--cycles"]),
+    ],
+)
+def test_what_explodes_is_refused_by_its_own_flag(flags: str, words: list[str]) -> None:
+    line = refused(f"simulate {flags}")
+    assert all(word in line for word in words), line

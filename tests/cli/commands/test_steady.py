@@ -1,0 +1,292 @@
+"""`rocksteady steady`: its contract, its text and its files."""
+
+import csv
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rocksteady import Block, steady_states
+from rocksteady.dynamics.steady.regions import REGIONS
+from tests.cli.program import refused, rocksteady
+
+POINT = "steady -A 2 -W 4 -r 0.8"
+SOLUTION_KEYS = {
+    "branch": int,
+    "kind": str,
+    "phase": float,
+    "velocity": float,
+    "peak": float,
+    "admissible": bool,
+    "half_cycle_multipliers": list,
+    "stable": bool,
+}
+
+
+def solutions(command: str) -> list[dict[str, Any]]:
+    found = rocksteady(f"{command} --json").json["solutions"]
+    assert isinstance(found, list)
+    return found
+
+
+def test_the_json_of_a_point_keeps_the_contract() -> None:
+    ran = rocksteady(f"{POINT} --json")
+    assert (ran.code, ran.err) == (0, "")
+    values = ran.json
+    assert next(iter(values)) == "schema"
+    assert values["schema"] == "rocksteady/steady/1"
+    states = steady_states(2.0, 4.0, 0.8)
+    assert values["region"] == 2
+    assert values["boundaries"] == {
+        "existence": float(states.existence),
+        "kind": float(states.kind),
+        "sign": float(states.sign),
+    }
+    assert [solution["branch"] for solution in values["solutions"]] == [1, 2]
+    assert states.peak is not None
+    for which, solution in enumerate(values["solutions"]):
+        assert solution["phase"] == states.phase[which]
+        assert solution["velocity"] == states.velocity[which]
+        assert solution["peak"] == states.peak[which]
+        assert solution["half_cycle_multipliers"] == [
+            [m.real, m.imag] for m in states.multipliers[which]
+        ]
+    first, second = values["solutions"]
+    for name, kind in SOLUTION_KEYS.items():
+        assert type(first[name]) is kind, name
+    assert (first["kind"], first["admissible"], first["stable"]) == ("out-of-phase", True, True)
+    assert (second["kind"], second["admissible"], second["stable"]) == ("in-phase", False, None)
+    assert first["phase"] == pytest.approx(2.8465425429, abs=5.1e-11)
+
+
+@pytest.mark.parametrize(
+    ("point", "region"),
+    [
+        ("-A 1 -W 4 -r 0.8", 1),
+        ("-A 2 -W 4 -r 0.8", 2),
+        ("-A 0.75 -W 4 -r 0.5", 3),
+        ("-A 0.1 -W 4 -r 0.8", 4),
+        ("-A 5 -W 8 -r 0.5 -n 3", 5),
+    ],
+)
+def test_every_region_is_named_and_region_4_has_no_solution(point: str, region: int) -> None:
+    values = rocksteady(f"steady {point} --json").json
+    assert values["region"] == region
+    assert values["region_meaning"] == REGIONS[region]
+    assert len(values["solutions"]) == (0 if region == 4 else 2)
+    text = rocksteady(f"steady {point}")
+    assert text.code == 0
+    assert f"region {region}: {REGIONS[region]}" in text.out
+
+
+def test_a_neutral_solution_is_not_stable() -> None:
+    first, second = solutions("steady -A 1 -W 4 -r 1")
+    assert (first["stable"], first["neutral"]) == (False, True)
+    assert (second["stable"], second["neutral"]) == (False, False)
+    assert first["phase"] == math.pi
+    assert "neutral" in rocksteady("steady -A 1 -W 4 -r 1").out
+
+
+def test_what_is_infinite_is_null() -> None:
+    first, _ = solutions("steady -A 2 -W 0.01 -n 3 -r 0.8")
+    assert first["half_cycle_multipliers"][0][0] is None
+    assert first["half_cycle_trace"] is None
+
+
+def test_the_text_is_for_80_columns_and_says_what_matters() -> None:
+    ran = rocksteady(POINT)
+    for word in ("stable", "inadmissible", "2.846542542853", "0.185499105986", "eq 23", "region 2"):
+        assert word in ran.out
+    assert max(map(len, rocksteady("steady -A 0.1 -W 4 -r 0.8").out.splitlines())) <= 80
+
+
+def test_long_and_short_flags_are_the_same() -> None:
+    short = rocksteady("steady -A 2 -W 6 -r 0.8 -n 3 --json").out
+    long = rocksteady(
+        "steady --amplitude 2 --frequency-ratio=6 --restitution 0.8 --order 3 --json"
+    ).out
+    assert short == long
+    assert '"order": 3' in short
+
+
+# ---------------------------------------------------------------------------------- blocks
+
+
+@pytest.mark.parametrize(
+    ("flags", "block"),
+    [
+        ("--width-m 0.4 --height-m 1.2", Block.rectangle(width=0.4, height=1.2)),
+        ("--alpha-rad 0.25 --radius-m 0.8", Block.from_radius(alpha=0.25, radius=0.8)),
+        ("--alpha-rad 0.25 --p-rad-s 2.5", Block.from_p(alpha=0.25, p=2.5)),
+        (
+            "--width-m 0.4 --height-m 1.2 -r 0.7 --gravity-m-s2 9.81",
+            Block.rectangle(width=0.4, height=1.2, restitution=0.7, gravity=9.81),
+        ),
+        (
+            "--width-m 0.4 --height-m 1.2 -r housner",
+            Block.rectangle(width=0.4, height=1.2),
+        ),
+        ("--block zhang-makris-2001", Block.from_p(alpha=0.25, p=2.14, restitution=0.9)),
+        (
+            "--block zhang-makris-2001 -r housner",
+            Block.from_p(alpha=0.25, p=2.14),
+        ),
+    ],
+)
+def test_a_block_by_any_flags(flags: str, block: Block) -> None:
+    values = rocksteady(f"steady {flags} --accel-g 0.9 --freq-hz 2 --json").json
+    assert values["block"] == {
+        "alpha_rad": block.alpha,
+        "radius_m": block.radius,
+        "p_rad_s": block.p,
+        "restitution": block.restitution,
+    }
+    assert values["restitution"] == block.restitution
+    # A = a_max/(alpha g), Omega = omega/p
+    assert values["amplitude"] == pytest.approx(0.9 / block.alpha, rel=1e-14)
+    assert values["frequency_ratio"] == pytest.approx(4.0 * math.pi / block.p, rel=1e-14)
+    assert values["accel_g"] == pytest.approx(0.9, rel=1e-14)
+    assert values["freq_hz"] == pytest.approx(2.0, rel=1e-14)
+    for solution in values["solutions"]:
+        assert solution["peak_rad"] == pytest.approx(solution["peak"] * block.alpha)
+
+
+def test_dimensionless_and_si_measures_may_be_mixed() -> None:
+    one = rocksteady("steady --alpha-rad 0.2 --p-rad-s 3 -A 2 --freq-hz 2 --json").json
+    two = rocksteady("steady --alpha-rad 0.2 --p-rad-s 3 --accel-g 0.4 --freq-hz 2 --json").json
+    assert one["amplitude"] == 2.0
+    assert two["amplitude"] == pytest.approx(2.0, rel=1e-15)
+    three = rocksteady("steady --alpha-rad 0.2 --p-rad-s 3 --accel-g 0.4 -W 4 --json").json
+    assert three["frequency_ratio"] == 4.0
+    assert three["amplitude"] == two["amplitude"]
+
+
+# ------------------------------------------------------------------------------------ axes
+
+
+def test_axes_include_both_ends_and_go_amplitude_first() -> None:
+    values = rocksteady("steady -A 1:3:5 -W log:2:8:3 -r 0.8 --json").json
+    assert values["schema"] == "rocksteady/steady/1"
+    points = [(p["amplitude"], p["frequency_ratio"]) for p in values["points"]]
+    expected = [(a, w) for a in (1.0, 1.5, 2.0, 2.5, 3.0) for w in (2.0, 4.0, 8.0)]
+    np.testing.assert_allclose(points, expected, rtol=1e-15)
+    assert points[0] == (1.0, 2.0)
+    assert points[-1] == (3.0, 8.0)
+    alone = rocksteady("steady -A 2 -W 8 -r 0.8 --json").json
+    assert values["points"][8] == {k: v for k, v in alone.items() if k != "schema"}
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("1:2", "start:stop:count"),
+        ("1:2:3:4", "start:stop:count"),
+        ("log:1:2", "start:stop:count"),
+        ("lin:1:2:3", "start:stop:count"),
+        ("1:2:1", "from 2 to"),
+        ("1:2:0", "from 2 to"),
+        ("1:2:99999999", "from 2 to"),
+        ("1:2:2.5", "start:stop:count"),
+        ("1:2:-3", "start:stop:count"),
+        ("log:0:2:3", "above 0"),
+        ("log:-1:2:3", "above 0"),
+        ("nan:2:3", "finite"),
+        ("1:inf:3", "finite"),
+        ("a:2:3", "number"),
+        ("", "number"),
+    ],
+)
+def test_a_bad_axis_is_refused_with_the_form(text: str, reason: str) -> None:
+    line = refused("steady -W 4 -r 0.8 -A", text)
+    assert "--amplitude/-A" in line
+    assert reason in line
+    assert repr(text) in line or repr(text.partition(":")[0]) in line
+
+
+def test_an_axis_through_a_bad_value_is_refused() -> None:
+    assert "-1.0" in refused("steady -A -1:1:3 -W 4 -r 0.8")
+    assert "--frequency-ratio/-W = 0.0" in refused("steady -A 1 -W 0:4:3 -r 0.8")
+
+
+def test_the_text_of_axes_counts_what_was_found() -> None:
+    ran = rocksteady("steady -A 0.1:2:2 -W 4:8:2 -r 0.8")
+    assert "4 points, of which 2 have solutions" in ran.out
+    assert "branch 1: 2 admissible, 2 stable" in ran.out
+
+
+# ----------------------------------------------------------------------------------- files
+
+
+def test_the_csv_holds_every_solution_to_the_last_digit(tmp_path: Path) -> None:
+    file = tmp_path / "steady.csv"
+    ran = rocksteady("steady -A 0.1:2:3 -W 4:8:2 -r 0.8 --csv", file)
+    assert ran.code == 0
+    assert f"wrote {file}" in ran.err
+    assert str(file) not in ran.out
+    rows = list(csv.DictReader(file.read_text(encoding="utf-8").splitlines()))
+    states = steady_states(np.array([0.1, 1.05, 2.0])[:, np.newaxis], [4.0, 8.0], 0.8)
+    index = np.argwhere(states.region != 4)
+    assert len(rows) == 2 * len(index)
+    for row, (i, j, which) in zip(
+        rows, [(i, j, which) for i, j in index for which in (0, 1)], strict=True
+    ):
+        assert float(row["amplitude"]) == states.amplitude[i, j]
+        assert float(row["phase_rad"]) == states.phase[which, i, j]
+        assert float(row["velocity_per_tau"]) == states.velocity[which, i, j]
+        assert int(row["branch"]) == which + 1
+        assert row["admissible"] == str(bool(states.admissible[which, i, j]))  # type: ignore[index]
+        stable = str(bool(states.stable[which, i, j])) if row["admissible"] == "True" else ""
+        assert row["stable"] == stable
+
+
+PNG = b"\x89PNG\r\n"
+
+
+@pytest.mark.parametrize(
+    ("command", "ending", "magic"),
+    [
+        (POINT, "png", PNG),
+        (POINT, "svg", b"<?xml"),
+        (POINT, "pdf", b"%PDF"),
+        (POINT, "PNG", PNG),
+        ("steady -A 0.1 -W 4 -r 0.8", "png", PNG),
+        ("steady -A 2 -W 60 -r 1", "png", PNG),
+        ("steady -A 1:3:3 -W 2:8:20 -r 0.8", "png", PNG),
+        ("steady -A 0.01:0.02:2 -W 2:8:5 -r 0.8", "png", PNG),
+        ("steady --alpha-rad 0.2 --p-rad-s 6.28 -A 3 -W 2:8:20 -r 0.8 -n 3", "png", PNG),
+    ],
+)
+def test_plots_are_written_whole(command: str, ending: str, magic: bytes, tmp_path: Path) -> None:
+    file = tmp_path / f"figure.{ending}"
+    assert rocksteady(f"{command} --plot", file).code == 0
+    assert file.read_bytes().startswith(magic)
+    assert [path.name for path in tmp_path.iterdir()] == [file.name]
+
+
+def test_a_plot_of_amplitudes_at_one_frequency_is_refused_before_anything_is_written(
+    tmp_path: Path,
+) -> None:
+    table, figure = tmp_path / "a.csv", tmp_path / "a.png"
+    line = refused("steady -A 1:2:3 -W 4 -r 0.8 --csv", table, "--plot", figure)
+    assert "--plot" in line
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_axes_in_g_and_hertz_are_the_dimensionless_ones_of_the_block() -> None:
+    in_si = rocksteady("steady --block tso-wong-1989 --accel-g 0.2:0.6:3 --freq-hz 2:8:4 --json")
+    plain = rocksteady("steady --block tso-wong-1989 -A 1:3:3 -W 2:8:4 --json")
+    pairs = zip(json.loads(in_si.out)["points"], json.loads(plain.out)["points"], strict=True)
+    for one, other in pairs:
+        assert one["amplitude"] == pytest.approx(other["amplitude"], rel=1e-12)
+        assert one["frequency_ratio"] == pytest.approx(other["frequency_ratio"], rel=1e-12)
+        assert one["region"] == other["region"]
+
+
+def test_axes_too_long_together_are_refused_before_anything_is_computed() -> None:
+    ran = rocksteady("steady -A 1:2:200000 -W 1:2:1000000 -r 0.8")
+    assert (ran.code, ran.out) == (2, "")
+    assert "200000 amplitudes x 1000000 frequencies" in ran.err
+    assert len(ran.err.splitlines()) == 1

@@ -1,0 +1,257 @@
+"""`rocksteady simulate --record`: the runs, their files, the published peaks, what is refused."""
+
+import csv
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from rocksteady import Block, Record, State, simulate
+from rocksteady.cli.present.shared import case_text
+from tests.cli.motion_files import at2, real, samples
+from tests.cli.program import refused, rocksteady
+from tests.records.published import AT_PACOIMA_DAM, PEAKS
+
+BLOCK = Block.rectangle(width=0.4, height=1.6)
+SIZE = "--width-m 0.4 --height-m 1.6"
+
+
+@pytest.fixture
+def files(tmp_path: Path) -> tuple[Path, Path]:
+    across = at2(tmp_path / "across.AT2", samples())
+    return across, at2(tmp_path / "up.AT2", samples(9, 0.4), component="UP")
+
+
+def record_of(values_g: np.ndarray) -> Record:
+    return Record(acceleration_m_s2=9.80665 * values_g, dt_s=0.02)
+
+
+@pytest.mark.parametrize("model", ["linear", "nonlinear"])
+def test_a_run_is_that_of_the_library(files: tuple[Path, Path], model: str) -> None:
+    values = rocksteady(f"simulate {SIZE} --model {model} --json --record", files[0]).json
+    truth = simulate(BLOCK, record_of(samples()), model=model)  # type: ignore[arg-type]
+    assert values["status"] == truth.status.label == "at-rest"
+    assert values["peak"] == pytest.approx(truth.peak, rel=1e-9)
+    assert values["impacts"] == len(truth.impacts) > 5
+    assert values["overturn_time_s"] is None
+    assert values["rest_time_s"] == pytest.approx((truth.rest_s or 0.0) / BLOCK.p)
+    assert values["record"] == "across"
+    assert (values["npts"], values["dt_s"]) == (601, 0.02)
+    assert values["pga_g"] == pytest.approx(0.6)
+
+
+def test_scale_and_reverse(files: tuple[Path, Path]) -> None:
+    command = f"simulate {SIZE} --start 0.02,w=0 --json --record"
+    plain = rocksteady(command, files[0]).json
+    values = rocksteady(command, files[0], "--scale", "0.5", "--reverse").json
+    truth = simulate(BLOCK, record_of(-0.5 * samples()), start=State(angle=0.02, velocity=0.0))
+    assert values["peak"] == pytest.approx(truth.peak, rel=1e-9)
+    assert values["pga_g"] == pytest.approx(0.3)
+    assert values["peak"] != plain["peak"]
+    # From rest the mirror image has the same peak.
+    command = f"simulate {SIZE} --json --record"
+    one, other = (rocksteady(command, files[0], *more).json for more in ([], ["--reverse"]))
+    assert one["peak"] == pytest.approx(other["peak"], rel=1e-12)
+    fallen = rocksteady(command, files[0], "--scale", "8").json
+    assert fallen["status"] == "overturned"
+    assert fallen["overturn_time_s"] > 0.0
+
+
+def test_vertical_motion_is_scaled_with_the_record_and_not_reversed(
+    files: tuple[Path, Path],
+) -> None:
+    across, up = files
+    command = f"simulate {SIZE} --model nonlinear --json --scale 0.8 --reverse --vertical"
+    values = rocksteady(command, up, "--record", across).json
+    truth = simulate(
+        BLOCK,
+        record_of(-0.8 * samples()),
+        vertical=record_of(0.8 * samples(9, 0.4)),
+        model="nonlinear",
+    )
+    assert values["peak"] == pytest.approx(truth.peak, rel=1e-9)
+    assert values["peak"] != pytest.approx(
+        simulate(BLOCK, record_of(-0.8 * samples()), model="nonlinear").peak, rel=1e-3
+    )
+    assert (values["vertical"], values["vertical_pga_g"]) == ("up", pytest.approx(0.32))
+
+
+def test_one_file_may_hold_what_shakes_across_and_upwards(
+    files: tuple[Path, Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from rocksteady.records import read
+
+    command = f"simulate {SIZE} --model nonlinear --json --record"
+    apart = rocksteady(command, files[0], "--vertical", files[1]).json
+    both = tmp_path / "both"
+    (across,), (up,) = (read.read_recordings(file) for file in files)
+    channels = (
+        replace(across, component="NS", orientation="horizontal", warnings=("its clock is odd",)),
+        replace(up, component="UP", orientation="vertical"),
+    )
+    monkeypatch.setattr(read, "read_recordings", lambda *_, **__: channels)
+    ran = rocksteady(command, both, "--channel", "NS", "--vertical", both)
+    assert ran.json["peak"] == pytest.approx(apart["peak"], rel=1e-9)
+    assert ran.err == f"rocksteady: {both}: its clock is odd\n"
+    line = refused(command, both)
+    assert "--channel is not given" in line
+    assert "1 (NS), 2 (UP)" in line
+    monkeypatch.setattr(
+        read, "read_recordings", lambda *_, **__: (replace(across, orientation="horizontal"),) * 2
+    )
+    assert "0 are vertical" in refused(command, files[0], "--channel", 1, "--vertical", both)
+
+
+def test_a_vertical_whose_direction_is_not_stated(files: tuple[Path, Path], tmp_path: Path) -> None:
+    plain = tmp_path / "plain.csv"
+    rows = "".join(f"{0.02 * at:.2f},{value:.6f}\n" for at, value in enumerate(samples(9, 0.4)))
+    plain.write_text(f"time (s),acc (g)\n{rows}")
+    ran = rocksteady(f"simulate {SIZE} --model nonlinear --record", files[0], "--vertical", plain)
+    assert "is not stated: it is taken as vertical, upwards" in " ".join(ran.err.split())
+
+
+def test_a_vertical_that_is_filed_downwards(files: tuple[Path, Path], tmp_path: Path) -> None:
+    across, up = files
+    down = at2(tmp_path / "dn.AT2", -samples(9, 0.4), component="DWN")
+    command = f"simulate {SIZE} --model nonlinear --json --record"
+    plain, turned = (rocksteady(command, across, "--vertical", one) for one in (up, down))
+    assert (plain.err, turned.err) == ("", "")
+    assert turned.json["peak"] == plain.json["peak"]
+    assert plain.json["vertical_processing"] == []
+    note = "sign changed: DWN is positive downwards, and vertical motion upwards"
+    assert turned.json["vertical_processing"] == [note]
+    filed = rocksteady(command, across, "--vertical", down, "--reverse-vertical").json
+    assert filed["vertical_processing"] == [note, "sign changed: --reverse-vertical"]
+    truth = simulate(
+        BLOCK, record_of(samples()), vertical=record_of(-samples(9, 0.4)), model="nonlinear"
+    )
+    assert filed["peak"] == pytest.approx(truth.peak, rel=1e-9) != plain.json["peak"]
+    text = rocksteady(f"simulate {SIZE} --model nonlinear --record", across, "--vertical", down)
+    assert "sign changed: DWN" in " ".join(text.out.split())
+    assert "without --vertical" in refused(command, across, "--reverse-vertical")
+
+
+def test_the_title_of_a_picture_names_the_changed_sign() -> None:
+    values = {"record": "a", "vertical": "b", "pga_g": 0.5, "restitution": 0.9}
+    assert "a and vertical, PGA" in case_text({**values, "vertical_processing": []})
+    notes = ["sign changed: DWN is positive downwards, and vertical motion upwards"]
+    assert "a and vertical (sign changed), PGA" in case_text(
+        {**values, "vertical_processing": notes}
+    )
+
+
+def test_a_vertical_that_does_not_belong(files: tuple[Path, Path], tmp_path: Path) -> None:
+    other = at2(tmp_path / "other.AT2", samples(9, 0.4)[:300], 0.01, component="UP")
+    other.write_text(other.read_text().replace("Hut", "Shed").replace("1990", "1991"))
+    command = f"simulate {SIZE} --model nonlinear --json --record"
+    ran = rocksteady(command, files[0], "--vertical", other)
+    for words in ("may not belong", "'Hut' and 'Shed'", "1991", "0.01, 0.02 s", "300, 601 samples"):
+        assert words in ran.err
+    assert "in the place of a vertical" in rocksteady(command, files[0], "--vertical", files[0]).err
+    assert "is vertical, and shakes across" in rocksteady(command, files[1]).err
+
+
+def test_pacoima_dam_with_its_vertical() -> None:
+    across, down = real("RSN77*PUL164*"), real("RSN77*PULDWN*")
+    command = "simulate --width-m .6 --height-m 1.8 --model nonlinear --json --record"
+    ran = rocksteady(command, across, "--vertical", down)
+    assert ran.json["peak"] == pytest.approx(0.203, abs=5e-4)
+    assert "name states upwards, and its header downwards" in ran.err
+    filed = rocksteady(command, across, "--vertical", down, "--reverse-vertical").json
+    assert filed["peak"] == pytest.approx(0.822, abs=5e-4)
+
+
+def test_a_base_that_falls_away_ends_the_run(files: tuple[Path, Path], tmp_path: Path) -> None:
+    falling = at2(tmp_path / "falling.AT2", samples(9, 1.5), component="UP")
+    command = f"simulate {SIZE} --model nonlinear --json --record"
+    assert rocksteady(command, files[0], "--vertical", falling).json["status"] == "lost-contact"
+
+
+@pytest.mark.parametrize("model", ["linear", "nonlinear"])
+def test_plot_film_and_table(files: tuple[Path, Path], tmp_path: Path, model: str) -> None:
+    across, up = files
+    plot, film, table = (tmp_path / name for name in ("run.png", "run.gif", "run.csv"))
+    command = f"simulate {SIZE} --model {model} --speed 6 --plot"
+    vertical = ["--vertical", up] if model == "nonlinear" else []
+    ran = rocksteady(
+        command, plot, "--animate", film, "--csv", table, "--record", across, *vertical
+    )
+    assert ran.code == 0, ran.err
+    assert "at rest from" in ran.out
+    with Image.open(plot) as picture:
+        assert picture.size[0] > 1000
+    with Image.open(film) as picture:
+        assert getattr(picture, "n_frames", 1) > 30
+    with table.open(encoding="utf-8", newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    time = np.array([float(row["time_s"]) for row in rows])
+    inside = time <= 12.0
+    for column, values in (
+        ("base_acceleration_m_s2", samples()),
+        ("vertical_acceleration_m_s2", samples(9, 0.4)),
+    ):
+        if column not in rows[0]:
+            assert model == "linear"
+            continue
+        found = np.array([float(row[column]) for row in rows])
+        expected = 9.80665 * np.interp(time, np.arange(601) * 0.02, values)
+        np.testing.assert_allclose(found[inside], expected[inside], atol=1e-9)
+
+
+# --------------------------------------------------------------------- numbers of others
+
+
+@pytest.mark.parametrize(("name", "p", "alpha", "expected"), PEAKS)
+def test_peaks_under_recorded_motions(name: str, p: float, alpha: float, expected: float) -> None:
+    block = f"--alpha-rad {alpha!r} --p-rad-s {p!r} --model nonlinear"
+    values = rocksteady(f"simulate {block} --json --record", real(f"*{name}*")).json
+    assert values["status"] == "at-rest"
+    assert values["peak_rad"] == pytest.approx(expected, rel=1e-5)
+
+
+@pytest.mark.parametrize(("degrees", "period", "falls"), AT_PACOIMA_DAM)
+def test_what_topples_at_pacoima_dam(degrees: float, period: float, falls: bool) -> None:
+    alpha, p = math.radians(degrees), 2.0 * math.pi / period
+    block = f"--alpha-rad {alpha!r} --p-rad-s {p!r} --model nonlinear"
+    values = rocksteady(f"simulate {block} --json --record", real("*PUL164*")).json
+    assert values["status"] == ("overturned" if falls else "at-rest")
+
+
+# ------------------------------------------------------------------------------- refused
+
+
+@pytest.mark.parametrize(
+    ("flags", "words"),
+    [
+        ("-r 0.9 --record across.AT2", ["--record = 'across.AT2'", "need a block"]),
+        ("--record across.AT2", ["--record = 'across.AT2'", "need a block"]),
+        (f"{SIZE} --record across.AT2 -A 2", ["--amplitude/-A = '2'", "--record says"]),
+        (f"{SIZE} --record across.AT2 --freq-hz 2", ["--freq-hz = '2'", "--record says"]),
+        (f"{SIZE} --record across.AT2 --pulse ricker", ["--pulse = 'ricker'", "--record says"]),
+        (f"{SIZE} --record across.AT2 --phase 1", ["--phase = 1.0", "--record says"]),
+        (f"{SIZE} --record across.AT2 --cycles 3", ["--cycles = 3.0", "a recorded motion ends"]),
+        (f"{SIZE} --record across.AT2 --scale 0", ["--scale = 0.0", "(0, "]),
+        (f"{SIZE} --record across.AT2 --scale=-1", ["--scale = -1.0", "--reverse"]),
+        (
+            f"{SIZE} --record across.AT2 --vertical up.AT2",
+            ["--vertical = 'up.AT2'", "--model nonlinear"],
+        ),
+        (f"{SIZE} --record across.AT2 --record up.AT2", ["--record names 2 files", "takes one"]),
+        (f"{SIZE} --record across.AT2 --start steady", ["--start = 'steady'", "harmonic"]),
+        (f"{SIZE} --record no.AT2", ["no.AT2"]),
+        (f"{SIZE} --scale 2 -A 2 -W 3", ["--scale", "without --record"]),
+        (f"{SIZE} --vertical up.AT2 -A 2 -W 3", ["--vertical", "without --record"]),
+        (f"{SIZE} --reverse -A 2 -W 3", ["--reverse", "without --record"]),
+        (f"{SIZE} --units g -A 2 -W 3", ["--units", "without --record"]),
+    ],
+)
+def test_what_is_refused(
+    flags: str, words: list[str], files: tuple[Path, Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(files[0].parent)
+    line = refused(f"simulate {flags} --json")
+    for word in words:
+        assert word in line

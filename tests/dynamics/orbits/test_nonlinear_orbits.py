@@ -1,0 +1,265 @@
+"""Periodic motions of the nonlinear model: what motions settle to, and all at a point."""
+
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+
+from rocksteady import (
+    Block,
+    DimensionlessBlock,
+    Harmonic,
+    ModelError,
+    Orbit,
+    State,
+    Status,
+    Steady,
+    attractor,
+    attractor_map,
+    attractor_trail,
+    continuation,
+    fate_map,
+    orbits,
+    simulate,
+)
+from rocksteady.dynamics.orbits.return_map import ReturnMap
+from tests.dynamics.full_integrator import impacts_by_integrator
+
+
+def test_an_attractor_is_where_a_long_run_ends() -> None:
+    block = Block.from_p(alpha=0.3, p=1.0, restitution=0.8)
+    shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
+    found = attractor(block, shaking, model="nonlinear")
+    assert found.orbit is not None
+    assert (found.orbit.model, found.orbit.symmetric, found.orbit.impacts) == ("nonlinear", True, 2)
+    assert found.orbit.residual < 1e-12
+    run = simulate(block, shaking, cycles=100, model="nonlinear")
+    last = np.abs(run(np.linspace(run.end_s - 1.6, run.end_s, 20_001)).angle).max()
+    assert found.orbit.highest == pytest.approx(last, abs=1e-8)
+    assert np.prod(found.orbit.multipliers).real == pytest.approx(0.8**4, rel=1e-12)
+    drawn = found.orbit.trajectory()
+    assert drawn.model == "nonlinear"
+    assert drawn.peak == pytest.approx(found.orbit.highest, rel=1e-13)
+
+
+def test_slender_blocks_settle_as_in_the_linear_model() -> None:
+    block = Block.from_p(alpha=1e-6, p=1.0, restitution=0.8)
+    for ratio, side in ((1.9, -1), (4.0, 1)):
+        shaking = Harmonic(amplitude=2.0, frequency_ratio=ratio)
+        full = attractor(block, shaking, start=Steady(), side=side, model="nonlinear")
+        plain = attractor(block, shaking, start=Steady(), side=side)
+        assert full.kind is plain.kind
+        assert full.peaks == pytest.approx(plain.peaks, rel=1e-9)
+
+
+def test_cells_of_maps_are_single_answers() -> None:
+    shaking = Harmonic(amplitude=2.0, frequency_ratio=3.0)
+    start = State(angle=0.0, velocity=0.3)
+    axes = {"alpha": [0.1, 0.3, 0.6], "amplitude": [0.8, 2.0, 5.0]}
+    block = Block.from_radius(alpha=0.2, radius=1.0, restitution=0.8)
+    settled = attractor_map(block, shaking, axes=axes, start=start, model="nonlinear")
+    fates = fate_map(block, shaking, axes=axes, start=start, cycles=30, model="nonlinear")
+    assert settled.attrs["model"] == "nonlinear"
+    for i, alpha in enumerate(axes["alpha"]):
+        for j, amplitude in enumerate(axes["amplitude"]):
+            body = Block.from_radius(alpha=alpha, radius=1.0, restitution=0.8)
+            base = Harmonic(amplitude=amplitude, frequency_ratio=3.0)
+            single = attractor(body, base, start=start, model="nonlinear")
+            meanings = settled.kind.attrs["flag_meanings"].split()
+            assert meanings[int(settled.kind[i, j])] == single.kind.value
+            if single.orbit is not None:
+                assert float(settled.highest[i, j]) == single.orbit.highest
+            run = simulate(body, base, start=start, cycles=30, model="nonlinear")
+            assert Status(int(fates.fate[i, j])) is run.status
+
+
+def test_a_block_without_slenderness_is_refused() -> None:
+    bare = DimensionlessBlock(restitution=0.8)
+    shaking = Harmonic(amplitude=2.0, frequency_ratio=3.0)
+    with pytest.raises(ModelError, match="slenderness"):
+        ReturnMap(bare, shaking, model="nonlinear")
+    with pytest.raises(ModelError, match="slenderness"):
+        attractor(bare, shaking, model="nonlinear")
+    with pytest.raises(ModelError, match="slenderness"):
+        fate_map(bare, shaking, axes={"amplitude": [1.0, 2.0]}, model="nonlinear")
+    with pytest.raises(ModelError, match="slenderness"):
+        orbits(bare, shaking, model="nonlinear")
+    with pytest.raises(ModelError, match="slenderness"):
+        attractor_trail(bare, shaking, "amplitude", [1.0, 2.0], model="nonlinear")
+
+
+# --------------------------------------------------------------------- all orbits at a point
+
+UNLIKE = Block.asymmetric(left=0.3, right=0.5, height=1.6, restitution=(0.8, 0.9))
+SLENDER = Block.from_p(alpha=0.2, p=1.4, restitution=0.8)
+CASES = [
+    # block, amplitude, frequency ratio, longest period
+    (SLENDER, 2.0, 1.9, 3),
+    (Block.from_p(alpha=0.3, p=2.0, restitution=0.25), 6.0, 6.0, 2),
+    (Block.from_p(alpha=0.5, p=1.0, restitution=0.9), 2.0, 4.0, 3),
+    (Block.from_p(alpha=0.3, p=1.0, restitution=0.4), 1.15, 1.0, 2),
+    (UNLIKE, 3.0, 6.0, 2),
+    (UNLIKE, 2.0, 3.0, 2),
+]
+cases = pytest.mark.parametrize(("block", "a", "w", "longest"), CASES)
+
+
+@cache
+def listed(block: Block, a: float, w: float, longest: int) -> tuple[Orbit, ...]:
+    shaking = Harmonic(amplitude=a, frequency_ratio=w)
+    return orbits(block, shaking, max_period=longest, max_impacts=4, seeds=20, model="nonlinear")
+
+
+def images(orbit: Orbit) -> list[Orbit]:
+    """An orbit and, where it has one, its mirror image."""
+    if orbit.symmetric or not orbit.block.symmetric:
+        return [orbit]
+    return [orbit, orbit.mirrored]
+
+
+@cases
+def test_each_orbit_is_back_after_its_period(
+    block: Block, a: float, w: float, longest: int
+) -> None:
+    found = listed(block, a, w, longest)
+    assert found
+    for orbit in (image for each in found for image in images(each)):
+        assert (orbit.model, orbit.admissible) == ("nonlinear", True)
+        run = simulate(
+            block,
+            orbit.shaking,
+            start=orbit.start,
+            cycles=orbit.period + 0.01,
+            model="nonlinear",
+        )
+        if orbit.rest_phases:  # it forgets everything, and lifts again when it did at first
+            drawn = orbit.trajectory()
+            assert drawn.peak == pytest.approx(run.peak, rel=1e-10)
+            here = run(2.0 * math.pi * orbit.period / w)
+            assert (here.angle, here.velocity) == pytest.approx((0.0, 0.0), abs=1e-12)
+            continue
+        assert orbit.impacts == len(orbit.states)
+        # What rounding leaves of the states grows on the way.
+        off = 1e-14 * (1.0 + np.cumprod([growth(orbit, k) for k in range(len(orbit.states))]))
+        assert len(run.impacts) == orbit.impacts
+        after = [*orbit.states[1:], orbit.states[0]]
+        for k, state in enumerate(after):
+            turned = orbit.shaking.phase + w * run.impacts.s[k] - state.phase
+            assert abs(np.angle(np.exp(1j * turned))) < 1e3 * off[k] + 1e-11
+            velocity = run.impacts.velocity_after[k]
+            assert velocity == pytest.approx(
+                state.side * state.speed, rel=1e3 * off[k] + 1e-11, abs=0.0
+            )
+        assert run.impacts.s[-1] * w == pytest.approx(2.0 * math.pi * orbit.period, abs=1e-6)
+
+
+def growth(orbit: Orbit, k: int) -> float:
+    """Return by how much the passage after a state may magnify a difference."""
+    step = ReturnMap(orbit.block, orbit.shaking, model="nonlinear")(orbit.states[k])
+    return float(np.linalg.norm(step.jacobian, 2)) + 1.0
+
+
+@cases
+def test_the_flow_contracts_by_the_restitutions_alone(
+    block: Block, a: float, w: float, longest: int
+) -> None:
+    for orbit in listed(block, a, w, longest):
+        if orbit.rest_phases:
+            assert not orbit.multipliers.any()
+            continue
+        step = ReturnMap(block, orbit.shaking, model="nonlinear")(
+            orbit.states[0], len(orbit.states)
+        )
+        first, second = block.positive.restitution, block.negative.restitution
+        exact = (first * second) ** len(orbit.states)
+        assert len(orbit.states) % 2 == 0
+        # Measured, not assumed: the product of the derivatives of the passages.
+        size = np.abs(step.jacobian).max() ** 2
+        assert np.linalg.det(step.jacobian) == pytest.approx(exact, abs=1e-9 * (1.0 + size))
+        trace, sizes = step.jacobian.trace(), np.abs(orbit.multipliers)
+        assert orbit.multipliers.sum().real == pytest.approx(trace, rel=1e-6)
+        assert np.prod(orbit.multipliers).real == pytest.approx(exact, rel=1e-9)
+        assert sizes[0] >= sizes[1]
+
+
+@pytest.mark.parametrize("block", [SLENDER, UNLIKE])
+def test_an_adaptive_integrator_lands_where_the_orbits_do(block: Block) -> None:
+    for orbit in listed(*next(case for case in CASES if case[0] is block)):
+        w, a = orbit.shaking.frequency_ratio, orbit.shaking.amplitude
+        if orbit.largest_multiplier > 100.0:
+            continue
+        landings = impacts_by_integrator(
+            lambda t, w=w, a=a, phase=orbit.shaking.phase: (  # type: ignore[misc]
+                a * block.alpha * math.sin(w * block.p * t + phase)
+            ),
+            block=block,
+            angle=0.0,
+            velocity=orbit.start.velocity * block.alpha * block.p,
+            breaks=(0.0, 2.01 * math.pi * orbit.period / (w * block.p)),
+            longest_step=0.05 / block.p,
+            count=len(orbit.states),
+        )
+        assert landings[-1] * w * block.p == pytest.approx(2.0 * math.pi * orbit.period, abs=1e-8)
+
+
+def test_orbits_go_to_those_of_the_linear_model_with_the_square_of_the_slenderness() -> None:
+    shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
+    bare = DimensionlessBlock(restitution=0.8)
+    limits = [orbit for orbit in orbits(bare, shaking, seeds=20, max_period=1) if orbit.admissible]
+    errors = []
+    for alpha in (0.01, 0.02):
+        block = Block.from_p(alpha=alpha, p=1.0, restitution=0.8)
+        found = orbits(block, shaking, seeds=20, max_period=1, model="nonlinear")
+        assert [(orbit.kind, orbit.branch) for orbit in found] == [
+            (orbit.kind, orbit.branch) for orbit in limits
+        ]
+        errors.append(
+            [abs(orbit.highest - limit.highest) for orbit, limit in zip(found, limits, strict=True)]
+        )
+    np.testing.assert_allclose(np.array(errors[1]) / errors[0], 4.0, rtol=0.02)
+
+
+@cases
+def test_the_attractor_from_rest_is_among_them(
+    block: Block, a: float, w: float, longest: int
+) -> None:
+    found = attractor(block, Harmonic(amplitude=a, frequency_ratio=w), model="nonlinear")
+    if found.orbit is None or found.orbit.period > longest:
+        return
+    stable = [orbit for orbit in listed(block, a, w, longest) if orbit.stable]
+    peaks = [(orbit.highest, orbit.lowest) for each in stable for orbit in images(each)]
+    own = found.orbit.highest, found.orbit.lowest
+    apart = [np.hypot(*np.subtract(own, pair)) for pair in peaks]
+    assert min(apart) < 1e-11
+
+
+def test_branches_refuse_orbits_of_the_nonlinear_model() -> None:
+    with pytest.raises(ModelError, match="linear model alone"):
+        continuation(listed(SLENDER, 2.0, 1.9, 3)[0], "amplitude", (1.0, 3.0))
+
+
+def test_without_shaking_there_are_none() -> None:
+    assert orbits(SLENDER, Harmonic(amplitude=0.0, frequency_ratio=2.0), model="nonlinear") == ()
+
+
+def test_a_trail_settles_at_each_value_as_the_attractor_does() -> None:
+    shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
+    values = [2.1, 1.9, 1.8]
+    trail = attractor_trail(
+        SLENDER, shaking, "frequency_ratio", values, start=Steady(), model="nonlinear"
+    )
+    for value, found, peaks in zip(values, trail.attractors, trail.peaks, strict=True):
+        alone = attractor(
+            SLENDER,
+            Harmonic(amplitude=2.0, frequency_ratio=value),
+            start=Steady(),
+            model="nonlinear",
+        )
+        assert (found.model, found.kind) == ("nonlinear", alone.kind)
+        assert found.orbit is not None
+        assert alone.orbit is not None
+        sizes = sorted((found.orbit.highest, -found.orbit.lowest))
+        assert sizes == pytest.approx(sorted((alone.orbit.highest, -alone.orbit.lowest)), rel=1e-9)
+        assert peaks.max() == pytest.approx(found.orbit.highest, rel=1e-12)
+        assert peaks.min() == pytest.approx(found.orbit.lowest, rel=1e-12)

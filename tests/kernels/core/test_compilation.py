@@ -1,0 +1,323 @@
+"""How kernels are compiled, and where their machine code is kept."""
+
+import atexit
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from types import SimpleNamespace
+
+import numba
+import numba.core.config
+import pytest
+
+from rocksteady.kernels.core import compilation
+from rocksteady.kernels.core.compilation import cache_folder, compiled
+from rocksteady.kernels.march.march import march
+from tests.strategies import PLAIN
+
+SOURCES = Path(compilation.__file__).parents[1]
+
+
+@pytest.fixture(autouse=True)
+def _forget_the_folder() -> Iterator[None]:
+    cache_folder.cache_clear()
+    yield
+    cache_folder.cache_clear()
+
+
+def key_of(folder: Path, monkeypatch: pytest.MonkeyPatch, cache: Path) -> str:
+    """Return the name of the cache folder that sources in `folder` would have."""
+    monkeypatch.setattr(compilation, "__file__", str(folder / "core" / "compilation.py"))
+    monkeypatch.setattr(
+        "rocksteady.kernels.core.compilation.platformdirs.user_cache_dir", lambda _name: str(cache)
+    )
+    cache_folder.cache_clear()
+    return cache_folder().name
+
+
+def test_the_cache_folder_changes_with_any_of_the_sources(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    copy = tmp_path / "kernels"
+    shutil.copytree(SOURCES, copy, ignore=shutil.ignore_patterns("__pycache__"))
+    first = key_of(copy, monkeypatch, tmp_path / "cache")
+    assert key_of(copy, monkeypatch, tmp_path / "cache") == first
+    keys = {first}
+    for name in ("flight.py", "zeros.py"):
+        source = copy / name
+        source.write_text(source.read_text() + "\n# changed\n")
+        keys.add(key_of(copy, monkeypatch, tmp_path / "cache"))
+    assert len(keys) == 3
+
+
+def test_the_cache_folder_can_be_written_to() -> None:
+    folder = cache_folder()
+    assert folder.is_dir()
+    with tempfile.TemporaryFile(dir=folder):
+        pass
+
+
+def test_where_home_is_read_only_the_code_is_kept_in_the_temporary_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    blocked = tmp_path / "home"
+    blocked.write_text("a file, in which no folder can be made")
+    monkeypatch.setattr(
+        "rocksteady.kernels.core.compilation.platformdirs.user_cache_dir",
+        lambda _name: str(blocked),
+    )
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    with pytest.warns(UserWarning, match="home.* cannot be written: File exists; mend that"):
+        folder = cache_folder()
+    assert folder.parent == tmp_path
+    assert folder.stat().st_mode & 0o077 == 0
+
+
+def test_compiling_leaves_numba_s_own_setting_alone() -> None:
+    before = numba.core.config.CACHE_DIR  # type: ignore[attr-defined]
+
+    @compiled
+    def double(number: float) -> float:
+        return 2.0 * number
+
+    assert double(2.0) == 4.0
+    assert before == numba.core.config.CACHE_DIR  # type: ignore[attr-defined]
+
+
+@pytest.mark.skipif(PLAIN, reason="nothing is compiled")
+def test_a_kernel_is_compiled_without_fast_math_and_without_the_lock() -> None:
+    options = march.targetoptions  # type: ignore[attr-defined]
+    assert options["nogil"] is True
+    assert options["error_model"] == "numpy"
+    assert not options.get("fastmath")
+
+
+@pytest.mark.skipif(not PLAIN, reason="kernels are compiled")
+def test_without_compilation_a_kernel_is_the_plain_function() -> None:
+    assert type(march).__name__ == "function"
+
+
+@pytest.mark.skipif(PLAIN, reason="nothing is compiled")
+def test_warming_up_leaves_nothing_to_compile() -> None:
+    # A second process finds all of it on disk.
+    code = (
+        "import numba, sys\n"
+        "from numba.core import event\n"
+        "from rocksteady.kernels import warm\n"
+        "with event.install_recorder('numba:compile') as recorder:\n"
+        "    warm.warm()\n"
+        "sys.exit(len(recorder.buffer))\n"
+    )
+    subprocess.run([sys.executable, "-m", "rocksteady.kernels.warm"], check=True)
+    again = subprocess.run([sys.executable, "-c", code], check=False)
+    assert again.returncode == 0
+
+
+# ------------------------------------------------------------------------- who can change the cache
+
+
+def preferred(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Have machine code kept below a folder; return the one of this version."""
+    home = tmp_path / "home"
+    home.mkdir(mode=0o700)
+    (tmp_path / "tmp").mkdir()
+    monkeypatch.setattr(
+        "rocksteady.kernels.core.compilation.platformdirs.user_cache_dir",
+        lambda name: str(home / ".cache" / name),
+    )
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "tmp"))
+    monkeypatch.setattr(atexit, "register", lambda _: None)
+    folder = cache_folder()
+    assert folder.is_relative_to(home)
+    cache_folder.cache_clear()
+    return folder
+
+
+def assert_private(folder: Path, tmp_path: Path) -> None:
+    assert folder.parent == tmp_path / "tmp"
+    assert folder.stat().st_mode & 0o777 == 0o700
+    assert folder.stat().st_uid == os.getuid()
+    assert not list(folder.iterdir())
+
+
+@pytest.mark.parametrize("below", range(4))
+@pytest.mark.parametrize("mode", [0o777, 0o1777])
+def test_a_cache_that_others_can_write_is_not_used(
+    below: int, mode: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = preferred(tmp_path, monkeypatch)
+    weak = [folder, *folder.parents][below]
+    weak.chmod(mode)
+    if below and mode == 0o1777:  # there nobody may rename what is ours
+        assert cache_folder() == folder
+        return
+    with pytest.warns(UserWarning, match="kept for this run only") as caught:
+        assert_private(cache_folder(), tmp_path)
+    assert len(caught) == 1
+    assert str(weak) in str(caught[0].message)
+    assert "\n" not in str(caught[0].message)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such groups")
+@pytest.mark.parametrize(
+    ("name", "members", "used"),
+    [
+        ("self", [], True),
+        ("self", ["self"], True),
+        ("self", ["other"], False),
+        ("staff", [], False),
+    ],
+)
+def test_a_group_may_write_if_the_user_is_alone_in_it(
+    name: str,
+    members: list[str],
+    used: bool,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    # As many systems set up each user, whose folders are then open to that group.
+    folder = preferred(tmp_path, monkeypatch)
+    group = folder.stat().st_gid
+    user = SimpleNamespace(pw_name="self", pw_gid=group)
+    monkeypatch.setattr("pwd.getpwuid", lambda _: user)
+    found = SimpleNamespace(gr_name=name, gr_gid=group, gr_mem=members)
+    monkeypatch.setattr("grp.getgrgid", lambda _: found)
+    for parent in (folder.parent, folder.parent.parent, folder.parent.parent.parent):
+        parent.chmod(0o775)
+    if used:
+        assert cache_folder() == folder
+    else:
+        with pytest.warns(UserWarning, match="can be written by other users"):
+            assert_private(cache_folder(), tmp_path)
+
+
+@pytest.mark.skipif(os.name == "nt" or os.getuid() != 0, reason="only root gives files away")
+@pytest.mark.parametrize("below", range(4))
+@pytest.mark.parametrize("link", [True, False])
+def test_a_cache_of_another_user_is_not_used(
+    below: int, link: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = preferred(tmp_path, monkeypatch)
+    theirs = [folder, *folder.parents][below]
+    if link:
+        theirs.rename(tmp_path / "elsewhere")
+        theirs.symlink_to(tmp_path / "elsewhere")
+    os.chown(theirs, 12345, 12345, follow_symlinks=False)
+    with pytest.warns(UserWarning, match="belongs to another user"):
+        assert_private(cache_folder(), tmp_path)
+
+
+def test_a_link_through_a_folder_that_others_can_write_is_not_used(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = preferred(tmp_path, monkeypatch)
+    (tmp_path / "open").mkdir()
+    (tmp_path / "open").chmod(0o777)
+    (tmp_path / "open" / "link").symlink_to(folder.parent)
+    folder.parent.rename(tmp_path / "kernels")
+    (tmp_path / "open" / "link").unlink()
+    (tmp_path / "open" / "link").symlink_to(tmp_path / "kernels")
+    folder.parent.symlink_to(tmp_path / "open" / "link")
+    with pytest.warns(UserWarning, match=r"open can be written by other users"):
+        assert_private(cache_folder(), tmp_path)
+
+
+def test_a_link_of_one_s_own_is_followed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder = preferred(tmp_path, monkeypatch)
+    folder.parent.rename(tmp_path / "kernels")
+    folder.parent.symlink_to("../../../kernels")
+    assert cache_folder() == folder
+
+
+def test_a_planted_folder_of_the_name_it_once_had_is_not_used(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = preferred(tmp_path, monkeypatch)
+    planted = tmp_path / "tmp" / f"rocksteady-{os.getuid()}-{folder.name}"
+    planted.mkdir()
+    (planted / "march.march-1.py311.nbi").write_bytes(b"code")
+    folder.chmod(0o777)
+    with pytest.warns(UserWarning, match="kept for this run only"):
+        assert_private(cache_folder(), tmp_path)
+    assert cache_folder() != planted
+
+
+# ---------------------------------------------------------------------------- garbled machine code
+
+PROGRAM = """
+import sys
+from numba.core import event
+from pathlib import Path
+sys.path.insert(0, sys.argv[1])
+from rocksteady.kernels import compilation
+compilation.platformdirs.user_cache_dir = lambda _: sys.argv[2]
+import kernel_of_a_test
+with event.install_recorder("numba:compile") as recorder:
+    assert kernel_of_a_test.twice(2.0) == 4.0
+print(len(recorder.buffer))
+"""
+
+GARBLED: dict[str, Callable[[bytes], bytes]] = {
+    "garbage": lambda _: b"garbage" * 20,
+    "empty": lambda _: b"",
+    "cut": lambda content: content[: len(content) // 2],
+    "one bit": lambda content: (
+        content[: len(content) // 2]
+        + bytes([content[len(content) // 2] ^ 1])
+        + content[len(content) // 2 + 1 :]
+    ),
+    "numba's own": lambda content: content[32:],
+    "zeros": lambda content: bytes(len(content)),
+}
+
+
+@pytest.mark.skipif(PLAIN, reason="nothing is compiled")
+@pytest.mark.parametrize("ending", ["nbi", "nbc"])
+@pytest.mark.parametrize(
+    "damage",
+    [
+        d if d in {"garbage", "one bit"} else pytest.param(d, marks=pytest.mark.slow)
+        for d in GARBLED
+    ],
+)
+def test_garbled_machine_code_is_compiled_again(damage: str, ending: str, tmp_path: Path) -> None:
+    (tmp_path / "kernel_of_a_test.py").write_text(
+        "from rocksteady.kernels.core.compilation import compiled\n"
+        "@compiled\n"
+        "def twice(number):\n"
+        "    return 2.0 * number\n",
+        encoding="utf-8",
+    )
+
+    def compilations() -> int:
+        command = [sys.executable, "-c", PROGRAM, str(tmp_path), str(tmp_path / "cache")]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+        assert done.stderr == ""
+        return int(done.stdout)
+
+    assert compilations() > 0
+    assert compilations() == 0
+    (file,) = (tmp_path / "cache").rglob(f"*.{ending}")
+    file.write_bytes(GARBLED[damage](file.read_bytes()))
+    assert compilations() > 0
+    assert compilations() == 0
+
+
+@pytest.mark.skipif(PLAIN, reason="nothing is compiled")
+def test_a_folder_in_the_place_of_machine_code_ends_no_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    preferred(tmp_path, monkeypatch)
+
+    @compiled
+    def thrice(number: float) -> float:
+        return 3.0 * number
+
+    cache = thrice._cache  # type: ignore[attr-defined]
+    Path(cache._cache_file._index_path).mkdir(parents=True)
+    assert thrice(2.0) == 6.0

@@ -1,0 +1,208 @@
+"""The types of public arguments: what is refused at the door, and what the line says."""
+
+import inspect
+import math
+from decimal import Decimal
+from fractions import Fraction
+from functools import partial
+from typing import Any
+
+import numpy as np
+import pytest
+import xarray
+
+import rocksteady
+from rocksteady import (
+    Axis,
+    Block,
+    DimensionlessBlock,
+    Harmonic,
+    InputError,
+    Record,
+    Rest,
+    added,
+    housner_restitution,
+    impact_restitution,
+    response_spectrum,
+    rocking_spectrum,
+    simulate,
+    steady_states,
+)
+from rocksteady.model.checks.arguments import checked
+from tests.junk import Quantity
+
+BLOCK = Block.rectangle(width=0.4, height=1.2)
+BARE = DimensionlessBlock(restitution=0.8)
+SHAKING = Harmonic(amplitude=2.0, frequency_ratio=4.0)
+RECORD = Record(acceleration_m_s2=np.array([0.0, 1.0, -1.0]), dt_s=0.01)
+MASKED = np.ma.array([1.0, -99999.0, 2.0], mask=[False, True, False])
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (
+            lambda: Harmonic.from_si(BARE, acceleration_m_s2=1.0, frequency_hz=2.0),  # type: ignore[arg-type]
+            ["block = DimensionlessBlock(", "it must be a Block;", "Block.rectangle("],
+        ),
+        (lambda: simulate(BLOCK, Harmonic), ["motion = ", "it must be a Motion"]),  # type: ignore[arg-type]
+        (
+            lambda: simulate(SHAKING, BLOCK),  # type: ignore[arg-type]
+            ["block = ", "a Block or a DimensionlessBlock; the block comes first"],
+        ),
+        (lambda: steady_states(2.0, 4.0, 0.8, order="1"), ["order = '1'", "a whole number"]),
+        (lambda: steady_states(2.0, 4.0, 0.8, order=MASKED), ["order = ", "1 of its 3 elements"]),
+        (lambda: simulate(BLOCK, SHAKING, model="cubic"), ["model = 'cubic'"]),  # type: ignore[arg-type]
+        (lambda: simulate(BLOCK, SHAKING, start=Rest), ["start = ", "a Rest or a State or a"]),  # type: ignore[arg-type]
+        (lambda: simulate(BLOCK, SHAKING, flight_limit=2**64), ["flight_limit = 18446744073709"]),
+        (lambda: rocking_spectrum(RECORD, alpha=[], periods_s=[1.0]), ["alpha = ", "one value"]),
+        (lambda: added(SHAKING, 3.0), ["motions = 3.0", "it must be a Motion"]),  # type: ignore[arg-type]
+        (lambda: housner_restitution(0.2, p=math.nan), ["p = nan"]),
+        (lambda: housner_restitution(0.2, radius=-1.0), ["radius = -1.0"]),
+        (lambda: impact_restitution((0.2, 0.3), (1.0, 1.1), gyration=-0.5), ["gyration = -0.5"]),
+        (lambda: impact_restitution((0.2, math.nan), (1.0, 1.1), gyration=0.5), ["alphas = "]),
+        (lambda: steady_states([[1.0, 2.0], [3.0]], 4.0, 0.8), ["amplitude = ", "one length"]),
+        (lambda: steady_states(np.broadcast_to(1.0, 10**12), 4.0, 0.8), ["at most 100000000"]),
+        (lambda: Block.rectangle(width=1e308, height=1.0), ["width = 1e+308"]),
+    ],
+)  # fmt: skip
+def test_what_is_no_such_thing_is_refused_in_one_line(call: Any, words: list[str]) -> None:
+    with pytest.raises(InputError) as caught:
+        call()
+    line = str(caught.value)
+    assert "\n" not in line
+    for word in words:
+        assert word in line
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda x: Record(acceleration_m_s2=x, dt_s=0.01),
+        lambda x: steady_states(x, 4.0, 0.8),
+        lambda x: rocksteady.Axis(name="amplitude", values=x),
+        lambda x: response_spectrum(RECORD, x),
+        lambda x: simulate(BLOCK, SHAKING, cycles=1).at_time(x),
+        lambda x: simulate(BLOCK, SHAKING, cycles=1).base_acceleration(x),
+    ],
+)
+def test_a_mask_a_unit_and_no_number_are_refused_everywhere(call: Any) -> None:
+    with pytest.raises(InputError, match="1 of its 3 elements are masked"):
+        call(MASKED)
+    for quantity in (Quantity(np.array([0.1, 0.2]), "cm"), [Quantity(0.1, "cm")]):
+        with pytest.raises(InputError, match=r"it carries a unit.*magnitude"):
+            call(quantity)
+    with pytest.raises(InputError, match="its units attribute is 'mm'"):
+        call(xarray.DataArray([0.1, 0.2], attrs={"units": "mm"}))
+    for array in (np.array([True, False]), np.array([0.1, None]), [0.1j, 0.2]):
+        with pytest.raises(InputError):
+            call(array)
+
+
+def test_scalars_keep_neither_a_mask_nor_a_unit() -> None:
+    values: tuple[Any, ...] = (
+        np.ma.masked,
+        Quantity(0.4, "m"),
+        xarray.DataArray(0.4, attrs={"units": "mm"}),
+    )
+    for value in values:
+        with pytest.raises(InputError, match=r"^width = "):
+            Block.rectangle(width=value, height=1.2)
+
+
+def test_an_array_in_si_and_a_mask_without_effect_are_taken() -> None:
+    plain = steady_states([1.0, 2.0], 4.0, 0.8).phase
+    si = xarray.DataArray([1.0, 2.0], dims="x", attrs={"units": "1"})
+    for given in (si, np.ma.array([1.0, 2.0]), np.array([1.0, 2.0], dtype=">f8")):
+        assert np.array_equal(steady_states(given, 4.0, 0.8).phase, plain, equal_nan=True)
+
+
+def test_sizes_like_millimetres_are_questioned() -> None:
+    with pytest.warns(UserWarning, match=r"600 m wide and 1800 m high.*width=0\.6, height=1\.8"):
+        Block.rectangle(width=600, height=1800)
+    with pytest.warns(UserWarning, match="sizes are in metres"):
+        Block.rectangle(width=60, height=180)
+    with pytest.warns(UserWarning, match="sizes are in metres"):
+        Block.asymmetric(left=200, right=400, height=1800)
+    # Towers that stand: warnings are errors here.
+    Block.rectangle(width=16.8, height=169.0)
+    Block.rectangle(width=3.0, height=30.0)
+    Block.from_p(alpha=0.2, p=1e-3)
+
+
+def test_signatures_and_annotations_stay() -> None:
+    parameters = inspect.signature(simulate).parameters
+    assert list(parameters)[:4] == ["block", "motion", "start", "cycles"]
+    assert simulate.__module__ == "rocksteady.dynamics.history.simulate"
+    assert simulate.__doc__ is not None
+    assert list(inspect.signature(Block.rectangle).parameters) == [
+        "width", "height", "restitution", "gravity",
+    ]  # fmt: skip
+    with pytest.raises(TypeError, match=r"simulate.*unexpected keyword"):
+        simulate(BLOCK, SHAKING, cycels=2)  # type: ignore[call-arg]
+
+
+def test_every_public_function_is_checked() -> None:
+    bare = {
+        name
+        for name in rocksteady.__all__
+        if inspect.isfunction(getattr(rocksteady, name))
+        and not hasattr(getattr(rocksteady, name), "__wrapped__")
+    }
+    assert bare == {"example_block"}, "its own validator lists the examples"
+
+
+def test_a_doctest_finder_sees_through_the_check() -> None:
+    @checked
+    def function(x: float) -> float:
+        return x
+
+    assert function.__globals__ is globals()
+
+
+@pytest.mark.parametrize("kind", [np.int8, np.uint8, np.int16, partial(np.array, dtype=np.int8)])
+def test_integers_of_small_types_are_plain_ones(kind: Any) -> None:
+    @checked
+    def taken(cycles: int, width: float, most: int | None = None) -> tuple[object, ...]:
+        return cycles, width, most
+
+    found = taken(kind(3), width=kind(4), most=kind(5))
+    assert found == (3, 4, 5)
+    assert {type(number) for number in found} == {int}
+
+
+@pytest.mark.parametrize(
+    "kind", [np.float16, np.longdouble, Fraction, partial(np.array, dtype=np.float32)]
+)
+def test_floats_of_other_types_are_plain_ones(kind: Any) -> None:
+    @checked
+    def taken(width: float, *, pair: tuple[float, float]) -> tuple[object, ...]:
+        return width, *pair
+
+    found = taken(kind(0.5), pair=(kind(1.0), kind(2.0)))
+    assert found == (0.5, 1.0, 2.0)
+    assert {type(number) for number in found} == {float}
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda number: Harmonic(amplitude=2.0, frequency_ratio=number),
+        lambda number: DimensionlessBlock(restitution=number),
+        lambda number: steady_states(2.0, 4.0, number),
+        lambda number: steady_states(2.0, [4.0, number], 0.8),
+        lambda number: Record(acceleration_m_s2=np.array([0.0, number]), dt_s=0.01),
+        lambda number: Axis(name="amplitude", values=[number]),
+        lambda number: simulate(BLOCK, SHAKING, cycles=number),
+    ],
+)
+def test_fractions_are_taken_and_decimals_are_refused_everywhere(call: Any) -> None:
+    call(Fraction(4, 5))
+    with pytest.raises(InputError, match="it is a Decimal, and numbers are computed as floats"):
+        call(Decimal("0.8"))
+
+
+def test_a_fraction_beyond_the_floats_is_infinite_and_refused() -> None:
+    huge: Any = Fraction(-(10**400))
+    with pytest.raises(InputError, match="frequency_ratio = -inf is not valid"):
+        steady_states(2.0, [4.0, huge], 0.8)

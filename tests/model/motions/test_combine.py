@@ -1,0 +1,166 @@
+"""Motions made of motions, against the values of their parts."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rocksteady import (
+    Harmonic,
+    Impulses,
+    InputError,
+    ModelError,
+    Piecewise,
+    Pulse,
+    Segment,
+    Still,
+    added,
+    delayed,
+    joined,
+    scaled,
+)
+from rocksteady.dynamics.history.base_motion import base_acceleration
+from rocksteady.dynamics.history.lowering import segment_table
+from tests.model.motions.test_pulses import Floats, acceleration
+
+SINE = Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=4.0)
+TRIANGLE = Pulse(shape="triangle", amplitude=3.0, frequency_ratio=2.0)
+GRID = np.linspace(0.0, 8.0, 9973)
+
+segments = st.builds(
+    Segment,
+    duration=st.floats(0.1, 3.0),
+    constant=st.floats(-3.0, 3.0),
+    slope=st.floats(-2.0, 2.0),
+    amplitude=st.floats(-3.0, 3.0),
+    frequency=st.just(2.5),
+    phase=st.floats(-7.0, 7.0),
+)
+motions = st.lists(segments, max_size=4).map(lambda pieces: Piecewise(pieces=tuple(pieces)))
+
+
+def away_from_edges(s: Floats, *parts: Any) -> Floats:
+    """The times that are not within rounding of where a segment begins or ends."""
+    starts = np.concatenate(
+        [[0.0], *(np.cumsum([p.duration for p in part.segments()]) for part in parts)]
+    )
+    clear: Floats = s[np.abs(s[:, None] - starts).min(axis=1) > 1e-9]
+    return clear
+
+
+@given(motions, st.floats(-5.0, 5.0))
+def test_scaled(motion: Piecewise, factor: float) -> None:
+    found = acceleration(scaled(motion, factor), GRID)
+    np.testing.assert_allclose(found, factor * acceleration(motion, GRID), rtol=0.0, atol=2e-13)
+
+
+@given(motions, st.floats(0.0, 3.0))
+def test_delayed(motion: Piecewise, by: float) -> None:
+    s = away_from_edges(GRID, delayed(motion, by))
+    before = np.where(s < by, 0.0, acceleration(motion, np.maximum(s - by, 0.0)))
+    np.testing.assert_allclose(acceleration(delayed(motion, by), s), before, rtol=0, atol=1e-12)
+
+
+def test_joined() -> None:
+    both = joined(SINE, Still(), TRIANGLE)
+    assert both.segments() == SINE.segments() + TRIANGLE.segments()
+    endless = joined(SINE, Harmonic(amplitude=1.0, frequency_ratio=2.0))
+    assert endless.segments()[-1].duration == math.inf
+    with pytest.raises(ModelError, match="only the last segment may be endless"):
+        joined(Harmonic(amplitude=1.0, frequency_ratio=2.0), SINE)
+
+
+@given(st.lists(motions, max_size=4))
+@settings(max_examples=60)
+def test_sums_of_one_frequency_are_exact(parts: list[Piecewise]) -> None:
+    total = added(*parts)
+    s = away_from_edges(GRID, *parts)
+    expected = sum((acceleration(part, s) for part in parts), np.zeros(len(s)))
+    np.testing.assert_allclose(acceleration(total, s), expected, rtol=0.0, atol=1e-12)
+    assert len(total.segments()) <= 1 + sum(len(part.segments()) for part in parts)
+
+
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-4, 1e-6])
+def test_sums_of_several_frequencies_keep_their_tolerance(tolerance: float) -> None:
+    later = delayed(Pulse(shape="type-c1", amplitude=1.0, frequency_ratio=7.0), 0.5)
+    total = added(SINE, later, TRIANGLE, tolerance=tolerance)
+    s = away_from_edges(GRID, SINE, later, TRIANGLE)
+    expected = acceleration(SINE, s) + acceleration(later, s) + acceleration(TRIANGLE, s)
+    error = np.abs(acceleration(total, s) - expected)
+    assert 0.3 * tolerance < error.max() <= tolerance
+    exact = (s < 0.5) | (s > SINE.duration)  # where one of the two frequencies is alone
+    assert error[exact].max() < 1e-11
+
+
+def test_impulses_add_up_and_are_kept() -> None:
+    hits = Impulses(velocities=(0.5, -0.25), times=(0.2, 0.5))
+    once = Impulses(velocities=(0.125,), times=(0.2,))
+    fast = Pulse(shape="one-sine", amplitude=1.0, frequency_ratio=9.0)
+    total = added(hits, once, SINE, fast)
+    table = segment_table(total)
+    struck = np.flatnonzero(table[:, 1])
+    starts = np.concatenate([[0.0], np.cumsum(table[:-1, 0])])
+    np.testing.assert_allclose(starts[struck], [0.2, 0.5], atol=1e-14)
+    np.testing.assert_array_equal(table[struck, 1], [0.625, -0.25])
+    assert scaled(hits, -2.0).segments()[1].jump == -1.0
+
+
+def test_times_that_differ_by_rounding_are_one() -> None:
+    third = Pulse.lasting(0.1, shape="rectangle", amplitude=1.0)
+    first = joined(third, third, third)  # 0.30000000000000004
+    second = Pulse.lasting(0.3, shape="rectangle", amplitude=1.0)
+    total = added(first, second)
+    assert [piece.constant for piece in total.segments()] == [2.0, 2.0, 2.0]
+
+
+def test_wavelets_are_added_line_by_line() -> None:
+    first = Pulse(shape="ricker", amplitude=2.0, frequency_ratio=3.0)
+    second = Pulse(shape="mavroeidis-papageorgiou", amplitude=1.0, frequency_ratio=4.0)
+    total = added(first, delayed(second, 1.0))
+    s = np.linspace(0.0, 6.0, 5003)
+    later = np.where(s < 1.0, 0.0, acceleration(second, np.maximum(s - 1.0, 0.0)))
+    np.testing.assert_allclose(acceleration(total, s), acceleration(first, s) + later, atol=1e-11)
+
+
+def test_the_jump_of_a_segment_too_short_to_last_is_kept() -> None:
+    blink = Segment(duration=1e-14, jump=0.5)
+    motion = Piecewise(pieces=(Segment(duration=1.0), blink, Segment(duration=1.0, jump=0.25)))
+    assert [piece.jump for piece in added(motion, SINE).segments() if piece.jump] == [0.75]
+
+
+def test_two_harmonic_shakings_of_one_frequency_are_one() -> None:
+    first = Harmonic(amplitude=3.0, frequency_ratio=2.0)
+    second = Harmonic(amplitude=4.0, frequency_ratio=2.0, phase=0.5 * math.pi)
+    (total,) = added(first, second).segments()
+    assert total.duration == math.inf
+    assert total.amplitude == pytest.approx(5.0, rel=1e-15)
+    assert total.phase == pytest.approx(math.atan2(4.0, 3.0), rel=1e-15)
+
+
+def test_what_opposes_itself_is_still() -> None:
+    total = added(SINE, scaled(SINE, -1.0))
+    assert np.abs(acceleration(total, GRID)).max() < 1e-15
+
+
+def test_the_sum_of_nothing_is_still() -> None:
+    assert added().segments() == ()
+    assert added(Still(), Still()).segments() == ()
+
+
+def test_what_cannot_be_made_is_refused() -> None:
+    beats = Harmonic(amplitude=1.0, frequency_ratio=2.0), Harmonic(amplitude=1, frequency_ratio=3)
+    with pytest.raises(ModelError, match=r"several frequencies may not act together for ever"):
+        added(*beats)
+    with pytest.raises(InputError, match=r"^tolerance = 0"):
+        added(SINE, TRIANGLE, tolerance=0.0)
+    with pytest.raises(InputError, match=r"^by = -1"):
+        delayed(SINE, -1.0)
+    with pytest.raises(InputError, match=r"^factor = nan"):
+        scaled(SINE, math.nan)
+    # a sum that ends may hold one that does not
+    assert base_acceleration(segment_table(added(beats[0], TRIANGLE)), 100.0) == pytest.approx(
+        math.sin(200.0), abs=1e-12
+    )

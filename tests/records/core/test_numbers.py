@@ -1,0 +1,102 @@
+"""Numbers as Fortran writes them: exact, in place, and never a guess."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rocksteady.records.core.fortran_format import fixed_values, stated_width
+from rocksteady.records.core.numbers import number, numbers, samples
+
+FINITE = st.floats(-1e12, 1e12, allow_nan=False)
+
+
+@pytest.mark.parametrize(
+    ("written", "value"),
+    [
+        ("1", 1.0),
+        ("-.5", -0.5),
+        ("+3.", 3.0),
+        (".1234D-02", 0.001234),
+        ("1.5e+3", 1500.0),
+        ("2d2", 200.0),
+    ],
+)
+def test_a_number(written: str, value: float) -> None:
+    assert number(written) == value
+
+
+@pytest.mark.parametrize(
+    "written",
+    ["", "nan", "inf", "1_0", "0x10", "1.2.3", "1e", "--1", "\N{ARABIC-INDIC DIGIT ONE}", "1e999"],
+)
+def test_no_number(written: str) -> None:
+    assert number(written) is None
+    assert numbers(f"1.0 {written} 2.0") is None or not written
+
+
+def test_numbers_that_run_together_are_told_apart_by_signs() -> None:
+    assert numbers("1.234-5.678+9") == [1.234, -5.678, 9.0]
+    assert numbers(" 1.0E-03-2.0E-03-3.0E+02 4.0") == [1e-3, -2e-3, -3e2, 4.0]
+    assert numbers("-12085-12070") == [-12085.0, -12070.0]
+    assert numbers("-0.1234-105 0.5") == [-0.1234e-105, 0.5]
+
+
+def test_numbers_that_run_together_without_a_sign_need_their_width() -> None:
+    assert numbers("12.3456712.34567") is None
+    assert numbers("12.3456712.34567", 8) == [12.34567, 12.34567]
+    assert numbers("1234567812345678", 8) == [12345678.0, 12345678.0]
+    # A width that the file states wrongly does not cut numbers that stand apart.
+    assert numbers("-123.45678 -123.45679", 8) == [-123.45678, -123.45679]
+    assert numbers("1.0E+012.0E+01", 7) == [10.0, 20.0]
+    # Nor does it cut numbers that did not fit and have pushed on the others.
+    assert numbers("-262.345678-275.155934  1.000000", 10) == [-262.345678, -275.155934, 1.0]
+
+
+@pytest.mark.parametrize(
+    "line", ["1.0 ******* 2.0", "1.0 abc", "1..2", "1.0 1e5e5", "1,5", "x" * 5000]
+)
+def test_a_line_with_anything_else_holds_no_numbers(line: str) -> None:
+    assert numbers(line) is None
+    assert numbers(line, 7) is None
+
+
+@given(values=st.lists(FINITE, min_size=1, max_size=40), width=st.sampled_from([None, 24]))
+def test_what_fortran_writes_is_read_back(values: list[float], width: int | None) -> None:
+    line = "".join(f"{value:24.16E}" for value in values)
+    assert numbers(line, width) == values
+    stuck = "".join(f"{value:+.16E}" for value in values)
+    assert numbers(stuck) == values
+    assert numbers(stuck.replace("E", "D")) == values
+
+
+@given(
+    values=st.lists(FINITE, min_size=1, max_size=2000),
+    per_line=st.integers(1, 9),
+    at_most=st.integers(1, 2500),
+)
+def test_samples_of_lines(values: list[float], per_line: int, at_most: int) -> None:
+    lines = [
+        " ".join(map(repr, values[at : at + per_line])) for at in range(0, len(values), per_line)
+    ]
+    found, end = samples([*lines, "", "end of data 1"], 0)
+    assert found.tolist() == values
+    assert end == len(lines) + 1
+    some, end = samples(lines, 0, at_most=at_most)
+    wanted = min(-(-at_most // per_line) * per_line, len(values))
+    assert some.tolist() == values[:wanted]
+    assert end == -(-wanted // per_line)
+
+
+def test_samples_stop_at_the_line_that_is_wrong() -> None:
+    lines = ["1.0 2.0"] * 700
+    lines[600] = "1.0 2.O"
+    found, end = samples(lines, 0)
+    assert (len(found), end) == (1200, 600)
+
+
+def test_formats_of_fortran() -> None:
+    assert stated_width("100 Integer-header values follow on 10 lines, Format= (10I8)") == 8
+    assert stated_width("in cm/sec2. (8f10.6)") == 10
+    assert stated_width("Format=(1P5E15.7)") == 15
+    assert stated_width("no format (here)") is None
+    assert fixed_values((" 1.0 2.0    ", "-999x"), 4) == [1.0, 2.0, -999.0, None]

@@ -1,0 +1,125 @@
+"""Blocks on recorded ground: each fares as in a time history of its own."""
+
+import math
+from itertools import product
+
+import numpy as np
+import pytest
+
+from rocksteady import Block, Record, Status, Trajectory, simulate
+from rocksteady.dynamics.history.models import ModelName
+from rocksteady.seismic.spectra._batch import (
+    Fared,
+    GroundShaking,
+    rectangles_in_si,
+    shaken_fates,
+    sides_in_si,
+)
+from tests.seismic.grounds import ground, lifting
+
+BLOCKS = (
+    Block.rectangle(width=0.4, height=1.6),
+    Block.rectangle(width=0.5, height=1.2, restitution=0.7),
+    Block.asymmetric(left=0.25, right=0.4, height=2.4),
+    Block.asymmetric(left=0.4, right=0.25, height=1.6, restitution=(0.9, 0.7)),
+    Block.general(mass=100.0, inertia=90.0, radius=0.8, alpha=0.2),
+)
+FACTORS = (0.5, 1.0, 2.0)
+
+
+def fared(
+    ground: GroundShaking, blocks: tuple[Block, ...], factors: tuple[float, ...], model: ModelName
+) -> Fared:
+    """Return how each block fares with each factor."""
+    cases = list(product(blocks, factors))
+    shaking = np.empty(len(cases), dtype=object)
+    shaking[:] = [ground] * len(cases)
+    return shaken_fates(
+        shaking=shaking,
+        scale=np.array([factor for _, factor in cases]),
+        sides=np.stack([sides_in_si(block, model, 1e-10) for block, _ in cases]),
+        gravity=BLOCKS[0].gravity,
+    )
+
+
+def history(
+    block: Block, record: Record, vertical: Record | None, factor: float, model: ModelName
+) -> Trajectory:
+    lifted = None if vertical is None else vertical.scaled(factor)
+    return simulate(block, record.scaled(factor), model=model, vertical=lifted)
+
+
+@pytest.mark.parametrize(
+    ("model", "vertical"), [("linear", None), ("nonlinear", None), ("nonlinear", lifting())]
+)
+def test_blocks_of_any_kind_fare_as_in_time_histories(
+    model: ModelName, vertical: Record | None
+) -> None:
+    record = ground(peak=9.0)
+    found = fared(GroundShaking(record=record, vertical=vertical), BLOCKS, FACTORS, model)
+    for cell, (block, factor) in enumerate(product(BLOCKS, FACTORS)):
+        run = history(block, record, vertical, factor, model)
+        assert found.status[cell] == run.status
+        assert found.peak_angle[cell] == pytest.approx(run.peak, rel=1e-8, abs=1e-15)
+        assert found.peak_velocity[cell] == pytest.approx(run.peak_velocity, rel=1e-8, abs=1e-15)
+        # Chatter ends as soon as it is proved to die out, before its last bounces.
+        assert found.impacts[cell] <= len(run.impacts)
+    assert {Status.AT_REST, Status.OVERTURNED} <= set(found.status.tolist())
+
+
+def test_a_base_that_falls_away_is_told() -> None:
+    up = Record(acceleration_m_s2=np.array([0.0, -9.0, 0.0]), dt_s=1.0)
+    found = fared(GroundShaking(record=ground(), vertical=up), BLOCKS[:1], (0.5, 1.5), "nonlinear")
+    assert found.status.tolist() == [Status.AT_REST, Status.LOST_CONTACT]
+
+
+def test_a_block_without_loss_is_followed_for_long_and_no_longer() -> None:
+    block = Block.rectangle(width=0.4, height=1.6, restitution=1.0)
+    found = fared(GroundShaking(record=ground(peak=2.6)), (block,), (1.0,), "linear")
+    run = history(block, ground(peak=2.6), None, 1.0, "linear")
+    assert run.status is Status.ROCKING
+    assert found.status.tolist() == [Status.ROCKING]
+    assert found.peak_angle[0] == pytest.approx(run.peak, rel=1e-9)
+
+
+@pytest.mark.parametrize("model", ["linear", "nonlinear"])
+@pytest.mark.parametrize("restitution", ["housner", 0.8])
+def test_rectangles_are_blocks_from_alpha_and_p_to_the_last_bit(
+    model: ModelName, restitution: float
+) -> None:
+    alpha, p = np.array([0.1, 0.2, 0.35]), np.array([1.0, 2.5, 4.0])
+    sides = rectangles_in_si(
+        alpha=alpha, p=p, restitution=restitution, gravity=9.81, model=model, tolerance=1e-8
+    )
+    for cell in range(3):
+        block = Block.from_p(alpha=alpha[cell], p=p[cell], restitution=restitution, gravity=9.81)
+        np.testing.assert_array_equal(sides[cell], sides_in_si(block, model, 1e-8))
+
+
+def test_each_cell_takes_its_own_ground_in_any_order() -> None:
+    grounds = [GroundShaking(record=ground(seed=seed), vertical=lifting()) for seed in (1, 2)]
+    order, factors = [0, 1, 1, 0, 1], np.array([1.0, 1.0, 2.0, 2.0, 1.0])
+    shaking = np.empty(5, dtype=object)
+    shaking[:] = [grounds[place] for place in order]
+    sides = np.repeat(sides_in_si(BLOCKS[0], "nonlinear", 1e-10)[np.newaxis], 5, axis=0)
+    together = shaken_fates(shaking=shaking, scale=factors, sides=sides, gravity=9.80665)
+    for cell in range(5):
+        here = slice(cell, cell + 1)
+        alone = shaken_fates(
+            shaking=shaking[here], scale=factors[here], sides=sides[here], gravity=9.80665
+        )
+        assert [column[cell] for column in together] == [column[0] for column in alone]
+    assert together.peak_angle[1] == together.peak_angle[4]
+    assert len(set(together.peak_velocity.tolist())) == 4
+
+
+def test_the_peak_velocity_is_that_of_the_sampled_time_history() -> None:
+    models: tuple[ModelName, ...] = ("linear", "nonlinear")
+    for block, model in product(BLOCKS, models):
+        run = simulate(block, ground(), model=model)
+        end = run.end_s if run.overturn_s is None else run.overturn_s
+        sampled = float(np.abs(run(np.linspace(0.0, min(end, 40.0), 20_000)).velocity).max())
+        before = np.abs(run.impacts.velocity_before[run.impacts.s <= end])
+        top = max(sampled, float(before.max(initial=0.0)))
+        assert top <= run.peak_velocity * (1.0 + 1e-12)
+        assert math.isclose(top, run.peak_velocity, rel_tol=1e-3)

@@ -1,0 +1,250 @@
+"""Rocking spectra: against time histories, published values, symmetries, and as sweeps."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray
+
+from rocksteady import (
+    Block,
+    InputError,
+    ModelError,
+    Record,
+    Status,
+    open_store,
+    read_record,
+    rocking_spectrum,
+    simulate,
+)
+from rocksteady.dynamics.history.models import ModelName
+from tests.records import FOLDER, peer
+from tests.records.published import AT_PACOIMA_DAM, PEAKS
+from tests.seismic.grounds import ALPHAS, PERIODS, ground, lifting
+
+NAMES = ("status", "peak_angle", "peak_velocity", "impacts")
+
+
+def same(one: xarray.Dataset, other: xarray.Dataset) -> None:
+    for name in NAMES:
+        np.testing.assert_array_equal(one[name].values, other[name].values)
+
+
+# --------------------------------------------------------------------------- time histories
+
+
+@pytest.mark.parametrize("model", ["linear", "nonlinear"])
+def test_each_cell_is_a_time_history(model: ModelName) -> None:
+    found = rocking_spectrum(ground(), alpha=ALPHAS, periods_s=PERIODS, model=model)
+    assert found.peak_angle.dims == ("alpha", "period")
+    for alpha in ALPHAS:
+        for period in PERIODS:
+            cell = found.sel(alpha=alpha, period=period)
+            run = simulate(Block.from_p(alpha=alpha, p=float(cell.p)), ground(), model=model)
+            assert int(cell.status) == run.status
+            assert float(cell.peak_angle) == pytest.approx(run.peak, rel=1e-8)
+            assert float(cell.peak_velocity) == pytest.approx(run.peak_velocity, rel=1e-8)
+    assert {Status.AT_REST, Status.OVERTURNED} <= set(found.status.values.ravel().tolist())
+
+
+def test_suite_scale_vertical_gravity_and_restitution_reach_the_block() -> None:
+    records, verticals = [ground(1), ground(2, name="other")], [None, lifting()]
+    found = rocking_spectrum(
+        records,
+        alpha=[0.2, 0.3],
+        p=[2.0, 3.0],
+        scale=[0.7, 1.1],
+        vertical=verticals,
+        model="nonlinear",
+        restitution=0.75,
+        gravity=9.0,
+        reverse=True,
+    )
+    assert dict(found.sizes) == {"record": 2, "scale": 2, "alpha": 2, "period": 2}
+    for record, beside in zip(records, verticals, strict=True):
+        for factor in (0.7, 1.1):
+            for p in (2.0, 3.0):
+                run = simulate(
+                    Block.from_p(alpha=0.3, p=p, restitution=0.75, gravity=9.0),
+                    record.reversed().scaled(factor),
+                    vertical=None if beside is None else beside.scaled(factor),
+                    model="nonlinear",
+                )
+                cell = found.sel(record=record.name, scale=factor, alpha=0.3)
+                cell = cell.isel(period=[2.0, 3.0].index(p))
+                assert int(cell.status) == run.status
+                assert float(cell.peak_angle) == pytest.approx(run.peak, rel=1e-8)
+
+
+# ------------------------------------------------------------------------------- published
+
+
+@pytest.mark.parametrize(("name", "p", "alpha", "theta"), PEAKS)
+def test_published_peaks_under_real_records(
+    name: str, p: float, alpha: float, theta: float
+) -> None:
+    found = rocking_spectrum(peer(name), alpha=alpha, p=p, model="nonlinear")
+    assert int(found.status) == Status.AT_REST
+    assert alpha * float(found.peak_angle) == pytest.approx(theta, rel=1e-5)
+
+
+@pytest.mark.parametrize(("degrees", "period", "falls"), AT_PACOIMA_DAM)
+def test_where_pacoima_dam_topples_blocks(degrees: float, period: float, falls: bool) -> None:
+    alpha = math.radians(degrees)
+    found = rocking_spectrum(peer("PUL164"), alpha=alpha, periods_s=period, model="nonlinear")
+    assert int(found.status) == (Status.OVERTURNED if falls else Status.AT_REST)
+
+
+# ------------------------------------------------------------------------------- symmetries
+
+
+@pytest.mark.parametrize("model", ["linear", "nonlinear"])
+def test_symmetric_blocks_do_not_feel_which_way_the_ground_is_reversed(model: ModelName) -> None:
+    one, other = (
+        rocking_spectrum(ground(), alpha=ALPHAS, periods_s=PERIODS, model=model, reverse=reverse)
+        for reverse in (False, True)
+    )
+    same(one, other)
+    assert (one.attrs["direction"], other.attrs["direction"]) == ("as recorded", "reversed")
+
+
+def test_reversing_is_what_reversed_records_are() -> None:
+    tilted = rocking_spectrum(ground(), alpha=ALPHAS, p=3.0, reverse=True)
+    same(tilted, rocking_spectrum(ground().reversed(), alpha=ALPHAS, p=3.0))
+
+
+@pytest.mark.parametrize(("model", "up"), [("linear", None), ("nonlinear", lifting())])
+def test_a_scale_is_a_scaled_record(model: ModelName, up: Record | None) -> None:
+    factors = [0.5, 1.0, 1.7]
+    found = rocking_spectrum(
+        ground(), alpha=0.2, periods_s=PERIODS, scale=factors, model=model, vertical=up
+    )
+    for factor in factors:
+        alone = rocking_spectrum(
+            ground().scaled(factor),
+            alpha=0.2,
+            periods_s=PERIODS,
+            model=model,
+            vertical=None if up is None else up.scaled(factor),
+        )
+        here = found.sel(scale=factor)
+        np.testing.assert_array_equal(here.status.values, alone.status.values)
+        np.testing.assert_allclose(here.peak_angle.values, alone.peak_angle.values, rtol=1e-8)
+
+
+def test_in_the_linear_model_a_stronger_record_is_a_more_slender_block() -> None:
+    strong = rocking_spectrum(ground(), alpha=0.3, periods_s=PERIODS, scale=1.5, restitution=0.8)
+    slender = rocking_spectrum(ground(), alpha=0.2, periods_s=PERIODS, restitution=0.8)
+    np.testing.assert_array_equal(strong.status.values, slender.status.values)
+    np.testing.assert_allclose(strong.peak_angle.values, slender.peak_angle.values, rtol=1e-8)
+
+
+def test_a_slower_record_is_a_larger_block() -> None:
+    slow = Record(acceleration_m_s2=ground().acceleration_m_s2, dt_s=2.0 * ground().dt_s)
+    one = rocking_spectrum(ground(), alpha=ALPHAS, periods_s=PERIODS)
+    other = rocking_spectrum(slow, alpha=ALPHAS, periods_s=np.multiply(PERIODS, 2.0))
+    np.testing.assert_array_equal(one.status.values, other.status.values)
+    np.testing.assert_allclose(one.peak_velocity.values, other.peak_velocity.values, rtol=1e-8)
+
+
+def test_a_fall_reaches_the_slenderness_and_no_other_motion_rests_beyond_it() -> None:
+    found = rocking_spectrum(ground(), alpha=ALPHAS, periods_s=PERIODS)
+    fell = (found.status == Status.OVERTURNED).values
+    assert (found.peak_angle.values[fell] >= 1.0).all()
+    assert fell.any()
+    # No record of these shakes a block beyond its slenderness and back.
+    assert (found.peak_angle.values[~fell] < 1.0).all()
+
+
+# ---------------------------------------------------------------------------------- sweeps
+
+
+def test_who_computes_it_and_where_it_is_kept_change_nothing(tmp_path: Path) -> None:
+    grid = {"alpha": ALPHAS, "periods_s": PERIODS, "scale": [0.8, 1.0]}
+    records, up = [ground(1), ground(2), ground(3)], [lifting(), None, None]
+    given = {**grid, "model": "nonlinear", "vertical": up}
+    plain = rocking_spectrum(records, **given, executor="serial")  # type: ignore[arg-type]
+    same(plain, rocking_spectrum(records, **given, workers=3))  # type: ignore[arg-type]
+    path = tmp_path / "suite.zarr"
+    kept = rocking_spectrum(records, **given, store=path)  # type: ignore[arg-type]
+    same(plain, kept)
+    assert plain.equals(kept.load())
+    same(plain, open_store(path))
+    assert plain.record.values.tolist() == ["noise", "noise (2)", "noise (3)"]
+
+
+def test_a_part_of_a_grid_has_the_values_of_the_whole() -> None:
+    whole = rocking_spectrum([ground(1), ground(2)], alpha=ALPHAS, periods_s=PERIODS)
+    part = rocking_spectrum(ground(2), alpha=ALPHAS[1], periods_s=PERIODS[::2])
+    same(whole.isel(record=1, alpha=1, period=slice(None, None, 2)), part)
+
+
+def test_single_values_are_no_dimensions_but_stay() -> None:
+    found = rocking_spectrum(ground(), alpha=0.2, p=2.0)
+    assert found.sizes == {}
+    assert float(found.alpha) == 0.2
+    assert float(found.p) == pytest.approx(2.0, rel=1e-15)
+    assert (str(found.record.values), float(found.scale)) == ("noise", 1.0)
+    assert found.period.attrs["units"] == "s"
+    flags = found.status.attrs
+    words = dict(zip(flags["flag_values"].tolist(), flags["flag_meanings"].split(), strict=True))
+    assert words[Status.OVERTURNED] == "overturned"
+
+
+# --------------------------------------------------------------------------------- refusals
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"alpha": 0.2}, "periods_s and p are both missing:"),
+        ({"alpha": 0.2, "p": 2.0, "periods_s": 3.0}, "periods_s and p are both given:"),
+        ({"alpha": 0.2, "p": -2.0}, "p = -2.0"),
+        ({"alpha": 0.2, "periods_s": [1.0, 0.0]}, "periods_s = 0.0"),
+        ({"alpha": [0.2, 1.7], "p": 2.0}, "alpha = 1.7"),
+        ({"alpha": 1.2, "p": 2.0}, "Housner's restitution"),
+        ({"alpha": [0.2, 0.2], "p": 2.0}, "each value once"),
+        ({"alpha": 0.2, "p": 2.0, "scale": 0.0}, "scale = 0.0"),
+        ({"alpha": 0.2, "p": 2.0, "scale": 5e-324}, "scale = 5e-324"),
+        ({"alpha": 0.2, "p": 2.0, "restitution": 1.2}, "restitution = 1.2"),
+        ({"alpha": 0.2, "p": 2.0, "model": "exact"}, "model = 'exact'"),
+        ({"alpha": 0.2, "p": 2.0, "tolerance": 1.0, "model": "nonlinear"}, "tolerance = 1.0"),
+        ({"alpha": 0.2, "p": 2.0, "gravity": 0.0}, "gravity = 0.0"),
+        ({"alpha": 0.2, "p": 2.0, "vertical": [None, None]}, "a record for each of 1"),
+    ],
+)
+def test_what_is_not_valid_is_said_in_one_line(given: dict[str, object], words: str) -> None:
+    with pytest.raises(InputError) as caught:
+        rocking_spectrum(ground(), **given)  # type: ignore[arg-type]
+    assert words in str(caught.value)
+
+
+def test_what_is_no_record_and_what_the_linear_model_has_no_term_for_is_refused() -> None:
+    with pytest.raises(InputError, match="records"):
+        rocking_spectrum([], alpha=0.2, p=2.0)
+    with pytest.raises(InputError, match="records"):
+        rocking_spectrum(np.ones(3), alpha=0.2, p=2.0)  # type: ignore[arg-type]
+    with pytest.raises(ModelError, match="vertical"):
+        rocking_spectrum(ground(), alpha=0.2, p=2.0, vertical=lifting())
+    slow = Record(acceleration_m_s2=np.array([1.0, 2.0]), dt_s=1e20)
+    with pytest.raises(InputError, match="dt_s"):
+        rocking_spectrum(slow, alpha=0.2, p=2.0)
+
+
+@pytest.mark.slow
+def test_a_suite_of_real_records_is_what_its_time_histories_are() -> None:
+    files = sorted((FOLDER / "suite_at2").glob("*.AT2"))[:12]
+    if not files:
+        pytest.skip("there is no suite in ../shared/records")
+    suite = [read_record(file) for file in files]
+    for model in ("linear", "nonlinear"):
+        found = rocking_spectrum(suite, alpha=[0.1, 0.2], p=[1.5, 3.0, 5.0], model=model)
+        for place, record in enumerate(suite):
+            for row, alpha in enumerate((0.1, 0.2)):
+                for column, p in enumerate((1.5, 3.0, 5.0)):
+                    cell = found.isel(record=place, alpha=row, period=column)
+                    run = simulate(Block.from_p(alpha=alpha, p=p), record, model=model)
+                    assert int(cell.status) == run.status
+                    # After a thousand impacts 1e-15 of alpha has become 1e-7 of a peak.
+                    assert float(cell.peak_angle) == pytest.approx(run.peak, rel=1e-6, abs=1e-12)

@@ -1,0 +1,144 @@
+"""Pictures of a block whose sides differ: where its mass centre is, and where it balances."""
+
+import math
+
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from rocksteady import (
+    Block,
+    DimensionlessBlock,
+    Harmonic,
+    InputError,
+    State,
+    Still,
+    Trajectory,
+    plot_base,
+    plot_block,
+    plot_phase_portrait,
+    plot_trajectory,
+    simulate,
+)
+from rocksteady.show.film._geometry import shape_of
+from rocksteady.show.film._scene import BlockScene
+from rocksteady.show.film.animation import film_of
+
+BLOCK = Block.asymmetric(left=0.15, right=0.25, height=1.2)
+UNLIKE = DimensionlessBlock(restitution=0.85, negative_restitution=0.75, alpha_ratio=1.8)
+SHAKEN = Harmonic(amplitude=2.0, frequency_ratio=5.0)
+
+
+def new_axes() -> Axes:
+    return Figure(figsize=(6.0, 4.0)).add_subplot()
+
+
+def balanced(block: Block | DimensionlessBlock, side: int) -> Trajectory:
+    """Return a run that begins where the block balances on a side, on a still base."""
+    one = simulate(block, Still(), start=State(angle=0.1, velocity=0.0))
+    start = State(angle=one.balances[0 if side < 0 else 1], velocity=0.0)
+    return simulate(block, Still(), start=start)
+
+
+def mass_centre(scene: BlockScene) -> tuple[float, float]:
+    """Return where the mass centre is drawn, in the units of the axes."""
+    pixels = scene.mass.get_transform().transform(np.column_stack(scene.mass.get_data()))
+    ((x, y),) = scene.axes.transData.inverted().transform(pixels)
+    return x, y
+
+
+@pytest.mark.parametrize("side", [-1, 1])
+@pytest.mark.parametrize("block", [BLOCK, UNLIKE], ids=["sized", "dimensionless"])
+def test_where_it_balances_its_mass_centre_is_drawn_above_the_pivot(
+    block: Block | DimensionlessBlock, side: int
+) -> None:
+    scene = BlockScene(new_axes(), balanced(block, side), np.array([0.0]))
+    scene.show(0.0)
+    x, y = mass_centre(scene)
+    pivot = -side * scene.shape.half_width
+    assert x == pytest.approx(pivot, abs=1e-9)
+    arm = scene.shape.left if side > 0 else scene.shape.right
+    assert y == pytest.approx(math.hypot(arm, 0.5 * scene.shape.height), rel=1e-9)
+
+
+def test_at_rest_its_mass_centre_is_where_it_is() -> None:
+    run = simulate(BLOCK, Harmonic(amplitude=0.5, frequency_ratio=2.0), cycles=1)
+    scene = BlockScene(new_axes(), run, np.array([0.0]))
+    scene.show(0.0)
+    x, y = mass_centre(scene)
+    base = float(scene.ground(0.0)) - 0.5 * BLOCK.width
+    assert (x - base, y) == pytest.approx((0.15, 0.6))
+
+
+def test_a_dimensionless_block_is_drawn_with_the_ratio_of_its_slendernesses() -> None:
+    run = simulate(UNLIKE, Still(), start=State(angle=0.5, velocity=0.0))
+    shape = shape_of(run, 0.3)
+    angles = math.atan2(shape.left, 0.5 * shape.height), math.atan2(shape.right, 0.5 * shape.height)
+    assert angles == pytest.approx((0.3, 1.8 * 0.3))
+    assert shape_of(run).alpha == pytest.approx(0.2 / 1.8)
+    with pytest.raises(InputError, match="alpha"):
+        shape_of(run, 0.9)  # the other side's would lie beyond a right angle
+
+
+def test_time_histories_have_a_line_at_the_balance_of_either_side() -> None:
+    run = simulate(BLOCK, SHAKEN, cycles=5)
+    lean = BLOCK.negative.alpha / BLOCK.alpha
+    for axes in (plot_trajectory(run, new_axes()), plot_base(run, new_axes())):
+        levels = [np.unique(np.asarray(line.get_ydata(), dtype=float)) for line in axes.lines]
+        flat = sorted(level.item() for level in levels if level.size == 1 and level[0] != 0.0)
+        assert flat == pytest.approx([-lean, 1.0])
+        assert r"\alpha_+" in axes.get_ylabel()
+    assert r"\alpha_+" in plot_phase_portrait(run, new_axes()).get_xlabel()
+
+
+def test_a_fall_to_its_flatter_side_is_shown_beyond_the_balance_there() -> None:
+    run = simulate(UNLIKE, Still(), start=State(angle=0.0, velocity=-2.5))
+    low, high = plot_trajectory(run, new_axes()).get_ylim()
+    assert low < -1.8
+    assert high > 1.0
+
+
+def test_the_marks_of_uplift_are_at_the_alpha_of_either_side() -> None:
+    run = simulate(BLOCK, SHAKEN, cycles=2)
+    scene = BlockScene(new_axes(), run, np.array([0.0]))
+    places = [np.asarray(line.get_xdata(), dtype=float) for line in scene.axes.lines]
+    marks = sorted(float(x[0]) for x in places if len(x) == 2 and x[0] == x[1])
+    lean = BLOCK.negative.alpha / BLOCK.alpha
+    assert len(marks) == 3
+    assert marks[0] / marks[2] == pytest.approx(-lean)
+    assert marks[1] == 0.0
+
+
+def test_in_the_nonlinear_model_it_lifts_at_the_tangent_of_either_alpha() -> None:
+    run = simulate(BLOCK, SHAKEN, cycles=3, model="nonlinear")
+    lifts = [
+        -math.tan(BLOCK.negative.alpha) / BLOCK.alpha,
+        math.tan(BLOCK.positive.alpha) / BLOCK.alpha,
+    ]
+    levels = [np.unique(np.asarray(line.get_ydata())) for line in plot_base(run, new_axes()).lines]
+    flat = sorted(level.item() for level in levels if level.size == 1 and level[0] != 0.0)
+    assert flat == pytest.approx(lifts)
+    film = film_of(run, fps=10)
+    places = [np.asarray(line.get_xdata(), dtype=float) for line in film.scene.axes.lines]
+    marks = sorted(float(x[0]) for x in places if len(x) == 2 and x[0] == x[1])
+    assert marks[0] / marks[2] == pytest.approx(lifts[0] / lifts[1])
+    legend = film.scene.axes.get_legend()
+    assert legend is not None
+    assert any("g tan α₊, −g tan α₋" in text.get_text() for text in legend.get_texts())
+
+
+def test_words_of_a_film_tell_both_sides() -> None:
+    film = film_of(simulate(BLOCK, SHAKEN, cycles=3), fps=10)
+    title = film.figure.texts[0].get_text()
+    assert f"{BLOCK.alpha:.3g}/{BLOCK.negative.alpha:.3g} rad" in title
+    assert "α₊" in film.scene.tilt.get_text()
+    legend = film.scene.axes.get_legend()
+    assert legend is not None
+    assert any("−α₋ < θ < α₊" in text.get_text() for text in legend.get_texts())
+
+
+def test_plot_block_draws_it() -> None:
+    run = simulate(BLOCK, Still(), start=State(angle=-1.5, velocity=0.0))
+    axes = plot_block(run, 0.0, new_axes())
+    assert "α₊" in axes.texts[1].get_text()

@@ -1,0 +1,225 @@
+"""Plots of basins and of erosion: each shows the numbers it was given."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+
+import matplotlib as mpl
+
+mpl.use("Agg")
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.colors import to_hex, to_rgb
+from matplotlib.figure import Figure
+
+from rocksteady import (
+    Basins,
+    Block,
+    DimensionlessBlock,
+    Erosion,
+    Harmonic,
+    basins,
+    erosion,
+    plot_basins,
+    plot_erosion,
+)
+from rocksteady.show.figures.single import basins_figure, erosion_figure
+from rocksteady.show.plots.basins import fills_of, plot_safe_basin
+from rocksteady.show.style import palette
+
+WINDOW = np.linspace(-1.0, 1.0, 41)
+
+
+@cache
+def found(amplitude: float = 0.5, ratio: float = 2.0, restitution: float = 0.95) -> Basins:
+    return basins(
+        DimensionlessBlock(restitution=restitution),
+        Harmonic(amplitude=amplitude, frequency_ratio=ratio, phase=0.4),
+        angles=WINDOW,
+        velocities=WINDOW / ratio,
+    )
+
+
+@cache
+def eroded(top: float = 1.0) -> Erosion:
+    return erosion(
+        DimensionlessBlock(restitution=0.9),
+        2.0,
+        np.linspace(0.1, top, 4),
+        angles=WINDOW,
+        velocities=WINDOW / 2.0,
+    )
+
+
+PLOTS: dict[str, Callable[[Axes | None], Axes]] = {
+    "basins": lambda ax: plot_basins(found(), ax),
+    "mirrored": lambda ax: plot_basins(found(2.0, 1.9, 0.8), ax),
+    "erosion": lambda ax: plot_erosion(eroded(), ax),
+    "before": lambda ax: plot_erosion(eroded(0.2), ax),
+    "safe": lambda ax: plot_safe_basin(eroded(), 2, ax),
+}
+plots = pytest.mark.parametrize("draw", PLOTS.values(), ids=PLOTS)
+
+
+@plots
+def test_a_plot_draws_on_the_axes_it_is_given_with_its_labels(
+    draw: Callable[[Axes | None], Axes],
+) -> None:
+    axes = Figure().add_subplot()
+    assert draw(axes) is axes
+    for label in (axes.get_xlabel(), axes.get_ylabel()):
+        assert label in palette.LABELS.values()
+    assert np.isfinite([*axes.get_xlim(), *axes.get_ylim()]).all()
+
+
+@plots
+def test_a_plot_makes_axes_of_its_own_and_leaves_the_settings(
+    draw: Callable[[Axes | None], Axes],
+) -> None:
+    settings = dict(mpl.rcParams)
+    axes = draw(None)
+    try:
+        assert plt.gcf() is axes.figure
+        assert dict(mpl.rcParams) == settings
+    finally:
+        plt.close("all")
+
+
+def colours_seen(axes: Axes) -> "np.ndarray[tuple[int, ...], np.dtype[np.str_]]":
+    """The colour of each cell of the picture."""
+    (image,) = axes.images
+    labels = image.get_array()
+    assert labels is not None
+    data = image.to_rgba(labels)
+    return np.array([[to_hex(cell) for cell in row] for row in data])
+
+
+def test_each_cell_has_the_fill_of_its_attractor() -> None:
+    given = found()
+    axes = plot_basins(given, Figure().add_subplot())
+    fills = np.array(fills_of(given.attractors))
+    assert np.array_equal(colours_seen(axes), fills[given.label])
+    (image,) = axes.images
+    half = 0.5 * (WINDOW[1] - WINDOW[0])
+    assert image.get_extent() == pytest.approx(
+        (-1.0 - half, 1.0 + half, -0.5 - half / 2.0, 0.5 + half / 2.0)
+    )
+    assert image.origin == "lower"
+
+
+def test_the_attractors_stand_where_they_are_at_that_phase() -> None:
+    given = found()
+    axes = plot_basins(given, Figure().add_subplot())
+    drawn = {
+        (float(x), float(y))
+        for line in axes.lines
+        for x, y in zip(np.asarray(line.get_xdata()), np.asarray(line.get_ydata()), strict=True)
+    }
+    expected = [tuple(point) for points in given.stroboscopic for point in points.tolist()]
+    assert drawn == set(expected)
+    periods = [one.period or int(one.kind.value == "rest") for one in given.attractors]
+    assert [len(points) for points in given.stroboscopic] == periods
+    # An attractor lies in its own basin.
+    for label, points in enumerate(given.stroboscopic):
+        for u, v in points:
+            column, row = np.abs(given.angle - u).argmin(), np.abs(given.velocity - v).argmin()
+            near = given.label[row - 1 : row + 2, column - 1 : column + 2]
+            assert label in near
+
+
+def test_the_legend_has_every_share() -> None:
+    given = found()
+    legend = plot_basins(given, Figure().add_subplot()).get_legend()
+    assert legend is not None
+    texts = [text.get_text() for text in legend.get_texts()]
+    for text, one, part in zip(texts, given.attractors, given.fractions(), strict=True):
+        assert text == f"{one.name}  {100.0 * part.share:.1f} %"
+
+
+def lightness(colour: str) -> float:
+    return float(np.dot(to_rgb(colour), (0.2126, 0.7152, 0.0722)))
+
+
+def test_attractors_of_one_kind_differ_in_lightness() -> None:
+    given = found(2.0, 1.9, 0.8)
+    fills = fills_of(given.attractors)
+    assert len(set(fills)) == len(fills) == 3
+    assert fills[0] == palette.OVERTURNED
+    light = [lightness(fill) for fill in fills]
+    assert min(abs(one - other) for k, one in enumerate(light) for other in light[:k]) > 0.15
+    for hue in (palette.SYMMETRIC, palette.UNSYMMETRIC, palette.SUBHARMONIC):
+        tints = [lightness(palette.tinted(hue, part)) for part in palette.TINTS]
+        assert len({round(tint, 2) for tint in tints}) == len(tints)
+
+
+def test_tints_go_to_white_and_to_black() -> None:
+    assert palette.tinted("#102030", 0.0) == "#102030"
+    assert palette.tinted("#102030", 1.0) == "#ffffff"
+    assert palette.tinted("#102030", -1.0) == "#000000"
+
+
+def test_the_erosion_is_drawn_with_its_threshold_and_drops() -> None:
+    given = eroded()
+    drops = [
+        drop for name in ("integrity_factor", "global_integrity") if (drop := given.drop(name))
+    ]
+    axes = plot_erosion(given, Figure().add_subplot(), drops=drops)
+    factor, area, threshold, *marks = axes.lines
+    for line, name in ((factor, "integrity_factor"), (area, "global_integrity")):
+        drawn = dict(zip(*(np.asarray(each).tolist() for each in line.get_data()), strict=True))
+        known = dict(zip(given.amplitude.tolist(), given.measure(name).tolist(), strict=True))
+        assert known.items() <= drawn.items()
+    assert set(np.asarray(threshold.get_xdata()).tolist()) == {given.heteroclinic}
+    assert len(marks) == len(drops) == 2
+    for mark, drop in zip(marks, drops, strict=True):
+        (where,) = np.asarray(mark.get_xdata()).tolist()
+        assert drop.low < where < drop.high
+        line = factor if drop.measure == "integrity_factor" else area
+        x, y = (np.asarray(each, dtype=float) for each in line.get_data())
+        height = np.interp(where, x, y)
+        assert np.asarray(mark.get_ydata()).tolist() == [drop.level] == [pytest.approx(height)]
+
+
+def test_a_threshold_beyond_the_axis_is_said() -> None:
+    legend = plot_erosion(eroded(0.2), Figure().add_subplot()).get_legend()
+    assert legend is not None
+    assert any(text.get_text().endswith("(beyond)") for text in legend.get_texts())
+
+
+def test_without_a_threshold_there_is_no_line_of_it() -> None:
+    given = replace(eroded(), block=Block.from_p(alpha=0.2, p=2.0), model="nonlinear")
+    axes = plot_erosion(given, Figure().add_subplot())
+    assert len(axes.lines) == 2
+    legend = axes.get_legend()
+    assert legend is not None
+    assert not any("tangency" in text.get_text() for text in legend.get_texts())
+    assert len(erosion_figure(given).axes) >= 2
+
+
+def test_safe_states_are_light() -> None:
+    given = eroded()
+    seen = colours_seen(plot_safe_basin(given, 1, Figure().add_subplot()))
+    assert np.array_equal(seen == palette.SYMMETRIC, given.safe[1])
+
+
+def test_figures_have_a_title_and_their_panels() -> None:
+    assert len(basins_figure(found(), "a title").axes) == 1
+    given = eroded()
+    drop = given.drop()
+    assert drop is not None
+    figure = erosion_figure(given, [drop], "a title")
+    assert len(figure.axes) >= 3
+    assert figure.get_suptitle() == "a title"
+
+
+def test_amplitudes_spaced_by_ratio_get_a_logarithmic_axis() -> None:
+    window = np.linspace(-1.4, 1.4, 15)
+    block = DimensionlessBlock(restitution=0.9)
+    for amplitudes, scale in (([0.01, 0.1, 1.0], "log"), ([0.1, 0.55, 1.0], "linear")):
+        found = erosion(block, 2.0, amplitudes, angles=window, velocities=0.5 * window)
+        axes = plot_erosion(found, Figure().add_subplot())
+        assert axes.get_xscale() == scale
+        assert axes.get_xlim() == (amplitudes[0] if scale == "log" else 0.0, 1.0)

@@ -1,0 +1,358 @@
+"""Plots of branches, sweeps and curves of bifurcations; each shows the numbers it was given."""
+
+from collections.abc import Iterable
+from functools import cache
+from itertools import pairwise
+
+import matplotlib as mpl
+
+mpl.use("Agg")
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import to_rgba
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from rocksteady import (
+    AttractorTrail,
+    Branch,
+    BranchPoint,
+    DimensionlessBlock,
+    Harmonic,
+    InputError,
+    Steady,
+    attractor_trail,
+    bifurcation_branches,
+    bifurcation_curve,
+    boundaries,
+    continuation,
+    orbits,
+    plot_bifurcation_curves,
+    plot_bifurcations,
+    stretches,
+    symmetry_breaking_amplitude,
+)
+from rocksteady.show.figures.single import bifurcation_figure
+from rocksteady.show.style import palette
+
+BARE = DimensionlessBlock(restitution=0.8)
+PLANE = ("amplitude", "frequency_ratio")
+MARKS = {"s", "D", "^", "o"}
+
+
+@cache
+def over_amplitude() -> tuple[Branch, ...]:
+    shaking = Harmonic(amplitude=1.0, frequency_ratio=2.0)
+    starts = orbits(BARE, shaking, max_period=1, max_impacts=2, seeds=1)
+    return bifurcation_branches(starts, "amplitude", (0.1, 3.0), max_period=2, max_impacts=6)
+
+
+@cache
+def over_frequency() -> tuple[Branch, ...]:
+    shaking = Harmonic(amplitude=2.0, frequency_ratio=2.2)
+    starts = orbits(BARE, shaking, max_period=1, max_impacts=2, seeds=1)
+    return bifurcation_branches(starts[:1], "frequency_ratio", (1.6, 2.4), max_period=2)
+
+
+@cache
+def sweeps() -> tuple[AttractorTrail, ...]:
+    shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
+    ways = (np.linspace(1.6, 2.4, 41), np.linspace(2.4, 1.6, 41))
+    return tuple(
+        attractor_trail(BARE, shaking, "frequency_ratio", way, start=Steady()) for way in ways
+    )
+
+
+@cache
+def curves() -> tuple[tuple[BranchPoint, ...], ...]:
+    ranges = ((0.1, 6.0), (1.0, 4.0))
+    points = over_amplitude()[0].points
+    starts = [next(p for p in points if p.type == kind) for kind in ("fold", "symmetry-breaking")]
+    return tuple(
+        tuple(bifurcation_curve(start, PLANE, ranges, direction=direction))
+        for start in starts
+        for direction in (1, -1)
+    )
+
+
+def lines_of(axes: Axes, *, marked: bool) -> list[Line2D]:
+    return [line for line in axes.lines if (line.get_marker() in MARKS) == marked]
+
+
+def data(line: Line2D) -> tuple[np.ndarray, np.ndarray]:
+    return np.asarray(line.get_xdata(), dtype=float), np.asarray(line.get_ydata(), dtype=float)
+
+
+def legend_of(axes: Axes) -> list[str]:
+    legend = axes.get_legend()
+    assert legend is not None
+    return [text.get_text() for text in legend.get_texts()]
+
+
+def curve_lines(axes: Axes, colour: str) -> list[Line2D]:
+    return [line for line in lines_of(axes, marked=False) if line.get_color() == colour]
+
+
+def test_a_plot_draws_on_the_axes_it_is_given_with_its_labels() -> None:
+    axes = Figure().add_subplot()
+    assert plot_bifurcations(over_frequency(), sweeps(), axes) is axes
+    assert axes.get_xlabel() == palette.LABELS["frequency_ratio"]
+    assert axes.get_ylabel() == palette.LABELS["flight_peak"]
+    assert axes.get_xlim() == (1.6, 2.4)
+    assert plot_bifurcation_curves(curves(), axes) is axes
+
+
+def test_a_plot_makes_axes_of_its_own_and_leaves_the_settings() -> None:
+    settings = dict(mpl.rcParams)
+    assert plot_bifurcations(over_frequency()).figure is plt.gcf()
+    assert plot_bifurcation_curves(curves()).figure is plt.gcf()
+    assert dict(mpl.rcParams) == settings
+    plt.close("all")
+
+
+def test_every_flight_is_a_line_and_nothing_drawn_is_nan() -> None:
+    branches = over_amplitude()
+    axes = plot_bifurcations(branches, ax=Figure().add_subplot())
+    expected = sum(
+        branch.peaks.shape[1] // (2 if branch.symmetric else 1) * len(stretches(branch))
+        for branch in branches
+    )
+    assert len(lines_of(axes, marked=False)) == expected
+    for line in axes.lines:
+        assert np.isfinite(data(line)).all()
+        assert (data(line)[1] >= 0.0).all()
+
+
+def test_the_highest_line_is_the_highest_peak() -> None:
+    branch = over_frequency()[1]
+    axes = plot_bifurcations([branch], ax=Figure().add_subplot())
+    drawn = {
+        (x, y)
+        for line in lines_of(axes, marked=False)
+        for x, y in zip(*(column.tolist() for column in data(line)), strict=True)
+    }
+    for value, peaks in zip(branch.values, branch.peaks, strict=True):
+        assert {(value, abs(peak)) for peak in peaks.tolist()} <= drawn
+
+
+def test_stable_parts_are_solid_and_thick_and_unstable_ones_dashed_and_thin() -> None:
+    symmetric = over_frequency()[0]
+    axes = plot_bifurcations([symmetric], ax=Figure().add_subplot())
+    unstable, stable = lines_of(axes, marked=False)
+    breaking = float(symmetric.bifurcations[0].frequency_ratio)
+    assert breaking == pytest.approx(1.948378, abs=5e-7)  # TW6
+    assert data(stable)[0].min() == data(unstable)[0].max() == breaking
+    assert stable.get_linestyle() == "-"
+    assert unstable.get_linestyle() == "--"
+    assert stable.get_linewidth() > 2.0 * unstable.get_linewidth()
+
+
+def test_a_stretch_between_two_bifurcations_is_what_the_one_before_is_not() -> None:
+    for branch in (*over_amplitude(), *over_frequency()):
+        parts = stretches(branch)
+        assert parts[0].first == 0
+        assert parts[-1].last == len(branch.points) - 1
+        for part, after in pairwise(parts):
+            assert part.last == after.first
+            assert part.stable != after.stable
+            assert branch.points[part.last].type != "regular"
+        for part in parts:
+            inside = branch.stable[part.first + 1 : part.last]
+            assert (inside == part.stable).all()
+
+
+def test_solutions_that_are_no_motion_are_dotted_and_faint() -> None:
+    shaking = Harmonic(amplitude=1.0, frequency_ratio=2.0)
+    start = orbits(BARE, shaking, max_period=1, max_impacts=2, seeds=1)[1]
+    points = tuple(continuation(start, "amplitude", (0.1, 3.0), inadmissible=True))
+    branch = Branch(parameter="amplitude", points=points)
+    assert not branch.admissible.all()
+    axes = plot_bifurcations([branch], ax=Figure().add_subplot())
+    faint = [line for line in lines_of(axes, marked=False) if line.get_alpha() is not None]
+    assert faint
+    graze = next(point for point in points if point.type == "grazing")
+    for line in faint:
+        assert float(line.get_alpha() or 1.0) < 1.0
+        assert data(line)[0].min() == pytest.approx(graze.amplitude)
+    assert "no motion" in legend_of(axes)
+
+
+def test_colours_tell_kinds_apart_and_the_legend_names_them() -> None:
+    axes = plot_bifurcations(over_frequency(), ax=Figure().add_subplot())
+    assert legend_of(axes) == [
+        "symmetric",
+        "unsymmetric",
+        "period 2",
+        "unstable",
+        "symmetry breaking",
+        "period doubling",
+    ]
+    legend = axes.get_legend()
+    assert legend is not None
+    colours = [line.get_color() for line in legend.get_lines()[:3]]
+    assert len(set(colours)) == 3
+    for branch, colour in zip(over_frequency(), colours, strict=True):
+        lines = curve_lines(axes, str(colour))
+        assert {x for line in lines for x in data(line)[0].tolist()} == set(branch.values.tolist())
+
+
+def test_bifurcations_are_marked_at_the_highest_and_lowest_angle_once() -> None:
+    axes = plot_bifurcations(over_amplitude(), ax=Figure().add_subplot())
+    marks = {line.get_marker(): data(line) for line in lines_of(axes, marked=True)}
+    assert set(marks) == MARKS
+    fold = float(boundaries(2.0, 0.8).existence)
+    assert marks["s"][0].min() == pytest.approx(fold, abs=1e-8)
+    breaking = float(symmetry_breaking_amplitude(2.0, 0.8))
+    at = np.abs(marks["D"][0] - breaking) < 1e-8
+    assert at.sum() == 1, "on both of its branches and marked once"
+    known = {
+        round(abs(u), 6)
+        for branch in over_amplitude()
+        for point, peaks in zip(branch.points, branch.peaks, strict=True)
+        if point.type != "regular"
+        for u in (max(np.nanmax(peaks), 0.0), min(np.nanmin(peaks), 0.0))
+    }
+    for x, y in marks.values():
+        assert set(np.round(y, 6).tolist()) <= known
+        assert len(set(zip(x.tolist(), y.tolist(), strict=True))) == len(x)
+
+
+def test_both_sides_are_mirror_images_of_each_other() -> None:
+    axes = plot_bifurcations(over_frequency(), sweeps(), Figure().add_subplot(), side="both")
+    assert axes.get_ylabel() == palette.LABELS["flight_extreme"]
+    low, high = axes.get_ylim()
+    assert low == -high
+    solid = lines_of(axes, marked=False)
+    drawn = {(tuple(data(line)[0]), tuple(data(line)[1])) for line in solid}
+    assert {(x, tuple(-u for u in y)) for x, y in drawn} == drawn
+
+
+def dots(axes: Axes, colour: str) -> set[tuple[float, float]]:
+    found: set[tuple[float, float]] = set()
+    for line in axes.lines:
+        if line.get_color() == colour and line.get_zorder() < 2.5 and line.get_clip_on():
+            found |= set(zip(*(column.tolist() for column in data(line)), strict=True))
+    return found
+
+
+def test_the_dots_of_a_sweep_are_its_peaks_and_its_way_has_its_look() -> None:
+    axes = plot_bifurcations(over_frequency(), sweeps(), Figure().add_subplot())
+    for trail, colour in zip(sweeps(), palette.SWEEPS, strict=True):
+        expected = {
+            (value, abs(peak))
+            for value, peaks in zip(trail.values.tolist(), trail.peaks, strict=True)
+            for peak in peaks.tolist()
+        }
+        assert dots(axes, colour) == expected
+    assert legend_of(axes)[-3:] == ["upward sweep", "downward sweep", "overturned"]
+    sizes = {
+        line.get_color(): line.get_markersize()
+        for line in axes.lines
+        if line.get_color() in palette.SWEEPS and line.get_clip_on() and line.get_markersize() > 3.0
+    }
+    up, down = (sizes[colour] for colour in palette.SWEEPS)
+    assert up > down, "one shows around the other"
+
+
+def bars(axes: Axes, colour: str) -> list[tuple[float, float]]:
+    found: list[tuple[float, float]] = []
+    for patch in axes.collections:
+        assert isinstance(patch, PolyCollection)
+        if tuple(np.ravel(patch.get_facecolor())) == to_rgba(colour):
+            for path in patch.get_paths():
+                x = np.asarray(path.vertices)[:, 0]
+                found.append((float(x.min()), float(x.max())))
+    return found
+
+
+def covered(values: Iterable[float], spans: list[tuple[float, float]]) -> list[bool]:
+    return [any(low <= value <= high for low, high in spans) for value in values]
+
+
+def test_the_bars_stand_where_a_sweep_overturned_or_came_to_rest() -> None:
+    shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
+    trail = attractor_trail(BARE, shaking, "amplitude", np.linspace(0.1, 3.0, 59))
+    assert {"rest", "overturned"} <= set(trail.kinds)
+    axes = plot_bifurcations((), [trail], Figure().add_subplot())
+    for kind, colour in (("overturned", palette.OVERTURNED), ("rest", palette.GROUND)):
+        assert covered(trail.values, bars(axes, colour)) == [each == kind for each in trail.kinds]
+    assert legend_of(axes) == ["upward sweep", "overturned", "at rest"]
+    _, top = axes.get_ylim()
+    assert max(y for _, y in dots(axes, palette.SWEEPS[0])) < 0.96 * top, "room for the bars"
+
+
+def test_the_axis_of_angles_ends_where_it_is_told() -> None:
+    axes = plot_bifurcations(over_amplitude(), ax=Figure().add_subplot(), top=0.05)
+    assert axes.get_ylim() == (0.0, 0.05)
+
+
+def test_branches_over_different_parameters_are_refused() -> None:
+    for branches in ((*over_amplitude(), *over_frequency()), ()):
+        with pytest.raises(InputError, match="one parameter"):
+            plot_bifurcations(branches, ax=Figure().add_subplot())
+
+
+def test_the_legend_of_the_figure_is_beside_the_axes_and_inside_the_figure() -> None:
+    figure = bifurcation_figure(over_amplitude(), (), "amplitude", title="title")
+    assert figure.get_suptitle() == "title"
+    figure.draw_without_rendering()
+    axes = figure.axes[0]
+    legend = axes.get_legend()
+    assert legend is not None
+    frame, box = legend.get_window_extent(), axes.get_window_extent()
+    assert box.x1 < frame.x0 < frame.x1 <= figure.bbox.x1
+
+
+def test_a_figure_of_nothing_says_so() -> None:
+    (axes,) = bifurcation_figure((), (), "restitution").axes
+    assert axes.get_xlabel() == palette.LABELS["restitution"]
+    assert axes.texts[0].get_text() == "no periodic motion found"
+
+
+# ------------------------------------------------------------------------------------- curves
+
+
+def test_curves_of_bifurcations_lie_where_the_closed_forms_have_them() -> None:
+    axes = plot_bifurcation_curves(curves(), Figure().add_subplot())
+    assert axes.get_xlabel() == palette.LABELS["frequency_ratio"]
+    assert axes.get_ylabel() == palette.LABELS["amplitude"]
+    assert legend_of(axes) == ["fold", "symmetry breaking"]
+    assert len(axes.lines) == 4
+    for line in axes.lines[:2]:
+        w, a = data(line)
+        np.testing.assert_allclose(a, boundaries(w, 0.8).existence, rtol=1e-7)
+        assert line.get_linestyle() == "-"
+    for line in axes.lines[2:]:
+        w, a = data(line)
+        np.testing.assert_allclose(a, symmetry_breaking_amplitude(w, 0.8), rtol=1e-7)
+        assert line.get_linestyle() == "--"
+
+
+def test_curves_take_their_axes_in_any_order_and_refuse_other_names() -> None:
+    axes = plot_bifurcation_curves(curves(), Figure().add_subplot(), parameters=PLANE)
+    assert axes.get_xlabel() == palette.LABELS["amplitude"]
+    with pytest.raises(InputError, match="amplitude, frequency_ratio, restitution"):
+        plot_bifurcation_curves(curves(), Figure().add_subplot(), parameters=("amplitude", "x"))
+
+
+def test_no_curves_are_empty_axes_with_labels() -> None:
+    axes = plot_bifurcation_curves([[]], Figure().add_subplot())
+    assert not axes.lines
+    assert axes.get_legend() is None
+    assert axes.get_xlabel()
+
+
+def test_values_spaced_by_ratio_get_a_logarithmic_axis() -> None:
+    block, shaking = DimensionlessBlock(restitution=0.8), Harmonic(amplitude=2.0, frequency_ratio=4)
+    for values, scale in (
+        (np.geomspace(2.0, 60.0, 9), "log"),
+        (np.linspace(2.0, 8.0, 9), "linear"),
+    ):
+        trail = attractor_trail(block, shaking, "frequency_ratio", values[::-1])
+        axes = plot_bifurcations((), [trail], Figure().add_subplot())
+        assert axes.get_xscale() == scale
+        assert axes.get_xlim() == (values[0], values[-1])

@@ -1,0 +1,95 @@
+"""Plots of maps of fates: as those of attractors, with classes and dots of their own."""
+
+from typing import Any
+
+import matplotlib as mpl
+
+mpl.use("Agg")
+
+import numpy as np
+import pytest
+import xarray
+from matplotlib.axes import Axes
+from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
+
+from rocksteady import DimensionlessBlock, InputError, State, fate_map, plot_map
+from rocksteady.show.figures.maps import map_figure
+from rocksteady.show.plots.map_classes import BLANK, LOOKS, CellClass, map_cells
+
+CLASS_OF = {
+    0: CellClass.ROCKING,
+    1: CellClass.REST,
+    2: CellClass.OVERTURNED,
+    -1: CellClass.NO_START,
+    BLANK: CellClass.NOT_COMPUTED,
+}
+START = State(angle=0.0, velocity=0.3)
+
+
+def found(**axes: Any) -> xarray.Dataset:
+    """A map of fates over frequency and perhaps more."""
+    ratios = np.linspace(1.0, 8.0, 40)
+    given: dict[str, Any] = {"amplitude": 2.0, "frequency_ratio": ratios, **axes}
+    return fate_map(DimensionlessBlock(restitution=0.8), axes=given, start=START)
+
+
+def dots(axes: Axes) -> dict[str, set[tuple[float, float]]]:
+    """The dots of a diagram by their colour."""
+    return {
+        to_hex(str(line.get_color())): {
+            (float(x), float(y)) for x, y in np.asarray(line.get_xydata()) if np.isfinite(y)
+        }
+        for line in axes.lines
+    }
+
+
+def test_each_cell_has_the_fill_of_its_fate() -> None:
+    data = found(amplitude=np.linspace(0.5, 5.0, 30))
+    data.fate[:3, :3] = np.array([-1, BLANK, 1], dtype=np.int8)
+    axes = plot_map(data, Figure().add_subplot())
+    (image,) = axes.images
+    drawn = np.asarray(image.get_array())
+    wanted = np.vectorize(CLASS_OF.get)(data.fate.values)
+    assert np.array_equal(drawn, wanted)
+    assert to_hex(image.to_rgba(drawn)[0, -1]) == LOOKS[CellClass(int(drawn[0, -1]))].fill
+    legend = axes.get_legend()
+    assert legend is not None
+    texts = [text.get_text().rpartition("  ")[0] for text in legend.get_texts()]
+    assert texts == ["at rest", "still rocking", "overturned", "no such start", "not computed"]
+
+
+def test_over_one_axis_the_dots_are_numbers_of_impacts() -> None:
+    data = found()
+    data.fate[0] = BLANK
+    shown = dots(plot_map(data, Figure().add_subplot()))
+    for code, one in CLASS_OF.items():
+        chosen = data.where(data.fate == code, drop=True)
+        pairs = zip(chosen.frequency_ratio.values, chosen.impacts.values, strict=True)
+        wanted = {(float(x), float(y)) for x, y in pairs} if code in (0, 1, 2) else set()
+        assert shown.get(LOOKS[one].dot, set()) == wanted
+
+
+def test_a_class_that_was_taken_from_its_neighbours_has_no_dot() -> None:
+    block, ratios = DimensionlessBlock(restitution=0.8), np.linspace(1.0, 8.0, 41)
+    axes: dict[str, Any] = {"amplitude": 2.0, "frequency_ratio": ratios}
+    refined = fate_map(block, axes=axes, start=START, refine=8)
+    assert not refined.met.all()
+    drawn = plot_map(refined, Figure().add_subplot())
+    assert sum(map(len, dots(drawn).values())) == int(refined.met.sum())
+    assert drawn.get_ylim()[0] > -100.0
+
+
+def test_a_third_axis_becomes_panels() -> None:
+    figure = map_figure(found(amplitude=[0.5, 1.0, 2.0], restitution=[0.7, 0.8]))
+    assert [axes.get_title(loc="left") for axes in figure.axes] == [
+        "restitution = 0.7",
+        "restitution = 0.8",
+    ]
+
+
+def test_an_unknown_fate_is_refused() -> None:
+    data = found()
+    data.fate[0] = 9
+    with pytest.raises(InputError, match="found = 9 is not valid"):
+        map_cells(data)

@@ -1,0 +1,243 @@
+"""Plots of maps of attractors: each cell shows what was found in it, where it was found."""
+
+from io import BytesIO
+from typing import Any
+
+import matplotlib as mpl
+
+mpl.use("Agg")
+
+import numpy as np
+import pytest
+import xarray
+from hypothesis import given
+from hypothesis import strategies as st
+from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from rocksteady import Steady, attractor_map, plot_map
+from rocksteady.show.plots import maps
+from rocksteady.show.plots.map_classes import BLANK, LOOKS, CellClass, map_cells
+from rocksteady.show.style import palette
+from rocksteady.show.style.axes import picked, spacing_of
+from tests.show.drawn_maps import (
+    AXES,
+    BLOCK,
+    FILL_OF,
+    assert_drawn,
+    drawn_up,
+    found,
+    random_map,
+    words_at,
+)
+
+
+def test_each_cell_has_the_fill_of_its_class_at_its_place() -> None:
+    axes = Figure().add_subplot()
+    assert plot_map(found(), axes) is axes
+    assert_drawn(axes, found(), "frequency_ratio", "amplitude")
+    assert len(map_cells(found()).shares()) >= 4
+
+
+@pytest.mark.parametrize(
+    "spread",
+    [
+        (np.linspace(0.5, 2.0, 7), np.linspace(1.0, 9.0, 5)),
+        (np.geomspace(0.1, 20.0, 7), np.linspace(1.0, 9.0, 5)),
+        (np.linspace(0.5, 2.0, 7), np.geomspace(0.2, 90.0, 9)),
+        (np.geomspace(0.1, 20.0, 7), np.geomspace(0.2, 90.0, 9)),
+        (np.array([0.5, 0.6, 0.9, 2.0, 2.1]), np.linspace(1.0, 9.0, 5)),
+        (np.array([0.1, 0.12, 0.5, 5.0, 40.0]), np.geomspace(0.2, 90.0, 9)),
+        (np.linspace(2.0, 0.5, 7), np.array([3.0, 1.0, 9.0, 5.0])),
+        (np.array([1.0, 2.0]), np.array([3.0, 1.0])),
+    ],
+    ids=["even", "log up", "log right", "log", "uneven", "uneven log", "in any order", "two"],
+)
+@pytest.mark.parametrize("turned", [False, True], ids=["as given", "turned"])
+def test_every_spacing_and_order_is_drawn_where_it_belongs(
+    spread: tuple[NDArray[np.float64], NDArray[np.float64]], turned: bool
+) -> None:
+    data = random_map({"amplitude": spread[0], "frequency_ratio": spread[1]})
+    given = data.transpose("frequency_ratio", "amplitude") if turned else data
+    axes = plot_map(given, Figure().add_subplot())
+    assert_drawn(axes, data, "frequency_ratio", "amplitude")
+    for scale, limits, values in (
+        (axes.get_xscale(), axes.get_xlim(), spread[1]),
+        (axes.get_yscale(), axes.get_ylim(), spread[0]),
+    ):
+        assert scale == ("log" if max(values) > 30.0 * min(values) else "linear")
+        assert 0.0 <= limits[0] < min(values) < max(values) < limits[1]
+
+
+@pytest.mark.parametrize(("up", "right"), [(a, b) for a in (0.1, 0.0) for b in (0.2, 0.0)])
+def test_the_picture_itself_has_each_cell_where_the_axes_say(up: float, right: float) -> None:
+    """Through the renderer: on logarithmic axes an image is easily put elsewhere."""
+    spaced = {
+        "amplitude": np.geomspace(up, 20.0, 6) if up else np.linspace(1.0, 9.0, 6),
+        "frequency_ratio": np.geomspace(right, 90.0, 8) if right else np.linspace(1.0, 9.0, 8),
+    }
+    kind = np.random.default_rng(3).choice([0, 1, 2, 3, 4], (6, 8))
+    data = drawn_up(spaced, kind, np.where(kind < 2, 1, 0))
+    figure = Figure(figsize=(5.0, 4.0), dpi=100.0)
+    axes = plot_map(data, figure.add_axes((0.2, 0.2, 0.5, 0.7)))
+    stream = BytesIO()
+    figure.savefig(stream, format="rgba", dpi=100.0)
+    pixels = np.frombuffer(stream.getvalue(), dtype=np.uint8).reshape(400, 500, 4)
+    for y in spaced["amplitude"]:
+        for x in spaced["frequency_ratio"]:
+            across, above = axes.transData.transform((x, y))
+            seen = pixels[pixels.shape[0] - 1 - int(above), int(across)]
+            words = words_at(data, amplitude=y, frequency_ratio=x)
+            assert to_hex(tuple((seen / 255.0).tolist())) == FILL_OF[words], (x, y)
+
+
+def test_cells_reach_half_way_to_their_neighbours() -> None:
+    assert spacing_of([1.0, 2.0, 3.0]).edges == pytest.approx([0.5, 1.5, 2.5, 3.5])
+    assert spacing_of([0.1, 1.0, 10.0]).edges == pytest.approx(10.0 ** np.arange(-1.5, 2.0))
+    uneven = spacing_of([1.0, 2.0, 4.0, 4.5])
+    assert uneven.edges == pytest.approx([0.5, 1.5, 3.0, 4.25, 4.75])
+    assert not uneven.even
+    assert not uneven.logarithmic
+    assert spacing_of([0.5, 1.5]).edges == pytest.approx([0.0, 1.0, 2.0])
+
+
+def test_the_limits_are_the_edges_and_no_amplitude_is_negative() -> None:
+    axes = plot_map(
+        drawn_up({"amplitude": [0.5, 2.5, 4.5], "frequency_ratio": [1.0, 2.0, 3.0]}),
+        Figure().add_subplot(),
+    )
+    assert axes.get_xlim() == pytest.approx((0.5, 3.5))
+    assert axes.get_ylim() == pytest.approx((0.0, 5.5))
+    signed = drawn_up({"angle": [-1.0, 0.0, 1.0], "velocity": [0.0, 1.0, 2.0]})
+    axes = plot_map(signed, Figure().add_subplot())
+    assert axes.get_xlim() == pytest.approx((-1.5, 1.5))
+    assert axes.get_ylim() == pytest.approx((-0.5, 2.5))
+    assert axes.get_xlabel() == palette.axis_label("angle")
+
+
+def test_without_a_frequency_the_first_axis_goes_upwards() -> None:
+    data = random_map({"restitution": [0.7, 0.8, 0.9], "amplitude": [1.0, 2.0]})
+    assert_drawn(plot_map(data, Figure().add_subplot()), data, "amplitude", "restitution")
+    data = random_map({"frequency_hz": [0.5, 1.0, 1.5], "acceleration_m_s2": [1.0, 2.0]})
+    axes = plot_map(data, Figure().add_subplot())
+    assert_drawn(axes, data, "frequency_hz", "acceleration_m_s2")
+
+
+@pytest.mark.parametrize("name", AXES)
+def test_every_axis_of_a_map_has_a_label(name: str) -> None:
+    label = palette.axis_label(name)
+    assert label in palette.LABELS.values()
+    units = {
+        "phase": "rad",
+        "acceleration_m_s2": "m/s$^2$",
+        "frequency_hz": "Hz",
+        "alpha": "rad",
+        "radius": "m",
+        "p": "rad/s",
+        "width": "m",
+        "height": "m",
+    }
+    assert label.partition(" [")[2] == (f"{units[name]}]" if name in units else "")
+
+
+@pytest.mark.parametrize("data", [found(), random_map({"phase": range(7), "kick": range(9)})])
+def test_the_legend_has_each_class_that_occurs_with_its_share(data: xarray.Dataset) -> None:
+    legend = plot_map(data, Figure().add_subplot()).get_legend()
+    assert legend is not None
+    entries = [text.get_text().rsplit("  ", 1) for text in legend.get_texts()]
+    names = [str(name) for name in data.dims]
+    cells = [
+        words_at(data, **dict(zip(names, place, strict=True)))
+        for place in (
+            (a, b) for a in data[names[0]].values.tolist() for b in data[names[1]].values.tolist()
+        )
+    ]
+    assert {words for words, _ in entries} == set(cells)
+    order = [look.words for look in LOOKS.values()]
+    assert [order.index(words) for words, _ in entries] == sorted(
+        order.index(words) for words, _ in entries
+    )
+    for words, share in entries:
+        assert float(share.removesuffix(" %")) == pytest.approx(
+            100.0 * cells.count(words) / len(cells), abs=0.051
+        )
+    total = sum(float(share.removesuffix(" %")) for _, share in entries)
+    assert total == pytest.approx(100.0, abs=0.05 * len(entries))
+
+
+def test_what_has_no_answer_has_a_pattern_and_a_legend_entry_with_it() -> None:
+    kind = np.repeat([2, 5, 6, BLANK], 3)[:, np.newaxis]
+    data = drawn_up(
+        {"amplitude": np.arange(1.0, 13.0), "frequency_ratio": np.arange(1.0, 6.0)}, kind
+    )
+    axes = plot_map(data, Figure().add_subplot())
+    hatches = [one.hatches for one in axes.collections if hasattr(one, "hatches")]
+    assert sorted(hatches) == sorted([[LOOKS[c].hatch] for c in CellClass if LOOKS[c].hatch])
+    legend = axes.get_legend()
+    assert legend is not None
+    assert [text.get_text() for text in legend.get_texts()] == [
+        "at rest  25.0 %",
+        "undecided  25.0 %",
+        "no such start  25.0 %",
+        "not computed  25.0 %",
+    ]
+    # A pattern lies within the cells of its class.
+    classes = (CellClass.UNDECIDED, CellClass.NO_START, CellClass.NOT_COMPUTED)
+    lowest = {LOOKS[one].hatch: edge for one, edge in zip(classes, (3.5, 6.5, 9.5), strict=True)}
+    for one in axes.collections:
+        (path,) = [path for path in one.get_paths() if np.size(path.vertices)]
+        heights = np.asarray(path.vertices)[:, 1]
+        low, high = heights.min(), heights.max()
+        assert high - low == pytest.approx(3.0)
+        assert lowest[getattr(one, "hatches", [""])[0]] == pytest.approx(low)
+
+
+def test_a_steady_start_that_does_not_exist_is_not_rest() -> None:
+    axes = {"amplitude": [0.05, 1.0], "frequency_ratio": [1.0, 3.0]}
+    data = attractor_map(BLOCK, axes=axes, start=Steady())
+    legend = plot_map(data, Figure().add_subplot()).get_legend()
+    assert legend is not None
+    assert any(text.get_text().startswith("no such start") for text in legend.get_texts())
+
+
+def test_missing_values_count_as_not_computed() -> None:
+    data = drawn_up({"amplitude": [1.0, 2.0], "frequency_ratio": [1.0, 2.0]})
+    kind = data.kind.astype(float)
+    kind[0, 1] = np.nan
+    cells = map_cells(data.assign(kind=kind))
+    assert cells.classes.tolist() == [[CellClass.REST, CellClass.NOT_COMPUTED], [0, 0]]
+
+
+@given(count=st.integers(1, 9000), most=st.integers(1, 3000))
+def test_picked_cells_are_real_ones_each_in_the_middle_of_what_it_stands_for(
+    count: int, most: int
+) -> None:
+    edges = np.arange(count + 1.0)
+    cells, borders = picked(edges, most)
+    assert len(cells) == min(count, most) == len(borders) - 1
+    assert borders[0] == 0.0
+    assert borders[-1] == count
+    assert (np.abs(cells + 0.5 - 0.5 * (borders[1:] + borders[:-1])) <= 0.5).all()
+    widths = np.diff(borders)
+    assert widths.max() - widths.min() <= 1.0
+
+
+@pytest.mark.parametrize("even", [True, False])
+def test_of_too_many_cells_some_are_drawn_and_all_are_counted(
+    even: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(maps, "MOST_DRAWN", 20)
+    monkeypatch.setattr(maps, "MOST_MESHED", 20)
+    up, right = np.linspace(1.0, 2.0, 53), np.linspace(1.0, 3.0, 71)
+    data = random_map({"amplitude": up if even else up**2, "frequency_ratio": right})
+    axes = plot_map(data, Figure().add_subplot())
+    artist: Any = axes.images[0] if even else axes.collections[0]
+    drawn = np.asarray(artist.get_array())
+    assert drawn.shape == (20, 20)
+    cells = map_cells(data)
+    rows, columns = (picked(np.arange(n + 1.0), 20)[0] for n in cells.classes.shape)
+    assert np.array_equal(drawn, cells.classes[rows][:, columns])
+    assert axes.get_xlim() == pytest.approx(spacing_of(right).edges[[0, -1]])
+    assert sum(cells.shares().values()) == pytest.approx(1.0)
+    assert cells.shares()[CellClass.NOT_COMPUTED] == float((data.kind == BLANK).mean())

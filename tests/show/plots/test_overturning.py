@@ -1,0 +1,160 @@
+"""Plots of overturning spectra and of free rocking: each shows the numbers it was given."""
+
+from collections.abc import Callable
+from functools import cache
+
+import matplotlib as mpl
+
+mpl.use("Agg")
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import to_hex
+from matplotlib.figure import Figure
+from matplotlib.path import Path
+
+from rocksteady import (
+    Block,
+    DimensionlessBlock,
+    InputError,
+    OverturningWindows,
+    free_rocking_period,
+    overturning_threshold,
+    overturning_windows,
+    plot_free_rocking,
+    plot_overturning,
+)
+from rocksteady.show.figures.single import overturning_figure
+from rocksteady.show.plots.overturning import MODES
+from rocksteady.show.style import palette
+
+
+@cache
+def found(shape: str = "one-sine", top: float = 12.0) -> OverturningWindows:
+    block, ratios = DimensionlessBlock(restitution=0.9), np.linspace(1.0, 8.0, 36)
+    return overturning_windows(block, shape, ratios, amplitudes=(1.0, top))
+
+
+PLOTS: dict[str, Callable[[Axes | None], Axes]] = {
+    "sine": lambda ax: plot_overturning(found(), ax),
+    "cosine": lambda ax: plot_overturning(found("one-cosine"), ax),
+    "wavelet": lambda ax: plot_overturning(found("type-c1"), ax),
+    "short": lambda ax: plot_overturning(found("half-sine", 3.0), ax),
+    "free": lambda ax: plot_free_rocking([0.9, 0.7], ax),
+    "bare": lambda ax: plot_free_rocking((), ax),
+}
+plots = pytest.mark.parametrize("draw", PLOTS.values(), ids=PLOTS)
+
+
+@plots
+def test_a_plot_draws_on_the_axes_it_is_given_with_its_labels(
+    draw: Callable[[Axes | None], Axes],
+) -> None:
+    axes = Figure().add_subplot()
+    assert draw(axes) is axes
+    for label in (axes.get_xlabel(), axes.get_ylabel()):
+        assert label in palette.LABELS.values()
+    assert np.isfinite([*axes.get_xlim(), *axes.get_ylim()]).all()
+
+
+@plots
+def test_a_plot_makes_axes_of_its_own_and_leaves_the_settings(
+    draw: Callable[[Axes | None], Axes],
+) -> None:
+    settings = dict(mpl.rcParams)
+    axes = draw(None)
+    try:
+        assert plt.gcf() is axes.figure
+        assert dict(mpl.rcParams) == settings
+    finally:
+        plt.close("all")
+
+
+def fill_at(axes: Axes, x: float, y: float) -> str | None:
+    """The fill of the one piece that covers a point; None on white paper."""
+    covering = [
+        to_hex(np.asarray(collection.get_facecolor())[0].tolist())
+        for collection in axes.collections
+        if isinstance(collection, PolyCollection)
+        for outline in collection.get_paths()
+        if Path(outline.vertices).contains_point((x, y))
+    ]
+    assert len(set(covering)) <= 1
+    return covering[0] if covering else None
+
+
+@pytest.mark.parametrize("shape", ["one-sine", "one-cosine"])
+def test_every_point_has_the_fill_of_its_way_of_overturning(shape: str) -> None:
+    windows = found(shape)
+    axes = plot_overturning(windows, Figure().add_subplot())
+    colour = {least: fill for _, fill, least in MODES}
+    seen = set()
+    for index in range(1, 35):
+        w = float(windows.frequency_ratio[index])
+        for a in np.linspace(1.05, 11.9, 60).tolist():
+            inside = [one for one in windows.at(index) if one.low < a < one.high]
+            expected = colour[min(inside[0].impacts, 2)] if inside else None
+            assert fill_at(axes, w, a) == expected, (w, a)
+            seen.add(expected)
+    assert len(seen) >= 3
+
+
+def test_the_closed_form_is_drawn_where_there_is_one() -> None:
+    (line,) = plot_overturning(found(), Figure().add_subplot()).lines
+    x, y = (np.asarray(data, dtype=np.float64) for data in line.get_data())
+    np.testing.assert_array_equal(y, overturning_threshold("one-sine", x))
+    assert not plot_overturning(found(), Figure().add_subplot(), closed_form=False).lines
+    assert not plot_overturning(found("type-c1"), Figure().add_subplot()).lines
+
+
+def test_of_the_full_equations_the_curve_is_that_of_the_linear_model() -> None:
+    block = Block.from_p(alpha=0.25, p=2.14, restitution=0.9)
+    full = overturning_windows(block, "one-sine", [4.0, 5.0], model="nonlinear")
+    axes = plot_overturning(full, Figure().add_subplot())
+    (line,) = axes.lines
+    assert line.get_label() == "without an impact, linear model"
+    assert line.get_linestyle() == "--"
+    for index, w in enumerate((4.01, 4.99)):
+        for window in full.at(index):
+            colour = {least: fill for _, fill, least in MODES}[window.impacts]
+            assert fill_at(axes, w, 0.5 * (window.low + window.high)) == colour
+
+
+def test_the_legend_names_what_is_there_and_no_more() -> None:
+    def words(shape: str, top: float) -> list[str]:
+        legend = plot_overturning(found(shape, top), Figure().add_subplot()).get_legend()
+        assert legend is not None
+        return [text.get_text() for text in legend.get_texts()]
+
+    assert words("one-sine", 12.0)[0] == MODES[0][0]
+    assert words("one-sine", 12.0)[-1] == "stands"
+    assert MODES[1][0] not in words("half-sine", 3.0)
+
+
+def test_a_tall_range_is_logarithmic_and_a_short_one_is_not() -> None:
+    assert plot_overturning(found(), Figure().add_subplot()).get_yscale() == "log"
+    assert (
+        plot_overturning(found("half-sine", 3.0), Figure().add_subplot()).get_yscale() == "linear"
+    )
+
+
+def test_one_frequency_is_no_spectrum() -> None:
+    one = overturning_windows(DimensionlessBlock(restitution=0.9), "one-sine", [2.0])
+    with pytest.raises(InputError, match="two or more"):
+        plot_overturning(one, Figure().add_subplot())
+
+
+def test_the_curve_of_free_rocking_is_the_closed_form_with_its_marks_on_it() -> None:
+    curve, *marks = plot_free_rocking([0.9, 0.7], Figure().add_subplot()).lines
+    for line in (curve, *marks):
+        x, y = (np.asarray(data, dtype=np.float64) for data in line.get_data())
+        np.testing.assert_allclose(y, free_rocking_period(x), rtol=1e-14)
+    assert len(marks) == 2
+
+
+def test_a_figure_has_its_title() -> None:
+    figure = overturning_figure(found(), "one-sine pulse")
+    assert figure.get_suptitle() == "one-sine pulse"

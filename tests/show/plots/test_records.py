@@ -1,0 +1,135 @@
+"""Pictures of recorded motions: what is drawn is what was computed, with its unit."""
+
+import math
+from typing import Any, Literal
+
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from rocksteady import (
+    Block,
+    InputError,
+    Record,
+    ground_course,
+    plot_base,
+    plot_ground_course,
+    plot_husid,
+    plot_response_spectra,
+    response_spectrum,
+    simulate,
+)
+from rocksteady.show.figures.single import record_figure
+from tests.seismic.sines import noise, sine
+
+PERIODS = np.geomspace(0.05, 5.0, 30)
+
+
+def axes() -> Axes:
+    return Figure().add_subplot()
+
+
+@pytest.mark.parametrize(
+    ("quantity", "label", "size"),
+    [
+        ("acceleration", "acceleration [g]", 2.0 / 9.80665),
+        ("velocity", "velocity [m/s]", 2.0 / math.pi),
+        ("displacement", "displacement [m]", 1.0 / math.pi),
+    ],
+)
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_the_course_has_its_peak_marked(
+    quantity: Literal["acceleration", "velocity", "displacement"],
+    label: str,
+    size: float,
+    sign: float,
+) -> None:
+    drawn = plot_ground_course(ground_course(sine().scaled(sign)), axes(), quantity=quantity)
+    _, curve, mark = drawn.lines
+    assert (drawn.get_xlabel(), drawn.get_ylabel()) == ("time [s]", label)
+    marked = float(np.asarray(mark.get_ydata())[0])
+    assert abs(marked) == pytest.approx(size, rel=1e-5)
+    assert abs(marked) == pytest.approx(np.abs(np.asarray(curve.get_ydata())).max(), rel=1e-9)
+    assert f"{size:.3g}" in drawn.texts[0].get_text()
+    low, high = drawn.get_ylim()
+    assert low < marked < high
+    assert low < 0.0 < high
+
+
+def test_husids_curve_rises_from_0_to_1_through_its_marks() -> None:
+    course = ground_course(noise(1, samples=200))
+    drawn = plot_husid(course, axes())
+    curve, marks = drawn.lines
+    values = np.asarray(curve.get_ydata())
+    assert (values[0], values[-1]) == (0.0, 1.0)
+    assert (np.diff(values) >= 0.0).all()
+    at = np.asarray(marks.get_xdata())
+    np.testing.assert_allclose(np.interp(at, course.t_s, values), [0.05, 0.75, 0.95], atol=0.01)
+    assert f"5 to 95 %: {at[2] - at[0]:.3g} s" in drawn.texts[0].get_text()
+
+
+def test_spectra_and_their_geometric_mean() -> None:
+    spectra = [response_spectrum(noise(seed), PERIODS) for seed in (1, 2)]
+    drawn = plot_response_spectra(spectra, axes())
+    one, other, mean = (np.asarray(line.get_ydata()) for line in drawn.lines)
+    np.testing.assert_allclose(one, spectra[0].pseudo_acceleration_m_s2 / 9.80665)
+    np.testing.assert_allclose(mean, np.sqrt(one * other))
+    legend = drawn.get_legend()
+    assert legend is not None
+    assert [text.get_text() for text in legend.get_texts()] == [
+        "record 1",
+        "record 2",
+        "geometric mean",
+    ]
+    assert legend.get_title().get_text() == "5 % damping"
+    assert (drawn.get_xscale(), drawn.get_yscale()) == ("log", "log")
+
+
+def test_many_spectra_have_one_entry() -> None:
+    spectra = [response_spectrum(noise(seed), PERIODS) for seed in range(8)]
+    legend = plot_response_spectra(spectra, axes()).get_legend()
+    assert legend is not None
+    assert [text.get_text() for text in legend.get_texts()] == ["geometric mean"]
+
+
+def test_evenly_spaced_periods_have_even_axes() -> None:
+    drawn = plot_response_spectra([response_spectrum(noise(1), np.linspace(0.1, 4, 40))], axes())
+    assert (drawn.get_xscale(), drawn.get_ylim()[0]) == ("linear", 0.0)
+    assert drawn.texts[0].get_text() == "5 % damping"
+
+
+def test_the_figure_of_one_and_of_several_records() -> None:
+    courses = [ground_course(noise(seed)) for seed in (1, 2)]
+    spectra = [response_spectrum(course.record, PERIODS) for course in courses]
+    assert len(record_figure(courses[:1], spectra[:1], "one").axes) == 5
+    assert len(record_figure(courses, spectra, "two").axes) == 1
+
+
+def test_a_vertical_motion_is_drawn_beside_the_horizontal_one() -> None:
+    block = Block.rectangle(width=0.4, height=1.6)
+    upwards = Record(acceleration_m_s2=2.0 * sine().acceleration_m_s2, dt_s=sine().dt_s)
+    run = simulate(block, sine().scaled(2.0), vertical=upwards, model="nonlinear")
+    drawn = plot_base(run, axes())
+    (beside,) = (each for each in drawn.figure.axes if each is not drawn)
+    assert beside.get_ylabel() == "vertical [g]"
+    largest = float(np.abs(np.asarray(beside.lines[0].get_ydata())).max())
+    assert largest == pytest.approx(4.0 / block.gravity, rel=1e-3)
+    scale = block.alpha  # alpha g is alpha times g: both axes have one scale
+    assert np.asarray(beside.get_ylim()) == pytest.approx(scale * np.asarray(drawn.get_ylim()))
+    assert beside.get_ylim()[1] > largest
+    legend = drawn.get_legend()
+    assert legend is not None
+    assert [text.get_text() for text in legend.get_texts()] == ["horizontal", "vertical"]
+    assert plot_base(simulate(block, sine()), axes()).get_legend() is None
+
+
+def test_what_is_refused() -> None:
+    wrong: Any = "jerk"
+    with pytest.raises(InputError, match="quantity = 'jerk'"):
+        plot_ground_course(ground_course(sine()), axes(), quantity=wrong)
+    with pytest.raises(InputError, match="spectra are 0"):
+        plot_response_spectra([], axes())
+    unlike = [response_spectrum(noise(1), [period]) for period in (1.0, 2.0)]
+    with pytest.raises(InputError, match="same periods"):
+        plot_response_spectra(unlike, axes())

@@ -1,0 +1,84 @@
+"""A task: as far as a time lasts, call by call, and never less than one call."""
+
+import math
+import time
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from rocksteady.errors import InputError
+from rocksteady.sweep.cases.axes import Axis
+from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.cases.outputs import Output
+from rocksteady.sweep.cases.task import Task
+
+GRID = Grid(axes=(Axis(name="a", values=np.arange(1000.0)),))
+
+
+def task_of(cases: Any, batch: int = 64) -> Task:
+    outputs = (Output(name="double", dtype=np.float32),)
+    return Task(cases=cases, grid=GRID, outputs=outputs, numbered=None, batch=batch)
+
+
+def test_calls_grow_while_they_are_short() -> None:
+    sizes: list[int] = []
+
+    def double(a: NDArray[np.float64]) -> dict[str, Any]:
+        sizes.append(len(a))
+        return {"double": 2.0 * a}
+
+    answer = task_of(double).run((10, 1000), 60.0)
+    assert answer.stop == 1000
+    assert sizes[:8] == [1, 8, 64, 64, 64, 64, 64, 64]
+    assert sum(sizes) == 990
+    assert answer.arrays["double"].dtype == np.float32
+    assert answer.arrays["double"].tolist() == list(range(20, 2000, 2))
+
+
+@pytest.mark.parametrize("seconds", [0.0, 0.05])
+def test_slow_cells_are_left_to_others_when_the_time_is_over(seconds: float) -> None:
+    def slow(a: NDArray[np.float64]) -> dict[str, Any]:
+        time.sleep(0.02 * len(a))
+        return {"double": 2.0 * a}
+
+    answer = task_of(slow).run((0, 1000), seconds)
+    assert 1 <= answer.stop <= 4
+    assert len(answer.arrays["double"]) == answer.stop
+
+
+@pytest.mark.parametrize(
+    ("dtype", "value", "valid"),
+    [
+        (np.int8, np.array([200]), "must fit int8"),
+        (np.uint8, np.array([-1]), "must fit uint8"),
+        (np.float32, np.array([1e300]), "must fit float32"),
+        (np.int8, np.ma.array([1], mask=[True]), "has no masks"),
+    ],
+)
+def test_a_value_that_does_not_fit_is_refused(dtype: Any, value: Any, valid: str) -> None:
+    task = Task(
+        cases=lambda **_: {"x": value},
+        grid=GRID,
+        outputs=(Output(name="x", dtype=dtype),),
+        numbered=None,
+        batch=1,
+    )
+    with pytest.raises(InputError, match=valid):
+        task.run((0, 1), 1.0)
+
+
+@pytest.mark.parametrize(
+    ("dtype", "value"),
+    [(np.float32, 0.1), (np.float32, math.inf), (np.int8, np.int64(-128)), (np.float64, 2**53)],
+)
+def test_a_value_that_fits_is_converted(dtype: Any, value: Any) -> None:
+    task = Task(
+        cases=lambda **_: {"x": np.array([value])},
+        grid=GRID,
+        outputs=(Output(name="x", dtype=dtype),),
+        numbered=None,
+        batch=1,
+    )
+    assert task.run((0, 1), 1.0).arrays["x"].tolist() == [dtype(value).item()]
