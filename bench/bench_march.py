@@ -19,11 +19,12 @@ from numpy.typing import NDArray
 from bench.sampling_march import SAMPLES, sampled_fates
 from rocksteady.dynamics.history.lowering import record_table
 from rocksteady.errors import Status
-from rocksteady.kernels.batch.harmonic import NO_LIMIT, harmonic_fates
 from rocksteady.kernels.batch.records import record_fates
+from rocksteady.kernels.core.tables import ALIKE, ROW_COLUMNS, March
 from rocksteady.kernels.lanes.driver import lane_fates
-from rocksteady.kernels.march.march import ALIKE, ROW_COLUMNS, March, march
+from rocksteady.kernels.march.march import march
 from rocksteady.model.motions.record import Record
+from tests.kernels.fates import NO_LIMIT, harmonic_fates
 from tests.records import synthetic
 
 UNITS = {"B1": 0.3, "B2": 0.0}

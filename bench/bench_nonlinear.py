@@ -15,9 +15,11 @@ from numpy.typing import NDArray
 from bench.bench_march import CYCLES, RESTITUTION, THINNED, Cells, cells, note
 from rocksteady import Block, Record, Status
 from rocksteady.dynamics.history.models import nonlinear_segment_table, sides_of
-from rocksteady.kernels.batch.harmonic import NO_LIMIT, fates_of_sides
-from rocksteady.kernels.march.march import ROW_COLUMNS, March, march
+from rocksteady.kernels.batch.harmonic import fates_of_sides
+from rocksteady.kernels.core.tables import ROW_COLUMNS, March
+from rocksteady.kernels.march.march import march
 from tests.dynamics.full_integrator import impacts_by_integrator
+from tests.kernels.fates import NO_LIMIT
 from tests.records import synthetic
 
 BLOCK = Block.from_p(alpha=0.2, p=1.0, restitution=RESTITUTION)

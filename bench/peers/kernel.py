@@ -19,9 +19,8 @@ from bench.peers.work import (
     Outcome,
     Peer,
 )
-from rocksteady.kernels.batch.harmonic import NO_LIMIT, harmonic_fates, harmonic_segment
-from rocksteady.kernels.lanes.driver import lane_fates
-from rocksteady.kernels.march.march import (
+from rocksteady.kernels.batch.harmonic import harmonic_segment
+from rocksteady.kernels.core.tables import (
     ENDED_BY_IMPACT,
     LEAN,
     RATE,
@@ -32,9 +31,11 @@ from rocksteady.kernels.march.march import (
     ROW_SIDE,
     SEGMENT_COLUMNS,
     March,
-    march,
 )
-from rocksteady.kernels.march.march import RESTITUTION as SIDE_RESTITUTION
+from rocksteady.kernels.core.tables import RESTITUTION as SIDE_RESTITUTION
+from rocksteady.kernels.lanes.driver import lane_fates
+from rocksteady.kernels.march.march import march
+from tests.kernels.fates import NO_LIMIT, harmonic_fates
 
 
 def peers() -> list[Peer]:

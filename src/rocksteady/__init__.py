@@ -68,9 +68,10 @@ if TYPE_CHECKING:
         Status,
         UnfinishedError,
     )
-    from rocksteady.model.blocks.block import Block, DimensionlessBlock, Side, housner_restitution
+    from rocksteady.model.blocks.block import Block
+    from rocksteady.model.blocks.dimensionless import DimensionlessBlock
     from rocksteady.model.blocks.examples import example_block
-    from rocksteady.model.blocks.sides import impact_restitution
+    from rocksteady.model.blocks.sides import Side, housner_restitution, impact_restitution
     from rocksteady.model.motions.combine import added, delayed, joined, scaled
     from rocksteady.model.motions.impulses import Impulses
     from rocksteady.model.motions.pulses import Pulse
@@ -279,7 +280,7 @@ _DEFINED_IN = {
     "Boundaries": "rocksteady.dynamics.steady.regions",
     "Branch": "rocksteady.dynamics.continuation.points",
     "BranchPoint": "rocksteady.dynamics.continuation.points",
-    "DimensionlessBlock": "rocksteady.model.blocks.block",
+    "DimensionlessBlock": "rocksteady.model.blocks.dimensionless",
     "DoublingCascade": "rocksteady.dynamics.continuation.cascade",
     "Drop": "rocksteady.dynamics.basins.erosion",
     "Erosion": "rocksteady.dynamics.basins.erosion",
@@ -317,7 +318,7 @@ _DEFINED_IN = {
     "ReturnMap": "rocksteady.dynamics.orbits.return_map",
     "RocksteadyError": "rocksteady.errors",
     "Segment": "rocksteady.model.motions.segments",
-    "Side": "rocksteady.model.blocks.block",
+    "Side": "rocksteady.model.blocks.sides",
     "State": "rocksteady.dynamics.history.start",
     "Status": "rocksteady.errors",
     "Steady": "rocksteady.dynamics.history.start",
@@ -353,7 +354,7 @@ _DEFINED_IN = {
     "free_rocking_period": "rocksteady.dynamics.overturning.free_rocking",
     "ground_course": "rocksteady.seismic.measures.time_course",
     "heteroclinic_amplitude": "rocksteady.dynamics.steady.regions",
-    "housner_restitution": "rocksteady.model.blocks.block",
+    "housner_restitution": "rocksteady.model.blocks.sides",
     "impact_restitution": "rocksteady.model.blocks.sides",
     "intensity_measures": "rocksteady.seismic.measures.intensity",
     "joined": "rocksteady.model.motions.combine",

@@ -19,16 +19,6 @@ from enum import IntEnum
 from numbers import Number
 from os import PathLike, fspath
 
-__all__ = [
-    "InputError",
-    "ModelError",
-    "OutputError",
-    "RecordFileError",
-    "RocksteadyError",
-    "Status",
-    "UnfinishedError",
-]
-
 _LONGEST_VALUE = 100
 """Characters of a value that an error line shows; of a longer one its middle is left out."""
 

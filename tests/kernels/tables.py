@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.kernels.core.clock import clock, segment_start
-from rocksteady.kernels.march.march import (
+from rocksteady.kernels.core.tables import (
     ALIKE,
     AMPLITUDE,
     CEILING,
@@ -29,8 +29,8 @@ from rocksteady.kernels.march.march import (
     SEGMENT_COLUMNS,
     SLOPE,
     March,
-    march,
 )
+from rocksteady.kernels.march.march import march
 from tests.oracles import ExactSegment, mp
 
 Floats = NDArray[np.float64]

@@ -6,7 +6,8 @@ from itertools import combinations
 from typing import NamedTuple, TypeVar
 
 from rocksteady.errors import InputError, ModelError, Words
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.motions.segments import Harmonic
 
 PARAMETERS = ("amplitude", "frequency_ratio", "restitution")

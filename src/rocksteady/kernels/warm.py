@@ -17,19 +17,14 @@ from rocksteady.kernels.batch.attractors import (
     fill_clocks,
     settle_cells,
 )
-from rocksteady.kernels.batch.harmonic import fates_of_sides, harmonic_fates, harmonic_segment
+from rocksteady.kernels.batch.harmonic import fates_of_sides, harmonic_segment
 from rocksteady.kernels.batch.pulses import pulse_fates
 from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.compilation import cache_folder
+from rocksteady.kernels.core.tables import DURATION, ROW_COLUMNS, SEGMENT_COLUMNS, March
 from rocksteady.kernels.lanes.driver import lane_fates
-from rocksteady.kernels.march.march import (
-    DURATION,
-    ROW_COLUMNS,
-    SEGMENT_COLUMNS,
-    March,
-    march,
-)
+from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.recorded import (
     fill_states,
     last_crossing,
@@ -111,18 +106,6 @@ def warm() -> None:
     recorded_peaks(segments, sides, rows, 0.1)
     peaks_until_overturning(segments, sides, rows)
     last_crossing(segments, sides, rows, 0.1)
-    harmonic_fates(
-        2.0 * one,
-        4.0 * one,
-        0.8 * one,
-        0.0 * one,
-        0.3 * one,
-        0.0 * one,
-        2,
-        np.zeros(1, dtype=np.int64),
-        np.zeros(1, dtype=np.int64),
-        np.zeros((1, 3)),
-    )
     fates_of_sides(
         2.0 * one,
         4.0 * one,

@@ -15,8 +15,6 @@ from rocksteady.records.core.directions import TAIL, direction
 from rocksteady.records.core.recording import Recording
 from rocksteady.records.read import read_recordings
 
-__all__ = ["RecordSet", "pair_doubts", "pair_records"]
-
 _SQUARE: Final = 1.0
 
 

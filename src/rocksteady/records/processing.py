@@ -15,8 +15,6 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["BASELINES", "ResamplingMethod", "baseline_corrected", "resampled"]
-
 BASELINES: Final = ("none", "mean", "linear", "polynomial:2", "polynomial:3", "polynomial:4")
 """What can be asked for; a polynomial may have any order up to 10."""
 

@@ -18,8 +18,6 @@ from rocksteady.records.formats import columns, cosmos, csmip, esm, knet, peer, 
 from rocksteady.records.formats.unrecognised import network_of
 from rocksteady.records.processing import baseline_corrected
 
-__all__ = ["FORMATS", "chosen", "read_record", "read_recordings"]
-
 Reader = Callable[[RecordText, Given], tuple[Recording, ...]]
 Recogniser = Callable[[RecordText], bool]
 

@@ -20,7 +20,8 @@ from rocksteady import (
 )
 from rocksteady.dynamics.history.models import ModelName, nonlinear_segment_table, sides_of
 from rocksteady.kernels.core.clock import segment_start
-from rocksteady.kernels.march.march import LEAN, OVERTURNED, RATE, March, march
+from rocksteady.kernels.core.tables import LEAN, OVERTURNED, RATE, March
+from rocksteady.kernels.march.march import march
 from tests.dynamics.full_integrator import impacts_by_integrator
 from tests.strategies import sample_size
 

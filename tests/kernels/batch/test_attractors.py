@@ -24,7 +24,7 @@ from rocksteady.kernels.batch.attractors import (
     settle_cells,
 )
 from rocksteady.kernels.core.clock import clock
-from rocksteady.kernels.march.march import RESTITUTION
+from rocksteady.kernels.core.tables import RESTITUTION
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS, distance, state_at
 from rocksteady.kernels.orbits.return_map import Section, make_system
 from rocksteady.kernels.orbits.settle import LONGEST_ORBIT, MEMORY, PERIODIC, settle

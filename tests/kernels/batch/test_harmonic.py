@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady.kernels.batch.harmonic import harmonic_fates, harmonic_segment
-from rocksteady.kernels.march.march import AT_REST, OVERTURNED, ROCKING
+from rocksteady.kernels.batch.harmonic import harmonic_segment
+from rocksteady.kernels.core.tables import AT_REST, OVERTURNED, ROCKING
+from tests.kernels.fates import harmonic_fates
 from tests.kernels.tables import both_sides, harmonic, run
 from tests.strategies import PLAIN, sample_size
 

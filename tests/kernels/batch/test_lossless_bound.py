@@ -11,16 +11,16 @@ from rocksteady.dynamics.history.models import ModelName, sides_of
 from rocksteady.kernels.batch._lossless_bound import furthest, largest_margin
 from rocksteady.kernels.batch._still_base import fate_on_still_base
 from rocksteady.kernels.core.clock import segment_start
-from rocksteady.kernels.core.tables import NONLINEAR_SEGMENT_COLUMNS
-from rocksteady.kernels.march.march import (
+from rocksteady.kernels.core.tables import (
     LEAN,
+    NONLINEAR_SEGMENT_COLUMNS,
     RATE,
     ROCKING,
     ROW_COLUMNS,
     UNDECIDED,
     March,
-    march,
 )
+from rocksteady.kernels.march.march import march
 from tests.kernels.tables import Piece, table
 from tests.strategies import sample_size
 

@@ -10,18 +10,18 @@ from rocksteady import Block
 from rocksteady.dynamics.history.models import sides_of
 from rocksteady.kernels.batch.pulses import pulse_fates
 from rocksteady.kernels.core.clock import segment_start
-from rocksteady.kernels.core.tables import NONLINEAR_SEGMENT_COLUMNS
-from rocksteady.kernels.march.march import (
+from rocksteady.kernels.core.tables import (
     ALIKE,
     AT_REST,
     CEILING,
     LEAN,
+    NONLINEAR_SEGMENT_COLUMNS,
     OVERTURNED,
     RATE,
     UNDECIDED,
     March,
-    march,
 )
+from rocksteady.kernels.march.march import march
 from tests.kernels.tables import Piece, both_sides, table
 from tests.strategies import sample_size
 

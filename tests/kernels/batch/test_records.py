@@ -10,6 +10,7 @@ from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core.tables import (
     ALIKE,
     ALPHA,
+    AT_REST,
     LEAN,
     LEFT_OUT,
     LIFT,
@@ -18,11 +19,15 @@ from rocksteady.kernels.core.tables import (
     LOST_CONTACT,
     NONLINEAR_SEGMENT_COLUMNS,
     NONLINEAR_SIDE_COLUMNS,
+    OVERTURNED,
     RATE,
     RESTITUTION,
+    ROCKING,
     SIDE_COLUMNS,
+    UNDECIDED,
+    March,
 )
-from rocksteady.kernels.march.march import AT_REST, OVERTURNED, ROCKING, UNDECIDED, March, march
+from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.recorded import peaks_until_overturning
 from tests.kernels.tables import sampled
 from tests.records import synthetic

@@ -14,17 +14,18 @@ from rocksteady.kernels.batch._still_base import (
     over_the_top,
     speed_of_lying,
 )
-from rocksteady.kernels.core.tables import ALPHA, NONLINEAR_SEGMENT_COLUMNS
-from rocksteady.kernels.march.march import (
+from rocksteady.kernels.core.tables import (
+    ALPHA,
     DURATION,
     LEAN,
+    NONLINEAR_SEGMENT_COLUMNS,
     OVERTURNED,
     RATE,
     ROW_COLUMNS,
     SEGMENT_COLUMNS,
     March,
-    march,
 )
+from rocksteady.kernels.march.march import march
 from tests.strategies import sample_size
 
 Floats = NDArray[np.float64]

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady.kernels.batch.harmonic import NO_LIMIT, harmonic_fates
+from rocksteady.kernels.core.tables import AT_REST, OVERTURNED, ROCKING, UNDECIDED
 from rocksteady.kernels.lanes._fields import FIELDS, LANES
 from rocksteady.kernels.lanes._newton import shake
 from rocksteady.kernels.lanes.driver import lane_fates
-from rocksteady.kernels.march.march import AT_REST, OVERTURNED, ROCKING, UNDECIDED
+from tests.kernels.fates import NO_LIMIT, harmonic_fates
 from tests.oracles import mp
 from tests.strategies import PLAIN, sample_size
 

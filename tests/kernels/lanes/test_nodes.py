@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from rocksteady.kernels.core.tables import March
 from rocksteady.kernels.lanes._fields import (
     AHEAD,
     AMPLITUDE,
@@ -23,7 +24,6 @@ from rocksteady.kernels.lanes._fields import (
 from rocksteady.kernels.lanes._launching import launch
 from rocksteady.kernels.lanes._loading import load, put
 from rocksteady.kernels.lanes._nodes import node_state, passes_over
-from rocksteady.kernels.march.march import March
 from tests.oracles import ExactFlight, mp
 from tests.strategies import sample_size
 

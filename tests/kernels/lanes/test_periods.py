@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.kernels.batch.harmonic import NO_LIMIT, harmonic_fates
+from rocksteady.kernels.core.tables import OVERTURNED, ROCKING
 from rocksteady.kernels.lanes.driver import lane_fates
-from rocksteady.kernels.march.march import OVERTURNED, ROCKING
 from rocksteady.kernels.orbits.closed_form import symmetric_orbit
+from tests.kernels.fates import NO_LIMIT, harmonic_fates
 from tests.strategies import PLAIN
 
 pytestmark = pytest.mark.skipif(PLAIN, reason="many cycles need compiled code")

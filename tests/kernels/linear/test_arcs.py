@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from rocksteady.kernels.core.forcing import make_forcing
+from rocksteady.kernels.core.tables import FOUND
 from rocksteady.kernels.linear.arcs import (
     Arc,
     arc_flight,
@@ -16,7 +17,7 @@ from rocksteady.kernels.linear.arcs import (
     sinh_ratio,
 )
 from rocksteady.kernels.linear.flight import flight_state, make_flight, wrapped
-from rocksteady.kernels.linear.zeros import FOUND, next_zero
+from rocksteady.kernels.linear.zeros import next_zero
 from tests.oracles import mp
 from tests.strategies import sample_size
 

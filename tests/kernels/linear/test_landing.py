@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from rocksteady.kernels.core.forcing import make_forcing
+from rocksteady.kernels.core.tables import FOUND
 from rocksteady.kernels.linear.flight import make_flight, wrapped
 from rocksteady.kernels.linear.landing import landing_jacobian
-from rocksteady.kernels.linear.zeros import FOUND, next_zero
+from rocksteady.kernels.linear.zeros import next_zero
 from tests.oracles import ExactFlight, mp
 from tests.strategies import sample_size
 

@@ -9,8 +9,9 @@ import pytest
 from numpy.typing import NDArray
 
 from rocksteady.kernels.core.forcing import make_forcing
+from rocksteady.kernels.core.tables import FOUND, NO_RETURN, SPAN_END
 from rocksteady.kernels.linear.flight import make_flight, wrapped
-from rocksteady.kernels.linear.zeros import FOUND, NO_RETURN, SPAN_END, Zero, next_zero
+from rocksteady.kernels.linear.zeros import Zero, next_zero
 from tests.oracles import ExactFlight, first_zero_in_double, mp
 from tests.strategies import (
     AMPLITUDE,

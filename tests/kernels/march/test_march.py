@@ -6,12 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from rocksteady.kernels.march.march import (
-    ENDED_BY_UPLIFT,
-    ROCKING,
-    ROW_EVENT,
-    ROW_SIDE,
-)
+from rocksteady.kernels.core.tables import ENDED_BY_UPLIFT, ROCKING, ROW_EVENT, ROW_SIDE
 from tests.kernels.tables import (
     Piece,
     Run,

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady.kernels.march.march import (
+from rocksteady.kernels.core.tables import (
     AT_REST,
     ENDED_BY_IMPACT,
     ENDED_BY_NO_RETURN,

@@ -6,10 +6,12 @@ import numpy as np
 import pytest
 
 from rocksteady.kernels.core.clock import clock
-from rocksteady.kernels.core.tables import LIFT, LIFT_SLOPE, NONLINEAR_SEGMENT_COLUMNS
-from rocksteady.kernels.march.march import (
+from rocksteady.kernels.core.tables import (
     ALIKE,
     AT_REST,
+    LIFT,
+    LIFT_SLOPE,
+    NONLINEAR_SEGMENT_COLUMNS,
     OVERTURNED,
     ROCKING,
     ROW_ANGLE,
@@ -21,8 +23,8 @@ from rocksteady.kernels.march.march import (
     ROW_VELOCITY,
     UNDECIDED,
     March,
-    march,
 )
+from rocksteady.kernels.march.march import march
 from rocksteady.kernels.orbits.closed_form import symmetric_orbit, symmetry_breaking
 from tests.kernels.tables import (
     NONE,

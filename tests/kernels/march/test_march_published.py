@@ -5,13 +5,7 @@ import math
 import pytest
 from scipy.optimize import brentq
 
-from rocksteady.kernels.march.march import (
-    AT_REST,
-    OVERTURNED,
-    ROW_DURATION,
-    ROW_SIDE,
-    ROW_VELOCITY,
-)
+from rocksteady.kernels.core.tables import AT_REST, OVERTURNED, ROW_DURATION, ROW_SIDE, ROW_VELOCITY
 from tests.kernels.tables import (
     Piece,
     both_sides,

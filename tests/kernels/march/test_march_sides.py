@@ -5,12 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from rocksteady.kernels.march.march import (
-    ROW_DURATION,
-    ROW_EVENT,
-    ROW_SIDE,
-    ROW_VELOCITY,
-)
+from rocksteady.kernels.core.tables import ROW_DURATION, ROW_EVENT, ROW_SIDE, ROW_VELOCITY
 from tests.kernels.tables import (
     Piece,
     both_sides,

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.kernels.march.march import OVERTURNED, ROW_DURATION, ROW_SIDE
+from rocksteady.kernels.core.tables import OVERTURNED, ROW_DURATION, ROW_SIDE
 from rocksteady.kernels.march.recorded import fill_states, last_crossing, recorded_peaks
 from tests.kernels.tables import Piece, Run, both_sides, exact_segments, harmonic, run, table
 from tests.oracles import exact_march, mp

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rocksteady.kernels.core.forcing import SINE, Forcing, make_forcing
-from rocksteady.kernels.march.march import (
+from rocksteady.kernels.core.tables import (
     AT_REST,
     ENDED_BY_UPLIFT,
     OVERTURNED,

@@ -8,9 +8,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady.kernels.core.tables import PEAK_ANGLE, PEAK_SPEED
-from rocksteady.kernels.march._samples import LONGEST, fly_through, make_stride
-from rocksteady.kernels.march.march import (
+from rocksteady.kernels.core.tables import (
     AT_REST,
     CEILING,
     CONSTANT,
@@ -18,6 +16,8 @@ from rocksteady.kernels.march.march import (
     ENDED_BY_NO_RETURN,
     ENDED_BY_UPLIFT,
     OVERTURNED,
+    PEAK_ANGLE,
+    PEAK_SPEED,
     ROW_ANGLE,
     ROW_DURATION,
     ROW_EVENT,
@@ -27,8 +27,9 @@ from rocksteady.kernels.march.march import (
     SLOPE,
     UNDECIDED,
     March,
-    march,
 )
+from rocksteady.kernels.march._samples import LONGEST, fly_through, make_stride
+from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.recorded import fill_states, recorded_peaks
 from tests.kernels.tables import (
     PLENTY,

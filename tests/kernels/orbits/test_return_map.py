@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from rocksteady.kernels.core.clock import clock
-from rocksteady.kernels.march.march import (
+from rocksteady.kernels.core.tables import (
     ENDED_BY_IMPACT,
     ROW_ANGLE,
     ROW_COLUMNS,
@@ -21,8 +21,8 @@ from rocksteady.kernels.march.march import (
     ROW_SIDE,
     ROW_VELOCITY,
     March,
-    march,
 )
+from rocksteady.kernels.march.march import march
 from rocksteady.kernels.orbits.return_map import (
     FALL,
     GRAZE,

@@ -7,7 +7,8 @@ import pytest
 from numpy.typing import NDArray
 
 from rocksteady.kernels.core.clock import clock
-from rocksteady.kernels.march.march import March, march
+from rocksteady.kernels.core.tables import March
+from rocksteady.kernels.march.march import march
 from rocksteady.kernels.orbits.closed_form import existence_amplitude, symmetric_orbit
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS, distance, mirror, state_at
 from rocksteady.kernels.orbits.return_map import (

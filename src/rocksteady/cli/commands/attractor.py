@@ -27,7 +27,8 @@ from rocksteady.cli.present.shared import (
     periods_text,
     shaking_values,
 )
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.motions.segments import Harmonic
 
 if TYPE_CHECKING:

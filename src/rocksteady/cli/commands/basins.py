@@ -25,7 +25,8 @@ from rocksteady.cli.present.basins_values import (
     undecided,
 )
 from rocksteady.cli.present.shared import case_text
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.motions.segments import Harmonic
 
 HELP = (

@@ -18,7 +18,8 @@ from rocksteady.cli.present.shared import (
     shaking_values,
     worth,
 )
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.orbits.orbit import Orbit

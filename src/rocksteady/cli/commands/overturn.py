@@ -31,7 +31,8 @@ from rocksteady.cli.present.overturn_values import (
     window_rows,
 )
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.validation import LARGEST
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.segments import Harmonic

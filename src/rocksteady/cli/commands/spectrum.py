@@ -26,7 +26,7 @@ from rocksteady.errors import InputError
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.history.models import ModelName
-    from rocksteady.model.blocks.block import Restitution
+    from rocksteady.model.blocks.sides import Restitution
 
 HELP = (
     "Rocking spectra: the largest rotation and angular velocity of homogeneous rectangular blocks "

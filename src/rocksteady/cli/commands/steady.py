@@ -11,7 +11,8 @@ from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.present.shared import block_values, multipliers_text, worth
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.steady.states import SteadyStates

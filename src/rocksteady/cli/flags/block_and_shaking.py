@@ -11,8 +11,10 @@ from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
 from rocksteady.cli.flags.parsing import MOST_AXIS_POINTS, axis, restitution_from, single
 from rocksteady.dynamics.parameters import SIZES
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block, DimensionlessBlock, Restitution
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.examples import example_block
+from rocksteady.model.blocks.sides import Restitution
 from rocksteady.model.checks.validation import LARGEST, in_range, non_negative
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.segments import Harmonic

@@ -16,7 +16,8 @@ from rocksteady.cli.flags.parsing import axis
 from rocksteady.cli.flags.start import HINT, StartFlags
 from rocksteady.dynamics.parameters import AXES, shaking_of
 from rocksteady.errors import InputError, ModelError
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.motions.segments import Harmonic
 
 RESIZED = frozenset({"width", "height", "radius", "p"})

@@ -5,7 +5,7 @@ import math
 from rocksteady.cli.console.refusals import FlagError, missing
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import Restitution, Restitutions
+from rocksteady.model.blocks.sides import Restitution, Restitutions
 
 MOST_AXIS_POINTS = 1_000_000
 

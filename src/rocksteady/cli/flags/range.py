@@ -8,7 +8,8 @@ from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
 from rocksteady.cli.present.shared import block_values
 from rocksteady.dynamics.parameters import moved_to
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.motions.segments import Harmonic
 
 SYMBOLS = {"amplitude": "A", "frequency_ratio": "Ω", "restitution": "restitution"}

@@ -4,7 +4,8 @@ from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console import terminal
 from rocksteady.cli.present.shared import block_text, block_values, restitution_values
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.motions.segments import Harmonic
 
 if TYPE_CHECKING:

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console import terminal
 from rocksteady.cli.present.shared import block_values, restitution_values, shaking_values
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block, DimensionlessBlock
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.segments import Harmonic, Motion
 

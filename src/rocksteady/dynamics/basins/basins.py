@@ -16,7 +16,8 @@ from rocksteady.dynamics.history.lowering import side_table
 from rocksteady.dynamics.history.models import ModelName, attributes_of, model_name, sides_of
 from rocksteady.dynamics.orbits.attractor import AttractorKind, cycles_value
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, whole_number
 from rocksteady.model.motions.segments import Harmonic

@@ -17,7 +17,8 @@ from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
 from rocksteady.dynamics.steady.regions import heteroclinic_amplitude
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core.tables import LEAN, RATE
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import finite, in_range, positive
 from rocksteady.model.motions.segments import Harmonic

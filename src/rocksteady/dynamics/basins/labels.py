@@ -17,7 +17,8 @@ from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
 from rocksteady.dynamics.orbits.return_map import ImpactState, make_system, section_of
 from rocksteady.dynamics.orbits.search import SAME
 from rocksteady.kernels.orbits import periodic
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.motions.segments import Harmonic
 

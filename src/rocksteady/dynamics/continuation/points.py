@@ -13,7 +13,7 @@ from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
 from rocksteady.dynamics.orbits.return_map import make_system, state_of
 from rocksteady.errors import ModelError
 from rocksteady.kernels.orbits import periodic
-from rocksteady.model.blocks.block import DimensionlessBlock
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.motions.segments import Harmonic
 

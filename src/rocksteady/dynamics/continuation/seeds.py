@@ -6,7 +6,7 @@ from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.orbits.search import orbits
 from rocksteady.dynamics.orbits.trail import AttractorTrail
 from rocksteady.dynamics.parameters import moved_to
-from rocksteady.model.blocks.block import DimensionlessBlock
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.motions.segments import Harmonic
 
 PLACES = 9

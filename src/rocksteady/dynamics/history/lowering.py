@@ -6,8 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, ModelError
-from rocksteady.kernels.march import march as columns
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.kernels.core import tables as columns
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.validation import LARGEST
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import LONGEST_DURATION, Motion, Segment, segments_of

@@ -19,7 +19,8 @@ from rocksteady.dynamics.history.lowering import (
 )
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core import tables as columns
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion

@@ -17,8 +17,10 @@ from rocksteady.dynamics.history.start import Rest, Start, initial_march
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.errors import Status
 from rocksteady.kernels.core.clock import segment_start
-from rocksteady.kernels.march.march import FREQUENCY, ROW_COLUMNS, march
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.kernels.core.tables import FREQUENCY, ROW_COLUMNS
+from rocksteady.kernels.march.march import march
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range, side_value, whole_number
 from rocksteady.model.motions.record import Record

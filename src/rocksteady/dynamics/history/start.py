@@ -14,9 +14,9 @@ from rocksteady.dynamics.steady.states import (
 )
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core.clock import clock
-from rocksteady.kernels.march.march import March
+from rocksteady.kernels.core.tables import March
 from rocksteady.kernels.nonlinear.drive import jump_share
-from rocksteady.model.blocks.block import DimensionlessBlock
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, in_range, odd_order, positive
 from rocksteady.model.motions.record import Record

@@ -15,7 +15,8 @@ from rocksteady.dynamics.maps._scenario import Scenario
 from rocksteady.dynamics.orbits.attractor import cycles_value
 from rocksteady.dynamics.parameters import AXES, validated_axes
 from rocksteady.errors import InputError, ModelError, Words
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid

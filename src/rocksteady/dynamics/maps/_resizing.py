@@ -11,7 +11,9 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.parameters import SIZES, UNLIKE
 from rocksteady.errors import ModelError
-from rocksteady.model.blocks.block import Block, DimensionlessBlock, Restitution
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.blocks.sides import Restitution
 
 Floats = NDArray[np.float64]
 

@@ -20,12 +20,9 @@ from rocksteady.dynamics.parameters import UNLIKE, shaking_of, validated_axes
 from rocksteady.dynamics.steady.states import refuse_unlike_sides
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core.tables import ALPHA, LEAN, RATE, RESTITUTION
-from rocksteady.model.blocks.block import (
-    Block,
-    DimensionlessBlock,
-    Restitution,
-    housner_restitution,
-)
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.blocks.sides import Restitution, housner_restitution
 from rocksteady.model.checks.validation import finite, side_value
 from rocksteady.model.motions.segments import Harmonic
 

@@ -12,7 +12,8 @@ from rocksteady.dynamics.history.models import ModelName
 from rocksteady.dynamics.history.start import Start
 from rocksteady.dynamics.maps._grid_map import Question, map_of
 from rocksteady.dynamics.maps._scenario import Scenario
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.sweep.cases.outputs import Output

@@ -15,10 +15,11 @@ from rocksteady.dynamics.history.start import State
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.dynamics.orbits.return_map import ImpactState, make_system, section_of, state_of
 from rocksteady.errors import ModelError, Status, Words
-from rocksteady.kernels.march import march as columns
+from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.orbits import periodic
 from rocksteady.kernels.orbits.return_map import UPLIFT, Section, next_passage
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.motions.segments import Harmonic
 

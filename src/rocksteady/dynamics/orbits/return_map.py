@@ -12,7 +12,8 @@ from rocksteady.dynamics.history.models import ModelName, model_name, sides_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.orbits import return_map
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import finite, in_range, side_value, whole_number
 from rocksteady.model.motions.segments import Harmonic

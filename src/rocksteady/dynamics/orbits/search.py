@@ -32,7 +32,8 @@ from rocksteady.kernels.orbits.return_map import (
     uplift_after,
 )
 from rocksteady.kernels.orbits.settle import GENERIC, ROUNDED, Stretch, stretched
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.motions.segments import Harmonic

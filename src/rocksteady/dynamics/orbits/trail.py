@@ -23,7 +23,8 @@ from rocksteady.dynamics.orbits.return_map import (
 from rocksteady.dynamics.parameters import PARAMETERS, moved_to
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.orbits.return_map import FALL, STAY, STUCK, highest_after, next_passage
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.motions.segments import Harmonic
 

@@ -15,7 +15,8 @@ from rocksteady.dynamics.overturning._scan import MANY, Fates, Found, scan
 from rocksteady.errors import Status
 from rocksteady.kernels.batch.pulses import pulse_fates
 from rocksteady.kernels.core.tables import ALPHA, CEILING, LEAN, is_nonlinear
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.sweep.cases.outputs import Output
 

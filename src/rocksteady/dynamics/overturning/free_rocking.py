@@ -11,8 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import restitution_value
-from rocksteady.model.blocks.sides import alpha_value
+from rocksteady.model.blocks.sides import alpha_value, restitution_value
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range, whole_number
 

@@ -19,7 +19,8 @@ from rocksteady.dynamics.overturning._cases import (
     windows_at,
 )
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, index_value, is_pair
 from rocksteady.model.motions.pulses import Pulse

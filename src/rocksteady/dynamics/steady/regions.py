@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import order_of_orbit, real_array, validated_grid
 from rocksteady.kernels.orbits.closed_form import fill_curves, symmetry_breaking
-from rocksteady.model.blocks.block import restitution_value
+from rocksteady.model.blocks.sides import restitution_value
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import LARGEST, in_range
 

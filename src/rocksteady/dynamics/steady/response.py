@@ -15,7 +15,8 @@ from rocksteady.dynamics.steady.states import (
     validated_branch,
 )
 from rocksteady.errors import ModelError, Words
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import positive
 

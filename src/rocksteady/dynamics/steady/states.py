@@ -19,7 +19,8 @@ from rocksteady.dynamics.arrays import order_of_orbit, validated_grid
 from rocksteady.dynamics.steady.regions import REGIONS
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.orbits.closed_form import fill_half_cycle, fill_steady, symmetric_orbit
-from rocksteady.model.blocks.block import Block, DimensionlessBlock
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.arrays import scalar_of
 from rocksteady.model.checks.validation import finite, whole_number

@@ -1,7 +1,7 @@
 """The plain loop of the march over many cases, each independent of the others.
 
 Threads may run disjoint slices side by side: each cell is written by one loop only, so the result
-does not depend on how the cells are dealt out.
+does not depend on how the cells are divided.
 """
 
 import math
@@ -11,21 +11,18 @@ from numpy.typing import NDArray
 
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.compilation import compiled
-from rocksteady.kernels.core.tables import NONLINEAR_SEGMENT_COLUMNS, SIDE_COLUMNS
-from rocksteady.kernels.march.march import (
+from rocksteady.kernels.core.tables import (
     AMPLITUDE,
     CEILING,
     DURATION,
     FREQUENCY,
+    NONLINEAR_SEGMENT_COLUMNS,
     PHASE,
-    RESTITUTION,
     ROW_COLUMNS,
     Floats,
     March,
-    march,
 )
-
-NO_LIMIT = 2**62
+from rocksteady.kernels.march.march import march
 
 
 @compiled
@@ -97,43 +94,3 @@ def fates_of_sides(
         final[i, 0] = end.angle
         final[i, 1] = end.velocity
         final[i, 2] = end.phase
-
-
-@compiled
-def harmonic_fates(
-    amplitude: Floats,
-    frequency_ratio: Floats,
-    restitution: Floats,
-    angle: Floats,
-    velocity: Floats,
-    phase: Floats,
-    cycles: int,
-    status: NDArray[np.int64],
-    impacts: NDArray[np.int64],
-    final: Floats,
-) -> None:
-    """March symmetric blocks under harmonic shaking and note how each ends.
-
-    Parameters
-    ----------
-    restitution
-        One value a cell, shape (cells,).
-    amplitude, frequency_ratio, angle, velocity, phase, cycles, status, impacts, final
-        As for `fates_of_sides`.
-    """
-    sides = np.ones((len(amplitude), 2, SIDE_COLUMNS))
-    for i in range(len(amplitude)):
-        sides[i, :, RESTITUTION] = restitution[i]
-    fates_of_sides(
-        amplitude,
-        frequency_ratio,
-        sides,
-        angle,
-        velocity,
-        phase,
-        cycles,
-        NO_LIMIT,
-        status,
-        impacts,
-        final,
-    )

@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from rocksteady.errors import Status
 from rocksteady.kernels.core.compilation import inlined
-from rocksteady.kernels.linear.zeros import FOUND, NO_RETURN, SPAN_END
 
 Floats = NDArray[np.float64]
 
@@ -56,6 +55,11 @@ ROW_VELOCITY = 5
 ROW_DURATION = 6
 ROW_EVENT = 7
 ROW_COLUMNS = 8
+
+# What a search for the end of a flight has found.
+SPAN_END = 0  # no zero up to the end of the span
+FOUND = 1  # the first zero
+NO_RETURN = 2  # the proof that none follows
 
 # What ended a recorded flight or rest.
 ENDED_BY_SPAN = SPAN_END  # the segment or the run ended

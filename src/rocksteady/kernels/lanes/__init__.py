@@ -1,6 +1,6 @@
 """Trajectories side by side: harmonic sweeps of symmetric blocks in the lanes of vector registers.
 
-`driver.lane_fates` does what `rocksteady.kernels.batch.harmonic.harmonic_fates` does, several times
+`driver.lane_fates` does what `rocksteady.kernels.batch.harmonic.fates_of_sides` does, several times
 as fast.  Every lane carries one trajectory at its own stage; a pass is a chain
 of short loops over all lanes, written with selects in place of branches, which the compiler turns
 into vector instructions.  A lane whose trajectory has ended is given the next.  What a lane does

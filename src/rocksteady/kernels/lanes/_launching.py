@@ -3,6 +3,7 @@
 from rocksteady.kernels.core.clock import PI_HIGH
 from rocksteady.kernels.core.compilation import fused
 from rocksteady.kernels.core.forcing import HALF_PI, TWO_PI
+from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.lanes._fields import (
     AMPLITUDE,
     BETA,
@@ -35,7 +36,6 @@ from rocksteady.kernels.lanes._fields import (
     VELOCITY,
     weight,
 )
-from rocksteady.kernels.march.march import Floats
 
 WINDOW = 3.0  # times v / (pull (1 - delta)): how long chatter is given to die out
 

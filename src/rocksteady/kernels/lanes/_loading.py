@@ -5,6 +5,7 @@ import math
 from rocksteady.kernels.core.clock import PI_HIGH, clock, side_phase
 from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import make_forcing
+from rocksteady.kernels.core.tables import Floats, March
 from rocksteady.kernels.lanes._exp_sincos import growth_and_decay, sine_cosine
 from rocksteady.kernels.lanes._fields import (
     AHEAD,
@@ -44,7 +45,6 @@ from rocksteady.kernels.lanes._fields import (
     TIME,
     VELOCITY,
 )
-from rocksteady.kernels.march.march import Floats, March
 
 
 @compiled

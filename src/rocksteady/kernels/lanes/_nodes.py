@@ -3,6 +3,7 @@
 from rocksteady.kernels.core.clock import PI_HIGH
 from rocksteady.kernels.core.compilation import fused, fused_inlined
 from rocksteady.kernels.core.forcing import TWO_PI
+from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.lanes._exp_sincos import growth_and_decay, nearest_whole
 from rocksteady.kernels.lanes._fields import (
     AHEAD,
@@ -53,7 +54,6 @@ from rocksteady.kernels.lanes._fields import (
     VELOCITY_THERE,
     weight,
 )
-from rocksteady.kernels.march.march import Floats
 
 
 @fused_inlined

@@ -3,6 +3,7 @@
 import numpy as np
 
 from rocksteady.kernels.core.compilation import fused
+from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.lanes._fields import (
     IMPACTS,
     LAG,
@@ -18,7 +19,6 @@ from rocksteady.kernels.lanes._fields import (
     VELOCITY,
     WIDEST,
 )
-from rocksteady.kernels.march.march import Floats
 
 NEAR = 0.05  # phase and velocity that have come back as closely are watched ...
 SAME = 1e-11  # ... until they repeat to this, each time more closely ...

@@ -8,6 +8,18 @@ from numpy.typing import NDArray
 from rocksteady.kernels.batch.harmonic import harmonic_segment
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.compilation import compiled, fused
+from rocksteady.kernels.core.tables import (
+    LEAN,
+    OVERTURNED,
+    RATE,
+    RESTITUTION,
+    ROCKING,
+    ROW_COLUMNS,
+    SEGMENT_COLUMNS,
+    UNDECIDED,
+    Floats,
+    March,
+)
 from rocksteady.kernels.lanes._fields import (
     CELL,
     DOWN,
@@ -36,19 +48,7 @@ from rocksteady.kernels.lanes._loading import at_the_end, load, put, taken
 from rocksteady.kernels.lanes._newton import approach, bounce, fly, land, shake
 from rocksteady.kernels.lanes._nodes import node_decision, node_state
 from rocksteady.kernels.lanes._periods import LEAPT, compare, leap
-from rocksteady.kernels.march.march import (
-    LEAN,
-    OVERTURNED,
-    RATE,
-    RESTITUTION,
-    ROCKING,
-    ROW_COLUMNS,
-    SEGMENT_COLUMNS,
-    UNDECIDED,
-    Floats,
-    March,
-    march,
-)
+from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.rest import STILL
 
 Integers = NDArray[np.int64]
@@ -87,7 +87,7 @@ def lane_fates(
 ) -> None:
     """March symmetric blocks under harmonic shaking and note how each ends.
 
-    Fates are those of `kernels.batch.harmonic.harmonic_fates`; impacts too but for those of
+    Fates are those of `kernels.batch.harmonic.fates_of_sides`; impacts too but for those of
     chatter; final states agree to rounding, which a chaotic motion amplifies, and to 1e-11 after a
     leap.
 

@@ -8,7 +8,7 @@ import math
 
 from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import Forcing
-from rocksteady.kernels.core.tables import PEAK_ANGLE, PEAK_SPEED, Floats
+from rocksteady.kernels.core.tables import FOUND, PEAK_ANGLE, PEAK_SPEED, Floats
 from rocksteady.kernels.linear.flight import (
     Flight,
     flight_state,
@@ -17,7 +17,7 @@ from rocksteady.kernels.linear.flight import (
     velocity_flight,
     wrapped,
 )
-from rocksteady.kernels.linear.zeros import FOUND, Zero, next_zero
+from rocksteady.kernels.linear.zeros import Zero, next_zero
 
 
 @compiled

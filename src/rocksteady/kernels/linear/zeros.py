@@ -34,16 +34,13 @@ from rocksteady.kernels.core.forcing import (
     starts_positive,
 )
 from rocksteady.kernels.core.sincos import sine_and_cosine
+from rocksteady.kernels.core.tables import FOUND, NO_RETURN, SPAN_END
 from rocksteady.kernels.linear.flight import (
     LARGEST_EXPONENT,
     Flight,
     flight_acceleration,
     flight_state,
 )
-
-FOUND = 1
-SPAN_END = 0
-NO_RETURN = 2
 
 # A step of the reverted series is final once each of its terms is this much smaller than the one
 # before, and the forcing turns little on the way.  The first term left out has coefficient 42: it

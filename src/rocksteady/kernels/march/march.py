@@ -33,31 +33,20 @@ from rocksteady.kernels.core.tables import (
     CEILING,
     CONSTANT,
     DURATION,
-    ENDED_BY_IMPACT,
-    ENDED_BY_NO_RETURN,
     ENDED_BY_SPAN,
     ENDED_BY_UPLIFT,
+    FOUND,
     FREQUENCY,
     JUMP,
     LEAN,
     LEFT_OUT,
     LIFT_SLOPE,
     LOST_CONTACT,
+    NO_RETURN,
     OVERTURNED,
-    PHASE,
     RATE,
     RESTITUTION,
     ROCKING,
-    ROW_ANGLE,
-    ROW_COLUMNS,
-    ROW_DURATION,
-    ROW_EVENT,
-    ROW_HALF_CYCLES,
-    ROW_PHASE,
-    ROW_SEGMENT,
-    ROW_SIDE,
-    ROW_VELOCITY,
-    SEGMENT_COLUMNS,
     SLOPE,
     UNDECIDED,
     Floats,
@@ -67,51 +56,13 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.kernels.linear.extrema import keep_peaks
 from rocksteady.kernels.linear.flight import make_flight
-from rocksteady.kernels.linear.zeros import FOUND, NO_RETURN, next_zero
+from rocksteady.kernels.linear.zeros import next_zero
 from rocksteady.kernels.march._samples import fly_through, rest_through
 from rocksteady.kernels.march.rest import STILL, chatter_ends, next_uplift
 from rocksteady.kernels.nonlinear.drive import foot_forcing, jump_share, loss_of_contact, side_drive
 from rocksteady.kernels.nonlinear.flight import fly
 from rocksteady.kernels.nonlinear.proofs import bounces_end, point_of_no_return
 from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS
-
-# The columns too: whoever marches needs them.
-__all__ = [
-    "ALIKE",
-    "AMPLITUDE",
-    "AT_REST",
-    "CEILING",
-    "CONSTANT",
-    "DURATION",
-    "ENDED_BY_IMPACT",
-    "ENDED_BY_NO_RETURN",
-    "ENDED_BY_SPAN",
-    "ENDED_BY_UPLIFT",
-    "FREQUENCY",
-    "JUMP",
-    "LEAN",
-    "OVERTURNED",
-    "PHASE",
-    "RATE",
-    "RESTITUTION",
-    "ROCKING",
-    "ROW_ANGLE",
-    "ROW_COLUMNS",
-    "ROW_DURATION",
-    "ROW_EVENT",
-    "ROW_HALF_CYCLES",
-    "ROW_PHASE",
-    "ROW_SEGMENT",
-    "ROW_SIDE",
-    "ROW_VELOCITY",
-    "SEGMENT_COLUMNS",
-    "SLOPE",
-    "UNDECIDED",
-    "Floats",
-    "March",
-    "march",
-    "side_forcing",
-]
 
 
 @compiled

@@ -8,15 +8,13 @@ from numpy.typing import NDArray
 from rocksteady.kernels.core.clock import elapsed_time, segment_start, side_phase
 from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import Forcing
-from rocksteady.kernels.core.tables import LEFT_OUT, is_nonlinear
-from rocksteady.kernels.linear.extrema import flight_peaks, last_rise
-from rocksteady.kernels.linear.flight import Flight, flight_acceleration, flight_state, make_flight
-from rocksteady.kernels.march.march import (
+from rocksteady.kernels.core.tables import (
     ENDED_BY_IMPACT,
     ENDED_BY_NO_RETURN,
     ENDED_BY_SPAN,
     FREQUENCY,
     LEAN,
+    LEFT_OUT,
     RATE,
     ROW_ANGLE,
     ROW_DURATION,
@@ -27,8 +25,11 @@ from rocksteady.kernels.march.march import (
     ROW_SIDE,
     ROW_VELOCITY,
     Floats,
-    side_forcing,
+    is_nonlinear,
 )
+from rocksteady.kernels.linear.extrema import flight_peaks, last_rise
+from rocksteady.kernels.linear.flight import Flight, flight_acceleration, flight_state, make_flight
+from rocksteady.kernels.march.march import side_forcing
 from rocksteady.kernels.nonlinear.drive import Drive, acceleration, side_drive
 from rocksteady.kernels.nonlinear.flight import phase_at
 from rocksteady.kernels.nonlinear.proofs import point_of_no_return

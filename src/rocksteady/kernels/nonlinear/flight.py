@@ -4,8 +4,15 @@ import math
 
 from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import TWO_PI
-from rocksteady.kernels.core.tables import PEAK_ANGLE, PEAK_SPEED, Floats
-from rocksteady.kernels.linear.zeros import FOUND, NO_RETURN, SPAN_END, Zero
+from rocksteady.kernels.core.tables import (
+    FOUND,
+    NO_RETURN,
+    PEAK_ANGLE,
+    PEAK_SPEED,
+    SPAN_END,
+    Floats,
+)
+from rocksteady.kernels.linear.zeros import Zero
 from rocksteady.kernels.nonlinear._zeros import first_rise, first_zero, largest
 from rocksteady.kernels.nonlinear.drive import Drive
 from rocksteady.kernels.nonlinear.proofs import HALF_PI, falls_on_still_base

@@ -28,11 +28,12 @@ from numpy.typing import NDArray
 
 from rocksteady.kernels.core.compilation import compiled, inlined
 from rocksteady.kernels.core.forcing import EPSILON, make_forcing
+from rocksteady.kernels.core.tables import FOUND
 from rocksteady.kernels.linear.arcs import exponentials
 from rocksteady.kernels.linear.extrema import inner_extrema
 from rocksteady.kernels.linear.flight import LARGEST_EXPONENT, Flight, flight_state, wrapped
 from rocksteady.kernels.linear.landing import landing_jacobian
-from rocksteady.kernels.linear.zeros import FOUND, next_zero
+from rocksteady.kernels.linear.zeros import next_zero
 
 Floats = NDArray[np.float64]
 

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import TWO_PI
-from rocksteady.kernels.march.march import Floats
+from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.orbits.return_map import (
     FALL,
     GRAZE,

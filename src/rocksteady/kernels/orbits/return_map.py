@@ -19,8 +19,10 @@ from rocksteady.kernels.core.compilation import compiled, inlined
 from rocksteady.kernels.core.forcing import SINE, Forcing, make_forcing, starts_positive
 from rocksteady.kernels.core.tables import (
     ALPHA,
+    FOUND,
     LEAN,
     LEFT_OUT,
+    NO_RETURN,
     RATE,
     RESTITUTION,
     Floats,
@@ -29,7 +31,7 @@ from rocksteady.kernels.core.tables import (
 from rocksteady.kernels.linear.extrema import highest_angle
 from rocksteady.kernels.linear.flight import Flight, make_flight
 from rocksteady.kernels.linear.landing import landing_jacobian
-from rocksteady.kernels.linear.zeros import FOUND, NO_RETURN, next_zero
+from rocksteady.kernels.linear.zeros import next_zero
 from rocksteady.kernels.march.rest import chatter_ends, uplift_time
 from rocksteady.kernels.nonlinear.drive import Drive, foot_forcing
 from rocksteady.kernels.nonlinear.landing import fly_to_landing, landing_derivative

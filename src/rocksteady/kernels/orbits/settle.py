@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import TWO_PI
-from rocksteady.kernels.march.march import Floats
+from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.orbits.periodic import (
     distance,
     loss,

@@ -11,8 +11,7 @@ import math
 from typing import NamedTuple
 
 from rocksteady.kernels.core.compilation import compiled
-from rocksteady.kernels.core.tables import ALPHA, RESTITUTION
-from rocksteady.kernels.march.march import Floats
+from rocksteady.kernels.core.tables import ALPHA, RESTITUTION, Floats
 from rocksteady.kernels.orbits.periodic import (
     CLOSED,
     EXACT,

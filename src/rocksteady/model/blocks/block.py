@@ -27,23 +27,10 @@ from rocksteady.model.blocks.sides import (
     p_value,
     radius_value,
     restitution_pair,
-    restitution_value,
     sides_of_body,
 )
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
-
-__all__ = [
-    "STANDARD_GRAVITY",
-    "Block",
-    "DimensionlessBlock",
-    "Restitution",
-    "Restitutions",
-    "Side",
-    "housner_ratio",
-    "housner_restitution",
-    "restitution_value",
-]
 
 STANDARD_GRAVITY = 9.80665
 """Standard acceleration of gravity [m/s^2]."""

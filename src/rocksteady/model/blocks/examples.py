@@ -3,7 +3,8 @@
 import math
 
 from rocksteady.errors import InputError
-from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block, Restitution
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.sides import Restitution
 
 INCH = 0.0254
 """[m]"""

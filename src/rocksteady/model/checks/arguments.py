@@ -27,8 +27,6 @@ from rocksteady.model.checks.arrays import (
     scalar_of,
 )
 
-__all__ = ["checked", "checked_result"]
-
 T = TypeVar("T")
 
 _ABC_NAMES: Final[Mapping[object, str]] = {str: "a text", bool: "True or False", Path: "a path"}

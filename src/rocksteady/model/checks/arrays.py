@@ -12,8 +12,6 @@ from fractions import Fraction
 from numbers import Integral, Real
 from typing import Any, Final
 
-__all__ = ["MOST_ITEMS", "UnfitError", "numeric_array", "refuse_mask_and_unit", "scalar_of"]
-
 MOST_ELEMENTS: Final = 100_000_000
 """Of an array that is given: 800 MB of floats."""
 

@@ -17,21 +17,6 @@ from typing import Any, Final, Literal, TypeGuard
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arrays import scalar_of
 
-__all__ = [
-    "LARGEST",
-    "finite",
-    "in_range",
-    "index_value",
-    "is_pair",
-    "non_negative",
-    "odd_order",
-    "positive",
-    "side_value",
-    "span_value",
-    "whole_number",
-    "within_memory",
-]
-
 LARGEST: Final = 1.0e50
 """The largest dimensionless number that the kernels are asked for: its powers do not overflow."""
 

@@ -18,8 +18,6 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["TURNED", "Channel", "Given", "built", "interval", "unit"]
-
 _LARGEST_PEAK_G: Final = 10.0
 _FEWEST: Final = 20
 _LAST_STANDS_OUT: Final = 1.5

@@ -12,8 +12,6 @@ from rocksteady.records.core.directions import direction, pointing
 from rocksteady.records.core.numbers import number
 from rocksteady.records.core.units import acceleration_unit, in_m_s2, in_seconds
 
-__all__ = ["ColumnName", "column_name"]
-
 _BRACKETS: Final = re.compile(r"[(\[]((?:[^()\[\]]|\([^()]*\))*)[)\]]")
 _OF_UNITS: Final = re.compile(r"(?:units?\s*(?:of|in|[:=])*|in)\s+", re.IGNORECASE)
 _GROUND: Final = re.compile(r"u_?g['.\"]*", re.IGNORECASE)

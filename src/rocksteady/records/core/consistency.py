@@ -19,8 +19,6 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["Lines", "agreed", "layout", "timing"]
-
 _LONGEST_WORD: Final = 40
 _HINT: Final = "fetch the file anew: it is cut or garbled"
 _REGULAR: Final = 0.9

@@ -6,8 +6,6 @@ from typing import Final
 
 from rocksteady.records.core.recording import Orientation
 
-__all__ = ["TAIL", "Pointing", "direction", "pointing", "pointing_of_name", "tells_nothing"]
-
 _VERTICAL: Final = frozenset(
     {"up", "u", "ud", "u-d", "updo", "updown", "dwn", "down", "dn", "d"}
     | {"v", "vert", "vertical", "vrt", "ver", "z", "v1"}

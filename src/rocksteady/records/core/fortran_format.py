@@ -3,8 +3,6 @@
 import re
 from typing import Final
 
-__all__ = ["fixed_values", "stated_width"]
-
 _FORMAT: Final = re.compile(r"\(\s*(?:\d+\s*[pP]\s*,?)?\s*(\d*)\s*[iIfFeEgGdD]\s*(\d+)")
 
 

@@ -20,17 +20,6 @@ from rocksteady.records.core.units import (
     modifies,
 )
 
-__all__ = [
-    "last_place",
-    "refuse_factors",
-    "stated_count",
-    "stated_duration",
-    "stated_interval",
-    "stated_time_unit",
-    "stated_unit",
-    "time_value",
-]
-
 _EXPLICIT: Final = re.compile(
     r"\bunits?\b\s*(?:(?:of|in(?!\s*/)|is|are|for)\b\s*)*(?:the\s+)?(?:acc\w*|data|samples|values)?\s*"
     r"(?:(?:of|in(?!\s*/)|is|are)\b\s*)*[:=(\[]*\s*(?:in\s+)?",

@@ -8,8 +8,6 @@ from typing import Literal
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.motions.record import Record
 
-__all__ = ["Orientation", "Recording"]
-
 Orientation = Literal["horizontal", "vertical"]
 """Which way a channel points."""
 

@@ -17,8 +17,6 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["Spaced", "evenly_spaced", "places"]
-
 _JITTER: Final = 0.01
 """Part of the interval by which a time may be off its place."""
 

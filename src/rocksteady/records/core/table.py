@@ -10,8 +10,6 @@ from rocksteady.records.core.numbers import apart, number, numbers
 from rocksteady.records.core.text import RecordText
 from rocksteady.records.core.units import acceleration_unit, in_seconds
 
-__all__ = ["Table", "table"]
-
 _COMMENT: Final = ("#", "%", "//")
 """What a comment between rows begins with; stars stand for a number that did not fit."""
 

@@ -8,8 +8,6 @@ from typing import Final
 
 from rocksteady.errors import RecordFileError
 
-__all__ = ["LARGEST_FILE", "RecordText", "as_text", "file_bytes"]
-
 LARGEST_FILE: Final = 64 * 2**20
 """Bytes of the largest file that is read; three channels of an hour at 200 Hz take some 26 MB."""
 

@@ -15,8 +15,6 @@ from typing import Final
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 
-__all__ = ["COUNTS", "UNITS", "acceleration_unit", "in_m_s2", "in_seconds", "leading", "modifies"]
-
 COUNTS: Final = "counts"
 """What a file holds whose numbers are an instrument's, with or without their scale."""
 

@@ -33,8 +33,6 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["COLUMNS", "CSV", "read", "recognises"]
-
 CSV: Final = "csv"
 COLUMNS: Final = "columns"
 

@@ -28,8 +28,6 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["FORMATS", "read", "recognises"]
-
 FORMATS: Final = ("cosmos-v1", "cosmos-v2")
 
 _FIRST: Final = re.compile(r"\(\s*Format\s+v", re.IGNORECASE)

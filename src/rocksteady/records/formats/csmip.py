@@ -25,8 +25,6 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["FORMATS", "read", "recognises"]
-
 FORMATS: Final = ("csmip-v1", "csmip-v2")
 
 _FIRST: Final = re.compile(r"(UN)?CORRECTED ACCELEROGRAM", re.IGNORECASE)

@@ -14,8 +14,6 @@ from rocksteady.records.core.numbers import number, numbers, samples
 from rocksteady.records.core.recording import Recording
 from rocksteady.records.core.text import RecordText
 
-__all__ = ["FORMAT", "read", "recognises"]
-
 FORMAT: Final = "esm-ascii"
 
 _WITHIN: Final = 200

@@ -21,8 +21,6 @@ from rocksteady.records.core.recording import Recording
 from rocksteady.records.core.text import RecordText
 from rocksteady.records.core.units import COUNTS
 
-__all__ = ["KIKNET", "KNET", "read", "recognises"]
-
 KNET: Final = "knet"
 KIKNET: Final = "kiknet"
 

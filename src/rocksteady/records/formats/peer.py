@@ -22,8 +22,6 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["FORMAT", "read", "recognises"]
-
 FORMAT: Final = "peer-at2"
 
 _WITHIN: Final = 40

@@ -16,8 +16,6 @@ from rocksteady.records.core.recording import Orientation, Recording
 from rocksteady.records.core.sampling import evenly_spaced
 from rocksteady.records.core.text import RecordText
 
-__all__ = ["FORMAT", "read", "recognises"]
-
 FORMAT: Final = "smc"
 
 _WORDS, _WHOLE, _REAL = 11, 6, 10

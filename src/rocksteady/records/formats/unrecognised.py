@@ -8,8 +8,6 @@ from typing import Final
 
 from rocksteady.records.core.text import RecordText
 
-__all__ = ["network_of"]
-
 _WITHIN: Final = 120
 """Lines of words and of numbers that the longest header has before its samples."""
 

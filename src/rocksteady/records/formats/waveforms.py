@@ -27,8 +27,6 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-__all__ = ["MSEED", "SAC", "read", "recognised"]
-
 MSEED: Final = "mseed"
 SAC: Final = "sac"
 

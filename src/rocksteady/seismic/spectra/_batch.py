@@ -28,7 +28,8 @@ from rocksteady.kernels.core.tables import (
     RESTITUTION,
     SIDE_COLUMNS,
 )
-from rocksteady.model.blocks.block import Block, Restitution, housner_ratio
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.sides import Restitution, housner_ratio
 from rocksteady.model.motions.record import Record
 
 Floats = NDArray[np.float64]

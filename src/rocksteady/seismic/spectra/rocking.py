@@ -13,13 +13,8 @@ from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.models import TOLERANCE, ModelName, model_name, refuse_vertical
 from rocksteady.errors import InputError, Status, Words
-from rocksteady.model.blocks.block import (
-    STANDARD_GRAVITY,
-    Block,
-    Restitution,
-    restitution_value,
-)
-from rocksteady.model.blocks.sides import alpha_value, p_value
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.sides import Restitution, alpha_value, p_value, restitution_value
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.record import Record

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.history.base_motion import segment_starts
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.errors import InputError
-from rocksteady.kernels.march import march as columns
+from rocksteady.kernels.core import tables as columns
 from rocksteady.model.checks.validation import LARGEST, finite, in_range
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.segments import Harmonic

@@ -1,0 +1,40 @@
+"""Fates of many symmetric blocks by the march alone, cell by cell: what lanes are compared with."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.kernels.batch.harmonic import fates_of_sides
+from rocksteady.kernels.core.tables import RESTITUTION, SIDE_COLUMNS, Floats
+
+NO_LIMIT = 2**62
+"""Flights: no motion is given up."""
+
+
+def harmonic_fates(
+    amplitude: Floats,
+    frequency_ratio: Floats,
+    restitution: Floats,
+    angle: Floats,
+    velocity: Floats,
+    phase: Floats,
+    cycles: int,
+    status: NDArray[np.int64],
+    impacts: NDArray[np.int64],
+    final: Floats,
+) -> None:
+    """Call `fates_of_sides` with one restitution a cell, shape (cells,), in place of its sides."""
+    sides = np.ones((len(amplitude), 2, SIDE_COLUMNS))
+    sides[:, :, RESTITUTION] = restitution[:, np.newaxis]
+    fates_of_sides(
+        amplitude,
+        frequency_ratio,
+        sides,
+        angle,
+        velocity,
+        phase,
+        cycles,
+        NO_LIMIT,
+        status,
+        impacts,
+        final,
+    )
