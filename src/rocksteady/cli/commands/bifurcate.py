@@ -26,6 +26,7 @@ from rocksteady.cli.present.diagrams_values import (
     branch_values,
     cascade_values,
     csv_rows,
+    range_values,
     sweep_values,
 )
 from rocksteady.model.blocks.block import Block
@@ -218,7 +219,7 @@ def bifurcate(
     complete = len(branches) <= max_branches  # one more says that more would have begun
     branches = branches[:max_branches]
     values: dict[str, Any] = {
-        **span.described(),
+        **range_values(span),
         "order": order,
         "max_period": longest,
         "max_impacts": max_impacts,

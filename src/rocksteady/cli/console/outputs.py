@@ -1,14 +1,11 @@
 """What a command leaves behind: JSON on standard output, and files that are whole or not there."""
 
-import os
 import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rocksteady import durable
 from rocksteady.cli.console.progress import progress
-from rocksteady.errors import OutputError
 from rocksteady.show.export.files import json_text, save_csv, save_figure, save_whole
 from rocksteady.show.style.escaping import printable
 
@@ -21,42 +18,6 @@ if TYPE_CHECKING:
 
 INCOMPLETE = 3
 """Exit code of a command that could not decide what it was asked."""
-
-
-def check_writable(flag: str, file: Path, *, force: bool) -> None:
-    """Refuse a file that could not be written.
-
-    Raises
-    ------
-    OutputError
-        If it exists and `force` is off, its folder is missing or not writable, it is "-", a folder,
-        a device or a pipe. A link counts as what it leads to, and as existing where that is
-        missing.
-    """
-    found = durable.obstacle(file)
-    if file == Path("-"):  # which elsewhere means standard output
-        valid, hint = "standard output is kept for text and --json", "name a file"
-    elif found is not None:
-        valid, hint = found
-    elif not os.access(durable.place_of(file).parent, os.W_OK):
-        valid, hint = "its folder is not writable", "choose another folder"
-    elif os.path.lexists(file) and not force:
-        missing = file.is_symlink() and not file.exists()
-        valid = "it is a link to a file that is missing" if missing else "it exists"
-        hint = "add --force to write it" if missing else "add --force to overwrite it"
-    else:
-        durable.expect(file, replace=force)
-        return
-    raise OutputError(name=flag, value=file, valid=valid, hint=hint)
-
-
-def impossible_name(file: Path) -> str | None:
-    """Return why the system takes no such name, as of too many characters; None where it does."""
-    try:
-        file.exists()
-    except OSError as error:
-        return error.strerror or str(error)
-    return None
 
 
 def announce_compilation(kernel: str) -> None:

@@ -12,12 +12,12 @@ from functools import wraps
 from pathlib import Path
 from typing import Any
 
-from rocksteady.cli.console.outputs import check_writable
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
 from rocksteady.durable import place_of
 from rocksteady.errors import OutputError
 from rocksteady.model.checks.validation import positive
+from rocksteady.show.export.files import check_writable
 from rocksteady.show.style.legends import checked_place
 from rocksteady.show.style.page import Page, width_mm_of
 

@@ -1,12 +1,10 @@
 """The one axis of a diagram: a parameter with its range, and the values of the others."""
 
 from dataclasses import dataclass, replace
-from typing import Any
 
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
-from rocksteady.cli.present.shared import block_values
 from rocksteady.dynamics.parameters import moved_to
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -58,25 +56,15 @@ class Range:
             "freq_hz": shaking.frequency_hz(self.body),
         }
 
-    def described(self) -> dict[str, Any]:
-        """Return what the contract says of the axis; None for the value of what moves."""
-        values: dict[str, Any] = {
-            "parameter": self.parameter,
-            "within": list(self.within),
+    @property
+    def fixed(self) -> dict[str, float | None]:
+        """Amplitude, frequency ratio and restitution; None for the one that moves."""
+        return {
             "amplitude": self.amplitude,
             "frequency_ratio": self.frequency_ratio,
             "restitution": self.body.restitution,
+            self.parameter: None,
         }
-        if isinstance(self.body, Block):
-            values["block"] = block_values(self.body)
-            values |= self.in_si(self.amplitude, self.frequency_ratio)
-            alias = {"amplitude": "accel_g", "frequency_ratio": "freq_hz"}.get(self.parameter)
-            if alias is None:
-                values["block"]["restitution"] = None
-            else:
-                values[alias] = None
-        values[self.parameter] = None
-        return values
 
     @property
     def text(self) -> str:
@@ -84,7 +72,7 @@ class Range:
         parts = []
         for name, symbol in SYMBOLS.items():
             equals = " " if name == "restitution" else " = "
-            value = self.described()[name]
+            value = self.fixed[name]
             text = f"{symbol}{equals}{value:.6g}" if value is not None else ""
             parts.append(text or f"{symbol} from {self.values[0]:.6g} to {self.values[-1]:.6g}")
         return ", ".join(parts)

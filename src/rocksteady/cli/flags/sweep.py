@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rocksteady.cli.console.outputs import check_writable, impossible_name
 from rocksteady.cli.console.refusals import FlagError, both
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.groups import OutputFlags, same_file
 from rocksteady.durable import place_of
 from rocksteady.errors import OutputError, UnfinishedError
+from rocksteady.show.export.files import check_writable, impossible_name
 from rocksteady.show.style.escaping import printable
 
 if TYPE_CHECKING:

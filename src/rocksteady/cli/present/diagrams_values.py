@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.flags.range import Range
 from rocksteady.cli.flags.sweep_start import Sweep
+from rocksteady.cli.present.shared import block_values
 from rocksteady.model.blocks.block import Block
 
 if TYPE_CHECKING:
@@ -35,6 +36,24 @@ CSV_HEADER = (
     "lowest",
     "arclength",
 )
+
+
+def range_values(span: Range) -> dict[str, Any]:
+    """Return what the contract promises of the axis; None for the value of what moves."""
+    values: dict[str, Any] = {
+        "parameter": span.parameter,
+        "within": list(span.within),
+        **span.fixed,
+    }
+    if isinstance(span.body, Block):
+        values["block"] = block_values(span.body)
+        values |= span.in_si(span.amplitude, span.frequency_ratio)
+        alias = {"amplitude": "accel_g", "frequency_ratio": "freq_hz"}.get(span.parameter)
+        if alias is None:
+            values["block"]["restitution"] = None
+        else:
+            values[alias] = None
+    return values
 
 
 def lean(branch: "Branch") -> float:

@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+import os
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,6 +13,42 @@ from rocksteady.errors import OutputError
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+
+def check_writable(name: str, file: Path, *, force: bool) -> None:
+    """Refuse a file that could not be written.
+
+    Raises
+    ------
+    OutputError
+        If it exists and `force` is off, its folder is missing or not writable, it is "-", a folder,
+        a device or a pipe. A link counts as what it leads to, and as existing where that is
+        missing.
+    """
+    found = durable.obstacle(file)
+    if file == Path("-"):  # which elsewhere means standard output
+        valid, hint = "standard output is kept for text and --json", "name a file"
+    elif found is not None:
+        valid, hint = found
+    elif not os.access(durable.place_of(file).parent, os.W_OK):
+        valid, hint = "its folder is not writable", "choose another folder"
+    elif os.path.lexists(file) and not force:
+        missing = file.is_symlink() and not file.exists()
+        valid = "it is a link to a file that is missing" if missing else "it exists"
+        hint = "add --force to write it" if missing else "add --force to overwrite it"
+    else:
+        durable.expect(file, replace=force)
+        return
+    raise OutputError(name=name, value=file, valid=valid, hint=hint)
+
+
+def impossible_name(file: Path) -> str | None:
+    """Return why the system takes no such name, as of too many characters; None where it does."""
+    try:
+        file.exists()
+    except OSError as error:
+        return error.strerror or str(error)
+    return None
 
 
 def save_whole(name: str, file: Path, write: Callable[[Path], object]) -> None:
