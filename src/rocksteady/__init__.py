@@ -130,7 +130,7 @@ else:
 __version__ = "0.1.0"
 
 # Type checkers and editors read the imports above and the list below; Python reads the dict. That
-# the three agree is what tests/test_namespace.py checks.
+# the three agree is what tests/public/test_namespace.py checks.
 __all__ = [
     "Attractor",
     "AttractorKind",

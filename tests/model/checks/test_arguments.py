@@ -29,7 +29,7 @@ from rocksteady import (
     steady_states,
 )
 from rocksteady.model.checks.arguments import checked
-from tests.junk import Quantity
+from tests.public.junk import Quantity
 
 BLOCK = Block.rectangle(width=0.4, height=1.2)
 BARE = DimensionlessBlock(restitution=0.8)

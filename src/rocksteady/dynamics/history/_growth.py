@@ -1,25 +1,22 @@
 """How a small difference at the start of a time history grows, in the linear model."""
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
+from rocksteady.dynamics.history.samples import Impacts
 from rocksteady.kernels.core import tables as columns
-from rocksteady.model.motions.segments import Harmonic
 
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
-
-    from rocksteady.dynamics.history.trajectory import Trajectory
-
-    Floats = NDArray[np.float64]
+Floats = NDArray[np.float64]
 
 LARGEST_LOGARITHM = 700.0
 """Of a growth that is still a float."""
 
 
-def growth_of(run: "Trajectory") -> float:
+def growth_of(
+    rows: Floats, sides: Floats, durations: Floats, impacts: Impacts, base: Floats
+) -> float:
     """Return the largest factor by which a small difference at the start has grown.
 
     In a flight of duration t on a side of rate rho differences of angle and velocity follow
@@ -29,17 +26,21 @@ def growth_of(run: "Trajectory") -> float:
 
     Parameters
     ----------
-    run
-        A time history of the linear model.
+    rows, sides
+        Of a time history of the linear model, shapes (flights, 8) and (2, 3).
+    durations
+        Of the flights, shape (flights,); the last one up to the end of the history.
+    impacts
+        Those that end a flight.
+    base
+        The base acceleration at each of them, in alpha g, shape (impacts,).
     """
-    durations = run.rows[:, columns.ROW_DURATION].copy()
-    durations[-1] = run._last_duration
-    turns = _impacts(run)
-    rates = run.sides[:, columns.RATE].tolist()
+    turns = _impacts(rows, sides, impacts, base)
+    rates = sides[:, columns.RATE].tolist()
     one, other = (1.0, 0.0), (0.0, 1.0)  # images of a unit of angle and of velocity
     gone = largest = 0.0  # logarithms: of what has been divided out, and of the growth
-    sides = run.flights.side.tolist()
-    for row, (side, duration) in enumerate(zip(sides, durations.tolist(), strict=True)):
+    on = rows[:, columns.ROW_SIDE].astype(int).tolist()
+    for row, (side, duration) in enumerate(zip(on, durations.tolist(), strict=True)):
         if side == 0:
             one, other, gone = (1.0, 0.0), (0.0, 1.0), 0.0
             continue
@@ -63,22 +64,18 @@ def growth_of(run: "Trajectory") -> float:
     return math.exp(largest) if largest < LARGEST_LOGARITHM else math.inf
 
 
-def _impacts(run: "Trajectory") -> dict[int, tuple[float, float]]:
+def _impacts(
+    rows: Floats, sides: Floats, impacts: Impacts, base: Floats
+) -> dict[int, tuple[float, float]]:
     """Return restitution and kink of the impact that ends each row, by the row."""
-    impacts = run.impacts
-    rows = np.flatnonzero(run.rows[:, columns.ROW_EVENT] == columns.ENDED_BY_IMPACT)
-    if isinstance(run.motion, Harmonic):  # the clock keeps its digits in long runs
-        sign = np.where(impacts.half_cycles % 2 == 0, 1.0, -1.0)
-        base = run.motion.amplitude * sign * np.sin(impacts.phase)
-    else:
-        base = run.base_acceleration(impacts.s)
+    ended = np.flatnonzero(rows[:, columns.ROW_EVENT] == columns.ENDED_BY_IMPACT)
     here = np.where(impacts.side > 0, 0, 1)
     before, after = (
-        run.sides[side, columns.RATE] ** 2 * (base - sign * run.sides[side, columns.LEAN])
+        sides[side, columns.RATE] ** 2 * (base - sign * sides[side, columns.LEAN])
         for side, sign in ((here, impacts.side), (1 - here, -impacts.side))
     )
-    ratios = run.sides[here, columns.RESTITUTION]
+    ratios = sides[here, columns.RESTITUTION]
     with np.errstate(divide="ignore", invalid="ignore"):
         kinks = (after - ratios * before) / impacts.velocity_before
     pairs = zip(ratios.tolist(), kinks.tolist(), strict=True)
-    return dict(zip(rows.tolist(), pairs, strict=True))
+    return dict(zip(ended.tolist(), pairs, strict=True))

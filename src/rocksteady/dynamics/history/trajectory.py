@@ -281,7 +281,16 @@ class Trajectory:
         rounding decides how the run goes on, and another way of computing it may end otherwise.
         None in the nonlinear model.
         """
-        return None if is_nonlinear(self.sides) else growth_of(self)
+        if is_nonlinear(self.sides):
+            return None
+        durations = self.rows[:, columns.ROW_DURATION].copy()
+        durations[-1] = self._last_duration
+        if isinstance(self.motion, Harmonic):  # the clock keeps its digits in long runs
+            sign = np.where(self.impacts.half_cycles % 2 == 0, 1.0, -1.0)
+            base = self.motion.amplitude * sign * np.sin(self.impacts.phase)
+        else:
+            base = self.base_acceleration(self.impacts.s)
+        return growth_of(self.rows, self.sides, durations, self.impacts, base)
 
     @cached_property
     def shown_to_s(self) -> float:

@@ -21,8 +21,8 @@ import pytest
 import xarray
 
 import rocksteady as rs
-from tests import junk
-from tests.calls import Call, calls, close_pictures, public_callables, things
+from tests.public import junk
+from tests.public.calls import Call, calls, close_pictures, public_callables, things
 
 pytestmark = [
     pytest.mark.filterwarnings("ignore:Animation was deleted"),

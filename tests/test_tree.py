@@ -1,0 +1,155 @@
+"""The tree of the package: who imports whom decides a module's name, and folders stay small."""
+
+import ast
+from collections import Counter, defaultdict
+from pathlib import Path
+
+import pytest
+
+import rocksteady
+
+ROOT = Path(__file__).parents[1]
+SOURCE = ROOT / "src" / "rocksteady"
+FILES = sorted(SOURCE.rglob("*.py"))
+MOST = 14
+"""Files of one folder, its `__init__` included."""
+STARTED = {"rocksteady.__main__", "rocksteady.cli.app", "rocksteady.kernels.warm"}
+"""Modules that are run by their names."""
+TWICE = {
+    frozenset({"kernels/linear", "kernels/nonlinear"}),  # one thing in both models
+    frozenset({"kernels/march", "kernels/nonlinear"}),
+    frozenset({"show/plots", "show/figures"}),  # a thing and its figure
+}
+"""Folders of one layer that may have files of one name."""
+
+
+def name_of(file: Path) -> str:
+    """Return the dotted name of a module."""
+    return ".".join(("rocksteady", *file.relative_to(SOURCE).with_suffix("").parts))
+
+
+MODULES = {name_of(file): ast.parse(file.read_text(encoding="utf-8")) for file in FILES}
+
+
+def imported(name: str) -> set[str]:
+    """Return the modules of the package that a module imports, wherever it does so."""
+    found = set()
+    for node in ast.walk(MODULES[name]):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            found |= {str(node.module), *(f"{node.module}.{alias.name}" for alias in node.names)}
+    return found & set(MODULES)
+
+
+IMPORTERS: dict[str, set[str]] = defaultdict(set)
+for _name in MODULES:
+    for _other in imported(_name):
+        IMPORTERS[_other].add(_name)
+
+
+def folder_of(name: str) -> str:
+    return name.rpartition(".")[0]
+
+
+def is_private(name: str) -> bool:
+    return name.rpartition(".")[2].startswith("_")
+
+
+@pytest.mark.parametrize("name", [name for name in MODULES if not name.endswith("__")])
+def test_a_module_that_only_its_own_folder_imports_has_an_underscore_and_no_other(
+    name: str,
+) -> None:
+    elsewhere = {
+        user
+        for user in IMPORTERS[name]
+        if folder_of(user) != folder_of(name) and user != "rocksteady.__init__"
+    }
+    public = name in rocksteady._DEFINED_IN.values()
+    assert is_private(name) == (not elsewhere and not public and name not in STARTED), elsewhere
+
+
+def test_what_is_public_stands_in_modules_without_underscore() -> None:
+    assert [name for name in rocksteady._DEFINED_IN.values() if "._" in name] == []
+
+
+@pytest.mark.parametrize("top", ["src", "tests", "bench", "examples", "tools"])
+def test_no_folder_has_many_files(top: str) -> None:
+    sizes = Counter(file.parent for file in (ROOT / top).rglob("*.py"))
+    assert {str(folder): size for folder, size in sizes.items() if size > MOST} == {}
+
+
+def test_a_name_stands_once_in_a_layer() -> None:
+    places: dict[tuple[str, str], set[str]] = defaultdict(set)
+    for file in FILES:
+        path = file.relative_to(SOURCE)
+        if len(path.parts) > 1 and path.stem != "__init__" and path.parts[0] != "studies":
+            places[path.parts[0], path.stem.removeprefix("_")].add(path.parent.as_posix())
+    twice = {frozenset(folders) for folders in places.values() if len(folders) > 1}
+    assert twice <= TWICE
+
+
+def test_every_folder_says_what_it_answers() -> None:
+    for folder in {file.parent for file in FILES}:
+        said = ast.get_docstring(ast.parse((folder / "__init__.py").read_text(encoding="utf-8")))
+        assert said, folder
+        assert said.splitlines()[0].endswith("."), folder
+
+
+def test_no_name_is_imported_from_a_module_that_has_it_from_another() -> None:
+    """The namespaces of the package and of a study are there to pass names on."""
+    passed_on = []
+    for name, tree in MODULES.items():
+        for node in ast.walk(tree):
+            if not isinstance(node, ast.ImportFrom) or node.module not in MODULES:
+                continue
+            passed_on += [
+                f"{name}: {alias.name} of {node.module}"
+                for alias in node.names
+                if alias.name not in defined_in(node.module)
+            ]
+    assert passed_on == []
+
+
+def defined_in(name: str) -> set[str]:
+    """Return the names that a module itself defines."""
+    found: set[str] = set()
+    for node in MODULES[name].body:
+        if isinstance(node, ast.FunctionDef | ast.ClassDef):
+            found.add(node.name)
+        elif isinstance(node, ast.Assign | ast.AnnAssign | ast.For | ast.With | ast.If | ast.Try):
+            found |= {
+                inner.id
+                for inner in ast.walk(node)
+                if isinstance(inner, ast.Name) and isinstance(inner.ctx, ast.Store)
+            }
+            found |= {
+                inner.name
+                for inner in ast.walk(node)
+                if isinstance(inner, ast.FunctionDef | ast.ClassDef)
+            }
+    return found
+
+
+def test_tests_stand_in_the_folders_of_what_they_test() -> None:
+    """A test of a module has its name, in the same folder of `tests`."""
+    tests = ROOT / "tests"
+    folders = {folder.relative_to(SOURCE) for folder in (file.parent for file in FILES)}
+    own = {Path("tools"), Path("public"), Path()}  # beside the package, or of all of it
+    for file in tests.rglob("test_*.py"):
+        folder = file.relative_to(tests).parent
+        assert folder in folders | own, file
+    stems = {
+        (file.parent.relative_to(SOURCE), file.stem.removeprefix("_"))
+        for file in FILES
+        if file.stem != "__init__"
+    }
+    misplaced = [
+        file.relative_to(tests).as_posix()
+        for file in tests.rglob("test_*.py")
+        for folder, stem in stems
+        if stem == file.stem.removeprefix("test_")
+        and folder.parts[:1] == file.relative_to(tests).parts[:1]
+        and (file.relative_to(tests).parent, stem) not in stems
+    ]
+    assert misplaced == []
