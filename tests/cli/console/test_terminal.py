@@ -207,7 +207,7 @@ def test_a_signal_that_is_ignored_stays_so() -> None:
     done = shell("trap '' HUP; P steady -A 2 -W 4 -r 0.8 --json")
     assert done.returncode == 0
     code = (
-        "import signal\nfrom rocksteady.cli import terminal\n"
+        "import signal\nfrom rocksteady.cli.console import terminal\n"
         "signal.signal(signal.SIGHUP, signal.SIG_IGN)\nterminal.catch_signals()\n"
         "assert signal.getsignal(signal.SIGHUP) is signal.SIG_IGN\n"
         "assert callable(signal.getsignal(signal.SIGTERM))\n"

@@ -47,7 +47,7 @@ def test_the_cache_folder_changes_with_any_of_the_sources(
     first = key_of(copy, monkeypatch, tmp_path / "cache")
     assert key_of(copy, monkeypatch, tmp_path / "cache") == first
     keys = {first}
-    for name in ("flight.py", "zeros.py"):
+    for name in ("linear/flight.py", "nonlinear/flight.py"):
         source = copy / name
         source.write_text(source.read_text() + "\n# changed\n")
         keys.add(key_of(copy, monkeypatch, tmp_path / "cache"))
@@ -253,7 +253,7 @@ import sys
 from numba.core import event
 from pathlib import Path
 sys.path.insert(0, sys.argv[1])
-from rocksteady.kernels import compilation
+from rocksteady.kernels.core import compilation
 compilation.platformdirs.user_cache_dir = lambda _: sys.argv[2]
 import kernel_of_a_test
 with event.install_recorder("numba:compile") as recorder:

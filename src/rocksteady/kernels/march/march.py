@@ -345,7 +345,7 @@ def _march(
             return OVERTURNED, March(side, angle, velocity, segment, half, phase, impacts, flights)
 
         if zero.event == FOUND:
-            # 3. Impact: the velocity shrinks, the pivot changes.
+            # 3. Impact: the velocity is multiplied by the restitution (eq 9), the pivot changes.
             impacts += 1
             guess = zero.time
             if frequency == 0.0:
