@@ -1,0 +1,36 @@
+"""The page of an atlas: its template is found, and it shows all that it is given."""
+
+import re
+
+from rocksteady.show.report import prose
+from rocksteady.studies.atlas.pages.findings import (
+    coexistence_sentences,
+    family_sentences,
+    rest_sentences,
+)
+from rocksteady.studies.atlas.pages.report import report_html
+from tests.studies.atlas.small import small
+
+PICTURES = ("families", "coexistence", "from-rest")
+
+
+def test_the_page_shows_every_picture_and_every_sentence() -> None:
+    whole = small()
+    page = report_html(
+        whole,
+        pictures={name: f"data:,{name}" for name in PICTURES},
+        seconds=61.0,
+        version="1.2.3",
+        environment="a machine",
+    )
+    assert re.findall(r'<img src="data:,([\w-]+)"', page) == list(PICTURES)
+    texts = [
+        *family_sentences(whole.families, whole.lines, whole.strips),
+        *coexistence_sentences(whole.found),
+        *rest_sentences(whole.rest, whole.families[0]),
+    ]
+    for text in texts:
+        assert f"<p>{prose(text)}</p>" in page
+    assert "rocksteady 1.2.3" in page
+    assert "1 min 1 s" in page
+    assert "a machine" in page
