@@ -10,9 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady.studies.atlas import Atlas
 from rocksteady.studies.atlas import study as module
-from rocksteady.studies.atlas.study import steps
+from rocksteady.studies.atlas.study import Atlas, steps
 from tests.cli.program import refused, rocksteady
 from tests.studies.atlas.small import small, tiny
 
@@ -124,8 +123,8 @@ def test_an_interrupted_atlas_says_how_it_goes_on_and_does(
             message = "computed again"
             raise AssertionError(message)
 
-        monkeypatch.setattr("rocksteady.studies.atlas.columns.column", computed)
-        monkeypatch.setattr("rocksteady.studies.atlas.coexistence.settled_cells", computed)
+        monkeypatch.setattr("rocksteady.studies.atlas.analysis.columns.column", computed)
+        monkeypatch.setattr("rocksteady.studies.atlas.analysis.coexistence.settled_cells", computed)
     assert rocksteady(f"{TINY} --resume --out", folder).code == 0
     assert contents(folder) == whole
     assert not (folder / ".unfinished").exists()

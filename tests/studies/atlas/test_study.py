@@ -3,7 +3,6 @@
 import csv
 import json
 import math
-from dataclasses import replace
 from pathlib import Path
 
 import matplotlib as mpl
@@ -11,16 +10,9 @@ import numpy as np
 import pytest
 
 from rocksteady import OutputError
-from rocksteady.studies.atlas import atlas
 from rocksteady.studies.atlas import study as module
-from rocksteady.studies.atlas.from_rest import FATES
-from rocksteady.studies.atlas.pages.findings import (
-    coexistence_sentences,
-    family_sentences,
-    rest_sentences,
-)
-from rocksteady.studies.atlas.pages.report import command
-from rocksteady.studies.atlas.study import PICTURES, SCHEMA, TABLES, plane_of, steps
+from rocksteady.studies.atlas.analysis.from_rest import FATES
+from rocksteady.studies.atlas.study import PICTURES, SCHEMA, TABLES, atlas, plane_of, steps
 from tests.studies.atlas.small import AMPLITUDES, FREQUENCY_RATIOS, small, tiny
 
 mpl.use("Agg")
@@ -118,49 +110,12 @@ def test_the_page_needs_nothing_and_names_every_file(saved: Path) -> None:
         assert unsaid not in page.split("base64,")[0]
 
 
-def test_every_sentence_ends_and_holds_a_number() -> None:
-    whole = small()
-    texts = [
-        *family_sentences(whole.families, whole.lines, whole.strips),
-        *coexistence_sentences(whole.found),
-        *rest_sentences(whole.rest, whole.families[0]),
-    ]
-    assert len(texts) >= 7
-    for text in texts:
-        assert text.endswith(".")
-        assert any(letter.isdigit() for letter in text)
-        assert "nan" not in text
-
-
-def test_the_most_motions_are_all_named() -> None:
-    found = small().found
-    for aperiodic in (False, True):  # one more motion, of another kind
-        several = replace(found, aperiodic=np.full_like(found.aperiodic, fill_value=aperiodic))
-        most = int(several.motions.max())
-        (text,) = (t for t in coexistence_sentences(several) if t.startswith("The most are"))
-        assert text.startswith(f"The most are {most}, ")
-        named = text.partition(": ")[2]
-        assert (
-            named.count("a symmetric")
-            + named.count("a leaning")
-            + named.count("rest")
-            + (named.count("a motion that does not repeat itself"))
-            == most
-        )
-
-
 @pytest.mark.slow
 def test_the_same_atlas_gives_the_same_bytes(saved: Path, tmp_path: Path) -> None:
     again = atlas(0.8, amplitude=AMPLITUDES, frequency_ratio=FREQUENCY_RATIOS, workers=1)
     again.save(tmp_path / "out")
     for name in FILES - {"atlas.html"}:  # it holds run times
         assert (tmp_path / "out" / name).read_bytes() == (saved / name).read_bytes(), name
-
-
-def test_the_command_on_the_page_makes_this_atlas() -> None:
-    assert command(small()) == (
-        "rocksteady study atlas -r 0.8 -A 0.4:8:16 -W 0.6:12:20 -n 1 -n 3 -n 5 --out DIR"
-    )
 
 
 # -------------------------------------------------------------------------------- other planes

@@ -14,7 +14,7 @@ from rocksteady.cli.flags.parsing import axis, number
 from rocksteady.cli.flags.sweep import resumable_study
 
 if TYPE_CHECKING:
-    from rocksteady.studies.atlas import Atlas
+    from rocksteady.studies.atlas.study import Atlas
 
 HELP = "Studies that take minutes: pictures, data and a page to read, in one folder."
 ATLAS_HELP = (

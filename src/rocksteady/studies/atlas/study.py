@@ -11,11 +11,13 @@ from numpy.typing import ArrayLike
 from rocksteady import Store, __version__
 from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
 from rocksteady.show.report import svg_data_uri
-from rocksteady.studies.atlas.coexistence import Coexistence, coexistence
-from rocksteady.studies.atlas.columns import columns
-from rocksteady.studies.atlas.families import FamilyMap, family_map
-from rocksteady.studies.atlas.from_rest import MARKED, PARTS, FromRest, from_rest
-from rocksteady.studies.atlas.lines import Line, family_lines
+from rocksteady.studies.atlas.analysis.coexistence import Coexistence, coexistence
+from rocksteady.studies.atlas.analysis.columns import columns
+from rocksteady.studies.atlas.analysis.families import FamilyMap, family_map
+from rocksteady.studies.atlas.analysis.from_rest import MARKED, PARTS, FromRest, from_rest
+from rocksteady.studies.atlas.analysis.lines import Line, family_lines
+from rocksteady.studies.atlas.analysis.plane import AMPLITUDES, FREQUENCY_RATIOS, ORDERS, Plane
+from rocksteady.studies.atlas.analysis.windows import Window, windows
 from rocksteady.studies.atlas.pages import tables
 from rocksteady.studies.atlas.pages.findings import (
     BandsAt,
@@ -27,8 +29,6 @@ from rocksteady.studies.atlas.pages.findings import (
 )
 from rocksteady.studies.atlas.pages.pictures import draw_coexistence, draw_families, draw_from_rest
 from rocksteady.studies.atlas.pages.report import report_html
-from rocksteady.studies.atlas.plane import AMPLITUDES, FREQUENCY_RATIOS, ORDERS, Plane
-from rocksteady.studies.atlas.windows import Window, windows
 from rocksteady.studies.folder import Done, check_folder, environment, fill_folder, nothing
 from rocksteady.studies.parts import Parts
 
@@ -177,9 +177,17 @@ class Atlas:
             done(name)
         save_text("out", stage / "atlas.json", json_text(SCHEMA, self.values(), indent=1) + "\n")
         page = report_html(
-            self, pictures=pictures, seconds=self.seconds + time.perf_counter() - began,
-            version=__version__, environment=environment(),
-        )  # fmt: skip
+            families=self.families,
+            bands=self.bands,
+            lines=self.lines,
+            found=self.found,
+            strips=self.strips,
+            rest=self.rest,
+            pictures=pictures,
+            seconds=self.seconds + time.perf_counter() - began,
+            version=__version__,
+            environment=environment(),
+        )
         save_text("out", stage / "atlas.html", page)
         done("page")
 

@@ -8,8 +8,8 @@ from rocksteady.studies.atlas.pages.findings import (
     family_sentences,
     rest_sentences,
 )
-from rocksteady.studies.atlas.pages.report import report_html
-from tests.studies.atlas.small import small
+from rocksteady.studies.atlas.pages.report import command, report_html
+from tests.studies.atlas.small import plane, small
 
 PICTURES = ("families", "coexistence", "from-rest")
 
@@ -17,7 +17,12 @@ PICTURES = ("families", "coexistence", "from-rest")
 def test_the_page_shows_every_picture_and_every_sentence() -> None:
     whole = small()
     page = report_html(
-        whole,
+        families=whole.families,
+        bands=whole.bands,
+        lines=whole.lines,
+        found=whole.found,
+        strips=whole.strips,
+        rest=whole.rest,
         pictures={name: f"data:,{name}" for name in PICTURES},
         seconds=61.0,
         version="1.2.3",
@@ -34,3 +39,9 @@ def test_the_page_shows_every_picture_and_every_sentence() -> None:
     assert "rocksteady 1.2.3" in page
     assert "1 min 1 s" in page
     assert "a machine" in page
+
+
+def test_the_command_on_the_page_makes_this_atlas() -> None:
+    assert command(plane()) == (
+        "rocksteady study atlas -r 0.8 -A 0.4:8:16 -W 0.6:12:20 -n 1 -n 3 -n 5 --out DIR"
+    )

@@ -1,1 +1,1 @@
-"""What the atlas shows: its pictures, tables, sentences and page."""
+"""How the atlas is shown: its pictures, tables, sentences and page."""

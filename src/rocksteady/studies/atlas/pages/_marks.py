@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from rocksteady import heteroclinic_amplitude
 from rocksteady.show.style import palette
-from rocksteady.studies.atlas.lines import Line, fine_ratios
-from rocksteady.studies.atlas.plane import Plane
+from rocksteady.studies.atlas.analysis.lines import Line, fine_ratios
+from rocksteady.studies.atlas.analysis.plane import Plane
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist

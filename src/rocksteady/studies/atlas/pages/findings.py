@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 
 from rocksteady import PointType
-from rocksteady.studies.atlas.coexistence import RESTS, Coexistence, OrbitClass
-from rocksteady.studies.atlas.columns import Column
-from rocksteady.studies.atlas.families import FamilyMap
-from rocksteady.studies.atlas.from_rest import FATES, FromRest
-from rocksteady.studies.atlas.lines import Line
+from rocksteady.studies.atlas.analysis.coexistence import RESTS, Coexistence, OrbitClass
+from rocksteady.studies.atlas.analysis.columns import Column
+from rocksteady.studies.atlas.analysis.families import FamilyMap
+from rocksteady.studies.atlas.analysis.from_rest import FATES, FromRest
+from rocksteady.studies.atlas.analysis.lines import Line
+from rocksteady.studies.atlas.analysis.windows import Window
 from rocksteady.studies.atlas.pages._words import amplitude_text, listed, percent
-from rocksteady.studies.atlas.windows import Window
 
 BANDS = ("symmetric", "leaning", "doubled")
 

@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rocksteady.show.style import palette
-from rocksteady.studies.atlas.coexistence import RESTS, Coexistence
-from rocksteady.studies.atlas.families import FamilyMap
-from rocksteady.studies.atlas.from_rest import FATES, FromRest
-from rocksteady.studies.atlas.lines import Line
+from rocksteady.studies.atlas.analysis.coexistence import RESTS, Coexistence
+from rocksteady.studies.atlas.analysis.families import FamilyMap
+from rocksteady.studies.atlas.analysis.from_rest import FATES, FromRest
+from rocksteady.studies.atlas.analysis.lines import Line
+from rocksteady.studies.atlas.analysis.windows import Window
 from rocksteady.studies.atlas.pages._marks import (
     draw_cells,
     draw_edge,
@@ -24,7 +25,6 @@ from rocksteady.studies.atlas.pages._marks import (
     shades,
 )
 from rocksteady.studies.atlas.pages._words import family_name
-from rocksteady.studies.atlas.windows import Window
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist

@@ -1,11 +1,24 @@
 """The page of an atlas."""
 
 import math
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
 
 from rocksteady.show.report import render
-from rocksteady.studies.atlas.coexistence import CYCLES, PHASES, REST_PHASES, SPEEDS, STEADY
+from rocksteady.studies.atlas.analysis.coexistence import (
+    CYCLES,
+    PHASES,
+    REST_PHASES,
+    SPEEDS,
+    STEADY,
+    Coexistence,
+)
+from rocksteady.studies.atlas.analysis.families import FamilyMap
+from rocksteady.studies.atlas.analysis.from_rest import FromRest
+from rocksteady.studies.atlas.analysis.lines import Line
+from rocksteady.studies.atlas.analysis.plane import Plane
+from rocksteady.studies.atlas.analysis.windows import Window
 from rocksteady.studies.atlas.pages.findings import (
+    BandsAt,
     coexistence_sentences,
     coexistence_values,
     family_sentences,
@@ -13,19 +26,26 @@ from rocksteady.studies.atlas.pages.findings import (
     rest_values,
 )
 
-if TYPE_CHECKING:
-    from rocksteady.studies.atlas.study import Atlas
-
 
 def report_html(
-    atlas: "Atlas", *, pictures: dict[str, str], seconds: float, version: str, environment: str
+    *,
+    families: Sequence[FamilyMap],
+    bands: Sequence[BandsAt],
+    lines: Sequence[Line],
+    found: Coexistence,
+    strips: Sequence[Window],
+    rest: FromRest,
+    pictures: dict[str, str],
+    seconds: float,
+    version: str,
+    environment: str,
 ) -> str:
     """Return the page as the text of one HTML file.
 
     Parameters
     ----------
-    atlas
-        What it shows.
+    families, bands, lines, found, strips, rest
+        What it shows; the attributes of `Atlas`.
     pictures
         Data URI of each picture by its name.
     seconds
@@ -35,28 +55,27 @@ def report_html(
     environment
         What it ran on, in one line.
     """
-    harmonic = next((family for family in atlas.families if family.order == 1), None)
-    plane = atlas.plane
+    harmonic = next((family for family in families if family.order == 1), None)
+    plane = found.plane
     return render(
         __package__,
         "atlas.html.j2",
-        atlas=atlas,
         bands=[
             band
-            for band in atlas.bands
+            for band in bands
             if not math.isnan(band.symmetric_until) and band.ends_with != "not-followed"
         ],
-        coexistence=coexistence_values(atlas.found),
-        coexistence_texts=coexistence_sentences(atlas.found),
-        command=command(atlas),
+        coexistence=coexistence_values(found),
+        coexistence_texts=coexistence_sentences(found),
+        command=command(plane),
         cycles=CYCLES,
         environment=environment,
-        falls=atlas.rest.falls,
-        family_texts=family_sentences(atlas.families, atlas.lines, atlas.strips),
+        falls=rest.falls,
+        family_texts=family_sentences(families, lines, strips),
         pictures=pictures,
         plane=plane,
-        rest=rest_values(atlas.rest),
-        rest_texts=rest_sentences(atlas.rest, harmonic),
+        rest=rest_values(rest),
+        rest_texts=rest_sentences(rest, harmonic),
         seconds=seconds,
         starts=REST_PHASES + 2 * len(STEADY) + PHASES * SPEEDS,
         steps=(
@@ -67,9 +86,8 @@ def report_html(
     )
 
 
-def command(atlas: "Atlas") -> str:
-    """Return the command that makes the page again."""
-    plane = atlas.plane
+def command(plane: Plane) -> str:
+    """Return the command that makes the page of a plane again."""
     axes = " ".join(
         f"{flag} {points[0]:.15g}:{points[-1]:.15g}:{len(points)}"
         for flag, points in (("-A", plane.amplitudes), ("-W", plane.ratios))

@@ -2,10 +2,10 @@
 
 from collections.abc import Iterator, Sequence
 
-from rocksteady.studies.atlas.coexistence import RESTS, Coexistence
-from rocksteady.studies.atlas.families import FamilyMap
-from rocksteady.studies.atlas.from_rest import FATES, FromRest
-from rocksteady.studies.atlas.lines import Line
+from rocksteady.studies.atlas.analysis.coexistence import RESTS, Coexistence
+from rocksteady.studies.atlas.analysis.families import FamilyMap
+from rocksteady.studies.atlas.analysis.from_rest import FATES, FromRest
+from rocksteady.studies.atlas.analysis.lines import Line
 
 Table = tuple[tuple[str, ...], list[tuple[object, ...]]]
 

@@ -15,7 +15,7 @@ from rocksteady import AttractorKind, Store, steady_states
 from rocksteady.dynamics.batch.attractors import Beginnings, SettledCells, settled_cells
 from rocksteady.dynamics.history.lowering import symmetric_sides
 from rocksteady.dynamics.orbits.attractor import KINDS
-from rocksteady.studies.atlas.plane import Plane
+from rocksteady.studies.atlas.analysis.plane import Plane
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output

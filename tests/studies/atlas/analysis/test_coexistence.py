@@ -4,14 +4,13 @@ import numpy as np
 import pytest
 
 from rocksteady import DimensionlessBlock, Harmonic, orbits
-from rocksteady.studies.atlas.coexistence import (
+from rocksteady.studies.atlas.analysis.coexistence import (
     MOST,
     OrbitClass,
     coexistence,
     starts,
 )
-from rocksteady.studies.atlas.plane import Plane
-from rocksteady.studies.atlas.windows import windows
+from rocksteady.studies.atlas.analysis.plane import Plane
 from tests.studies.atlas.small import plane, small
 
 BLOCK = DimensionlessBlock(restitution=0.8)
@@ -100,19 +99,3 @@ def test_progress_is_told_in_cells() -> None:
     coexistence(few, done=said.append)
     assert said[0] == 0
     assert sum(said) == 9
-
-
-@pytest.mark.slow
-def test_the_window_of_six_impacts_has_exact_borders() -> None:
-    fine = Plane(
-        restitution=0.8,
-        amplitude=np.linspace(3.2, 3.8, 13),
-        frequency_ratio=np.linspace(7.0, 10.0, 4),
-    )
-    (window,) = (w for w in windows(coexistence(fine)) if w.orbits == OrbitClass(3, 6, False))
-    # A fold and a symmetry breaking of the branch that comes back from the graze at A = 9.09.
-    assert window.frequency_ratio == 10.0
-    assert window.low == pytest.approx(3.58212, abs=1e-5)
-    assert window.high == pytest.approx(3.64173, abs=1e-5)
-    assert {line.name for line in window.lines} >= {"fold", "symmetry-breaking"}
-    assert {line.impacts for line in window.lines} == {6}

@@ -13,9 +13,8 @@ from rocksteady import (
     orbits,
     symmetry_breaking_amplitude,
 )
-from rocksteady.studies.atlas.columns import column, columns, followed
-from rocksteady.studies.atlas.pages.findings import bands_at
-from rocksteady.studies.atlas.plane import Plane
+from rocksteady.studies.atlas.analysis.columns import column, columns, followed
+from rocksteady.studies.atlas.analysis.plane import Plane
 
 BLOCK = DimensionlessBlock(restitution=0.8)
 
@@ -60,10 +59,6 @@ def test_at_low_frequencies_a_band_thinner_than_rounding_is_not_followed() -> No
     assert bands.ends == (None,)
     assert not bands.followed
     assert bands.borders[0] == pytest.approx(bands.lowest, rel=1e-6)
-    found = bands_at(bands, 3)
-    assert found.ends_with == "not-followed"
-    assert found.symmetric_until == bands.borders[0]
-    assert np.isnan(found.leaning_until)
 
 
 def test_a_thin_band_is_followed_whatever_the_height_of_the_plane() -> None:

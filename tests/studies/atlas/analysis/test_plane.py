@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from rocksteady import InputError
-from rocksteady.studies.atlas.plane import Plane
+from rocksteady.studies.atlas.analysis.plane import Plane
 
 ROWS, COLUMNS = (1.0, 2.0, 3.0), (2.0, 4.0, 6.0, 8.0)
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rocksteady import DimensionlessBlock, Harmonic, attractor, attractor_map
-from rocksteady.studies.atlas.from_rest import FATES, PHASES
+from rocksteady.studies.atlas.analysis.from_rest import FATES, PHASES
 from tests.studies.atlas.small import plane, small
 
 BLOCK = DimensionlessBlock(restitution=0.8)

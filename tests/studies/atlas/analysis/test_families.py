@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from rocksteady import steady_states
-from rocksteady.studies.atlas.columns import column
-from rocksteady.studies.atlas.families import family_map
+from rocksteady.studies.atlas.analysis.columns import column
+from rocksteady.studies.atlas.analysis.families import family_map
 from tests.studies.atlas.small import plane, small
 
 

@@ -20,9 +20,9 @@ from rocksteady import (
 )
 from rocksteady.dynamics.batch.attractors import settled_cells
 from rocksteady.dynamics.history.lowering import symmetric_sides
-from rocksteady.studies.atlas.coexistence import CYCLES, Coexistence, OrbitClass, starts
-from rocksteady.studies.atlas.columns import band_ends, border_of
-from rocksteady.studies.atlas.lines import NAMES, Line, traced
+from rocksteady.studies.atlas.analysis.coexistence import CYCLES, Coexistence, OrbitClass, starts
+from rocksteady.studies.atlas.analysis.columns import band_ends, border_of
+from rocksteady.studies.atlas.analysis.lines import NAMES, Line, traced
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady import Store
-from rocksteady.studies.atlas.columns import Column, columns
-from rocksteady.studies.atlas.plane import Plane
+from rocksteady.studies.atlas.analysis.columns import Column, columns
+from rocksteady.studies.atlas.analysis.plane import Plane
 from rocksteady.studies.folder import Done, nothing
 
 Floats = NDArray[np.float64]

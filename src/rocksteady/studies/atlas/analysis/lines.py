@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from rocksteady import BranchPoint, PointType, bifurcation_curve, boundaries
 from rocksteady.errors import RocksteadyError
-from rocksteady.studies.atlas.columns import Column, followed
-from rocksteady.studies.atlas.families import FamilyMap
-from rocksteady.studies.atlas.plane import Plane
+from rocksteady.studies.atlas.analysis.columns import Column, followed
+from rocksteady.studies.atlas.analysis.families import FamilyMap
+from rocksteady.studies.atlas.analysis.plane import Plane
 
 Floats = NDArray[np.float64]
 Ranges = tuple[tuple[float, float], tuple[float, float]]

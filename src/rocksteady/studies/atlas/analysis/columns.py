@@ -34,7 +34,7 @@ from rocksteady import (
     symmetry_breaking_amplitude,
 )
 from rocksteady.errors import RocksteadyError
-from rocksteady.studies.atlas.plane import Plane
+from rocksteady.studies.atlas.analysis.plane import Plane
 
 Floats = NDArray[np.float64]
 

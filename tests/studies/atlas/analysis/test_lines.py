@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from rocksteady import boundaries, symmetry_breaking_amplitude
-from rocksteady.studies.atlas.columns import column
+from rocksteady.studies.atlas.analysis.columns import column
 from tests.studies.atlas.small import small
 
 

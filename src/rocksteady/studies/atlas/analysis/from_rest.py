@@ -16,7 +16,7 @@ from rocksteady import (
     heteroclinic_amplitude,
 )
 from rocksteady.dynamics.orbits.attractor import KINDS
-from rocksteady.studies.atlas.plane import Plane
+from rocksteady.studies.atlas.analysis.plane import Plane
 from rocksteady.studies.folder import Done, nothing
 from rocksteady.studies.parts import Parts
 
