@@ -1,1 +1,1 @@
-"""Published papers, done again through the public interface of the package."""
+"""Whole studies, each a folder: a published paper computed again, an atlas of rocking motions."""

@@ -11,13 +11,14 @@ from matplotlib.figure import Figure
 
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.report import svg_data_uri
-from rocksteady.studies.tso_wong_1989.findings import Claim, Finding, Panel, Verdict
-from rocksteady.studies.tso_wong_1989.report import (
+from rocksteady.studies.tso_wong_1989._report import (
     ReportedPanel,
     figure_number,
     panel_verdict,
     report_html,
 )
+from rocksteady.studies.tso_wong_1989.claims.findings import Claim, Finding, Verdict
+from rocksteady.studies.tso_wong_1989.figures.panel import Panel
 
 VOID = {"meta", "link", "img", "br", "hr", "input", "col"}
 HEADINGS = {f"h{level}": level for level in range(1, 7)}

@@ -12,7 +12,7 @@ from rocksteady.cli.flags import options
 from rocksteady.cli.flags.sweep import resumable_study
 
 if TYPE_CHECKING:
-    from rocksteady.studies.tso_wong_1989 import Study
+    from rocksteady.studies.tso_wong_1989.study import Study
 
 HELP = (
     "Every figure of Tso and Wong (1989) and every statement that can be checked, computed.\n\n"
@@ -69,7 +69,7 @@ def print_summary(study: "Study", out: Path, files: list[Path]) -> None:
     """Print what came out and where to look."""
     from rich.table import Table
 
-    from rocksteady.studies.tso_wong_1989.findings import corrected
+    from rocksteady.studies.tso_wong_1989.claims.findings import corrected
 
     console = terminal.console()
     if study.claims:

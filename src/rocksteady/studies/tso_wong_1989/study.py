@@ -13,13 +13,14 @@ from rocksteady.show.report import svg_data_uri
 from rocksteady.studies import folder as study_folder
 from rocksteady.studies.folder import Done, environment, fill_folder, nothing
 from rocksteady.studies.parts import Parts
-from rocksteady.studies.tso_wong_1989.claims import STATEMENTS, check
+from rocksteady.studies.tso_wong_1989._report import ReportedPanel, report_html
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
-from rocksteady.studies.tso_wong_1989.findings import Claim, Panel, Verdict
-from rocksteady.studies.tso_wong_1989.histories import History, histories
-from rocksteady.studies.tso_wong_1989.regions import Plane, planes
-from rocksteady.studies.tso_wong_1989.report import ReportedPanel, report_html
-from rocksteady.studies.tso_wong_1989.responses import Responses, responses
+from rocksteady.studies.tso_wong_1989.claims.findings import Claim, Verdict
+from rocksteady.studies.tso_wong_1989.claims.statements import STATEMENTS, check
+from rocksteady.studies.tso_wong_1989.figures.histories import History, histories
+from rocksteady.studies.tso_wong_1989.figures.panel import Panel
+from rocksteady.studies.tso_wong_1989.figures.regions import Plane, planes
+from rocksteady.studies.tso_wong_1989.figures.responses import Responses, responses
 
 SCHEMA = "rocksteady/paper/1"
 REFERENCE = (

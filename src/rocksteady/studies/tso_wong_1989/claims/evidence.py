@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady import SteadyStates, steady_states
-from rocksteady.studies.tso_wong_1989.findings import Finding
-from rocksteady.studies.tso_wong_1989.histories import History, histories
-from rocksteady.studies.tso_wong_1989.regions import Plane, planes
-from rocksteady.studies.tso_wong_1989.responses import Responses, responses
+from rocksteady.studies.tso_wong_1989.claims.findings import Finding
+from rocksteady.studies.tso_wong_1989.figures.histories import History, histories
+from rocksteady.studies.tso_wong_1989.figures.regions import Plane, planes
+from rocksteady.studies.tso_wong_1989.figures.responses import Responses, responses
 
 Floats = NDArray[np.float64]
 

@@ -1,13 +1,9 @@
-"""What the study finds: a verdict on each statement of the paper, and a panel for each figure."""
+"""What a check finds, and the verdict on a statement that follows."""
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 
 class Verdict(StrEnum):
@@ -82,45 +78,3 @@ def corrected(claims: Sequence[Claim]) -> list[Claim]:
     found = [claim for claim in claims if claim.verdict is Verdict.CORRECTED]
     numbered = [claim for claim in found if re.fullmatch(r"E\d", claim.id)]
     return [*sorted(numbered, key=lambda claim: claim.id), *(c for c in found if c not in numbered)]
-
-
-@dataclass(frozen=True, kw_only=True)
-class Panel:
-    """One figure of the paper, computed again.
-
-    Attributes
-    ----------
-    id
-        As the paper numbers it: "3a".
-    title
-        What it shows, in one line.
-    says
-        What the paper shows and says of it, in our words.
-    computed
-        What came out, with its numbers.
-    choices
-        What the paper, or its scan, does not say, and what was taken.
-    header, rows
-        The data: names of the columns with their units, and the rows.
-    more_tables
-        Further data, by a short name: header and rows of each.
-    draw
-        Makes the figure.
-    """
-
-    id: str
-    title: str
-    says: str
-    computed: str
-    choices: tuple[str, ...]
-    header: tuple[str, ...]
-    rows: Sequence[Sequence[object]]
-    draw: Callable[[], "Figure"]
-    more_tables: Mapping[str, tuple[Sequence[str], Sequence[Sequence[object]]]] = field(
-        default_factory=dict
-    )
-
-    @property
-    def command(self) -> str:
-        """The command that makes this panel alone."""
-        return f"rocksteady paper --only {self.id} --out figure-{self.id}"

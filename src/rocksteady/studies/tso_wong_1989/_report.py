@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from rocksteady.show.report import render
-from rocksteady.studies.tso_wong_1989.findings import Claim, Panel, Verdict, corrected
+from rocksteady.studies.tso_wong_1989.claims.findings import Claim, Verdict, corrected
+from rocksteady.studies.tso_wong_1989.figures.panel import Panel
 
 WORDS = {
     Verdict.REPRODUCED: ("reproduced", "agrees"),

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from rocksteady import Block, DimensionlessBlock, ResponseCurve, plot_response, response_curve
-from rocksteady.studies.tso_wong_1989.findings import Panel
-from rocksteady.studies.tso_wong_1989.words import motion_name
+from rocksteady.studies.tso_wong_1989.figures.panel import Panel
+from rocksteady.studies.tso_wong_1989.figures.words import motion_name
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

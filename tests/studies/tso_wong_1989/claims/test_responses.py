@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from rocksteady import Block, ResponseCurve, boundaries, response_curve, steady_states
-from rocksteady.studies.tso_wong_1989.claims import responses
+from rocksteady.studies.tso_wong_1989.claims import _responses as responses
+from rocksteady.studies.tso_wong_1989.claims._responses import peaks_at
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
-from rocksteady.studies.tso_wong_1989.claims.responses import peaks_at
 from tests.studies.tso_wong_1989.whole import evidence, finding, found, values, with_responses
 
 pytestmark = pytest.mark.usefixtures("computed")

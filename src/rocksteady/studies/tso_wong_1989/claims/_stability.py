@@ -6,13 +6,10 @@ import numpy as np
 
 from rocksteady import Harmonic, State, steady_states
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
-from rocksteady.studies.tso_wong_1989.fates import settle
-from rocksteady.studies.tso_wong_1989.findings import Finding
-from rocksteady.studies.tso_wong_1989.histories import (
-    RESTITUTION,
-    SIDES,
-)
-from rocksteady.studies.tso_wong_1989.words import multiplier_text, scientific, sign, times
+from rocksteady.studies.tso_wong_1989.claims.findings import Finding
+from rocksteady.studies.tso_wong_1989.figures.cases import RESTITUTION, SIDES
+from rocksteady.studies.tso_wong_1989.figures.fates import settle
+from rocksteady.studies.tso_wong_1989.figures.words import multiplier_text, scientific, sign, times
 
 STATEMENTS = Statements()
 

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from scipy.integrate import trapezoid
 
 from rocksteady import RegionMap, SteadyStates, plot_regions, region_map, steady_states
-from rocksteady.studies.tso_wong_1989.findings import Panel
-from rocksteady.studies.tso_wong_1989.words import motion_name, percent
+from rocksteady.studies.tso_wong_1989.figures.panel import Panel
+from rocksteady.studies.tso_wong_1989.figures.words import motion_name, percent
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

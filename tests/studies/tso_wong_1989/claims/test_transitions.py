@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from rocksteady import attractor_map, steady_states, symmetry_breaking_frequency
-from rocksteady.studies.tso_wong_1989.claims import transitions
+from rocksteady.studies.tso_wong_1989.claims import _transitions as transitions
+from rocksteady.studies.tso_wong_1989.claims._transitions import Descent, descent
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
-from rocksteady.studies.tso_wong_1989.claims.transitions import Descent, descent
-from rocksteady.studies.tso_wong_1989.fates import Fate, Kind
+from rocksteady.studies.tso_wong_1989.figures.fates import Fate, Kind
 from tests.dynamics.formulae import printed, printed_trace
 from tests.studies.tso_wong_1989.whole import evidence, finding, found, values, with_histories
 

@@ -1,7 +1,7 @@
 """Statements that this package cannot check, each with the reason."""
 
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
-from rocksteady.studies.tso_wong_1989.findings import Finding
+from rocksteady.studies.tso_wong_1989.claims.findings import Finding
 
 STATEMENTS = Statements()
 

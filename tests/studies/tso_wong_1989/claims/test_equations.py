@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, InputError, simulate, steady_states
-from rocksteady.studies.tso_wong_1989.claims import equations
+from rocksteady.studies.tso_wong_1989.claims import _equations as equations
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, random_sample
 from tests.dynamics.formulae import numbers, printed, printed_boundaries, printed_region
 from tests.studies.tso_wong_1989.whole import evidence, finding, found, sampled, states, values

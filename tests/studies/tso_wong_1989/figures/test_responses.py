@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady.studies.tso_wong_1989.responses import RESPONSES, Responses
+from rocksteady.studies.tso_wong_1989.figures.responses import RESPONSES, Responses
 from tests.dynamics.formulae import half_cycle, printed
 
 BY_NAME = {response.id: response for response in RESPONSES}

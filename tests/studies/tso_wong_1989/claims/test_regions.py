@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from rocksteady import RegionMap, SteadyStates, region_map, steady_states
-from rocksteady.studies.tso_wong_1989.claims import regions
+from rocksteady.studies.tso_wong_1989.claims import _regions as regions
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
 from tests.dynamics.formulae import half_cycle, numbers, printed
 from tests.studies.tso_wong_1989.whole import (

@@ -4,7 +4,7 @@ import numpy as np
 
 from rocksteady import Block, Harmonic, Steady, simulate, steady_states
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
-from rocksteady.studies.tso_wong_1989.findings import Finding
+from rocksteady.studies.tso_wong_1989.claims.findings import Finding
 
 STATEMENTS = Statements()
 

@@ -6,7 +6,7 @@ import re
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady.studies.tso_wong_1989.words import (
+from rocksteady.studies.tso_wong_1989.figures.words import (
     motion_name,
     multiplier_text,
     percent,

@@ -5,16 +5,11 @@ from dataclasses import dataclass
 from functools import partial
 
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
-from rocksteady.studies.tso_wong_1989.fates import Kind, settle
-from rocksteady.studies.tso_wong_1989.findings import Finding
-from rocksteady.studies.tso_wong_1989.histories import (
-    KICK,
-    RESTITUTION,
-    SIDES,
-    History,
-    counted,
-)
-from rocksteady.studies.tso_wong_1989.words import multiplier_text, sign, signed, times
+from rocksteady.studies.tso_wong_1989.claims.findings import Finding
+from rocksteady.studies.tso_wong_1989.figures.cases import KICK, RESTITUTION, SIDES
+from rocksteady.studies.tso_wong_1989.figures.fates import Kind, settle
+from rocksteady.studies.tso_wong_1989.figures.histories import History, counted
+from rocksteady.studies.tso_wong_1989.figures.words import multiplier_text, sign, signed, times
 
 STATEMENTS = Statements()
 

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rocksteady import boundaries, region_map, steady_states
-from rocksteady.studies.tso_wong_1989.regions import (
+from rocksteady.studies.tso_wong_1989.figures.regions import (
     FREQUENCIES,
     HIGHEST_AMPLITUDE,
     HIGHEST_FREQUENCY,

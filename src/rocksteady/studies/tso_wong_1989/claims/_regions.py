@@ -6,9 +6,9 @@ import numpy as np
 
 from rocksteady import region_map, steady_states
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
-from rocksteady.studies.tso_wong_1989.findings import Finding
-from rocksteady.studies.tso_wong_1989.regions import FREQUENCIES, region_shares
-from rocksteady.studies.tso_wong_1989.words import percent, scientific, series
+from rocksteady.studies.tso_wong_1989.claims.findings import Finding
+from rocksteady.studies.tso_wong_1989.figures.regions import FREQUENCIES, region_shares
+from rocksteady.studies.tso_wong_1989.figures.words import percent, scientific, series
 
 STATEMENTS = Statements()
 

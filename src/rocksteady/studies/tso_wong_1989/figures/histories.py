@@ -7,152 +7,45 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from rocksteady import (
     DimensionlessBlock,
     Harmonic,
     Steady,
     SteadyStates,
     Trajectory,
+    plot_trajectory,
     simulate,
     steady_states,
 )
-from rocksteady.studies.tso_wong_1989.fates import Fate, fates_over_kicks, settle
-from rocksteady.studies.tso_wong_1989.findings import Panel
-from rocksteady.studies.tso_wong_1989.words import motion_name, multiplier_text, sign, signed, times
+from rocksteady.show.style import palette
+from rocksteady.studies.tso_wong_1989.figures._fate_plots import (
+    plot_fates,
+    plot_key,
+    plot_settled,
+)
+from rocksteady.studies.tso_wong_1989.figures.cases import (
+    CASES,
+    KICK,
+    KICKS,
+    RESTITUTION,
+    SIDES,
+    Case,
+)
+from rocksteady.studies.tso_wong_1989.figures.fates import Fate, Kind, fates_over_kicks, settle
+from rocksteady.studies.tso_wong_1989.figures.panel import Panel
+from rocksteady.studies.tso_wong_1989.figures.words import (
+    motion_name,
+    multiplier_text,
+    sign,
+    signed,
+    times,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-RESTITUTION = 0.8
-"""Of every time history in the paper."""
-KICK = 1e-4
-"""How far from an unstable orbit the drawn runs begin.  The paper's distance is the rounding of its
-computer, which it does not state; this one leaves every orbit within the paper's time axes that the
-paper's own run leaves there."""
-KICKS = np.geomspace(1e-6, 1e-2, 161)
-"""Distances over which fates are counted, on either side."""
-SIDES = (1, -1)
 ROWS_PER_PERIOD = 60
 """Rows of data in an excitation period; impacts are rows too."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Case:
-    """Parameters of one of the paper's time histories.
-
-    Attributes
-    ----------
-    id
-        As the paper numbers it.
-    amplitude, frequency_ratio
-        A and Omega, which is the frequency in Hz as well, since p = 2 pi.
-    order, branch
-        Of the symmetric steady state on which it starts.
-    periods
-        End of the time axis [excitation periods].
-    says
-        What the paper shows, in our words.
-    chosen
-        What the scan does not show and was chosen.
-    """
-
-    id: str
-    amplitude: float
-    frequency_ratio: float
-    order: int
-    branch: int
-    periods: int
-    says: str
-    chosen: tuple[str, ...] = ()
-
-
-AXIS_ILLEGIBLE = "The end of the time axis is not legible in the scan."
-NO_AMPLITUDE = (
-    "The amplitude of Fig. 13 is not printed; the text speaks of the same system as in Fig. 12, so "
-    "A = 2 is taken."
-)
-
-CASES = (
-    Case(
-        id="8a", amplitude=1.0, frequency_ratio=1.0, order=1, branch=2, periods=10,
-        says="At 1 Hz the block leaves the in-phase harmonic motion after a few cycles and "
-        "topples.",
-    ),
-    Case(
-        id="8b", amplitude=1.0, frequency_ratio=2.0, order=1, branch=2, periods=24,
-        says="At 2 Hz the block leaves the in-phase harmonic motion and reaches the stable "
-        "out-of-phase harmonic one.",
-    ),
-    Case(
-        id="8c", amplitude=1.0, frequency_ratio=8.0, order=1, branch=2, periods=20,
-        says="At 8 Hz the block leaves the in-phase harmonic motion and reaches the stable "
-        "out-of-phase harmonic one.",
-    ),
-    Case(
-        id="9a", amplitude=2.0, frequency_ratio=3.5, order=3, branch=2, periods=20,
-        says="At 3.5 Hz the block leaves the in-phase 1/3 subharmonic and topples.",
-    ),
-    Case(
-        id="9b", amplitude=2.0, frequency_ratio=4.0, order=3, branch=2, periods=40,
-        says="At 4 Hz the block leaves the in-phase 1/3 subharmonic and settles to the stable "
-        "out-of-phase harmonic motion.",
-    ),
-    Case(
-        id="9c", amplitude=2.0, frequency_ratio=5.0, order=3, branch=2, periods=40,
-        says="At 5 Hz the block leaves the in-phase 1/3 subharmonic and settles to the stable "
-        "out-of-phase 1/3 subharmonic.",
-    ),
-    Case(
-        id="10", amplitude=6.0, frequency_ratio=4.0, order=1, branch=1, periods=10,
-        says="A typical stable out-of-phase harmonic motion.",
-    ),
-    Case(
-        id="11a", amplitude=4.0, frequency_ratio=6.0, order=3, branch=1, periods=32,
-        says="A stable out-of-phase 1/3 subharmonic with two peaks in each half cycle.",
-    ),
-    Case(
-        id="11b", amplitude=2.0, frequency_ratio=6.0, order=3, branch=1, periods=28,
-        says="A stable out-of-phase 1/3 subharmonic; its second peak has all but gone.",
-    ),
-    Case(
-        id="12a", amplitude=2.0, frequency_ratio=2.0, order=1, branch=1, periods=40,
-        says="The symmetric harmonic motion is stable.", chosen=(AXIS_ILLEGIBLE,),
-    ),
-    Case(
-        id="12b", amplitude=2.0, frequency_ratio=1.9, order=1, branch=1, periods=40,
-        says="The symmetric harmonic motion is unstable; the block shifts gradually to a stable "
-        "unsymmetric harmonic one.",
-    ),
-    Case(
-        id="12c", amplitude=2.0, frequency_ratio=1.8, order=1, branch=1, periods=32,
-        says="As at 1.9, with more asymmetry.",
-    ),
-    Case(
-        id="12d", amplitude=2.0, frequency_ratio=1.7, order=1, branch=1, periods=20,
-        says="The unsymmetric motion has gone: the block overturns.", chosen=(AXIS_ILLEGIBLE,),
-    ),
-    Case(
-        id="13a", amplitude=2.0, frequency_ratio=4.4, order=3, branch=1, periods=40,
-        says="The symmetric 1/3 subharmonic is stable.", chosen=(NO_AMPLITUDE,),
-    ),
-    Case(
-        id="13b", amplitude=2.0, frequency_ratio=4.2, order=3, branch=1, periods=80,
-        says="The symmetric 1/3 subharmonic is unstable; the block settles to an unsymmetric one.",
-        chosen=(NO_AMPLITUDE,),
-    ),
-    Case(
-        id="13c", amplitude=2.0, frequency_ratio=3.6, order=3, branch=1, periods=32,
-        says="No 1/3 subharmonic is stable; the block settles to the symmetric harmonic motion.",
-        chosen=(NO_AMPLITUDE,),
-    ),
-    Case(
-        id="13d", amplitude=2.0, frequency_ratio=3.0, order=3, branch=1, periods=32,
-        says="After a few subharmonic cycles the block overturns.",
-        chosen=(NO_AMPLITUDE, AXIS_ILLEGIBLE),
-    ),
-)  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -312,9 +205,50 @@ class History:
                 yield (side, *row)
 
     def _draw(self) -> "Figure":
-        from rocksteady.studies.tso_wong_1989.history_figure import history_figure
+        """Draw a row for each side and, of an unstable state, a strip of fates."""
+        from matplotlib.figure import Figure
 
-        return history_figure(self)
+        rows = len(self.sides)
+        strips = 0 if self.stable else 1
+        heights = [2.0] * rows + [0.32] * strips
+        with palette.style():
+            figure = Figure(figsize=(7.2, 0.9 + sum(heights) + 0.35 * strips))
+            grid = figure.add_gridspec(
+                rows + strips, 2, width_ratios=(4.6, 1.0), height_ratios=heights
+            )
+            first = None
+            limits: list[tuple[float, float]] = []
+            for row, side in enumerate(self.sides):
+                motion = figure.add_subplot(grid[row, 0], sharey=first)
+                settled = figure.add_subplot(grid[row, 1], sharey=motion)
+                first = motion if first is None else first
+                fate = self.fates[side]
+                plot_trajectory(self.runs[side], motion)
+                limits.append(motion.get_ylim())
+                ends = (1.12 * fate.lowest, 1.12 * fate.highest)
+                limits.append(ends if fate.period else limits[0])
+                motion.set_xlim(0.0, self.case.periods)
+                motion.set_title(self._heading(side, fate))
+                plot_settled(fate, settled)
+                if row + 1 < rows:
+                    motion.set_xlabel("")
+                    settled.set_xlabel("")
+            assert first is not None
+            first.set_ylim(min(low for low, _ in limits), max(high for _, high in limits))
+            if strips:
+                plot_fates(self.fates_over_kicks, figure.add_subplot(grid[rows, 0]))
+                plot_key(self.fates_over_kicks, figure.add_subplot(grid[rows, 1]))
+            figure.suptitle(f"Fig. {self.case.id}  {self.title}", x=0.01, ha="left", fontsize=9.5)
+        return figure
+
+    def _heading(self, side: int, fate: Fate) -> str:
+        if self.stable:
+            return f"stable: {fate.label}"
+        later = KICK * self.growth < 0.1 and fate.kind is not Kind.OVERTURNED
+        return (
+            f"unstable, left on the {sign(side)} side: {fate.label}"
+            f"{', later than drawn here' if later else ''}"
+        )
 
 
 def histories() -> dict[str, History]:

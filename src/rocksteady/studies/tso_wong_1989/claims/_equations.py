@@ -16,15 +16,15 @@ from rocksteady import (
     simulate,
     steady_states,
 )
-from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
-from rocksteady.studies.tso_wong_1989.claims.solutions import (
+from rocksteady.studies.tso_wong_1989.claims._solutions import (
     LONGEST,
     differing,
     followable,
     landed,
 )
-from rocksteady.studies.tso_wong_1989.findings import Finding
-from rocksteady.studies.tso_wong_1989.words import scientific, signed
+from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
+from rocksteady.studies.tso_wong_1989.claims.findings import Finding
+from rocksteady.studies.tso_wong_1989.figures.words import scientific, signed
 
 STATEMENTS = Statements()
 

@@ -17,7 +17,7 @@ from rocksteady import (
     simulate,
     steady_states,
 )
-from rocksteady.studies.tso_wong_1989.fates import Fate, Kind, fates_over_kicks, settle
+from rocksteady.studies.tso_wong_1989.figures.fates import Fate, Kind, fates_over_kicks, settle
 from tests.dynamics.integrator import integrate
 
 BLOCK = DimensionlessBlock(restitution=0.8)

@@ -9,15 +9,9 @@ from matplotlib.figure import Figure
 
 from rocksteady import DimensionlessBlock, Harmonic, Status, Steady, Trajectory, simulate
 from rocksteady.show.style import palette
-from rocksteady.studies.tso_wong_1989.fates import Kind
-from rocksteady.studies.tso_wong_1989.histories import (
-    CASES,
-    KICK,
-    KICKS,
-    History,
-    counted,
-    histories,
-)
+from rocksteady.studies.tso_wong_1989.figures.cases import CASES, KICK, KICKS
+from rocksteady.studies.tso_wong_1989.figures.fates import Kind
+from rocksteady.studies.tso_wong_1989.figures.histories import History, counted, histories
 from tests.dynamics.formulae import printed, printed_trace
 from tests.dynamics.integrator import integrate
 from tests.studies.tso_wong_1989.whole import HISTORIES, STABLE, UNSTABLE, evidence
@@ -302,30 +296,3 @@ def test_the_figure_shows_every_side_over_the_papers_axis(name: str) -> None:
     assert f"Fig. {name} " in figure._suptitle.get_text()  # type: ignore[attr-defined]
     strips = [axes for axes in figure.axes if axes.get_xlabel() == palette.LABELS["kick"]]
     assert len(strips) == (1 if name in UNSTABLE else 0)
-
-
-def test_the_strip_of_fates_is_coloured_as_the_fates_are_on_its_side() -> None:
-    from rocksteady.studies.tso_wong_1989.history_figure import FILLS
-
-    case = history("8b")  # whose fates differ from end to end on either side
-    figure = case.panel().draw()
-    (strip,) = (axes for axes in figure.axes if axes.get_xlabel() == palette.LABELS["kick"])
-    from matplotlib.colors import to_rgb
-
-    for image in strip.images:
-        left, right, _, _ = image.get_extent()
-        side = 1 if right > 0.0 else -1
-        colours = np.asarray(image.get_array())[0, :, :3]
-        expected = [to_rgb(FILLS[fate.kind]) for fate in case.fates_over_kicks[side]]
-        if side < 0:
-            expected.reverse()  # the smallest distance lies next to the middle
-        scale = 255.0 if colours.max() > 1.0 else 1.0
-        np.testing.assert_allclose(colours / scale, expected, atol=0.003)
-        assert (left > 0.0) == (side > 0)
-    assert len(strip.images) == 2
-    places = sorted(
-        float(np.asarray(line.get_xdata(), dtype=float)[0])
-        for line in strip.lines
-        if line.get_marker() == "v"
-    )
-    assert places == pytest.approx([-2.5, 2.5])

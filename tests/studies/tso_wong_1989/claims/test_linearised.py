@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import pytest
 
-from rocksteady.studies.tso_wong_1989.claims import linearised
+from rocksteady.studies.tso_wong_1989.claims import _linearised as linearised
 from tests.studies.tso_wong_1989.whole import evidence, finding, found
 
 pytestmark = pytest.mark.usefixtures("computed")

@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rocksteady.studies.tso_wong_1989.claims import time_histories
+from rocksteady.studies.tso_wong_1989.claims import _time_histories as time_histories
+from rocksteady.studies.tso_wong_1989.claims._time_histories import fate_finding, stable_finding
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
-from rocksteady.studies.tso_wong_1989.claims.time_histories import fate_finding, stable_finding
-from rocksteady.studies.tso_wong_1989.fates import Kind
-from rocksteady.studies.tso_wong_1989.histories import History
+from rocksteady.studies.tso_wong_1989.figures.fates import Kind
+from rocksteady.studies.tso_wong_1989.figures.histories import History
 from tests.dynamics.formulae import printed, printed_trace
 from tests.studies.tso_wong_1989.whole import (
     STABLE,

@@ -7,9 +7,9 @@ from numpy.typing import NDArray
 
 from rocksteady import Block, boundaries, response_curve, steady_states
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
-from rocksteady.studies.tso_wong_1989.findings import Finding
-from rocksteady.studies.tso_wong_1989.responses import RESTITUTION, RESTITUTIONS, Responses
-from rocksteady.studies.tso_wong_1989.words import series
+from rocksteady.studies.tso_wong_1989.claims.findings import Finding
+from rocksteady.studies.tso_wong_1989.figures.responses import RESTITUTION, RESTITUTIONS, Responses
+from rocksteady.studies.tso_wong_1989.figures.words import series
 
 STATEMENTS = Statements()
 

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from rocksteady import SteadyStates, steady_states
-from rocksteady.studies.tso_wong_1989.claims import stability
+from rocksteady.studies.tso_wong_1989.claims import _stability as stability
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
-from rocksteady.studies.tso_wong_1989.fates import Fate, Kind
-from rocksteady.studies.tso_wong_1989.histories import History
+from rocksteady.studies.tso_wong_1989.figures.fates import Fate, Kind
+from rocksteady.studies.tso_wong_1989.figures.histories import History
 from tests.dynamics.formulae import printed, printed_trace
 from tests.dynamics.integrator import integrate
 from tests.studies.tso_wong_1989.whole import (

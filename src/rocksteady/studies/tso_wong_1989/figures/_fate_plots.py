@@ -1,17 +1,15 @@
-"""The figure of a time history: each side's run, what it settles to, and the fates around it."""
+"""How fates are drawn: the motion that a run settles to, and fates over distances from an orbit."""
 
 import math
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from rocksteady import plot_trajectory
 from rocksteady.show.style import palette
-from rocksteady.studies.tso_wong_1989.fates import Fate, Kind
-from rocksteady.studies.tso_wong_1989.histories import KICK, KICKS, SIDES, History
-from rocksteady.studies.tso_wong_1989.words import sign
+from rocksteady.studies.tso_wong_1989.figures.cases import KICK, KICKS, SIDES
+from rocksteady.studies.tso_wong_1989.figures.fates import Fate, Kind
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 FILLS = {
     Kind.REST: palette.REST,
@@ -23,63 +21,6 @@ FILLS = {
 }
 NO_RUN: dict[str, Any] = {"fc": palette.GRID, "ec": palette.FAINT, "hatch": "//////", "lw": 0.0}
 """Look of the gap in a strip of fates: distances at which no run was started."""
-
-
-def history_figure(history: History) -> "Figure":
-    """Return the figure: a row for each side and, of an unstable state, a strip of fates."""
-    from matplotlib.figure import Figure
-    from matplotlib.patches import Patch
-
-    rows = len(history.sides)
-    strips = 0 if history.stable else 1
-    heights = [2.0] * rows + [0.32] * strips
-    with palette.style():
-        figure = Figure(figsize=(7.2, 0.9 + sum(heights) + 0.35 * strips))
-        grid = figure.add_gridspec(rows + strips, 2, width_ratios=(4.6, 1.0), height_ratios=heights)
-        first = None
-        limits: list[tuple[float, float]] = []
-        for row, side in enumerate(history.sides):
-            motion = figure.add_subplot(grid[row, 0], sharey=first)
-            settled = figure.add_subplot(grid[row, 1], sharey=motion)
-            first = motion if first is None else first
-            fate = history.fates[side]
-            plot_trajectory(history.runs[side], motion)
-            limits.append(motion.get_ylim())
-            limits.append((1.12 * fate.lowest, 1.12 * fate.highest) if fate.period else limits[0])
-            motion.set_xlim(0.0, history.case.periods)
-            motion.set_title(_heading(history, side, fate))
-            plot_settled(fate, settled)
-            if row + 1 < rows:
-                motion.set_xlabel("")
-                settled.set_xlabel("")
-        assert first is not None
-        first.set_ylim(min(low for low, _ in limits), max(high for _, high in limits))
-        if strips:
-            strip = figure.add_subplot(grid[rows, 0])
-            plot_fates(history, strip)
-            key = figure.add_subplot(grid[rows, 1])
-            key.axis("off")
-            kinds = dict.fromkeys(fate.kind for s in SIDES for fate in history.fates_over_kicks[s])
-            patches = [
-                Patch(facecolor=FILLS[kind], edgecolor=palette.INK, lw=0.4, label=kind.value)
-                for kind in kinds
-            ]
-            patches.append(Patch(label="closer: no run", **NO_RUN))
-            key.legend(
-                handles=patches, loc="center left", bbox_to_anchor=(-0.15, 0.5), handlelength=1.2
-            )
-        figure.suptitle(f"Fig. {history.case.id}  {history.title}", x=0.01, ha="left", fontsize=9.5)
-    return figure
-
-
-def _heading(history: History, side: int, fate: Fate) -> str:
-    if history.stable:
-        return f"stable: {fate.label}"
-    later = KICK * history.growth < 0.1 and fate.kind is not Kind.OVERTURNED
-    return (
-        f"unstable, left on the {sign(side)} side: {fate.label}"
-        f"{', later than drawn here' if later else ''}"
-    )
 
 
 def plot_settled(fate: Fate, axes: "Axes") -> None:
@@ -109,15 +50,23 @@ def plot_settled(fate: Fate, axes: "Axes") -> None:
         axes.text(0.97, 0.98, words, transform=axes.transAxes, ha="right", va="top", fontsize=7.0)
 
 
-def plot_fates(history: History, axes: "Axes") -> None:
-    """Draw a strip of fates over the distance from the orbit, logarithmic on either side of it."""
+def plot_fates(fates: Mapping[int, Sequence[Fate]], axes: "Axes") -> None:
+    """Draw a strip of fates over the distance from the orbit, logarithmic on either side of it.
+
+    Parameters
+    ----------
+    fates
+        Those over `KICKS`, for each side.
+    axes
+        To draw on.
+    """
     from matplotlib.colors import to_rgb
 
     decades = math.log10(KICKS[-1] / KICKS[0])
     gap = 0.5
     half = 0.5 * decades / (len(KICKS) - 1)
     for side in SIDES:
-        colours = [to_rgb(FILLS[fate.kind]) for fate in history.fates_over_kicks[side]]
+        colours = [to_rgb(FILLS[fate.kind]) for fate in fates[side]]
         ends = [gap - half, gap + decades + half]
         axes.imshow(
             [colours if side > 0 else colours[::-1]],
@@ -148,3 +97,17 @@ def plot_fates(history: History, axes: "Axes") -> None:
         spine.set_visible(True)
     axes.grid(visible=False)
     axes.set_title("fates by distance (triangles: drawn above)", fontsize=8.0)
+
+
+def plot_key(fates: Mapping[int, Sequence[Fate]], axes: "Axes") -> None:
+    """Draw the legend of a strip of fates on axes of its own."""
+    from matplotlib.patches import Patch
+
+    axes.axis("off")
+    kinds = dict.fromkeys(fate.kind for side in SIDES for fate in fates[side])
+    patches = [
+        Patch(facecolor=FILLS[kind], edgecolor=palette.INK, lw=0.4, label=kind.value)
+        for kind in kinds
+    ]
+    patches.append(Patch(label="closer: no run", **NO_RUN))
+    axes.legend(handles=patches, loc="center left", bbox_to_anchor=(-0.15, 0.5), handlelength=1.2)

@@ -18,10 +18,11 @@ from rocksteady import (
     symmetry_breaking_frequency,
 )
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
-from rocksteady.studies.tso_wong_1989.fates import Fate, Kind, kinds_in, settle
-from rocksteady.studies.tso_wong_1989.findings import Finding
-from rocksteady.studies.tso_wong_1989.histories import RESTITUTION, History
-from rocksteady.studies.tso_wong_1989.words import multiplier_text, series, signed
+from rocksteady.studies.tso_wong_1989.claims.findings import Finding
+from rocksteady.studies.tso_wong_1989.figures.cases import RESTITUTION
+from rocksteady.studies.tso_wong_1989.figures.fates import Fate, Kind, kinds_in, settle
+from rocksteady.studies.tso_wong_1989.figures.histories import History
+from rocksteady.studies.tso_wong_1989.figures.words import multiplier_text, series, signed
 
 STATEMENTS = Statements()
 
