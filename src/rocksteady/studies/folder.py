@@ -9,8 +9,7 @@ from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from rocksteady import durable
-from rocksteady.errors import OutputError
+from rocksteady import OutputError, durable
 
 Done = Callable[[str], None]
 """Called with the name of each thing that has been computed or written."""

@@ -11,15 +11,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import AttractorKind, Store, steady_states
+from rocksteady import AttractorKind, Axis, Grid, Output, Store, evaluate, steady_states
 from rocksteady.dynamics.batch.attractors import Beginnings, SettledCells, settled_cells
 from rocksteady.dynamics.history.lowering import symmetric_sides
 from rocksteady.dynamics.orbits.attractor import KINDS
 from rocksteady.studies.atlas.analysis.plane import Plane
-from rocksteady.sweep.cases.axes import Axis
-from rocksteady.sweep.cases.grid import Grid
-from rocksteady.sweep.cases.outputs import Output
-from rocksteady.sweep.evaluate import evaluate
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -163,7 +159,7 @@ def coexistence(
     plane
         Where.
     workers, store, done
-        As for `rocksteady.sweep.evaluate.evaluate`.
+        As for `rocksteady.evaluate`.
     """
     grid = Grid(
         axes=(

@@ -25,6 +25,7 @@ from rocksteady import (
     Orbit,
     Output,
     PointType,
+    RocksteadyError,
     Steady,
     Store,
     attractor,
@@ -33,7 +34,6 @@ from rocksteady import (
     steady_states,
     symmetry_breaking_amplitude,
 )
-from rocksteady.errors import RocksteadyError
 from rocksteady.studies.atlas.analysis.plane import Plane
 
 Floats = NDArray[np.float64]
@@ -138,7 +138,7 @@ def columns(
     ratios
         Omega, shape (columns,).
     workers, store, done
-        As for `rocksteady.sweep.evaluate.evaluate`.
+        As for `rocksteady.evaluate`.
     """
     cases = functools.partial(_bands, restitution=plane.restitution, top=plane.top, order=order)
     grid = Grid(axes=(Axis(name="frequency_ratio", values=ratios),))

@@ -76,7 +76,7 @@ def family_map(
     order
         n = 1, 3, 5, ...
     workers, store
-        As for `rocksteady.sweep.evaluate.evaluate`.
+        As for `rocksteady.evaluate`.
     done
         Called once for each column.
     """

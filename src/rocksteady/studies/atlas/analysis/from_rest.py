@@ -15,7 +15,6 @@ from rocksteady import (
     attractor_map,
     heteroclinic_amplitude,
 )
-from rocksteady.dynamics.orbits.attractor import KINDS
 from rocksteady.studies.atlas.analysis.plane import Plane
 from rocksteady.studies.folder import Done, nothing
 from rocksteady.studies.parts import Parts
@@ -146,16 +145,15 @@ def from_rest(
         )
 
     found = settled("from-rest", plane.amplitudes, plane.ratios)
-    kind, period, impacts = (found[name].values for name in ("kind", "period", "impacts"))
+    period, impacts = (found[name].values for name in ("period", "impacts"))
     falls: tuple[LowestFall, ...] = ()
     if marked and tried.size:
-        kinds = settled("falls", tried, marked)["kind"].values
-        fallen = kinds == KINDS.index(AttractorKind.OVERTURNED)
+        fallen = _where(settled("falls", tried, marked), AttractorKind.OVERTURNED)
         falls = _lowest(plane, marked, tried, phases, fallen)
     return FromRest(
         plane=plane,
         phases=phases,
-        fate=_fates(kind, period, impacts),
+        fate=_fates(found),
         period=period,
         impacts=impacts,
         falls=falls,
@@ -175,23 +173,23 @@ def _in_parts(cells: int, done: Done) -> Callable[[int], None]:
     return told
 
 
-def _fates(
-    kind: NDArray[np.int8], period: NDArray[np.int64], impacts: NDArray[np.int64]
-) -> NDArray[np.int8]:
-    """Return what came out, by the codes of `FATES`."""
+def _where(found: "xarray.Dataset", which: AttractorKind) -> NDArray[np.bool_]:
+    """Return in which cells of an attractor map a block settles to one kind."""
+    kind = found["kind"]
+    same: NDArray[np.bool_] = kind.values == kind.attrs["flag_meanings"].split().index(which)
+    return same
 
-    def is_a(which: AttractorKind) -> NDArray[np.bool_]:
-        same: NDArray[np.bool_] = kind == KINDS.index(which)
-        return same
 
+def _fates(found: "xarray.Dataset") -> NDArray[np.int8]:
+    """Return what came out of an attractor map, by the codes of `FATES`."""
     chosen = {
-        "rest": is_a(AttractorKind.REST),
-        "overturned": is_a(AttractorKind.OVERTURNED),
-        "aperiodic": is_a(AttractorKind.APERIODIC),
-        "undecided": is_a(AttractorKind.UNDECIDED),
-        "subharmonic": period > 1,
-        "period 1 with rests": impacts < 0,
-        "symmetric, period 1": is_a(AttractorKind.SYMMETRIC),
+        "rest": _where(found, AttractorKind.REST),
+        "overturned": _where(found, AttractorKind.OVERTURNED),
+        "aperiodic": _where(found, AttractorKind.APERIODIC),
+        "undecided": _where(found, AttractorKind.UNDECIDED),
+        "subharmonic": found["period"].values > 1,
+        "period 1 with rests": found["impacts"].values < 0,
+        "symmetric, period 1": _where(found, AttractorKind.SYMMETRIC),
     }
     fates: NDArray[np.int8] = np.select(
         list(chosen.values()),

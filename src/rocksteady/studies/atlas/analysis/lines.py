@@ -10,8 +10,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import BranchPoint, PointType, bifurcation_curve, boundaries
-from rocksteady.errors import RocksteadyError
+from rocksteady import BranchPoint, PointType, RocksteadyError, bifurcation_curve, boundaries
 from rocksteady.studies.atlas.analysis.columns import Column, followed
 from rocksteady.studies.atlas.analysis.families import FamilyMap
 from rocksteady.studies.atlas.analysis.plane import Plane

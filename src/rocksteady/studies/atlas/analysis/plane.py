@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.errors import InputError
+from rocksteady import InputError
 from rocksteady.model.checks.validation import in_range, odd_order
 from rocksteady.model.motions.segments import HIGHEST_FREQUENCY_RATIO, LOWEST_FREQUENCY_RATIO
 

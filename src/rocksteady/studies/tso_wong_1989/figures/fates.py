@@ -26,7 +26,6 @@ from rocksteady import (
     evaluate,
     simulate,
 )
-from rocksteady.dynamics.orbits.attractor import KINDS
 
 if TYPE_CHECKING:
     import xarray
@@ -137,7 +136,7 @@ def fates_over_kicks(
     """Return what a block settles to for each distance at which it leaves a steady state."""
     block = DimensionlessBlock(restitution=restitution)
     found = attractor_map(block, shaking, axes={"kick": kicks}, start=start, side=side)
-    kinds = list(kinds_in(found))
+    attractors, kinds = _attractors_in(found), list(kinds_in(found))
     fallen = np.array([kind is Kind.OVERTURNED for kind in kinds])
     after = np.full(len(kicks), math.nan)
     if fallen.any():
@@ -151,27 +150,33 @@ def fates_over_kicks(
         )
         grid = Grid(axes=(Axis(name="kick", values=kicks[fallen]),))
         after[fallen] = evaluate(times, grid, (OVERTURNED_AFTER,))["overturned_after"].values
-    columns = (found[name].values.tolist() for name in ("period", "kind", "highest", "lowest"))
+    columns = (found[name].values.tolist() for name in ("period", "highest", "lowest"))
     return [
         Fate(
             kind=kind,
             period=period,
-            symmetric=KINDS[code] is AttractorKind.SYMMETRIC,
+            symmetric=settled is AttractorKind.SYMMETRIC,
             highest=highest if period else math.nan,
             lowest=lowest if period else math.nan,
             overturned_after=time,
         )
-        for kind, period, code, highest, lowest, time in zip(
-            kinds, *columns, after.tolist(), strict=True
+        for kind, settled, period, highest, lowest, time in zip(
+            kinds, attractors, *columns, after.tolist(), strict=True
         )
     ]
 
 
 def kinds_in(found: "xarray.Dataset") -> Iterator[Kind]:
     """Yield what became of each cell of `rocksteady.attractor_map`, in C order."""
-    codes, periods = (found[name].values.ravel().tolist() for name in ("kind", "period"))
-    for code, period in zip(codes, periods, strict=True):
-        yield _kind(KINDS[code], period)
+    periods = found["period"].values.ravel().tolist()
+    for kind, period in zip(_attractors_in(found), periods, strict=True):
+        yield _kind(kind, period)
+
+
+def _attractors_in(found: "xarray.Dataset") -> list[AttractorKind]:
+    """Return to which attractor each cell of an attractor map settles, in C order."""
+    names = found["kind"].attrs["flag_meanings"].split()
+    return [AttractorKind(names[code]) for code in found["kind"].values.ravel().tolist()]
 
 
 def _kind(kind: AttractorKind, period: int) -> Kind:
