@@ -23,11 +23,11 @@ import xarray, zarr
 from rocksteady import durable
 from rocksteady.errors import RocksteadyError
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep import shelf
+from rocksteady.sweep.store import _writer
 from rocksteady.sweep.store.store import Store
 from tests.sweep.executors.cases import GRID, OUTPUTS, slow, some
 
-shelf.SHARE = float("inf")  # each chunk is marked as finished at once
+_writer.SHARE = float("inf")  # each chunk is marked as finished at once
 
 def run(path, cases=some, **options):
     store = Store(path, chunk=100, **options)
