@@ -24,8 +24,7 @@ from rocksteady.sweep.cases import inputs
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.executors import _cluster, _local, _remote, _roll
-from rocksteady.sweep.executors._address import validated_address
+from rocksteady.sweep.executors import _cluster, _dask, _local, _remote
 from rocksteady.sweep.executors._local import Local
 from rocksteady.sweep.executors._worker import START
 from rocksteady.sweep.store.store import Store
@@ -179,35 +178,6 @@ def test_an_address_where_nobody_answers_is_refused(
     assert capfd.readouterr().err == ""
 
 
-@pytest.mark.parametrize(
-    ("given_address", "why"),
-    [
-        ("nowhere://127.0.0.1:1", "dask knows addresses of the kinds .*tcp, tls"),
-        ("://127.0.0.1:1", "dask knows addresses of the kinds"),
-        ("tcp://tcp://127.0.0.1:1", "dask knows addresses of the kinds"),
-        ("tcp://", "it must have a host and a port"),
-        ("tcp://:8786", "it must have a host and a port"),
-        ("tcp://127.0.0.1", "it must have a host and a port"),
-        ("tls://127.0.0.1:abc", "it must have a host and a port"),
-        ("tcp://127.0.0.1:0", "it must have a host and a port"),
-        ("tcp://127.0.0.1:65536", "it must have a host and a port"),
-        ("tcp://[::1:8786", "it must have a host and a port"),
-    ],
-)
-def test_what_is_no_address_is_refused_before_anything_is_written(
-    given_address: str, why: str, tmp_path: Path
-) -> None:
-    store = tmp_path / "a.zarr"
-    with pytest.raises(InputError, match=why):
-        evaluate(some, GRID, OUTPUTS, executor=given_address, store=store)
-    assert not store.exists()
-
-
-@pytest.mark.parametrize("given_address", ["tcp://[::1]:8786", "tls://host:1", "inproc://1/2/3"])
-def test_what_may_be_an_address_is_tried(given_address: str) -> None:
-    assert validated_address(given_address) == given_address
-
-
 def test_a_cluster_without_workers_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(_remote, "PATIENCE", 0.3)
     with Local(0) as empty, pytest.raises(InputError, match="no worker for 0"):
@@ -256,7 +226,7 @@ def test_an_answer_that_is_lost_with_the_last_worker_is_computed_again(
 ) -> None:
     killed: list[int] = []
 
-    class Killing(_roll.Roll):
+    class Killing(_dask.Roll):
         """Kills the worker that has just finished a piece, before anybody can fetch it."""
 
         def add_worker(self, scheduler: Any, worker: str) -> None:
@@ -268,7 +238,7 @@ def test_an_answer_that_is_lost_with_the_last_worker_is_computed_again(
                 os.kill(self.last, signal.SIGKILL)
                 killed.append(self.last)
 
-    monkeypatch.setattr(_roll, "Roll", Killing)
+    monkeypatch.setattr(_dask, "Roll", Killing)
     monkeypatch.setattr(_remote, "LOOKED", 0.1)
     told: list[int] = []
     ended = threading.Event()

@@ -1,13 +1,17 @@
 """The deal: which cells are still to be handed out, and how many of them at once."""
 
+import os
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Callable, Generator, Sequence
+from dataclasses import dataclass
 
 from rocksteady.sweep.cases.task import Answer, Piece
 
 ROUNDS = 4
 """In how many more pieces a worker's share of what is left is handed out.  Pieces become smaller
 towards the end, so that all workers finish together."""
+WAITING = 2
+"""Pieces for each worker, one of which waits: no worker waits for the calling thread."""
 
 
 class Deal:
@@ -52,3 +56,25 @@ class Deal:
         if answer.stop < stop:
             self._ranges.appendleft((answer.stop, stop))
             self.left += stop - answer.stop
+
+
+@dataclass(frozen=True, kw_only=True)
+class Team:
+    """Workers that are ready.
+
+    Attributes
+    ----------
+    workers
+        How many pieces they work on at the same time.
+    answers
+        Has every piece of a deal done and yields what was found, in whatever order it comes.
+        Whatever ends the iteration early, an error or an interruption, leaves nothing running.
+    """
+
+    workers: int
+    answers: Callable[[Deal], Generator[Answer, None, None]]
+
+
+def usable_cores() -> int:
+    """Return how many cores this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -11,14 +11,13 @@ from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Protocol
 
 from rocksteady.errors import InputError, RocksteadyError, UnfinishedError
-from rocksteady.sweep.cases.queue import Deal
+from rocksteady.sweep.cases.queue import Deal, Team
 from rocksteady.sweep.cases.task import Answer, Piece, Task
-from rocksteady.sweep.executors._pool import Team
 
 if TYPE_CHECKING:
     from distributed import Client, Future
 
-    from rocksteady.sweep.executors._task_plugin import Parcel
+    from rocksteady.sweep.executors._dask import Parcel
 
     Ended = SimpleQueue[tuple[Future[Answer], Answer | BaseException]]
 
@@ -106,7 +105,7 @@ def cluster(task: Task, address: str | None, workers: int | None) -> Iterator[Te
 @contextmanager
 def _sent(task: Task, members: Members) -> Iterator[str]:
     """Send a task to all workers, those that join later included; yield its name there."""
-    from rocksteady.sweep.executors._task_plugin import Parcel
+    from rocksteady.sweep.executors._dask import Parcel
 
     name = f"rocksteady-{uuid.uuid4().hex}"
     parcel = Parcel(task, members.name)
@@ -146,7 +145,7 @@ def _answers(
     deal: Deal, task: Task, members: Members, parcel: str
 ) -> Generator[Answer, None, None]:
     """Have every piece of a deal done."""
-    from rocksteady.sweep.executors._task_plugin import run_piece
+    from rocksteady.sweep.executors._dask import run_piece
 
     client, numbers = members.client, itertools.count()
     running: dict[Future[Answer], Piece] = {}

@@ -5,15 +5,17 @@ them, sends them the terminal's interruptions, and takes seconds to end them.
 """
 
 import json
+import signal
 import subprocess
 import sys
-from contextlib import ExitStack, suppress
+import threading
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager, suppress
 from tempfile import TemporaryDirectory
 from typing import Self
 
 from rocksteady.errors import UnfinishedError
-from rocksteady.sweep.executors._interruptions import held_back
-from rocksteady.sweep.executors._pool import WAITING, usable_cores
+from rocksteady.sweep.cases.queue import WAITING, usable_cores
 from rocksteady.sweep.executors._worker import LOOPBACK, START
 
 TRIES = 4
@@ -157,7 +159,7 @@ class Local:
         """Start them."""
         self._stack = ExitStack()
         try:
-            with held_back():
+            with _held_back():
                 self._start(self._stack)
         except BaseException:
             self.__exit__()
@@ -171,8 +173,7 @@ class Local:
         import dask
         from distributed import Client, LocalCluster  # while the workers import it, too
 
-        from rocksteady.sweep.executors._quiet import quiet
-        from rocksteady.sweep.executors._roll import Roll
+        from rocksteady.sweep.executors._dask import Roll, quiet
 
         stack.enter_context(quiet())
         settings = {
@@ -199,7 +200,7 @@ class Local:
 
     def __exit__(self, *_: object) -> None:
         """End them."""
-        with held_back():
+        with _held_back():
             self._stack.close()
 
     def at_once(self) -> int:
@@ -213,3 +214,25 @@ class Local:
     def mend(self, *, progress: bool) -> None:
         """Start workers in the place of those that have ended."""
         self._crew.mend(progress=progress)
+
+
+@contextmanager
+def _held_back() -> Iterator[None]:
+    """Hold an interruption back until something short is done: half done, it would stay behind."""
+    usual = signal.getsignal(signal.SIGINT)
+    if usual is None or threading.current_thread() is not threading.main_thread():
+        yield  # they do not come here
+        return
+    came = False
+
+    def note(*_: object) -> None:
+        nonlocal came
+        came = True
+
+    signal.signal(signal.SIGINT, note)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, usual)
+        if came:
+            signal.raise_signal(signal.SIGINT)

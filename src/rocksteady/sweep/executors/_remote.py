@@ -3,14 +3,14 @@
 import time
 import warnings
 from contextlib import ExitStack
+from ipaddress import ip_address
 from typing import Self
 
 from distributed import Client
 
 from rocksteady.errors import InputError
-from rocksteady.sweep.executors._address import open_to_others
-from rocksteady.sweep.executors._pool import WAITING
-from rocksteady.sweep.executors._quiet import quiet
+from rocksteady.sweep.cases.queue import WAITING
+from rocksteady.sweep.executors._dask import quiet
 
 ANSWERED = 10.0
 """Seconds in which a scheduler answers."""
@@ -113,3 +113,18 @@ class Given:
         self._looked = time.monotonic()
         if self._threads:
             self._seen = self._looked
+
+
+def open_to_others(address: str) -> bool:
+    """Return whether a scheduler's address is on a network, and its connections have no TLS.
+
+    Who reaches such a scheduler, or its workers, can have them run any program.
+    """
+    kind, _, place = address.rpartition("://")
+    if kind not in {"", "tcp", "ws", "ucx"}:  # tls and wss; inproc never leaves its process
+        return False
+    host = place.rpartition(":")[0].strip("[]")
+    try:
+        return not ip_address(host.partition("%")[0]).is_loopback
+    except ValueError:
+        return host != "localhost" and not host.endswith(".localhost")

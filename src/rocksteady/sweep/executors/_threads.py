@@ -1,15 +1,27 @@
-"""Threads of this process: compiled kernels let each other run."""
+"""Executors in this process: the calling thread, or several threads, which kernels let run."""
 
 from collections.abc import Generator, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
 
-from rocksteady.sweep.cases.queue import Deal
+from rocksteady.sweep.cases.queue import WAITING, Deal, Team
 from rocksteady.sweep.cases.task import Answer, Task
-from rocksteady.sweep.executors._pool import WAITING, Team
 
 SECONDS = 0.05
-"""Of a piece: an interruption waits for those under way."""
+"""Of a piece, after which progress is told; an interruption waits for those under way."""
+
+
+@contextmanager
+def serial(task: Task) -> Iterator[Team]:
+    """Run the pieces in this thread."""
+
+    def answers(deal: Deal) -> Generator[Answer, None, None]:
+        while (piece := deal.next()) is not None:
+            answer = task.run(piece, SECONDS)
+            deal.rest_of(answer)
+            yield answer
+
+    yield Team(workers=1, answers=answers)
 
 
 @contextmanager

@@ -1,17 +1,18 @@
 """Executors by their names."""
 
-from contextlib import AbstractContextManager
+from contextlib import AbstractContextManager, suppress
+from importlib.util import find_spec
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.validation import whole_number
+from rocksteady.sweep.cases.queue import Team, usable_cores
 from rocksteady.sweep.cases.task import Task
-from rocksteady.sweep.executors._pool import Team, usable_cores
-from rocksteady.sweep.executors._serial import serial
-from rocksteady.sweep.executors._threads import threads
+from rocksteady.sweep.executors._threads import serial, threads
 
 EXECUTORS = ("threads", "dask", "serial")
 """By their names; the address of a scheduler, as tcp://host:8786, names a cluster that is there."""
 MOST_WORKERS = 1024
+MOST_PORTS = 65535
 
 
 def team_for(task: Task, executor: str, workers: int | None) -> AbstractContextManager[Team]:
@@ -44,9 +45,7 @@ def validated_executor(executor: object) -> str:
         If there is none of that name, or no scheduler can have that address.
     """
     if isinstance(executor, str) and "://" in executor:
-        from rocksteady.sweep.executors._address import validated_address
-
-        return validated_address(executor)
+        return _validated_address(executor)
     if not isinstance(executor, str) or executor not in EXECUTORS:
         raise InputError(
             name="executor",
@@ -55,6 +54,42 @@ def validated_executor(executor: object) -> str:
             hint="leave it out for threads, or give an address as tcp://127.0.0.1:8786",
         )
     return executor
+
+
+def _validated_address(address: str) -> str:
+    """Return an address that a scheduler may have.
+
+    Raises
+    ------
+    InputError
+        If dask knows no such kind of address, or it has no host or no port.
+    """
+    if find_spec("distributed") is None:
+        return address  # whoever connects says so
+    from distributed.comm.registry import backends, get_backend
+
+    kind, _, place = address.rpartition("://")  # as dask does
+    try:
+        backend = get_backend(kind)
+    except (ValueError, ImportError) as error:
+        known = ", ".join(sorted(backends))
+        raise _refused_address(address, f"dask knows addresses of the kinds {known}") from error
+    with suppress(NotImplementedError):  # of kinds without hosts and ports
+        try:
+            host, port = backend.get_address_host_port(place)
+        except ValueError:
+            host, port = "", 0
+        if not host or not 0 < port <= MOST_PORTS:
+            raise _refused_address(
+                address, f"it must have a host and a port, a number from 1 to {MOST_PORTS}"
+            )
+    return address
+
+
+def _refused_address(address: str, valid: str) -> InputError:
+    return InputError(
+        name="executor", value=address, valid=valid, hint="give it as tcp://127.0.0.1:8786"
+    )
 
 
 def validated_workers(workers: object) -> int | None:

@@ -1,32 +1,32 @@
 """Reads the files of chunks, and refuses one that is not what was written to its place."""
 
+from collections.abc import Mapping
+
 from zarr.abc.store import ByteRequest
 from zarr.core.buffer import Buffer, BufferPrototype
 from zarr.storage import LocalStore
 
 from rocksteady.sweep.store._checksums import checksum
-from rocksteady.sweep.store._contents import Contents
 
 
 class ChunkFiles(LocalStore):
     """A folder as zarr reads it, in which each file of a finished chunk has a checksum."""
 
-    _expected: dict[str, tuple[str, int, int]] = {}  # noqa: RUF012 -- replaced, never changed
+    _expected: Mapping[str, tuple[str, int, int]] = {}
     _sweep = ""
 
-    def check(self, contents: Contents, sweep: str) -> None:
-        """Check from now on the files of the chunks that are finished at this moment."""
+    def check(self, expected: Mapping[str, tuple[str, int, int]], sweep: str) -> None:
+        """Check files from now on.
+
+        Parameters
+        ----------
+        expected
+            Output, number of the chunk and checksum of each file, by its relative path.
+        sweep
+            Identity of the sweep.
+        """
+        self._expected = expected
         self._sweep = sweep
-        sums = contents.sums()
-        self._expected = {
-            f"{name}/{array.metadata.encode_chunk_key(contents.chunks.place(chunk))}": (
-                name,
-                chunk,
-                int(sums[chunk, number]),
-            )
-            for number, (name, array) in enumerate(contents.outputs.items())
-            for chunk in sums[:, number].nonzero()[0].tolist()
-        }
 
     async def get(
         self,

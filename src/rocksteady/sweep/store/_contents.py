@@ -91,6 +91,19 @@ class Contents:
                     row[:] = np.frombuffer(content, dtype)
         return found
 
+    def checked_files(self) -> dict[str, tuple[str, int, int]]:
+        """Return output, chunk and checksum of each file of a finished chunk, by relative path."""
+        sums = self.sums()
+        return {
+            f"{name}/{array.metadata.encode_chunk_key(self.chunks.place(chunk))}": (
+                name,
+                chunk,
+                int(sums[chunk, number]),
+            )
+            for number, (name, array) in enumerate(self.outputs.items())
+            for chunk in sums[:, number].nonzero()[0].tolist()
+        }
+
     def flagged(self) -> NDArray[np.bool_]:
         """Return which chunks are marked as finished."""
         return np.asarray((self.sums() != 0).all(axis=1))
@@ -155,7 +168,7 @@ def contents_of(folder: Path, refused: Callable[[str], RocksteadyError]) -> Cont
                 message = f"the values of {name} are not those that were written"
                 raise ValueError(message)
         if flags.dtype != np.bool_:
-            files.check(found, identity_of(found.inputs, chunks.box))
+            files.check(found.checked_files(), identity_of(found.inputs, chunks.box))
     except Exception as error:
         raise refused(f"it cannot be read: {said(error)}") from error
     return found

@@ -10,8 +10,6 @@ import psutil
 import pytest
 
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.executors import _remote
-from rocksteady.sweep.executors._address import open_to_others
 from rocksteady.sweep.executors._local import Local
 from tests.sweep.executors.cases import GRID, OUTPUTS, slow
 
@@ -91,39 +89,3 @@ def test_settings_of_dask_open_no_other_address() -> None:
     with dask.config.set(settings), Local(1) as members:
         members.client.wait_for_workers(1)
         assert {*ours()} - {*before} <= {"127.0.0.1", "::1"}
-
-
-@pytest.mark.parametrize(
-    ("place", "expected"),
-    [
-        ("tcp://127.0.0.1:8786", False),
-        ("tcp://127.3.2.1:8786", False),
-        ("tcp://[::1]:8786", False),
-        ("tcp://localhost:8786", False),
-        ("127.0.0.1:8786", False),
-        ("tls://first:8786", False),
-        ("tls://10.0.0.1:8786", False),
-        ("wss://first:8786", False),
-        ("inproc://1/2/3", False),
-        ("tcp://first:8786", True),
-        ("first:8786", True),
-        ("tcp://10.0.0.1:8786", True),
-        ("tcp://[fe80::1%eth0]:8786", True),
-        ("tcp://0.0.0.0:8786", True),
-        ("ws://first:8786", True),
-        ("tcp://localhost.example.org:8786", True),
-    ],
-)
-def test_which_addresses_let_others_in(place: str, expected: bool) -> None:
-    assert open_to_others(place) is expected
-
-
-def test_a_cluster_that_lets_others_in_is_announced(
-    address: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(_remote, "open_to_others", lambda _: True)
-    with (
-        pytest.warns(UserWarning, match=r"has no TLS: everyone who reaches .*; give a tls://"),
-        _remote.Given(address, None) as members,
-    ):
-        assert members.at_once() >= 1

@@ -1,10 +1,14 @@
-"""What a worker of a cluster gets once: the task, after which a piece is two numbers."""
+"""What dask is given: the task for its workers, once, after which a piece is two numbers."""
 
 import asyncio
+import logging
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
 from importlib.metadata import version
 
-from distributed import Worker, WorkerPlugin, get_worker
+from distributed import Scheduler, SchedulerPlugin, Worker, WorkerPlugin, get_worker
 from distributed.protocol.pickle import dumps, loads
+from distributed.utils import silence_logging_cmgr
 
 from rocksteady.errors import InputError, UnfinishedError
 from rocksteady.sweep.cases.inputs import sources_elsewhere
@@ -98,3 +102,33 @@ def run_piece(name: str, piece: Piece, seconds: float) -> Answer:
             hint="restart it, and run again: a store can be resumed",
         )
     return parcel.run(piece, seconds)
+
+
+class Roll(SchedulerPlugin):
+    """Notes the workers that join a scheduler in this process.
+
+    Parameters
+    ----------
+    processes
+        Their process ids: what is added to.
+    """
+
+    def __init__(self, processes: set[int]) -> None:
+        self._processes = processes
+
+    def add_worker(self, scheduler: Scheduler, worker: str) -> None:
+        """Note one, by its address."""
+        self._processes.add(scheduler.workers[worker].pid)
+
+
+@contextmanager
+def quiet() -> Iterator[None]:
+    """Keep dask's own messages from the terminal: what matters is raised, or a warning.
+
+    Only handlers that write to a stream are turned down, so that a log file has all.
+    """
+    with ExitStack() as stack:
+        for name in ("distributed", *logging.root.manager.loggerDict):
+            if name.partition(".")[0] in {"distributed", "tornado"}:
+                stack.enter_context(silence_logging_cmgr(logging.CRITICAL + 1, name))
+        yield
