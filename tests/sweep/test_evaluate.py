@@ -59,7 +59,7 @@ def reference() -> Found:
     workers=st.integers(1, 5),
     batch=st.integers(1, 100),
 )
-def test_it_is_the_function_over_the_whole_grid_however_it_is_dealt_out(
+def test_it_is_the_function_over_the_whole_grid_for_every_executor_and_batch(
     executor: str, workers: int, batch: int
 ) -> None:
     a, b, c = np.meshgrid(*(axis.points for axis in GRID.axes), indexing="ij")

@@ -1,4 +1,4 @@
-"""The one loop over cases: deals a grid out, keeps what is found, and labels it."""
+"""The one loop over cases: queues the cells of a grid, keeps the results, and labels them."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
@@ -13,9 +13,9 @@ from rocksteady.sweep.cases.grid import Grid, each_once
 from rocksteady.sweep.cases.inputs import constants_of
 from rocksteady.sweep.cases.memory import Memory
 from rocksteady.sweep.cases.outputs import Output, outputs_of
-from rocksteady.sweep.cases.queue import Deal
-from rocksteady.sweep.cases.task import Answer, Cases, Piece, Task
-from rocksteady.sweep.executors.choice import team_for, validated_executor, validated_workers
+from rocksteady.sweep.cases.queue import Queue
+from rocksteady.sweep.cases.task import Answer, Cases, CellRange, Task
+from rocksteady.sweep.executors.choice import pool_for, validated_executor, validated_workers
 from rocksteady.sweep.store.store import Store
 
 if TYPE_CHECKING:
@@ -32,19 +32,19 @@ only while they are short."""
 LARGEST_BATCH = 2**20
 
 
-class Keeper(Protocol):
-    """What becomes of the answers."""
+class Results(Protocol):
+    """Results of a sweep, in memory or in a store."""
 
-    def missing(self) -> Sequence[Piece]:
-        """Return the ranges of cells that are not there yet."""
+    def missing(self) -> Sequence[CellRange]:
+        """Return the ranges of cells that are to be computed."""
         ...
 
     def put(self, answer: Answer) -> None:
-        """Keep what was found."""
+        """Keep the results of a job."""
         ...
 
     def dataset(self) -> "xarray.Dataset":
-        """Return the result."""
+        """Return all results."""
         ...
 
 
@@ -147,15 +147,15 @@ def evaluate(
     where = _place(store)
     if where is not None:
         where.check()
-    # The team first: where a cluster is not there, no store is begun.
-    with team_for(task, chosen, many) as team, _kept(task, where, attributes or {}) as keeper:
-        deal = Deal(keeper.missing(), workers=team.workers, batch=task.batch)
-        _tell(done, grid.size - deal.left)
-        with closing(team.answers(deal)) as answers:
+    # The pool first: if there is no cluster, no store is begun.
+    with pool_for(task, chosen, many) as pool, _results(task, where, attributes or {}) as results:
+        queue = Queue(results.missing(), workers=pool.workers, batch=task.batch)
+        _tell(done, grid.size - queue.left)
+        with closing(pool.answers(queue)) as answers:
             for answer in answers:
-                keeper.put(answer)
-                _tell(done, answer.stop - answer.piece[0])
-        return keeper.dataset()
+                results.put(answer)
+                _tell(done, answer.stop - answer.job[0])
+        return results.dataset()
 
 
 def _tell(done: Done | None, cells: int) -> None:
@@ -201,10 +201,10 @@ def _place(store: Store | Path | str | None) -> Store | None:
 
 
 @contextmanager
-def _kept(task: Task, where: Store | None, attributes: Mapping[str, Any]) -> Iterator[Keeper]:
-    """Yield what keeps the answers."""
+def _results(task: Task, where: Store | None, attributes: Mapping[str, Any]) -> Iterator[Results]:
+    """Yield the results of a task, in memory or in a store."""
     if where is None:
         yield Memory(task, attributes)
         return
-    with where.opened(task, attributes) as shelf:
-        yield shelf
+    with where.opened(task, attributes) as writer:
+        yield writer

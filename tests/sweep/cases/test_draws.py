@@ -1,4 +1,4 @@
-"""Random numbers of cells: against NumPy's own sequences, cell by cell, and how they are dealt."""
+"""Random numbers of cells: against NumPy's own sequences, cell by cell, alone and with others."""
 
 import numpy as np
 import pytest

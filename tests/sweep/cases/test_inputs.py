@@ -109,7 +109,7 @@ def test_constants_differ_by_their_own_names() -> None:
     assert [said.split()[0] for said in differences(source, one)] == ["source", "source", "version"]
 
 
-def test_how_it_is_dealt_out_makes_no_difference() -> None:
+def test_the_size_of_a_call_makes_no_difference() -> None:
     assert inputs(batch=1) == inputs(batch=4096)
 
 

@@ -8,13 +8,13 @@ from rocksteady.sweep.executors._local import Local
 
 
 @pytest.fixture(scope="module")
-def there() -> Iterator[Local]:
+def local_cluster() -> Iterator[Local]:
     """A cluster of two workers."""
-    with Local(2) as members:
-        members.client.wait_for_workers(2)
-        yield members
+    with Local(2) as cluster:
+        cluster.client.wait_for_workers(2)
+        yield cluster
 
 
 @pytest.fixture(scope="module")
-def address(there: Local) -> str:
-    return there.address
+def address(local_cluster: Local) -> str:
+    return local_cluster.address

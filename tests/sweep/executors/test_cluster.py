@@ -79,17 +79,17 @@ def test_things_are_sent_once_to_each_worker(address: str, tmp_path: Path) -> No
     assert all(processes.count(process) == len(things) for process in processes)
 
 
-def test_nothing_stays_at_the_scheduler(there: Local, address: str) -> None:
+def test_nothing_stays_at_the_scheduler(local_cluster: Local, address: str) -> None:
     evaluate(slow, GRID, OUTPUTS, executor=address, batch=20)
 
     def left(dask_scheduler: Any) -> tuple[int, int]:
-        parcels = [name for name in dask_scheduler.worker_plugins if "rocksteady" in name]
-        return len(dask_scheduler.tasks), len(parcels)
+        plugins = [name for name in dask_scheduler.worker_plugins if "rocksteady" in name]
+        return len(dask_scheduler.tasks), len(plugins)
 
     deadline = time.monotonic() + 5
-    while there.client.run_on_scheduler(left) != (0, 0) and time.monotonic() < deadline:
+    while local_cluster.client.run_on_scheduler(left) != (0, 0) and time.monotonic() < deadline:
         time.sleep(0.05)
-    assert there.client.run_on_scheduler(left) == (0, 0)
+    assert local_cluster.client.run_on_scheduler(left) == (0, 0)
 
 
 @pytest.mark.parametrize("kind", ["ours", "another"])
@@ -123,18 +123,18 @@ def test_a_worker_of_other_sources_that_joins_late_is_refused(
     other = START.replace(
         "from ", "import rocksteady.sweep.cases.inputs as i; i._hash_of = lambda _: 'f' * 16; from "
     )
-    joined: list[_local.Crew] = []
+    joined: list[_local.WorkerProcesses] = []
     cases = functools.partial(slow, seconds=0.02)
-    with Local(1) as members:
+    with Local(1) as cluster:
         monkeypatch.setattr(_local, "START", other)
 
         def join(cells: int) -> None:
             if cells and not joined:
-                joined.append(_local.Crew(1, str(tmp_path)))
-                joined[0].serve(members.address)
+                joined.append(_local.WorkerProcesses(1, str(tmp_path)))
+                joined[0].connect(cluster.address)
 
         with pytest.raises(InputError, match=r"has other sources of .*, ffffffffffffffff"):
-            evaluate(cases, GRID, OUTPUTS, executor=members.address, batch=1, done=join)
+            evaluate(cases, GRID, OUTPUTS, executor=cluster.address, batch=1, done=join)
         joined[0].end()
 
 
@@ -189,18 +189,18 @@ def test_one_is_told_that_all_workers_have_gone_and_goes_on_with_new_ones(
 ) -> None:
     monkeypatch.setattr(_remote, "PATIENCE", 0.5)
     monkeypatch.setattr(_remote, "LOOKED", 0.1)
-    with Local(1) as members:
-        members.client.wait_for_workers(1)
-        killed = threading.Timer(0.5, members._crew._processes[0].kill)
-        mended = threading.Timer(1.5, members.mend, kwargs={"progress": True})
+    with Local(1) as cluster:
+        cluster.client.wait_for_workers(1)
+        killed = threading.Timer(0.5, cluster._workers._processes[0].kill)
+        replaced = threading.Timer(1.5, cluster.check_workers, kwargs={"progress": True})
         killed.start()
-        mended.start()
+        replaced.start()
         with pytest.warns(UserWarning, match="no worker for 0"):
             found = evaluate(
                 functools.partial(slow, seconds=0.003),
                 GRID,
                 OUTPUTS,
-                executor=members.address,
+                executor=cluster.address,
             )
     assert np.array_equal(found["sum"].values, evaluate(some, GRID, OUTPUTS)["sum"].values)
 
@@ -226,8 +226,8 @@ def test_an_answer_that_is_lost_with_the_last_worker_is_computed_again(
 ) -> None:
     killed: list[int] = []
 
-    class Killing(_dask.Roll):
-        """Kills the worker that has just finished a piece, before anybody can fetch it."""
+    class Killing(_dask.JoinedWorkers):
+        """Kills the worker that has just finished a job, before anybody can fetch the answer."""
 
         def add_worker(self, scheduler: Any, worker: str) -> None:
             super().add_worker(scheduler, worker)
@@ -238,25 +238,25 @@ def test_an_answer_that_is_lost_with_the_last_worker_is_computed_again(
                 os.kill(self.last, signal.SIGKILL)
                 killed.append(self.last)
 
-    monkeypatch.setattr(_dask, "Roll", Killing)
+    monkeypatch.setattr(_dask, "JoinedWorkers", Killing)
     monkeypatch.setattr(_remote, "LOOKED", 0.1)
     told: list[int] = []
     ended = threading.Event()
 
-    def mend(members: Local) -> None:
+    def replace_ended(cluster: Local) -> None:
         while not ended.wait(0.1):
-            members.mend(progress=True)
+            cluster.check_workers(progress=True)
 
     with ExitStack() as stack:
         stack.enter_context(within(60))
         executor = "dask"
         if not ours:
-            members = stack.enter_context(Local(1))
-            members.client.wait_for_workers(1)
-            executor = members.address
-            mending = threading.Thread(target=mend, args=(members,))
-            mending.start()
-            stack.callback(mending.join)
+            cluster = stack.enter_context(Local(1))
+            cluster.client.wait_for_workers(1)
+            executor = cluster.address
+            replacing = threading.Thread(target=replace_ended, args=(cluster,))
+            replacing.start()
+            stack.callback(replacing.join)
             stack.callback(ended.set)
         found = evaluate(slow, GRID, OUTPUTS, executor=executor, workers=1, done=told.append)
     assert len(killed) == 3
@@ -264,7 +264,7 @@ def test_an_answer_that_is_lost_with_the_last_worker_is_computed_again(
     assert np.array_equal(found["sum"].values, evaluate(some, GRID, OUTPUTS)["sum"].values)
 
 
-def test_workers_that_are_killed_at_work_are_not_said_to_end_at_once(
+def test_workers_that_are_killed_while_they_compute_are_not_said_to_end_at_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(_local, "KILLS", 1)

@@ -71,7 +71,7 @@ told.killed = False
     assert float(done.stdout) == float(evaluate(some, GRID, OUTPUTS)["sum"].sum())
 
 
-@pytest.mark.parametrize("when", ["at work", 0.05, 0.3, 0.6])
+@pytest.mark.parametrize("when", ["computing", 0.05, 0.3, 0.6])
 def test_ctrl_c_in_a_terminal_is_all_that_one_sees(when: float | str) -> None:
     text = (
         SCRIPT
@@ -83,7 +83,7 @@ def test_ctrl_c_in_a_terminal_is_all_that_one_sees(when: float | str) -> None:
     process = started(text, stdin=other, stdout=other, stderr=other, start_new_session=True)
     os.close(other)
     said = b""
-    while (b"begun" if when == "at work" else b"here") not in said:
+    while (b"begun" if when == "computing" else b"here") not in said:
         said += os.read(own, 1000)
     if not isinstance(when, str):
         time.sleep(when)

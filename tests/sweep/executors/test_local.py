@@ -86,6 +86,6 @@ def test_settings_of_dask_open_no_other_address() -> None:
         "distributed.dashboard.link": "x",
     }
     before = ours()
-    with dask.config.set(settings), Local(1) as members:
-        members.client.wait_for_workers(1)
+    with dask.config.set(settings), Local(1) as cluster:
+        cluster.client.wait_for_workers(1)
         assert {*ours()} - {*before} <= {"127.0.0.1", "::1"}

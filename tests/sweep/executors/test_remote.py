@@ -1,4 +1,4 @@
-"""A cluster that is there: who else can reach it, and that this is said."""
+"""A running cluster: who else can reach it, and that there is a warning."""
 
 import pytest
 
@@ -37,6 +37,6 @@ def test_a_cluster_that_lets_others_in_is_announced(
     monkeypatch.setattr(_remote, "open_to_others", lambda _: True)
     with (
         pytest.warns(UserWarning, match=r"has no TLS: everyone who reaches .*; give a tls://"),
-        _remote.Given(address, None) as members,
+        _remote.Remote(address, None) as cluster,
     ):
-        assert members.at_once() >= 1
+        assert cluster.most_running() >= 1

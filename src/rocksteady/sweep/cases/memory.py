@@ -8,7 +8,7 @@ import numpy as np
 from rocksteady.sweep.cases.grid import within
 from rocksteady.sweep.cases.inputs import attributes_of, inputs_of
 from rocksteady.sweep.cases.labelled import labelled
-from rocksteady.sweep.cases.task import Answer, Piece, Task
+from rocksteady.sweep.cases.task import Answer, CellRange, Task
 
 if TYPE_CHECKING:
     import xarray
@@ -40,14 +40,14 @@ class Memory:
         size = task.grid.size
         self._arrays = {output.name: np.empty(size, output.dtype) for output in task.outputs}
 
-    def missing(self) -> Sequence[Piece]:
-        """Return the ranges of cells that are not there yet: all of them."""
+    def missing(self) -> Sequence[CellRange]:
+        """Return the ranges of cells that are to be computed: all of them."""
         return [(0, self._task.grid.size)]
 
     def put(self, answer: Answer) -> None:
-        """Keep what was found."""
+        """Keep the results of a job."""
         for name, array in answer.arrays.items():
-            self._arrays[name][answer.piece[0] : answer.stop] = array
+            self._arrays[name][answer.job[0] : answer.stop] = array
 
     def dataset(self) -> "xarray.Dataset":
         """Return the result."""

@@ -1,80 +1,80 @@
-"""The deal: which cells are still to be handed out, and how many of them at once."""
+"""The queue of jobs, and the pool of workers that runs them.  A job is a range of cells."""
 
 import os
 from collections import deque
 from collections.abc import Callable, Generator, Sequence
 from dataclasses import dataclass
 
-from rocksteady.sweep.cases.task import Answer, Piece
+from rocksteady.sweep.cases.task import Answer, CellRange
 
-ROUNDS = 4
-"""In how many more pieces a worker's share of what is left is handed out.  Pieces become smaller
-towards the end, so that all workers finish together."""
-WAITING = 2
-"""Pieces for each worker, one of which waits: no worker waits for the calling thread."""
+JOBS_LEFT = 4
+"""Jobs per worker into which the remaining cells are split.  So jobs become smaller towards the
+end, and all workers finish together."""
+JOBS_SUBMITTED = 2
+"""Jobs per worker that are submitted: one runs, one waits, and no worker waits for the caller."""
 
 
-class Deal:
-    """Hands out pieces of ranges of cells in their order, and takes back what was not done.
+class Queue:
+    """Splits ranges of cells into jobs, in order, and takes back cells that were not computed.
 
     Parameters
     ----------
     ranges
-        The cells: a piece lies in one of them.
+        Cells to compute.  Each job lies in one of the ranges.
     workers
-        Among how many it is dealt.
+        Number of jobs that run at the same time.
     batch
-        A piece has no fewer cells, but for the last of a range.
+        Fewest cells of a job, except for the last job of a range.
 
     Attributes
     ----------
     left
-        Cells that have not been handed out.
+        Number of cells in the queue.
     """
 
-    def __init__(self, ranges: Sequence[Piece], *, workers: int, batch: int) -> None:
+    def __init__(self, ranges: Sequence[CellRange], *, workers: int, batch: int) -> None:
         self._ranges = deque(ranges)
-        self._shares = ROUNDS * workers
+        self._most_jobs = JOBS_LEFT * workers
         self._batch = batch
         self.left = sum(stop - first for first, stop in ranges)
 
-    def next(self) -> Piece | None:
-        """Return the next piece; None where nothing is left."""
+    def next(self) -> CellRange | None:
+        """Return the next job; None if the queue is empty."""
         if not self._ranges:
             return None
         first, stop = self._ranges.popleft()
-        cells = max(self._batch, -(-self.left // self._shares))
+        cells = max(self._batch, -(-self.left // self._most_jobs))
         if stop - first > cells:
             self._ranges.appendleft((first + cells, stop))
             stop = first + cells
         self.left -= stop - first
         return first, stop
 
-    def rest_of(self, answer: Answer) -> None:
-        """Take back the cells of a piece that were not done: they come first."""
-        stop = answer.piece[1]
+    def put_back(self, answer: Answer) -> None:
+        """Put the cells of a job that were not computed at the front of the queue."""
+        stop = answer.job[1]
         if answer.stop < stop:
             self._ranges.appendleft((answer.stop, stop))
             self.left += stop - answer.stop
 
 
 @dataclass(frozen=True, kw_only=True)
-class Team:
+class Pool:
     """Workers that are ready.
 
     Attributes
     ----------
     workers
-        How many pieces they work on at the same time.
+        Number of jobs that run at the same time.
     answers
-        Has every piece of a deal done and yields what was found, in whatever order it comes.
-        Whatever ends the iteration early, an error or an interruption, leaves nothing running.
+        Runs all jobs of a queue and yields their answers in any order.  If an error or an
+        interruption ends the iteration early, no job goes on.
     """
 
     workers: int
-    answers: Callable[[Deal], Generator[Answer, None, None]]
+    answers: Callable[[Queue], Generator[Answer, None, None]]
 
 
 def usable_cores() -> int:
-    """Return how many cores this process may use."""
+    """Return the number of cores that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

@@ -13,7 +13,7 @@ from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 
 Cases = Callable[..., Mapping[str, Array]]
-Piece = tuple[int, int]
+CellRange = tuple[int, int]
 """First cell, and the one after the last."""
 
 LONG_ENOUGH = 0.01
@@ -23,13 +23,14 @@ GROWTH = 8
 
 
 class Answer(NamedTuple):
-    """What was found in the cells of a piece, or in the first of them."""
+    """Results of a job, or of the first cells of it."""
 
-    piece: Piece
+    job: CellRange
+    """Cells of the job."""
     stop: int
-    """The first cell that is left to do; the end of the piece where all are done."""
+    """First cell that was not computed; the end of the job if all were."""
     arrays: dict[str, Array]
-    """An array of shape (stop - piece[0],) for each output."""
+    """Array of shape (stop - job[0],) for each output."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -54,15 +55,15 @@ class Task:
     numbered: str | None
     batch: int
 
-    def run(self, piece: Piece, seconds: float) -> Answer:
-        """Compute the cells of a piece, as far as one comes in a time.
+    def run(self, job: CellRange, seconds: float) -> Answer:
+        """Compute the cells of a job until its time is over.
 
         Calls begin with one cell and take more each time, as long as they are short.  At least one
-        call is made; what is left when the time is over is somebody's next piece, so that nobody is
-        kept waiting by cells that turn out to be slow.
+        call is made.  The cells that are left go back to the queue, so that no worker waits for
+        another one that has met slow cells.
         """
         began = time.monotonic()
-        first, stop = piece
+        first, stop = job
         here, many = first, 1
         found: list[dict[str, Array]] = []
         while here < stop and (not found or time.monotonic() - began < seconds):
@@ -75,7 +76,7 @@ class Task:
                 many = min((GROWTH if GROWTH * took < LONG_ENOUGH else 2) * many, self.batch)
         names = [output.name for output in self.outputs]
         joined = {name: np.concatenate([part[name] for part in found]) for name in names}
-        return Answer(piece, here, joined)
+        return Answer(job, here, joined)
 
     def _call(self, first: int, stop: int) -> dict[str, Array]:
         """Return what the case function finds in some cells."""
@@ -89,9 +90,9 @@ class Task:
             error.add_note(f"in {self.words_for((first, stop))}")
             raise
 
-    def words_for(self, piece: Piece) -> str:
-        """Return which cells a piece has, in words: their numbers, and the first to the last."""
-        first, stop = piece
+    def words_for(self, cells: CellRange) -> str:
+        """Return a range of cells in words: numbers and coordinates of the first and the last."""
+        first, stop = cells
         ends = (np.unravel_index(cell, self.grid.shape) for cell in (first, stop - 1))
         places = zip(self.grid.axes, *ends, strict=True)
         where = ", ".join(

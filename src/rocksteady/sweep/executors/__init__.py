@@ -1,6 +1,6 @@
-"""Who computes the cells of a sweep: this thread, several threads, or the workers of a cluster.
+"""Executors: they compute the cells of a sweep, in this process or in worker processes.
 
-An executor is a context manager: it takes the task and the number of workers, makes ready, and
-yields a `Team`.  No executor changes an answer, because a cell is computed from its coordinates and
-its number alone.  A new one is a module here and an entry of `choice.EXECUTORS`.
+An executor is a context manager.  It takes the task and the number of workers, starts the workers,
+and yields a `Pool`.  No executor changes a result, because a cell is computed from its coordinates
+and its number alone.  A new one is a module here and an entry of `choice.EXECUTORS`.
 """

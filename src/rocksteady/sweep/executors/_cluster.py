@@ -11,65 +11,70 @@ from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Protocol
 
 from rocksteady.errors import InputError, RocksteadyError, UnfinishedError
-from rocksteady.sweep.cases.queue import Deal, Team
-from rocksteady.sweep.cases.task import Answer, Piece, Task
+from rocksteady.sweep.cases.queue import Pool, Queue
+from rocksteady.sweep.cases.task import Answer, CellRange, Task
 
 if TYPE_CHECKING:
     from distributed import Client, Future
 
-    from rocksteady.sweep.executors._dask import Parcel
+    from rocksteady.sweep.executors._dask import TaskPlugin
 
     Ended = SimpleQueue[tuple[Future[Answer], Answer | BaseException]]
 
 SECONDS = 0.5
-"""Of a piece: long beside the milliseconds that it takes to send one."""
+"""Time of a job: long compared with the milliseconds that it takes to send one."""
 LOOK = 0.1
-"""Seconds after which one looks after the workers, where no answer comes: it costs nothing."""
+"""Seconds without an answer after which the workers are checked, which costs nothing."""
 SENDINGS = 10
 """Attempts to send a task: a worker that dies meanwhile is a connection lost, too."""
 LOST = (OSError, CancelledError, asyncio.CancelledError)
-"""What dask raises where a connection is lost, and of pieces that were under way then."""
+"""What dask raises when a connection is lost, and for the jobs that were running then."""
 
 
-class Members(Protocol):
-    """A cluster, while it is entered."""
+class Cluster(Protocol):
+    """A cluster of worker processes, while it is entered."""
 
     name: str
-    """For errors."""
+    """Name or address, for errors."""
     client: "Client"
 
-    def at_once(self) -> int:
-        """Return how many pieces it works on at the same time."""
+    def most_running(self) -> int:
+        """Return the number of jobs that run at the same time: one or more."""
         ...
 
-    def in_flight(self) -> int:
-        """Return how many pieces it is to have, those included that wait there: one or more."""
+    def most_submitted(self) -> int:
+        """Return the number of jobs to submit, running and waiting: one or more."""
         ...
 
-    def mend(self, *, progress: bool) -> None:
-        """Look after the workers; be told whether anything has been computed since the last time.
+    def check_workers(self, *, progress: bool) -> None:
+        """Check whether workers have ended.
+
+        Parameters
+        ----------
+        progress
+            Whether a job has ended since the last call.
 
         Raises
         ------
         UnfinishedError
-            If there is no hope.
+            If workers end again and again.
         """
         ...
 
 
 @contextmanager
-def cluster(task: Task, address: str | None, workers: int | None) -> Iterator[Team]:
-    """Run the pieces in the worker processes of a cluster.
+def cluster_pool(task: Task, address: str | None, workers: int | None) -> Iterator[Pool]:
+    """Run the jobs in the worker processes of a cluster.
 
     Parameters
     ----------
     task
-        What is to be computed: it is sent to each worker once.
+        Task of the sweep, which is sent to each worker once.
     address
-        Of a scheduler; None for a cluster on this machine that lasts as long as this.
+        Address of a scheduler; None for a cluster on this machine, which is started and stopped.
     workers
-        How many; of a cluster that is there, on how many pieces it works at the same time.  By
-        default as many as this process may use cores, or as the cluster has.
+        Number of workers; of a running cluster, the most jobs that run at the same time.  None for
+        the cores that this process may use, or all workers of the cluster.
 
     Raises
     ------
@@ -86,54 +91,54 @@ def cluster(task: Task, address: str | None, workers: int | None) -> Iterator[Te
             hint="install rocksteady[cluster], or leave the executor out for threads",
         )
     with ExitStack() as stack:
-        members: Members
+        cluster: Cluster
         if address is None:
             from rocksteady.sweep.executors._local import Local
 
-            members = stack.enter_context(Local(workers))
+            cluster = stack.enter_context(Local(workers))
         else:
-            from rocksteady.sweep.executors._remote import Given
+            from rocksteady.sweep.executors._remote import Remote
 
-            members = stack.enter_context(Given(address, workers))
-        parcel = stack.enter_context(_sent(task, members))
-        yield Team(
-            workers=members.at_once(),
-            answers=lambda deal: _answers(deal, task, members, parcel),
+            cluster = stack.enter_context(Remote(address, workers))
+        plugin = stack.enter_context(_sent(task, cluster))
+        yield Pool(
+            workers=cluster.most_running(),
+            answers=lambda queue: _answers(queue, task, cluster, plugin),
         )
 
 
 @contextmanager
-def _sent(task: Task, members: Members) -> Iterator[str]:
-    """Send a task to all workers, those that join later included; yield its name there."""
-    from rocksteady.sweep.executors._dask import Parcel
+def _sent(task: Task, cluster: Cluster) -> Iterator[str]:
+    """Send a task to all workers, those that join later included; yield the name of its plugin."""
+    from rocksteady.sweep.executors._dask import TaskPlugin
 
     name = f"rocksteady-{uuid.uuid4().hex}"
-    parcel = Parcel(task, members.name)
+    plugin = TaskPlugin(task, cluster.name)
     try:
-        with _connected(members):
-            _register(members.client, parcel, name)
+        with _connected(cluster):
+            _register(cluster.client, plugin, name)
     except RocksteadyError:
         raise
     except Exception as error:
         raise InputError(
             name="executor",
-            value=members.name,
+            value=cluster.name,
             valid="its workers must be able to load rocksteady, and one says: "
             + " ".join(f"{type(error).__name__}: {error}".split()),
             hint="install it there, in the version that is here",
         ) from error
-    del parcel  # what it holds is large, and elsewhere now
+    del plugin  # it is large, and the workers have it now
     try:
         yield name
     finally:
-        _tidy(members.client, members.client.unregister_worker_plugin, name)
+        _tidy(cluster.client, cluster.client.unregister_worker_plugin, name)
 
 
-def _register(client: "Client", parcel: "Parcel", name: str) -> None:
-    """Send a parcel to all workers, again where one of them dies while it gets it."""
+def _register(client: "Client", plugin: "TaskPlugin", name: str) -> None:
+    """Send a plugin to all workers, and again if a worker dies meanwhile."""
     for tries_left in reversed(range(SENDINGS)):
         try:
-            client.register_plugin(parcel, name=name)
+            client.register_plugin(plugin, name=name)
         except OSError:
             if not tries_left or client.status != "running":
                 raise
@@ -142,78 +147,78 @@ def _register(client: "Client", parcel: "Parcel", name: str) -> None:
 
 
 def _answers(
-    deal: Deal, task: Task, members: Members, parcel: str
+    queue: Queue, task: Task, cluster: Cluster, plugin: str
 ) -> Generator[Answer, None, None]:
-    """Have every piece of a deal done."""
-    from rocksteady.sweep.executors._dask import run_piece
+    """Run all jobs of a queue and yield their answers."""
+    from rocksteady.sweep.executors._dask import run_job
 
-    client, numbers = members.client, itertools.count()
-    running: dict[Future[Answer], Piece] = {}
+    client, numbers = cluster.client, itertools.count()
+    submitted: dict[Future[Answer], CellRange] = {}
     ended: Ended = SimpleQueue()
     assert client.loop is not None
-    bring = client.loop.add_callback
+    start = client.loop.add_callback
 
-    def fill() -> None:
-        while len(running) < members.in_flight() and (piece := deal.next()) is not None:
-            key = (parcel, next(numbers))
-            future = client.submit(run_piece, parcel, piece, SECONDS, key=key, pure=False)
-            running[future] = piece
-            bring(_brought, client, future, ended)
+    def submit() -> None:
+        while len(submitted) < cluster.most_submitted() and (job := queue.next()) is not None:
+            key = (plugin, next(numbers))
+            future = client.submit(run_job, plugin, job, SECONDS, key=key, pure=False)
+            submitted[future] = job
+            start(_gather, client, future, ended)
 
-    def finished() -> tuple[list[Answer], list[tuple[BaseException, Piece]]]:
+    def finished() -> tuple[list[Answer], list[tuple[BaseException, CellRange]]]:
         done = _next(ended)
-        members.mend(progress=bool(done))
+        cluster.check_workers(progress=bool(done))
         found, failed = [], []
         for future, outcome in done:
-            piece = running.pop(future)  # the workers forget an answer that nobody refers to
+            job = submitted.pop(future)  # the workers forget an answer that nobody refers to
             if isinstance(outcome, Answer):
                 found.append(outcome)
             elif future.status == "error":
-                failed.append((_error(future), piece))
+                failed.append((_error(future), job))
             else:
                 raise outcome
         return found, failed
 
     try:
         while True:
-            with _connected(members):
-                fill()
-                if not running:
+            with _connected(cluster):
+                submit()
+                if not submitted:
                     return
                 found, failed = finished()
             for answer in found:
-                deal.rest_of(answer)
+                queue.put_back(answer)
             yield from found
-            for error, piece in failed:
-                raise _reason(error, piece, task, members)
+            for error, job in failed:
+                raise _reason(error, job, task, cluster)
     finally:
-        if running:
-            _tidy(client, client.cancel, list(running))
+        if submitted:
+            _tidy(client, client.cancel, list(submitted))
 
 
-async def _brought(client: "Client", future: "Future[Answer]", ended: "Ended") -> None:
-    """Bring an answer here when it is there, and say so, or why it does not come.
+async def _gather(client: "Client", future: "Future[Answer]", ended: "Ended") -> None:
+    """Fetch the answer of a job when it has ended, and put it, or its error, into `ended`.
 
-    What is lost on the way with its worker is computed again by another one, which may have to be
-    started first: this waits for it, in dask's thread, and the thread that starts workers does not.
+    An answer that is lost with its worker is computed again by another worker, which may have to be
+    started first.  So this waits in dask's thread, and not in the thread that starts workers.
     """
     outcome: Answer | BaseException
     try:
         (outcome,) = await client.gather([future], direct=False, asynchronous=True)
-    except BaseException as error:  # noqa: BLE001 -- of a piece, whatever it is
+    except BaseException as error:  # noqa: BLE001 -- of a job, whatever it is
         outcome = error
     ended.put((future, outcome))
 
 
 def _tidy(client: "Client", forget: Callable[..., object], *what: object) -> None:
-    """Have a scheduler forget something, unless it is lost and all that is there with it."""
+    """Have a scheduler forget something, unless the scheduler is lost."""
     if client.status == "running":  # else dask would try for a while to connect again
         with suppress(*LOST):
             forget(*what)
 
 
 def _next(ended: "Ended") -> "list[tuple[Future[Answer], Answer | BaseException]]":
-    """Return what has ended since the last time; nothing where that takes a while."""
+    """Return the jobs that have ended since the last call; none if no job ends within `LOOK`."""
     try:
         done = [ended.get(timeout=LOOK)]
     except Empty:
@@ -225,36 +230,36 @@ def _next(ended: "Ended") -> "list[tuple[Future[Answer], Answer | BaseException]
 
 
 def _error(future: "Future[Answer]") -> BaseException:
-    """Return what a piece raised, with where it did so on its worker."""
+    """Return the error of a job, with its traceback on the worker."""
     error: BaseException = future.exception()
     return error.with_traceback(future.traceback())
 
 
-def _reason(error: BaseException, piece: Piece, task: Task, members: Members) -> BaseException:
-    """Return what to raise for the error of a piece."""
+def _reason(error: BaseException, job: CellRange, task: Task, cluster: Cluster) -> BaseException:
+    """Return the error to raise for the error of a job."""
     from distributed import KilledWorker
 
     if not isinstance(error, KilledWorker):
         return error
     return UnfinishedError(
         name="executor",
-        value=members.name,
+        value=cluster.name,
         valid=f"{error.allowed_failures + 1} worker processes ended without an answer when they "
-        f"computed {task.words_for(piece)}",
+        f"computed {task.words_for(job)}",
         hint="look for what these cells do to a process, as taking all of its memory, or for what "
         "else ends processes; a store can be resumed",
     )
 
 
 @contextmanager
-def _connected(members: Members) -> Iterator[None]:
-    """Say in one line that the connection is lost, where it is."""
+def _connected(cluster: Cluster) -> Iterator[None]:
+    """Turn the error of a lost connection into one line."""
     try:
         yield
     except LOST as error:
         raise UnfinishedError(
             name="executor",
-            value=members.name,
+            value=cluster.name,
             valid="the connection to the scheduler is lost: "
             + " ".join(f"{type(error).__name__}: {error}".split()),
             hint="check the cluster and run again: a store can be resumed",

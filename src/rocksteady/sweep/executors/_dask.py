@@ -1,4 +1,4 @@
-"""What dask is given: the task for its workers, once, after which a piece is two numbers."""
+"""Plugins of dask: the task for the workers, sent once, after which a job is two numbers."""
 
 import asyncio
 import logging
@@ -12,18 +12,18 @@ from distributed.utils import silence_logging_cmgr
 
 from rocksteady.errors import InputError, UnfinishedError
 from rocksteady.sweep.cases.inputs import sources_elsewhere
-from rocksteady.sweep.cases.task import Answer, Piece, Task
+from rocksteady.sweep.cases.task import Answer, CellRange, Task
 
 
-class Parcel(WorkerPlugin):
-    """Brings a task to every worker, those that join later included, and unpacks it there once.
+class TaskPlugin(WorkerPlugin):
+    """Sends a task to every worker, those that join later included, and unpickles it there once.
 
     Parameters
     ----------
     task
-        What is to be computed.
+        Task of the sweep.
     executor
-        The address of the cluster, for errors.
+        Name or address of the cluster, for errors.
 
     Raises
     ------
@@ -33,7 +33,7 @@ class Parcel(WorkerPlugin):
 
     def __init__(self, task: Task, executor: str) -> None:
         try:
-            self._packed: bytes | None = dumps(task)
+            self._pickled: bytes | None = dumps(task)
         except Exception as error:
             raise InputError(
                 name="cases",
@@ -48,19 +48,19 @@ class Parcel(WorkerPlugin):
         self._refusal: Exception | None = None
 
     async def setup(self, worker: Worker) -> None:
-        """Unpack the task, in a thread: modules are imported, and the worker goes on answering."""
+        """Unpickle the task in a thread: it imports modules while the worker goes on answering."""
         try:
-            self._task = await asyncio.to_thread(self._unpacked, worker.address)
+            self._task = await asyncio.to_thread(self._unpickled, worker.address)
         except Exception as error:
-            # Of a worker that joins late nobody hears this: it is raised again by its first piece.
+            # Of a worker that joins late nobody hears this: its first job raises it again.
             self._refusal = error
             raise
 
-    def _unpacked(self, address: str) -> Task:
-        packed, self._packed = self._packed, None
-        assert packed is not None  # sent as one, and set up once
+    def _unpickled(self, address: str) -> Task:
+        pickled, self._pickled = self._pickled, None
+        assert pickled is not None  # sent as one, and set up once
         try:
-            task: Task = loads(packed)
+            task: Task = loads(pickled)
         except Exception as error:  # noqa: BLE001 -- unpickling runs whatever is imported for it
             raise InputError(
                 name="executor",
@@ -82,48 +82,48 @@ class Parcel(WorkerPlugin):
                 )
         return task
 
-    def run(self, piece: Piece, seconds: float) -> Answer:
-        """Compute the cells of a piece, as far as one comes in a time."""
+    def run(self, job: CellRange, seconds: float) -> Answer:
+        """Compute the cells of a job until its time is over."""
         if self._refusal is not None:
             raise self._refusal
-        assert self._task is not None  # no piece comes before the end of setup
-        return self._task.run(piece, seconds)
+        assert self._task is not None  # no job comes before the end of setup
+        return self._task.run(job, seconds)
 
 
-def run_piece(name: str, piece: Piece, seconds: float) -> Answer:
-    """Compute the cells of a piece, on a worker that has the parcel of a name."""
+def run_job(name: str, job: CellRange, seconds: float) -> Answer:
+    """Compute the cells of a job, on a worker that has the plugin of a name."""
     worker = get_worker()
-    parcel = worker.plugins.get(name)
-    if not isinstance(parcel, Parcel):
+    plugin = worker.plugins.get(name)
+    if not isinstance(plugin, TaskPlugin):
         raise UnfinishedError(
             name="executor",
             value=worker.address,
             valid="this worker has not been told what to compute",
             hint="restart it, and run again: a store can be resumed",
         )
-    return parcel.run(piece, seconds)
+    return plugin.run(job, seconds)
 
 
-class Roll(SchedulerPlugin):
-    """Notes the workers that join a scheduler in this process.
+class JoinedWorkers(SchedulerPlugin):
+    """Records which workers have joined a scheduler in this process.
 
     Parameters
     ----------
     processes
-        Their process ids: what is added to.
+        Process ids of the workers, to which this adds.
     """
 
     def __init__(self, processes: set[int]) -> None:
         self._processes = processes
 
     def add_worker(self, scheduler: Scheduler, worker: str) -> None:
-        """Note one, by its address."""
+        """Add the process id of a worker."""
         self._processes.add(scheduler.workers[worker].pid)
 
 
 @contextmanager
 def quiet() -> Iterator[None]:
-    """Keep dask's own messages from the terminal: what matters is raised, or a warning.
+    """Keep dask's own messages from the terminal: what matters is an error or a warning.
 
     Only handlers that write to a stream are turned down, so that a log file has all.
     """

@@ -15,11 +15,11 @@ from tempfile import TemporaryDirectory
 from typing import Self
 
 from rocksteady.errors import UnfinishedError
-from rocksteady.sweep.cases.queue import WAITING, usable_cores
+from rocksteady.sweep.cases.queue import JOBS_SUBMITTED, usable_cores
 from rocksteady.sweep.executors._worker import LOOPBACK, START
 
 TRIES = 4
-"""How often each worker is started, on average, while none of them comes to work."""
+"""How often each worker is started, on average, while none of them joins."""
 KILLS = 20
 """The same where a signal ends them: what sends it, a lack of memory too, may not last."""
 
@@ -27,23 +27,23 @@ NO_PAGES = {"dashboard": False, "dashboard_address": f"{LOOPBACK}:0"}
 """Of a scheduler: no web pages about it, and no complaint that another one has their usual port."""
 
 
-class Crew:
+class WorkerProcesses:
     """Processes of workers, kept at their number.
 
     Parameters
     ----------
     workers
-        How many.
+        Number of workers.
     folder
-        For temporary files.
+        Folder for temporary files.
     """
 
     def __init__(self, workers: int, folder: str) -> None:
         self._folder = folder
         self._lost = 0
         self._address = ""
-        self.at_work: set[int] = set()
-        """The process ids of workers that have come to work: added to by the scheduler."""
+        self.joined: set[int] = set()
+        """Process ids of the workers that have joined: the scheduler adds to it."""
         self._processes: list[subprocess.Popen[str]] = []
         try:
             for _ in range(workers):
@@ -52,37 +52,33 @@ class Crew:
             self.end()
             raise
 
-    def serve(self, address: str) -> None:
-        """Tell the workers where their scheduler is."""
+    def connect(self, address: str) -> None:
+        """Send the address of the scheduler to the workers."""
         self._address = address
         for process in self._processes:
-            self._tell(process)
+            _write(process, address)
 
-    def _tell(self, process: "subprocess.Popen[str]") -> None:
-        _write(process, self._address)
-
-    def mend(self, *, progress: bool) -> None:
-        """Start workers in the place of those that have ended.
+    def replace_ended(self, *, progress: bool) -> None:
+        """Start a worker for each one that has ended.
 
         Parameters
         ----------
         progress
-            Whether anything has been computed since the last call.
+            Whether a job has ended since the last call.
 
         Raises
         ------
         UnfinishedError
-            If they end again and again before they have come to work.  Those that end at work are
-            the scheduler's to count, piece by piece: whatever kills them has nothing to do with how
-            they start.
+            If they end again and again before they have joined.  Those that end later are counted
+            by the scheduler, job by job: what ends them has nothing to do with how they start.
         """
         if progress:
             self._lost = 0
         for place, process in enumerate(self._processes):
             if process.poll() is None:
                 continue
-            if process.pid in self.at_work:
-                self.at_work.discard(process.pid)
+            if process.pid in self.joined:
+                self.joined.discard(process.pid)
                 self._lost = 0
             else:
                 self._lost += 1
@@ -96,7 +92,7 @@ class Crew:
                 )
             _closed(process)
             self._processes[place] = _started(self._folder)
-            self._tell(self._processes[place])
+            _write(self._processes[place], self._address)
 
     def end(self) -> None:
         """End the workers, whatever they are doing."""
@@ -142,24 +138,24 @@ def _closed(process: "subprocess.Popen[str]") -> None:
 
 
 class Local:
-    """A scheduler in this process and its workers, for as long as it is entered.
+    """A scheduler in this process and its workers, while it is entered.
 
     Parameters
     ----------
     workers
-        How many; None for as many as this process may use cores.
+        Number of workers; None for the cores that this process may use.
     """
 
     name = "dask"
 
     def __init__(self, workers: int | None) -> None:
-        self._workers = usable_cores() if workers is None else workers
+        self._number = usable_cores() if workers is None else workers
 
     def __enter__(self) -> Self:
-        """Start them."""
+        """Start scheduler and workers."""
         self._stack = ExitStack()
         try:
-            with _held_back():
+            with _interruptions_deferred():
                 self._start(self._stack)
         except BaseException:
             self.__exit__()
@@ -168,16 +164,16 @@ class Local:
 
     def _start(self, stack: ExitStack) -> None:
         folder = stack.enter_context(TemporaryDirectory(prefix="rocksteady-"))
-        self._crew = Crew(self._workers, folder)
-        stack.callback(self._crew.end)
+        self._workers = WorkerProcesses(self._number, folder)
+        stack.callback(self._workers.end)
         import dask
         from distributed import Client, LocalCluster  # while the workers import it, too
 
-        from rocksteady.sweep.executors._dask import Roll, quiet
+        from rocksteady.sweep.executors._dask import JoinedWorkers, quiet
 
         stack.enter_context(quiet())
         settings = {
-            # No piece waits at a worker behind another: when one dies, it is known of which piece.
+            # No job waits at a worker behind another: when a worker dies, its job is known.
             "distributed.scheduler.worker-saturation": 1.0,
             "temporary-directory": folder,
         }
@@ -191,34 +187,34 @@ class Local:
             )
         stack.callback(scheduler.close)
         assert scheduler.scheduler is not None
-        scheduler.scheduler.add_plugin(Roll(self._crew.at_work))
+        scheduler.scheduler.add_plugin(JoinedWorkers(self._workers.joined))
         self.client = Client(scheduler, set_as_default=False)
         stack.callback(self.client.close)
         self.address = str(scheduler.scheduler_address)
-        self._crew.serve(self.address)
-        stack.callback(self._crew.end)  # first: a scheduler would wait for what they are doing
+        self._workers.connect(self.address)
+        stack.callback(self._workers.end)  # first: a scheduler would wait for what they are doing
 
     def __exit__(self, *_: object) -> None:
-        """End them."""
-        with _held_back():
+        """End scheduler and workers."""
+        with _interruptions_deferred():
             self._stack.close()
 
-    def at_once(self) -> int:
-        """Return how many pieces it works on at the same time."""
-        return self._workers
+    def most_running(self) -> int:
+        """Return the number of jobs that run at the same time."""
+        return self._number
 
-    def in_flight(self) -> int:
-        """Return how many pieces it is to have, those included that wait."""
-        return WAITING * self._workers
+    def most_submitted(self) -> int:
+        """Return the number of jobs to submit, running and waiting."""
+        return JOBS_SUBMITTED * self._number
 
-    def mend(self, *, progress: bool) -> None:
-        """Start workers in the place of those that have ended."""
-        self._crew.mend(progress=progress)
+    def check_workers(self, *, progress: bool) -> None:
+        """Start a worker for each one that has ended."""
+        self._workers.replace_ended(progress=progress)
 
 
 @contextmanager
-def _held_back() -> Iterator[None]:
-    """Hold an interruption back until something short is done: half done, it would stay behind."""
+def _interruptions_deferred() -> Iterator[None]:
+    """Defer an interruption while scheduler and workers start or end: no half of them may stay."""
     usual = signal.getsignal(signal.SIGINT)
     if usual is None or threading.current_thread() is not threading.main_thread():
         yield  # they do not come here

@@ -1,4 +1,4 @@
-"""A cluster that is there: its scheduler has an address, its workers come and go."""
+"""A running cluster: its scheduler has an address, its workers come and go."""
 
 import time
 import warnings
@@ -9,7 +9,7 @@ from typing import Self
 from distributed import Client
 
 from rocksteady.errors import InputError
-from rocksteady.sweep.cases.queue import WAITING
+from rocksteady.sweep.cases.queue import JOBS_SUBMITTED
 from rocksteady.sweep.executors._dask import quiet
 
 ANSWERED = 10.0
@@ -20,15 +20,15 @@ LOOKED = 1.0
 """Seconds between two looks at the workers."""
 
 
-class Given:
-    """The cluster of a scheduler, for as long as it is entered.
+class Remote:
+    """The running cluster of a scheduler, while it is entered.
 
     Parameters
     ----------
     address
-        Of the scheduler.
+        Address of the scheduler.
     workers
-        On how many pieces it works at the same time, at most; None for all that it can.
+        The most jobs that run at the same time; None for as many as the workers have threads.
     """
 
     def __init__(self, address: str, workers: int | None) -> None:
@@ -83,18 +83,18 @@ class Given:
         """Disconnect."""
         self._stack.close()
 
-    def at_once(self) -> int:
-        """Return how many pieces it works on at the same time: one or more."""
+    def most_running(self) -> int:
+        """Return the number of jobs that run at the same time: one or more."""
         many = max(1, self._threads)  # those that were there may have gone just now
         return many if self._most is None else min(self._most, many)
 
-    def in_flight(self) -> int:
-        """Return how many pieces it is to have, those included that wait there: one or more."""
-        many = max(1, WAITING * self._threads)
+    def most_submitted(self) -> int:
+        """Return the number of jobs to submit, running and waiting: one or more."""
+        many = max(1, JOBS_SUBMITTED * self._threads)
         return many if self._most is None else min(self._most, many)
 
-    def mend(self, *, progress: bool) -> None:
-        """Look who is there, and say so where that is nobody: they may be on their way."""
+    def check_workers(self, *, progress: bool) -> None:
+        """Count the workers, and warn if there are none: others may join."""
         if time.monotonic() - self._looked < LOOKED:
             return
         self._look()

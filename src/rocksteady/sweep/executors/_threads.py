@@ -4,47 +4,47 @@ from collections.abc import Generator, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
 
-from rocksteady.sweep.cases.queue import WAITING, Deal, Team
+from rocksteady.sweep.cases.queue import JOBS_SUBMITTED, Pool, Queue
 from rocksteady.sweep.cases.task import Answer, Task
 
 SECONDS = 0.05
-"""Of a piece, after which progress is told; an interruption waits for those under way."""
+"""Time of a job: progress is reported after each, and an interruption waits for running jobs."""
 
 
 @contextmanager
-def serial(task: Task) -> Iterator[Team]:
-    """Run the pieces in this thread."""
+def serial_pool(task: Task) -> Iterator[Pool]:
+    """Run the jobs in this thread."""
 
-    def answers(deal: Deal) -> Generator[Answer, None, None]:
-        while (piece := deal.next()) is not None:
-            answer = task.run(piece, SECONDS)
-            deal.rest_of(answer)
+    def answers(queue: Queue) -> Generator[Answer, None, None]:
+        while (job := queue.next()) is not None:
+            answer = task.run(job, SECONDS)
+            queue.put_back(answer)
             yield answer
 
-    yield Team(workers=1, answers=answers)
+    yield Pool(workers=1, answers=answers)
 
 
 @contextmanager
-def threads(task: Task, workers: int) -> Iterator[Team]:
-    """Run the pieces in a pool of threads."""
-    pool = ThreadPoolExecutor(workers, thread_name_prefix="sweep")
+def thread_pool(task: Task, workers: int) -> Iterator[Pool]:
+    """Run the jobs in a pool of threads."""
+    threads = ThreadPoolExecutor(workers, thread_name_prefix="sweep")
 
-    def answers(deal: Deal) -> Generator[Answer, None, None]:
-        running: list[Future[Answer]] = []  # in the order in which they were handed out
+    def answers(queue: Queue) -> Generator[Answer, None, None]:
+        submitted: list[Future[Answer]] = []  # in the order of their jobs
         while True:
-            while len(running) < WAITING * workers and (piece := deal.next()) is not None:
-                running.append(pool.submit(task.run, piece, SECONDS))
-            if not running:
+            while len(submitted) < JOBS_SUBMITTED * workers and (job := queue.next()) is not None:
+                submitted.append(threads.submit(task.run, job, SECONDS))
+            if not submitted:
                 return
-            ended = wait(running, return_when=FIRST_COMPLETED).done
-            finished = [future for future in running if future in ended]
-            running = [future for future in running if future not in ended]
+            ended = wait(submitted, return_when=FIRST_COMPLETED).done
+            finished = [future for future in submitted if future in ended]
+            submitted = [future for future in submitted if future not in ended]
             for future in finished:  # of two errors the same one is raised each time
-                deal.rest_of(future.result())
+                queue.put_back(future.result())
             for future in finished:
                 yield future.result()
 
     try:
-        yield Team(workers=workers, answers=answers)
+        yield Pool(workers=workers, answers=answers)
     finally:
-        pool.shutdown(wait=True, cancel_futures=True)
+        threads.shutdown(wait=True, cancel_futures=True)

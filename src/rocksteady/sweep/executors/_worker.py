@@ -49,7 +49,7 @@ def main(folder: str) -> None:
 
 
 async def _work(kind: "type[distributed.Worker]", address: str, folder: str) -> None:
-    # A piece takes little memory; dask's limit, a share of the machine's, would have workers paused
+    # A job takes little memory; dask's limit, a share of the machine's, would have workers paused
     # and killed for what other programs take.
     worker = kind(
         address,

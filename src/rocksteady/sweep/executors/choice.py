@@ -5,35 +5,35 @@ from importlib.util import find_spec
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.validation import whole_number
-from rocksteady.sweep.cases.queue import Team, usable_cores
+from rocksteady.sweep.cases.queue import Pool, usable_cores
 from rocksteady.sweep.cases.task import Task
-from rocksteady.sweep.executors._threads import serial, threads
+from rocksteady.sweep.executors._threads import serial_pool, thread_pool
 
 EXECUTORS = ("threads", "dask", "serial")
-"""By their names; the address of a scheduler, as tcp://host:8786, names a cluster that is there."""
+"""Names.  The address of a scheduler, as tcp://host:8786, stands for a running cluster."""
 MOST_WORKERS = 1024
 MOST_PORTS = 65535
 
 
-def team_for(task: Task, executor: str, workers: int | None) -> AbstractContextManager[Team]:
-    """Return the executor of a valid name, ready to be entered.
+def pool_for(task: Task, executor: str, workers: int | None) -> AbstractContextManager[Pool]:
+    """Return the pool of workers of an executor, to be entered.
 
     Parameters
     ----------
     task
-        What is to be computed.
+        Task of the sweep.
     executor
         From `validated_executor`.
     workers
-        How many; None for as many as this process may use cores, or as a cluster has.
+        Number of workers; None for the cores that this process may use, or all of a cluster.
     """
     if executor == "serial":
-        return serial(task)
+        return serial_pool(task)
     if executor == "threads":
-        return threads(task, usable_cores() if workers is None else workers)
-    from rocksteady.sweep.executors._cluster import cluster
+        return thread_pool(task, usable_cores() if workers is None else workers)
+    from rocksteady.sweep.executors._cluster import cluster_pool
 
-    return cluster(task, None if executor == "dask" else executor, workers)
+    return cluster_pool(task, None if executor == "dask" else executor, workers)
 
 
 def validated_executor(executor: object) -> str:

@@ -1,4 +1,4 @@
-"""Describes a store: its groups, arrays and axes follow from the inputs, and can be mended."""
+"""Describes a store: its groups, arrays and axes follow from the inputs, and can be repaired."""
 
 import json
 from collections.abc import Mapping

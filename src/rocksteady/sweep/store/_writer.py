@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from rocksteady import durable
 from rocksteady.errors import OutputError, UnfinishedError
 from rocksteady.sweep.cases.axes import Array
-from rocksteady.sweep.cases.task import Answer, Piece, Task
+from rocksteady.sweep.cases.task import Answer, CellRange, Task
 from rocksteady.sweep.store._checksums import checksum, is_identity
 from rocksteady.sweep.store._contents import DONE, GROUP, LOCK, Contents, contents_of
 from rocksteady.sweep.store._descriptions import Described
@@ -38,8 +38,8 @@ LATEST, MOST_HELD = 10.0, 2**26
 """Seconds and bytes after which finished chunks are forced to the disk, whatever it takes."""
 
 
-class Desk:
-    """Puts files into a store that this process has locked.
+class StoreFiles:
+    """The files of a store that this process has locked.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ class Desk:
         self._done = folder / DONE
 
     def put(self, files: Mapping[str, bytes]) -> None:
-        """Put files in their places by relative paths, forced to the disk, each of them whole."""
+        """Write files by relative paths: forced to the disk, and each of them whole."""
         staged = {path: self._done / f"{self._token}-{n}.partial" for n, path in enumerate(files)}
         try:
             for path, content in files.items():
@@ -75,7 +75,7 @@ class Desk:
             durable.sync_folder(folder.parent)
 
     def describe(self, described: Described) -> None:
-        """Put all descriptions that are missing, damaged or edited in their places."""
+        """Write all descriptions that are missing, damaged or edited."""
         for path in sorted(described.files, key=_order):
             place = self.folder / path
             if not place.is_file() or place.read_bytes() != described.files[path]:
@@ -99,8 +99,8 @@ def _order(path: str) -> tuple[bool, str]:
 
 
 @contextmanager
-def locked(folder: Path) -> Iterator[Desk]:
-    """Keep other processes from writing a store, and yield what writes it.
+def locked(folder: Path) -> Iterator[StoreFiles]:
+    """Lock a store against writing by other processes, and yield its files.
 
     The operating system gives the lock back when its holder ends, however it ends.
 
@@ -141,7 +141,7 @@ def locked(folder: Path) -> Iterator[Desk]:
             file.write_text(words, encoding="utf-8")
             durable.sync(file)
             durable.sync_folder(file.parent)
-        yield Desk(folder, token)
+        yield StoreFiles(folder, token)
     finally:
         with suppress(OSError):
             file.write_text("", encoding="utf-8")
@@ -156,17 +156,17 @@ def _holder(file: Path) -> tuple[str, str]:
     return "", ""
 
 
-class Shelf:
-    """Puts answers into a store, and tells which cells are still missing.
+class StoreWriter:
+    """Writes the results of a sweep into a store, chunk by chunk.
 
     Parameters
     ----------
-    desk
-        Of a store, locked.
+    files
+        Files of the store, locked.
     task
-        What is computed.
+        Task of the sweep.
     described
-        What its files are.
+        Descriptions of the store.
 
     Raises
     ------
@@ -174,11 +174,11 @@ class Shelf:
         If it cannot be read.
     """
 
-    def __init__(self, desk: Desk, task: Task, described: Described) -> None:
-        self._desk = desk
-        self._folder = desk.folder
+    def __init__(self, files: StoreFiles, task: Task, described: Described) -> None:
+        self._files = files
+        self._folder = files.folder
         self._described = described
-        contents = contents_of(desk.folder, self._unreadable)
+        contents = contents_of(files.folder, self._unreadable)
         self._chunks: Chunks = contents.chunks
         self._open: dict[int, tuple[dict[str, Array], int]] = {}
         """Arrays of chunks under way, and how many of their cells are still to come."""
@@ -224,19 +224,19 @@ class Shelf:
             )
         return sound
 
-    def missing(self) -> Sequence[Piece]:
-        """Return the ranges of cells that are not there yet, a chunk each."""
+    def missing(self) -> Sequence[CellRange]:
+        """Return the ranges of cells that are to be computed, one for each unfinished chunk."""
         return [self._chunks.cells(k) for k in np.flatnonzero(~self._finished).tolist()]
 
     def put(self, answer: Answer) -> None:
-        """Keep what was found, and write the chunk that is full now.
+        """Keep the results of a job, and write the chunk that they complete.
 
         Raises
         ------
         UnfinishedError
             If it cannot be written.
         """
-        first, stop = answer.piece[0], answer.stop
+        first, stop = answer.job[0], answer.stop
         chunk = self._chunks.containing(first)
         begin, end = self._chunks.cells(chunk)
         arrays, left = self._open.pop(chunk, (None, end - begin))
@@ -257,11 +257,11 @@ class Shelf:
         held = sum(len(file) for files in self._pending.values() for file in files.values())
         whole = int(self._finished.sum()) + len(self._pending) == len(self._chunks)
         if whole or held > MOST_HELD or now >= min(self._due, self._since + LATEST):
-            self.keep()
+            self.flush()
             ended = time.monotonic()
             self._due = ended + (ended - now) / SHARE
 
-    def keep(self) -> None:
+    def flush(self) -> None:
         """Put the files of full chunks on the disk, then mark these as finished.
 
         Raises
@@ -270,24 +270,26 @@ class Shelf:
             If that cannot be done; those are kept for which there was room.
         """
         try:
-            self._put(dict(self._pending))
+            self._write_files(dict(self._pending))
         except OSError as error:
             with suppress(OSError):
                 while self._pending:
                     first = next(iter(self._pending))
-                    self._put({first: self._pending[first]})
+                    self._write_files({first: self._pending[first]})
             if self._pending:
                 raise self._stopped(error) from error
 
-    def _put(self, chunks: Mapping[int, Mapping[str, bytes]]) -> None:
+    def _write_files(self, chunks: Mapping[int, Mapping[str, bytes]]) -> None:
         """Put the files of chunks on the disk, and then their checksums."""
         sweep, path = self._described.marks.sweep, self._described.path
         sums = {
             chunk: np.array([checksum(sweep, name, chunk, files[name]) for name in files], "<u8")
             for chunk, files in chunks.items()
         }
-        self._desk.put({path(n, chunk): files[n] for chunk, files in chunks.items() for n in files})
-        self._desk.put({f"{DONE}/c/{chunk}": found.tobytes() for chunk, found in sums.items()})
+        self._files.put(
+            {path(n, chunk): files[n] for chunk, files in chunks.items() for n in files}
+        )
+        self._files.put({f"{DONE}/c/{chunk}": found.tobytes() for chunk, found in sums.items()})
         for chunk in chunks:
             self._finished[chunk] = True
             del self._pending[chunk]

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 from functools import cached_property
 
-from rocksteady.sweep.cases.task import Piece
+from rocksteady.sweep.cases.task import CellRange
 
 FEWEST = 4096
 USUAL = 65_536
@@ -85,7 +85,7 @@ class Chunks:
         ends = zip(self.place(chunk), self.box, self.shape, strict=True)
         return tuple(slice(i * b, min((i + 1) * b, n)) for i, b, n in ends)
 
-    def cells(self, chunk: int) -> Piece:
+    def cells(self, chunk: int) -> CellRange:
         """Return the range of cells of a chunk."""
         region = self.region(chunk)
         first = 0

@@ -18,7 +18,7 @@ from rocksteady.sweep.cases.inputs import inputs_of, named_function
 from rocksteady.sweep.cases.task import Task
 from rocksteady.sweep.store._contents import DONE, LOCK, attributes_in, refuse_taken
 from rocksteady.sweep.store._descriptions import Described, refuse_others
-from rocksteady.sweep.store._writer import Desk, Shelf, locked
+from rocksteady.sweep.store._writer import StoreFiles, StoreWriter, locked
 from rocksteady.sweep.store.chunks import Chunks
 from rocksteady.sweep.store.ownership import is_begun, others, owner_of, remove, replaced_in
 
@@ -121,8 +121,8 @@ class Store:
         return OutputError(name="store", value=self.path, valid=valid, hint=hint)
 
     @contextmanager
-    def opened(self, task: Task, attributes: Mapping[str, Any]) -> Iterator[Shelf]:
-        """Yield what keeps the answers to a task, while no other process may write the store.
+    def opened(self, task: Task, attributes: Mapping[str, Any]) -> Iterator[StoreWriter]:
+        """Yield the writer of the results of a task, while no other process may write the store.
 
         Raises
         ------
@@ -138,18 +138,18 @@ class Store:
         self.check()
         inputs = inputs_of(task)
         made = self._make_folder()
-        with locked(self.folder) as desk:
+        with locked(self.folder) as files:
             if not made or owner_of(self.folder) is not None:
                 self.check()  # another process may have been here
             try:
-                shelf = self._shelf(desk, task, inputs, attributes)
+                writer = self._writer(files, task, inputs, attributes)
             finally:
                 if made and owner_of(self.folder) is None:
                     self._remove_empty()
             try:
-                yield shelf
+                yield writer
             finally:
-                shelf.keep()
+                writer.flush()
 
     def _make_folder(self) -> bool:
         """Make the folder, as far as it is missing, and return whether it was."""
@@ -169,10 +169,14 @@ class Store:
             (self.folder / DONE).rmdir()
             self.folder.rmdir()
 
-    def _shelf(
-        self, desk: Desk, task: Task, inputs: Mapping[str, Any], attributes: Mapping[str, Any]
-    ) -> Shelf:
-        """Return what writes the store: it is begun, or continued where it stopped."""
+    def _writer(
+        self,
+        files: StoreFiles,
+        task: Task,
+        inputs: Mapping[str, Any],
+        attributes: Mapping[str, Any],
+    ) -> StoreWriter:
+        """Return the writer of the store, which is begun, or continued where it stopped."""
         marks = owner_of(self.folder)
         if marks is not None and not self.overwrite:
             refuse_others(self.folder, marks, inputs)
@@ -185,10 +189,10 @@ class Store:
             if before is not None:
                 remove(self.folder, before)
             if marks is None or self.overwrite:
-                desk.begin(described, marks)
-            desk.describe(described)
+                files.begin(described, marks)
+            files.describe(described)
         except OSError as error:
             raise self._refused(
                 f"it cannot be described: {error.strerror or error}", "check the folder"
             ) from error
-        return Shelf(desk, task, described)
+        return StoreWriter(files, task, described)
