@@ -1,1 +1,4 @@
-"""The command line: parse, call, print.  No physics, and no heavy import before a command runs."""
+"""The command line: parses flags, calls the package and prints the result, without any physics.
+
+No heavy package is imported before a command runs.
+"""

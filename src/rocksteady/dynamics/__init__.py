@@ -1,1 +1,1 @@
-"""Motions of the block, built from the kernels: one, periodic ones, and all over a range."""
+"""How blocks move: time histories, steady states, orbits, bifurcations, basins and overturning."""

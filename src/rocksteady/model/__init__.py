@@ -1,1 +1,1 @@
-"""The nouns: blocks and base motions, frozen and validated where they are made."""
+"""What rocks and what shakes it: blocks and base motions, frozen and validated."""

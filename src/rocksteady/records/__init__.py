@@ -1,1 +1,1 @@
-"""Ground-motion files: read, paired, and processed where it is asked for."""
+"""What a ground-motion file holds: its channels in SI units, paired and processed on request."""

@@ -1,1 +1,1 @@
-"""What recorded ground motions do: intensity measures, elastic and rocking spectra."""
+"""What recorded ground motions do to structures and to blocks of all sizes."""

@@ -1,1 +1,1 @@
-"""Pictures, films, reports and files: they take results and never compute."""
+"""How results are shown: plots, films, reports and files, drawn without computing anything."""

@@ -1,1 +1,4 @@
-"""Many cases: a grid, a function of its cells, a labelled result.  Knows no physics."""
+"""How a function is evaluated over a grid, in parallel, and its results stored.
+
+It contains no physics.
+"""

@@ -1,1 +1,1 @@
-"""One command a module."""
+"""What each command does: one module per command."""

@@ -1,1 +1,1 @@
-"""What the program writes and where: streams, progress, files, refusals."""
+"""What the program writes, and where: terminal, progress, files, error lines."""

@@ -1,1 +1,1 @@
-"""What can be asked: flags, their groups, and the objects that they become."""
+"""Which flags exist, and which blocks, motions and axes they become."""

@@ -1,1 +1,1 @@
-"""What is printed of a result: plain values, tables, rows."""
+"""How each result is printed: values for JSON, tables, lines of text."""

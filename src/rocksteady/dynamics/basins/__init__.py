@@ -1,1 +1,1 @@
-"""Where the initial states of a window go, and how the safe basin erodes."""
+"""Which attractor each initial state reaches, and how the safe basin erodes."""

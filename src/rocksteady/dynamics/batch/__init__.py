@@ -1,1 +1,1 @@
-"""Many motions at once: initial states, what they settle to, and how they end."""
+"""What arrays of initial states settle to, and how their motions end."""

@@ -1,1 +1,1 @@
-"""Branches of periodic orbits over a parameter, and their bifurcations."""
+"""How periodic orbits change with a parameter: branches and their bifurcations."""

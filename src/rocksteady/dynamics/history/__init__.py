@@ -1,1 +1,1 @@
-"""One time history: from a block, a base motion and a start to a trajectory."""
+"""How one block moves in time: from block, base motion and start to trajectory."""

@@ -1,1 +1,1 @@
-"""Attractors and fates over a grid of parameters of block, shaking and start."""
+"""Which attractor or fate each point of a grid of parameters has."""

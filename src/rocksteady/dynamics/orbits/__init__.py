@@ -1,1 +1,1 @@
-"""Periodic orbits and attractors: the return map, one orbit, all of them, what is settled to."""
+"""Which periodic orbits exist, and which attractor a motion settles to."""

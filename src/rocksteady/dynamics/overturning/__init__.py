@@ -1,1 +1,1 @@
-"""Which pulses overturn a block, and how it rocks freely."""
+"""Which pulses overturn a block, and how a block rocks freely."""

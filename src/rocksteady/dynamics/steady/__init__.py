@@ -1,1 +1,1 @@
-"""Symmetric steady states in closed form, and where in the plane of parameters they exist."""
+"""Which symmetric steady states exist, and where: closed forms, regions, response curves."""

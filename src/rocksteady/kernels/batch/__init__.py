@@ -1,1 +1,1 @@
-"""Many motions, one after the other: the plain loops that the sweeps call."""
+"""One call for many cases: a loop over cells for each kind of shaking."""

@@ -1,1 +1,1 @@
-"""What all kernels share: compilation, columns of the tables, the clock, the forcing."""
+"""What all kernels share: compilation, columns of tables, clock, forcing, sine and cosine."""

@@ -1,4 +1,4 @@
-"""Trajectories side by side: harmonic sweeps of symmetric blocks in the lanes of vector registers.
+"""Harmonic sweeps of symmetric blocks, several trajectories at once in vector registers.
 
 `driver.lane_fates` does what `rocksteady.kernels.batch.harmonic.fates_of_sides` does, several times
 as fast.  Every lane carries one trajectory at its own stage; a pass is a chain

@@ -1,1 +1,1 @@
-"""One motion: flights strung together by impacts, rests and the segments of the base motion."""
+"""One motion: flights joined by impacts, rests and the segments of the base motion."""

@@ -1,1 +1,1 @@
-"""Periodic motions: the return map, its orbits in closed form or by Newton's method."""
+"""Periodic motions: the return map and its orbits, in closed form or by Newton's method."""

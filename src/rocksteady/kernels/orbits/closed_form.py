@@ -2,7 +2,8 @@
 
 With ``D = (1 - restitution)/(1 + restitution)``, ``h = tanh(n pi / 2 Omega)``, ``beta = A/(1 +
 Omega^2)``, ``P = D h Omega`` and ``Q = D h^2/beta`` the phase f of a symmetric orbit solves
-``P cos f + sin f = Q`` (eq 20).  Written as printed (eqs 19, 21, 22) the velocity cancels at low
+``P cos f + sin f = Q`` (eq 20); eqs 12 and 13 with 14 and 15 put in are 16 and 17, and 18 and 19
+are those solved for v.  Written as printed (eqs 19, 21, 22) the velocity cancels at low
 and high frequency and is 0/0 at restitution 1.  Put ``sin f = D s``; eliminating cos f between eqs
 18 and 19 then gives the velocity after impact, du/dtau, for every restitution in (0, 1]::
 
@@ -135,17 +136,19 @@ def orbit_of(
     above, total = amplitude - half.existence, amplitude + half.existence
     root = math.sqrt(length * (above / amplitude) * (total / amplitude))
     if branch == 1:
-        s = (q + p * root) / length
+        s = (q + p * root) / length  # eq 21 over D, upper sign; the cosine is eq 22
         # Q^2 - 1 is P^2 - S^2 too: where P is small, near the fold, the distance from A25 is lost.
         cosine = (d * p - root) * (d * p + root)
         if d * p > 1.0:
             cosine = (half.kind - amplitude) / amplitude * ((half.kind + amplitude) / amplitude)
         cosine /= d * d * p * q + root
     else:
+        # Eqs 21, over D, and 22, lower signs.
         s = p * p * ((half.sign - amplitude) / amplitude) * ((half.sign + amplitude) / amplitude)
         s /= q + p * root
         cosine = (d * d * p * q + root) / length
     sine = d * s + 0.0  # never -0.0, whose phase would be -0.0 or -pi
+    # Eq 19: its cos f is taken out by eq 18, and with it all cancellation.
     velocity = 2.0 * restitution * beta * s / ((1.0 + restitution) * p)
     trace = half_cycle_trace(frequency_ratio, restitution, half.growth, beta * s)
     return Symmetric(math.atan2(sine, cosine), sine, cosine, velocity, trace)
@@ -194,12 +197,13 @@ def half_cycle_flight(
     """Return the half cycle as a flight whose growing part is known from both of its ends.
 
     From the initial velocity alone the growing part would be lost to rounding in long half cycles.
+    Angle 0 at both ends (eqs 10, 12) gives it instead.
     """
     w = frequency_ratio
     beta = amplitude / (1.0 + w * w)
     length = order * math.pi / w
     h = math.tanh(0.5 * length)
-    first, last = beta * orbit.sine - 1.0, -beta * orbit.sine - 1.0
+    first, last = beta * orbit.sine - 1.0, -beta * orbit.sine - 1.0  # eq 15, and that of the end
     growing, decaying = exponentials(first, last, length)
     return Flight(
         0.0,
@@ -207,7 +211,7 @@ def half_cycle_flight(
         wrapped(orbit.phase),
         orbit.sine,
         orbit.cosine,
-        h - beta * orbit.sine / h,
+        h - beta * orbit.sine / h,  # eq 14 with the velocity of eq 19
         first,
         growing,
         length,

@@ -1,1 +1,1 @@
-"""What rocks: a block in metres or without dimensions, with sides that may differ."""
+"""What rocks: a block in metres or dimensionless, with equal or different sides."""

@@ -1,1 +1,1 @@
-"""Which values are accepted, and what is said of the others: types, shapes, ranges."""
+"""Which values are accepted, and how others are refused: types, shapes, ranges."""

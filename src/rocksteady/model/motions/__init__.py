@@ -1,1 +1,1 @@
-"""What shakes it: harmonic motion, pulses, impulses, records, and sums of them."""
+"""What shakes the block: harmonic motion, pulses, impulses, records, and their sums."""

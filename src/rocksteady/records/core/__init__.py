@@ -1,1 +1,1 @@
-"""What all readers share: numbers, units, intervals, directions, and checks of them."""
+"""What all readers share: numbers, units, sampling, directions, and their checks."""

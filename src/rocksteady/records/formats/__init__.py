@@ -1,1 +1,1 @@
-"""One reader a file format: from a file's text to its recordings."""
+"""How each file format is read: one module per format."""

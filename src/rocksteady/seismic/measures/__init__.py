@@ -1,1 +1,1 @@
-"""How strong a ground motion is: its course, durations, intensities, elastic spectra."""
+"""How strong a ground motion is: intensity measures, durations, elastic response spectra."""

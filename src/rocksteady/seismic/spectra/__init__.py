@@ -1,1 +1,1 @@
-"""How blocks of all sizes fare on recorded ground motions."""
+"""How blocks of all sizes respond to recorded ground motions: rocking spectra."""

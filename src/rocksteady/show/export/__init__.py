@@ -1,1 +1,1 @@
-"""Results as files for other programs: NetCDF, CSV, JSON; whole or not there."""
+"""How results reach other programs: NetCDF, CSV and JSON files."""

@@ -1,1 +1,1 @@
-"""Whole figures of several plots, as the command line saves them."""
+"""Which plots make up each figure that the command line saves."""

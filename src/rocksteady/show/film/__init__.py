@@ -1,1 +1,1 @@
-"""The block in true scale, still or moving."""
+"""What the block looks like in true scale, still or moving."""

@@ -1,1 +1,1 @@
-"""One plot a result: takes it and, optionally, axes; draws; returns the axes."""
+"""How each result is plotted: one function per result, on given axes or new ones."""

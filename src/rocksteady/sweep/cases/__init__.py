@@ -1,1 +1,1 @@
-"""What is computed: axes, a grid, a task, its queue of jobs, and results in memory."""
+"""What is computed: axes, grid, task, queue of pieces, results in memory."""
