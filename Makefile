@@ -114,6 +114,10 @@ bench-peers: .venv ## time other solvers beside the package; writes their part o
 	$(BIN)/python -m rocksteady.kernels.warm
 	$(BIN)/python -m bench.peers
 
+.PHONY: architecture
+architecture: .venv ## draw docs/images/architecture.png and its table from the imports
+	$(BIN)/python -m tools.architecture
+
 .PHONY: constraints
 constraints: ## renew constraints.txt with the newest versions that fit together
 	@rm -rf build/constraints

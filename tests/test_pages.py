@@ -166,7 +166,7 @@ def test_a_command_that_is_named_has_the_flags_that_are_named(line: str) -> None
     assert set(flags) <= set(re.findall(r"--[\w-]+", ran.out))
 
 
-# ----------------------------------------------------------------- names, targets and modules
+# ------------------------------------------------------------------ names, targets and places
 
 
 def test_pages_name_public_things_extras_and_targets_that_there_are() -> None:
@@ -177,35 +177,3 @@ def test_pages_name_public_things_extras_and_targets_that_there_are() -> None:
         assert set(re.findall(r"\brs\.(\w+)", text)) <= set(rs.__all__), name
         assert set(re.findall(r"rocksteady\[(\w+)\]", text)) <= {*project["optional-dependencies"]}
         assert set(re.findall(r"(?:^|`)make ([a-z-]+)", text, re.MULTILINE)) <= targets, name
-
-
-LAYERS = re.compile(r"^\| `(\w+)` \| (`.*?) \|", re.MULTILINE)
-"""A row of the table of layers: a layer, and its modules."""
-MODULES = re.compile(r"`(\w+)/` \(([^)]*)\)|`(\w+)/?`")
-"""In such a row: a package with its modules, or a module or package by its name."""
-
-
-def test_the_table_of_layers_names_each_module_once() -> None:
-    text = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
-    rows = dict(LAYERS.findall(text[text.index("## Layers as built") : text.index("Foreseen")]))
-    source = ROOT / "src" / "rocksteady"
-    assert set(rows) == {
-        folder.name for folder in source.iterdir() if (folder / "__init__.py").is_file()
-    }
-    for layer, said in rows.items():
-        named: list[str] = []
-        whole: set[str] = set()  # packages that stand for all of their modules
-        for package, inside, alone in MODULES.findall(said):
-            if package:
-                named += [f"{package}/{name}" for name in re.findall(r"`(\w+)`", inside)]
-            elif (source / layer / alone).is_dir():
-                whole.add(alone)
-            else:
-                named.append(alone)
-        there = [
-            file.relative_to(source / layer).with_suffix("").as_posix()
-            for file in (source / layer).rglob("*.py")
-            if not file.name.startswith("__")
-            and file.relative_to(source / layer).parts[0] not in whole
-        ]
-        assert sorted(named) == sorted(there), layer
