@@ -2,6 +2,7 @@
 below it; each command line runs; what pages name is there.
 """
 
+import ast
 import itertools
 import math
 import re
@@ -177,3 +178,37 @@ def test_pages_name_public_things_extras_and_targets_that_there_are() -> None:
         assert set(re.findall(r"\brs\.(\w+)", text)) <= set(rs.__all__), name
         assert set(re.findall(r"rocksteady\[(\w+)\]", text)) <= {*project["optional-dependencies"]}
         assert set(re.findall(r"(?:^|`)make ([a-z-]+)", text, re.MULTILINE)) <= targets, name
+
+
+ROWS = re.compile(r"^\| (?!question|---)(.+?) \| (.+) \|$", re.MULTILINE)
+"""A row of the table of questions: the question, and where its answer is."""
+PLACE = re.compile(r"`([\w./]+)`(?:: `(\w+)`(?:, `(\w+)`)?)?")
+"""A place in such a row: a path, perhaps with one or two names that the file defines."""
+
+
+def defined_in(file: Path) -> set[str]:
+    """Return the names of all functions and classes of a file, and what its top level assigns."""
+    tree = ast.parse(file.read_text(encoding="utf-8"))
+    named = (ast.FunctionDef, ast.ClassDef)
+    found = {node.name for node in ast.walk(tree) if isinstance(node, named)}
+    for node in tree.body:
+        targets = node.targets if isinstance(node, ast.Assign) else []
+        targets += [node.target] if isinstance(node, ast.AnnAssign) else []
+        found |= {target.id for target in targets if isinstance(target, ast.Name)}
+    return found
+
+
+def test_what_the_table_of_questions_names_is_where_it_says() -> None:
+    page = PAGES["CONTRIBUTING.md"]
+    begin = page.index("## Where do I find ...")
+    rows = ROWS.findall(page[begin : page.index("\n\n`src/rocksteady`", begin)])
+    assert page.index("\n## ") == begin - 1  # the page begins with it
+    assert len(rows) >= 12
+    for question, answer in rows:
+        places = [place for place in PLACE.findall(answer) if "/" in place[0] or "." in place[0]]
+        assert places, question
+        for path, *names in places:
+            folder = ROOT if (ROOT / path).exists() else ROOT / "src" / "rocksteady"
+            assert (folder / path).exists(), path
+            wanted = {name for name in names if name}
+            assert not wanted or wanted <= defined_in(folder / path), (path, wanted)
