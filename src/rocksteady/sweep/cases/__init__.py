@@ -1,1 +1,1 @@
-"""What is computed: axes, grid, task, queue of pieces, results in memory."""
+"""What is computed: axes, grid, task, queue of jobs, results in memory."""
