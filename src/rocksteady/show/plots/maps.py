@@ -119,7 +119,7 @@ def plot_map(
             name="found",
             value=Words(f"has {len(cells.names)} axes: {', '.join(cells.names)}"),
             valid="one or two axes with several values can be drawn on one pair of axes",
-            hint="draw three with show.figures.maps.map_figure, or select a value with .sel",
+            hint="select a value with .sel, or draw panels with rocksteady map --plot",
         )
     return draw_map(axes_or_new(ax), cells, found, legend)
 
