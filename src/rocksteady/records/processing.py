@@ -15,9 +15,6 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-BASELINES: Final = ("none", "mean", "linear", "polynomial:2", "polynomial:3", "polynomial:4")
-"""What can be asked for; a polynomial may have any order up to 10."""
-
 _HIGHEST_ORDER: Final = 10
 _MOST_SAMPLES: Final = 20_000_000
 

@@ -1,6 +1,7 @@
 """`rocksteady bifurcate`: branches of periodic motions over a parameter, and their bifurcations."""
 
 import sys
+from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -18,7 +19,7 @@ from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.range import Range, range_of
-from rocksteady.cli.flags.sweep_start import Sweep, SweepStart, sweep
+from rocksteady.cli.flags.sweep_start import Sweep, SweepStart
 from rocksteady.cli.present.diagrams_text import print_diagram
 from rocksteady.cli.present.diagrams_values import (
     CSV_HEADER,
@@ -200,7 +201,7 @@ def bifurcate(
     with progress("following", 3 if sweeping else 1, lines=False) as done:
         if sweeping:
             for upwards, name in ((True, "upward sweep"), (False, "downward sweep")):
-                swept.append(sweep(span, start, cycles, upwards=upwards))
+                swept.append(_sweep(span, start, cycles, upwards=upwards))
                 done(name)
         trails = [each.trail for each in swept]
         place = (*span.at(span.values[0]), span.parameter, span.within)
@@ -309,3 +310,22 @@ def write_files(
             branches, trails, span.parameter, top=top, title=title, page=output.page
         )
         write_figure(output.plot, figure)
+
+
+def _sweep(span: Range, start: SweepStart, cycles: int, *, upwards: bool) -> Sweep:
+    """Carry a motion along the axis."""
+    from rocksteady.dynamics.orbits.trail import attractor_trail
+
+    values = span.values if upwards else span.values[::-1]
+    word, begin, phase = start.begin(span, values[0])
+    bare, shaking = span.at(values[0])
+    trail = attractor_trail(
+        bare,
+        replace(shaking, phase=phase),
+        span.parameter,
+        values,
+        start=begin,
+        side=start.sign,
+        cycles=cycles,
+    )
+    return Sweep(start=word, trail=trail)

@@ -74,22 +74,3 @@ class Sweep:
 
     start: str
     trail: "AttractorTrail"
-
-
-def sweep(span: Range, start: SweepStart, cycles: int, *, upwards: bool) -> Sweep:
-    """Carry a motion along the axis."""
-    from rocksteady.dynamics.orbits.trail import attractor_trail
-
-    values = span.values if upwards else span.values[::-1]
-    word, begin, phase = start.begin(span, values[0])
-    bare, shaking = span.at(values[0])
-    trail = attractor_trail(
-        bare,
-        replace(shaking, phase=phase),
-        span.parameter,
-        values,
-        start=begin,
-        side=start.sign,
-        cycles=cycles,
-    )
-    return Sweep(start=word, trail=trail)

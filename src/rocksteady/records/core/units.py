@@ -301,7 +301,6 @@ def in_seconds(written: str) -> float | None:
     return found[0] if found[1] == _TIME else -1.0 / found[0]
 
 
-_WORD: Final = re.compile(r"\S+")
 _MODIFIES: Final = re.compile(
     r"[\s(\[,;]*(?:[*/^%]|x\s*[\d(]|(?:[\d.]+\s*[*x])|10\s*\^|\d+\s*[eE]|[-+]?\d*\.?\d+(?:$|[\s)*x])"
     r"|(?:times|divided|multipl\w*|scaled?|factor|per\b|percent|milli|micro|raised|squared|cubed"

@@ -4,7 +4,7 @@ from collections.abc import Generator, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
 
-from rocksteady.sweep.cases.queue import JOBS_SUBMITTED, Pool, Queue
+from rocksteady.sweep.cases.queue import JOBS_SUBMITTED, Pool, Queue, usable_cores
 from rocksteady.sweep.cases.task import Answer, Task
 
 SECONDS = 0.05
@@ -12,8 +12,8 @@ SECONDS = 0.05
 
 
 @contextmanager
-def serial_pool(task: Task) -> Iterator[Pool]:
-    """Run the jobs in this thread."""
+def serial_pool(task: Task, _workers: int | None = None) -> Iterator[Pool]:
+    """Run the jobs in this thread, whatever the number of workers."""
 
     def answers(queue: Queue) -> Generator[Answer, None, None]:
         while (job := queue.next()) is not None:
@@ -25,14 +25,15 @@ def serial_pool(task: Task) -> Iterator[Pool]:
 
 
 @contextmanager
-def thread_pool(task: Task, workers: int) -> Iterator[Pool]:
-    """Run the jobs in a pool of threads."""
-    threads = ThreadPoolExecutor(workers, thread_name_prefix="sweep")
+def thread_pool(task: Task, workers: int | None) -> Iterator[Pool]:
+    """Run the jobs in threads, as many as this process may use cores where `workers` is None."""
+    count = usable_cores() if workers is None else workers
+    threads = ThreadPoolExecutor(count, thread_name_prefix="sweep")
 
     def answers(queue: Queue) -> Generator[Answer, None, None]:
         submitted: list[Future[Answer]] = []  # in the order of their jobs
         while True:
-            while len(submitted) < JOBS_SUBMITTED * workers and (job := queue.next()) is not None:
+            while len(submitted) < JOBS_SUBMITTED * count and (job := queue.next()) is not None:
                 submitted.append(threads.submit(task.run, job, SECONDS))
             if not submitted:
                 return
@@ -45,6 +46,6 @@ def thread_pool(task: Task, workers: int) -> Iterator[Pool]:
                 yield future.result()
 
     try:
-        yield Pool(workers=workers, answers=answers)
+        yield Pool(workers=count, answers=answers)
     finally:
         threads.shutdown(wait=True, cancel_futures=True)

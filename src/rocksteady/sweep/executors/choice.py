@@ -1,16 +1,15 @@
 """Executors by their names."""
 
+from collections.abc import Callable
 from contextlib import AbstractContextManager, suppress
 from importlib.util import find_spec
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.validation import whole_number
-from rocksteady.sweep.cases.queue import Pool, usable_cores
+from rocksteady.sweep.cases.queue import Pool
 from rocksteady.sweep.cases.task import Task
 from rocksteady.sweep.executors._threads import serial_pool, thread_pool
 
-EXECUTORS = ("threads", "dask", "serial")
-"""Names.  The address of a scheduler, as tcp://host:8786, stands for a running cluster."""
 MOST_WORKERS = 1024
 MOST_PORTS = 65535
 
@@ -27,13 +26,26 @@ def pool_for(task: Task, executor: str, workers: int | None) -> AbstractContextM
     workers
         Number of workers; None for the cores that this process may use, or all of a cluster.
     """
-    if executor == "serial":
-        return serial_pool(task)
-    if executor == "threads":
-        return thread_pool(task, usable_cores() if workers is None else workers)
+    if executor in EXECUTORS:
+        return EXECUTORS[executor](task, workers)
+    return _dask_pool(task, workers, executor)
+
+
+def _dask_pool(
+    task: Task, workers: int | None, address: str | None = None
+) -> AbstractContextManager[Pool]:
+    """Return the workers of a running cluster, or of one that is started on this machine."""
     from rocksteady.sweep.executors._cluster import cluster_pool
 
-    return cluster_pool(task, None if executor == "dask" else executor, workers)
+    return cluster_pool(task, address, workers)
+
+
+EXECUTORS: dict[str, Callable[[Task, int | None], AbstractContextManager[Pool]]] = {
+    "threads": thread_pool,
+    "dask": _dask_pool,
+    "serial": serial_pool,
+}
+"""Pools by name.  The address of a scheduler, as tcp://host:8786, stands for a running cluster."""
 
 
 def validated_executor(executor: object) -> str:

@@ -5,7 +5,6 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.integrate import trapezoid
 
 from rocksteady import RegionMap, SteadyStates, plot_regions, region_map, steady_states
@@ -14,8 +13,6 @@ from rocksteady.studies.tso_wong_1989.figures.words import motion_name, percent
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-Floats = NDArray[np.float64]
 
 HIGHEST_FREQUENCY, HIGHEST_AMPLITUDE = 14.0, 6.0
 """Ends of the paper's axes."""
