@@ -25,7 +25,7 @@ from rocksteady.kernels.core.compilation import cache_folder
 from rocksteady.kernels.core.tables import DURATION, ROW_COLUMNS, SEGMENT_COLUMNS, March
 from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.march.march import march
-from rocksteady.kernels.march.recorded import (
+from rocksteady.kernels.march.replay import (
     fill_states,
     last_crossing,
     peaks_until_overturning,

@@ -28,7 +28,7 @@ from rocksteady.kernels.core.tables import (
     March,
 )
 from rocksteady.kernels.march.march import march
-from rocksteady.kernels.march.recorded import peaks_until_overturning
+from rocksteady.kernels.march.replay import peaks_until_overturning
 from tests.kernels.tables import sampled
 from tests.records import synthetic
 from tests.strategies import sample_size

@@ -30,7 +30,7 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.kernels.march._samples import LONGEST, fly_through, make_stride
 from rocksteady.kernels.march.march import march
-from rocksteady.kernels.march.recorded import fill_states, recorded_peaks
+from rocksteady.kernels.march.replay import fill_states, recorded_peaks
 from tests.kernels.tables import (
     PLENTY,
     Run,

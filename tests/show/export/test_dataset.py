@@ -15,7 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rocksteady import InputError, OutputError, export
-from rocksteady.show.export import _parts, csv_files
+from rocksteady.show.export import _slices, csv_files
 
 WORDS = "at_rest over"
 ODD = [math.nan, math.inf, -math.inf, 0.1 + 0.2, -0.0, 5e-324, 1.7976931348623157e308, 1.0 / 3.0]
@@ -59,7 +59,7 @@ def table(file: Path) -> list[list[str]]:
 @pytest.fixture
 def small_parts(monkeypatch: pytest.MonkeyPatch) -> None:
     """Files of many parts, and tables of many pieces, from small results."""
-    monkeypatch.setattr(_parts, "MOST", 3)
+    monkeypatch.setattr(_slices, "MOST", 3)
     monkeypatch.setattr(csv_files, "ROWS", 2)
 
 

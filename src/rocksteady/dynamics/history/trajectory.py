@@ -16,7 +16,7 @@ from rocksteady.errors import InputError, ModelError, Status
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.core.tables import is_nonlinear
-from rocksteady.kernels.march.recorded import (
+from rocksteady.kernels.march.replay import (
     fill_states,
     last_crossing,
     peaks_until_overturning,

@@ -39,7 +39,7 @@ from rocksteady.kernels.core.tables import (
     is_nonlinear,
 )
 from rocksteady.kernels.march.march import march
-from rocksteady.kernels.march.recorded import recorded_peaks
+from rocksteady.kernels.march.replay import recorded_peaks
 from rocksteady.kernels.nonlinear.drive import side_drive
 from rocksteady.kernels.nonlinear.flight import fly
 from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS

@@ -25,7 +25,7 @@ from rocksteady.kernels.core.tables import (
     March,
 )
 from rocksteady.kernels.march.march import march
-from rocksteady.kernels.march.recorded import peaks_until_overturning
+from rocksteady.kernels.march.replay import peaks_until_overturning
 
 
 @compiled

@@ -22,7 +22,7 @@ from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.linear.zeros import Zero
 from rocksteady.kernels.nonlinear.drive import Drive, acceleration
 from rocksteady.kernels.nonlinear.flight import fly, phase_at
-from rocksteady.kernels.nonlinear.recorded import leg_after, leg_from
+from rocksteady.kernels.nonlinear.replay import leg_after, leg_from
 from rocksteady.kernels.nonlinear.series import COSINE, SHAKING, SINE, TERMS, WORK_ROWS
 
 SHARE = 0.01

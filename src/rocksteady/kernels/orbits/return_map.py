@@ -36,7 +36,7 @@ from rocksteady.kernels.march.rest import chatter_ends, uplift_time
 from rocksteady.kernels.nonlinear.drive import Drive, foot_forcing
 from rocksteady.kernels.nonlinear.landing import fly_to_landing, landing_derivative
 from rocksteady.kernels.nonlinear.proofs import bounces_settle
-from rocksteady.kernels.nonlinear.recorded import peaks_of
+from rocksteady.kernels.nonlinear.replay import peaks_of
 
 # What a passage was.
 IMPACT = 0

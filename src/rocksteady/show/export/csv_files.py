@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError
-from rocksteady.show.export._parts import beside, parts_of, refuse_others
+from rocksteady.show.export._slices import beside, parts_of, refuse_others
 from rocksteady.show.export.files import save_csv
 from rocksteady.sweep.store.chunks import Chunks
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rocksteady.errors import InputError
-from rocksteady.show.export._parts import beside, parts_of, refuse_others
+from rocksteady.show.export._slices import beside, parts_of, refuse_others
 from rocksteady.show.export.files import save_whole
 from rocksteady.sweep.store.chunks import MOST, Chunks
 

@@ -33,7 +33,7 @@ from rocksteady.kernels.march.march import side_forcing
 from rocksteady.kernels.nonlinear.drive import Drive, acceleration, side_drive
 from rocksteady.kernels.nonlinear.flight import phase_at
 from rocksteady.kernels.nonlinear.proofs import point_of_no_return
-from rocksteady.kernels.nonlinear.recorded import (
+from rocksteady.kernels.nonlinear.replay import (
     Leg,
     last_rise_of,
     leg_after,

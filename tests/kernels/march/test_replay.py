@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.kernels.core.tables import OVERTURNED, ROW_DURATION, ROW_SIDE
-from rocksteady.kernels.march.recorded import fill_states, last_crossing, recorded_peaks
+from rocksteady.kernels.march.replay import fill_states, last_crossing, recorded_peaks
 from tests.kernels.tables import Piece, Run, both_sides, exact_segments, harmonic, run, table
 from tests.oracles import exact_march, mp
 from tests.strategies import sample_size
