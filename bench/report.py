@@ -237,7 +237,7 @@ def sweep_line(name: str, result: dict[str, Any], alone: dict[str, Any]) -> Line
 
 def guide(unit: str) -> str:
     """Return the target of a work unit, where there is one."""
-    return "guide 20 µs" if unit == "B1" else ""
+    return "aim 20 µs" if unit == "B1" else ""
 
 
 def march_line(what: str, result: dict[str, Any], against: str) -> Line:

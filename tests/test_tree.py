@@ -1,6 +1,8 @@
 """The tree of the package: who imports whom decides a module's name, and folders stay small."""
 
 import ast
+import importlib
+import re
 from collections import Counter, defaultdict
 from pathlib import Path
 
@@ -13,6 +15,8 @@ SOURCE = ROOT / "src" / "rocksteady"
 FILES = sorted(SOURCE.rglob("*.py"))
 MOST = 14
 """Files of one folder, its `__init__` included."""
+LONGEST = 500
+"""Lines of a module."""
 STARTED = {"rocksteady.__main__", "rocksteady.cli.app", "rocksteady.kernels.warm"}
 """Modules that are run by their names."""
 TWICE = {
@@ -153,3 +157,45 @@ def test_tests_stand_in_the_folders_of_what_they_test() -> None:
         and (file.relative_to(tests).parent, stem) not in stems
     ]
     assert misplaced == []
+
+
+# --------------------------------------------------------------------- what texts say of the tree
+
+LAYERS = "|".join(sorted(folder.name for folder in SOURCE.iterdir() if folder.is_dir()))
+REFERENCE = re.compile(rf"`+((?:rocksteady\.)?(?:{LAYERS})(?:\.\w+)+)(?:\(\))?`")
+TEXTS = {
+    str(file.relative_to(ROOT)): file.read_text(encoding="utf-8")
+    for file in (*FILES, *(ROOT / "docs").rglob("*.md"), ROOT / "CONTRIBUTING.md")
+}
+
+
+def resolved(name: str) -> bool:
+    """Return whether a dotted name leads to a module, or to something in one."""
+    parts = ("rocksteady." + name.removeprefix("rocksteady.")).split(".")
+    for count in range(len(parts), 1, -1):
+        try:
+            found: object = importlib.import_module(".".join(parts[:count]))
+        except ModuleNotFoundError:
+            continue
+        for attribute in parts[count:]:
+            fields = getattr(found, "__dataclass_fields__", {})
+            if not hasattr(found, attribute) and attribute not in fields:
+                return False
+            found = getattr(found, attribute, None)
+        return True
+    return False
+
+
+@pytest.mark.parametrize("page", [page for page, text in TEXTS.items() if REFERENCE.search(text)])
+def test_what_a_text_names_is_there(page: str) -> None:
+    assert [name for name in REFERENCE.findall(TEXTS[page]) if not resolved(name)] == []
+
+
+@pytest.mark.parametrize("top", ["src", "tests", "bench", "tools"])
+def test_a_module_can_be_read_in_one_sitting(top: str) -> None:
+    long = {
+        file.relative_to(ROOT).as_posix(): count
+        for file in (ROOT / top).rglob("*.py")
+        if (count := len(file.read_text(encoding="utf-8").splitlines())) > LONGEST
+    }
+    assert long == {}

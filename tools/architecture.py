@@ -256,9 +256,9 @@ LANE = 0.1
 """Between two lines at the right."""
 BAND, FLOW = "#f1eee5", palette.LINK
 KEYS = (
-    "At the right: a layer (▲) imports those with a dot (●) on its line; data goes up the line.",
+    "At the right: a layer (▲) uses those with a dot (●) on its line.",
     (
-        "Inside a layer: an arrow goes from a folder to one that imports it, as data does; "
+        "Inside a layer: an arrow goes from a folder to one that uses it; "
         "what follows from other arrows is left out."
     ),
 )

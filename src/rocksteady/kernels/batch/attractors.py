@@ -72,7 +72,7 @@ def settle_cells(
         Of the block of each cell, shape (cells, 2, 3) or, in the nonlinear model, (cells, 2, 5), as
         in `rocksteady.kernels.core.tables`.
     side, angle, velocity, half_cycles, phase
-        The state at the start, as in `rocksteady.kernels.march.march.March`; `side` 0 at rest.
+        The state at the start, as in `rocksteady.kernels.core.tables.March`; `side` 0 at rest.
     cycles
         Forcing periods after which a motion counts as unsettled.
     whole, real

@@ -118,7 +118,7 @@ def settle(
     system
         The shaken block.
     side, half_cycles, phase, angle, velocity
-        The state, as in `rocksteady.kernels.march.march.March`; `side` 0 at rest.
+        The state, as in `rocksteady.kernels.core.tables.March`; `side` 0 at rest.
     most_periods
         Forcing periods after which it counts as unsettled.
     memory

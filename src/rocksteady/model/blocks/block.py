@@ -8,11 +8,17 @@ Sizes are full dimensions in metres.  Much of the literature writes b and h for 
 """
 
 import math
-import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.errors import InputError
+from rocksteady.model.blocks._sizes import (
+    check_inertia,
+    check_one_size,
+    lengths_of,
+    question_millimetres,
+    radius_of_p,
+)
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.sides import (
     Restitution,
@@ -34,28 +40,6 @@ from rocksteady.model.checks.validation import positive
 
 STANDARD_GRAVITY = 9.80665
 """Standard acceleration of gravity [m/s^2]."""
-
-
-TALLEST = 200.0
-"""Of the standing towers and obelisks none is taller [m]."""
-
-TALL = 50.0
-"""Height [m] above which two sizes in whole numbers are taken for millimetres or centimetres."""
-
-
-def question_millimetres(*, width: float, height: float) -> None:
-    """Warn of sizes that seem to be in millimetres.
-
-    So seem heights above 200 m, and heights above 50 m where both sizes are whole numbers, as those
-    of catalogues are.
-    """
-    whole = width.is_integer() and height.is_integer()
-    if height > TALLEST or (height > TALL and whole):
-        warnings.warn(
-            f"a block {width:g} m wide and {height:g} m high: sizes are in metres; of one in "
-            f"millimetres give width={width / 1000.0:g}, height={height / 1000.0:g}",
-            stacklevel=4,
-        )
 
 
 @checked
@@ -233,13 +217,7 @@ class Block:
         m = positive("mass", mass, hint="give the mass in kg")
         i = positive("inertia", inertia, hint="give the moment of inertia about a pivot in kg m^2")
         r = radius_value(radius)
-        if i < m * r * r * (1.0 - 1e-12):
-            raise ModelError(
-                name="inertia",
-                value=inertia,
-                valid=f"about a pivot it is at least mass * radius^2 = {m * r * r:.6g} kg m^2",
-                hint="add mass * radius^2 to a moment of inertia about the mass centre",
-            )
+        check_inertia(i, m * r * r)
         g = gravity_value(gravity)
         return cls._symmetric(alpha, r, math.sqrt(m * g * r / i), restitution, g)
 
@@ -295,14 +273,7 @@ class Block:
         0.2450 rad, 3.4290 rad/s, 0.8201
         0.3948 rad, 3.3865 rad/s, 0.8837
         """
-        made = cls._asymmetric(
-            left=left,
-            right=right,
-            height=height,
-            gyration=gyration,
-            restitution=restitution,
-            gravity=gravity,
-        )
+        made = cls._asymmetric(left, right, height, gyration, restitution, gravity)
         if left != right or gyration is not None:  # else the rectangle has been questioned
             question_millimetres(width=float(left + right), height=float(height))
         return made
@@ -350,13 +321,7 @@ class Block:
         """
         first = alpha_value(positive, "positive")
         second = alpha_value(negative, "negative")
-        if (radius is None) == (p is None) or (p is not None and gyration is not None):
-            raise ModelError(
-                name="radius, p, gyration",
-                value=Words(_which(radius=radius, p=p, gyration=gyration)),
-                valid="a radius, with or without a gyration, or a p alone says how large it is",
-                hint="give radius=..., or p=...",
-            )
+        check_one_size(radius=radius, p=p, gyration=gyration)
         if first == second and p is not None:
             return cls._alike(cls.from_p, restitution, gravity, alpha=first, p=p)
         if first == second and radius is not None and gyration is None:
@@ -366,25 +331,14 @@ class Block:
             length = radius_value(radius)
         else:
             assert p is not None
-            rate = p_value(p)
-            # Of a body R times as large as one with R = 1, p^2 = g/(R (1 + k^2)).
-            base = math.sin(first) + math.cos(first) * math.tan(second)
-            shape = (base * base + 4.0 * math.cos(first) ** 2) / 12.0
-            length = g / (rate * rate * (1.0 + shape))
+            length = radius_of_p(p, first, second, g)
         centre = length * math.cos(first)
-        return cls._asymmetric(
-            left=length * math.sin(first),
-            right=centre * math.tan(second),
-            height=2.0 * centre,
-            gyration=gyration,
-            restitution=restitution,
-            gravity=g,
-        )
+        left, right = length * math.sin(first), centre * math.tan(second)
+        return cls._asymmetric(left, right, 2.0 * centre, gyration, restitution, g)
 
     @classmethod
     def _asymmetric(
         cls,
-        *,
         left: float,
         right: float,
         height: float,
@@ -393,14 +347,7 @@ class Block:
         gravity: float,
     ) -> "Block":
         """Return what `asymmetric` does, of whatever size."""
-        b1 = length_value("left", left, hint="give the distance of the left edge in metres")
-        b2 = length_value("right", right, hint="give the distance of the right edge in metres")
-        h = length_value(
-            "height", height, hint="give twice the height of the mass centre in metres"
-        )
-        k = None
-        if gyration is not None:
-            k = length_value("gyration", gyration, hint="give sqrt(I_c/M) in metres")
+        b1, b2, h, k = lengths_of(left, right, height, gyration)
         g = gravity_value(gravity)
         # One way of computing a symmetric block, whoever makes it.
         if b1 == b2 and k is None:
@@ -534,24 +481,18 @@ class Block:
     def _repr_html_(self) -> str:
         """Return a small table for notebooks."""
         sides = (self.positive,) if self.symmetric else (self.positive, self.negative)
-
-        def each(values: list[str], unit: str = "") -> str:
-            return " and ".join(values) + unit
-
-        rows: tuple[tuple[str, str], ...] = (
-            ("slenderness alpha", each([f"{side.alpha:.6g}" for side in sides], " rad")),
-            ("radius R", each([f"{side.radius:.6g}" for side in sides], " m")),
-            ("frequency parameter p", each([f"{side.p:.6g}" for side in sides], " rad/s")),
-            ("restitution", each([f"{side.restitution:.6g}" for side in sides])),
-            ("uplift at", each([f"{side.alpha:.6g}" for side in sides], " g")),
-        )
+        quantities = {
+            "slenderness alpha": ("alpha", " rad"),
+            "radius R": ("radius", " m"),
+            "frequency parameter p": ("p", " rad/s"),
+            "restitution": ("restitution", ""),
+            "uplift at": ("alpha", " g"),
+        }
+        rows = {
+            words: " and ".join(f"{getattr(side, name):.6g}" for side in sides) + unit
+            for words, (name, unit) in quantities.items()
+        }
         if not self.symmetric:
-            rows = (("sides", "positive (left edge) and negative (right edge)"), *rows)
-        cells = "".join(f"<tr><th>{name}</th><td>{value}</td></tr>" for name, value in rows)
+            rows = {"sides": "positive (left edge) and negative (right edge)"} | rows
+        cells = "".join(f"<tr><th>{name}</th><td>{value}</td></tr>" for name, value in rows.items())
         return f"<table><caption>Block</caption>{cells}</table>"
-
-
-def _which(**given: object) -> str:
-    """Return which of several arguments are given, in words."""
-    names = [name for name, value in given.items() if value is not None]
-    return f"do not fit, with {' and '.join(names)} given" if names else "are all missing"

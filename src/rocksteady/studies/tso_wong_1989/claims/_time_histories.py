@@ -207,7 +207,7 @@ def check_history(shown: Shown, evidence: Evidence) -> Finding:
 
 
 for _shown in HISTORIES:
-    # The reference results number the correction of Fig. 11(a).
+    # A correction, E3, and not a figure like the others.
     _name = "E3" if _shown.figure == "11a" else f"fig-{_shown.figure}"
     STATEMENTS.add(_name, _shown.text, page=_shown.page, figures=(_shown.figure,))(
         partial(check_history, _shown)

@@ -47,7 +47,7 @@ class Claim:
     Attributes
     ----------
     id
-        Short and lasting; E1 to E9 are those of the package's reference results.
+        Short and lasting: reports and later versions refer to it.
     statement
         What the paper says, in our words.
     page

@@ -1,0 +1,106 @@
+"""Sizes as they are given: which of them, in which unit, and the radius that p implies."""
+
+import math
+import warnings
+
+from rocksteady.errors import ModelError, Words
+from rocksteady.model.blocks.sides import length_value, p_value
+
+TALLEST = 200.0
+"""Of the standing towers and obelisks none is taller [m]."""
+
+TALL = 50.0
+"""Height [m] above which two sizes in whole numbers are taken for millimetres or centimetres."""
+
+
+def question_millimetres(*, width: float, height: float) -> None:
+    """Warn of sizes that seem to be in millimetres.
+
+    So seem heights above 200 m, and heights above 50 m where both sizes are whole numbers, as those
+    of catalogues are.
+    """
+    whole = width.is_integer() and height.is_integer()
+    if height > TALLEST or (height > TALL and whole):
+        warnings.warn(
+            f"a block {width:g} m wide and {height:g} m high: sizes are in metres; of one in "
+            f"millimetres give width={width / 1000.0:g}, height={height / 1000.0:g}",
+            stacklevel=4,
+        )
+
+
+def check_one_size(*, radius: float | None, p: float | None, gyration: float | None) -> None:
+    """Refuse sizes of which not exactly one of `radius` and `p` is given, or `gyration` with `p`.
+
+    Raises
+    ------
+    ModelError
+        With the names of those that are given.
+    """
+    if (radius is None) != (p is None) and (p is None or gyration is None):
+        return
+    sizes = {"radius": radius, "p": p, "gyration": gyration}
+    given = " and ".join(name for name, value in sizes.items() if value is not None)
+    raise ModelError(
+        name="radius, p, gyration",
+        value=Words(
+            f"do not fit, with {' and '.join(given)} given" if given else "are all missing"
+        ),
+        valid="a radius, with or without a gyration, or a p alone says how large it is",
+        hint="give radius=..., or p=...",
+    )
+
+
+def radius_of_p(p: float, alpha: float, other_alpha: float, gravity: float) -> float:
+    """Return R of the side of `alpha` [m], of a body that is filled as a rectangle is.
+
+    Of a body R times as large as one with R = 1, ``p^2 = g/(R (1 + k^2))``.
+
+    Parameters
+    ----------
+    p
+        Frequency parameter of that side [rad/s].
+    alpha, other_alpha
+        Slenderness of either side [rad].
+    gravity
+        g [m/s^2].
+    """
+    rate = p_value(p)
+    base = math.sin(alpha) + math.cos(alpha) * math.tan(other_alpha)
+    shape = (base * base + 4.0 * math.cos(alpha) ** 2) / 12.0
+    return gravity / (rate * rate * (1.0 + shape))
+
+
+def check_inertia(inertia: float, least: float) -> None:
+    """Refuse a moment of inertia about a pivot below mass times radius squared [kg m^2].
+
+    Raises
+    ------
+    ModelError
+        With that product.
+    """
+    if inertia < least * (1.0 - 1e-12):
+        raise ModelError(
+            name="inertia",
+            value=inertia,
+            valid=f"about a pivot it is at least mass * radius^2 = {least:.6g} kg m^2",
+            hint="add mass * radius^2 to a moment of inertia about the mass centre",
+        )
+
+
+def lengths_of(
+    left: float, right: float, height: float, gyration: float | None
+) -> tuple[float, float, float, float | None]:
+    """Return the lengths of an asymmetric block [m], validated.
+
+    Raises
+    ------
+    InputError
+        If one is not positive.
+    """
+    b1 = length_value("left", left, hint="give the distance of the left edge in metres")
+    b2 = length_value("right", right, hint="give the distance of the right edge in metres")
+    h = length_value("height", height, hint="give twice the height of the mass centre in metres")
+    k = None
+    if gyration is not None:
+        k = length_value("gyration", gyration, hint="give sqrt(I_c/M) in metres")
+    return b1, b2, h, k
