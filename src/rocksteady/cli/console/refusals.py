@@ -1,13 +1,19 @@
 """Why flags are refused that are valid alone: in one line with the flags, and what to do."""
 
+import os
 from collections import Counter
 from collections.abc import Iterator
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 from typer.core import TyperCommand
 
 from rocksteady.errors import ModelError
+from rocksteady.model.checks.arguments import LONGEST_NAME
+
+PATHS = {"FILE", "DIR", "STORE"}
+"""What `--help` shows for the value of a flag that is a path."""
 
 
 class FlagError(ModelError):
@@ -71,6 +77,7 @@ class OncePerFlag(TyperCommand):
                             valid=f"{value} after it is a flag",
                             hint=f"give a value, or write {flag}={value} where that is one",
                         )
+                _check_paths(self.params, found[0])
                 for option, count in Counter(found[-1]).items():
                     if count > 1 and _takes_one_value(option):
                         raise _repeated(option, given)
@@ -84,6 +91,29 @@ def _values_of(found: dict[str, Any]) -> set[str]:
     """Return the texts that flags have taken."""
     values = (value if isinstance(value, list) else [value] for value in found.values())
     return {one for several in values for one in several if isinstance(one, str)}
+
+
+def _check_paths(parameters: list[Any], found: dict[str, Any]) -> None:
+    """Refuse names of files that are empty, which would mean this folder, or too long for any."""
+    for each in parameters:
+        if each.metavar not in PATHS:
+            continue
+        flag = each.opts[0] if each.param_type_name == "option" else each.metavar
+        given = found.get(each.name)
+        for value in given if isinstance(given, list | tuple) else [given]:
+            if value == "":
+                raise FlagError(
+                    finding=f"{flag} is empty", valid="it takes a path", hint="name one"
+                )
+            if isinstance(value, str) and any(
+                len(os.fsencode(part)) > LONGEST_NAME for part in Path(value).parts
+            ):
+                raise FlagError(
+                    name=flag,
+                    value=value,
+                    valid=f"names in a path have at most {LONGEST_NAME} bytes",
+                    hint="shorten it",
+                )
 
 
 def _takes_one_value(parameter: Any) -> bool:

@@ -288,6 +288,8 @@ def _path(_: str, value: Any) -> Any:
         raise UnfitError("it must be a path", "give a str or a pathlib.Path") from None
     if not isinstance(text, str) or "\0" in text:
         raise UnfitError("it must be a path, in text", "give a str or a pathlib.Path")
+    if text == "":  # which would mean this folder
+        raise UnfitError("it must be a path, not an empty text", "name a file or a folder")
     longest = max((len(os.fsencode(part)) for part in Path(text).parts), default=0)
     if longest > LONGEST_NAME:
         raise UnfitError(f"it must be a path of names up to {LONGEST_NAME} bytes", "shorten it")
