@@ -1,12 +1,13 @@
 """Sampled base motions: synthetic ones from a seed, real ones where they are at hand."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady import Record, read_record
+from rocksteady import Record, Recording, read_record
 
 Floats = NDArray[np.float64]
 
@@ -49,3 +50,10 @@ def peer(name: str) -> Record:
     if not found:
         pytest.skip(f"there is no {name} in ../shared/records")
     return read_record(found[0])
+
+
+def recording(values: Floats, dt: float = 0.01, **others: object) -> Recording:
+    """Return a recording of given samples in m/s^2, with any other field as given."""
+    record = Record(acceleration_m_s2=values, dt_s=dt, name="hut")
+    whole = Recording(record=record, format="csv", path=Path("hut.csv"), units_in_file="g")
+    return replace(whole, **others)  # type: ignore[arg-type]

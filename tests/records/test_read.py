@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from rocksteady import InputError, RecordFileError, read_record, read_recordings
-from rocksteady.records.core.text import LARGEST_FILE
 from rocksteady.records.read import FORMATS
 from tests.records.writers import at2, cosmos_channel, csv, esm, knet, samples, smc
 
@@ -32,17 +31,6 @@ def test_the_format_is_found_from_what_stands_in_the_file(tmp_path: Path, name: 
         assert found.path == path
         (named,) = read_recordings(path, format=name)
         assert named.record == found.record
-
-
-@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "latin-1"])
-@pytest.mark.parametrize("ends", ["\n", "\r\n", "\r", "\r\r\n"])
-def test_encodings_and_line_ends(tmp_path: Path, encoding: str, ends: str) -> None:
-    path = tmp_path / "hut.AT2"
-    text = at2(samples(40)).replace("Hut", "H\N{LATIN SMALL LETTER U WITH DIAERESIS}tte")
-    path.write_bytes(text.replace("\n", ends).encode(encoding))
-    (found,) = read_recordings(path)
-    assert len(found.record.acceleration_m_s2) == 40
-    assert found.station == "H\N{LATIN SMALL LETTER U WITH DIAERESIS}tte - Far, West"
 
 
 def test_a_format_that_is_not_the_files_is_refused(tmp_path: Path) -> None:
@@ -75,25 +63,6 @@ def test_what_is_no_file(tmp_path: Path) -> None:
     for named, words in (("a\0b", "a path, in text"), ("x" * 5000, "names up to 255 bytes")):
         with pytest.raises(InputError, match=words):
             read_recordings(named)
-
-
-@pytest.mark.parametrize("data", [b"", b"\n \n", b"\x00" * 5000, b"\x1a"])
-def test_an_empty_file(tmp_path: Path, data: bytes) -> None:
-    path = tmp_path / "empty"
-    path.write_bytes(data)
-    with pytest.raises(RecordFileError, match="it is empty; fetch it anew"):
-        read_recordings(path)
-
-
-def test_files_that_are_too_large_or_no_text(tmp_path: Path) -> None:
-    path = tmp_path / "large"
-    with path.open("wb") as file:
-        file.truncate(LARGEST_FILE + 1)
-    with pytest.raises(RecordFileError, match=f"{LARGEST_FILE} are the most"):
-        read_recordings(path)
-    path.write_bytes(bytes(range(256)) * 40)
-    with pytest.raises(RecordFileError, match="it is not text"):
-        read_recordings(path)
 
 
 @pytest.mark.parametrize(

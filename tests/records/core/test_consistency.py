@@ -139,34 +139,6 @@ def test_counts_above_tables(tmp_path: Path) -> None:
     assert "header states 40 s" in read(tmp_path, lasting)[0].warnings[0]
 
 
-DAMAGES = {
-    "knet": (knet(COUNTS), 17),
-    "esm": (esm(CM), 14),
-    "smc": (smc(CM), 27),
-    "cosmos": (cosmos_channel(CM), 46),
-    "csmip": (csmip_v2_channel(CM), 30),
-    "peer": (at2(samples(403)), 4),
-}
-
-
-@pytest.mark.parametrize("name", DAMAGES)
-def test_a_damaged_header_makes_no_table(tmp_path: Path, name: str) -> None:
-    text, head = DAMAGES[name]
-    lines = text.split("\n")
-    rng = np.random.default_rng(3)
-    for _ in range(30):
-        kept = [line for line in lines[:head] if rng.random() < 0.5]
-        damaged = "\n".join([*kept, *lines[head:]])
-        try:
-            found = read(tmp_path, damaged, units="gal", dt_s=0.01)
-        except RecordFileError:
-            continue
-        # Where nothing is left of the header, it is a table, and the caller has named its unit.
-        assert found[0].format not in {"csv", "columns"} or not any(map(str.strip, kept))
-    (table,) = read(tmp_path, "1.0\n-2.5\n0.5\n", format="columns", units="gal", dt_s=0.01)
-    assert table.format == "columns"
-
-
 @pytest.mark.parametrize(
     "text",
     ["time,acc (g)\n", "Time (s)  Acc (g)", "t;a\n", "acc (g)\n", "# made by hand\ntime\tacc_g\n"],

@@ -4,7 +4,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady.records.core.fortran_format import fixed_values, stated_width
 from rocksteady.records.core.numbers import number, numbers, samples
 
 FINITE = st.floats(-1e12, 1e12, allow_nan=False)
@@ -92,11 +91,3 @@ def test_samples_stop_at_the_line_that_is_wrong() -> None:
     lines[600] = "1.0 2.O"
     found, end = samples(lines, 0)
     assert (len(found), end) == (1200, 600)
-
-
-def test_formats_of_fortran() -> None:
-    assert stated_width("100 Integer-header values follow on 10 lines, Format= (10I8)") == 8
-    assert stated_width("in cm/sec2. (8f10.6)") == 10
-    assert stated_width("Format=(1P5E15.7)") == 15
-    assert stated_width("no format (here)") is None
-    assert fixed_values((" 1.0 2.0    ", "-999x"), 4) == [1.0, 2.0, -999.0, None]

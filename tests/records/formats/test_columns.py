@@ -8,17 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady import InputError, RecordFileError, Recording, read_record, read_recordings
+from rocksteady import InputError, RecordFileError, read_record
+from tests.records.tables import THREE, G, read
 from tests.records.writers import csv, samples
-
-G = 9.80665
-THREE = [1.0, -2.5, 0.5]
-
-
-def read(tmp_path: Path, text: str, **given: object) -> tuple[Recording, ...]:
-    path = tmp_path / "table.txt"
-    path.write_text(text, encoding="utf-8")
-    return read_recordings(path, **given)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(
@@ -84,94 +76,6 @@ def test_intervals_in_words(tmp_path: Path, head: str, dt: float) -> None:
     assert found.record.dt_s == dt
 
 
-@pytest.mark.parametrize(
-    ("name", "size"),
-    [
-        ("acc (milli g)", 1e-3 * G),
-        ("acc (10^-3 g)", 1e-3 * G),
-        ("acc (1e-3 g)", 1e-3 * G),
-        ("acc (0.001 g)", 1e-3 * G),
-        ("acc (10\u207b\u00b3 g)", 1e-3 * G),
-        ("acc (% of g)", 1e-2 * G),
-        ("acc (%g)", 1e-2 * G),
-        ("acc (1e-2 m/s2)", 1e-2),
-        ("acc (\u00b5g)", 1e-6 * G),
-        ("acc_milli_g", 1e-3 * G),
-        ("acc/(m/s2)", 1.0),
-        ("acc [cm s\u207b\u00b2]", 1e-2),
-        ("acc (g/1000)", 1e-3 * G),
-        ("acc [0.5g]", 0.5 * G),
-        ("acc (units of g)", G),
-        ("ug'' (m/s2)", 1.0),
-        ("d2u/dt2 (m/s2)", 1.0),
-    ],
-)
-def test_units_with_factors_are_understood_as_a_whole(
-    tmp_path: Path, name: str, size: float
-) -> None:
-    (found,) = read(tmp_path, f"time (s),{name}\n0,1.0\n0.01,-2.5\n0.02,0.5\n")
-    np.testing.assert_allclose(found.record.acceleration_m_s2, np.array(THREE) * size, rtol=1e-14)
-
-
-@pytest.mark.parametrize(
-    "name",
-    [
-        *("acc (cm/s2 x 10)", "1000*acc (g)", "acc x 1000 (g)", "acc (x1000) (g)", "acc (g x 10)"),
-        *("acc^2 (g)", "acc\u00b2 (g)", "acc (g^2)", "-acc (g)", "|acc| (g)", "milli acc (g)"),
-        *("SA (g)", "PSA (g)", "Sa(T1) (g)", "pseudo-acceleration (g)", "spectral acc (g)"),
-        *("acc (LSB)", "acc (counts)", "acc_counts", "acc (V)", "acc_m_g", "acc_cm/s2 (g)"),
-        *("max acc (g)", "log acc (g)", "acc/9.81 (g)", "scaled acc (g)", "acc (Mg)", "vel (cm/s)"),
-        *("acc (gal) (g)", "acc (g or m/s2)", "cumulative acc (g)", "acc (g) E-3", "acc (g) e-2"),
-        *("accE3 (g)", "acc (g)\u00b71000", "acc [g] 1:10", "acc (g, 1/10)", "acc (gal, g)"),
-        *("acc (g) (doubled)", "acc (g) (half)", "acc (g) (reversed)", "acc (g) (opposite sign)"),
-        *("acc (g) flipped", "neg acc (g)", "acc (g) + 0.1", "d(acc)/dt (g)", "acc -x (g)"),
-        *("PGA (g)", "acc error (g)", "acc uncertainty (g)", "acc noise (g)", "acc sigma (g)"),
-        *("acc residual (g)", "acc diff (g)", "acc coefficient (g)", "tilt (g)", "acc 100 (g)"),
-        *("Acceleration Response (g)", "accuracy (g)", "acc wobbled (g)", "acc BY10 (g)", "Z- (g)"),
-    ],
-)
-def test_what_is_not_understood_as_a_whole_is_refused(tmp_path: Path, name: str) -> None:
-    text = f"time (s),{name}\n0,1.0\n0.01,-2.5\n0.02,0.5\n"
-    with pytest.raises(RecordFileError):
-        read(tmp_path, text)
-    (given,) = read(tmp_path, text, units="mg", column=2)
-    assert given.record.acceleration_m_s2[0] == pytest.approx(1e-3 * G)
-
-
-@pytest.mark.parametrize(
-    ("name", "step"),
-    [
-        *[("time (min)", 60.0), ("time (h)", 3600.0), ("time (us)", 1e-6), ("time (cs)", 0.01)],
-        *[("t (10^-3 s)", 1e-3), ("t/ms", 1e-3), ("time_ms", 1e-3), ("time (\u00b5s)", 1e-6)],
-        *[("time hours", 3600.0), ("ms", 1e-3), ("t", 1.0), ("time since start", 1.0)],
-        *[("elapsed time (s)", 1.0), ("Elapsed (ms)", 1e-3), ("elapsed_time_ms", 1e-3)],
-    ],
-)
-def test_units_of_time(tmp_path: Path, name: str, step: float) -> None:
-    (found,) = read(tmp_path, f"{name},acc (g)\n0,1.0\n10,-2.5\n20,0.5\n")
-    assert found.record.dt_s == pytest.approx(10.0 * step, rel=1e-12)
-
-
-@pytest.mark.parametrize(
-    "name",
-    [
-        *("acc (g)", "a_g", "accNS (g)", "AccelX (g)", "Acceleration Ch 1 (g)", "acc. X [g]"),
-        *("EW (g)", "N21E (g)", "acc 090 (g)", "acc - x (g)", "TCU054-N (g)", "a(t) (g)"),
-        *(
-            "HN.STA..HNZ (g)",
-            "ground acceleration (g)",
-            "u_g'' (g)",
-            "\u00fcg (g)",
-            "g",
-            "acc N/S (g)",
-        ),
-    ],
-)
-def test_names_of_known_words(tmp_path: Path, name: str) -> None:
-    (found,) = read(tmp_path, f"time (s),{name}\n0,1.0\n0.01,-2.5\n0.02,0.5\n")
-    assert found.record.acceleration_m_s2.tolist() == [G * value for value in THREE]
-
-
 def test_two_rows_of_names_and_units_with_a_factor(tmp_path: Path) -> None:
     with pytest.raises(RecordFileError, match="line 2, "):
         read(tmp_path, "time (s),acc (g)\ns,g x 10\n0,1.0\n0.01,-2.5\n0.02,0.5\n")
@@ -185,27 +89,6 @@ def test_the_column_beside_another_quantity_is_read(tmp_path: Path) -> None:
 def test_an_interval_may_be_any_number(tmp_path: Path) -> None:
     (found,) = read(tmp_path, "1.0\n-2.5\n0.5\n", units="g", dt_s=Fraction(1, 200))
     assert found.record.dt_s == 0.005
-
-
-@pytest.mark.parametrize(
-    "name",
-    [
-        *(
-            "time (UTC)",
-            "time (Hz)",
-            "t^2 (s)",
-            "time (s x 10)",
-            "t (g)",
-            "t/T",
-            "t/Tn",
-            "time (-)",
-        ),
-        *("time/period", "time ratio", "time fraction", "time lag", "time (s or ms)", "time (%)"),
-    ],
-)
-def test_times_in_no_unit_of_time_are_refused(tmp_path: Path, name: str) -> None:
-    with pytest.raises(RecordFileError, match="line 1, "):
-        read(tmp_path, f"{name},acc (g)\n0,1.0\n0.01,-2.5\n0.02,0.5\n")
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,90 @@
+"""Files of COSMOS: channels, columns and intervals, and what is refused."""
+
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rocksteady import RecordFileError
+from tests.records.formats.networks import CM, close, read
+from tests.records.writers import cosmos_channel, samples
+
+
+@pytest.mark.parametrize(
+    "form",
+    [
+        ("{:10.5f}", "8F10.5", 8),
+        ("{:15.6E}", "1E15.6", 1),
+        ("{:10.5f}", "1F15.6E", 5),
+        ("{:9.5f}", "10F9.5", 10),
+    ],
+)
+def test_cosmos(tmp_path: Path, form: tuple[str, str, int]) -> None:
+    (found,) = read(tmp_path, cosmos_channel(CM / 2, form=form))
+    close(found, CM / 2, 1e-4)
+    assert (found.format, found.units_in_file, found.record.dt_s) == ("cosmos-v2", "cm/s^2", 0.01)
+    assert (found.azimuth_deg, found.component) == (340.0, "340 deg")
+    assert found.station == "CE-J2236  CDMG Hut & Far"
+    assert found.start_time == datetime(2005, 6, 16, 20, 53, 4, 400000, tzinfo=UTC)
+
+
+def test_cosmos_numbers_that_fill_their_columns(tmp_path: Path) -> None:
+    # Nothing stands between 100.12345 and 101.12345 but the width of nine.
+    values = np.abs(CM) + 100.0
+    text = cosmos_channel(values, form=("{:9.5f}", "8F9.5", 8))
+    assert f"{values[0]:.5f}{values[1]:.5f}" in text
+    (found,) = read(tmp_path, text)
+    close(found, values, 5e-6)
+
+
+def test_cosmos_takes_the_interval_that_fits_the_duration(tmp_path: Path) -> None:
+    (found,) = read(tmp_path, cosmos_channel(CM, dt_ms=5.0, raw_dt=0.02))
+    assert found.record.dt_s == 0.005
+    assert "0.02 s between samples too" in found.warnings[0]
+    unknown = cosmos_channel(samples(4000, peak=99.0), dt_ms=-999.0, raw_dt=-999.0)
+    (found,) = read(tmp_path, unknown, dt_s=0.01)
+    assert found.record.dt_s == 0.01
+    with pytest.raises(RecordFileError, match="no interval of its header fits"):
+        read(tmp_path, cosmos_channel(CM, dt_ms=-999.0, raw_dt=-999.0))
+
+
+def test_cosmos_of_several_channels_and_quantities(tmp_path: Path) -> None:
+    text = "".join(
+        cosmos_channel(factor * CM, azimuth=azimuth, quantity=quantity, channel=at)
+        for at, (factor, azimuth, quantity) in enumerate(
+            [(1.0, 340, "acceleration"), (0.1, 340, "velocity"), (0.5, 400, "acceleration")], 1
+        )
+    )
+    first, second = read(tmp_path, text)
+    close(first, CM, 1e-5)
+    close(second, 0.5 * CM, 1e-5)
+    assert [one.orientation for one in (first, second)] == ["horizontal", "vertical"]
+    assert first.record.name != second.record.name
+    with pytest.raises(RecordFileError, match="it holds no acceleration"):
+        read(tmp_path, cosmos_channel(CM, quantity="velocity", units="cm/sec(05)"))
+
+
+def test_cosmos_levels_and_counts(tmp_path: Path) -> None:
+    (found,) = read(tmp_path, cosmos_channel(CM, first="Uncorrected acceleration", dt_ms=10.0))
+    assert found.format == "cosmos-v1"
+    both = read(tmp_path, 2 * cosmos_channel(CM, first="Uncorrected acceleration"))
+    assert [one.format for one in both] == ["cosmos-v1", "cosmos-v1"]
+    assert both[0].event == both[1].event
+    with pytest.raises(RecordFileError, match="instrument's counts"):
+        read(tmp_path, cosmos_channel(CM, first="Raw acceleration counts", units="counts (50)"))
+
+
+@pytest.mark.parametrize("units", ["g(04)", "cm/sec2 x 10(04)", "cm/sec(04)", "V(03)"])
+def test_cosmos_units_that_contradict_their_code(tmp_path: Path, units: str) -> None:
+    with pytest.raises(RecordFileError, match="is none of acceleration; give units"):
+        read(tmp_path, cosmos_channel(CM, units=units))
+    (given,) = read(tmp_path, cosmos_channel(CM, units=units), units="gal")
+    close(given, CM, 5e-4)
+
+
+def test_cosmos_that_is_cut(tmp_path: Path) -> None:
+    lines = cosmos_channel(CM).split("\n")
+    for kept in (20, 25, 35, 44, 46, 60):
+        with pytest.raises(RecordFileError):
+            read(tmp_path, "\n".join(lines[:kept]))

@@ -1,0 +1,75 @@
+"""Files of CSMIP, volumes 1 and 2: channels, units, times and samples in turn."""
+
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rocksteady import RecordFileError
+from tests.records.formats.networks import CM, close, read
+from tests.records.writers import csmip_v2_channel, rows
+
+
+def test_csmip_units_are_understood_as_a_whole(tmp_path: Path) -> None:
+    text = csmip_v2_channel(CM)
+    for unit in ("cm/sec2 x 10.", "counts.", "cm/sec2 (multiplied by 10)"):
+        with pytest.raises(RecordFileError, match="is none of acceleration"):
+            read(tmp_path, text.replace("in cm/sec2.", f"in {unit}"))
+
+
+def test_csmip_volume_2_takes_the_acceleration_of_each_channel(tmp_path: Path) -> None:
+    text = csmip_v2_channel(CM) + csmip_v2_channel(2.0 * CM, channel=2, name="Up")
+    first, second = read(tmp_path, text)
+    close(first, CM, 5e-6)
+    close(second, 2.0 * CM, 5e-6)
+    assert (first.format, first.component, first.station) == ("csmip-v2", "360 Deg", "Hut")
+    assert second.orientation == "vertical"
+    assert first.record.dt_s == 0.005
+    assert first.start_time == datetime(2012, 2, 13, 21, 6, 45, tzinfo=UTC)
+
+
+def test_csmip_without_acceleration_is_refused(tmp_path: Path) -> None:
+    text = csmip_v2_channel(CM).replace("points of accel data", "points of veloc data")
+    with pytest.raises(RecordFileError, match="it holds no acceleration"):
+        read(tmp_path, text)
+
+
+def test_csmip_volume_1(tmp_path: Path) -> None:
+    head = csmip_v2_channel(CM).split("\n")[1:8]
+    peak = np.abs(CM).max() / 980.665
+    words = [*head, "-", "Units of uncor data are sec and g .", f"Max  = {peak:8.5f} g , at 3 sec."]
+    numbers = rows(np.arange(100.0), "{:5.0f}", 16) + rows(np.zeros(50), "{:10.6f}", 8)
+    line = f" {len(CM)} Accelerogram points at 200 pts/sec in units of g .      Format: (8f9.6)\n"
+    text = "\n".join(words) + "\n" + numbers + line + rows(CM / 980.665, "{:9.6f}", 8)
+    (found,) = read(tmp_path, text + "/&  ----  End of data for channel  1  ----\n")
+    close(found, CM, 5e-4)
+    assert (found.format, found.units_in_file, found.record.dt_s) == ("csmip-v1", "g", 0.005)
+
+
+@pytest.mark.parametrize("even", [True, False])
+def test_csmip_volume_1_of_times_and_samples_in_turn(tmp_path: Path, even: bool) -> None:
+    times = 0.02 * np.arange(len(CM))
+    if not even:
+        times[5::7] += 0.007
+    head = [
+        "UNCORRECTED ACCELEROGRAM DATA              PROCESSED: 02/28/94",
+        *(["-"] * 8),
+        "CHAN  1:  90 DEG",
+        f"NO. OF POINTS =  {len(CM)}  RECORD LENGTH =  8.040 SEC",
+        "UNITS OF UNCOR ACCEL ARE SEC AND G/10.     MAX  =   .153 G.",
+        "-",
+    ]
+    pairs = np.column_stack([times, CM / 98.0665]).ravel()
+    numbers = rows(np.arange(100.0), "{:5.0f}", 16) + rows(np.zeros(50), "{:10.6f}", 8)
+    text = "\n".join(head) + "\n" + numbers + rows(pairs, "{:7.3f}", 10) + "----- END\n"
+    if not even:
+        with pytest.raises(RecordFileError, match=r"line 3\d, .*ask for resampling"):
+            read(tmp_path, text)
+    (found,) = read(tmp_path, text, resample=not even)
+    assert (found.format, found.orientation, found.azimuth_deg) == ("csmip-v1", "horizontal", 90.0)
+    assert found.record.dt_s == pytest.approx(0.02, abs=1e-9)
+    if even:
+        close(found, CM, 0.05)
+    else:
+        assert "resampled" in found.processing[0]

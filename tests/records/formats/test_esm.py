@@ -1,0 +1,58 @@
+"""Files of ESM: values, header and units, and what is refused."""
+
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pytest
+
+from rocksteady import RecordFileError
+from tests.records.formats.networks import CM, close, read
+from tests.records.writers import esm
+
+
+def test_esm(tmp_path: Path) -> None:
+    (found,) = read(tmp_path, esm(CM))
+    close(found, CM, 5e-7)
+    assert (found.format, found.units_in_file, found.record.dt_s) == ("esm-ascii", "cm/s^2", 0.005)
+    assert (found.station, found.event) == ("HUT", "EM-1")
+    assert (found.component, found.orientation, found.azimuth_deg) == ("HNE", "horizontal", 90.0)
+    assert found.start_time == datetime(2019, 7, 28, 16, 9, 19, 870000, tzinfo=UTC)
+    assert found.warnings == ()
+
+
+def test_esm_in_other_units_and_with_many_values_in_a_line(tmp_path: Path) -> None:
+    text = esm(CM, UNITS="m/s^2")
+    head, _, _ = text.partition("USER2: \n")
+    in_m = [f"{0.01 * value:.8f}" for value in CM]
+    lines = "\n".join(" ".join(in_m[at : at + 6]) for at in range(0, len(in_m), 6))
+    (found,) = read(tmp_path, f"{head}USER2: \n{lines}\n")
+    close(found, CM, 1e-4)
+    assert (found.units_in_file, found.warnings) == ("m/s^2", ())
+
+
+def test_esm_of_another_quantity_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(RecordFileError, match=r"line 10, 'DATA_TYPE: VELOCITY': the base moves"):
+        read(tmp_path, esm(CM, data_type="VELOCITY"))
+
+
+@pytest.mark.parametrize("units", ["cm/s^2 * 10", "cm/s", "counts", "G/CM"])
+def test_esm_units_are_understood_as_a_whole(tmp_path: Path, units: str) -> None:
+    with pytest.raises(RecordFileError, match="is none of acceleration; give units"):
+        read(tmp_path, esm(CM, UNITS=units))
+    with pytest.raises(RecordFileError, match="a factor on the samples is stated"):
+        read(tmp_path, esm(CM).replace("USER1: /", "SCALE_FACTOR: 2.0\nUSER1: /"))
+
+
+def test_esm_counts(tmp_path: Path) -> None:
+    with pytest.raises(RecordFileError, match="403 samples are read so far, and line 6 states 404"):
+        read(tmp_path, esm(CM, NDATA="404"))
+    (found,) = read(tmp_path, esm(CM, NDATA="400"))
+    assert len(found.record.acceleration_m_s2) == 400
+    assert "left out" in found.warnings[0]
+    with pytest.raises(RecordFileError, match="whole number"):
+        read(tmp_path, esm(CM, NDATA="many"))
+
+
+def test_a_peak_that_is_not_the_headers_is_a_warning(tmp_path: Path) -> None:
+    (found,) = read(tmp_path, esm(CM).replace("PGA_CM/S^2: 150.0", "PGA_CM/S^2: -140.0"))
+    assert found.warnings == ("its peak is 1.5 m/s^2, and the header states 1.4 m/s^2",)
