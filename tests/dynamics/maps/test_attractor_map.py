@@ -21,7 +21,7 @@ from rocksteady import (
     attractor_map,
     housner_restitution,
 )
-from rocksteady.dynamics.batch.attractors import KIND_FLAGS, batch_size
+from rocksteady.dynamics.batch.attractors import KIND_FLAGS
 from rocksteady.dynamics.parameters import AXES as PARAMETERS_OF_MAPS
 from tests.dynamics.maps.drawn import drawn_case, same_as_alone
 
@@ -68,35 +68,12 @@ def test_a_row_along_which_chatter_ends_at_uplift_is_as_fast_as_any_other() -> N
     assert found.after.values.max() < 200  # as if each had gone on for 2000
 
 
-def test_the_codes_of_the_kinds_are_kept_for_ever() -> None:
-    # Stored maps hold them.
-    assert KIND_FLAGS == {
-        0: "symmetric",
-        1: "unsymmetric",
-        2: "rest",
-        3: "overturned",
-        4: "aperiodic",
-        5: "undecided",
-        6: "no-start",
-    }
-
-
 def test_executors_agree_to_the_bit_and_progress_is_told() -> None:
     told: list[int] = []
     one = attractor_map(BLOCK, axes=AXES, cycles=300, done=told.append)
     other = attractor_map(BLOCK, axes=AXES, cycles=300, executor="serial")
     assert one.identical(other)
     assert sum(told) == 12 * 11
-
-
-def test_the_longer_motions_are_followed_the_fewer_make_a_piece() -> None:
-    assert [batch_size(cycles) for cycles in (1, 500, 2000, 20_000, 1_000_000)] == [
-        1024,
-        1024,
-        256,
-        25,
-        1,
-    ]
 
 
 def test_the_phase_is_an_axis_as_any_other() -> None:

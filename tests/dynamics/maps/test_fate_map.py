@@ -21,7 +21,6 @@ from rocksteady import (
     open_store,
     simulate,
 )
-from rocksteady.dynamics.batch.fates import batch_size
 from rocksteady.dynamics.maps.fate_map import NO_START
 from tests.dynamics.maps.drawn import drawn_case
 
@@ -130,10 +129,6 @@ def test_a_refined_map_has_the_fates_near_their_borders() -> None:
     assert (found.impacts == whole.impacts).values[met].all()
     with pytest.raises(ModelError, match="a store holds every cell"):
         fate_map(BLOCK, axes=axes, refine=4, store="a.zarr")
-
-
-def test_the_longer_motions_are_followed_the_fewer_make_a_piece() -> None:
-    assert [batch_size(cycles) for cycles in (1, 200, 1000, 10**6)] == [4096, 4096, 1000, 1]
 
 
 @pytest.mark.parametrize(

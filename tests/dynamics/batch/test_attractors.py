@@ -1,0 +1,142 @@
+"""What arrays of motions settle to: each what `attractor` finds of it alone, to the last bit."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from rocksteady import attractor
+from rocksteady.dynamics.batch.attractors import (
+    KIND_FLAGS,
+    Beginnings,
+    SettledCells,
+    batch_size,
+    outputs_of_orbits,
+    settled_cells,
+)
+from rocksteady.dynamics.batch.initial_states import at_phases
+from rocksteady.dynamics.history.models import ModelName
+from rocksteady.dynamics.orbits.attractor import KINDS
+from tests.dynamics.batch.cells import Cells, random_cells
+
+CYCLES = 200
+COUNT = 60
+models = pytest.mark.parametrize("model", ["linear", "nonlinear"])
+
+
+def beginnings_of(cells: Cells) -> Beginnings:
+    return at_phases(cells.angle, cells.velocity, cells.phase)
+
+
+def settled(cells: Cells) -> SettledCells:
+    shaken = cells.amplitude, cells.frequency_ratio, cells.sides
+    return settled_cells(*shaken, beginnings_of(cells), CYCLES)
+
+
+@models
+def test_each_cell_is_the_attractor_of_its_motion_alone(model: ModelName) -> None:
+    cells = random_cells(5, model, COUNT)
+    found = settled(cells)
+    for at, (block, shaking, start) in enumerate(
+        zip(cells.blocks, cells.shakings, cells.starts, strict=True)
+    ):
+        alone = attractor(block, shaking, start=start, cycles=CYCLES, model=model)
+        assert KINDS[found.kind[at]] == alone.kind
+        assert found.after[at] == alone.after
+        np.testing.assert_array_equal(found.lyapunov[at], alone.lyapunov)
+        orbit = alone.orbit
+        if orbit is None:
+            assert (found.period[at], found.impacts[at], found.side[at]) == (0, 0, 0)
+            extremum = 0.0 if alone.kind == "rest" else math.nan
+            np.testing.assert_array_equal([found.highest[at], found.lowest[at]], extremum)
+            continue
+        assert (found.period[at], found.passages[at]) == (orbit.period, len(orbit.states))
+        assert found.rests[at] == orbit.rest_phases
+        assert found.impacts[at] == (-1 if orbit.rest_phases else len(orbit.states))
+        assert (found.highest[at], found.lowest[at]) == (orbit.highest, orbit.lowest)
+        first = orbit.states[0]
+        assert (found.side[at], found.speed[at]) == (first.side, first.speed)
+        assert math.remainder(found.phase[at] - first.phase, 2.0 * math.pi) == pytest.approx(
+            0.0, abs=1e-15
+        )
+    kinds = {KINDS[code].value for code in found.kind}
+    assert {"symmetric", "unsymmetric", "rest", "overturned"} <= kinds
+    assert {0, 1} <= set((found.rests > 0).tolist())
+
+
+@models
+def test_mirrored_motions_settle_to_the_mirror_image(model: ModelName) -> None:
+    cells = random_cells(6, model, COUNT)
+    one = settled(cells)
+    begin = beginnings_of(cells)
+    # Half a period later the base moves the other way.
+    turned = replace(
+        begin,
+        side=-begin.side,
+        angle=-begin.angle,
+        velocity=-begin.velocity,
+        half_cycles=begin.half_cycles + 1,
+    )
+    sides = np.ascontiguousarray(cells.sides[:, ::-1])
+    # Exchanged columns keep their units: the slenderness and p of what was the positive side.
+    other = settled_cells(cells.amplitude, cells.frequency_ratio, sides, turned, CYCLES)
+    for name in ("kind", "period", "passages", "rests", "after", "lyapunov"):
+        np.testing.assert_array_equal(getattr(other, name), getattr(one, name), err_msg=name)
+    np.testing.assert_array_equal(other.highest, -one.lowest)
+    np.testing.assert_array_equal(other.lowest, -one.highest)
+    np.testing.assert_array_equal(other.speed, one.speed)
+
+
+@models
+def test_one_block_for_all_cells_is_the_same_block_in_each(model: ModelName) -> None:
+    cells = random_cells(7, model, COUNT)
+    sides = cells.sides[1]
+    shaken, begin = (cells.amplitude, cells.frequency_ratio), beginnings_of(cells)
+    one = settled_cells(*shaken, sides, begin, CYCLES)
+    each = settled_cells(*shaken, np.tile(sides, (COUNT, 1, 1)), begin, CYCLES)
+    for output in outputs_of_orbits():
+        np.testing.assert_array_equal(getattr(one, output.name), getattr(each, output.name))
+
+
+def test_what_a_grid_stores_holds_every_number() -> None:
+    found = settled(random_cells(5, "linear", COUNT))
+    for output in outputs_of_orbits():
+        values = getattr(found, output.name)
+        assert values.shape == (COUNT,)
+        np.testing.assert_array_equal(values.astype(output.dtype), values)
+    assert "infinitely many" in next(
+        output.long_name for output in outputs_of_orbits() if output.name == "impacts"
+    )
+
+
+def test_a_motion_leans_to_its_angle_or_goes_where_its_velocity_does() -> None:
+    angle = np.array([0.2, -0.2, 0.0, 0.0, 0.0, -0.0])
+    velocity = np.array([-1.0, 1.0, 0.3, -0.3, 0.0, -0.0])
+    begin = Beginnings.of(angle, velocity, 3, 0.5)
+    assert begin.side.tolist() == [1, -1, 1, -1, 0, 0]
+    assert begin.half_cycles.tolist() == [3] * 6
+    assert begin.phase.tolist() == [0.5] * 6
+
+
+def test_the_codes_of_the_kinds_are_kept_for_ever() -> None:
+    # Stored maps hold them.
+    assert KIND_FLAGS == {
+        0: "symmetric",
+        1: "unsymmetric",
+        2: "rest",
+        3: "overturned",
+        4: "aperiodic",
+        5: "undecided",
+        6: "no-start",
+    }
+
+
+def test_the_longer_motions_are_followed_the_fewer_make_a_piece() -> None:
+    assert [batch_size(cycles) for cycles in (1, 500, 2000, 20_000, 1_000_000)] == [
+        1024,
+        1024,
+        256,
+        25,
+        1,
+    ]

@@ -1,0 +1,95 @@
+"""How arrays of motions end: each as its time history does."""
+
+import numpy as np
+import pytest
+
+from rocksteady import Status, Trajectory, simulate
+from rocksteady.dynamics.batch import fates
+from rocksteady.dynamics.batch.fates import ENDS, Integers, batch_size, ends_of
+from rocksteady.dynamics.history.models import ModelName
+from tests.dynamics.batch.cells import Cells, random_cells
+
+CYCLES = 20
+models = pytest.mark.parametrize(("model", "count"), [("linear", 120), ("nonlinear", 40)])
+
+
+def ended(cells: Cells, cycles: int = CYCLES) -> tuple[Integers, Integers]:
+    return ends_of(
+        amplitude=cells.amplitude,
+        frequency_ratio=cells.frequency_ratio,
+        sides=cells.sides,
+        angle=cells.angle,
+        velocity=cells.velocity,
+        phase=cells.phase,
+        cycles=cycles,
+    )
+
+
+def histories(cells: Cells) -> list[Trajectory]:
+    return [
+        simulate(block, shaking, start=start, cycles=CYCLES, model=cells.model)
+        for block, shaking, start in zip(cells.blocks, cells.shakings, cells.starts, strict=True)
+    ]
+
+
+@models
+def test_each_motion_ends_as_its_time_history_does(model: ModelName, count: int) -> None:
+    # Cells of one call have equal and unequal sides in turn: they are dealt to two kernels.
+    cells = random_cells(8, model, count)
+    status, impacts = ended(cells)
+    runs = histories(cells)
+    assert status.tolist() == [run.status for run in runs]
+    assert {Status.ROCKING, Status.AT_REST, Status.OVERTURNED} <= set(status.tolist())
+    assert set(status.tolist()) <= set(ENDS)
+    chatters = np.array([(run.flights.side == 0).any() or slow(run) for run in runs])
+    shown = np.array([len(run.impacts) for run in runs])
+    np.testing.assert_array_equal(impacts[~chatters], shown[~chatters])
+    # A time history shows impacts after rest is proved too: those one can see.
+    assert (impacts <= shown).all()
+    assert np.count_nonzero(~chatters & (shown > 0)) > count // 3
+
+
+def slow(run: Trajectory) -> bool:
+    """Return whether a run has impacts so slow that rest may be proved before they end."""
+    return bool((np.abs(run.impacts.velocity_after) < 0.02).any())
+
+
+@models
+def test_a_cell_depends_on_nothing_but_the_cell(model: ModelName, count: int) -> None:
+    cells = random_cells(9, model, count)
+    status, impacts = ended(cells)
+    order = np.random.default_rng(1).permutation(count)
+    for picked in (order, order[: count // 7], order[:1]):
+        some = Cells(
+            model=model,
+            blocks=[cells.blocks[at] for at in picked],
+            shakings=[cells.shakings[at] for at in picked],
+            starts=[cells.starts[at] for at in picked],
+        )
+        again = ended(some)
+        np.testing.assert_array_equal(again[0], status[picked])
+        np.testing.assert_array_equal(again[1], impacts[picked])
+
+
+@models
+def test_a_motion_of_more_impacts_than_are_followed_is_undecided(
+    model: ModelName, count: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    cells = random_cells(8, model, count)
+    status, impacts = ended(cells)
+    monkeypatch.setattr(fates, "MOST_IMPACTS", 8)
+    given_up, _ = ended(cells)
+    many, few = impacts > 12, impacts < 4
+    assert many.any()
+    assert few.any()
+    np.testing.assert_array_equal(given_up[few], status[few])
+    undecided = given_up == Status.UNDECIDED
+    # Impacts of periods leapt over do not count, and only symmetric blocks leap.
+    leapt = many & ~undecided
+    np.testing.assert_array_equal(given_up[leapt], status[leapt])
+    assert not leapt[1::2].any()
+    assert np.count_nonzero(undecided) > np.count_nonzero(many) // 2
+
+
+def test_the_longer_motions_are_followed_the_fewer_make_a_piece() -> None:
+    assert [batch_size(cycles) for cycles in (1, 200, 1000, 10**6)] == [4096, 4096, 1000, 1]
