@@ -31,7 +31,6 @@ from rocksteady import (
     response_spectrum,
     simulate,
 )
-from rocksteady.cli.present.overturn_values import overturn_values, title_of
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.figures.single import bifurcation_figure, simulation_figure
 from rocksteady.show.film.animation import film_of
@@ -164,13 +163,6 @@ def test_a_narrow_window_that_leans_is_a_band_and_no_stairs() -> None:
     )
     assert between >= 4
     assert met >= between - 1
-
-
-def test_a_title_has_both_slendernesses_of_an_asymmetric_block() -> None:
-    block = Block.asymmetric(left=0.15, right=0.25, height=1.2)
-    found = overturning_windows(block, "ricker", [2.0, 3.0], amplitudes=(1.0, 3.0))
-    alphas = f"α = {block.alpha:.3g}/{block.negative.alpha:.3g} rad"
-    assert alphas in title_of(overturn_values(found, block))
 
 
 def test_a_block_that_never_moves_says_so_in_its_phase_plane() -> None:
