@@ -33,7 +33,7 @@ class Words(str):
 
 
 class RocksteadyError(Exception):
-    """The base of every error that the package raises on purpose.
+    """Base class of every error that the package raises on purpose.
 
     Catch it to catch them all. The errors derived from it carry the same four parts, and their
     message is one line made of them.
@@ -96,7 +96,7 @@ ratio of the angular velocities after and before an impact
 
 
 class RecordFileError(InputError):
-    """A ground-motion file cannot be read: it is not there, not what it should be, or incomplete.
+    """A ground-motion file cannot be read: it is missing, invalid or incomplete.
 
     The message reads ``record = PATH cannot be read: line LINE, FOUND: VALID; HINT``, without the
     line where the whole file is meant.
@@ -160,7 +160,7 @@ must state the number of samples and their interval; write it as NPTS= 12, DT= .
 
 
 class ModelError(RocksteadyError, ValueError):
-    """Arguments that are valid alone and that the model refuses together.
+    """Arguments are valid alone, but the model refuses them together.
 
     Vertical base motion with the linear equations of motion is one: the equations have no such
     term. The message reads ``NAME = VALUE is refused by the model: VALID; HINT``.
@@ -181,7 +181,7 @@ class OutputError(RocksteadyError):
 
 
 class UnfinishedError(RocksteadyError):
-    """A long computation was stopped from outside; what is finished is kept, and can be resumed.
+    """A long computation was stopped; finished results are kept and it can be resumed.
 
     The disk is full, or a cluster has been lost. The message reads ``NAME = VALUE is not finished:
     VALID; HINT``.
@@ -191,7 +191,7 @@ class UnfinishedError(RocksteadyError):
 
 
 class Status(IntEnum):
-    """How a computation ended: an integer for kernels, a label for files, a sentence for people.
+    """Outcome of a computation: an integer for kernels, a label for files, a sentence for people.
 
     The codes are part of every stored result: a code never changes its meaning, and a new status
     takes the next free integer.

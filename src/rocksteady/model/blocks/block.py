@@ -1,4 +1,4 @@
-"""The block: its slenderness, its frequency parameter and what an impact leaves of its velocity.
+"""A free-standing block: slenderness, frequency parameter and restitution of both its sides.
 
 A free-standing rigid block rocks about two edges.  What its equation of motion needs of each side
 is its critical angle `alpha`, its frequency parameter `p` and its restitution; `Side` holds them,
@@ -45,7 +45,7 @@ STANDARD_GRAVITY = 9.80665
 @checked
 @dataclass(frozen=True, kw_only=True)
 class Block:
-    """A free-standing rigid block.  Use one of the constructors below.
+    """A free-standing rigid block, made by one of the constructors below.
 
     ==========================================  ====================================================
     ``Block.rectangle(width, height)``          homogeneous rectangle of full width and height [m]
@@ -349,7 +349,7 @@ class Block:
         """Return what `asymmetric` does, of whatever size."""
         b1, b2, h, k = lengths_of(left, right, height, gyration)
         g = gravity_value(gravity)
-        # One way of computing a symmetric block, whoever makes it.
+        # A symmetric block is computed in one way, whichever constructor makes it.
         if b1 == b2 and k is None:
             return cls._alike(cls.rectangle, restitution, g, width=2.0 * b1, height=h)
         if b1 == b2 and k is not None:

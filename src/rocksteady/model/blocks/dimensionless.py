@@ -1,4 +1,4 @@
-"""A block as the equation of motion sees it, in units of its own."""
+"""Dimensionless block: restitution, and the ratios between its two sides."""
 
 from dataclasses import dataclass, replace
 
@@ -15,7 +15,7 @@ LARGEST_RATIO = 100.0
 @checked
 @dataclass(frozen=True, kw_only=True)
 class DimensionlessBlock:
-    """A block as the equation of motion sees it: its restitution, and how unlike its sides are.
+    """A dimensionless block: its restitution, and the ratios between its sides.
 
     Angles count in units of alpha, times in units of 1/p, accelerations in units of alpha g, with
     alpha and p of the positive side.

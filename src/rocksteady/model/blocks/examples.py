@@ -37,7 +37,7 @@ def example_block(
     restitution: Restitution | None = None,
     gravity: float = STANDARD_GRAVITY,
 ) -> Block:
-    """Return a named block of the literature; `SOURCES` lists the names with their citations.
+    """Return a named block of the literature; `SOURCES` lists names and citations.
 
     Parameters
     ----------

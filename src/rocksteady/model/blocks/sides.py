@@ -1,4 +1,4 @@
-"""One side of a block: what its equation of motion needs of a pivot, and what an impact leaves.
+"""One side of a block: slenderness, frequency parameter and restitution at its pivot.
 
 The **positive side** is rotation about the left edge, counterclockwise, which a base acceleration
 to the right (positive) drives; the negative side is rotation about the right edge.
@@ -41,7 +41,7 @@ def restitution_value(value: object, *, name: str = "restitution") -> float:
 @checked
 @dataclass(frozen=True, kw_only=True)
 class Side:
-    """One pivot of a block.
+    """One side of a block: the properties of its pivot.
 
     Parameters
     ----------
@@ -170,7 +170,7 @@ def sides_of_body(
 def impact_restitution(
     alphas: tuple[float, float], radii: tuple[float, float], *, gyration: float
 ) -> float:
-    """Return the restitution that conserves angular momentum about the pivot that is struck.
+    """Return the restitution that conserves angular momentum about the struck pivot.
 
     ``(I_c + M R1 R2 cos(alpha1 + alpha2)) / (I_c + M R2^2)``, with 1 the pivot that is left and 2
     the one that is struck: just before the impact the mass centre moves at right angles to the line
@@ -218,7 +218,7 @@ def impact_restitution(
 def housner_restitution(
     alpha: float, *, p: float = 1.0, radius: float = 0.75, gravity: float = 1.0
 ) -> float:
-    """Return the restitution that conserves angular momentum about the new pivot.
+    """Return Housner's restitution, which conserves angular momentum about the new pivot.
 
     Housner's ``1 - 1.5 sin^2 alpha`` of a homogeneous rectangle is ``1 - 2 (p^2 R / g) sin^2
     alpha`` with its p; the default arguments are those of a rectangle.

@@ -1,4 +1,4 @@
-"""Checks of the types of public arguments, read off the annotations of each signature.
+"""Type checks of public arguments, derived from the annotations of each signature.
 
 A value of the wrong type is refused where it enters, by one line that names the argument, and not
 by a traceback from deep inside.  What a number may be is checked by the validators of

@@ -1,4 +1,4 @@
-"""Arrays and scalars as they are given: converted where nothing is lost, refused where it is.
+"""Conversion of array and scalar arguments, lossless or refused.
 
 NumPy drops the mask of a masked array and the unit of a quantity without an error, so that both
 are refused here.  An `xarray.DataArray` may carry SI units, which are those of all arguments.

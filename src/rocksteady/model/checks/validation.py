@@ -1,4 +1,4 @@
-"""Validators of single arguments: what every constructor and every function calls first.
+"""Validators of single arguments, called first by every constructor and public function.
 
 Each takes the argument's name, its value and a hint, and returns a plain ``float`` (or ``int``),
 so that what is stored never depends on the type that came in. Each raises

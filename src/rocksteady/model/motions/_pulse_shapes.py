@@ -1,4 +1,4 @@
-"""The shapes of single pulses: their formulae as segments, largest acceleration `a` each.
+"""Shapes of single pulses as segments, each with largest acceleration `a`.
 
 Written with w = omega/p and pivot time s from the start of the pulse; T = 2 pi/w is its period.
 

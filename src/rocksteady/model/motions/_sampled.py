@@ -1,4 +1,7 @@
-"""Straight lines in place of what no segment holds: the one place that samples a base motion."""
+"""Piecewise-linear form of base motions that segments cannot represent exactly.
+
+No other module samples a base motion.
+"""
 
 import math
 from collections.abc import Callable

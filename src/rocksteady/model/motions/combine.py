@@ -1,4 +1,4 @@
-"""Motions made of motions: scaled or turned round, delayed, one after another, and summed."""
+"""Combined base motions: scaled or reversed, delayed, one after another, and summed."""
 
 import cmath
 import math
@@ -19,7 +19,7 @@ from rocksteady.model.motions.segments import (
 )
 
 SUM_TOLERANCE = 1e-6
-"""How far [alpha g] a sum that has to be sampled may be from itself, where nobody says."""
+"""Default largest error [alpha g] of a sum that has to be sampled."""
 
 _SAME_TIME = 1e-12
 """Times whose relative distance is below this differ by rounding."""
@@ -27,7 +27,7 @@ _SAME_TIME = 1e-12
 
 @checked
 def scaled(motion: Motion, factor: float) -> Piecewise:
-    """Return a motion times a factor; -1 turns it round.
+    """Return a base motion times a factor; -1 reverses it.
 
     Parameters
     ----------
@@ -65,7 +65,7 @@ def scaled(motion: Motion, factor: float) -> Piecewise:
 
 @checked
 def delayed(motion: Motion, by: float) -> Piecewise:
-    """Return a motion that begins later, after a still base.
+    """Return a base motion that begins later, after a still base.
 
     Parameters
     ----------
@@ -93,7 +93,7 @@ def delayed(motion: Motion, by: float) -> Piecewise:
 
 @checked
 def joined(*motions: Motion) -> Piecewise:
-    """Return motions one after another, each beginning where the one before it ends.
+    """Return base motions in sequence, each beginning where the previous one ends.
 
     Parameters
     ----------
@@ -117,7 +117,7 @@ def joined(*motions: Motion) -> Piecewise:
 
 @checked
 def added(*motions: Motion, tolerance: float = SUM_TOLERANCE) -> Piecewise:
-    """Return the sum of motions that begin together.
+    """Return the sum of base motions that begin together.
 
     Constants, slopes and sinusoids of one frequency add up in closed form.  While sinusoids of
     several frequencies act, the sum is replaced by straight lines that are nowhere further from it

@@ -14,7 +14,7 @@ from rocksteady.model.motions.segments import LONGEST_DURATION, Segment
 @checked
 @dataclass(frozen=True, kw_only=True)
 class Impulses:
-    """Sudden changes of the velocity of a base that else stands still or keeps its velocity.
+    """Sudden changes of base velocity, which is constant between them.
 
     An impulse of the base changes the velocity of a block, d(theta/alpha)/ds, at once and by the
     same number: it is the integral of a(s), in units of alpha g, over an instant of s = p t.  One

@@ -32,7 +32,7 @@ LEAST_TOLERANCE = 1e-8
 @checked
 @dataclass(frozen=True, kw_only=True)
 class Pulse:
-    """A single pulse of base acceleration; after it the base stands still.
+    """A single pulse of base acceleration, followed by a still base.
 
     Positive acceleration drives positive rotation, as everywhere in the package; in [1]_ the
     rotation has the opposite sign.  `scaled` turns a pulse round; `delayed`, `joined` and `added`

@@ -20,7 +20,7 @@ SHORTEST = 1e-15
 @checked
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Record:
-    """Recorded base acceleration at equal intervals: linear in between, then a still base.
+    """Recorded base acceleration at equal intervals, linear between samples, then a still base.
 
     Positive acceleration drives positive rotation.
 

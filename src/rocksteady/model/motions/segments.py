@@ -1,4 +1,4 @@
-"""Base motions.  Every one of them lowers to segments, which is all that the kernels know.
+"""Base motions and their segments, the only form of motion that the kernels know.
 
 A segment of the base acceleration, in units of ``alpha g`` over pivot time ``s = p t``, is
 ``c0 + c1 s + A sin(Omega s + phi)``, with an optional jump of the velocity at its start.
@@ -260,7 +260,7 @@ class Still:
 @checked
 @dataclass(frozen=True, kw_only=True)
 class Piecewise:
-    """A base motion put together from segments, in the block's own measures; then a still base.
+    """A dimensionless base motion made of segments, followed by a still base.
 
     Parameters
     ----------

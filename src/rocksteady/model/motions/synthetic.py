@@ -43,7 +43,7 @@ MOST_SETTLING = 10_000_000
 @checked
 @dataclass(frozen=True, kw_only=True)
 class SyntheticMotion:
-    """An artificial ground motion, no record: filtered white noise under an envelope.
+    """Artificial ground motion: filtered white noise under an envelope.
 
     White noise passes the ground filter of Kanai and Tajimi and the high-pass of Clough and
     Penzien [1]_, whose spectral density is, with x the frequency over that of the ground and h the
