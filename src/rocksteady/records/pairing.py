@@ -1,4 +1,4 @@
-"""The channels of one station in one earthquake: two horizontal ones and the vertical one.
+"""Channels of one station and earthquake, grouped: two horizontal and one vertical.
 
 Networks publish them as three files or as one, and not always of one length or with one start.
 """
@@ -133,7 +133,7 @@ def pair_records(
     units: str | None = None,
     dt_s: float | None = None,
 ) -> tuple[RecordSet, ...]:
-    r"""Read files and put the channels of each station and earthquake together.
+    r"""Read files and group their channels by station and earthquake.
 
     Channels belong together where their files name the same station and event, or the same station
     and start; else where the names of the files are alike but for their ends (``CHY012-N``,

@@ -1,4 +1,4 @@
-"""What may be done to a record, when it is asked for: a baseline taken off, another interval."""
+"""Processing on request: baseline correction and resampling."""
 
 import math
 from typing import TYPE_CHECKING, Final, Literal
@@ -24,7 +24,7 @@ ResamplingMethod = Literal["linear", "filtered"]
 
 @checked
 def baseline_corrected(recording: Recording, baseline: str) -> Recording:
-    """Return a recording whose baseline, fitted by least squares, is taken off.
+    """Return a recording with its least-squares baseline removed.
 
     Parameters
     ----------
@@ -64,7 +64,7 @@ def baseline_corrected(recording: Recording, baseline: str) -> Recording:
 def resampled(
     recording: Recording, dt_s: float, *, method: ResamplingMethod = "linear"
 ) -> Recording:
-    """Return a recording with another interval between its samples.
+    """Return a recording with another sampling interval.
 
     A record is straight between its samples, so a finer interval that divides the old one leaves
     the motion as it is with ``linear``. A coarser one drops what lies between the new samples;

@@ -1,4 +1,4 @@
-"""Reading a ground-motion file: its format by what stands in it, and all its channels."""
+"""Reader of ground-motion files: detects the format from the content, reads all channels."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -50,7 +50,7 @@ def read_recordings(
     column: str | int | None = None,
     resample: bool = False,
 ) -> tuple[Recording, ...]:
-    r"""Read all channels of acceleration of a ground-motion file, in the file's order.
+    r"""Read all acceleration channels of a ground-motion file, in the file's order.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def read_recordings(
     Returns
     -------
     tuple of Recording
-        One a channel, with warnings about what is odd and notes on what has been done.
+        One for each channel, with warnings, and notes on what has been done.
 
     Raises
     ------
@@ -123,7 +123,7 @@ def read_record(
     resample: bool = False,
     baseline: str = "none",
 ) -> Record:
-    """Read one channel of acceleration of a ground-motion file.
+    """Read one acceleration channel of a ground-motion file.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""From the numbers of a file to a recording: units, interval, and what is odd about them."""
+"""Recording built from a file's numbers: its unit, sampling interval and warnings."""
 
 from dataclasses import dataclass
 from datetime import datetime
@@ -231,7 +231,7 @@ def unit(text: RecordText, stated: str | None, given: Given) -> tuple[str, tuple
 
 
 def interval(text: RecordText, stated: float | None, given: Given) -> tuple[float, tuple[str, ...]]:
-    """Return the interval between samples [s], and a warning where it is odd or overruled.
+    """Return the interval between samples [s], and a warning where it is unusual or overruled.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""What the name of a table's column states: which quantity, in which unit, which way.
+"""Quantity, unit and direction stated by the name of a table's column.
 
 A name is understood as a whole: ``1000*acc (g)`` and ``acc (g x 10)`` state an acceleration whose
 size is not certain, and ``SA (g)`` states none.

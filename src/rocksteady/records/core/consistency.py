@@ -1,4 +1,4 @@
-"""Samples held against their header and each other: count, layout, duration, time of the peak.
+"""Checks of samples against their header: count, layout, duration, time of the peak.
 
 Every reader that takes samples from lines of text ends here, so that a cut, a surplus or a wrong
 interval is found in all formats alike.
@@ -54,7 +54,7 @@ class Lines:
 def agreed(
     text: RecordText, values: "Floats", count: int, lines: Lines
 ) -> tuple["Floats", tuple[str, ...]]:
-    """Return as many samples as the header states, and a warning about all that is odd.
+    """Return as many samples as the header states, and a warning about all inconsistencies.
 
     Parameters
     ----------
@@ -151,7 +151,7 @@ def layout(
     comma: bool = False,
     strict: bool = False,
 ) -> tuple[str, ...]:
-    """Return a warning about numbers that are not laid out as all others are.
+    """Return a warning about numbers whose layout differs from that of all others.
 
     Parameters
     ----------

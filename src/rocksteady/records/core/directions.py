@@ -1,4 +1,4 @@
-"""Which way a channel points, from the name that a file gives to it or has itself."""
+"""Direction of a channel, from its name in the file or from the file's own name."""
 
 import re
 from dataclasses import dataclass

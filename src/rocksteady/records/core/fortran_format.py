@@ -1,4 +1,4 @@
-"""Fortran's formats as files state them, and header values laid out by them."""
+"""Fortran formats stated in files, and header values read with them."""
 
 import re
 from typing import Final

@@ -1,4 +1,4 @@
-"""What the words above the samples state: unit, interval, count, duration, and factors.
+"""Unit, interval, count, duration and factors stated in the text above the samples.
 
 A statement is understood as a whole or refused with its line, and several of one thing must agree.
 """

@@ -1,4 +1,4 @@
-"""Numbers of text files, as Fortran writes them too: stuck together, or with a D as exponent.
+"""Numbers in text files, including Fortran's: run together, or with D as exponent.
 
 A value is taken by its own line, so that the line that is wrong can be named.
 """
@@ -50,7 +50,7 @@ def number(text: str) -> float | None:
 def numbers(line: str, width: int | None = None) -> list[float] | None:
     """Return the numbers of a line, or None where it holds anything else.
 
-    Numbers that run together are told apart by the sign of the second one. Two that run together
+    Numbers that run together are separated at the sign of the second one. Two that run together
     without a sign need the width of a column, or are refused: where the first ends is a guess.
 
     Parameters

@@ -1,4 +1,4 @@
-"""What a ground-motion file holds of one channel: the record, and what the file says about it."""
+"""One channel of a ground-motion file: its record, and the metadata of the file."""
 
 from dataclasses import dataclass, replace
 from datetime import datetime
@@ -15,7 +15,7 @@ Orientation = Literal["horizontal", "vertical"]
 @checked_result
 @dataclass(frozen=True, kw_only=True)
 class Recording:
-    r"""One channel of acceleration of a ground-motion file.
+    r"""One acceleration channel of a ground-motion file.
 
     Made by `~rocksteady.records.read.read_recordings`.
 
@@ -42,7 +42,7 @@ class Recording:
     stated_peak_m_s2
         Largest absolute acceleration [m/s^2] as the file's header states it.
     warnings
-        What is odd about the file and has not kept it from being read, a sentence each.
+        Warnings about a file that could still be read, a sentence each.
     processing
         What has been done to the numbers beyond converting their unit, in order: an offset taken
         off, a baseline correction, a new interval.

@@ -1,4 +1,4 @@
-"""Samples that come with their times: evenly spaced, or brought to even spacing when asked."""
+"""Samples given with times: checked for even spacing, or resampled to it on request."""
 
 import math
 import re

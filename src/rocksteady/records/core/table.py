@@ -1,4 +1,4 @@
-"""Tables of numbers in text: how the columns are set apart, what they are called, their rows."""
+"""Tables of numbers in text files: column separators, column names, rows."""
 
 import re
 from dataclasses import dataclass

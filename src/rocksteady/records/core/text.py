@@ -1,4 +1,4 @@
-"""A ground-motion file as lines of text, however they end and are encoded."""
+"""A ground-motion file as lines of text, with any line ending and encoding."""
 
 import re
 from dataclasses import dataclass

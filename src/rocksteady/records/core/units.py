@@ -1,4 +1,4 @@
-"""Units that files and users write, understood as a whole or not at all.
+"""Units written by files and users, understood as a whole or refused.
 
 A unit is a number, or none, and units with prefixes and powers: ``10^-3 g``, ``cm/s/s``, ``% g``.
 What is not consumed to its last character is no unit, so that no part of one is taken for it. One g

@@ -1,4 +1,4 @@
-"""Tables of numbers: CSV with names of columns, or plain columns; with times, or samples alone.
+"""Reader of number tables: CSV or plain columns, with times or samples alone.
 
 What a file does not say is asked for: the unit of its numbers, and the interval where it has no
 times. Names are understood with their unit, as in ``time [s]``, ``Acc (g)`` or ``accel_cm/s2``.

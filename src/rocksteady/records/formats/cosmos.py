@@ -1,4 +1,4 @@
-"""Files in the COSMOS format: lines of words, of whole and of real numbers, comments, samples.
+"""Reader of the COSMOS format: text, integer and real headers, comments, samples.
 
 Each part says how many values follow and in which Fortran format, channels follow each other, and
 a file of corrected records may hold velocity and displacement too, of which the acceleration is

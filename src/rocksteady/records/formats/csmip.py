@@ -1,4 +1,4 @@
-"""Files of California's strong-motion program (CSMIP, CDMG) before COSMOS: volumes 1 and 2.
+"""Reader of older Californian files (CSMIP, CDMG), volumes 1 and 2, before COSMOS.
 
 A line in each channel announces its samples, ``12000 points of accel data equally spaced at .005
 sec, in cm/sec2. (8f10.6)`` in volume 2 and ``13200 Accelerogram points at 200 pts/sec in units of

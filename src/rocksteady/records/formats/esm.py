@@ -1,4 +1,4 @@
-"""Files of the European strong-motion networks (ESM, ITACA, AFAD): DYNA's header, then the samples.
+"""Reader of European files (ESM, ITACA, AFAD): the DYNA header, then the samples.
 
 The header is a line a key, ``UNITS: cm/s^2``, and ends where a line of numbers begins.
 """

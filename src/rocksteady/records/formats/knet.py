@@ -1,4 +1,4 @@
-"""Files of Japan's K-NET and KiK-net: a header of seventeen lines, then an instrument's counts.
+"""Reader of Japan's K-NET and KiK-net: a header of 17 lines, then instrument counts.
 
 The counts hold the offset of the instrument as well. The networks state the largest acceleration
 after the mean of the record is taken off, and so it is taken off here, as a note on the recording

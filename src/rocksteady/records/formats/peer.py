@@ -1,4 +1,4 @@
-"""PEER's files of acceleration, AT2: three lines of words, one with counts, then the numbers.
+"""Reader of PEER's AT2 acceleration files: header text, a line of counts, then samples.
 
 The line with the counts has had several forms: ``NPTS= 5372, DT= .0100 SEC``, the same in lower
 case, without SEC, with DT first or on a line of its own, and ``5372 .0100 NPTS, DT``. Files of

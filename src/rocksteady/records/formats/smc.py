@@ -1,4 +1,4 @@
-"""Files of the U.S. Geological Survey's national strong-motion program: SMC.
+"""Reader of SMC, the format of the U.S. Geological Survey's strong-motion program.
 
 Eleven lines of words, six of whole numbers and ten of real ones, whose first value each marks what
 is missing, then lines of comment and the samples [cm/s^2] in columns of ten characters that run

@@ -1,4 +1,4 @@
-"""What is left of a network's header in a file that no reader of that network recognises.
+"""Remains of a network's header in a file that the network's reader does not recognise.
 
 Such a file is damaged. As a table its counts, or half its header, would pass for samples.
 """

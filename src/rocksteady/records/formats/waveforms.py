@@ -1,4 +1,4 @@
-"""miniSEED and SAC, binary formats of seismology, through ObsPy (the extra ``records``).
+"""Reader of miniSEED and SAC, binary formats of seismology, with ObsPy (extra ``records``).
 
 Neither states the unit of its numbers in a way that can be relied upon: miniSEED holds counts of an
 instrument as a rule, and SAC's header names a unit that few writers keep to. So the unit is asked
