@@ -1,4 +1,4 @@
-"""A block that bounces too often to be followed: a bound that it stands.
+"""Bound proving that a lossless block with very many impacts does not overturn.
 
 Without loss a block that has only just lifted off bounces for as long as the pulse lasts, millions
 of times.  What it can come to is bounded without following it.  With h the base acceleration seen

@@ -1,4 +1,4 @@
-"""What becomes of a block on a base that stands still for ever after a pulse, in closed form.
+"""Fate of a block on a base that stays still after a pulse, in closed form.
 
 The energy of a flight is kept there: the linear block's is ``(v^2 - (1 - y)^2)/2``, the nonlinear
 one's ``v^2/2 + (cos(alpha (1 - y)) - 1)/alpha^2``, both 0 for a block that reaches the upright
@@ -85,7 +85,7 @@ def speed_of_lying(sides: Floats, row: int, angle: float, velocity: float) -> fl
 
 @compiled
 def fate_on_still_base(sides: Floats, side: int, angle: float, velocity: float) -> Afterwards:
-    """Return what becomes of a block on a base that stands still from now on.
+    """Return the fate of a block on a base that stands still from now on.
 
     Parameters
     ----------

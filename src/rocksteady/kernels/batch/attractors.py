@@ -1,4 +1,4 @@
-"""What many motions settle to: the plain loop of `settle`, each cell independent of the others."""
+"""Attractors of many motions in one call: a loop of `settle` over independent cells."""
 
 import math
 

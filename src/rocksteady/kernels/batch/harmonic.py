@@ -1,4 +1,4 @@
-"""The plain loop of the march over many cases, each independent of the others.
+"""Fates of many blocks under harmonic shaking: a loop of the march over independent cells.
 
 Threads may run disjoint slices side by side: each cell is written by one loop only, so the result
 does not depend on how the cells are divided.

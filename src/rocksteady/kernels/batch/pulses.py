@@ -1,4 +1,4 @@
-"""The plain loop of the march over many sizes and frequencies of one pulse, up to its fate.
+"""Fates of a block under pulses of many amplitudes and frequencies: a loop of the march.
 
 The pulse stays as it is, of amplitude 1 and frequency ratio 1: to make it a times as strong is to
 divide the block's lean by a, to make it w times as fast to divide the block's rate by w.  Lean and
@@ -67,7 +67,7 @@ def pulse_fates(
     during: NDArray[np.int64],
     margin: Floats,
 ) -> None:
-    """March a block from rest through a pulse of many sizes and note what becomes of it.
+    """March a block from rest through a pulse of many sizes and write its fates.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The plain loop of the march over many blocks on one record.
+"""Peaks and fates of many blocks under one record: a loop of the march.
 
 Rows are not kept: what a spectrum asks for is the status, the impacts and the two peaks.  Chatter
 comes to rest as soon as that is proved, which leaves out impacts of no effect and no peak.

@@ -1,4 +1,4 @@
-"""Keeps machine code on disk: in a folder that only this user can change, in files with checksums.
+"""Cache of machine code on disk: a folder private to this user, files with checksums.
 
 numba unpickles what it finds in its cache, which runs what stands there.  So the folder must be
 this user's alone, and a file that is not what was written counts as missing: it is compiled again.
@@ -72,8 +72,7 @@ def _fresh() -> Path:
 def _weakness(folder: Path) -> str | None:
     """Return what lets another user change a folder's content, as a clause; None where nothing.
 
-    Looks at each folder and link on the way to it: whoever may rename one of them may put
-    something else there.
+    Checks each folder and link on the path: a user who may rename one of them may replace it.
     """
     if not hasattr(os, "getuid"):
         return None
@@ -108,7 +107,7 @@ def _weakness(folder: Path) -> str | None:
 def _shared(found: os.stat_result) -> bool:
     """Return whether another user may rename what is in a folder.
 
-    Many systems give each user a group of the same name with nobody else in it, and let that group
+    Many systems give each user a group of the same name without other members, and let that group
     write what its user makes.
     """
     if found.st_mode & stat.S_ISVTX or not found.st_mode & 0o022:

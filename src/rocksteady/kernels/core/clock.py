@@ -1,4 +1,4 @@
-"""The clock of a march: a segment, whole half cycles of its sinusoid, and the phase within one.
+"""Clock of a march: the segment, whole half cycles of its sinusoid, and the remaining phase.
 
 Half cycles are counted in an integer and the phase stays in [0, pi), so that nothing drifts over
 millions of cycles, and a change of side adds exactly pi.  On a segment without sinusoid the time

@@ -1,4 +1,4 @@
-"""The one way to compile a kernel, and where the machine code is kept.
+"""The only decorators that compile kernels, and the folder that caches the machine code.
 
 numba's disk cache compares the time stamp of the file that defines a function, not those of the
 functions it calls, so a kernel whose callee changed in another module would run stale code.  The

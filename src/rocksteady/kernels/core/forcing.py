@@ -1,4 +1,4 @@
-"""The base acceleration of one segment, seen from the side on which the block stands.
+"""Forcing of a flight: base acceleration of one segment, seen from the block's side.
 
 On one segment the base accelerates by ``c0 + c1 s + A sin(Omega s + phi)``.  Seen from one side,
 and with gravity's pull back to rest subtracted, that is the forcing of ``y'' = y + r``::

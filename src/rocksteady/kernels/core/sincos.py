@@ -1,4 +1,4 @@
-"""Sine and cosine of one angle together, inline: the costliest calls of a march otherwise.
+"""Inlined sine and cosine of one angle, otherwise the dominant cost of a march.
 
 The nearest multiple of pi/2 is subtracted in two parts, the first of which has so few digits that
 its multiples up to 2^20 are exact; polynomials do the rest, with the coefficients of Sun's fdlibm

@@ -1,4 +1,4 @@
-"""The flat tables that the march reads and writes, and the state between two flights.
+"""Columns of the flat tables that a march reads and writes, and its state between flights.
 
 A motion is a table of segments, the block two rows of side parameters, a recorded march a table of
 flights, all float64 with the columns below.

@@ -1,4 +1,4 @@
-"""Exponentials, sines and cosines as straight lines of arithmetic, for loops over lanes."""
+"""Branch-free exponentials, sines and cosines, for vectorised loops over lanes."""
 
 import numpy as np
 

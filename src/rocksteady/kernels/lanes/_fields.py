@@ -1,4 +1,4 @@
-"""What a lane holds, and the stages that it goes through."""
+"""Fields of a lane's state, and the codes of its stages."""
 
 from rocksteady.kernels.core.compilation import fused_inlined
 

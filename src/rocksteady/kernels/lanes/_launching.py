@@ -1,4 +1,4 @@
-"""What a flight begins with: its piece between two nodes, or an end in rest or with the run."""
+"""Start of a flight in a lane: interval between nodes to search, rest, or end of run."""
 
 from rocksteady.kernels.core.clock import PI_HIGH
 from rocksteady.kernels.core.compilation import fused

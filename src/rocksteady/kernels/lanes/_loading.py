@@ -1,4 +1,4 @@
-"""From a cell or a state of the march into a lane, and back."""
+"""Transfer of cells and of states of the march into lanes, and back."""
 
 import math
 

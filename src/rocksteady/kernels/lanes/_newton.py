@@ -1,4 +1,4 @@
-"""Steps towards an impact: the state at a time, and where it leads."""
+"""Newton steps of lanes towards an impact, and the stage that follows each step."""
 
 from rocksteady.kernels.core.clock import PI_HIGH, PI_LOW
 from rocksteady.kernels.core.compilation import fused

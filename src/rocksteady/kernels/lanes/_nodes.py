@@ -1,4 +1,4 @@
-"""The ends of pieces: whether a zero lies in one, or none can follow."""
+"""State of lanes at a node: whether a zero lies before it, or none can follow."""
 
 from rocksteady.kernels.core.clock import PI_HIGH
 from rocksteady.kernels.core.compilation import fused, fused_inlined

@@ -1,4 +1,4 @@
-"""Motions that have become periodic, and the leap over their periods."""
+"""Detection of periodic motions in lanes, whose whole periods are then skipped."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""The loop that gives cells to lanes, and what the lanes cannot settle to the march."""
+"""Loop that assigns cells to lanes, and passes undecided motions on to the march."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""A flight between two impacts whose phases are known: an arc, well-conditioned however long.
+"""Arc: a flight between two impacts of known phase, well-conditioned for any duration.
 
 With angle 0 at both ends the two exponentials of a flight are known from the ends, and nothing
 grows: with ``f = beta sin psi - 1`` at the first and last phase psi0, psi1 and the pivot time ``T =

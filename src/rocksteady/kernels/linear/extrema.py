@@ -1,4 +1,4 @@
-"""Peaks and level crossings of a flight, found without sampling.
+"""Peaks and level crossings of a linear flight, found without sampling.
 
 The velocity obeys ``w'' = w + dr/dt`` and ``y - level`` obeys ``z'' = z + (r + level)``: both are
 flights, so that `rocksteady.kernels.linear.zeros` isolates their zeros too.

@@ -1,4 +1,4 @@
-"""The closed-form motion of a block on one pivot over one segment.
+"""Closed-form motion of a block on one pivot over one segment.
 
 In the side frame the linear equation of motion (eqs 4, 5 of Tso and Wong) is ``y'' = y + r`` with
 the forcing ``r`` of `rocksteady.kernels.core.forcing`, and its solution (eqs 7, 8) is::

@@ -1,4 +1,4 @@
-"""Exact derivatives of one flight through its impact (the saltation matrix of the linear model).
+"""Exact derivatives of a linear flight through its impact (the saltation matrix).
 
 State on a section of impacts: phase psi of the forcing in the side frame and velocity ``v = dy/ds``
 just after the impact.  A flight of length T takes (psi, v) to (psi + Omega T, -restitution y'(T)).

@@ -1,4 +1,4 @@
-"""The first zero of a flight: isolated without sampling, so that it cannot be missed.
+"""First zero of a linear flight, isolated without sampling, so that it cannot be missed.
 
 Let ``F = +-y`` be positive at the start, ``q = +-r`` its forcing (``F'' = F + q``) and
 ``g = F + F'``.  Then ``(e^-t g)' = e^-t q`` and ``(e^t F)' = e^t g``.  Between two nodes, where q

@@ -1,4 +1,4 @@
-"""Runs of samples: equally long segments without sinusoid, at a few products each.
+"""Runs of equally spaced samples, marched with a few multiplications per sample.
 
 A sampled base acceleration is linear between samples, and so is the forcing of a side:
 ``r(t) = r0 + (r1 - r0) t/h`` over a sample of length h, in the side's own time.  The closed form of

@@ -1,4 +1,4 @@
-"""The march: flights strung together by impacts, uplifts and segment ends.
+"""The march: a motion as flights joined by impacts, uplifts and segment ends.
 
 A motion is a table of segments, the block two rows of side parameters (`kernels.core.tables`
 has the columns).  Time is kept as (segment, half cycles, phase), read and moved on by

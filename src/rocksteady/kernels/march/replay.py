@@ -1,4 +1,4 @@
-"""What a recorded march tells: its state at any time, its peak, the time of overturning."""
+"""Replay of a march: state at any time, peaks, time of overturning."""
 
 import math
 

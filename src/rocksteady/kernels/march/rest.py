@@ -1,4 +1,4 @@
-"""Rest: when it ends in uplift, and when chatter may be said to have come to rest.
+"""Rest: when uplift ends it, and when chatter is proved to have died out.
 
 A block at rest stays at rest while the base acceleration is below the uplift value of either side
 (|a| < 1 for a symmetric block); it lifts at the next node at which one side's forcing turns
@@ -98,7 +98,7 @@ def chatter_ends(
     """
     if speed_here < STILL:
         return True
-    # Most impacts are told apart here.  The bound needs shaking below uplift and, with the pull of
+    # Most impacts are decided here.  The bound needs shaking below uplift and, with the pull of
     # now in place of the least one to come, bounces that shrink.
     pull_here = -(forcing_here.constant + forcing_here.amplitude * sine)
     pull_there = -(forcing_there.constant - forcing_there.amplitude * sine)

@@ -1,4 +1,4 @@
-"""The polynomial of a step in Bernstein's basis, in which signs are seen at a glance.
+"""Bernstein form of a step's polynomial, whose coefficients bound its sign.
 
 Over a step of length T a polynomial of degree N or less is ``sum b_j B_j(t/T)``, j = 0 ... N, with
 ``B_j(x) = C(N, j) x^j (1 - x)^(N - j)``, which are not negative and add up to 1.  So it stays

@@ -1,4 +1,4 @@
-"""Zeros, levels and extrema of a step's polynomial, none of them missed.
+"""All zeros, level crossings and extrema of a step's polynomial.
 
 **Control points.**  Signs of the polynomial in Bernstein's basis say of most steps that they have
 no zero, or one (`rocksteady.kernels.nonlinear._bernstein`).  Where they say neither, nodes do.

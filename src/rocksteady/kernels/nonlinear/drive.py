@@ -1,4 +1,4 @@
-"""The nonlinear equation of motion on one side, and the base motion that drives it.
+"""Nonlinear equation of motion on one side, and the base motion that drives it.
 
 With ``y = |theta|/alpha`` in the side's own units and side time t (eqs 1, 2 of Tso and Wong, with
 vertical motion added)::

@@ -1,4 +1,4 @@
-"""A nonlinear flight: steps of its Taylor series up to the first zero, and not past one."""
+"""Nonlinear flight: Taylor steps up to its first zero."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""A nonlinear flight under harmonic shaking, to its landing, with the exact derivative.
+"""Nonlinear flight to its landing under harmonic shaking, with the exact derivative.
 
 The derivatives D of y by the state at the start obey the equation of motion's own derivative::
 

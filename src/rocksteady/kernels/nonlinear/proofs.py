@@ -1,4 +1,4 @@
-"""What is proved of a nonlinear motion to come: that it overturns, that it comes to rest.
+"""Proofs that a nonlinear motion will overturn or come to rest.
 
 **Overturning.**  A block that has turned by pi/2 lies on its side.  Before that it is lost where
 nothing to come can bring it back.  With |h| <= H and |l| <= L < 1 for ever, and ``w = alpha (y -

@@ -1,4 +1,4 @@
-"""A recorded nonlinear flight again: step by step, its peak, its crossings of a level.
+"""Replay of a nonlinear flight step by step: its peaks and level crossings.
 
 A row holds where a flight begins; the steps from there on are the march's own, so that whatever is
 read off their polynomials is what the march has seen.

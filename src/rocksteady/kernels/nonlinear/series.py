@@ -1,4 +1,4 @@
-"""One step of a nonlinear flight: the Taylor polynomial of the motion, and how far it holds.
+"""One step of a nonlinear flight: its Taylor polynomial, and the length of the step.
 
 With ``S = sin(alpha (1 - y))/alpha`` and ``C = cos(alpha (1 - y))`` the equation of motion (see
 `rocksteady.kernels.nonlinear.drive`) is a system of products only::

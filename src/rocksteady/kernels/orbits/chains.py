@@ -1,4 +1,4 @@
-"""Periodic orbits as closed chains of arcs, with everything that continuation asks of them.
+"""Periodic orbits as closed chains of arcs: equations and derivatives for continuation.
 
 The unknowns are the phases of the impacts alone.  Between two of them the block flies an arc
 (`kernels.linear.arcs`), and at impact k the arc that begins must leave with what the impact

@@ -1,4 +1,4 @@
-"""Periodic orbits of the return map: found by Newton's method with all their states at once.
+"""Periodic orbits of the return map, found by Newton's method (multiple shooting).
 
 An orbit of m passages and n forcing periods is m states, each of which the map takes to the next
 and the last to the first, 2 pi n later.  Newton's method solves for all of them together (multiple

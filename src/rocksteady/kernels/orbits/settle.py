@@ -1,4 +1,4 @@
-"""What a motion settles to: followed, recognised by its returns, polished, and only then believed.
+"""Attractor of a motion: detected by recurrence, refined by Newton's method, accepted if stable.
 
 The motion is followed from impact to impact.  Every so often its last state is compared with those
 before it; where one is nearly the same, some passages and forcing periods earlier, Newton's method

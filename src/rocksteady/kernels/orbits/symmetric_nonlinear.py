@@ -1,4 +1,4 @@
-"""Symmetric orbits of the return map by their half cycles: Newton's method, and along alpha.
+"""Symmetric orbits of the nonlinear model: Newton's method on half cycles, continued in alpha.
 
 The half cycle of a symmetric orbit takes a state to its mirror image, n half periods of the shaking
 later, in one passage.  In coordinates (phase, speed) that image is the state itself, so that the
