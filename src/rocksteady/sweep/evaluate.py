@@ -1,4 +1,4 @@
-"""The one loop over cases: queues the cells of a grid, keeps the results, and labels them."""
+"""The only loop over cases: queues a grid's cells, stores the results and labels them."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
@@ -27,8 +27,8 @@ first of the others is about to be computed; then with the number of those just 
 call comes when everything is kept, in a store on disk."""
 
 BATCH = 1024
-"""The most cells that one call of the case function takes, where nobody says.  Calls grow to it
-only while they are short."""
+"""Default largest number of cells in one call of the case function.  Calls grow to it only while
+they are short."""
 LARGEST_BATCH = 2**20
 
 
@@ -62,7 +62,7 @@ def evaluate(
     done: Done | None = None,
     attributes: Mapping[str, Any] | None = None,
 ) -> "xarray.Dataset":
-    """Evaluate a function of every cell of a grid.
+    """Evaluate a function in every cell of a grid.
 
     The result is the same to the last bit for every executor, number of workers and batch, in
     memory and in a store, at once and resumed, as long as the case function treats its cells one

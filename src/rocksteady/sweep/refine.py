@@ -1,4 +1,4 @@
-"""Grids that are computed near the borders of their classes only.
+"""Grids computed only near the borders of their classes.
 
 A coarse lattice of cells is computed first.  Then its spacing is halved until it is the grid.  Of
 the cells that are new each time, those are computed around which the lattice holds more than one

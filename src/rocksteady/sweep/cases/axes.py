@@ -1,4 +1,4 @@
-"""Axes: the coordinates of a grid, numbers or names of things."""
+"""Axes: the coordinates of a grid, as numbers or names."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -60,7 +60,7 @@ class Axis:
     items: Sequence[object] | None = None
 
     def __post_init__(self) -> None:
-        """Validate, and keep the values as an array that nobody changes."""
+        """Validate, and keep the values as a read-only array."""
         identifier(self.name)
         described(self.long_name, self.units)
         try:

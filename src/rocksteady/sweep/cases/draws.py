@@ -1,4 +1,4 @@
-"""Random numbers of cells, keyed on a seed and the cell's number."""
+"""Random numbers for each cell, determined by a seed and the cell's number."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,7 @@ MASK = 2**32 - 1
 def uniform(seed: int, numbers: NDArray[np.int64], count: int = 1) -> Floats:
     """Return uniform numbers of cells in [0, 1), keyed on a seed and the cells' numbers.
 
-    A cell draws the same numbers whoever computes it, and beside which others: to the last bit
+    A cell draws the same numbers in every process and beside any other cells: to the last bit
     what ``SeedSequence(seed, spawn_key=(number,))`` gives, for all cells at once.
 
     Parameters

@@ -1,4 +1,4 @@
-"""The grid that axes span, its cells in C order."""
+"""Grid of cells spanned by axes, numbered in C order."""
 
 import math
 from collections.abc import Sequence

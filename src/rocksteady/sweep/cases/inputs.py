@@ -1,4 +1,4 @@
-"""What a result follows from, written down: so that it can be read, and told from another.
+"""Canonical description of a result's inputs, readable and comparable.
 
 Two sweeps of the same inputs give the same result to the last bit; that is why one may continue
 what the other has begun.

@@ -1,4 +1,4 @@
-"""Arrays over the cells of a grid as a labelled dataset."""
+"""Labelled dataset of arrays over the cells of a grid."""
 
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any

@@ -1,4 +1,4 @@
-"""Results that are kept in memory."""
+"""Results of a sweep held in memory."""
 
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any

@@ -1,4 +1,4 @@
-"""What is computed in each cell of a grid."""
+"""Outputs: the quantities computed in each cell of a grid."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -16,7 +16,7 @@ from rocksteady.sweep.cases.grid import Grid, each_once
 @checked
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Output:
-    """What is computed in each cell.
+    """A quantity computed in each cell of a sweep.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The queue of jobs, and the pool of workers that runs them.  A job is a range of cells."""
+"""Queue of jobs, each a range of cells, and the pool of workers that runs them."""
 
 import os
 from collections import deque

@@ -1,4 +1,4 @@
-"""Worker processes, on this machine or on others, with dask."""
+"""Execution in dask worker processes, on this machine or others."""
 
 import asyncio
 import itertools
@@ -79,7 +79,7 @@ def cluster_pool(task: Task, address: str | None, workers: int | None) -> Iterat
     Raises
     ------
     InputError
-        If dask is not installed, nobody answers, or a worker has other sources.
+        If dask is not installed, no scheduler answers, or a worker has other sources.
     UnfinishedError
         If the cluster is lost, or some cells end every worker that tries them.
     """
@@ -170,7 +170,7 @@ def _answers(
         cluster.check_workers(progress=bool(done))
         found, failed = [], []
         for future, outcome in done:
-            job = submitted.pop(future)  # the workers forget an answer that nobody refers to
+            job = submitted.pop(future)  # the workers drop an answer without references
             if isinstance(outcome, Answer):
                 found.append(outcome)
             elif future.status == "error":

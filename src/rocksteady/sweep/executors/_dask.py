@@ -1,4 +1,4 @@
-"""Plugins of dask: the task for the workers, sent once, after which a job is two numbers."""
+"""Dask plugins: each worker receives the task once, so that a job is two numbers."""
 
 import asyncio
 import logging
@@ -52,7 +52,7 @@ class TaskPlugin(WorkerPlugin):
         try:
             self._task = await asyncio.to_thread(self._unpickled, worker.address)
         except Exception as error:
-            # Of a worker that joins late nobody hears this: its first job raises it again.
+            # Raised by a worker that joins late this is lost: its first job raises it again.
             self._refusal = error
             raise
 

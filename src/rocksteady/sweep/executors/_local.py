@@ -1,4 +1,4 @@
-"""A cluster on this machine: a scheduler in this process, and workers in processes of their own.
+"""Cluster on this machine: scheduler in this process, workers in their own processes.
 
 The workers are started here and not by dask, whose way runs the caller's script again in each of
 them, sends them the terminal's interruptions, and takes seconds to end them.

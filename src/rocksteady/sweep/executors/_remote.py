@@ -1,4 +1,4 @@
-"""A running cluster: its scheduler has an address, its workers come and go."""
+"""Connection to a running cluster by the address of its scheduler."""
 
 import time
 import warnings
@@ -45,7 +45,7 @@ class Remote:
         Raises
         ------
         InputError
-            If nobody answers, or there is no worker.
+            If no scheduler answers, or there is no worker.
         """
         with ExitStack() as stack:
             stack.enter_context(quiet())

@@ -1,4 +1,4 @@
-"""Executors in this process: the calling thread, or several threads, which kernels let run."""
+"""Execution in this process: the calling thread, or several threads."""
 
 from collections.abc import Generator, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait

@@ -1,4 +1,4 @@
-"""The process of a worker on this machine: it works for the caller, and ends with it."""
+"""Worker process on this machine, which ends with its caller."""
 
 import asyncio
 import json
@@ -53,7 +53,7 @@ async def _work(kind: "type[distributed.Worker]", address: str, folder: str) -> 
     # and killed for what other programs take.
     worker = kind(
         address,
-        # What a worker is sent it unpickles, which runs it: nobody outside this machine may send.
+        # A worker unpickles what it is sent, which can run code: no other machine may connect.
         host=LOOPBACK,
         dashboard=False,
         dashboard_address=f"{LOOPBACK}:0",  # opened all the same, with no pages
@@ -68,7 +68,7 @@ async def _work(kind: "type[distributed.Worker]", address: str, folder: str) -> 
 def _leave_with_caller(folder: str) -> None:
     sys.stdin.read()  # nothing is written any more: it returns when the other end is closed
     _remove(folder)  # a caller that was killed has not done it
-    os._exit(0)  # at once, in whatever it is doing: nobody waits for it
+    os._exit(0)  # at once, whatever it is doing: no result is awaited
 
 
 def _remove(folder: str) -> None:

@@ -1,4 +1,4 @@
-"""Executors by their names."""
+"""Choice of an executor by its name or the address of a scheduler."""
 
 from collections.abc import Callable
 from contextlib import AbstractContextManager, suppress
@@ -77,7 +77,7 @@ def _validated_address(address: str) -> str:
         If dask knows no such kind of address, or it has no host or no port.
     """
     if find_spec("distributed") is None:
-        return address  # whoever connects says so
+        return address  # connecting to it says so
     from distributed.comm.registry import backends, get_backend
 
     kind, _, place = address.rpartition("://")  # as dask does

@@ -1,4 +1,4 @@
-"""Binds the files of a store to their places: one of another sweep or chunk is found out."""
+"""Checksums that tie each file to its sweep, output and chunk."""
 
 import hashlib
 import re

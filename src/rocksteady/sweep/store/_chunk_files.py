@@ -1,4 +1,4 @@
-"""Reads the files of chunks, and refuses one that is not what was written to its place."""
+"""Reader of chunk files that refuses any file with a wrong checksum."""
 
 from collections.abc import Mapping
 

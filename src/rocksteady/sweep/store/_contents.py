@@ -1,4 +1,4 @@
-"""What lies in a store: a zarr group that any reader of zarr opens.
+"""Contents of a store: a zarr group that any zarr reader opens.
 
 It has an array for each axis and each output, and ``done``, the checksums of each finished chunk of
 cells, which are on the disk after its files.

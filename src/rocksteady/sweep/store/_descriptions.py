@@ -1,4 +1,4 @@
-"""Describes a store: its groups, arrays and axes follow from the inputs, and can be repaired."""
+"""Metadata of a store's groups, arrays and axes, derived from the inputs and repairable."""
 
 import json
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""Arrays over the cells of a store, for xarray: what is asked for is read, and nothing else.
+"""Lazy arrays over the cells of a store, for xarray: only requested cells are read.
 
 Imported only where a store is read, because it needs xarray.
 """

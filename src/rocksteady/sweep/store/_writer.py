@@ -1,4 +1,4 @@
-"""Writes a store: what is finished survives whatever ends the run.
+"""Writer of a store: finished chunks survive any interruption.
 
 Files of a chunk are on the disk before its checksums are written, which mark it as finished: so a
 process may be killed, and the power may fail, at any moment.  What is marked and all the same
@@ -46,7 +46,7 @@ class StoreFiles:
     folder
         Of the store.
     token
-        Begins the names of files that are being written: nobody else has it, and the lock names it.
+        Begins the names of files that are being written: unique to this run, and named in the lock.
     """
 
     def __init__(self, folder: Path, token: str) -> None:

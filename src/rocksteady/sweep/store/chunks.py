@@ -1,4 +1,4 @@
-"""The chunks of a store: boxes of cells whose numbers follow each other."""
+"""Chunks of a store: boxes of consecutively numbered cells."""
 
 import math
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Tells a store's own files from all others: only these are ever written over or removed."""
+"""Files that belong to a store, the only ones ever overwritten or removed."""
 
 import json
 import os

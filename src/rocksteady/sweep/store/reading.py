@@ -1,4 +1,4 @@
-"""Reads a store: its results as a dataset, and what there is of unfinished ones."""
+"""Reader of a store: its results as a dataset, and the progress of an unfinished sweep."""
 
 import warnings
 from pathlib import Path
@@ -26,7 +26,7 @@ RESUME = "resume its sweep, or read what is there with partial=True"
 
 @checked
 def open_store(path: Path | str, *, partial: bool = False) -> "xarray.Dataset":
-    """Return the results of a store, as the sweep that filled it returned them.
+    """Return the results of a store as a dataset.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""A sweep's results on disk, a chunk at a time: what is finished survives whatever ends the run.
+"""Store of a sweep's results on disk, where finished chunks survive any interruption.
 
 `Store` says where and how; `rocksteady.sweep.store._writer` writes what lies there.
 """
@@ -28,7 +28,7 @@ LARGEST_CHUNK = 2**24
 @checked
 @dataclass(frozen=True)
 class Store:
-    """Where a sweep keeps its results on disk.
+    """Folder on disk for the results of a sweep.
 
     Parameters
     ----------
