@@ -1,4 +1,4 @@
-"""Arrays of amplitude, frequency ratio, restitution and order: validated and broadcast together."""
+"""Arrays of amplitude, frequency ratio, restitution and order, validated and broadcast."""
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray

@@ -1,4 +1,4 @@
-"""The parameters of block, shaking and start: their names and units, and how one is moved."""
+"""Parameters of block, shaking and start: names, units, and how one is varied."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
@@ -46,8 +46,8 @@ AXES: Mapping[str, Parameter] = {
     "frequency_ratio": Parameter("1", "omega/p"),
     "frequency_hz": Parameter("Hz", "frequency of the shaking"),
 }
-"""What a map may have as an axis, in the order that dimensions have where nobody says: of two that
-make a picture the first is drawn upwards, the second to the right."""
+"""Parameters that may be axes of a map, in the default order of dimensions: of two that make a
+picture the first is drawn upwards, the second to the right."""
 
 TWICE = (
     {"amplitude", "acceleration_m_s2"},

@@ -1,4 +1,4 @@
-"""The safe basin: which states of a window do not overturn, and two measures of them."""
+"""Safe basin: the states that do not overturn, their share and their largest circle."""
 
 import functools
 from typing import Any

@@ -1,4 +1,4 @@
-"""Basins of attraction: where each initial state at a moment of the shaking goes."""
+"""Basins of attraction: the attractor reached from each initial state at a given phase."""
 
 import functools
 import math
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 CYCLES = 500
-"""Forcing periods for which a state is followed, where nobody says."""
+"""Default number of forcing periods for which a state is followed."""
 LARGEST_SEED = 2**64 - 1
 CELL_OUTPUTS = (
     Output(name="kind", dtype=np.int8),
@@ -44,7 +44,7 @@ CELL_OUTPUTS = (
 @checked_result
 @dataclass(frozen=True, kw_only=True)
 class Fraction:
-    """The share of a basin in a window.
+    """Share of a window that belongs to one basin.
 
     Attributes
     ----------
@@ -243,7 +243,7 @@ def basins(
     model: ModelName = "linear",
     done: Done | None = None,
 ) -> Basins:
-    """Return where the states of a window go that a block may have at a moment of the shaking.
+    """Return the basins of attraction in a window of initial states at one phase.
 
     Each state is followed as by `attractor`, and motions that settle to one orbit, whatever their
     shift in time by whole periods, go to one attractor.  Mirror images are two.  All motions that

@@ -1,4 +1,4 @@
-"""Erosion of the safe basin: how much of what stands on a still base stands under shaking."""
+"""Erosion of the safe basin: its size under shaking relative to that on a still base."""
 
 import math
 from dataclasses import dataclass
@@ -32,10 +32,10 @@ Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 CYCLES = 100
-"""Forcing periods that a safe state stands, where nobody says."""
+"""Default number of forcing periods that a safe state stands."""
 HALF_WIDTH, WIDENING, WIDEST = 1.5, 1.5, 20.0
-"""Of a window in theta/alpha and in its velocity per pivot time, where nobody says: the least one,
-and by how much and how far it is widened."""
+"""Of the default window in theta/alpha and in its velocity per pivot time: the least half-width,
+the factor by which it is widened, and the largest."""
 LEVEL = 0.5
 TOLERANCE = 1e-3
 MEASURES = ("integrity_factor", "global_integrity")
@@ -44,7 +44,7 @@ MEASURES = ("integrity_factor", "global_integrity")
 @checked_result
 @dataclass(frozen=True, kw_only=True)
 class Drop:
-    """Where a measure of integrity first falls below a level.
+    """Two neighbouring amplitudes between which a measure of integrity first falls below a level.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ class Drop:
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Erosion:
-    """The safe basin against the amplitude of the shaking.
+    """Integrity of the safe basin against the amplitude of the shaking.
 
     Attributes
     ----------
@@ -285,7 +285,7 @@ def erosion(
     model: ModelName = "linear",
     done: Done | None = None,
 ) -> Erosion:
-    """Return how the safe basin shrinks and frays as the amplitude grows.
+    """Return the erosion of the safe basin as the amplitude of the shaking grows.
 
     A state is safe if the block, shaken from that moment on, has not overturned in a number of
     forcing periods; whether it rocks or rests does not matter.  Two measures of the safe basin are

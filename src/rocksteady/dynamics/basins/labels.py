@@ -1,4 +1,4 @@
-"""Which attractors the cells of a window have found: told apart by their states, and in order."""
+"""Attractors found in a window of initial states, distinguished and numbered."""
 
 import math
 import string
@@ -42,7 +42,7 @@ TURN = 2.0 * math.pi
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class BasinAttractor:
-    """What the states of a basin go to.
+    """Attractor of the states of one basin.
 
     Attributes
     ----------

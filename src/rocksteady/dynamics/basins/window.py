@@ -1,4 +1,4 @@
-"""Windows of initial states, and the moment of the shaking at which they are taken."""
+"""Windows of initial states, and the phase of the shaking at which they are taken."""
 
 import math
 
@@ -14,7 +14,7 @@ from rocksteady.sweep.cases.axes import Axis
 Floats = NDArray[np.float64]
 
 POINTS = 200
-"""Points along an axis of a window, where nobody says."""
+"""Default number of points along an axis of a window."""
 DECIMALS = 12
 """Of a phase in radians: what is beyond them is rounding of the whole periods taken off."""
 

@@ -1,4 +1,4 @@
-"""What many motions settle to: the kernel's table of cells, and what grids say of it."""
+"""Attractors of many motions: the table that a kernel fills, and the outputs of grids."""
 
 from dataclasses import dataclass
 from typing import Any

@@ -1,4 +1,4 @@
-"""How many motions under harmonic shaking end after a time: the one place that chooses a kernel."""
+"""Fates of many motions under harmonic shaking after a given time; chooses the kernel."""
 
 import numpy as np
 from numpy.typing import NDArray

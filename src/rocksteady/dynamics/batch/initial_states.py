@@ -1,4 +1,4 @@
-"""Initial states of many motions: arrays of what `dynamics.history.start` makes one by one."""
+"""Initial states of many motions as arrays, the batch form of `dynamics.history.start`."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -1,4 +1,4 @@
-"""A periodic orbit as the chain of arcs that continuation moves, at one set of parameters."""
+"""A periodic orbit at given parameters as a chain of arcs, the form that continuation uses."""
 
 import cmath
 import math

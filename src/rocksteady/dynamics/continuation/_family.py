@@ -1,4 +1,4 @@
-"""The orbits of one chain over one or two parameters, as the equations of a curve."""
+"""Equations of a chain's orbits over one or two parameters, whose solutions form a curve."""
 
 import math
 from collections.abc import Callable, Sequence

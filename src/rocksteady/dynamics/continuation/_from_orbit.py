@@ -1,4 +1,4 @@
-"""Where a branch starts: an orbit, or a point of another branch, as a chain."""
+"""Chain that starts a branch, from an orbit or a point of another branch."""
 
 import math
 

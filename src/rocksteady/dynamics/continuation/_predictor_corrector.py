@@ -1,4 +1,4 @@
-"""Curves of solutions, followed by pseudo-arclength: N equations in N + 1 unknowns.
+"""Pseudo-arclength continuation of solution curves: N equations in N + 1 unknowns.
 
 From a point and its tangent the next point is predicted along the tangent and corrected by Newton's
 method in the plane across it (Keller 1977).  Where the curve turns back in one of its unknowns

@@ -1,4 +1,4 @@
-"""The branch that begins at a bifurcation: its first orbit and the direction in which it leaves.
+"""Branch switching: first orbit and initial direction of a branch born at a bifurcation.
 
 Where a symmetry breaks or a period doubles, the orbit run through twice is an orbit of the new
 branch too, and the new branch leaves it along the direction that comes back reversed.  At a graze

@@ -1,4 +1,4 @@
-"""Branches: an orbit followed over a parameter, with its bifurcations."""
+"""Branches: a periodic orbit followed over a parameter, with its bifurcations."""
 
 import math
 from collections.abc import Iterator
@@ -54,7 +54,7 @@ def continuation(
     largest_step: float = LARGEST_STEP,
     most_points: int = 10_000,
 ) -> Iterator[BranchPoint]:
-    """Follow a periodic orbit over a parameter, stable or not, around its folds.
+    """Follow a periodic orbit over a parameter, stable or unstable, around its folds.
 
     By pseudo-arclength on the phases of the impacts (`rocksteady.kernels.orbits.chains`).  Where a
     bifurcation lies between two points it is located to rounding and yielded between them.

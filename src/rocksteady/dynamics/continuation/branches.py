@@ -1,4 +1,4 @@
-"""All branches that hang together over a parameter: every bifurcation is gone through."""
+"""All connected branches over a parameter, followed through every bifurcation."""
 
 import math
 from collections.abc import Iterable
@@ -39,7 +39,7 @@ def bifurcation_branches(
     max_branches: int = 100,
     largest_step: float = LARGEST_STEP,
 ) -> tuple[Branch, ...]:
-    """Follow orbits over a parameter in both directions, and every branch that begins on the way.
+    """Follow orbits over a parameter in both directions, and all branches that bifurcate from them.
 
     Of mirror images one is followed.  At a graze branches begin with the two new impacts in every
     half of a symmetric orbit and in one alone, and in every period or in every other; those with

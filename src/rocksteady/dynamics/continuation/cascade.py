@@ -1,4 +1,4 @@
-"""The cascade of period doublings, and how its distances shrink."""
+"""Period-doubling cascade: its doublings, and the ratios of the distances between them."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -30,7 +30,7 @@ SHRINKING = 0.5
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class DoublingCascade:
-    """Period doublings, each on the branch that the one before gave birth to.
+    """Period doublings, each on the branch created by the previous one.
 
     Attributes
     ----------
@@ -80,7 +80,7 @@ def doubling_cascade(
     doublings: int = 6,
     largest_step: float = LARGEST_STEP,
 ) -> DoublingCascade:
-    """Locate one period doubling after another, each on the branch of the orbits just doubled.
+    """Locate successive period doublings, each on the branch created by the previous one.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Curves of bifurcations in two parameters."""
+"""Bifurcation curves in two parameters."""
 
 from collections.abc import Callable, Iterator
 
@@ -32,7 +32,7 @@ def bifurcation_curve(
     largest_step: float = LARGEST_STEP,
     most_points: int = 10_000,
 ) -> Iterator[BranchPoint]:
-    """Follow a fold, a symmetry breaking, a period doubling or a graze in two parameters.
+    """Follow a fold, symmetry breaking, period doubling or graze in two parameters.
 
     The orbit's own equations and the one that makes it a bifurcation are solved together.
 

@@ -1,4 +1,4 @@
-"""What a point of a branch is, the orbit there, and the branch that the points make."""
+"""Branches and their points: the type of each point, and the orbit there."""
 
 import math
 from dataclasses import dataclass, field, replace
@@ -21,7 +21,7 @@ Floats = NDArray[np.float64]
 
 
 class PointType(StrEnum):
-    """What a point of a branch is."""
+    """Type of a point on a branch."""
 
     REGULAR = "regular"
     FOLD = "fold"
@@ -205,7 +205,7 @@ class BranchPoint:
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Branch:
-    """An orbit followed over a parameter.
+    """A periodic orbit followed over a parameter.
 
     Attributes
     ----------

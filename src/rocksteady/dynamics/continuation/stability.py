@@ -1,4 +1,4 @@
-"""Stretches of a branch: what is stable along it, and what is a motion."""
+"""Stretches of a branch with unchanged stability and admissibility."""
 
 from dataclasses import dataclass
 from itertools import groupby
@@ -10,7 +10,7 @@ from rocksteady.model.checks.arguments import checked, checked_result
 @checked_result
 @dataclass(frozen=True, kw_only=True)
 class Stretch:
-    """Neighbouring points of a branch between which stability and admissibility do not change.
+    """Consecutive points of a branch with unchanged stability and admissibility.
 
     Attributes
     ----------
@@ -30,7 +30,7 @@ class Stretch:
 
 @checked
 def stretches(branch: Branch) -> tuple[Stretch, ...]:
-    """Return a branch in stretches of one stability.
+    """Split a branch into stretches of unchanged stability.
 
     Between two bifurcations without a point between them the stretch is what the one before is not:
     of two multipliers whose product is below 1, one passes the unit circle at a time.

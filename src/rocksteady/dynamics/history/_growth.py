@@ -1,4 +1,4 @@
-"""How a small difference at the start of a time history grows, in the linear model."""
+"""Growth of a small initial difference along a time history of the linear model."""
 
 import math
 

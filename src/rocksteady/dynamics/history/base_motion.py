@@ -1,4 +1,4 @@
-"""The base under the block, from its table of segments: acceleration and displacement.
+"""Acceleration and displacement of the base at any time, from the table of segments.
 
 Times are pivot times s = p t since the start; accelerations are in units of alpha g and
 displacements in units of alpha g/p^2.

@@ -1,4 +1,4 @@
-"""Starting on a symmetric steady state, of either model, and leaving an unstable one."""
+"""Start on a symmetric steady state of either model, and departure from an unstable one."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""From the nouns of the model to the flat tables of the kernels."""
+"""Conversion of blocks and base motions to the flat tables of the kernels."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""The tables of the nonlinear model: those of the linear one, with slenderness and vertical motion.
+"""Tables of the nonlinear model: the linear ones plus slenderness and vertical motion.
 
 Each segment of the horizontal motion is cut where the vertical acceleration, which is linear from
 sample to sample, bends; so both are in closed form on every segment.
@@ -31,7 +31,7 @@ ModelName = Literal["linear", "nonlinear"]
 """Which equations of motion hold."""
 
 TOLERANCE = 1e-10
-"""The error that a motion may have, as a part of it, where nobody says."""
+"""Default relative error that a motion may have."""
 
 SHARE_OF_TOLERANCE = 1e-5
 """What a step may leave out, over the tolerance: that of ten thousand steps stays below it."""

@@ -1,4 +1,4 @@
-"""What a time history is asked for, as arrays: the motion at given times, flights, impacts."""
+"""Samples of a time history as arrays: motion, flights, impacts."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,7 @@ Floats = NDArray[np.float64]
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Motions:
-    """The block's motion at given times, arrays of the shape of the times.
+    """Motion of the block at given times, as arrays of the shape of the times.
 
     Attributes
     ----------

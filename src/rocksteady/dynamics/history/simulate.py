@@ -1,4 +1,4 @@
-"""One time history: from a block, a base motion and a start to a `Trajectory`."""
+"""Time history of one block, computed from its base motion and initial state."""
 
 import math
 
@@ -58,7 +58,7 @@ def simulate(
     tolerance: float = TOLERANCE,
     flight_limit: int = FLIGHT_LIMIT,
 ) -> Trajectory:
-    """Follow a block on a moving base, flight by flight.
+    """Compute the time history of a block on a moving base, flight by flight.
 
     In the linear model (eqs 4 to 9) flights are in closed form; in the nonlinear one (eqs 1, 2)
     they are Taylor series, step by step, each as exact as asked for.  In both, impacts are isolated

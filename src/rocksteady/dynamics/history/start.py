@@ -1,4 +1,4 @@
-"""Initial states: at rest, anywhere, or on a symmetric steady state."""
+"""Initial states: at rest, any angle and velocity, or on a symmetric steady state."""
 
 from dataclasses import dataclass
 
@@ -25,7 +25,7 @@ from rocksteady.model.motions.segments import Harmonic, Motion, segments_of
 Floats = NDArray[np.float64]
 
 KICK = 1e-6
-"""How far from an unstable orbit a block is set off, where nobody says."""
+"""Default distance from an unstable orbit at which a block is set off."""
 LARGEST_KICK = 0.1
 """Further from an orbit its unstable direction means nothing."""
 
@@ -33,13 +33,13 @@ LARGEST_KICK = 0.1
 @checked
 @dataclass(frozen=True, kw_only=True)
 class Rest:
-    """At rest on its base."""
+    """Initial state at rest on the base."""
 
 
 @checked
 @dataclass(frozen=True, kw_only=True)
 class State:
-    """Any angle and velocity.
+    """Initial state of any angle and velocity.
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ class State:
 @checked
 @dataclass(frozen=True, kw_only=True)
 class Steady:
-    """On a symmetric steady state of harmonic shaking, at the impact that begins its positive half.
+    """Initial state on a symmetric steady state, at the impact that begins its positive half.
 
     Only of a block whose sides are alike.
 

@@ -1,4 +1,4 @@
-"""A time history: the list of flights under one callable."""
+"""A time history: its flights and impacts, and the motion at any time."""
 
 import math
 from dataclasses import dataclass
@@ -37,7 +37,7 @@ OVERTURNED_SHOWN_TO = 2.0
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Trajectory:
-    """What `rocksteady.simulate` returns: flights, impacts, and the motion at any time.
+    """Time history of a block: flights, impacts, and the motion at any time.
 
     Call it with pivot times, ``trajectory(s)``; `at_time` takes seconds and `at_tau` the paper's
     tau = omega t.

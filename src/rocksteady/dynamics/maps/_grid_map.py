@@ -1,4 +1,4 @@
-"""What all maps share: a scenario over axes, and one question that is asked in every cell."""
+"""Evaluation shared by all maps: the same computation in every cell of a parameter grid."""
 
 import functools
 from collections.abc import Callable, Mapping

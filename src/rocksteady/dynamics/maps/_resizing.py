@@ -1,4 +1,4 @@
-"""Blocks of other sizes: what a block becomes where one of its measures is moved."""
+"""Blocks resized along a map's axis: which other dimensions stay fixed, which follow."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence

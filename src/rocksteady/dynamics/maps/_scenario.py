@@ -1,4 +1,4 @@
-"""A block, its shaking and its start, some of whose parameters are the axes of a map."""
+"""Scenario of a map: block, shaking and start, some of whose parameters are axes."""
 
 import math
 from collections.abc import Mapping

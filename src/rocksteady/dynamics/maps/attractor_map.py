@@ -1,4 +1,4 @@
-"""What a block settles to over a grid of parameters of block, shaking and start."""
+"""Attractor of a block over a grid of parameters of block, shaking and start."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -48,7 +48,7 @@ def attractor_map(
     model: ModelName = "linear",
     done: Done | None = None,
 ) -> "xarray.Dataset":
-    """Return what a block settles to over a grid of parameters.
+    """Return the attractor of a block over a grid of parameters.
 
     Every cell is what `attractor` finds at that point, to the last bit.
 

@@ -1,4 +1,4 @@
-"""What becomes of a block in a time, over a grid of parameters of block, shaking and start."""
+"""Fate of a block after a given time, over a grid of parameters."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -46,7 +46,7 @@ def fate_map(
     model: ModelName = "linear",
     done: Done | None = None,
 ) -> "xarray.Dataset":
-    """Return whether a block still rocks, rests or has fallen, over a grid of parameters.
+    """Return the fate of a block after a given time, over a grid of parameters.
 
     Every cell is how `simulate` ends at that point, as long as no small difference grows more than
     some 1e12-fold on the way (`Trajectory.growth`).  Where it does, in chaotic cells, rounding
@@ -129,7 +129,7 @@ def fate_map(
 
 
 def _fates(*, scenario: Scenario, cycles: int, **coordinates: Floats) -> dict[str, NDArray[Any]]:
-    """Return what becomes of the cells of a map."""
+    """Return the fates in the cells of a map."""
     cells = scenario.cells(coordinates)
     status, impacts = ends_of(
         # Nothing to follow where there is no start.

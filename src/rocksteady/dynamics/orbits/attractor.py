@@ -1,4 +1,4 @@
-"""What a block under harmonic shaking settles to."""
+"""Attractor of a block under harmonic shaking: its long-term motion."""
 
 import math
 from dataclasses import dataclass
@@ -35,7 +35,7 @@ MOST_CYCLES = 1_000_000
 
 
 class AttractorKind(StrEnum):
-    """What a motion settles to."""
+    """Kind of attractor, or undecided."""
 
     SYMMETRIC = "symmetric"
     UNSYMMETRIC = "unsymmetric"
@@ -83,7 +83,7 @@ def kind_codes(
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Attractor:
-    """What a motion settles to.
+    """Attractor of a motion: the stable orbit or other outcome that it settles to.
 
     Attributes
     ----------
@@ -152,7 +152,7 @@ def attractor(
     cycles: int = 2000,
     model: ModelName = "linear",
 ) -> Attractor:
-    """Follow a motion until it is known what it settles to.
+    """Follow a motion under harmonic shaking until its attractor is known.
 
     Recognised by returning states, polished by Newton's method on the return map to a residual of
     1e-12, and believed only if it is stable by its exact multipliers and the motion comes to within

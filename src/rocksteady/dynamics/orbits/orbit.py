@@ -1,4 +1,4 @@
-"""A periodic motion under harmonic shaking."""
+"""Periodic orbit under harmonic shaking: its impacts, stability and time history."""
 
 import math
 from collections.abc import Iterator
@@ -29,7 +29,7 @@ Floats = NDArray[np.float64]
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Orbit:
-    """A periodic motion under harmonic shaking.
+    """A periodic orbit under harmonic shaking.
 
     Attributes
     ----------

@@ -29,7 +29,7 @@ MOST_STEPS = 100_000
 
 
 class PassageKind(IntEnum):
-    """What a step of the return map was."""
+    """Kind of a step of the return map."""
 
     IMPACT = return_map.IMPACT
     """An impact follows; the map has a derivative there."""
@@ -128,7 +128,7 @@ class Passage:
 
 @checked
 class ReturnMap:
-    """The map from just after one impact to just after the next.
+    """The return map: from the state after one impact to the state after the next.
 
     Parameters
     ----------
@@ -167,7 +167,7 @@ class ReturnMap:
         self.system = make_system(block, self.shaking, self.model)
 
     def __call__(self, state: ImpactState, steps: int = 1) -> Passage:
-        """Return what a number of steps from a state come to.
+        """Return the result of a number of steps from a state.
 
         Parameters
         ----------

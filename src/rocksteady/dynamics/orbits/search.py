@@ -1,4 +1,4 @@
-"""All periodic motions at a point of amplitude and frequency ratio."""
+"""Search for all periodic motions at one amplitude and frequency ratio."""
 
 import math
 from collections.abc import Iterable
@@ -58,35 +58,34 @@ def orbits(
     seeds: int = 96,
     model: ModelName = "linear",
 ) -> tuple[Orbit, ...]:
-    """Return the periodic motions at a point, stable and unstable.
+    """Return the stable and unstable periodic motions at one amplitude and frequency ratio.
 
-    The symmetric ones with two impacts come in closed form for every odd number of forcing periods
-    (eqs 19, 21, 22); those that pass through the floor are given too, as not admissible.  Those
-    that come to rest are followed from their uplift: there is at most one for either side.  The
-    others are found by Newton's method from a grid of states after an impact; that is a search and
-    not a proof that there are no more.  Of two mirror images one is given, the one that leans to
-    the positive side; `Orbit.mirrored` is the other.  A block whose sides differ has no symmetric
-    orbits and no mirror images: all of its orbits are searched for and given.
+    Symmetric orbits with two impacts have a closed form for every odd number of forcing periods
+    (eqs 19, 21, 22); those that pass through the floor are included, marked as not admissible.
+    Orbits with a rest are followed from their uplift; there is at most one for each side.  All
+    others are found by Newton's method from a grid of states after an impact, which is a search,
+    not a proof that there are no more.  Of two mirror images only the one that leans to the
+    positive side is returned; `Orbit.mirrored` is the other.  A block whose sides differ has
+    neither symmetric orbits nor mirror images: all of its orbits come from the search.
 
-    In the nonlinear model the symmetric ones are those to which the closed forms lead as the
-    slenderness grows from 0 to the block's own, each with its branch; what passes through the floor
-    is not given.
+    In the nonlinear model the symmetric orbits are continued from the closed forms, with the
+    slenderness growing from 0 to that of the block, and keep their branch; those that pass through
+    the floor are left out.
 
     Parameters
     ----------
     block
-        Its restitution counts, and how unlike its sides are; in the nonlinear model also how
-        slender.
+        Only its restitution and the ratios between its sides matter; in the nonlinear model its
+        slenderness too.
     shaking
-        Amplitude and frequency ratio; its phase does not count.
+        Amplitude and frequency ratio; its phase does not matter.
     max_period
-        Longest orbits [forcing periods].
+        Longest period of an orbit [forcing periods].
     max_impacts
         Most impacts in a period of the orbit.
     seeds
         The search starts from ``seeds x seeds`` states: phases over a period, speeds up to
-        1 + A/sqrt(1 + Omega^2), above which every flight of the linear model begins with a part
-        that grows for ever.
+        1 + A/sqrt(1 + Omega^2), above which every flight of the linear model grows without bound.
     model
         "linear" (default) or "nonlinear", which needs a `Block` and takes some thirty times as
         long.

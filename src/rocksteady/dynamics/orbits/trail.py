@@ -1,4 +1,4 @@
-"""What a motion settles to while a parameter is moved slowly: the brute-force diagram."""
+"""Attractors along a slowly varied parameter: the brute-force bifurcation diagram."""
 
 import math
 from collections.abc import Iterator
@@ -39,7 +39,7 @@ CARRIED = (AttractorKind.SYMMETRIC, AttractorKind.UNSYMMETRIC, AttractorKind.APE
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class AttractorTrail:
-    """What a motion settles to at one value of a parameter after another, carried along.
+    """Attractors met while a parameter changes in small steps.
 
     Attributes
     ----------
@@ -99,7 +99,7 @@ def attractor_trail(
     cycles: int = 2000,
     model: ModelName = "linear",
 ) -> AttractorTrail:
-    """Move a parameter in small steps, and settle each time from where the motion was.
+    """Follow an attractor while a parameter changes in small steps.
 
     Run upwards and downwards it shows hysteresis: the attractor is kept for as long as there is
     one.  A block that has come to rest goes on from rest.  After a fall the next value begins from

@@ -1,4 +1,4 @@
-"""The windows at some frequencies: the cases of a sweep, whose cells have one number an output."""
+"""Overturning windows as a sweep: one number per output and cell."""
 
 import functools
 import math
@@ -135,7 +135,7 @@ def _keep(found: dict[str, NDArray[Any]], cell: int, windows: Found) -> None:
 
 
 def _follow(amplitude: Floats, *, ratio: float, table: Floats, sides: Floats) -> Fates:
-    """Return what becomes of the block at some amplitudes."""
+    """Return the fates of the block at some amplitudes."""
     # A pulse of amplitude 0 is none, and the kernel divides by it.
     size = np.maximum(amplitude, 1e-3)
     status, impacts, side, during = (np.empty(len(size), dtype=np.int64) for _ in range(4))

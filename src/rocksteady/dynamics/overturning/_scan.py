@@ -1,4 +1,4 @@
-"""The search for all windows of amplitude in which one pulse at one frequency overturns a block.
+"""Search for every amplitude window in which a pulse of one frequency overturns a block.
 
 Over the amplitude the block's fate is piecewise constant.  What decides it, the margin of
 `kernels.batch.pulses`, is continuous, so that every border of fates is a zero of it, and every
@@ -43,7 +43,7 @@ Integers = NDArray[np.int64]
 FINEST = 1e-7
 """Part of an amplitude to which intervals beside a hump of the margin are halved."""
 MANY = 10
-"""Impacts from which on they are not told apart."""
+"""Number of impacts from which on numbers of impacts are not distinguished."""
 COARSE = 2e-4
 """Part of an amplitude to which intervals are halved after more impacts than that."""
 FINE = 1e-5
@@ -62,7 +62,7 @@ DECADE = 16
 
 
 class Fates(NamedTuple):
-    """What becomes of the block, an array each of shape (amplitudes,)."""
+    """Fates of the block, as arrays of shape (amplitudes,)."""
 
     overturns: NDArray[np.bool_]
     decided: NDArray[np.bool_]

@@ -26,7 +26,7 @@ SLENDER = 1e-8
 
 @checked
 def free_rocking_period(amplitude_ratio: ArrayLike, *, alpha: float | None = None) -> Floats:
-    r"""Return the period of free rocking of an amplitude, ``p T = 4 arccosh(1/(1 - phi0))``.
+    r"""Return the period of free rocking at an amplitude, ``p T = 4 arccosh(1/(1 - phi0))``.
 
     A block let go at phi0 reaches its base after a quarter of it, and without loss comes back after
     all of it.  The smaller the amplitude the shorter the period; towards 1 it grows without bound.
@@ -83,7 +83,7 @@ def free_rocking_period(amplitude_ratio: ArrayLike, *, alpha: float | None = Non
 def free_rocking_peaks(
     amplitude_ratio: float, restitution: float, impacts: int, *, alpha: float | None = None
 ) -> Floats:
-    r"""Return how the peaks of free rocking decay from impact to impact.
+    r"""Return the decaying peaks of free rocking, impact by impact.
 
     Each impact keeps the part r = restitution^2 of the energy ``1 - (1 - phi)^2``, so that after n
     of them ``phi_n = 1 - sqrt(1 - r^n (1 - (1 - phi0)^2))``.  Of a slenderness alpha the energy is
@@ -137,7 +137,7 @@ def free_rocking_peaks(
 
 @checked
 def equivalent_damping(restitution: ArrayLike) -> Floats:
-    r"""Return the damping ratio of an oscillator that decays about as free rocking does.
+    r"""Return the damping ratio of an oscillator that decays about as fast as free rocking.
 
     ``beta = -0.34 ln(r)`` with r = restitution^2, the ratio of kinetic energies [2]_, a fit to the
     decay over several cycles that [1]_ draws.  It is a number of the literature that stands for a

@@ -100,7 +100,7 @@ def overturning_threshold(shape: str, frequency_ratio: ArrayLike) -> Floats:
 
 @checked
 def overturning_impulse(block: Block, *, linear: bool = False) -> float:
-    r"""Return the sudden change of the base's velocity that overturns a block at rest [m/s].
+    r"""Return the change of base velocity that overturns a block at rest [m/s].
 
     The impulse gives the block the velocity ``p^2 v cos(alpha)/g``, which lifts its mass centre
     over the pivot from ``v = (g/p) sqrt(2 (1 - cos alpha))/cos(alpha)`` on; of a homogeneous

@@ -36,7 +36,7 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 TOP = 20.0
-"""Up to which amplitude is searched where nobody says; for a block that hardly lifts by then,"""
+"""Default largest amplitude of the search; for a block that hardly lifts by then,"""
 UPLIFTS = 2.0
 """up to as many times that at which it lifts."""
 HIGHEST = 1e6
@@ -45,7 +45,7 @@ RESOLUTION = 2e-3
 
 
 class OverturningWindow(NamedTuple):
-    """A range of amplitudes in which the block overturns in one way."""
+    """A range of amplitudes over which the block overturns in the same way."""
 
     low: float
     high: float

@@ -1,4 +1,4 @@
-"""The heteroclinic tangency of a block whose sides may differ, in closed form."""
+"""Heteroclinic tangency in closed form, for a block with equal or different sides."""
 
 import math
 

@@ -1,6 +1,8 @@
-"""Curves in the plane of frequency and amplitude: where symmetric steady states exist, change
-kind, lose symmetry; and where the stable and unstable manifolds of the upright saddles touch.
-"""  # noqa: D205 -- one sentence
+"""Boundaries of the regions of symmetric steady states, in the plane of frequency and amplitude.
+
+They are the curves along which these states begin to exist, change kind and lose symmetry, and the
+one along which the stable and unstable manifolds of the upright saddles first touch.
+"""
 
 import math
 from dataclasses import dataclass
@@ -29,7 +31,7 @@ REGIONS = {
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Boundaries:
-    """Amplitudes that bound the regions, arrays of the broadcast shape of the inputs.
+    """Amplitudes that bound the regions, as arrays of the inputs' broadcast shape.
 
     Attributes
     ----------
@@ -75,7 +77,7 @@ def boundaries(
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RegionMap:
-    """Every curve of the plane of frequency and amplitude, for one restitution and order.
+    """Boundary curves in the plane of frequency and amplitude, for one restitution and order.
 
     Attributes
     ----------
@@ -103,7 +105,7 @@ class RegionMap:
 
 @checked
 def region_map(frequency_ratio: ArrayLike, restitution: float, *, order: int = 1) -> RegionMap:
-    """Return every curve of the plane at given frequency ratios (Figs 3 and 4, and more).
+    """Return all boundary curves at given frequency ratios (Figs 3 and 4, and more).
 
     Parameters
     ----------

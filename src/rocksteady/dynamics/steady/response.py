@@ -1,4 +1,4 @@
-"""Response curves: the peak of a symmetric steady state against frequency (Figs 5 to 7)."""
+"""Response curves: peak of a symmetric steady state against frequency (Figs 5 to 7)."""
 
 import math
 from dataclasses import dataclass
@@ -26,7 +26,7 @@ Floats = NDArray[np.float64]
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ResponseCurve:
-    """Peak of one branch against frequency, arrays of shape (frequencies,).
+    """Peak of one branch against frequency, as arrays of shape (frequencies,).
 
     Attributes
     ----------
@@ -62,7 +62,7 @@ def response_curve(
     order: int = 1,
     branch: Literal[1, 2] = 1,
 ) -> ResponseCurve:
-    """Return the peak of a symmetric steady state over frequencies (eqs 7, 19, 21, 22).
+    """Return the peak of a symmetric steady state against frequency (eqs 7, 19, 21, 22).
 
     Parameters
     ----------

@@ -323,7 +323,7 @@ def steady_states(
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SteadyOrbit:
-    """One full period of a symmetric steady state of the algebra, arrays of shape (samples,).
+    """One period of a symmetric steady state, as arrays of shape (samples,).
 
     Attributes
     ----------
