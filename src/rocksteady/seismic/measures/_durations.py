@@ -1,4 +1,4 @@
-"""How long a record shakes strongly, and how much in all: exact for lines between samples."""
+"""Strong-shaking duration and cumulative absolute velocity, exact between samples."""
 
 from dataclasses import dataclass
 

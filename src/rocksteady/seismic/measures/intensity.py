@@ -1,4 +1,4 @@
-"""Intensity measures of records, and those that a block makes dimensionless."""
+"""Intensity measures of records, and their dimensionless forms for a given block."""
 
 import math
 from collections.abc import Mapping
@@ -53,7 +53,7 @@ WORDS: Mapping[str, tuple[str, str]] = {
 @checked_result
 @dataclass(frozen=True, kw_only=True)
 class IntensityMeasures:
-    """What `rocksteady.intensity_measures` returns.
+    """Intensity measures of a record, from `rocksteady.intensity_measures`.
 
     All are exact for an acceleration that is linear between samples, from rest, but for
     `arias_of_samples_m_s`, `mean_period_s`, which is made of the samples' Fourier amplitudes, and

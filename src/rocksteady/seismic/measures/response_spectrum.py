@@ -1,4 +1,4 @@
-"""Elastic response spectra of records, exact for lines between samples."""
+"""Elastic response spectra of records, exact for acceleration linear between samples."""
 
 import math
 from dataclasses import dataclass
@@ -28,7 +28,7 @@ DAMPING = 0.05
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ResponseSpectrum:
-    """Largest responses of damped oscillators to a record, of shape (periods,).
+    """Peak responses of damped oscillators to a record, as arrays of shape (periods,).
 
     Attributes
     ----------
@@ -148,7 +148,7 @@ def average_spectral_acceleration(
     span: tuple[float, float] = (0.2, 3.0),
     count: int = 10,
 ) -> float:
-    """Return Sa_avg [m/s^2], the geometric mean of PSA at evenly spaced periods around one.
+    """Return Sa_avg [m/s^2], the geometric mean of PSA over a range of periods.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Acceleration, velocity and displacement of a recorded ground, integrated exactly.
+"""Ground acceleration, velocity and displacement of a record, integrated exactly.
 
 Between two samples the acceleration is a line, so that velocity is a parabola, displacement a cubic
 and the energy of the acceleration a cubic too.  Nothing is left out but rounding; where a velocity
@@ -27,7 +27,7 @@ SLOWEST_S = 5.0
 @checked_result
 @dataclass(frozen=True, kw_only=True)
 class Peak:
-    """A largest absolute value: with its sign, and when.
+    """Largest absolute value, with its sign and its time.
 
     Attributes
     ----------
@@ -44,7 +44,7 @@ class Peak:
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class GroundCourse:
-    """The motion of the ground at every sample of a record, which begins at rest.
+    """Ground motion at every sample of a record, starting from rest.
 
     Attributes
     ----------
@@ -154,7 +154,7 @@ class GroundCourse:
 
 @checked
 def ground_course(record: Record) -> GroundCourse:
-    """Return how the ground of a record moves, begun at rest.
+    """Return acceleration, velocity and displacement of the ground, from rest.
 
     The acceleration is linear between its samples, and is integrated exactly.
 

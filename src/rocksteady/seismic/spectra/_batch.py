@@ -1,4 +1,4 @@
-"""How blocks of any size fare on recorded ground: one table a record, one kernel for both models.
+"""Batch response of blocks of any size to one record, from one table for all blocks.
 
 The tables are in seconds and m/s^2, with vertical motion in g, and serve every block: a block is
 its uplift acceleration and its p.  Horizontal motion is scaled by dividing the uplift acceleration,
@@ -178,7 +178,7 @@ def load_kernel(model: ModelName, tolerance: float) -> None:
 
 @lru_cache(maxsize=16)
 def _table(shaking: GroundShaking, nonlinear: bool, gravity: float) -> Floats:
-    """Return the table of a shaking, which nobody may change."""
+    """Return the cached table of a shaking, which callers must not change."""
     flat = record_table(shaking.record)
     if not nonlinear:
         return flat

@@ -1,4 +1,4 @@
-"""Rocking spectra: the largest rotation and velocity of blocks of all sizes on recorded ground."""
+"""Rocking spectra: peak rotation and velocity of blocks of all sizes under recorded motion."""
 
 import functools
 import math
@@ -67,7 +67,7 @@ def rocking_spectrum(
     store: Store | Path | str | None = None,
     done: Done | None = None,
 ) -> "xarray.Dataset":
-    """Return the largest rotation and velocity of homogeneous blocks on recorded ground.
+    """Return peak rotation and velocity of homogeneous blocks under recorded ground motion.
 
     The rocking spectrum of Makris and Konstantinidis [1]_: of every block, at rest when the ground
     begins to shake, what `simulate` would find.  The block is a slenderness alpha and a period

@@ -1,4 +1,4 @@
-"""What the rocking spectra of a suite of records have in common."""
+"""Statistics of the rocking spectra of a suite of records."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -22,7 +22,7 @@ QUANTILES = (0.16, 0.5, 0.84)
 def suite_spectrum(
     found: "xarray.Dataset", quantiles: Sequence[float] = QUANTILES
 ) -> "xarray.Dataset":
-    """Return quantiles of the spectra of a suite, and the share of records that overturn.
+    """Return quantiles of a suite's rocking spectra, and the share of records that overturn.
 
     A record that overturns a block counts as larger than any that does not.  A quantile is the
     least peak that this part of the records does not exceed: a peak of one of them, or infinite
