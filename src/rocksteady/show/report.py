@@ -1,4 +1,4 @@
-"""Reports: one HTML file each that needs nothing beside it, on screen and on paper."""
+"""Self-contained HTML reports, for screen and print."""
 
 import re
 from base64 import b64encode

@@ -1,4 +1,4 @@
-"""What the formats of gridded results share: what they take, and how much of it at once.
+"""Basis of all export formats: checks of a dataset, and how much is read at once.
 
 Files are written part by part, so that a result that is larger than memory can be exported.
 """

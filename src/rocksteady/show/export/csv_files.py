@@ -1,4 +1,4 @@
-"""Gridded results as CSV: a row for each cell."""
+"""Gridded results as CSV, one row per cell."""
 
 import math
 from collections.abc import Hashable, Iterator, Mapping, Sequence

@@ -1,4 +1,4 @@
-"""Gridded results as files for other programs."""
+"""Export of gridded results to files for other programs."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 @checked
 def export(dataset: "xarray.Dataset", file: Path | str) -> None:
-    """Save a result for other programs, in the format of the file's ending.
+    """Save a gridded result as NetCDF or CSV, according to the file's extension.
 
     Parameters
     ----------

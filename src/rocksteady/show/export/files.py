@@ -1,4 +1,4 @@
-"""Files that are whole or not there: figures, tables, text."""
+"""Files written whole or not at all: figures, tables, text."""
 
 import csv
 import json

@@ -1,4 +1,4 @@
-"""Figures of maps of attractors and of fates, a third axis as panels side by side."""
+"""Figures of attractor and fate maps, with a third axis as side-by-side panels."""
 
 import math
 from collections.abc import Mapping
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 PLANE = ("amplitude", "frequency_ratio", "acceleration_m_s2", "frequency_hz")
-"""Axes that a panel shows rather than that they are told apart by."""
+"""Axes of a panel in preference to an axis along which panels differ."""
 MOST_PANELS = 12
 ACROSS = {1: 1, 2: 2, 3: 3, 4: 2, 5: 3, 6: 3, 7: 4, 8: 4, 9: 3, 10: 4, 11: 4, 12: 4}
 """Columns by the number of panels."""

@@ -1,4 +1,4 @@
-"""Whole figures, as the command line saves them."""
+"""Complete figures of single results, as the command line saves them."""
 
 import math
 from collections.abc import Sequence

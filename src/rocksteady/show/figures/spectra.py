@@ -1,4 +1,4 @@
-"""Whole figures of rocking spectra, as the command line saves them."""
+"""Complete figures of rocking spectra, as the command line saves them."""
 
 import math
 from typing import TYPE_CHECKING

@@ -1,4 +1,4 @@
-"""True lengths: the block's corners at any tilt, and the unit of its ground's way."""
+"""Geometry to scale: corners of the tilted block, and length scale of the ground displacement."""
 
 import math
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Which moments of a run a film shows, and how fast."""
+"""Times of a film's frames, and its playback speed."""
 
 import math
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ FRAMES_PER_SECOND = 25.0
 FEWEST_A_PERIOD = 8
 """Frames in a period, below which a film no longer shows how the block moves."""
 MOST_UNASKED = 400
-"""Frames of a film whose speed nobody has chosen: the 50 periods of a usual run have 8 each."""
+"""Frames of a film at the default speed: the 50 periods of a usual run have 8 each."""
 MOST_FRAMES = 1500
 """Frames of any film: a minute at 25 a second."""
 FREE_SPEED = 5.0
@@ -136,7 +136,7 @@ def _validated_span(
 
 
 def _usual_speed(trajectory: Trajectory, fastest: float) -> float:
-    """Return the speed where nobody chooses one; `fastest` is in pivot time a second."""
+    """Return the default speed; `fastest` is in pivot time a second."""
     unit = speed_unit(trajectory)
     if trajectory.block is None:
         # One period a second; slow shaking is not played faster than a block falls or rocks.

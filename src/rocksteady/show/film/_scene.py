@@ -1,4 +1,4 @@
-"""The block on its moving ground in true scale: artists that can be moved to any moment."""
+"""The block on its moving ground, drawn to scale at any time of a motion."""
 
 import math
 from typing import TYPE_CHECKING, Literal

@@ -1,4 +1,4 @@
-"""A film of a time history: the block on its moving ground, and the angle with a moving mark."""
+"""Film of a time history: the block on its moving ground, above its angle against time."""
 
 import math
 from typing import TYPE_CHECKING, Any
@@ -222,7 +222,7 @@ def animate(
     fps: float = FRAMES_PER_SECOND,
     alpha: float | None = None,
 ) -> "FuncAnimation":
-    """Return a film of the block on its moving ground, in true scale, above its time history.
+    """Return a film of the block on its moving ground, to scale, above its time history.
 
     What the picture holds is said at `plot_block`.  A block that overturns turns black when it
     passes |theta| = alpha for the last time, and is followed to twice alpha.  Where the ground

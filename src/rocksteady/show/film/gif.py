@@ -1,4 +1,4 @@
-"""Films as GIF files."""
+"""Films saved as GIF files."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Plot of the block on its ground, in its true shape at one moment."""
+"""Plot of the block on its ground at one moment, to scale."""
 
 from typing import TYPE_CHECKING
 
@@ -23,7 +23,7 @@ def plot_block(
     alpha: float | None = None,
     glow: float = GLOW,
 ) -> "Axes":
-    """Draw the block on its ground at one pivot time, in true scale.
+    """Draw the block on its ground at one pivot time, to scale.
 
     The block stands on the corner with the black triangle; its mass centre is the white circle. As
     long as that is above the blue band between the two corners' verticals, |theta| < alpha.  A ring

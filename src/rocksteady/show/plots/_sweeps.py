@@ -1,4 +1,4 @@
-"""Sweeps of a parameter: what a motion settles to at one value after another, as dots and bars."""
+"""Attractors along a swept parameter, drawn as dots and bars."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any

@@ -122,7 +122,7 @@ def plot_erosion(
     drops: Sequence[Drop] = (),
     legend: LegendPlace | None = None,
 ) -> "Axes":
-    """Draw both measures of integrity against the amplitude, and the heteroclinic threshold.
+    """Draw both integrity measures against amplitude, with the heteroclinic threshold.
 
     The nonlinear model has no closed form of the threshold, so that its picture has none.  The
     amplitude axis is logarithmic where the amplitudes are spaced by ratio.
@@ -220,7 +220,7 @@ def plot_erosion(
 
 @checked
 def plot_safe_basin(erosion: Erosion, index: int, ax: "Axes | None" = None) -> "Axes":
-    """Draw the safe basin at one of the amplitudes: light where the block stands.
+    """Draw the safe basin at one amplitude: light where the block stands.
 
     Parameters
     ----------

@@ -67,7 +67,7 @@ def plot_bifurcations(
     sweep, say where its motion overturned or came to rest.  The axis of the parameter is
     logarithmic where a sweep's values are spaced by ratio, as `numpy.geomspace` does, and where
     nearly all bifurcations lie in its lowest part.  Bifurcations that crowd in a small part of the
-    picture are drawn again in an inset, large enough to be told apart.
+    picture are drawn again in an inset, large enough to be distinguished.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Plots of bifurcations in the plane of two parameters."""
+"""Plots of bifurcation curves in the plane of two parameters."""
 
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
@@ -33,7 +33,7 @@ def plot_bifurcation_curves(
     parameters: tuple[str, str] = ("frequency_ratio", "amplitude"),
     legend: LegendPlace | None = None,
 ) -> "Axes":
-    """Draw curves of bifurcations in the plane of two parameters.
+    """Draw bifurcation curves in the plane of two parameters.
 
     Folds are solid, symmetry breakings and period doublings dashed, grazes dotted.
 

@@ -1,4 +1,4 @@
-"""What the cells of maps and basins are filled with, and the class of each cell of a map."""
+"""Classes of the cells of maps and basins, and the fill of each class."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

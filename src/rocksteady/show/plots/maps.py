@@ -1,4 +1,4 @@
-"""Plots of maps of attractors and of fates: filled cells over two axes, a diagram over one."""
+"""Plots of attractor and fate maps: filled cells over two axes, a diagram over one."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -56,7 +56,7 @@ STRIP = 0.035
 def plot_map(
     found: "xarray.Dataset", ax: "Axes | None" = None, *, legend: LegendPlace | None = None
 ) -> "Axes":
-    """Draw what a block settles to: filled cells over two axes, a diagram over one.
+    """Draw an attractor or fate map: filled cells over two axes, a diagram over one.
 
     Over two axes each cell has the fill of its class; the frequency is to the right and the other
     axis upwards, whatever their order in the map (else the first upwards, the second to the right;

@@ -52,7 +52,7 @@ def plot_trajectory(
     key: bool = True,
     legend: LegendPlace | None = None,
 ) -> "Axes":
-    """Draw angle against time with every impact, and where the block comes to rest or overturns.
+    """Draw angle against time with every impact, and the rest or overturning that ends it.
 
     Between the dashed lines, |theta| = alpha, a block left alone falls back onto its base.  Each
     line is at the alpha of its side; the unit is that of the positive one.
@@ -168,7 +168,7 @@ def time_limits(trajectory: Trajectory, start: float, end: float) -> tuple[float
 def plot_base(
     trajectory: Trajectory, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
 ) -> "Axes":
-    """Draw the base acceleration against time, with the acceleration that lifts a block at rest.
+    """Draw base acceleration against time, with the acceleration that lifts a block at rest.
 
     Vertical motion has an axis of its own, in g, to the right; both axes have one scale.
 

@@ -157,7 +157,7 @@ def plot_free_rocking(
     impacts: int = 12,
     legend: LegendPlace | None = None,
 ) -> "Axes":
-    """Draw the period of free rocking against its amplitude, and how blocks run down that curve.
+    """Draw the period of free rocking against amplitude, and the decay of blocks along it.
 
     Parameters
     ----------

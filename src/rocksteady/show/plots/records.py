@@ -1,4 +1,4 @@
-"""Plots of recorded ground motions: their course, Husid's curve and response spectra."""
+"""Plots of recorded ground motions: time histories, Husid's curve, response spectra."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal
@@ -35,7 +35,7 @@ LEAST_SHOWN = 3.0e-4
 def plot_ground_course(
     course: GroundCourse, ax: "Axes | None" = None, *, quantity: Quantity = "acceleration"
 ) -> "Axes":
-    """Draw acceleration, velocity or displacement of the ground, with its largest value marked.
+    """Draw ground acceleration, velocity or displacement, with its largest value marked.
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ def plot_ground_course(
 
 @checked
 def plot_husid(course: GroundCourse, ax: "Axes | None" = None) -> "Axes":
-    """Draw Husid's curve, the part of the Arias intensity reached, with 5 %, 75 % and 95 % of it.
+    """Draw Husid's curve, the normalised Arias intensity against time, with 5, 75 and 95 % marked.
 
     Parameters
     ----------
@@ -161,7 +161,7 @@ def plot_response_spectra(
     *,
     legend: LegendPlace | None = None,
 ) -> "Axes":
-    """Draw pseudo-acceleration against period; of several records their geometric mean too.
+    """Draw pseudo-acceleration against period, with the geometric mean of several records.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Plots of rocking spectra: of one record as curves or as a map, of a suite as bands."""
+"""Plots of rocking spectra: curves or a map for one record, bands for a suite."""
 
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -31,7 +31,7 @@ Quantity = Literal["peak_angle", "peak_velocity"]
 
 LABELS = {"peak_angle": palette.LABELS["peak"], "peak_velocity": palette.LABELS["peak_velocity"]}
 MOST_CURVES = len(palette.LINES)
-"""Slendernesses that are told apart as curves; more are a map."""
+"""Most slendernesses drawn as curves; more are drawn as a map."""
 LANE = 8.0
 """Height of a row of bars along the upper edge [points]."""
 BAND = 0.22
@@ -46,7 +46,7 @@ def plot_rocking_spectrum(
     quantity: Quantity = "peak_angle",
     legend: LegendPlace | None = None,
 ) -> "Axes":
-    """Draw the rocking spectrum of a record, a curve for each slenderness.
+    """Draw the rocking spectrum of a record, one curve per slenderness.
 
     Where a block overturns its curve has a gap, and a bar along the upper edge, in a row of its own
     with the slenderness in degrees beside it, in the colour of the curve.
@@ -256,7 +256,7 @@ def plot_suite_spectrum(
     quantity: Quantity = "peak_angle",
     legend: LegendPlace | None = None,
 ) -> "Axes":
-    """Draw what a suite of records does to blocks of one slenderness: median and band.
+    """Draw the rocking spectrum of a suite for one slenderness: median and band.
 
     A quantile of which the record overturns the block is drawn up to the upper edge: no peak is as
     large.

@@ -213,7 +213,7 @@ def plot_response(
     top: float | None = None,
     legend: LegendPlace | None = None,
 ) -> "Axes":
-    """Draw peaks against frequency, stable parts solid and unstable ones dashed (Figs 5 to 7).
+    """Draw peaks against frequency, solid where stable and dashed where unstable (Figs 5 to 7).
 
     The peak axis is logarithmic where peaks span more than a factor of 30, the frequency axis where
     frequencies are spaced by ratio, as `numpy.geomspace` does.

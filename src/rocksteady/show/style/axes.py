@@ -1,4 +1,4 @@
-"""The cells along an axis of a map: their edges, the axis that shows them, and which are drawn."""
+"""Cells along a map's axis: their edges, the axis drawn for them, and which are drawn."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING

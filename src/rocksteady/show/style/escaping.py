@@ -1,4 +1,4 @@
-"""Names that come from outside, such as those of files, as terminals and pictures take them."""
+"""Escaping of external names, such as file names, for terminals and figures."""
 
 import functools
 import textwrap

@@ -1,4 +1,4 @@
-"""Insets: a small part of a picture in which marks crowd, drawn again and large."""
+"""Insets: a crowded part of a plot, magnified."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING

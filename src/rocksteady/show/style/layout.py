@@ -1,4 +1,4 @@
-"""Which axes are drawn on, where legends and numbers go, and which scales are logarithmic."""
+"""Layout of plots: choice of axes, positions of legends and labels, logarithmic scales."""
 
 import math
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""Legends that move: inside the axes, to their right, below them, or none."""
+"""Placement of legends: inside the axes, to their right, below them, or none."""
 
 import textwrap
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""The colours of lines and text on the paper of a picture, light or dark."""
+"""Colours of lines and text on a light or dark background."""
 
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING

@@ -1,4 +1,4 @@
-"""What a whole figure is drawn for: its width, and the place of its legends."""
+"""Page of a whole figure: its width, and the place of its legends."""
 
 import re
 import textwrap

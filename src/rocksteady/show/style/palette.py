@@ -1,4 +1,4 @@
-"""The one source of colours, labels and units.
+"""Colours, labels and units of all figures, defined once.
 
 The fills tell attractors apart for normal and for colour-blind sight; lines on white take darker
 shades of the same hues.
