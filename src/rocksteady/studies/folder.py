@@ -1,4 +1,4 @@
-"""The folder that a study writes: checked before anything is computed, whole or as it was."""
+"""Output folder of a study: checked before computing, written whole or left unchanged."""
 
 import os
 import platform

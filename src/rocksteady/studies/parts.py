@@ -1,4 +1,4 @@
-"""Finished parts of a study, kept in the folder that it will fill until it is whole."""
+"""Finished parts of an incomplete study, kept in its output folder."""
 
 import json
 import re
@@ -142,12 +142,12 @@ class Parts:
     def remove(self) -> None:
         """Remove the parts, and the folders where nothing else lies in them."""
         with suppress(OSError):
-            # The description goes last: without it they are nobody's.
+            # The description goes last: without it the parts belong to no study.
             for path in sorted(self.folder.iterdir(), key=lambda each: each.name == DESCRIPTION):
                 if not OURS.fullmatch(path.name):
                     continue
                 if path.suffix == ".zarr" and (path.is_symlink() or others(path)):
-                    continue  # somebody has put a file into it meanwhile
+                    continue  # it holds a file that no sweep wrote
                 if path.is_dir() and not path.is_symlink():
                     shutil.rmtree(path, ignore_errors=True)
                 else:

@@ -1,4 +1,4 @@
-"""The whole atlas: what is computed, in which order, and the folder that holds it."""
+"""The whole atlas: its computations in order, and its output folder."""
 
 import time
 from collections.abc import Callable
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 SCHEMA = "rocksteady/atlas/1"
 PICTURES = ("families", "coexistence", "from-rest")
 CELLS = 64
-"""Of the search for what stands side by side that take about as long as another step."""
+"""Of the search for coexisting motions that take about as long as another step."""
 COLUMNS = 8
 """Of a family that are kept at once."""
 TABLES = ("bands", "borders", "coexistence", "from-rest")
@@ -151,7 +151,7 @@ class Atlas:
         return fill_folder(folder, lambda stage: self._write(stage, done), within=within)
 
     def _write(self, stage: Path, done: Done) -> None:
-        """Write every file into a folder that nobody sees yet."""
+        """Write every file into a hidden folder."""
         began = time.perf_counter()
         every = (*self.lines, *(line for window in self.strips for line in window.lines))
         for name, table in (

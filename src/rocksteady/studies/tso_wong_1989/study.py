@@ -1,4 +1,4 @@
-"""The whole study: every figure and every statement, and the folder that holds them."""
+"""The whole study: every figure and statement of the paper, and the output folder."""
 
 import re
 import time
@@ -134,7 +134,7 @@ class Study:
         return fill_folder(folder, lambda stage: self._write(stage, parts, done), within=within)
 
     def _write(self, stage: Path, parts: Parts | None, done: Done) -> None:
-        """Write every file into a folder that nobody sees yet."""
+        """Write every file into a hidden folder."""
         began = time.perf_counter()
         sections = []
         for timed in self.panels:

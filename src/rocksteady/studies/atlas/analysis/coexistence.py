@@ -1,4 +1,4 @@
-"""How many motions stand side by side at each point of the plane, found from many starts."""
+"""Number of coexisting stable motions at each point, found from many initial states."""
 
 import functools
 import math
@@ -95,7 +95,7 @@ OUTPUTS = (
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Coexistence:
-    """What stands side by side, arrays of shape (amplitudes, columns).
+    """Coexisting stable motions, as arrays of shape (amplitudes, columns).
 
     Attributes
     ----------

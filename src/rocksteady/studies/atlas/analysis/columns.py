@@ -1,4 +1,4 @@
-"""The stable motions that hang together with a symmetric one at one frequency, exactly.
+"""Stable motions connected to a symmetric orbit at one frequency.
 
 A family is followed upwards in amplitude from its symmetric motion: to where that loses its
 symmetry, then along the motions that lean, then along those of twice the period, and so on.  Each

@@ -1,4 +1,4 @@
-"""The bands of a family over the plane, column by column."""
+"""Bands of stable motions of one family over the plane, column by column."""
 
 from dataclasses import dataclass
 from functools import cached_property

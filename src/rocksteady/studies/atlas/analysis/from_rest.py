@@ -1,4 +1,4 @@
-"""What a block at rest comes to when the shaking begins, at one phase of it and at many."""
+"""Long-term motion of a block initially at rest, for one phase of the shaking or many."""
 
 import math
 from collections.abc import Callable
@@ -44,7 +44,7 @@ FATES = (
     "overturned",
     "undecided",
 )
-"""What a block comes to, by its code in tables and pictures."""
+"""Long-term motion of a block, by its code in tables and pictures."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -74,7 +74,7 @@ class LowestFall:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class FromRest:
-    """What a block at rest comes to.
+    """Long-term motion of a block initially at rest.
 
     Attributes
     ----------
@@ -104,7 +104,7 @@ class FromRest:
         return share
 
     def share(self, fate: str) -> float:
-        """Return the part of the plane in which a block comes to this at the first phase."""
+        """Return the share of the plane in which a block ends in this motion at the first phase."""
         return float((self.fate[0] == FATES.index(fate)).mean())
 
 
@@ -115,7 +115,7 @@ def from_rest(
     parts: Parts | None = None,
     done: Done = nothing,
 ) -> FromRest:
-    """Return what a block at rest comes to over a plane.
+    """Return the long-term motion of a block initially at rest over a plane.
 
     Parameters
     ----------

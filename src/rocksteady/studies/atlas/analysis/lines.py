@@ -1,4 +1,4 @@
-"""The borders of a family as curves in two parameters, begun where its columns have found them.
+"""Borders of a family as bifurcation curves in two parameters, started from its columns.
 
 The columns say where the bands are; the curves say it between the columns too, and to rounding.
 """

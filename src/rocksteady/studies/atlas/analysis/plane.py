@@ -1,4 +1,4 @@
-"""The part of the plane of frequency and amplitude that an atlas shows."""
+"""Region of the plane of frequency and amplitude that an atlas covers."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,7 @@ Floats = NDArray[np.float64]
 
 AMPLITUDES = np.linspace(0.08, 8.0, 100)
 FREQUENCY_RATIOS = np.linspace(0.075, 12.0, 160)
-"""Where nobody says: all that is stable for n = 1, 3, 5 at the restitutions of the literature."""
+"""Defaults: all that is stable for n = 1, 3, 5 at the restitutions of the literature."""
 ORDERS = (1, 3, 5)
 HIGHEST_AMPLITUDE = 1000.0
 
@@ -51,7 +51,7 @@ class Plane:
     orders: tuple[int, ...] = ORDERS
 
     def __post_init__(self) -> None:
-        """Validate, and keep the axes as arrays that nobody changes."""
+        """Validate, and keep the axes as read-only arrays."""
         hint = "give a ratio of velocities below 1, as 0.8; without loss nothing is attracted"
         value = in_range("restitution", self.restitution, 0.0, 1.0, "()", hint=hint)
         object.__setattr__(self, "restitution", value)

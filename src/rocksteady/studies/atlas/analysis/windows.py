@@ -1,4 +1,4 @@
-"""Windows: narrow strips of the plane with stable symmetric motions of more than two impacts.
+"""Windows: narrow strips of stable symmetric motions with more than two impacts.
 
 The search from many starts comes upon them; their borders are then followed exactly.
 """

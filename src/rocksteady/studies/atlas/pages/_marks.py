@@ -1,4 +1,4 @@
-"""What the pictures of the plane share: axes, lines with a casing, patterns, legends."""
+"""Drawing shared by all pictures of the plane: axes, outlined lines, patterns, legends."""
 
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any

@@ -1,4 +1,4 @@
-"""How the atlas writes numbers and names."""
+"""Text of numbers and names in the atlas."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""What the atlas finds, as numbers by name and as sentences made of them."""
+"""Findings of the atlas: named numbers, and sentences built from them."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -238,7 +238,7 @@ def _codes_at(found: Coexistence, at: dict[str, Any]) -> list[int]:
 
 
 def rest_sentences(found: FromRest, harmonic: FamilyMap | None) -> list[str]:
-    """Return what becomes of a block at rest, one paragraph an entry."""
+    """Return the fates of a block initially at rest, one paragraph an entry."""
     values = rest_values(found)
     every, some = (
         values[f"share_overturned_at_{which}"] for which in ("every_phase", "some_phases")

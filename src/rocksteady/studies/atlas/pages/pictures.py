@@ -1,4 +1,4 @@
-"""The pictures of an atlas."""
+"""Pictures of an atlas: bands of families, coexisting motions, fates from rest."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -146,7 +146,7 @@ def draw_coexistence(
 
 
 def draw_from_rest(found: FromRest, lines: Sequence[Line]) -> "Figure":
-    """Draw what a block at rest comes to, and at how many phases it overturns."""
+    """Draw the long-term motion from rest, and at how many phases the block overturns."""
     from matplotlib.figure import Figure
 
     plane, count = found.plane, len(found.phases)

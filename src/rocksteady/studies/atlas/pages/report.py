@@ -1,4 +1,4 @@
-"""The page of an atlas."""
+"""HTML page of an atlas."""
 
 import math
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""The data of an atlas as tables: a header with the names of the columns, and rows."""
+"""Data of an atlas as tables: a header of column names, then rows."""
 
 from collections.abc import Iterator, Sequence
 
@@ -33,7 +33,7 @@ def lines_table(lines: Sequence[Line]) -> Table:
 
 
 def coexistence_table(found: Coexistence) -> Table:
-    """Return what stands side by side, cell by cell."""
+    """Return the coexisting stable motions, cell by cell."""
     header = (
         "amplitude", "frequency_ratio", "motions", "rest", "aperiodic", "undecided_starts",
         "of_1_period", "of_3_periods", "of_5_periods", "of_other_periods", "with_rests", "orbits",
@@ -62,7 +62,7 @@ def _coexistence_rows(found: Coexistence) -> Iterator[tuple[object, ...]]:
 
 
 def rest_table(found: FromRest) -> Table:
-    """Return what a block at rest comes to, cell by cell."""
+    """Return the long-term motion of a block initially at rest, cell by cell."""
     header = (
         "amplitude", "frequency_ratio", "fate_at_phase_0", "period", "impacts",
         "phases", "phases_overturned",

@@ -1,4 +1,4 @@
-"""The statement that the equations may be linearised for slender blocks (page 91)."""
+"""Statement that the equations may be linearised for slender blocks (page 91)."""
 
 import numpy as np
 

@@ -336,7 +336,7 @@ def region_that_grows(evidence: Evidence) -> Finding:
     see=("3a", "3b", "4a", "4b"),
 )
 def too_large(_: Evidence) -> Finding:
-    """Go to large amplitudes in region 2 and see what becomes of branch 1."""
+    """Follow branch 1 to large amplitudes in region 2."""
     draw = np.random.default_rng(1989)
     points = 4000
     ratio = draw.uniform(0.5, 16.0, points)

@@ -1,4 +1,4 @@
-"""Statements on which symmetric motions are stable, and Figs 8 to 11 (pages 89, 98 to 101)."""
+"""Statements on stable symmetric motions, and Figs 8 to 11 (pages 89, 98 to 101)."""
 
 from itertools import pairwise
 

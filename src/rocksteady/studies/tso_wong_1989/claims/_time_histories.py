@@ -1,4 +1,4 @@
-"""What the paper says of each of its time histories (Figs 8 to 13), one statement a figure."""
+"""Statements on the paper's time histories (Figs 8 to 13), one per figure."""
 
 import math
 from dataclasses import dataclass
@@ -199,7 +199,7 @@ def stable_finding(history: History) -> Finding:
 
 
 def check_history(shown: Shown, evidence: Evidence) -> Finding:
-    """Compare what becomes of a motion with what the paper reports."""
+    """Compare the fate of a motion with that in the paper."""
     history = evidence.histories[shown.figure]
     if shown.fate is None:
         return stable_finding(history)

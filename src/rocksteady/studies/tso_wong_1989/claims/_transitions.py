@@ -1,4 +1,4 @@
-"""Statements on what follows as the frequency falls: Figs 12 and 13 (pages 89, 101 to 105)."""
+"""Statements on transitions as frequency falls, Figs 12 and 13 (pages 89, 101 to 105)."""
 
 import math
 from collections import Counter

@@ -1,4 +1,4 @@
-"""Statements that this package cannot check, each with the reason."""
+"""Statements that this package cannot check, each with its reason."""
 
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding

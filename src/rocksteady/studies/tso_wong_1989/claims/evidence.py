@@ -1,4 +1,4 @@
-"""What the checks share: the figures' results, and random points of the parameter space."""
+"""Evidence shared by the checks: results of the figures, and random parameter points."""
 
 import math
 from collections.abc import Callable

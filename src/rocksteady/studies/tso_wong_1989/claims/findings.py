@@ -1,4 +1,4 @@
-"""What a check finds, and the verdict on a statement that follows."""
+"""Finding of a check, and the verdict on the statement."""
 
 import re
 from collections.abc import Mapping, Sequence

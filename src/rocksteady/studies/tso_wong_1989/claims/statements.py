@@ -1,4 +1,4 @@
-"""Every statement of the paper that can be checked, each with the computation that checks it."""
+"""All checkable statements of the paper, each with its computation."""
 
 from collections.abc import Callable
 

@@ -1,4 +1,4 @@
-"""How fates are drawn: the motion that a run settles to, and fates over distances from an orbit."""
+"""Plots of fates: the motion after settling, and fates by distance from an orbit."""
 
 import math
 from collections.abc import Mapping, Sequence

@@ -1,4 +1,4 @@
-"""Parameters of the paper's time histories (Figs 8 to 13), and of the runs that leave them."""
+"""Parameters of the paper's time histories (Figs 8 to 13), and of runs started near them."""
 
 from dataclasses import dataclass
 

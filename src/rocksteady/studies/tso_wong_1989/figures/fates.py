@@ -1,4 +1,4 @@
-"""What a block settles to, in the paper's words, and how that depends on where it starts."""
+"""Fate of a block in the paper's words, and its dependence on the initial state."""
 
 import functools
 import math

@@ -1,4 +1,4 @@
-"""Figs 8 to 13: time histories that start on a symmetric steady state."""
+"""Figs 8 to 13: time histories started on a symmetric steady state."""
 
 import math
 from collections import Counter

@@ -1,4 +1,4 @@
-"""One figure of the paper as it is reported: its words, its data, and what draws it."""
+"""One figure of the paper as reported: its text, data and drawing function."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field

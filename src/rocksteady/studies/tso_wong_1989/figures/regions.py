@@ -1,4 +1,4 @@
-"""Figs 3 and 4: where in the plane of frequency and amplitude symmetric motions exist."""
+"""Figs 3 and 4: regions of symmetric motions in the plane of frequency and amplitude."""
 
 from dataclasses import dataclass
 from functools import cached_property

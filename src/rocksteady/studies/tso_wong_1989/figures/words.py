@@ -1,4 +1,4 @@
-"""How the study writes numbers and names."""
+"""Text of numbers and names in the study."""
 
 import math
 from collections.abc import Iterable
