@@ -1,4 +1,4 @@
-"""`python -m rocksteady`."""
+"""The program as `python -m rocksteady`."""
 
 from rocksteady.cli.app import main
 

@@ -1,4 +1,4 @@
-"""The program `rocksteady`: its commands, and how every error ends in one line and an exit code.
+"""The program `rocksteady`: its commands, one-line errors and exit codes.
 
 Exit codes: 0 done, 1 negative verdict with --check, 2 usage or input, 3 incomplete or undecided,
 101 internal error, 130 interrupted (Ctrl-C), and 143 and 129 by SIGTERM and SIGHUP.

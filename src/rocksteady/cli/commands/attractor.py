@@ -1,4 +1,4 @@
-"""`rocksteady attractor`: what a motion settles to."""
+"""`rocksteady attractor`: long-term motion of a block under harmonic shaking."""
 
 import math
 from collections.abc import Iterator

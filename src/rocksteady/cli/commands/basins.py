@@ -1,4 +1,4 @@
-"""`rocksteady basins`: where initial states go, and how the safe ones erode with the amplitude."""
+"""`rocksteady basins`: basins of attraction, and erosion of the safe basin with amplitude."""
 
 from typing import Annotated, Any
 

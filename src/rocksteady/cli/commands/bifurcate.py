@@ -139,7 +139,7 @@ TopFlag = Annotated[
 
 
 DOUBLINGS = 6
-"""Of --cascade, where nobody says."""
+"""Default of --cascade."""
 
 
 @grouped

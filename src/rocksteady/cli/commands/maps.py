@@ -1,4 +1,4 @@
-"""`rocksteady map`: what a block settles to, or what becomes of it, in every cell of a grid."""
+"""`rocksteady map`: attractor or fate of a block in every cell of a grid."""
 
 from typing import Annotated
 

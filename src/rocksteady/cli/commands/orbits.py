@@ -1,4 +1,4 @@
-"""`rocksteady orbits`: the periodic motions at a point, stable and unstable."""
+"""`rocksteady orbits`: stable and unstable periodic motions at one amplitude and frequency."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated, Any

@@ -1,4 +1,4 @@
-"""`rocksteady overturn`: all amplitudes at which a pulse overturns a block, over its frequency."""
+"""`rocksteady overturn`: all amplitudes at which a pulse overturns a block, by frequency."""
 
 from typing import Annotated
 

@@ -1,4 +1,4 @@
-"""`rocksteady paper`: every figure and statement of Tso and Wong (1989), computed again."""
+"""`rocksteady paper`: every figure and statement of Tso and Wong (1989), recomputed."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated

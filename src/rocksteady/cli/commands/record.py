@@ -1,4 +1,4 @@
-"""`rocksteady record`: what ground-motion files hold."""
+"""`rocksteady record`: channels and intensity measures of ground-motion files."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""`rocksteady simulate`: one time history."""
+"""`rocksteady simulate`: time history of one block."""
 
 from typing import TYPE_CHECKING, Annotated
 

@@ -1,4 +1,4 @@
-"""`rocksteady spectrum`: what recorded ground does to blocks of all sizes."""
+"""`rocksteady spectrum`: rocking spectra of recorded ground motions."""
 
 import math
 from typing import TYPE_CHECKING, Annotated, cast

@@ -186,7 +186,7 @@ def csv_rows(states: "SteadyStates") -> list[list[object]]:
 
 
 def verdict(solution: dict[str, Any]) -> str:
-    """Return in a word what a solution is worth."""
+    """Return the verdict on a solution in a word."""
     return worth(**{name: bool(solution[name]) for name in ("admissible", "neutral", "stable")})
 
 

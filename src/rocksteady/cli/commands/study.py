@@ -1,4 +1,4 @@
-"""`rocksteady study`: studies of the block itself, each a folder with pictures, data and a page."""
+"""`rocksteady study`: studies of the block itself, each a folder of pictures, data and a page."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any

@@ -1,4 +1,4 @@
-"""What a command leaves behind: JSON on standard output, and files that are whole or not there."""
+"""Output of a command: JSON on standard output, and files written whole or not at all."""
 
 import sys
 from collections.abc import Iterable, Sequence

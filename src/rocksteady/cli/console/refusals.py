@@ -1,4 +1,4 @@
-"""Why flags are refused that are valid alone: in one line with the flags, and what to do."""
+"""Errors for flags that are valid alone but not together."""
 
 import os
 from collections import Counter

@@ -1,4 +1,4 @@
-"""The surroundings of the program: streams, width of the terminal, signals, consoles.
+"""Environment of the program: streams, terminal width, signals, consoles.
 
 None of them may change what a command computes or lose what it prints: a stream may be closed, in
 another encoding or on a full disk, a variable of the environment may hold anything.

@@ -1,4 +1,4 @@
-"""What moves and what shakes it: flags that become nouns of the model."""
+"""Flags for the block and its shaking, converted to objects of the model."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, fields, replace

@@ -1,4 +1,4 @@
-"""Groups of flags that several commands share: a command takes each group as one parameter.
+"""Groups of flags shared by several commands, each group one parameter of a command.
 
 A group is a frozen dataclass whose fields are the flags; its methods turn them into nouns of the
 model.  `grouped` spreads the fields over the command's signature, where typer finds them, and

@@ -1,4 +1,4 @@
-"""The axes of a map: any flags of block, shaking and start that were given as start:stop:count."""
+"""Axes of a map, from flags given as start:stop:count."""
 
 import math
 from collections.abc import Iterator

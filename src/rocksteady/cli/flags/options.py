@@ -1,4 +1,4 @@
-"""The flags that commands share: one spelling, one help text, one unit each."""
+"""Flags shared by several commands: one spelling, help text and unit each."""
 
 from pathlib import Path
 from typing import Annotated

@@ -1,4 +1,4 @@
-"""From the strings of the command line to numbers and axes."""
+"""Conversion of command-line text to numbers and axes."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""The one axis of a diagram: a parameter with its range, and the values of the others."""
+"""Range of a diagram's parameter, and the fixed values of the others."""
 
 from dataclasses import dataclass, replace
 

@@ -1,4 +1,4 @@
-"""Recorded ground motions as flags: which files, how they are read, and how they shake a block."""
+"""Flags for recorded ground motions: files, how to read them, how they shake a block."""
 
 import re
 from dataclasses import dataclass, fields, replace
@@ -166,7 +166,7 @@ class ReadingFlags:
         return self._ready(file, found if self.channel is None else (chosen(found, self.channel),))
 
     def read(self, file: Path) -> "Recording":
-        """Return the one channel of a file; what is odd about it is printed.
+        """Return the one channel of a file, and print its warnings.
 
         Raises
         ------
@@ -226,7 +226,7 @@ class ReadingFlags:
             raise RecordFileError(path=error.path, valid=error.valid, hint=hint) from error
 
     def _ready(self, file: Path, found: "tuple[Recording, ...]") -> "list[Recording]":
-        """Return channels without their baseline, and print what is odd about them."""
+        """Return channels without their baseline, and print their warnings."""
         from rocksteady.records.processing import baseline_corrected
 
         for words in dict.fromkeys(words for one in found for words in one.warnings):
@@ -254,7 +254,7 @@ def _in_flags(words: str) -> str:
 
 
 def warn(file: Path, words: str) -> None:
-    """Note what is odd about a file, beside which the result stands."""
+    """Keep a warning about a file, to be printed beside the result."""
     terminal.note(f"{file}: {words}")
 
 

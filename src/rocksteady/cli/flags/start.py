@@ -1,4 +1,4 @@
-"""Where a motion begins: the flags, and the start that they name."""
+"""Flags for the initial state of a motion."""
 
 import math
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""Flags of commands that compute many cases: who computes them, and where they are kept."""
+"""Flags for sweeps: executor, number of workers, and storage of results."""
 
 import shlex
 import sys

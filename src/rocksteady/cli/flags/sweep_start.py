@@ -1,4 +1,4 @@
-"""The sweeps of a bifurcation diagram: where they begin, and what carries them."""
+"""Initial states of the sweeps in a bifurcation diagram."""
 
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING

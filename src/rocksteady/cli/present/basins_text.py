@@ -1,4 +1,4 @@
-"""Basins and erosion as tables on a terminal."""
+"""Basins and erosion as tables for a terminal."""
 
 from typing import Any
 

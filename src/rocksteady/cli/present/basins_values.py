@@ -1,4 +1,4 @@
-"""Basins and erosion in plain values: what the contract promises, and the rows of files."""
+"""Basins and erosion as plain values for JSON, and as rows for files."""
 
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any

@@ -1,4 +1,4 @@
-"""Branches, bifurcations, sweeps and cascades in plain values, as the contract promises them."""
+"""Branches, bifurcations, sweeps and cascades as plain values for JSON and rows for CSV."""
 
 from collections import Counter
 from collections.abc import Iterator, Sequence

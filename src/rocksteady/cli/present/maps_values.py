@@ -1,4 +1,4 @@
-"""Maps in plain values and on a terminal: how many cells there are of each kind."""
+"""Maps as plain values and as terminal tables: number of cells of each kind."""
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any

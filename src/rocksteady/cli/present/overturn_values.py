@@ -1,4 +1,4 @@
-"""What `rocksteady overturn` prints: its values, its table, its rows."""
+"""Output of `rocksteady overturn`: values, table, rows."""
 
 from typing import TYPE_CHECKING, Any
 

@@ -1,4 +1,4 @@
-"""What `rocksteady record` prints: its values, its tables, its rows."""
+"""Output of `rocksteady record`: values, tables, rows."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -28,7 +28,7 @@ class Description:
 
     @property
     def warnings(self) -> list[str]:
-        """What is odd about the file, then about the record."""
+        """Warnings about the file, then about the record."""
         words = list(self.recording.warnings)
         if self.measures.drifts:
             last, largest = self.measures.final_velocity_m_s, self.measures.pgv_m_s
@@ -125,7 +125,7 @@ def course_rows(course: "GroundCourse", unit: str) -> Iterator[list[float]]:
 
 
 def print_one(one: Description) -> None:
-    """Print a record: what the file says, what is odd, and the measures."""
+    """Print a record: its metadata, its warnings and its measures."""
     from rich.table import Table
     from rich.text import Text
 

@@ -1,4 +1,4 @@
-"""What several commands print of one thing: a block, its shaking, an orbit."""
+"""Values and text that several commands print: block, shaking, orbit."""
 
 import re
 from collections.abc import Sequence
@@ -79,7 +79,7 @@ def orbit_values(orbit: "Orbit", block: Block | DimensionlessBlock) -> dict[str,
 
 
 def worth(*, admissible: bool, neutral: bool, stable: bool) -> str:
-    """Return in a word what a solution is worth."""
+    """Return the verdict on a solution in a word."""
     if not admissible:
         return "inadmissible"
     if neutral:

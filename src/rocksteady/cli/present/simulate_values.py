@@ -1,4 +1,4 @@
-"""What `rocksteady simulate` prints: its values, its summary, its rows."""
+"""Output of `rocksteady simulate`: values, summary, rows."""
 
 import math
 from collections.abc import Iterator

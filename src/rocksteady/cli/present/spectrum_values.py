@@ -1,4 +1,4 @@
-"""What `rocksteady spectrum` prints: its values, its table."""
+"""Output of `rocksteady spectrum`: values and table."""
 
 import math
 from collections.abc import Sequence
