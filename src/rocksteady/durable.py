@@ -1,4 +1,4 @@
-"""Writes files that a crash or a power failure leaves whole: the new one, or the one before it.
+"""File writes after which a crash or a power failure leaves the old version or the new one whole.
 
 Every output of the package takes this way: it is written in a private folder beside its place,
 forced to the disk, and moved; then the folder that holds it is forced to the disk.

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from rocksteady.records.core.recording import Recording
 
 HELP = (
-    "What ground-motion files hold: format, samples, unit and what is odd about them; peaks, "
+    "What ground-motion files hold: format, samples, unit and warnings; peaks, "
     "durations and spectra, exact for an acceleration that is linear between its samples.\n\n"
     "A file with several channels is described channel by channel, unless --channel names one. "
     "With a block come the measures that its size makes dimensionless."
