@@ -258,12 +258,13 @@ def test_no_cells_at_all() -> None:
     by_lanes(np.zeros((0, 6)), 10)
 
 
+@pytest.mark.skipif(PLAIN, reason="many bounces need compiled code")
 @pytest.mark.parametrize("leaping", [False, True])
 def test_bounces_without_end_are_given_up(leaping: bool) -> None:
     """Whatever runs beside them, and with the same number of impacts."""
     most = 300
     endless = np.array([(0.5, 0.01, 1.0, 0.0, 1e-3, 0.0)])
-    others = unit(sample_size(12, 3))
+    others = unit(12)
     together = np.vstack([others, endless, others])
     ends = []
     for columns in (endless, together):
@@ -321,7 +322,7 @@ def test_the_loops_become_vector_instructions() -> None:
     assert any(packed in machine for packed in ("mulpd", ".2d"))
 
 
-@pytest.mark.parametrize("velocity", [1e-40, -1e-300])
+@pytest.mark.parametrize("velocity", sample_size([1e-40, -1e-300], [-1e-300]))
 def test_bounces_that_no_clock_resolves_come_to_rest(velocity: float) -> None:
     # At the peak of shaking that just does not lift, nothing pulls the block down.
     one = np.ones(1)
