@@ -1,7 +1,5 @@
 """A store against full disks, other processes, other sweeps; and with other executors."""
 
-import functools
-import json
 import math
 import os
 import re
@@ -11,15 +9,10 @@ import sys
 from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
 
-import numpy as np
 import pytest
-import zarr
 
 from rocksteady.errors import OutputError, UnfinishedError
-from rocksteady.sweep.cases.axes import Axis
-from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.store import _writer
 from rocksteady.sweep.store.store import Store
@@ -151,43 +144,6 @@ def test_a_second_process_is_refused_until_the_first_is_no_more(
         first.kill()
     assert run(path, resume=True)[1] == CHUNK
     assert whole(path, undisturbed)
-
-
-def test_another_sweep_is_refused_and_the_differences_named(begun: Path) -> None:
-    before = tree(begun)
-    store = Store(begun, resume=True)
-    with pytest.raises(OutputError, match=r"factor nothing there, 3\.0 here"):
-        evaluate(functools.partial(some, factor=3.0), GRID, OUTPUTS, store=store)
-    with pytest.raises(OutputError, match=r"case .*:some there, .*:other here"):
-        evaluate(other, GRID, OUTPUTS, store=store)
-    with pytest.raises(OutputError, match=r"sign int8 there, nothing here|outputs sign"):
-        evaluate(some, GRID, OUTPUTS[:1], store=store)
-    finer = Grid(axes=(GRID.axes[0], Axis(name="b", values=np.arange(21.0))))
-    with pytest.raises(OutputError, match=r"b points 20 there, 21 here.*b to 19\.0 there, 20\.0"):
-        evaluate(some, finer, OUTPUTS, store=store)
-    assert tree(begun) == before
-
-
-def other(a: Any, b: Any) -> Any:
-    return some(a, b)
-
-
-@pytest.mark.parametrize(
-    ("what", "said"),
-    [("version", "version 0.0 there"), ("source", "source rocksteady 0123456789abcdef there")],
-)
-def test_what_another_version_has_computed_is_not_continued(
-    what: str, said: str, begun: Path
-) -> None:
-    group = zarr.open_group(begun, mode="r+")
-    inputs = json.loads(str(group.attrs["inputs"]))
-    if what == "version":
-        inputs["version"] = "0.0"
-    else:
-        inputs["source"]["rocksteady"] = "0123456789abcdef"
-    group.attrs["inputs"] = json.dumps(inputs)
-    with pytest.raises(OutputError, match=said):
-        run(begun, resume=True)
 
 
 @pytest.mark.parametrize(

@@ -15,20 +15,9 @@ import xarray
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
-from xarray.core.indexing import LazilyIndexedArray
 
-from rocksteady import (
-    Axis,
-    Grid,
-    InputError,
-    Output,
-    Store,
-    UnfinishedError,
-    evaluate,
-    open_store,
-)
-from rocksteady.sweep.store._lazy import Computed
-from rocksteady.sweep.store.chunks import Chunks
+from rocksteady import Axis, Grid, InputError, Output, Store, UnfinishedError, evaluate, open_store
+from tests.sweep.indices import indexers
 
 Found = dict[str, NDArray[Any]]
 
@@ -137,13 +126,6 @@ def test_nothing_is_read_before_it_is_used(store: Path) -> None:
     assert found.kind.values.shape == GRID.shape
     with pytest.raises(InputError):
         _ = found.value.values
-
-
-def indexers(length: int) -> st.SearchStrategy[Any]:
-    places = st.integers(-length, length - 1)
-    # An empty slice with a negative step is too much for xarray.
-    slices = st.slices(length).filter(lambda part: len(range(*part.indices(length))) > 0)
-    return places | slices | st.lists(places, min_size=1, max_size=4)
 
 
 @given(st.tuples(*(indexers(length) for length in GRID.shape)))
@@ -314,18 +296,6 @@ def test_a_part_of_a_store_says_which_cells_it_has(
     assert found.kind.values[6, 4].tolist() == [-128] * 3
     assert not found.above.values[6, 4].any()
     assert np.isnan(found.value.values[6, 4]).all()
-
-
-@given(index=st.tuples(*(indexers(length) for length in GRID.shape)))
-def test_any_part_of_an_unfinished_store_knows_what_it_has(index: tuple[Any, ...]) -> None:
-    chunks = Chunks.of(GRID.shape, CELLS)
-    complete = np.arange(len(chunks)) % 3 != 1
-    whole = np.zeros(GRID.shape, dtype=np.bool_)
-    for chunk in np.flatnonzero(complete).tolist():
-        whole[chunks.region(chunk)] = True
-    array = xarray.Variable(GRID.names, whole)
-    lazy = xarray.Variable(GRID.names, LazilyIndexedArray(Computed(chunks, complete)))
-    assert np.array_equal(lazy[index].values, array[index].values)
 
 
 def test_a_sweep_can_be_looked_at_while_it_runs(tmp_path: Path, reference: xarray.Dataset) -> None:
