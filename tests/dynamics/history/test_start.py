@@ -1,144 +1,119 @@
-"""Starts on an unstable steady state: how far, in which direction, on which side."""
+"""Initial states: at rest, anywhere, or on a steady state, as the march begins with them."""
 
 import math
 from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import assume, given
+from hypothesis import given
 from hypothesis import strategies as st
 
 from rocksteady import (
     DimensionlessBlock,
     Harmonic,
     InputError,
+    ModelError,
+    Piecewise,
+    Rest,
+    Segment,
     State,
     Steady,
-    Trajectory,
-    simulate,
+    Still,
+    boundaries,
     steady_states,
 )
-from rocksteady.dynamics.history.departure import unstable_direction
-from rocksteady.dynamics.history.start import KICK, LARGEST_KICK
+from rocksteady.dynamics.history.start import (
+    LARGEST_KICK,
+    Start,
+    initial_march,
+    validated_start,
+)
+from rocksteady.kernels.core.tables import March
 
 BLOCK = DimensionlessBlock(restitution=0.8)
-UNSTABLE = [
-    # amplitude, frequency ratio, order, branch
-    (1.0, 1.0, 1, 2), (1.0, 8.0, 1, 2), (2.0, 4.0, 3, 2), (2.0, 5.0, 3, 2),
-    (2.0, 1.9, 1, 1), (2.0, 1.7, 1, 1), (4.0, 6.0, 3, 1), (2.0, 3.0, 3, 1),
-]  # fmt: skip
-unstable = pytest.mark.parametrize(("a", "w", "n", "branch"), UNSTABLE)
+UNLIKE = DimensionlessBlock(restitution=0.8, alpha_ratio=1.3, p_ratio=0.9)
+SHAKING = Harmonic(amplitude=2.0, frequency_ratio=4.0)
 
 
-def started(
-    a: float, w: float, n: int, branch: int, *, kick: float | None = None, side: int = 1
-) -> Trajectory:
-    more = {} if kick is None else {"kick": kick}
-    start = Steady(order=n, branch=branch, **more)
-    shaking = Harmonic(amplitude=a, frequency_ratio=w)
-    return simulate(BLOCK, shaking, start=start, cycles=2 * n, side=side)
+def begun(start: Start, block: DimensionlessBlock = BLOCK, motion: Any = SHAKING) -> March:
+    return initial_march(start, block, motion, 1)[1]
 
 
-def shift(run: Trajectory, a: float, w: float, n: int, branch: int) -> tuple[float, float]:
-    """How far a run starts from the orbit: phase, and velocity over that of the orbit."""
-    states = steady_states(a, w, 0.8, order=n)
-    assert isinstance(run.motion, Harmonic)
-    velocity = w * float(states.velocity[branch - 1])
-    return (
-        run.motion.phase - float(states.phase[branch - 1]),
-        float(run.flights.velocity[0]) / velocity - 1.0,
+@given(st.floats(-1e3, 1e3), st.floats(-2.0, 2.0), st.floats(-2.0, 2.0))
+def test_a_state_begins_at_its_phase_on_the_side_where_it_leans_or_goes(
+    phase: float, angle: float, velocity: float
+) -> None:
+    motion = Harmonic(amplitude=2.0, frequency_ratio=4.0, phase=phase)
+    state = begun(State(angle=angle, velocity=velocity), UNLIKE, motion)
+    assert (state.angle, state.velocity) == (angle, velocity)
+    assert state.side == (np.sign(angle) or np.sign(velocity))
+    assert 0.0 <= state.phase < math.pi
+    assert math.pi * state.half_cycles + state.phase == pytest.approx(phase, abs=1e-12)
+
+
+def test_rest_is_upright_and_still() -> None:
+    assert begun(Rest()) == begun(State(angle=0.0, velocity=0.0))
+    assert begun(Rest()).side == 0
+
+
+@pytest.mark.parametrize(("angle", "rate"), [(0.3, 1.0), (-0.3, 0.9)])
+def test_an_impulse_at_the_start_acts_by_the_square_of_p_of_the_side(
+    angle: float, rate: float
+) -> None:
+    struck = Piecewise(pieces=(Segment(duration=1.0, constant=0.0, jump=0.25),))
+    state = begun(State(angle=angle, velocity=0.1), UNLIKE, struck)
+    assert state.velocity == pytest.approx(0.1 + 0.25 * rate**2)
+    upright = begun(Rest(), UNLIKE, struck)
+    assert (upright.side, upright.velocity) == (1, 0.25)
+    back = begun(
+        Rest(),
+        UNLIKE,
+        Piecewise(pieces=(Segment(duration=1.0, constant=0.0, jump=-0.25),)),
     )
+    assert back.side == -1
+    assert back.velocity == pytest.approx(-0.25 * 0.9**2)
 
 
-@unstable
-@pytest.mark.parametrize("kick", [1e-4, 1e-2, 0.1])
-def test_a_run_starts_as_far_from_the_orbit_as_the_kick_says(
-    a: float, w: float, n: int, branch: int, kick: float
+def test_a_velocity_by_tau_is_one_by_pivot_time_over_the_frequency_ratio() -> None:
+    state = State.per_tau(angle=0.2, velocity=-0.5, frequency_ratio=4.0)
+    assert state == State(angle=0.2, velocity=-2.0)
+
+
+def test_a_stable_steady_state_decides_on_the_phase() -> None:
+    motion, state = initial_march(Steady(), BLOCK, SHAKING, 1)
+    found = steady_states(2.0, 4.0, 0.8)
+    assert isinstance(motion, Harmonic)
+    assert motion.phase == float(found.phase[0])
+    assert (state.angle, state.velocity) == (0.0, 4.0 * float(found.velocity[0]))
+    assert state.side == 1
+
+
+@pytest.mark.parametrize(
+    ("start", "block", "motion", "words"),
+    [
+        (Steady(), BLOCK, Still(), "a steady state needs harmonic shaking"),
+        (Steady(), UNLIKE, SHAKING, "a steady state to start on"),
+        (Steady(branch=2), BLOCK, SHAKING, "passes through the floor"),
+    ],
+)
+def test_a_steady_state_that_does_not_fit_is_refused(
+    start: Steady, block: DimensionlessBlock, motion: Any, words: str
 ) -> None:
-    plus, minus = (
-        shift(started(a, w, n, branch, kick=kick, side=side), a, w, n, branch) for side in (1, -1)
-    )
-    assert math.hypot(*plus) == pytest.approx(kick, rel=1e-9)
-    assert plus[1] > 0.0, "the positive side has more velocity"
-    np.testing.assert_allclose(plus, np.negative(minus), rtol=1e-9, atol=1e-15)
+    with pytest.raises(ModelError, match=words):
+        begun(start, block, motion)
 
 
-@unstable
-def test_the_direction_does_not_depend_on_the_distance(
-    a: float, w: float, n: int, branch: int
-) -> None:
-    shifts = [
-        np.array(shift(started(a, w, n, branch, kick=kick), a, w, n, branch)) / kick
-        for kick in (1e-4, 1e-3, 1e-1)
-    ]
-    np.testing.assert_allclose(shifts[0], shifts[2], atol=1e-10)
-    np.testing.assert_allclose(shifts[1], shifts[2], atol=1e-10)
+def test_where_there_is_none_the_least_amplitude_is_named() -> None:
+    least = float(boundaries(4.0, 0.8).existence)
+    with pytest.raises(ModelError, match=f"raise the amplitude to {least:.6g} or above"):
+        begun(Steady(), BLOCK, Harmonic(amplitude=0.9 * least, frequency_ratio=4.0))
+    begun(Steady(), BLOCK, Harmonic(amplitude=1.01 * least, frequency_ratio=4.0))
 
 
-@unstable
-def test_it_is_the_direction_that_the_half_cycle_turns_into_its_multiple(
-    a: float, w: float, n: int, branch: int
-) -> None:
-    # The half-cycle map by differences of two marches to the first impact; the multiplier comes
-    # from the trace, the direction from the Jacobian.
-    states = steady_states(a, w, 0.8, order=n)
-    multiplier = float(states.multipliers[branch - 1, 0].real)
-    phase, velocity = float(states.phase[branch - 1]), w * float(states.velocity[branch - 1])
-
-    def landed(d_phase: float, d_velocity: float) -> tuple[float, float]:
-        run = simulate(
-            BLOCK,
-            Harmonic(amplitude=a, frequency_ratio=w, phase=phase + d_phase),
-            start=State(angle=0.0, velocity=velocity * (1.0 + d_velocity)),
-            cycles=n,
-        )
-        first = float(run.impacts.s[0])
-        return (
-            w * first + d_phase - n * math.pi,
-            abs(float(run.impacts.velocity_after[0])) / velocity - 1.0,
-        )
-
-    x, y = unstable_direction(a, w, 0.8, n, branch)
-    direction = np.array([x, y / velocity])
-    assert np.hypot(*direction) == pytest.approx(1.0)
-    step = 1e-6
-    ahead, behind = (np.array(landed(*(sign * step * direction))) for sign in (1.0, -1.0))
-    np.testing.assert_allclose((ahead - behind) / (2.0 * step), multiplier * direction, rtol=1e-4)
-
-
-def test_where_nobody_says_it_is_the_default() -> None:
-    one = started(2.0, 1.9, 1, 1)
-    other = started(2.0, 1.9, 1, 1, kick=KICK)
-    np.testing.assert_array_equal(one.rows, other.rows)
-    assert KICK == 1e-6
-    assert Steady() == Steady(branch=1, order=1, kick=KICK)
-
-
-@given(st.floats(1e-12, 0.1), st.sampled_from([1, -1]))
-def test_a_stable_state_is_started_on_exactly_whatever_the_kick(kick: float, side: int) -> None:
-    run = started(2.0, 4.0, 1, 1, kick=kick, side=side)
-    assert shift(run, 2.0, 4.0, 1, 1) == (0.0, 0.0)
-
-
-@given(st.floats(1.5, 1.94), st.floats(1e-5, 1e-3))
-def test_where_the_multiplier_is_negative_one_side_is_the_others_mirror_image_later(
-    w: float, kick: float
-) -> None:
-    states = steady_states(2.0, w, 0.8)
-    multiplier = float(states.multipliers[0, 0].real)
-    assume(multiplier < -1.0)
-    # after a half cycle the distance is |multiplier| times as large, to first order
-    one = started(2.0, w, 1, 1, kick=kick, side=1)
-    velocity = w * float(states.velocity[0])
-    x, y = (float(one.impacts.s[0]), float(abs(one.impacts.velocity_after[0])) / velocity - 1.0)
-    assert isinstance(one.motion, Harmonic)
-    turned = (one.motion.phase + w * x - math.pi - float(states.phase[0]), y)
-    # to second order in the distance, with a curvature that is moderate here
-    expected = multiplier * np.array(shift(one, 2.0, w, 1, 1))
-    assert np.hypot(*(turned - expected)) < 60.0 * kick**2 * multiplier**2 + 1e-12
-
-
-# ------------------------------------------------------------------------------------- refusals
+@pytest.mark.parametrize("start", ["rest", None, 0.0, (0.1, 0.2), Rest])
+def test_anything_else_is_no_start(start: object) -> None:
+    with pytest.raises(InputError, match="must be a Rest, a State or a Steady"):
+        validated_start(start)
 
 
 @pytest.mark.parametrize(
