@@ -1,10 +1,12 @@
-"""Flags that are refused before a command sees them: paths that lead nowhere or somewhere else."""
+"""Flags that are refused before a command sees them: given twice, without a value, empty paths."""
 
 from pathlib import Path
 
 import pytest
 
-from tests.cli.program import refused
+from rocksteady.cli.console.refusals import FlagError, both, missing
+from rocksteady.errors import ModelError
+from tests.cli.program import refused, rocksteady
 
 EMPTY = {
     "paper --out": "--out",
@@ -41,3 +43,36 @@ def test_a_name_that_no_system_takes_is_refused_by_its_flag(
     assert line.startswith(f"rocksteady: {flag} = ")
     assert line.endswith("is not accepted: names in a path have at most 255 bytes; shorten it")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_no_value_of_a_flag_is_dropped_or_taken_for_another(tmp_path: Path) -> None:
+    line = refused("bifurcate -A 2 -W 3:5:9 -r 0.8 -n 1 -n 3")
+    assert "--order/-n is given more than once ('1', '3')" in line
+    assert "('2', '3')" in refused("steady -A2 --amplitude=3 -W 4 -r 0.8")
+    assert rocksteady("steady -A 2 -A 3 --help").code == 0
+    assert rocksteady("steady -A 2 -W 4 -r 0.8 --json --json").json
+    assert "--csv is given without a value" in refused("steady -A 2 -W 4 -r 0.8 --csv --json")
+    assert rocksteady(f"steady -A 2 -W 4 -r 0.8 --csv={tmp_path}/--json").code == 0
+
+
+def test_a_refusal_names_a_flag_with_its_value_or_a_finding() -> None:
+    one = FlagError(name="--phase", value=1.5, valid="it has none", hint="leave it out")
+    assert str(one) == "--phase = 1.5 is not accepted: it has none; leave it out"
+    assert isinstance(one, ModelError)
+    other = FlagError(finding="neither is given", valid="one is needed", hint="give one")
+    assert str(other) == "neither is given: one is needed; give one"
+
+
+def test_flags_that_are_missing_or_too_many_are_named() -> None:
+    assert str(missing("-A", valid="it is needed", hint="add it")) == (
+        "-A is not given: it is needed; add it"
+    )
+    assert str(both("-A", "--accel-g", valid="one is enough")) == (
+        "-A and --accel-g are both given: one is enough; leave one out"
+    )
+
+
+def test_a_negative_value_is_no_flag_and_a_flag_no_value() -> None:
+    line = refused("simulate -A 2 -W 4 -r 0.8 --start --cycles 5")
+    assert "--start is given without a value: --cycles after it is a flag" in line
+    assert rocksteady("simulate -A 2 -W 4 -r 0.8 --phase -1 --cycles 5 --json").code == 0

@@ -10,7 +10,6 @@ import pytest
 from PIL import Image
 
 from rocksteady import Block, Record, State, simulate
-from rocksteady.cli.present.shared import case_text
 from tests.cli.motion_files import at2, real, samples
 from tests.cli.program import refused, rocksteady
 from tests.records.published import AT_PACOIMA_DAM, PEAKS
@@ -132,15 +131,6 @@ def test_a_vertical_that_is_filed_downwards(files: tuple[Path, Path], tmp_path: 
     text = rocksteady(f"simulate {SIZE} --model nonlinear --record", across, "--vertical", down)
     assert "sign changed: DWN" in " ".join(text.out.split())
     assert "without --vertical" in refused(command, across, "--reverse-vertical")
-
-
-def test_the_title_of_a_picture_names_the_changed_sign() -> None:
-    values = {"record": "a", "vertical": "b", "pga_g": 0.5, "restitution": 0.9}
-    assert "a and vertical, PGA" in case_text({**values, "vertical_processing": []})
-    notes = ["sign changed: DWN is positive downwards, and vertical motion upwards"]
-    assert "a and vertical (sign changed), PGA" in case_text(
-        {**values, "vertical_processing": notes}
-    )
 
 
 def test_a_vertical_that_does_not_belong(files: tuple[Path, Path], tmp_path: Path) -> None:

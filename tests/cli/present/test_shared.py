@@ -18,7 +18,6 @@ from rocksteady.cli.present.shared import (
     restitution_text,
     restitution_values,
     shaking_values,
-    turned_text,
     worth,
 )
 from tests.cli.present.printed import as_json
@@ -127,6 +126,10 @@ def test_a_title_names_what_shakes_which_block() -> None:
     assert alphas in case_text(shaking_values(LEANING, shaking))
 
 
-def test_only_a_changed_sign_is_worth_a_title() -> None:
-    assert turned_text(["mean taken off"]) == ""
-    assert turned_text(["mean taken off", "sign changed: DWN"]) == " (sign changed)"
+def test_the_title_of_a_picture_names_the_changed_sign() -> None:
+    values = {"record": "a", "vertical": "b", "pga_g": 0.5, "restitution": 0.9}
+    assert "a and vertical, PGA" in case_text({**values, "vertical_processing": []})
+    notes = ["sign changed: DWN is positive downwards, and vertical motion upwards"]
+    assert "a and vertical (sign changed), PGA" in case_text(
+        {**values, "vertical_processing": notes}
+    )

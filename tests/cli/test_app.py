@@ -15,7 +15,6 @@ from rocksteady import __version__
 from rocksteady.cli import app
 from rocksteady.cli.commands import attractor, basins, bifurcate, maps, orbits, simulate, steady
 from rocksteady.cli.console import terminal
-from rocksteady.cli.flags import options
 from rocksteady.kernels.core import compilation
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
@@ -24,7 +23,6 @@ COMMANDS = ("steady", "simulate", "attractor", "orbits", "bifurcate", "basins", 
 """Those that take shaking and a block."""
 ORDERED = ("steady", "simulate", "attractor", "bifurcate")
 """Those that take an order."""
-EVERY_COMMAND = (*COMMANDS, "overturn", "record", "paper")
 commands = pytest.mark.parametrize("command", COMMANDS)
 SHAKEN = {name: f"{name} -A 2 -W 4" for name in COMMANDS} | {
     "basins": "basins -A 2 -W 4 --angles=-1:1:30 --velocities=-1:1:30",  # short of its progress
@@ -124,16 +122,6 @@ def test_a_bad_order_is_one_line_with_the_value(
     line = refused(f"{SHAKEN[command]} -r 0.8 -n {order}")
     for needle in needles:
         assert needle in line, line
-
-
-def test_no_value_of_a_flag_is_dropped_or_taken_for_another(tmp_path: Path) -> None:
-    line = refused("bifurcate -A 2 -W 3:5:9 -r 0.8 -n 1 -n 3")
-    assert "--order/-n is given more than once ('1', '3')" in line
-    assert "('2', '3')" in refused("steady -A2 --amplitude=3 -W 4 -r 0.8")
-    assert rocksteady("steady -A 2 -A 3 --help").code == 0
-    assert rocksteady("steady -A 2 -W 4 -r 0.8 --json --json").json
-    assert "--csv is given without a value" in refused("steady -A 2 -W 4 -r 0.8 --csv --json")
-    assert rocksteady(f"steady -A 2 -W 4 -r 0.8 --csv={tmp_path}/--json").code == 0
 
 
 def test_an_unknown_command_is_one_line() -> None:
@@ -280,12 +268,6 @@ def test_the_examples_in_the_help_run(
     assert len(examples) >= 3
     for example in examples:
         assert rocksteady(example).code == 0, example
-
-
-def test_every_flag_that_errors_name_exists() -> None:
-    text = "".join(rocksteady(f"{command} --help").out for command in EVERY_COMMAND)
-    for flag in options.FLAG_OF_ARGUMENT.values():
-        assert flag.partition("/")[0] in text
 
 
 def test_the_program_alone_shows_its_help() -> None:

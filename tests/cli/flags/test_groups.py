@@ -1,10 +1,16 @@
-"""--width and --legend of every command that draws, and what they refuse."""
+"""Groups of flags: how they reach a command, files that are refused, --width and --legend."""
 
+import inspect
+from dataclasses import fields
 from pathlib import Path
 
 import pytest
 from PIL import Image
 
+from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.flags.groups import AnimationFlags, OutputFlags, grouped, same_file
+from rocksteady.cli.flags.start import StartFlags
+from rocksteady.errors import InputError, OutputError
 from tests.cli.program import refused, rocksteady
 
 COMMANDS = (
@@ -77,3 +83,67 @@ def test_the_name_of_a_record_is_no_mathematics(name: str, tmp_path: Path) -> No
         ran = rocksteady(command, *given, "--plot", file)
         assert ran.code == 0, ran.err
         assert file.read_bytes().startswith(b"%PDF")
+
+
+# ------------------------------------------------------------------------- groups as such
+
+
+def test_a_command_gets_its_groups_whole_and_shows_their_flags() -> None:
+    seen: dict[str, object] = {}
+
+    @grouped
+    def command(start: StartFlags, output: OutputFlags, cycles: int = 50) -> None:
+        seen.update(start=start, output=output, cycles=cycles)
+
+    names = [field.name for group in (StartFlags, OutputFlags) for field in fields(group)]
+    assert list(inspect.signature(command).parameters) == [*names, "cycles"]
+    assert command.__annotations__.keys() == {*names, "cycles"}
+    defaults = {
+        name: parameter.default for name, parameter in inspect.signature(command).parameters.items()
+    }
+    command(**{**defaults, "start": "steady", "kick": 1e-3, "as_json": True})
+    assert seen == {
+        "start": StartFlags(start="steady", kick=1e-3),
+        "output": OutputFlags(as_json=True),
+        "cycles": 50,
+    }
+
+
+def test_one_file_has_many_names(tmp_path: Path) -> None:
+    file = tmp_path / "a.csv"
+    assert same_file(file, tmp_path / "b" / ".." / "a.csv")
+    assert not same_file(file, tmp_path / "b.csv")
+    assert not same_file(None, None)
+
+
+def test_what_a_command_reads_is_not_written_over(tmp_path: Path) -> None:
+    read = tmp_path / "a.csv"
+    output = OutputFlags(csv=tmp_path / "b.csv", plot=tmp_path / "a.png")
+    output.refuse_read([read], animate=tmp_path / "a.gif")
+    with pytest.raises(OutputError, match="the command reads this file") as refused:
+        output.refuse_read([read], animate=read)
+    assert refused.value.name == "--animate"
+    with pytest.raises(OutputError, match="the command reads this file"):
+        OutputFlags(csv=read, force=True).refuse_read([read])
+
+
+@pytest.mark.parametrize(
+    ("flags", "words"),
+    [
+        ({"speed": 2.0}, "without --animate it has no meaning"),
+        ({"speed": 0.0, "animate": "a.gif"}, "speed = 0"),
+        ({"animate": "a.mp4"}, "the ending says the format: .gif"),
+        ({"animate": "a.csv"}, "the ending says the format: .gif"),
+        ({"animate": "there.gif"}, "--force"),
+    ],
+)
+def test_a_film_that_could_not_be_written_is_refused(
+    flags: dict[str, object], words: str, tmp_path: Path
+) -> None:
+    (tmp_path / "there.gif").write_text("precious")
+    if "animate" in flags:
+        flags = {**flags, "animate": tmp_path / str(flags["animate"])}
+    output = OutputFlags(csv=tmp_path / "a.csv")
+    with pytest.raises((InputError, FlagError, OutputError), match=words):
+        AnimationFlags(**flags).check(output)  # type: ignore[arg-type]
+    AnimationFlags(animate=tmp_path / "a.gif", speed=2.0).check(output)

@@ -1,0 +1,171 @@
+"""Flags of block and shaking: the nouns that they are, and what is refused."""
+
+from typing import Any
+
+import pytest
+
+from rocksteady import Block, DimensionlessBlock, Harmonic, InputError, Pulse, example_block
+from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.flags.block_and_shaking import (
+    BlockFlags,
+    PulseFlags,
+    ShakingFlags,
+    equations_for,
+    refuse_of_linear,
+)
+from rocksteady.cli.flags.parsing import MOST_AXIS_POINTS
+
+BARE = DimensionlessBlock(restitution=0.8)
+SIZED = Block.rectangle(width=0.4, height=1.2)
+LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
+
+
+@pytest.mark.parametrize(
+    ("flags", "block"),
+    [
+        ({"restitution": "0.8"}, BARE),
+        (
+            {"restitution": "0.8,0.9"},
+            DimensionlessBlock(restitution=0.8, negative_restitution=0.9),
+        ),
+        ({"width_m": "0.4", "height_m": "1.2"}, SIZED),
+        (
+            {"width_m": "0.4", "height_m": "1.2", "restitution": "0.9", "gravity_m_s2": 9.8},
+            Block.rectangle(width=0.4, height=1.2, restitution=0.9, gravity=9.8),
+        ),
+        (
+            {"alpha_rad": "0.2", "radius_m": "1.5", "restitution": "housner"},
+            Block.from_radius(alpha=0.2, radius=1.5),
+        ),
+        ({"alpha_rad": "0.2", "p_rad_s": "2"}, Block.from_p(alpha=0.2, p=2.0)),
+        ({"left_m": 0.15, "right_m": 0.25, "height_m": "1.2"}, LEANING),
+        (
+            {
+                "left_m": 0.15,
+                "right_m": 0.25,
+                "height_m": "1.2",
+                "gyration_m": 0.5,
+                "restitution": "0.8,0.9",
+            },
+            Block.asymmetric(
+                left=0.15, right=0.25, height=1.2, gyration=0.5, restitution=(0.8, 0.9)
+            ),
+        ),
+        ({"block": "tso-wong-1989"}, example_block("tso-wong-1989")),
+        (
+            {"block": "tso-wong-1989", "restitution": "0.9"},
+            example_block("tso-wong-1989", restitution=0.9),
+        ),
+    ],
+)
+def test_flags_describe_the_block_of_the_constructors(
+    flags: dict[str, Any], block: Block | DimensionlessBlock
+) -> None:
+    assert BlockFlags(**flags).described() == block
+
+
+@pytest.mark.parametrize(
+    ("flags", "words"),
+    [
+        ({}, "--restitution/-r is not given"),
+        ({"gravity_m_s2": 9.8, "restitution": "0.8"}, "without a block gravity has no meaning"),
+        ({"width_m": "0.4"}, "^--width-m alone describe no block"),
+        ({"width_m": "0.4", "radius_m": "1"}, "^--width-m --radius-m alone describe no block"),
+        ({"left_m": 0.15, "height_m": "1.2"}, "alone describe no block"),
+        ({"block": "tso-wong-1989", "height_m": "1.2"}, "^--block --height-m alone describe"),
+        ({"width_m": "0.3:0.4:3", "height_m": "1.2"}, "--width-m has 3 values"),
+        ({"width_m": "-1", "height_m": "1.2"}, "width = -1"),
+        ({"left_m": -0.1, "right_m": 0.25, "height_m": "1.2"}, "left = -0.1"),
+        ({"restitution": "1.2"}, "restitution = 1.2"),
+    ],
+)
+def test_what_describes_no_block_is_refused(flags: dict[str, Any], words: str) -> None:
+    with pytest.raises((InputError, FlagError), match=words):
+        BlockFlags(**flags).described()
+
+
+def test_flags_with_axes_have_a_block_at_the_first_values() -> None:
+    flags = BlockFlags(width_m="0.4:0.2:3", height_m="1.2", restitution="0.9:0.7:3")
+    assert flags.sizes == {"width": [0.4, pytest.approx(0.3), 0.2], "height": [1.2]}
+    assert flags.restitutions == [0.9, pytest.approx(0.8), 0.7]
+    first = flags.at_first().described()
+    assert first == Block.rectangle(width=0.4, height=1.2, restitution=0.9)
+    assert BlockFlags(restitution="0.8").restitutions == []
+
+
+@pytest.mark.parametrize("block", [SIZED, LEANING])
+def test_shaking_in_si_is_what_the_block_feels(block: Block) -> None:
+    flags = ShakingFlags(accel_g="0.2:0.6:3", freq_hz="2")
+    amplitudes, (ratio,) = flags.of(block)
+    for accel, amplitude in zip((0.2, 0.4, 0.6), amplitudes, strict=True):
+        felt = Harmonic.from_si(block, acceleration_m_s2=accel * block.gravity, frequency_hz=2.0)
+        assert (amplitude, ratio) == pytest.approx((felt.amplitude, felt.frequency_ratio))
+    mixed = ShakingFlags(amplitude="2", freq_hz="2").at(block, phase=0.5)
+    assert mixed == Harmonic(amplitude=2.0, frequency_ratio=ratio, phase=0.5)
+
+
+@pytest.mark.parametrize(
+    ("flags", "block", "words"),
+    [
+        ({"accel_g": "0.4", "frequency_ratio": "2"}, BARE, "g and Hz need a block"),
+        ({"amplitude": "2", "freq_hz": "2"}, BARE, "g and Hz need a block"),
+        ({"amplitude": "2"}, BARE, "of --frequency-ratio/-W and --freq-hz, neither given"),
+        ({"frequency_ratio": "2"}, SIZED, "of --amplitude/-A and --accel-g, neither given"),
+        (
+            {"amplitude": "2", "accel_g": "0.4", "freq_hz": "2"},
+            SIZED,
+            "--amplitude/-A and --accel-g are both given",
+        ),
+        ({"accel_g": "-0.4", "freq_hz": "2"}, SIZED, "--accel-g = -0.4"),
+        ({"accel_g": "0.4:-0.4:3", "freq_hz": "2"}, SIZED, "--accel-g = -0.4"),
+        ({"amplitude": "1:2:1001", "frequency_ratio": "1:2:1000"}, BARE, "1000000 points together"),
+        ({"amplitude": "1:2:3", "frequency_ratio": "2"}, BARE, "--amplitude/-A has 3 values"),
+    ],
+)
+def test_what_is_no_shaking_is_refused(
+    flags: dict[str, Any], block: Block | DimensionlessBlock, words: str
+) -> None:
+    with pytest.raises((InputError, FlagError), match=words):
+        ShakingFlags(**flags).at(block)
+
+
+def test_axes_may_have_as_many_points_together_as_one_alone() -> None:
+    amplitudes, ratios = ShakingFlags(amplitude="1:2:1000", frequency_ratio="1:2:1000").of(BARE)
+    assert len(amplitudes) * len(ratios) == MOST_AXIS_POINTS
+
+
+def test_a_pulse_has_the_size_of_the_shaking() -> None:
+    size = Harmonic(amplitude=2.0, frequency_ratio=3.0)
+    flags = PulseFlags(pulse="mavroeidis-papageorgiou", oscillations=2.5)
+    assert flags.given
+    assert flags.of(size, phase=1.0) == Pulse(
+        shape="mavroeidis-papageorgiou",
+        amplitude=2.0,
+        frequency_ratio=3.0,
+        oscillations=2.5,
+        phase=1.0,
+    )
+    assert not PulseFlags().given
+    with pytest.raises(FlagError, match="without --pulse it has no meaning"):
+        _ = PulseFlags(oscillations=2.5).given
+
+
+def test_the_nonlinear_model_needs_a_slenderness_and_has_flags_of_its_own() -> None:
+    assert equations_for("nonlinear", SIZED) == "nonlinear"
+    assert equations_for("linear", BARE) == "linear"
+    with pytest.raises(FlagError, match="the full equations need the block's slenderness"):
+        equations_for("nonlinear", BARE)
+    refuse_of_linear("nonlinear", "vertical", "up.AT2")
+    refuse_of_linear("linear", "vertical", None)
+    with pytest.raises(FlagError, match="only the nonlinear model has it"):
+        refuse_of_linear("linear", "vertical", "up.AT2")
+
+
+def test_only_flags_that_are_given_count() -> None:
+    assert not ShakingFlags().given
+    assert ShakingFlags(freq_hz="2").given
+    assert not BlockFlags().given
+    assert BlockFlags(gravity_m_s2=9.8).given
+    assert BlockFlags(left_m=0.1, gyration_m=0.2).unlike == {"left": 0.1, "gyration": 0.2}
+    words = str(BlockFlags(restitution="0.8,0.9").refuse_sides("they must be alike", "give one"))
+    assert words.startswith("--restitution/-r make a block whose sides differ: ")
