@@ -6,9 +6,10 @@ from typing import Any
 import pytest
 
 from rocksteady import DimensionlessBlock, ModelError, Rest, State, Steady, attractor
+from rocksteady.cli.commands.bifurcate import _sweep
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.range import Range
-from rocksteady.cli.flags.sweep_start import SweepStart, sweep
+from rocksteady.cli.flags.sweep_start import SweepStart
 
 SPAN = Range(
     parameter="amplitude",
@@ -54,7 +55,7 @@ def test_without_sweeps_what_only_they_have_is_refused(flags: dict[str, Any]) ->
 @pytest.mark.parametrize("upwards", [True, False])
 def test_a_sweep_goes_along_the_axis_from_its_first_value(upwards: bool) -> None:
     start = SweepStart(start="0.2,w=0.1", phase=0.5)
-    found = sweep(SPAN, start, 300, upwards=upwards)
+    found = _sweep(SPAN, start, 300, upwards=upwards)
     values = SPAN.values if upwards else SPAN.values[::-1]
     assert found.start == "0.2,w=0.1"
     assert found.trail.values.tolist() == list(values)
