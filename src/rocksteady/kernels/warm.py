@@ -2,7 +2,7 @@
 
 ``python -m rocksteady.kernels.warm`` takes a minute or two, once for each version of the
 sources, and next to nothing from then on.  Test workers started before it would each compile their
-own.  A kernel new to the package's callers belongs into `warm`.
+own.  Each kernel that Python calls belongs into `warm`, with the types that it is called with.
 """
 
 import logging
@@ -20,9 +20,15 @@ from rocksteady.kernels.batch.attractors import (
 from rocksteady.kernels.batch.harmonic import fates_of_sides, harmonic_segment
 from rocksteady.kernels.batch.pulses import pulse_fates
 from rocksteady.kernels.batch.records import record_fates
-from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.core.clock import clock, segment_start
 from rocksteady.kernels.core.compilation import cache_folder
-from rocksteady.kernels.core.tables import DURATION, ROW_COLUMNS, SEGMENT_COLUMNS, March
+from rocksteady.kernels.core.tables import (
+    DURATION,
+    ROW_COLUMNS,
+    SEGMENT_COLUMNS,
+    March,
+    is_nonlinear,
+)
 from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import (
@@ -31,6 +37,7 @@ from rocksteady.kernels.march.replay import (
     peaks_until_overturning,
     recorded_peaks,
 )
+from rocksteady.kernels.nonlinear.drive import jump_share
 from rocksteady.kernels.orbits.chains import (
     CHAIN_COLUMNS,
     fill_arcs,
@@ -60,15 +67,22 @@ from rocksteady.kernels.orbits.periodic import (
     search,
     state_at,
 )
-from rocksteady.kernels.orbits.return_map import make_system, next_passage, phase_between
-from rocksteady.kernels.orbits.settle import MEMORY, settle
+from rocksteady.kernels.orbits.return_map import (
+    guess_after,
+    highest_after,
+    make_system,
+    next_passage,
+    phase_between,
+    uplift_after,
+)
+from rocksteady.kernels.orbits.settle import GENERIC, MEMORY, Stretch, settle, stretched
 from rocksteady.kernels.orbits.symmetric_nonlinear import symmetric_from
 
 logger = logging.getLogger(__name__)
 
 
 def warm() -> None:
-    """Call each entry point once, with the types that the rest of the package passes."""
+    """Call each kernel that Python calls, once, with the types that the package passes."""
     one = np.ones(1)
     whole = np.ones(1, dtype=np.int64)
     fill_steady(
@@ -94,7 +108,9 @@ def warm() -> None:
 
     segments = np.zeros((1, SEGMENT_COLUMNS))
     harmonic_segment(segments, 2.0, 4.0, orbit.phase)
+    segment_start(segments, 0)
     sides = np.array([(0.8, 1.0, 1.0), (0.8, 1.0, 1.0)])
+    is_nonlinear(sides)
     half, phase = clock(orbit.phase)
     start = March(1, 0.0, 4.0 * orbit.velocity, 0, half, phase, 0, 0)
     rows = np.zeros((0, ROW_COLUMNS))
@@ -184,10 +200,15 @@ def warm() -> None:
     measured(system, 2, 1, table)
     is_symmetric(system, table, 2, 1)
     multipliers(fixed.jacobian, loss(system, state.side, 2, fixed.rests))
-    phase_between(state, next_passage(system, state, -1.0).state)
+    step = next_passage(system, state, -1.0)
+    phase_between(state, step.state)
+    highest_after(system, state, step)
+    guess_after(uplift_after(system, 0, 0.0))
+    stretched(Stretch(GENERIC[0], GENERIC[1], 0.0, 0), step.jacobian)
 
     slender = np.hstack([sides, np.full((2, 1), 0.1), np.full((2, 1), 1e-15)])
     symmetric_from(2.0, 4.0, slender, 1, 1, state)
+    jump_share(slender, 1, 0.0)
 
     turns, phases, chain = 0 * whole, orbit.phase * one, np.zeros((1, CHAIN_COLUMNS))
     fill_chain(2.0, 4.0, sides, turns, phases, 1, chain)

@@ -96,7 +96,8 @@ def settled_cells(
     cells = len(amplitude)
     whole = np.empty((cells, column.WHOLE_COLUMNS), dtype=np.int64)
     real = np.empty((cells, column.REAL_COLUMNS))
-    tables = np.ascontiguousarray(np.broadcast_to(sides, (cells, *sides.shape[-2:])))
+    # A view of it would be read-only, which is another type to the kernel.
+    tables = np.broadcast_to(sides, (cells, *sides.shape[-2:])).copy()
     column.settle_cells(
         amplitude,
         frequency_ratio,

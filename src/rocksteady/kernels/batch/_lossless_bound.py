@@ -42,6 +42,7 @@ from rocksteady.kernels.core.tables import (
     March,
     is_nonlinear,
 )
+from rocksteady.kernels.core.typed import ZERO
 
 STEPS = 600
 """In which the rest of the pulse is gone through, at least one a segment."""
@@ -141,5 +142,5 @@ def largest_margin(segments: Floats, sides: Floats, state: March) -> float:
             base, climb = h, rise
         since = 0.0
     energy += max(base * plus, -base * minus, 0.0)
-    margin = math.sqrt(2.0 * energy) / -over_the_top(sides, 0, 0.0) - 1.0
+    margin = math.sqrt(2.0 * energy) / -over_the_top(sides, ZERO, 0.0) - 1.0
     return margin if margin < 0.0 else math.inf

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.core.typed import ZERO
 from rocksteady.kernels.orbits.periodic import (
     ORBIT_COLUMNS,
     OTHER_PEAK,
@@ -110,7 +111,7 @@ def settle_cells(
             if table[k, SIDE] < 0.0:
                 here, there = there, here
             highest, lowest = max(highest, here), max(lowest, there)
-        state = state_at(table, 0)
+        state = state_at(table, ZERO)
         whole[i, ORBIT_SIDE] = state.side
         whole[i, PASSAGES] = passages
         whole[i, PERIODS] = periods

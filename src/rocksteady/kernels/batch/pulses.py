@@ -38,6 +38,7 @@ from rocksteady.kernels.core.tables import (
     March,
     is_nonlinear,
 )
+from rocksteady.kernels.core.typed import FALSE, ZERO
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import recorded_peaks
 from rocksteady.kernels.nonlinear.drive import side_drive
@@ -96,7 +97,7 @@ def pulse_fates(
     own = sides.copy()
     peaks = np.zeros(PEAK_COLUMNS if nonlinear else 0)
     nobody = np.zeros(0)
-    half, phase = segment_start(segments, 0)
+    half, phase = segment_start(segments, ZERO)
     start = March(0, 0.0, 0.0, 0, half, phase, 0, 0)
     for i in range(len(amplitude)):
         lean, rate = 1.0 / amplitude[i], 1.0 / frequency_ratio[i]
@@ -149,7 +150,7 @@ def pulse_fates(
                 rows = np.zeros((end.flights, ROW_COLUMNS))
                 flights = len(segments) + limit
                 rest = rest_velocity * lean * rate
-                march(segments, own, start, 0, 0.0, rest, flights, rows, nobody)
+                march(segments, own, start, ZERO, 0.0, rest, flights, rows, nobody)
                 last = rows[len(rows) - 1, ROW_DURATION]
                 positive, negative, _ = recorded_peaks(segments, own, rows, last)
                 turned = max(sides[0, ALPHA] * positive, sides[1, ALPHA] * negative)
@@ -176,7 +177,7 @@ def followed(
     for most in (min(SOME, limit), min(MANY, limit), limit):
         flights = len(segments) + most
         # From the start again: a march does not begin within a segment that has a slope.
-        code, end = march(segments, sides, start, 0, 0.0, rest_velocity, flights, rows, peaks)
+        code, end = march(segments, sides, start, ZERO, 0.0, rest_velocity, flights, rows, peaks)
         if code != UNDECIDED:
             break
         bound = largest_margin(segments, sides, end)
@@ -208,7 +209,7 @@ def speed_at_the_floor(segments: Floats, sides: Floats, last: March) -> float:
         last.side * last.velocity / (lean * rate),
         seen_phase,
         math.inf,
-        False,
+        FALSE,
         math.inf,
         last.angle == 0.0 and last.velocity == 0.0,
         sides[0, LEFT_OUT],

@@ -24,6 +24,7 @@ from rocksteady.kernels.core.tables import (
     Floats,
     March,
 )
+from rocksteady.kernels.core.typed import ZERO
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import peaks_until_overturning
 
@@ -69,11 +70,11 @@ def record_fates(
         unit = own[0, LEAN] * own[0, RATE]
         stop = afterwards[i] / own[0, RATE]
         peak[:] = 0.0
-        status[i], end = march(segments, own, start, 0, stop, math.inf, limit, none, peak)
+        status[i], end = march(segments, own, start, ZERO, stop, math.inf, limit, none, peak)
         impacts[i] = end.impacts
         if status[i] == OVERTURNED:
             rows = np.zeros((end.flights, ROW_COLUMNS))
-            march(segments, own, start, 0, stop, math.inf, limit, rows, nothing)
+            march(segments, own, start, ZERO, stop, math.inf, limit, rows, nothing)
             positive, negative, speed = peaks_until_overturning(segments, own, rows)
             peak[PEAK_ANGLE], peak[PEAK_SPEED] = max(positive, negative), speed
         peaks[i, PEAK_ANGLE] = peak[PEAK_ANGLE]

@@ -12,17 +12,23 @@ import numpy as np
 from rocksteady.kernels.core.compilation import compiled, inlined
 from rocksteady.kernels.core.forcing import HALF_PI, SINE, Forcing
 from rocksteady.kernels.core.tables import DURATION, FREQUENCY, PHASE, Floats
+from rocksteady.kernels.core.typed import ZERO
 
 PI_HIGH = math.pi
 PI_LOW = 1.2246467991473532e-16  # pi - PI_HIGH
 
 
 @inlined
-def clock(phase: float, moved: int = 0) -> tuple[int, float]:
-    """Split an unbounded phase into whole half cycles and a rest in [0, pi).
+def clock(phase: float) -> tuple[int, float]:
+    """Split an unbounded phase into whole half cycles and a rest in [0, pi)."""
+    return side_clock(phase, ZERO)
 
-    `moved` is the number of half cycles by which `side_phase` had moved it: it added as many times
-    the double next to pi, and as much is taken away again.
+
+@inlined
+def side_clock(phase: float, moved: int) -> tuple[int, float]:
+    """Split a phase that `side_phase` had moved by so many half cycles.
+
+    It added as many times the double next to pi, and as much is taken away again.
     """
     # np.floor stays a float; math.floor would go through an integer and back.
     half = float(np.floor(phase * (1.0 / math.pi)))

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from rocksteady.errors import Status
 from rocksteady.kernels.core.compilation import inlined
+from rocksteady.kernels.core.typed import whole
 
 Floats = NDArray[np.float64]
 
@@ -62,7 +63,7 @@ FOUND = 1  # the first zero
 NO_RETURN = 2  # the proof that none follows
 
 # What ended a recorded flight or rest.
-ENDED_BY_SPAN = SPAN_END  # the segment or the run ended
+ENDED_BY_SPAN = whole(SPAN_END)  # the segment or the run ended
 ENDED_BY_IMPACT = FOUND
 ENDED_BY_NO_RETURN = NO_RETURN
 ENDED_BY_UPLIFT = 3

@@ -20,6 +20,7 @@ from rocksteady.kernels.core.tables import (
     Floats,
     March,
 )
+from rocksteady.kernels.core.typed import ONE, ZERO
 from rocksteady.kernels.lanes._fields import (
     CELL,
     DOWN,
@@ -111,10 +112,10 @@ def lane_fates(
     sides[:, RATE] = 1.0
     lanes = np.zeros(FIELDS * LANES)
     for j in range(LANES):  # empty ones fly too, and come to no harm
-        load(lanes, j, 0, 0.0, 1.0, 0.5, 0.0)
+        load(lanes, j, ZERO, 0.0, 1.0, 0.5, 0.0)
         lanes[VELOCITY + j] = 1.0
     count = len(amplitude)
-    fresh = 0  # the next cell
+    fresh = ZERO  # the next cell
     busy = 0  # lanes that are not empty
     bounces = 0  # passes since the last look at short bounces ...
     delays = 0  # ... and at special flights
@@ -263,7 +264,7 @@ def settled(
         state = March(0, 0.0, 0.0, 0, state.half_cycles, state.phase, state.impacts, 0)
     stop = lanes[STOP + j]
     rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
-    code, state = march(segments, sides, state, end_half, stop, math.inf, 1, rows, peaks)
+    code, state = march(segments, sides, state, end_half, stop, math.inf, ONE, rows, peaks)
     if code != UNDECIDED:
         return code, state
     if stage != RESTED and state.angle == 0.0 and abs(state.velocity) < STILL:

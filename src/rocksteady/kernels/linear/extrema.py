@@ -9,6 +9,7 @@ import math
 from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import Forcing
 from rocksteady.kernels.core.tables import FOUND, PEAK_ANGLE, PEAK_SPEED, Floats
+from rocksteady.kernels.core.typed import FALSE
 from rocksteady.kernels.linear.flight import (
     Flight,
     flight_state,
@@ -31,7 +32,7 @@ def inner_extrema(flight: Flight, forcing: Forcing, span: float) -> tuple[float,
     speed, rate = velocity_flight(flight, forcing)
     passed, extrema = 0.0, 0
     while passed < span:
-        zero = next_zero(speed, rate, span - passed, False, False, -1.0)
+        zero = next_zero(speed, rate, span - passed, FALSE, FALSE, -1.0)
         passed += zero.time
         if zero.event != FOUND or passed >= span:
             break
@@ -115,7 +116,7 @@ def last_rise(flight: Flight, forcing: Forcing, level: float, span: float, endle
     above, lowered = shifted_flight(flight, forcing, level)
     passed, last = 0.0, -1.0
     while passed < span:
-        zero = next_zero(above, lowered, span - passed, endless, False, -1.0)
+        zero = next_zero(above, lowered, span - passed, endless, FALSE, -1.0)
         if zero.event != FOUND:
             break
         passed += zero.time

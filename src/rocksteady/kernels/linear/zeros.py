@@ -35,6 +35,7 @@ from rocksteady.kernels.core.forcing import (
 )
 from rocksteady.kernels.core.sincos import sine_and_cosine
 from rocksteady.kernels.core.tables import FOUND, NO_RETURN, SPAN_END
+from rocksteady.kernels.core.typed import ZERO
 from rocksteady.kernels.linear.flight import (
     LARGEST_EXPONENT,
     Flight,
@@ -98,7 +99,7 @@ def next_zero(
         return Zero(NO_RETURN, 0.0, 0, phase, flight.sine, flight.cosine, angle, velocity)
 
     # The piece [start, end] between two nodes, and the state at its start.
-    start, start_phase, cycle = 0.0, phase, 0
+    start, start_phase, cycle = 0.0, phase, ZERO
     end_phase, end_cycle = phase, 0
     sine, cosine = flight.sine, flight.cosine
     while True:

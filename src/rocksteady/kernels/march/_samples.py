@@ -42,6 +42,7 @@ from rocksteady.kernels.core.tables import (
     Floats,
     write_row,
 )
+from rocksteady.kernels.core.typed import ZERO
 from rocksteady.kernels.linear.extrema import flight_peaks
 from rocksteady.kernels.linear.flight import make_flight
 
@@ -129,7 +130,7 @@ def fly_through(
                 rows,
                 flights,
                 segment,
-                0,
+                ZERO,
                 0.0,
                 side,
                 side * y * lean,
@@ -187,7 +188,7 @@ def rest_through(
         if max(start, end) >= above or min(start, end) <= below:
             break
         if record:
-            write_row(rows, flights, segment, 0, 0.0, 0, 0.0, 0.0, duration, ENDED_BY_SPAN)
+            write_row(rows, flights, segment, ZERO, 0.0, ZERO, 0.0, 0.0, duration, ENDED_BY_SPAN)
         segment += 1
         flights += 1
     return segment, flights

@@ -16,11 +16,11 @@ import math
 import numpy as np
 
 from rocksteady.kernels.core.clock import (
-    clock,
     elapsed_time,
     later_clock,
     segment_end,
     segment_start,
+    side_clock,
     side_phase,
     uplift_clock,
 )
@@ -54,6 +54,7 @@ from rocksteady.kernels.core.tables import (
     is_nonlinear,
     write_row,
 )
+from rocksteady.kernels.core.typed import FALSE, MINUS_ONE, ONE, TRUE, ZERO
 from rocksteady.kernels.linear.extrema import keep_peaks
 from rocksteady.kernels.linear.flight import make_flight
 from rocksteady.kernels.linear.zeros import next_zero
@@ -144,7 +145,7 @@ def march(
             limit,
             rows,
             peaks,
-            True,
+            TRUE,
         )
     return _march(
         segments,
@@ -156,7 +157,7 @@ def march(
         limit,
         rows,
         peaks,
-        False,
+        FALSE,
     )
 
 
@@ -183,10 +184,10 @@ def _march(
     since, contact_lost = 0.0, math.inf  # nonlinear model: time on the segment, and to its loss
 
     loaded = -1  # the segment that the following belong to
-    positive = foot_of(segments, segment, sides, 1, 0.0, nonlinear)
+    positive = foot_of(segments, segment, sides, ONE, 0.0, nonlinear)
     negative = positive
     frequency, sloped, endless = 0.0, False, False
-    first_half, first_phase, end_half, end_phase = 0, 0.0, 0, 0.0
+    first_half, first_phase, end_half, end_phase = ZERO, 0.0, ZERO, 0.0
     sine, cosine, turned_side = 0.0, 1.0, False  # of the phase, known after an impact
     guess = -1.0
     rest_velocity = max(rest_velocity, STILL)
@@ -223,13 +224,13 @@ def _march(
                 end_half, end_phase = segment_end(segments, segment)
             # Not 0 where the march begins within a segment.
             since = elapsed_time(half, phase, first_half, first_phase, frequency)
-            positive = foot_of(segments, segment, sides, 1, since, nonlinear)
-            negative = foot_of(segments, segment, sides, -1, since, nonlinear)
+            positive = foot_of(segments, segment, sides, ONE, since, nonlinear)
+            negative = foot_of(segments, segment, sides, MINUS_ONE, since, nonlinear)
         elif sloped or nonlinear:
             since = elapsed_time(half, phase, first_half, first_phase, frequency)
             if sloped:  # a slope is counted from the start of the flight
-                positive = foot_of(segments, segment, sides, 1, since, nonlinear)
-                negative = foot_of(segments, segment, sides, -1, since, nonlinear)
+                positive = foot_of(segments, segment, sides, ONE, since, nonlinear)
+                negative = foot_of(segments, segment, sides, MINUS_ONE, since, nonlinear)
         span = elapsed_time(end_half, end_phase, half, phase, frequency)
         leaving = nonlinear and contact_lost - since < span
         if leaving:
@@ -242,7 +243,7 @@ def _march(
                 continue  # into flight, with angle and velocity 0
             if record:
                 event = ENDED_BY_SPAN if side == 0 else ENDED_BY_UPLIFT
-                write_row(rows, flights, segment, half, phase, 0, 0.0, 0.0, wait, event)
+                write_row(rows, flights, segment, half, phase, ZERO, 0.0, 0.0, wait, event)
             flights += 1
             if side != 0:
                 half, phase = uplift_clock(
@@ -351,7 +352,7 @@ def _march(
             if frequency == 0.0:
                 phase += zero.time / rate
             else:
-                turned, phase = clock(zero.phase, seen_half)
+                turned, phase = side_clock(zero.phase, seen_half)
                 half += turned - seen_half + 2 * zero.cycle
                 sine, cosine, turned_side = -zero.sine, -zero.cosine, True
             velocity = sides[row, RESTITUTION] * side * zero.velocity * lean * rate

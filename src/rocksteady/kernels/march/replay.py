@@ -27,6 +27,7 @@ from rocksteady.kernels.core.tables import (
     Floats,
     is_nonlinear,
 )
+from rocksteady.kernels.core.typed import ZERO
 from rocksteady.kernels.linear.extrema import flight_peaks, last_rise
 from rocksteady.kernels.linear.flight import Flight, flight_acceleration, flight_state, make_flight
 from rocksteady.kernels.march.march import side_forcing
@@ -106,7 +107,7 @@ def fill_nonlinear(
     work = np.empty((WORK_ROWS, TERMS))
     left_out = sides[0, LEFT_OUT]
     row = -1  # whose step the working space holds
-    drive, seen, _, _, lean, rate = row_start(segments, sides, rows, 0)
+    drive, seen, _, _, lean, rate = row_start(segments, sides, rows, ZERO)
     span, side = 0.0, 0.0
     leg = Leg(0.0, 0.0, 0, 0.0, 0.0)
     for i in range(len(index)):

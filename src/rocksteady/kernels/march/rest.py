@@ -33,6 +33,7 @@ from rocksteady.kernels.core.forcing import (
     steepest_forcing,
 )
 from rocksteady.kernels.core.tables import RATE, Floats
+from rocksteady.kernels.core.typed import FALSE, MINUS_ONE, ONE
 
 # A bounce this slow lasts less than any clock resolves, and its square underflows.
 STILL = 1e-100
@@ -53,7 +54,7 @@ def uplift_time(forcing: Forcing, phase: float, span: float) -> float:
         if forcing.slope > 0.0:
             time = -forcing.constant / forcing.slope
     elif forcing.kind == MIXED:
-        time = mixed_node(forcing, phase, 0.0, False, span)
+        time = mixed_node(forcing, phase, 0.0, FALSE, span)
     return time if time < span else math.inf
 
 
@@ -70,8 +71,8 @@ def next_uplift(
     """Return the side that lifts first and when; side 0 and `span` where none lifts before that."""
     if span <= 0.0:
         return 0, 0.0
-    plus_phase, _ = side_phase(half, phase, 1, frequency)
-    minus_phase, _ = side_phase(half, phase, -1, frequency)
+    plus_phase, _ = side_phase(half, phase, ONE, frequency)
+    minus_phase, _ = side_phase(half, phase, MINUS_ONE, frequency)
     plus = uplift_time(positive, plus_phase, span * sides[0, RATE]) / sides[0, RATE]
     minus = uplift_time(negative, minus_phase, span * sides[1, RATE]) / sides[1, RATE]
     if min(plus, minus) >= span:

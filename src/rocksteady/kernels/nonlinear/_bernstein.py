@@ -25,6 +25,7 @@ import numpy as np
 
 from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.core.typed import whole
 from rocksteady.kernels.nonlinear.series import ANGLE, HIGHEST, POINTS, TERMS
 
 WEIGHTS = np.array(
@@ -34,6 +35,9 @@ WEIGHTS = np.array(
 
 ROUNDING = 1e-14
 """More than 2^-52 times the 24 terms of a sum and the products in each, of which 3 matter."""
+
+CONTROL_POINTS = whole(TERMS)
+"""Of a polynomial."""
 
 NO_CHANGE, RISES, FALLS, UNKNOWN = 0, 1, 2, 3
 

@@ -23,7 +23,9 @@ import math
 
 from rocksteady.kernels.core.compilation import compiled, inlined
 from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.core.typed import FALSE, TRUE, ZERO
 from rocksteady.kernels.nonlinear._bernstein import (
+    CONTROL_POINTS,
     FALLS,
     NO_CHANGE,
     RISES,
@@ -37,7 +39,6 @@ from rocksteady.kernels.nonlinear.series import (
     ANGLE,
     HIGHEST,
     POINTS,
-    TERMS,
     angle_at,
     angle_bound,
     bend_at,
@@ -176,11 +177,11 @@ def first_zero(work: Floats, degree: int, step: float) -> float:
     # What starts in an impact, or lifts off, has zeros at the start, which are divided out.
     dropped = 0 if angle > 0.0 else 1 if velocity > 0.0 else 2
     doubt = control_points(work, degree, step, dropped)
-    change, place = change_of_sign(work, TERMS, doubt)
+    change, place = change_of_sign(work, CONTROL_POINTS, doubt)
     if change == NO_CHANGE and work[POINTS, 0] > 0.0:
         return -1.0
     if change == FALLS:
-        return crossing(work, degree, 0.0, step, 0.0, True, place * step)
+        return crossing(work, degree, 0.0, step, 0.0, TRUE, place * step)
     third = third_bound(work, degree, step)
     start, width = 0.0, step
     while start < step:
@@ -194,7 +195,7 @@ def first_zero(work: Floats, degree: int, step: float) -> float:
             if later == 0.0:
                 return end
             return crossing(
-                work, degree, start, end, 0.0, True, parabola(work, degree, start, 0.0, True)
+                work, degree, start, end, 0.0, TRUE, parabola(work, degree, start, 0.0, TRUE)
             )
         start, angle, velocity = end, later, later_velocity
     return -1.0
@@ -211,7 +212,7 @@ def first_rise(work: Floats, degree: int, step: float, level: float) -> float:
         end, angle, velocity, width = next_node(work, degree, step, third, start, velocity, width)
         if angle >= level:
             return crossing(
-                work, degree, start, end, level, False, parabola(work, degree, start, level, False)
+                work, degree, start, end, level, FALSE, parabola(work, degree, start, level, FALSE)
             )
         start = end
     return -1.0
@@ -229,7 +230,7 @@ def last_rise(work: Floats, degree: int, step: float, level: float) -> float:
         end, later, velocity, width = next_node(work, degree, step, third, start, velocity, width)
         if angle <= level < later:
             last = crossing(
-                work, degree, start, end, level, False, parabola(work, degree, start, level, False)
+                work, degree, start, end, level, FALSE, parabola(work, degree, start, level, FALSE)
             )
         start, angle = end, later
     return last
@@ -243,20 +244,20 @@ def largest(
     later, velocity = angle_at(work, degree, step)
     angle = max(angle, work[ANGLE, 0], later)
     speed = max(speed, abs(work[ANGLE, 1]), abs(velocity))
-    doubt = control_points(work, degree, step, 0)
-    _, most = hull(work, TERMS)
-    differences(work, TERMS)  # from here on of y', over HIGHEST/step
-    slowest, fastest = hull(work, TERMS - 1)
+    doubt = control_points(work, degree, step, ZERO)
+    _, most = hull(work, CONTROL_POINTS)
+    differences(work, CONTROL_POINTS)  # from here on of y', over HIGHEST/step
+    slowest, fastest = hull(work, CONTROL_POINTS - 1)
     if most + doubt > angle:
-        change, place = change_of_sign(work, TERMS - 1, 2.0 * doubt)
+        change, place = change_of_sign(work, CONTROL_POINTS - 1, 2.0 * doubt)
         if change == FALLS:
-            turn = turning_point(work, degree, 0.0, step, True, place * step)
+            turn = turning_point(work, degree, 0.0, step, TRUE, place * step)
             angle = max(angle, angle_at(work, degree, turn)[0])
         elif change == UNKNOWN:
             angle = highest(work, degree, step, angle)
     if HIGHEST * (max(-slowest, fastest) + 2.0 * doubt) > speed * step:
-        differences(work, TERMS - 1)  # of y''
-        change, place = change_of_sign(work, TERMS - 2, 4.0 * doubt)
+        differences(work, CONTROL_POINTS - 1)  # of y''
+        change, place = change_of_sign(work, CONTROL_POINTS - 2, 4.0 * doubt)
         if change in (RISES, FALLS):
             bend = bending_point(work, degree, step, change == FALLS, place * step)
             speed = max(speed, abs(speed_at(work, degree, bend)[0]))

@@ -19,6 +19,7 @@ import numpy as np
 
 from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.core.typed import FALSE, TRUE
 from rocksteady.kernels.linear.zeros import Zero
 from rocksteady.kernels.nonlinear.drive import Drive, acceleration
 from rocksteady.kernels.nonlinear.flight import fly, phase_at
@@ -47,7 +48,7 @@ def fly_to_landing(
         velocity,
         phase,
         span,
-        True,
+        TRUE,
         lost_under_shaking(drive),
         angle == 0.0 and velocity == 0.0,
         left_out,
@@ -115,9 +116,9 @@ def landing_derivative(
     y_phase, v_phase, y_speed, v_speed = 0.0, 0.0, 0.0, 1.0
     leg = leg_from(drive, phase, 0.0, 0.0, velocity, zero.time, left_out, work)
     while True:
-        y_phase, v_phase = variation_step(drive, work, leg.degree, leg.step, y_phase, v_phase, True)
+        y_phase, v_phase = variation_step(drive, work, leg.degree, leg.step, y_phase, v_phase, TRUE)
         y_speed, v_speed = variation_step(
-            drive, work, leg.degree, leg.step, y_speed, v_speed, False
+            drive, work, leg.degree, leg.step, y_speed, v_speed, FALSE
         )
         if leg.start + leg.step >= zero.time:
             break

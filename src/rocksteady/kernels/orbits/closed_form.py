@@ -30,6 +30,7 @@ from numpy.typing import NDArray
 from rocksteady.kernels.core.compilation import compiled, inlined
 from rocksteady.kernels.core.forcing import EPSILON, make_forcing
 from rocksteady.kernels.core.tables import FOUND
+from rocksteady.kernels.core.typed import FALSE
 from rocksteady.kernels.linear.arcs import exponentials
 from rocksteady.kernels.linear.extrema import inner_extrema
 from rocksteady.kernels.linear.flight import LARGEST_EXPONENT, Flight, flight_state, wrapped
@@ -249,7 +250,7 @@ def half_cycle_shape(
     peak, _, _, extrema = inner_extrema(flight, forcing, length)
     if not orbit.velocity > 0.0:
         return peak, extrema, False
-    zero = next_zero(flight, forcing, length, False, False, -1.0)
+    zero = next_zero(flight, forcing, length, FALSE, FALSE, -1.0)
     # The zero at the end itself may be found, displaced by the rounding of y over its slope there.
     blur = 64.0 * EPSILON * (1.0 + forcing.beta) * restitution / (w * orbit.velocity)
     earlier = zero.event == FOUND and zero.time < length * (1.0 - 64.0 * EPSILON) - blur

@@ -18,6 +18,7 @@ from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.core.typed import ONE, ZERO
 from rocksteady.kernels.orbits.return_map import (
     FALL,
     GRAZE,
@@ -276,7 +277,7 @@ def loss(system: System, side: int, passages: int, rests: int) -> float:
 @compiled
 def primitive(table: Floats, passages: int, periods: int) -> tuple[int, int]:
     """Return passages and periods after which an orbit is first back at its start."""
-    start = state_at(table, 0)
+    start = state_at(table, ZERO)
     for k in range(1, passages):
         if passages % k != 0 or periods % (passages // k) != 0:
             continue
@@ -296,7 +297,7 @@ def is_symmetric(system: System, table: Floats, passages: int, periods: int) -> 
         return False
     if passages % 2 == 1 or periods % 2 == 0:
         return False
-    start, half = state_at(table, 0), state_at(table, passages // 2)
+    start, half = state_at(table, ZERO), state_at(table, passages // 2)
     return distance(mirror(start, periods), half) < SAME
 
 
@@ -406,6 +407,6 @@ def known(
             state = state_at(table, k)
             if distance(other, state) < SAME:
                 return True
-            if mirrors and distance(other, mirror(state, 1)) < SAME:
+            if mirrors and distance(other, mirror(state, ONE)) < SAME:
                 return True
     return False

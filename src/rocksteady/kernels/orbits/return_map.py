@@ -14,7 +14,7 @@ does not exist.
 import math
 from typing import NamedTuple
 
-from rocksteady.kernels.core.clock import clock, side_phase, uplift_clock
+from rocksteady.kernels.core.clock import clock, side_clock, side_phase, uplift_clock
 from rocksteady.kernels.core.compilation import compiled, inlined
 from rocksteady.kernels.core.forcing import SINE, Forcing, make_forcing, starts_positive
 from rocksteady.kernels.core.tables import (
@@ -28,6 +28,7 @@ from rocksteady.kernels.core.tables import (
     Floats,
     is_nonlinear,
 )
+from rocksteady.kernels.core.typed import MINUS_ONE, ONE, TRUE
 from rocksteady.kernels.linear.extrema import highest_angle
 from rocksteady.kernels.linear.flight import Flight, make_flight
 from rocksteady.kernels.linear.landing import landing_jacobian
@@ -274,7 +275,7 @@ def passage_of(
             system.left_out,
         )
     else:
-        zero = next_zero(flight, forcing, LONGEST_FLIGHT, True, lifting, guess)
+        zero = next_zero(flight, forcing, LONGEST_FLIGHT, TRUE, lifting, guess)
     lean, rate = system.lean[row], system.rate[row]
     unit = lean * rate
     if zero.event != FOUND:
@@ -283,7 +284,7 @@ def passage_of(
         return Passage(kind, here, math.inf, 0.0, Jacobian(0.0, 0.0, 0.0, 0.0))
     restitution = system.restitution[row]
     _, seen_half = side_phase(half_cycles, phase, side, system.frequency)
-    turned, landed = clock(zero.phase, seen_half)
+    turned, landed = side_clock(zero.phase, seen_half)
     half = half_cycles + turned - seen_half + 2 * zero.cycle
     landing = abs(zero.velocity) * unit
     after = Section(-side, half, landed, restitution * landing)
@@ -342,8 +343,8 @@ def comes_to_rest(system: System, state: Section) -> bool:
 def uplift_after(system: System, half_cycles: int, phase: float) -> Passage:
     """Return the uplift that ends a rest, or that nothing does."""
     nothing = Jacobian(0.0, 0.0, 0.0, 0.0)
-    plus_phase, _ = side_phase(half_cycles, phase, 1, system.frequency)
-    minus_phase, _ = side_phase(half_cycles, phase, -1, system.frequency)
+    plus_phase, _ = side_phase(half_cycles, phase, ONE, system.frequency)
+    minus_phase, _ = side_phase(half_cycles, phase, MINUS_ONE, system.frequency)
     plus = uplift_time(system.positive, plus_phase, math.inf) / system.rate[0]
     minus = uplift_time(system.negative, minus_phase, math.inf) / system.rate[1]
     wait = min(plus, minus)

@@ -13,6 +13,7 @@ from typing import NamedTuple
 from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.core.typed import ZERO, whole
 from rocksteady.kernels.orbits.periodic import (
     distance,
     loss,
@@ -41,7 +42,7 @@ from rocksteady.kernels.orbits.return_map import (
 PERIODIC = 0
 STAYS = 1  # at rest for ever
 FALLS = 2
-UNSETTLED = 3  # no orbit in the time given; its Lyapunov exponent tells chaos from slowness
+UNSETTLED = whole(3)  # no orbit in the time given; its Lyapunov exponent tells chaos from slowness
 
 MEMORY = 256
 """Passages that are remembered: an orbit with more, and without rest, is not recognised."""
@@ -127,7 +128,7 @@ def settle(
         Receives the orbit, shape (LONGEST_ORBIT, ORBIT_COLUMNS).
     """
     step = first_passage(system, side, half_cycles, phase, angle, velocity)
-    count, look, forgotten = 0, FIRST_LOOK, 0  # passages so far; before which they are forgotten
+    count, look, forgotten = 0, FIRST_LOOK, ZERO  # passages so far; before which they are forgotten
     lifted_half, lifted_count = (-1, -1), (-1, -1)  # of the last uplift to either side
     third = fourth = Stretch(GENERIC[0], GENERIC[1], 0.0, half_cycles)  # quarters of the run
     whole = third  # since the start or the last rest
@@ -279,7 +280,7 @@ def recognised(
         if searches > SEARCHES:
             break
         fixed = polish(system, last, passages, periods, table)
-        orbit = state_at(table, 0)
+        orbit = state_at(table, ZERO)
         if not fixed.found or fixed.grazes > 0 or distance(orbit, last) > 10.0 * NEAR:
             continue
         determinant = loss(system, orbit.side, passages, fixed.rests)

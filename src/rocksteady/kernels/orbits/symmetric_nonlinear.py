@@ -127,7 +127,9 @@ def symmetric_from(
     turn = gain = 0.0
     while reached < 1.0:
         part = min(reached + step, 1.0)
-        table[:, ALPHA] = math.sqrt(part) * sides[:, ALPHA]
+        root = math.sqrt(part)
+        for row in range(2):
+            table[row, ALPHA] = root * sides[row, ALPHA]
         system = make_system(amplitude, frequency_ratio, table)
         passed = part - reached
         found = symmetric_near(system, shifted(state, passed * turn, passed * gain), order)

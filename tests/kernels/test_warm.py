@@ -1,0 +1,203 @@
+"""`warm` leaves nothing to compile: whatever the public namespace calls has its machine code."""
+
+import inspect
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from functools import partial
+from importlib import import_module
+from pathlib import Path
+from pkgutil import walk_packages
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+import pytest
+from numba.core import event
+from numba.core.dispatcher import Dispatcher
+
+import rocksteady as rs
+import rocksteady.kernels
+from rocksteady.kernels.warm import warm
+from tests.public.calls import calls
+from tests.strategies import PLAIN
+
+ROOT = Path(__file__).parents[2]
+MODELS = ("linear", "nonlinear")
+
+pytestmark = pytest.mark.skipif(PLAIN, reason="nothing is compiled")
+
+
+def test_public_calls_use_no_kernel_but_those_that_warming_up_has_called(tmp_path: Path) -> None:
+    # In a process of its own: other tests call kernels with types that nothing else does.
+    assert in_a_process("print_new_signatures", tmp_path) == []
+
+
+@pytest.mark.slow
+def test_warming_up_compiles_each_function_once(tmp_path: Path) -> None:
+    # A literal is a type of its own to numba; so are layouts, and arrays that are read-only.
+    (tmp_path / "cache").mkdir(mode=0o700)
+    compiled = in_a_process("print_compilations", tmp_path, XDG_CACHE_HOME=str(tmp_path / "cache"))
+    names = [name for name, _ in compiled]
+    assert "rocksteady.kernels.march.march.march" in names
+    assert sorted({name for name in names if names.count(name) > 1}) == []
+    assert [found for found in compiled if "iteral" in found[1] or "omitted" in found[1]] == []
+    # The next process finds all of it on disk.
+    again = in_a_process("print_compilations", tmp_path, XDG_CACHE_HOME=str(tmp_path / "cache"))
+    assert again == []
+
+
+def in_a_process(name: str, folder: Path, **environment: str) -> list[list[str]]:
+    """Return what a function of this file prints, called in a process and a folder of its own."""
+    done = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", f"from {__name__} import {name}; {name}()"],
+        cwd=folder,
+        env={**os.environ, "PYTHONPATH": str(ROOT), **environment},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    found: list[list[str]] = json.loads(done.stdout)
+    return found
+
+
+def print_compilations() -> None:
+    """Print which kernels `warm` compiles, each with its types."""
+    with event.install_recorder("numba:compile") as recorder:
+        warm()
+    found = [item.data for _, item in recorder.buffer if item.is_start]
+    kernels = [(name_of(data["dispatcher"]), str(data["args"])) for data in found]
+    json.dump([pair for pair in kernels if pair[0].startswith("rocksteady.")], sys.stdout)
+
+
+def print_new_signatures() -> None:
+    """Print the kernels, with their types, that public calls use and `warm` does not."""
+    mpl.use("Agg")
+    for module in walk_packages(rocksteady.kernels.__path__, "rocksteady.kernels."):
+        import_module(module.name)
+    warm()
+    before = signatures()
+    for call in all_calls():
+        call()
+    json.dump(sorted(signatures() - before), sys.stdout)
+
+
+def name_of(dispatcher: Any) -> str:
+    function = dispatcher.py_func
+    return f"{function.__module__}.{function.__qualname__}"
+
+
+def signatures() -> set[tuple[str, str]]:
+    """Return every kernel that Python has called in this process, with its types."""
+    modules = [module for name, module in sys.modules.items() if name.startswith("rocksteady.")]
+    kernels = [
+        member
+        for module in modules
+        for _, member in inspect.getmembers(module, lambda member: isinstance(member, Dispatcher))
+    ]
+    return {(name_of(kernel), str(types)) for kernel in kernels for types in kernel.overloads}
+
+
+def all_calls() -> Iterator[Callable[[], object]]:
+    """Yield a call of every public function, and more of those that move blocks."""
+    for name, call in calls().items():
+        if not name.startswith(("plot", "animate")):
+            yield call.__call__
+    for model in MODELS:
+        for block in (
+            rs.Block.rectangle(width=0.4, height=1.2),
+            rs.Block.asymmetric(left=0.15, right=0.25, height=1.2),
+        ):
+            yield from motions(block, model)
+            yield from orbits(block, model)
+            yield from grids(block, model)
+            yield from layouts(block, model)
+        yield from of_symmetric_blocks(rs.Block.rectangle(width=0.4, height=1.2), model)
+
+
+def motions(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
+    """Yield time histories under every kind of motion, with all that is read off them."""
+    record = rs.Record(acceleration_m_s2=4.0 * np.sin(0.25 * np.arange(60)), dt_s=0.05)
+    shaking = rs.Harmonic(amplitude=2.0, frequency_ratio=4.0)
+    follow = partial(followed, block, model=model)
+    yield partial(follow, shaking, cycles=3)
+    yield partial(follow, rs.Harmonic(amplitude=9.0, frequency_ratio=4.0), cycles=30)
+    yield partial(follow, shaking, cycles=3, start=rs.State(angle=0.1, velocity=0.2))
+    yield partial(follow, rs.Still(), start=rs.State(angle=-0.1, velocity=0.2))
+    yield partial(follow, rs.Impulses(velocities=(0.5, -0.1), times=(0.0, 1.0)))
+    yield partial(follow, rs.Pulse(shape="ricker", amplitude=2.0, frequency_ratio=4.0))
+    yield partial(follow, record)
+    if model == "nonlinear":
+        yield partial(follow, record, vertical=record)
+
+
+def followed(*arguments: Any, **options: Any) -> None:
+    run = rs.simulate(*arguments, **options)
+    run(np.linspace(0.0, min(run.end_s, 3.0), 5))
+    run.phase_path(5)
+    run.base_displacement([0.1])
+    _ = run.peak, run.peak_velocity, run.impacts, run.overturn_s, run.growth
+
+
+def orbits(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
+    """Yield attractors, orbits and the return map, with orbits that rest and such that do not."""
+    for amplitude, ratio in ((2.0, 4.0), (1.2, 1.0)):
+        shaking = rs.Harmonic(amplitude=amplitude, frequency_ratio=ratio)
+        yield partial(rs.attractor, block, shaking, cycles=60, model=model)
+        yield partial(rs.orbits, block, shaking, max_period=1, max_impacts=2, seeds=3, model=model)
+    shaking = rs.Harmonic(amplitude=2.0, frequency_ratio=4.0)
+    state = rs.ImpactState(side=1, phase=0.5, speed=0.3)
+    yield partial(rs.ReturnMap(block, shaking, model=model), state)
+    if model == "linear":
+        yield partial(rs.attractor_trail, block, shaking, "amplitude", [1.9, 2.0], cycles=20)
+
+
+def grids(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
+    """Yield maps, basins and overturning windows."""
+    few = [-0.5, 0.0, 0.5]
+    axes = {"amplitude": [1.0, 2.0], "frequency_ratio": [3.0, 4.0]}
+    window = {"angles": few, "velocities": few, "model": model}
+    shaking = rs.Harmonic(amplitude=2.0, frequency_ratio=4.0)
+    yield partial(rs.attractor_map, block, axes=axes, cycles=20, model=model)
+    yield partial(rs.fate_map, block, axes=axes, cycles=10, model=model)
+    yield partial(rs.basins, block, shaking, cycles=10, **window)
+    yield partial(rs.erosion, block, 4.0, [0.5, 3.0], cycles=5, **window)
+    reach = {"amplitudes": (3.0, 4.0), "resolution": 0.1, "model": model}
+    yield partial(rs.overturning_windows, block, "half-sine", [3.0], **reach)
+
+
+def layouts(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
+    """Yield calls with arrays that are no C-contiguous, writable float64 ones."""
+    values = np.linspace(1.0, 2.0, 8)
+    frozen = values.copy()
+    frozen.setflags(write=False)
+    shaking = rs.Harmonic(amplitude=2.0, frequency_ratio=4.0)
+    run = rs.simulate(block, shaking, cycles=3, model=model)
+    for given in (frozen, values[::2], values.astype(np.float32), values.reshape(2, 4).T):
+        yield partial(run, given)
+        yield partial(rs.steady_states, given, 4.0, 0.8)
+        yield partial(rs.steady_states, 2.0, given, 0.5 * given)
+        yield partial(rs.boundaries, given, 0.8, order=3)
+        yield partial(
+            rs.fate_map, block, shaking, axes={"amplitude": given.ravel()}, cycles=5, model=model
+        )
+
+
+def of_symmetric_blocks(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
+    """Yield spectra, and what starts on steady states."""
+    record = rs.Record(acceleration_m_s2=4.0 * np.sin(0.25 * np.arange(60)), dt_s=0.05)
+    shaking = rs.Harmonic(amplitude=1.0, frequency_ratio=2.0)
+    sizes = {"alpha": [0.2, 0.3], "periods_s": [1.0, 2.0], "model": model}
+    yield partial(rs.rocking_spectrum, record, **sizes)
+    yield partial(rs.rocking_spectrum, [record, record.scaled(2.0)], **sizes)
+    if model == "nonlinear":
+        yield partial(rs.rocking_spectrum, [record], vertical=[record], **sizes)
+    axes = {"amplitude": [1.0, 2.0], "frequency_ratio": [3.0, 4.0]}
+    for branch in (1, 2):
+        start = rs.Steady(branch=branch)
+        yield partial(rs.simulate, block, shaking, cycles=3, start=start, model=model)
+        yield partial(rs.attractor_map, block, axes=axes, cycles=20, start=start, model=model)
+        yield partial(rs.fate_map, block, axes=axes, cycles=10, start=start, model=model)
