@@ -79,9 +79,8 @@ tests-nojit: .venv ## the kernels' tests once more as plain Python
 
 .PHONY: tests-floor
 tests-floor: $(FLOOR_STAMP) ## pytest with every dependency at its lower bound, the slow tests excepted
-	@# A cache of its own: two versions of numba throw each other's compiled kernels away.
-	XDG_CACHE_HOME=$(CURDIR)/$(FLOOR)/cache $(FLOOR)/bin/python -m rocksteady.kernels.warm
-	XDG_CACHE_HOME=$(CURDIR)/$(FLOOR)/cache $(FLOOR)/bin/python -m pytest -n $(WORKERS) -o cache_dir=$(FLOOR)/pytest
+	$(FLOOR)/bin/python -m rocksteady.kernels.warm
+	$(FLOOR)/bin/python -m pytest -n $(WORKERS) -o cache_dir=$(FLOOR)/pytest
 
 ##@ Upkeep
 

@@ -7,6 +7,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
+from enum import IntEnum
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -30,13 +31,13 @@ def _forget_the_folder() -> Iterator[None]:
 
 
 def key_of(folder: Path, monkeypatch: pytest.MonkeyPatch, cache: Path) -> str:
-    """Return the name of the cache folder that sources in `folder` would have."""
+    """Return the version that sources in `folder` would have."""
     monkeypatch.setattr(compilation, "__file__", str(folder / "core" / "compilation.py"))
     monkeypatch.setattr(
         "rocksteady.kernels.core.compilation.platformdirs.user_cache_dir", lambda _name: str(cache)
     )
     cache_folder.cache_clear()
-    return cache_folder().name
+    return cache_folder().parent.name
 
 
 def test_the_cache_folder_changes_with_any_of_the_sources(
@@ -101,20 +102,119 @@ def test_without_compilation_a_kernel_is_the_plain_function() -> None:
     assert type(march).__name__ == "function"
 
 
-@pytest.mark.skipif(PLAIN, reason="nothing is compiled")
-def test_warming_up_leaves_nothing_to_compile() -> None:
-    # A second process finds all of it on disk.
-    code = (
-        "import numba, sys\n"
-        "from numba.core import event\n"
-        "from rocksteady.kernels import warm\n"
-        "with event.install_recorder('numba:compile') as recorder:\n"
-        "    warm.warm()\n"
-        "sys.exit(len(recorder.buffer))\n"
+# -------------------------------------------------------------------------- whose code is the same
+
+SHARED = """
+import sys
+from pathlib import Path
+from numba.core import event
+import numpy as np
+from rocksteady.kernels.core import compilation
+compilation.platformdirs.user_cache_dir = lambda _: sys.argv[1]
+from rocksteady.kernels.core import clock
+first = compilation.must_compile("clock.segment_start")
+for edited in sys.argv[2:]:
+    with Path(clock.__file__).with_name(edited).open("a") as source:
+        source.write("# edited")
+with event.install_recorder("numba:compile") as recorder:
+    clock.segment_start(np.ones((1, 9)), 0)
+count = sum(item.is_start for _, item in recorder.buffer)
+print(clock.__file__, first, count, compilation.must_compile("clock.segment_start"))
+"""
+
+
+def copied(folder: Path) -> Path:
+    """Copy as much of the package as kernels need, with new time stamps; return where to."""
+    (folder / "rocksteady").mkdir(parents=True)
+    for name in ("__init__.py", "errors.py"):
+        shutil.copyfile(SOURCES.parent / name, folder / "rocksteady" / name)
+    shutil.copytree(
+        SOURCES,
+        folder / "rocksteady" / "kernels",
+        ignore=shutil.ignore_patterns("__pycache__"),
+        copy_function=shutil.copyfile,
     )
-    subprocess.run([sys.executable, "-m", "rocksteady.kernels.warm"], check=True)
-    again = subprocess.run([sys.executable, "-c", code], check=False)
-    assert again.returncode == 0
+    return folder
+
+
+def ran(package: Path, cache: Path, *edited: str) -> tuple[bool, int, bool]:
+    """Call a kernel of a copy of the package, after edits of its sources.
+
+    Returns
+    -------
+    tuple
+        Whether it must be compiled, how many functions are compiled, and whether it must be again.
+    """
+    done = subprocess.run(
+        [sys.executable, "-c", SHARED, str(cache), *edited],
+        env={**os.environ, "PYTHONPATH": str(package)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    file, first, count, last = done.stdout.rsplit(maxsplit=3)
+    assert Path(file).is_relative_to(package)
+    return first == "True", int(count), last == "True"
+
+
+@pytest.mark.skipif(PLAIN, reason="nothing is compiled")
+def test_copies_of_the_package_share_machine_code_where_their_kernels_are_the_same(
+    tmp_path: Path,
+) -> None:
+    cache = tmp_path / "cache"
+    one, other = copied(tmp_path / "one"), copied(tmp_path / "somewhere" / "other")
+    first, count, last = ran(one, cache)
+    assert (first, last) == (True, False)
+    assert count > 0
+    assert ran(other, cache) == (False, 0, False)
+    # A callee in another file, which the called file does not name.
+    source = other / "rocksteady" / "kernels" / "core" / "forcing.py"
+    source.write_text(source.read_text(encoding="utf-8") + "# changed\n", encoding="utf-8")
+    assert ran(other, cache) == (True, count, False)
+    assert ran(one, cache) == (False, 0, False)
+
+
+@pytest.mark.skipif(PLAIN, reason="nothing is compiled")
+def test_what_is_compiled_after_an_edit_is_not_kept(tmp_path: Path) -> None:
+    # It may hold what was edited, in the folder of what was there before.
+    cache, package = tmp_path / "cache", copied(tmp_path / "package")
+    first, count, last = ran(package, cache, "forcing.py")
+    assert (first, last) == (True, True)
+    assert count > 0
+    assert not list(cache.rglob("*.nb?"))
+
+
+@pytest.mark.skipif(PLAIN, reason="nothing is compiled")
+@pytest.mark.parametrize("tool", ["numba", "llvmlite", "np"])
+def test_every_version_of_a_tool_has_machine_code_of_its_own(
+    tool: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = preferred(tmp_path, monkeypatch)
+    monkeypatch.setattr(f"rocksteady.kernels.core.compilation.{tool}.__version__", "99.1")
+    other = cache_folder()
+    assert other != folder
+    assert other.parent == folder.parent  # of the same sources
+
+
+def test_the_cache_folder_changes_with_the_status_codes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = preferred(tmp_path, monkeypatch)
+    monkeypatch.setattr(compilation, "Status", IntEnum("Status", ["ROCKING", "AT_REST"]))
+    assert cache_folder().parent != folder.parent
+
+
+def test_other_versions_are_removed_when_the_folder_is_chosen(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = preferred(tmp_path, monkeypatch)
+    for number in range(3):
+        other = folder.parent.with_name(f"{number:016x}")
+        other.mkdir(mode=0o700)
+        os.utime(other, (0.0, number))
+    cache_folder()
+    assert len(list(folder.parents[1].iterdir())) == 2
 
 
 # ------------------------------------------------------------------------- who can change the cache
@@ -144,7 +244,7 @@ def assert_private(folder: Path, tmp_path: Path) -> None:
     assert not list(folder.iterdir())
 
 
-@pytest.mark.parametrize("below", range(4))
+@pytest.mark.parametrize("below", range(5))
 @pytest.mark.parametrize("mode", [0o777, 0o1777])
 def test_a_cache_that_others_can_write_is_not_used(
     below: int, mode: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -196,7 +296,7 @@ def test_a_group_may_write_if_the_user_is_alone_in_it(
 
 
 @pytest.mark.skipif(os.name == "nt" or os.getuid() != 0, reason="only root gives files away")
-@pytest.mark.parametrize("below", range(4))
+@pytest.mark.parametrize("below", range(5))
 @pytest.mark.parametrize("link", [True, False])
 def test_a_cache_of_another_user_is_not_used(
     below: int, link: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -217,19 +317,19 @@ def test_a_link_through_a_folder_that_others_can_write_is_not_used(
     folder = preferred(tmp_path, monkeypatch)
     (tmp_path / "open").mkdir()
     (tmp_path / "open").chmod(0o777)
-    (tmp_path / "open" / "link").symlink_to(folder.parent)
-    folder.parent.rename(tmp_path / "kernels")
+    (tmp_path / "open" / "link").symlink_to(folder.parents[1])
+    folder.parents[1].rename(tmp_path / "kernels")
     (tmp_path / "open" / "link").unlink()
     (tmp_path / "open" / "link").symlink_to(tmp_path / "kernels")
-    folder.parent.symlink_to(tmp_path / "open" / "link")
+    folder.parents[1].symlink_to(tmp_path / "open" / "link")
     with pytest.warns(UserWarning, match=r"open can be written by other users"):
         assert_private(cache_folder(), tmp_path)
 
 
 def test_a_link_of_one_s_own_is_followed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     folder = preferred(tmp_path, monkeypatch)
-    folder.parent.rename(tmp_path / "kernels")
-    folder.parent.symlink_to("../../../kernels")
+    folder.parents[1].rename(tmp_path / "kernels")
+    folder.parents[1].symlink_to("../../../kernels")
     assert cache_folder() == folder
 
 
@@ -237,7 +337,7 @@ def test_a_planted_folder_of_the_name_it_once_had_is_not_used(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     folder = preferred(tmp_path, monkeypatch)
-    planted = tmp_path / "tmp" / f"rocksteady-{os.getuid()}-{folder.name}"
+    planted = tmp_path / "tmp" / f"rocksteady-{os.getuid()}-{folder.parent.name}"
     planted.mkdir()
     (planted / "march.march-1.py311.nbi").write_bytes(b"code")
     folder.chmod(0o777)

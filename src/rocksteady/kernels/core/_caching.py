@@ -1,128 +1,27 @@
-"""Cache of machine code on disk: a folder private to this user, files with checksums.
+"""Keeps machine code on disk, by the content of the sources, in files with checksums.
 
-numba unpickles what it finds in its cache, which runs what stands there.  So the folder must be
-this user's alone, and a file that is not what was written counts as missing: it is compiled again.
+numba names its files after the path of a source, and takes them for stale where its time stamp has
+changed.  Here both are the content of the source: a second copy of the package finds the machine
+code of the first.  A file that is not what was written counts as missing: it is compiled again.
 """
 
-import atexit
 import hashlib
-import os
 import pickle
-import shutil
-import stat
-import tempfile
-import warnings
+import sys
+from collections.abc import Callable
 from contextlib import suppress
+from functools import cache
 from pathlib import Path
 from typing import Any
 
-from numba.core.caching import FunctionCache, IndexDataCacheFile
+from numba.core.caching import (
+    CompileResultCacheImpl,
+    FunctionCache,
+    IndexDataCacheFile,
+    _CacheLocator,
+)
 
-MOST_LINKS = 40
-"""Links in one path, as the system allows."""
 CHECKSUM = hashlib.sha256().digest_size
-
-
-def own_folder(top: Path, *names: str) -> Path:
-    """Return a folder that only this user can change: the preferred one, or one for this process.
-
-    Parameters
-    ----------
-    top, names
-        Path of the preferred folder. It and the folders down from `top` are made for this user
-        alone where they are missing.
-
-    Warns
-    -----
-    UserWarning
-        If the preferred one cannot be written, or other users could change it.
-    """
-    preferred = top
-    try:
-        for name in ("", *names):
-            preferred /= name
-            preferred.mkdir(mode=0o700, parents=True, exist_ok=True)
-        weakness = _weakness(preferred)
-        if weakness is None:
-            with tempfile.TemporaryFile(dir=preferred):
-                return preferred
-    except OSError as error:
-        weakness = f"{preferred} cannot be written: {error.strerror or error}"
-    warnings.warn(
-        f"machine code is kept for this run only, and compiling it takes up to some minutes: "
-        f"{weakness}; mend that, or set XDG_CACHE_HOME to a folder of your own",
-        stacklevel=2,
-    )
-    return _fresh()
-
-
-def _fresh() -> Path:
-    """Return a new private folder, which is removed when this process ends."""
-    folder = Path(tempfile.mkdtemp(prefix="rocksteady-"))
-    maker = os.getpid()
-
-    def remove() -> None:
-        if os.getpid() == maker:  # a forked process uses it, and does not own it
-            shutil.rmtree(folder, ignore_errors=True)
-
-    atexit.register(remove)
-    return folder
-
-
-def _weakness(folder: Path) -> str | None:
-    """Return what lets another user change a folder's content, as a clause; None where nothing.
-
-    Checks each folder and link on the path: a user who may rename one of them may replace it.
-    """
-    if not hasattr(os, "getuid"):
-        return None
-    trusted = {os.getuid(), 0, Path("/").stat().st_uid}
-    left = list(Path(os.path.abspath(folder)).parts)[::-1]  # noqa: PTH100 -- links stay
-    here, links = Path(), 0
-    while left:
-        part = left.pop()
-        if part == "..":
-            here = here.parent
-            continue
-        there = here / part
-        found = there.lstat()
-        if found.st_uid not in trusted:
-            return f"{there} belongs to another user"
-        if stat.S_ISLNK(found.st_mode):
-            links += 1
-            if links > MOST_LINKS:
-                return f"{there} is a link in a circle"
-            left += there.readlink().parts[::-1]  # an absolute one begins at the top again
-        elif _shared(found):
-            return f"{there} can be written by other users"
-        else:
-            here = there
-    if here.stat().st_uid != os.getuid():
-        return f"{here} belongs to another user"
-    if here.stat().st_mode & 0o022:
-        return f"{here} can be written by other users"
-    return None
-
-
-def _shared(found: os.stat_result) -> bool:
-    """Return whether another user may rename what is in a folder.
-
-    Many systems give each user a group of the same name without other members, and let that group
-    write what its user makes.
-    """
-    if found.st_mode & stat.S_ISVTX or not found.st_mode & 0o022:
-        return False
-    if found.st_mode & 0o002:
-        return True
-    import grp  # POSIX alone has them
-    import pwd
-
-    try:
-        user, group = pwd.getpwuid(os.getuid()), grp.getgrgid(found.st_gid)
-    except KeyError:
-        return True
-    alone = group.gr_gid == user.pw_gid and group.gr_name == user.pw_name
-    return not (alone and set(group.gr_mem) <= {user.pw_name})
 
 
 class CheckedCache(FunctionCache):
@@ -130,12 +29,32 @@ class CheckedCache(FunctionCache):
 
     Nothing that is wrong with them ends a run: what cannot be loaded is compiled, and what cannot
     be saved is compiled again by the next process.
+
+    Parameters
+    ----------
+    function
+        Whose machine code is kept.
+    name
+        Of its module, alike in every copy of the package.
+    folder
+        Where it is kept.
+    unchanged
+        Returns whether the sources are still those that the folder is for: what is compiled after
+        an edit is not saved.
     """
 
-    def __init__(self, function: Any) -> None:
-        super().__init__(function)
+    def __init__(
+        self, function: Any, name: str, folder: Path, unchanged: Callable[[], bool]
+    ) -> None:
+        # In place of numba's own, which looks for a folder by the path of the source.
+        self._name = repr(function)
+        self._py_func = function
+        self._impl = _Naming(function, name, folder)
+        self._cache_path = str(folder)
         stamp = self._impl.locator.get_source_stamp()
         self._cache_file = _CheckedFiles(self._cache_path, self._impl.filename_base, stamp)
+        self._unchanged = unchanged
+        self.enable()
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         """Return compiled code; None where there is none that can be loaded."""
@@ -147,7 +66,47 @@ class CheckedCache(FunctionCache):
     def save_overload(self, sig: Any, data: Any) -> None:
         """Save compiled code where that is possible."""
         with suppress(OSError):
-            super().save_overload(sig, data)
+            if self._unchanged():
+                super().save_overload(sig, data)
+
+
+class _Naming(CompileResultCacheImpl):
+    """How the files of a function are named."""
+
+    def __init__(self, function: Any, name: str, folder: Path) -> None:
+        # In place of numba's own, as above.
+        self._lineno = function.__code__.co_firstlineno
+        self._locator = _ContentLocator(function, folder)
+        flags = getattr(sys, "abiflags", "")
+        self._filename_base = self.get_filename_base(f"{name}.{function.__qualname__}", flags)
+
+
+class _ContentLocator(_CacheLocator):
+    """Where the files of a function stand, and which content of its source they were made of."""
+
+    def __init__(self, function: Any, folder: Path) -> None:
+        self._py_file = function.__code__.co_filename
+        self._lineno = function.__code__.co_firstlineno
+        self._folder = folder
+
+    def get_cache_path(self) -> str:
+        """Return the folder."""
+        return str(self._folder)
+
+    def get_source_stamp(self) -> str:
+        """Return a hash of the source."""
+        found = Path(self._py_file).stat()
+        return _hash_of(self._py_file, found.st_mtime_ns, found.st_size)
+
+    def get_disambiguator(self) -> str:
+        """Return what tells functions of one name in a module apart."""
+        return str(self._lineno)
+
+
+@cache
+def _hash_of(file: str, _mtime_ns: int, _size: int) -> str:
+    """Return a hash of a file's content, read again where its time stamp or size has changed."""
+    return hashlib.sha256(Path(file).read_bytes()).hexdigest()
 
 
 class _CheckedFiles(IndexDataCacheFile):
