@@ -9,6 +9,8 @@ import pytest
 
 from rocksteady import DimensionlessBlock, Harmonic, basins, erosion
 from rocksteady.cli.flags.parsing import axis
+from rocksteady.dynamics.batch import fates
+from rocksteady.kernels.core import compilation
 from tests.cli.program import refused, rocksteady
 
 WINDOW = "--angles=-1:1:30 --velocities=-0.6:0.6:30"
@@ -190,3 +192,31 @@ def test_an_interval_is_that_of_drawn_states_alone() -> None:
     assert rocksteady(f"{point} --json").json["confidence"] is None
     assert "95 % interval" in rocksteady(f"{point} --seed 1").out
     assert rocksteady(f"{point} --seed 1 --json").json["confidence"] == 0.95
+
+
+@pytest.mark.parametrize(
+    ("shape", "kernel"),
+    [
+        ("-r 0.9", "driver.lane_fates"),
+        ("--left-m 0.15 --right-m 0.25 --height-m 1.2", "harmonic.fates_of_sides"),
+        ("--width-m 0.4 --height-m 1.2 --model nonlinear", "harmonic.fates_of_sides"),
+    ],
+)
+def test_what_an_erosion_compiles_first_is_what_it_calls(
+    shape: str, kernel: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[str] = []
+    called: list[str] = []
+    for name in ("lane_fates", "fates_of_sides"):
+        function = getattr(fates, name)
+
+        def noted(*arguments: Any, function: Any = function, name: str = name) -> None:
+            called.append(name)
+            function(*arguments)
+
+        monkeypatch.setattr(fates, name, noted)
+    monkeypatch.setattr(compilation, "must_compile", asked.append)
+    window = "--angles=-1:1:5 --velocities=-0.6:0.6:5 --cycles 5"
+    assert rocksteady(f"basins -A 0.5:1:2 -W 2 {window} {shape}").code == 0
+    assert asked == [kernel]
+    assert set(called) == {kernel.partition(".")[2]}

@@ -133,10 +133,12 @@ def basins(
     if cycles is not None:
         chosen["cycles"] = cycles
 
-    announce_compilation("driver.lane_fates" if len(amplitudes) > 1 else "attractors.settle_cells")
     if len(amplitudes) > 1:
+        in_lanes = equations == "linear" and body.symmetric
+        announce_compilation("driver.lane_fates" if in_lanes else "harmonic.fates_of_sides")
         _erosion(body, first, amplitudes, chosen, output)
     else:
+        announce_compilation("attractors.settle_cells")
         _basins(body, first, {**chosen, "seed": seed}, output)
 
 
