@@ -1,4 +1,4 @@
-"""Keeps machine code on disk, by the content of the sources, in files with checksums.
+"""Cache of machine code on disk, keyed on the content of the sources, in files with checksums.
 
 numba names its files after the path of a source, and takes them for stale where its time stamp has
 changed.  Here both are the content of the source: a second copy of the package finds the machine

@@ -76,7 +76,7 @@ def _fresh() -> Path:
 def _weakness(folder: Path) -> str | None:
     """Return what lets another user change a folder's content, as a clause; None where nothing.
 
-    Looks at each folder and link on the way to it: whoever may rename one of them may put
+    Looks at each folder and link on the way to it: a user who may rename one of them could put
     something else there.
     """
     if not hasattr(os, "getuid"):
