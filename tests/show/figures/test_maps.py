@@ -167,7 +167,7 @@ def test_what_cannot_be_drawn_is_refused_in_one_line(data: Any, line: str) -> No
 
 def test_three_axes_on_one_pair_of_axes_are_refused_before_a_figure_is_made() -> None:
     before = plt.get_fignums()
-    with pytest.raises(InputError, match="map_figure"):
+    with pytest.raises(InputError, match="draw panels with rocksteady map"):
         plot_map(of_axes(2, 2, 2))
     assert plt.get_fignums() == before
     with pytest.raises(InputError, match="highest"):

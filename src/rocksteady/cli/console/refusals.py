@@ -77,7 +77,7 @@ class OncePerFlag(TyperCommand):
                             valid=f"{value} after it is a flag",
                             hint=f"give a value, or write {flag}={value} where that is one",
                         )
-                _check_paths(self.params, found[0])
+                _check_paths(self, found[0])
                 for option, count in Counter(found[-1]).items():
                     if count > 1 and _takes_one_value(option):
                         raise _repeated(option, given)
@@ -93,17 +93,20 @@ def _values_of(found: dict[str, Any]) -> set[str]:
     return {one for several in values for one in several if isinstance(one, str)}
 
 
-def _check_paths(parameters: list[Any], found: dict[str, Any]) -> None:
+def _check_paths(command: TyperCommand, found: dict[str, Any]) -> None:
     """Refuse names of files that are empty, which would mean this folder, or too long for any."""
-    for each in parameters:
+    for each in command.params:
         if each.metavar not in PATHS:
             continue
-        flag = each.opts[0] if each.param_type_name == "option" else each.metavar
+        flag = each.opts[0] if each.param_type_name == "option" else str(command.name)
         given = found.get(each.name)
         for value in given if isinstance(given, list | tuple) else [given]:
             if value == "":
                 raise FlagError(
-                    finding=f"{flag} is empty", valid="it takes a path", hint="name one"
+                    name=flag,
+                    value=value,
+                    valid="it is empty, which would mean this folder",
+                    hint="name a file or a folder",
                 )
             if isinstance(value, str) and any(
                 len(os.fsencode(part)) > LONGEST_NAME for part in Path(value).parts
