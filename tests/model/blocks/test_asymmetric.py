@@ -191,9 +191,17 @@ def test_a_block_too_stocky_to_rock_on_is_refused() -> None:
         Block.asymmetric(left=1.0, right=1.2, height=0.5)
 
 
-@pytest.mark.parametrize("sizes", [{}, {"radius": 1.0, "p": 2.0}, {"p": 2.0, "gyration": 0.5}])
-def test_one_length_or_rate_says_how_large_it_is(sizes: dict[str, float]) -> None:
-    with pytest.raises(ModelError, match="radius, p, gyration"):
+@pytest.mark.parametrize(
+    ("sizes", "said"),
+    [
+        ({}, "are all missing: "),
+        ({"gyration": 0.5}, "do not fit, with gyration given: "),
+        ({"radius": 1.0, "p": 2.0}, "do not fit, with radius and p given: "),
+        ({"p": 2.0, "gyration": 0.5}, "do not fit, with p and gyration given: "),
+    ],
+)
+def test_one_length_or_rate_says_how_large_it_is(sizes: dict[str, float], said: str) -> None:
+    with pytest.raises(ModelError, match=f"^radius, p, gyration {said}a radius, with or without"):
         Block.from_alphas(positive=0.2, negative=0.3, **sizes)
 
 

@@ -61,7 +61,7 @@ def orbits(
     """Return the stable and unstable periodic motions at one amplitude and frequency ratio.
 
     Symmetric orbits with two impacts have a closed form for every odd number of forcing periods
-    (eqs 19, 21, 22); those that pass through the floor are included, marked as not admissible.
+    (eqs 19, 21, 22); orbits that would pass through the base are included, marked inadmissible.
     Orbits with a rest are followed from their uplift; there is at most one for each side.  All
     others are found by Newton's method from a grid of states after an impact, which is a search,
     not a proof that there are no more.  Of two mirror images only the one that leans to the
@@ -69,8 +69,8 @@ def orbits(
     neither symmetric orbits nor mirror images: all of its orbits come from the search.
 
     In the nonlinear model the symmetric orbits are continued from the closed forms, with the
-    slenderness growing from 0 to that of the block, and keep their branch; those that pass through
-    the floor are left out.
+    slenderness growing from 0 to that of the block, and keep their branch; orbits that would
+    pass through the base are left out.
 
     Parameters
     ----------
@@ -238,10 +238,10 @@ Found = tuple[Floats, int, float]
 
 
 def _resting_orbits(system: System, longest: int) -> Iterable[Found]:
-    """Yield the orbits with rest phases: those that come back to an uplift of theirs.
+    """Yield the periodic orbits with rest phases, followed from uplift to uplift.
 
-    Where a small difference grows so much between two rests that rounding decides the way, there is
-    none to be known.
+    Yields none where a small difference grows so much between two rests that rounding decides the
+    motion.
     """
     lifting = uplift_after(system, 0, 0.0)
     if lifting.kind == STAY:

@@ -39,7 +39,7 @@ class CheckedCache(FunctionCache):
     folder
         Where it is kept.
     unchanged
-        Returns whether the sources are still those that the folder is for: what is compiled after
+        Returns whether the sources are unchanged since the folder was chosen: code compiled after
         an edit is not saved.
     """
 

@@ -141,5 +141,5 @@ def _stamp(source: Path) -> tuple[int, int]:
 
 
 def _unchanged() -> bool:
-    """Return whether the sources are those that the folder was chosen for."""
+    """Return whether the kernel sources are unchanged since the cache folder was chosen."""
     return all(_stamp(source) == stamp for source, stamp in _stamps().items())

@@ -29,12 +29,12 @@ def question_millimetres(*, width: float, height: float) -> None:
 
 
 def check_one_size(*, radius: float | None, p: float | None, gyration: float | None) -> None:
-    """Refuse sizes of which not exactly one of `radius` and `p` is given, or `gyration` with `p`.
+    """Check that a block has one size: `radius`, with or without `gyration`, or `p` alone.
 
     Raises
     ------
     ModelError
-        With the names of those that are given.
+        If it has none, or too many.
     """
     if (radius is None) != (p is None) and (p is None or gyration is None):
         return
@@ -42,16 +42,14 @@ def check_one_size(*, radius: float | None, p: float | None, gyration: float | N
     given = " and ".join(name for name, value in sizes.items() if value is not None)
     raise ModelError(
         name="radius, p, gyration",
-        value=Words(
-            f"do not fit, with {' and '.join(given)} given" if given else "are all missing"
-        ),
+        value=Words(f"do not fit, with {given} given" if given else "are all missing"),
         valid="a radius, with or without a gyration, or a p alone says how large it is",
         hint="give radius=..., or p=...",
     )
 
 
 def radius_of_p(p: float, alpha: float, other_alpha: float, gravity: float) -> float:
-    """Return R of the side of `alpha` [m], of a body that is filled as a rectangle is.
+    """Return the radius [m] of the side of `alpha`, with a rectangle's radius of gyration.
 
     Of a body R times as large as one with R = 1, ``p^2 = g/(R (1 + k^2))``.
 

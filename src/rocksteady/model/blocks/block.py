@@ -217,7 +217,7 @@ class Block:
         m = positive("mass", mass, hint="give the mass in kg")
         i = positive("inertia", inertia, hint="give the moment of inertia about a pivot in kg m^2")
         r = radius_value(radius)
-        check_inertia(i, m * r * r)
+        check_inertia(inertia, m * r * r)
         g = gravity_value(gravity)
         return cls._symmetric(alpha, r, math.sqrt(m * g * r / i), restitution, g)
 

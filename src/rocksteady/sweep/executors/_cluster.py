@@ -109,7 +109,7 @@ def cluster_pool(task: Task, address: str | None, workers: int | None) -> Iterat
 
 @contextmanager
 def _sent(task: Task, cluster: Cluster) -> Iterator[str]:
-    """Send a task to all workers, those that join later included; yield the name of its plugin."""
+    """Send a task to all present and future workers; yield the name of its plugin."""
     from rocksteady.sweep.executors._dask import TaskPlugin
 
     name = f"rocksteady-{uuid.uuid4().hex}"

@@ -16,7 +16,7 @@ from rocksteady.sweep.cases.task import Answer, CellRange, Task
 
 
 class TaskPlugin(WorkerPlugin):
-    """Sends a task to every worker, those that join later included, and unpickles it there once.
+    """Sends a task once to every worker, also to workers that join later.
 
     Parameters
     ----------

@@ -3,6 +3,7 @@
 Imported only where a store is read, because it needs xarray.
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -26,7 +27,7 @@ Index = tuple[Any, ...]
 """A number, a slice or an array of numbers for each axis."""
 
 
-class OverCells(BackendArray):
+class OverCells(BackendArray, ABC):
     """An array that is read at an index: of all cells that its parts span, or point by point."""
 
     shape: tuple[int, ...]
@@ -38,13 +39,13 @@ class OverCells(BackendArray):
         found: Array = explicit_indexing_adapter(key, self.shape, support, read)
         return found
 
+    @abstractmethod
     def outer(self, index: Index) -> Array:
         """Return the cells that the parts of an index span; a number drops its axis."""
-        raise NotImplementedError
 
+    @abstractmethod
     def points(self, index: Index) -> Array:
         """Return the cells at points, whose coordinates are arrays of one shape."""
-        raise NotImplementedError
 
 
 class Computed(OverCells):
