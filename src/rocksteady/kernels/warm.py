@@ -21,7 +21,6 @@ from rocksteady.kernels.batch.harmonic import fates_of_sides, harmonic_segment
 from rocksteady.kernels.batch.pulses import pulse_fates
 from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core.clock import clock, segment_start
-from rocksteady.kernels.core.compilation import cache_folder
 from rocksteady.kernels.core.tables import (
     DURATION,
     ROW_COLUMNS,
@@ -30,6 +29,7 @@ from rocksteady.kernels.core.tables import (
     is_nonlinear,
 )
 from rocksteady.kernels.lanes.driver import lane_fates
+from rocksteady.kernels.machine_code.compilation import cache_folder
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import (
     fill_states,

@@ -28,7 +28,7 @@ def announce_compilation(kernel: str) -> None:
     kernel
         What the command calls for its work, as "march.march": module and function.
     """
-    from rocksteady.kernels.core.compilation import must_compile
+    from rocksteady.kernels.machine_code.compilation import must_compile
 
     if must_compile(kernel):
         print("compiling what this needs, once for each version: up to a minute", file=sys.stderr)

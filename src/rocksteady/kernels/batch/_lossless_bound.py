@@ -26,7 +26,6 @@ import math
 
 from rocksteady.kernels.batch._still_base import over_the_top
 from rocksteady.kernels.core.clock import elapsed_time, segment_start
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.tables import (
     ALPHA,
     AMPLITUDE,
@@ -43,6 +42,7 @@ from rocksteady.kernels.core.tables import (
     is_nonlinear,
 )
 from rocksteady.kernels.core.typed import ZERO
+from rocksteady.kernels.machine_code.compilation import compiled
 
 STEPS = 600
 """In which the rest of the pulse is gone through, at least one a segment."""

@@ -32,8 +32,8 @@ above it to another.
 import math
 from typing import NamedTuple
 
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.tables import ALPHA, LEAN, RATE, RESTITUTION, Floats, is_nonlinear
+from rocksteady.kernels.machine_code.compilation import compiled
 
 HALF_PI = 0.5 * math.pi
 NEAR = 4.0

@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.kernels.core.clock import clock
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import ZERO
+from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.orbits.periodic import (
     ORBIT_COLUMNS,
     OTHER_PEAK,

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.kernels.core.clock import clock
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.tables import (
     AMPLITUDE,
     CEILING,
@@ -22,6 +21,7 @@ from rocksteady.kernels.core.tables import (
     Floats,
     March,
 )
+from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.march.march import march
 
 

@@ -19,7 +19,6 @@ from numpy.typing import NDArray
 from rocksteady.kernels.batch._lossless_bound import largest_margin
 from rocksteady.kernels.batch._still_base import HALF_PI, NEAR, fate_on_still_base, over_the_top
 from rocksteady.kernels.core.clock import elapsed_time, segment_start, side_phase
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.tables import (
     ALPHA,
     AT_REST,
@@ -39,6 +38,7 @@ from rocksteady.kernels.core.tables import (
     is_nonlinear,
 )
 from rocksteady.kernels.core.typed import FALSE, ZERO
+from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import recorded_peaks
 from rocksteady.kernels.nonlinear.drive import side_drive

@@ -12,7 +12,6 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.tables import (
     LEAN,
     OVERTURNED,
@@ -25,6 +24,7 @@ from rocksteady.kernels.core.tables import (
     March,
 )
 from rocksteady.kernels.core.typed import ZERO
+from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import peaks_until_overturning
 

@@ -9,10 +9,10 @@ import math
 
 import numpy as np
 
-from rocksteady.kernels.core.compilation import compiled, inlined
 from rocksteady.kernels.core.forcing import HALF_PI, SINE, Forcing
 from rocksteady.kernels.core.tables import DURATION, FREQUENCY, PHASE, Floats
 from rocksteady.kernels.core.typed import ZERO
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 PI_HIGH = math.pi
 PI_LOW = 1.2246467991473532e-16  # pi - PI_HIGH

@@ -12,7 +12,7 @@ with ``t`` counted from the start of the flight.  The first zero of a flight is 
 import math
 from typing import NamedTuple
 
-from rocksteady.kernels.core.compilation import compiled, inlined
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 HALF_PI = 0.5 * math.pi
 TWO_PI = 2.0 * math.pi

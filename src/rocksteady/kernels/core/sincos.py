@@ -8,7 +8,7 @@ of a phase; beyond, within the rounding of the angle.
 
 import numpy as np
 
-from rocksteady.kernels.core.compilation import inlined
+from rocksteady.kernels.machine_code.compilation import inlined
 
 QUARTERS = 0.6366197723675814  # 2 / pi
 QUARTER_HIGH = 1.57079632673412561417  # the first 33 bits of pi/2 ...

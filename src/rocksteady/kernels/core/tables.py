@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import Status
-from rocksteady.kernels.core.compilation import inlined
 from rocksteady.kernels.core.typed import whole
+from rocksteady.kernels.machine_code.compilation import inlined
 
 Floats = NDArray[np.float64]
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from rocksteady.kernels.core.compilation import fused_inlined
 from rocksteady.kernels.core.sincos import QUARTER_HIGH, QUARTER_LOW, QUARTERS
+from rocksteady.kernels.machine_code.compilation import fused_inlined
 
 # Adding 1.5 2^52 rounds to a whole number and leaves it in the last bits.
 ROUND = 6755399441055744.0

@@ -1,6 +1,6 @@
 """Fields of a lane's state, and the codes of its stages."""
 
-from rocksteady.kernels.core.compilation import fused_inlined
+from rocksteady.kernels.machine_code.compilation import fused_inlined
 
 # 16 or fewer lanes would be unrolled and stay scalar; more than 64 leave the first cache.
 LANES = 48

@@ -1,7 +1,6 @@
 """Start of a flight in a lane: interval between nodes to search, rest, or end of run."""
 
 from rocksteady.kernels.core.clock import PI_HIGH
-from rocksteady.kernels.core.compilation import fused
 from rocksteady.kernels.core.forcing import HALF_PI, TWO_PI
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.lanes._fields import (
@@ -36,6 +35,7 @@ from rocksteady.kernels.lanes._fields import (
     VELOCITY,
     weight,
 )
+from rocksteady.kernels.machine_code.compilation import fused
 
 WINDOW = 3.0  # times v / (pull (1 - delta)): how long chatter is given to die out
 

@@ -3,7 +3,6 @@
 import math
 
 from rocksteady.kernels.core.clock import PI_HIGH, clock, side_phase
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import make_forcing
 from rocksteady.kernels.core.tables import Floats, March
 from rocksteady.kernels.lanes._exp_sincos import growth_and_decay, sine_cosine
@@ -45,6 +44,7 @@ from rocksteady.kernels.lanes._fields import (
     TIME,
     VELOCITY,
 )
+from rocksteady.kernels.machine_code.compilation import compiled
 
 
 @compiled

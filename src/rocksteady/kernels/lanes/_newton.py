@@ -1,7 +1,6 @@
 """Newton steps of lanes towards an impact, and the stage that follows each step."""
 
 from rocksteady.kernels.core.clock import PI_HIGH, PI_LOW
-from rocksteady.kernels.core.compilation import fused
 from rocksteady.kernels.core.forcing import HALF_PI, TWO_PI
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.lanes._exp_sincos import (
@@ -45,6 +44,7 @@ from rocksteady.kernels.lanes._fields import (
     VELOCITY_THERE,
 )
 from rocksteady.kernels.linear.zeros import reversion
+from rocksteady.kernels.machine_code.compilation import fused
 
 SHORTEST = 0.25  # below it, in t and Omega t, cancellation asks for Taylor's polynomial ...
 LONGEST = 0.3  # ... which serves up to here: 2e-17 of its largest term is left out

@@ -1,7 +1,6 @@
 """State of lanes at a node: whether a zero lies before it, or none can follow."""
 
 from rocksteady.kernels.core.clock import PI_HIGH
-from rocksteady.kernels.core.compilation import fused, fused_inlined
 from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.lanes._exp_sincos import growth_and_decay, nearest_whole
@@ -54,6 +53,7 @@ from rocksteady.kernels.lanes._fields import (
     VELOCITY_THERE,
     weight,
 )
+from rocksteady.kernels.machine_code.compilation import fused, fused_inlined
 
 
 @fused_inlined

@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from rocksteady.kernels.core.compilation import fused
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.lanes._fields import (
     IMPACTS,
@@ -19,6 +18,7 @@ from rocksteady.kernels.lanes._fields import (
     VELOCITY,
     WIDEST,
 )
+from rocksteady.kernels.machine_code.compilation import fused
 
 NEAR = 0.05  # phase and velocity that have come back as closely are watched ...
 SAME = 1e-11  # ... until they repeat to this, each time more closely ...

@@ -7,7 +7,6 @@ from numpy.typing import NDArray
 
 from rocksteady.kernels.batch.harmonic import harmonic_segment
 from rocksteady.kernels.core.clock import clock
-from rocksteady.kernels.core.compilation import compiled, fused
 from rocksteady.kernels.core.tables import (
     LEAN,
     OVERTURNED,
@@ -49,6 +48,7 @@ from rocksteady.kernels.lanes._loading import at_the_end, load, put, taken
 from rocksteady.kernels.lanes._newton import approach, bounce, fly, land, shake
 from rocksteady.kernels.lanes._nodes import node_decision, node_state
 from rocksteady.kernels.lanes._periods import LEAPT, compare, leap
+from rocksteady.kernels.machine_code.compilation import compiled, fused
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.rest import STILL
 

@@ -19,9 +19,9 @@ graze.  By either phase the derivatives of the other end are simple::
 import math
 from typing import NamedTuple
 
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import Forcing
 from rocksteady.kernels.linear.flight import LARGEST_EXPONENT, Flight, wrapped
+from rocksteady.kernels.machine_code.compilation import compiled
 
 SMALL = 0.25
 """Argument below which sin(x)/x and sinh(x)/x less 1 are their series: the next term is 1e-15."""

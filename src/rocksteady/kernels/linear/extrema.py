@@ -6,7 +6,6 @@ flights, so that `rocksteady.kernels.linear.zeros` isolates their zeros too.
 
 import math
 
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import Forcing
 from rocksteady.kernels.core.tables import FOUND, PEAK_ANGLE, PEAK_SPEED, Floats
 from rocksteady.kernels.core.typed import FALSE
@@ -19,6 +18,7 @@ from rocksteady.kernels.linear.flight import (
     wrapped,
 )
 from rocksteady.kernels.linear.zeros import Zero, next_zero
+from rocksteady.kernels.machine_code.compilation import compiled
 
 
 @compiled

@@ -20,8 +20,8 @@ Three ways of writing it share the work, since none is accurate everywhere:
 import math
 from typing import NamedTuple
 
-from rocksteady.kernels.core.compilation import compiled, inlined
 from rocksteady.kernels.core.forcing import HALF_PI, TWO_PI, Forcing, make_forcing
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 SHORT = 0.25
 LONG = 0.25

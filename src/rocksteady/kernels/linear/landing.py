@@ -7,9 +7,9 @@ Since y(T) = 0 for every start, ``dT = -(y_psi dpsi + y_v dv) / y'(T)``.
 
 import math
 
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import Forcing
 from rocksteady.kernels.linear.flight import Flight
+from rocksteady.kernels.machine_code.compilation import compiled
 
 
 @compiled

@@ -23,7 +23,6 @@ below the parabola F'' >= -1 - max |a|.
 import math
 from typing import NamedTuple
 
-from rocksteady.kernels.core.compilation import compiled, fused_inlined, inlined
 from rocksteady.kernels.core.forcing import (
     LINE,
     ONE_SIGN,
@@ -42,6 +41,7 @@ from rocksteady.kernels.linear.flight import (
     flight_acceleration,
     flight_state,
 )
+from rocksteady.kernels.machine_code.compilation import compiled, fused_inlined, inlined
 
 # A step of the reverted series is final once each of its terms is this much smaller than the one
 # before, and the forcing turns little on the way.  The first term left out has coefficient 42: it

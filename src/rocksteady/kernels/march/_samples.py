@@ -26,7 +26,6 @@ far, and a changes sign or v falls through zero, is there an extremum to be foun
 
 from typing import NamedTuple
 
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import make_forcing
 from rocksteady.kernels.core.tables import (
     ALIKE,
@@ -45,6 +44,7 @@ from rocksteady.kernels.core.tables import (
 from rocksteady.kernels.core.typed import ZERO
 from rocksteady.kernels.linear.extrema import flight_peaks
 from rocksteady.kernels.linear.flight import make_flight
+from rocksteady.kernels.machine_code.compilation import compiled
 
 LONGEST = 1.0  # in a side's time; beyond it the series would need more terms
 MARGIN = 1e-12

@@ -24,7 +24,6 @@ from rocksteady.kernels.core.clock import (
     side_phase,
     uplift_clock,
 )
-from rocksteady.kernels.core.compilation import compiled, inlined
 from rocksteady.kernels.core.forcing import Forcing, make_forcing
 from rocksteady.kernels.core.tables import (
     ALIKE,
@@ -58,6 +57,7 @@ from rocksteady.kernels.core.typed import FALSE, MINUS_ONE, ONE, TRUE, ZERO
 from rocksteady.kernels.linear.extrema import keep_peaks
 from rocksteady.kernels.linear.flight import make_flight
 from rocksteady.kernels.linear.zeros import next_zero
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.march._samples import fly_through, rest_through
 from rocksteady.kernels.march.rest import STILL, chatter_ends, next_uplift
 from rocksteady.kernels.nonlinear.drive import foot_forcing, jump_share, loss_of_contact, side_drive

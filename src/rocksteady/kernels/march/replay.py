@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.kernels.core.clock import elapsed_time, segment_start, side_phase
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import Forcing
 from rocksteady.kernels.core.tables import (
     ENDED_BY_IMPACT,
@@ -30,6 +29,7 @@ from rocksteady.kernels.core.tables import (
 from rocksteady.kernels.core.typed import ZERO
 from rocksteady.kernels.linear.extrema import flight_peaks, last_rise
 from rocksteady.kernels.linear.flight import Flight, flight_acceleration, flight_state, make_flight
+from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.march.march import side_forcing
 from rocksteady.kernels.nonlinear.drive import Drive, acceleration, side_drive
 from rocksteady.kernels.nonlinear.flight import phase_at

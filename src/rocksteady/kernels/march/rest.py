@@ -19,7 +19,6 @@ estimate: where it does not fit, the march goes on bouncing.  restitution = 1 gi
 import math
 
 from rocksteady.kernels.core.clock import side_phase
-from rocksteady.kernels.core.compilation import compiled, inlined
 from rocksteady.kernels.core.forcing import (
     HALF_PI,
     LINE,
@@ -34,6 +33,7 @@ from rocksteady.kernels.core.forcing import (
 )
 from rocksteady.kernels.core.tables import RATE, Floats
 from rocksteady.kernels.core.typed import FALSE, MINUS_ONE, ONE
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 # A bounce this slow lasts less than any clock resolves, and its square underflows.
 STILL = 1e-100

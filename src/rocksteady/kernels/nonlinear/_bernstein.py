@@ -23,9 +23,9 @@ import math
 
 import numpy as np
 
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import whole
+from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.nonlinear.series import ANGLE, HIGHEST, POINTS, TERMS
 
 WEIGHTS = np.array(

@@ -21,9 +21,9 @@ of that, far below its rounding.
 
 import math
 
-from rocksteady.kernels.core.compilation import compiled, inlined
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import FALSE, TRUE, ZERO
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.nonlinear._bernstein import (
     CONTROL_POINTS,
     FALLS,

@@ -18,7 +18,6 @@ linear model, ``y'' = r + y``, which is the limit of small alpha.
 import math
 from typing import NamedTuple
 
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import Forcing, make_forcing
 from rocksteady.kernels.core.tables import (
     ALPHA,
@@ -33,6 +32,7 @@ from rocksteady.kernels.core.tables import (
     SLOPE,
     Floats,
 )
+from rocksteady.kernels.machine_code.compilation import compiled
 
 WEIGHTLESS = 1e-14
 """Weight over M g that counts as none: a sample of -g in the units of a block is -g to rounding."""

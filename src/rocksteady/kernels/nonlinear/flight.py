@@ -2,7 +2,6 @@
 
 import math
 
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.tables import (
     FOUND,
@@ -13,6 +12,7 @@ from rocksteady.kernels.core.tables import (
     Floats,
 )
 from rocksteady.kernels.linear.zeros import Zero
+from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.nonlinear._zeros import first_rise, first_zero, largest
 from rocksteady.kernels.nonlinear.drive import Drive
 from rocksteady.kernels.nonlinear.proofs import HALF_PI, falls_on_still_base

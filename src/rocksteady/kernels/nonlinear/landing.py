@@ -17,10 +17,10 @@ import math
 
 import numpy as np
 
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import FALSE, TRUE
 from rocksteady.kernels.linear.zeros import Zero
+from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.nonlinear.drive import Drive, acceleration
 from rocksteady.kernels.nonlinear.flight import fly, phase_at
 from rocksteady.kernels.nonlinear.replay import leg_after, leg_from

@@ -21,7 +21,6 @@ y))/alpha^2``, which is at most ``2 (max |r'| + max |k'|) Y`` times the duration
 
 import math
 
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import largest_forcing, steepest_forcing
 from rocksteady.kernels.core.tables import (
     ALPHA,
@@ -32,6 +31,7 @@ from rocksteady.kernels.core.tables import (
     RESTITUTION,
     Floats,
 )
+from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.nonlinear.drive import Drive, foot_forcing, side_drive
 
 HALF_PI = 0.5 * math.pi

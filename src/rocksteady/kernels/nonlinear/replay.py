@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.nonlinear._zeros import largest, last_rise
 from rocksteady.kernels.nonlinear.drive import Drive
 from rocksteady.kernels.nonlinear.flight import phase_at, reach_of

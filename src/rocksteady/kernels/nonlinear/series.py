@@ -19,8 +19,8 @@ and M. Zou, Experimental Mathematics 14, 99-117 (2005).
 
 import math
 
-from rocksteady.kernels.core.compilation import compiled, fused_inlined, inlined
 from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.machine_code.compilation import compiled, fused_inlined, inlined
 from rocksteady.kernels.nonlinear.drive import Drive
 
 TERMS = 24

@@ -23,9 +23,9 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.linear.arcs import arc_flight, make_arc
 from rocksteady.kernels.linear.extrema import inner_extrema
+from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.orbits.return_map import (
     Jacobian,
     System,

@@ -27,7 +27,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.kernels.core.compilation import compiled, inlined
 from rocksteady.kernels.core.forcing import EPSILON, make_forcing
 from rocksteady.kernels.core.tables import FOUND
 from rocksteady.kernels.core.typed import FALSE
@@ -36,6 +35,7 @@ from rocksteady.kernels.linear.extrema import inner_extrema
 from rocksteady.kernels.linear.flight import LARGEST_EXPONENT, Flight, flight_state, wrapped
 from rocksteady.kernels.linear.landing import landing_jacobian
 from rocksteady.kernels.linear.zeros import next_zero
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 Floats = NDArray[np.float64]
 

@@ -15,10 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.kernels.core.clock import clock
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import ONE, ZERO
+from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.orbits.return_map import (
     FALL,
     GRAZE,

@@ -15,7 +15,6 @@ import math
 from typing import NamedTuple
 
 from rocksteady.kernels.core.clock import clock, side_clock, side_phase, uplift_clock
-from rocksteady.kernels.core.compilation import compiled, inlined
 from rocksteady.kernels.core.forcing import SINE, Forcing, make_forcing, starts_positive
 from rocksteady.kernels.core.tables import (
     ALPHA,
@@ -33,6 +32,7 @@ from rocksteady.kernels.linear.extrema import highest_angle
 from rocksteady.kernels.linear.flight import Flight, make_flight
 from rocksteady.kernels.linear.landing import landing_jacobian
 from rocksteady.kernels.linear.zeros import next_zero
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.march.rest import chatter_ends, uplift_time
 from rocksteady.kernels.nonlinear.drive import Drive, foot_forcing
 from rocksteady.kernels.nonlinear.landing import fly_to_landing, landing_derivative

@@ -10,10 +10,10 @@ to, and an unstable orbit is never the answer.
 import math
 from typing import NamedTuple
 
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import ZERO, whole
+from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.orbits.periodic import (
     distance,
     loss,

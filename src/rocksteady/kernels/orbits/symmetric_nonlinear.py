@@ -10,8 +10,8 @@ at which ``T = 1 + delta^2``: branch 1 has a smaller trace, branch 2 a larger on
 import math
 from typing import NamedTuple
 
-from rocksteady.kernels.core.compilation import compiled
 from rocksteady.kernels.core.tables import ALPHA, RESTITUTION, Floats
+from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.orbits.periodic import (
     CLOSED,
     EXACT,

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from rocksteady.kernels.core._folders import IN_USE, KEPT, prune
+from rocksteady.kernels.machine_code._folders import IN_USE, KEPT, prune
 
 NAMES = [f"{number:016x}" for number in range(9)]
 CODE = ("march.march.march-102.py311.nbi", "march.march.march-102.py311.1.nbc")

@@ -15,8 +15,8 @@ import numba
 import numba.core.config
 import pytest
 
-from rocksteady.kernels.core import compilation
-from rocksteady.kernels.core.compilation import cache_folder, compiled
+from rocksteady.kernels.machine_code import compilation
+from rocksteady.kernels.machine_code.compilation import cache_folder, compiled
 from rocksteady.kernels.march.march import march
 from tests.strategies import PLAIN
 
@@ -32,9 +32,10 @@ def _forget_the_folder() -> Iterator[None]:
 
 def key_of(folder: Path, monkeypatch: pytest.MonkeyPatch, cache: Path) -> str:
     """Return the version that sources in `folder` would have."""
-    monkeypatch.setattr(compilation, "__file__", str(folder / "core" / "compilation.py"))
+    monkeypatch.setattr(compilation, "__file__", str(folder / "machine_code" / "compilation.py"))
     monkeypatch.setattr(
-        "rocksteady.kernels.core.compilation.platformdirs.user_cache_dir", lambda _name: str(cache)
+        "rocksteady.kernels.machine_code.compilation.platformdirs.user_cache_dir",
+        lambda _name: str(cache),
     )
     cache_folder.cache_clear()
     return cache_folder().parent.name
@@ -68,7 +69,7 @@ def test_where_home_is_read_only_the_code_is_kept_in_the_temporary_folder(
     blocked = tmp_path / "home"
     blocked.write_text("a file, in which no folder can be made")
     monkeypatch.setattr(
-        "rocksteady.kernels.core.compilation.platformdirs.user_cache_dir",
+        "rocksteady.kernels.machine_code.compilation.platformdirs.user_cache_dir",
         lambda _name: str(blocked),
     )
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
@@ -109,7 +110,7 @@ import sys
 from pathlib import Path
 from numba.core import event
 import numpy as np
-from rocksteady.kernels.core import compilation
+from rocksteady.kernels.machine_code import compilation
 compilation.platformdirs.user_cache_dir = lambda _: sys.argv[1]
 from rocksteady.kernels.core import clock
 first = compilation.must_compile("clock.segment_start")
@@ -191,7 +192,7 @@ def test_every_version_of_a_tool_has_machine_code_of_its_own(
     tool: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     folder = preferred(tmp_path, monkeypatch)
-    monkeypatch.setattr(f"rocksteady.kernels.core.compilation.{tool}.__version__", "99.1")
+    monkeypatch.setattr(f"rocksteady.kernels.machine_code.compilation.{tool}.__version__", "99.1")
     other = cache_folder()
     assert other != folder
     assert other.parent == folder.parent  # of the same sources
@@ -226,7 +227,7 @@ def preferred(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     home.mkdir(mode=0o700)
     (tmp_path / "tmp").mkdir()
     monkeypatch.setattr(
-        "rocksteady.kernels.core.compilation.platformdirs.user_cache_dir",
+        "rocksteady.kernels.machine_code.compilation.platformdirs.user_cache_dir",
         lambda name: str(home / ".cache" / name),
     )
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "tmp"))
@@ -353,7 +354,7 @@ import sys
 from numba.core import event
 from pathlib import Path
 sys.path.insert(0, sys.argv[1])
-from rocksteady.kernels.core import compilation
+from rocksteady.kernels.machine_code import compilation
 compilation.platformdirs.user_cache_dir = lambda _: sys.argv[2]
 import kernel_of_a_test
 with event.install_recorder("numba:compile") as recorder:
@@ -386,7 +387,7 @@ GARBLED: dict[str, Callable[[bytes], bytes]] = {
 )
 def test_garbled_machine_code_is_compiled_again(damage: str, ending: str, tmp_path: Path) -> None:
     (tmp_path / "kernel_of_a_test.py").write_text(
-        "from rocksteady.kernels.core.compilation import compiled\n"
+        "from rocksteady.kernels.machine_code.compilation import compiled\n"
         "@compiled\n"
         "def twice(number):\n"
         "    return 2.0 * number\n",

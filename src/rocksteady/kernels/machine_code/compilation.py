@@ -19,14 +19,14 @@ import numpy as np
 import platformdirs
 
 from rocksteady.errors import Status
-from rocksteady.kernels.core._caching import CheckedCache
-from rocksteady.kernels.core._folders import own_folder, prune
+from rocksteady.kernels.machine_code._caching import CheckedCache
+from rocksteady.kernels.machine_code._folders import own_folder, prune
 
 FunctionT = TypeVar("FunctionT", bound=Callable[..., object])
 
 config: Any = numba.core.config  # its settings are made at import: no type checker sees them
 
-PACKAGE = __name__.removesuffix("core.compilation")
+PACKAGE = __name__.removesuffix("machine_code.compilation")
 """The dotted name of the kernels' package, with its last dot."""
 
 

@@ -1,0 +1,1 @@
+"""How kernels become machine code: decorators, and where that code is kept."""
