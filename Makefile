@@ -22,7 +22,7 @@ MAKEFLAGS += --no-builtin-rules
 # session has exported must reach neither the installation nor the checks.
 unexport VIRTUAL_ENV CONDA_PREFIX PYTHONHOME PYTHONPATH PYTHONSTARTUP PYTHONWARNINGS PYTHONOPTIMIZE
 unexport PIP_TARGET PIP_PREFIX PIP_ROOT PIP_CONSTRAINT PIP_REQUIREMENT PIP_NO_DEPS PIP_DRY_RUN
-unexport MYPYPATH NUMBA_DISABLE_JIT
+unexport MYPYPATH NUMBA_DISABLE_JIT ROCKSTEADY_KERNELS
 export PIP_USER := 0
 export PIP_NO_INPUT := 1
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
@@ -75,7 +75,7 @@ tests: .venv ## pytest, kernels compiled (MARKS= runs the slow ones too)
 
 .PHONY: tests-nojit
 tests-nojit: .venv ## the kernels' tests once more as plain Python
-	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest tests/kernels -n $(WORKERS)
+	ROCKSTEADY_KERNELS=python $(BIN)/python -m pytest tests/kernels -n $(WORKERS)
 
 .PHONY: tests-floor
 tests-floor: $(FLOOR_STAMP) ## pytest with every dependency at its lower bound, the slow tests excepted

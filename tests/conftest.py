@@ -14,4 +14,4 @@ settings.register_profile(
     max_examples=20,
     suppress_health_check=[HealthCheck.too_slow],
 )
-settings.load_profile("plain" if os.environ.get("NUMBA_DISABLE_JIT") == "1" else "compiled")
+settings.load_profile("plain" if os.environ.get("ROCKSTEADY_KERNELS") == "python" else "compiled")

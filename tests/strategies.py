@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 SizeT = TypeVar("SizeT")
 
-PLAIN = os.environ.get("NUMBA_DISABLE_JIT") == "1"
+PLAIN = os.environ.get("ROCKSTEADY_KERNELS") == "python"
 """Whether the kernels run as plain Python, some hundred times slower."""
 
 

@@ -17,7 +17,7 @@ MOST = 14
 """Files of one folder, its `__init__` included."""
 LONGEST = 500
 """Lines of a module."""
-STARTED = {"rocksteady.__main__", "rocksteady.cli.app", "rocksteady.kernels.warm"}
+STARTED = {"rocksteady.__main__", "rocksteady.cli.app", "rocksteady.kernels.entries"}
 """Modules that are run by their names."""
 TWICE = {
     frozenset({"kernels/linear", "kernels/nonlinear"}),  # one thing in both models

@@ -10,6 +10,7 @@ The tree::
     │   └── RecordFileError a ground-motion file cannot be read
     ├── ModelError      arguments valid alone are refused together (also a ValueError)
     ├── OutputError     a file or a folder cannot be written
+    ├── MissingKernelsError nothing that runs compiled code is installed
     └── UnfinishedError a long computation was stopped; what is finished is kept, and can be resumed
 
 This module is the lowest layer: it imports nothing from the package, and nothing heavy.
@@ -167,6 +168,13 @@ class ModelError(RocksteadyError, ValueError):
     """
 
     _verdict = "is refused by the model"
+
+
+class MissingKernelsError(RocksteadyError):
+    """Nothing that runs compiled code is installed: neither a library for the platform nor numba.
+
+    The message reads ``compiled code IS MISSING: VALID; HINT``.
+    """
 
 
 class OutputError(RocksteadyError):

@@ -3,12 +3,11 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rocksteady.kernels.core.clock import clock
-from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import ZERO
 from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1, Integers2
 from rocksteady.kernels.orbits.periodic import (
     ORBIT_COLUMNS,
     OTHER_PEAK,
@@ -43,7 +42,7 @@ REAL_COLUMNS = 6
 
 
 @compiled
-def fill_clocks(phase: Floats, half_cycles: NDArray[np.int64], rest: Floats) -> None:
+def fill_clocks(phase: Floats1, half_cycles: Integers1, rest: Floats1) -> None:
     """Split phases into whole half cycles and rests in [0, pi), all of shape (cells,)."""
     for i in range(len(phase)):
         half_cycles[i], rest[i] = clock(phase[i])
@@ -51,17 +50,17 @@ def fill_clocks(phase: Floats, half_cycles: NDArray[np.int64], rest: Floats) -> 
 
 @compiled
 def settle_cells(
-    amplitude: Floats,
-    frequency_ratio: Floats,
-    sides: Floats,
-    side: NDArray[np.int64],
-    angle: Floats,
-    velocity: Floats,
-    half_cycles: NDArray[np.int64],
-    phase: Floats,
+    amplitude: Floats1,
+    frequency_ratio: Floats1,
+    sides: Floats3,
+    side: Integers1,
+    angle: Floats1,
+    velocity: Floats1,
+    half_cycles: Integers1,
+    phase: Floats1,
     cycles: int,
-    whole: NDArray[np.int64],
-    real: Floats,
+    whole: Integers2,
+    real: Floats2,
 ) -> None:
     """Follow motions until it is known what they settle to.
 

@@ -7,7 +7,6 @@ does not depend on how the cells are divided.
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.tables import (
@@ -18,15 +17,15 @@ from rocksteady.kernels.core.tables import (
     NONLINEAR_SEGMENT_COLUMNS,
     PHASE,
     ROW_COLUMNS,
-    Floats,
     March,
 )
 from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
 from rocksteady.kernels.march.march import march
 
 
 @compiled
-def harmonic_segment(segments: Floats, amplitude: float, frequency: float, phase: float) -> None:
+def harmonic_segment(segments: Floats2, amplitude: float, frequency: float, phase: float) -> None:
     """Fill row 0 with endless harmonic shaking; `amplitude` and `frequency` as for the model."""
     segments[0, :] = 0.0
     segments[0, DURATION] = math.inf
@@ -38,17 +37,17 @@ def harmonic_segment(segments: Floats, amplitude: float, frequency: float, phase
 
 @compiled
 def fates_of_sides(
-    amplitude: Floats,
-    frequency_ratio: Floats,
-    sides: Floats,
-    angle: Floats,
-    velocity: Floats,
-    phase: Floats,
+    amplitude: Floats1,
+    frequency_ratio: Floats1,
+    sides: Floats3,
+    angle: Floats1,
+    velocity: Floats1,
+    phase: Floats1,
     cycles: int,
     most: int,
-    status: NDArray[np.int64],
-    impacts: NDArray[np.int64],
-    final: Floats,
+    status: Integers1,
+    impacts: Integers1,
+    final: Floats2,
 ) -> None:
     """March blocks under harmonic shaking and note how each ends.
 

@@ -14,7 +14,6 @@ very often is not followed any longer where a bound shows that it stands
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rocksteady.kernels.batch._lossless_bound import largest_margin
 from rocksteady.kernels.batch._still_base import HALF_PI, NEAR, fate_on_still_base, over_the_top
@@ -39,6 +38,7 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.kernels.core.typed import FALSE, ZERO
 from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import recorded_peaks
 from rocksteady.kernels.nonlinear.drive import side_drive
@@ -56,17 +56,17 @@ LOST = 1.0
 
 @compiled
 def pulse_fates(
-    segments: Floats,
-    sides: Floats,
-    amplitude: Floats,
-    frequency_ratio: Floats,
+    segments: Floats2,
+    sides: Floats2,
+    amplitude: Floats1,
+    frequency_ratio: Floats1,
     rest_velocity: float,
     limit: int,
-    status: NDArray[np.int64],
-    impacts: NDArray[np.int64],
-    side: NDArray[np.int64],
-    during: NDArray[np.int64],
-    margin: Floats,
+    status: Integers1,
+    impacts: Integers1,
+    side: Integers1,
+    during: Integers1,
+    margin: Floats1,
 ) -> None:
     """March a block from rest through a pulse of many sizes and write its fates.
 

@@ -10,7 +10,6 @@ slenderness for good, and only the proof of its fall says which passage was the 
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rocksteady.kernels.core.tables import (
     LEAN,
@@ -20,24 +19,24 @@ from rocksteady.kernels.core.tables import (
     PEAK_SPEED,
     RATE,
     ROW_COLUMNS,
-    Floats,
     March,
 )
 from rocksteady.kernels.core.typed import ZERO
 from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import peaks_until_overturning
 
 
 @compiled
 def record_fates(
-    segments: Floats,
-    sides: Floats,
-    afterwards: Floats,
+    segments: Floats2,
+    sides: Floats3,
+    afterwards: Floats1,
     limit: int,
-    status: NDArray[np.int64],
-    impacts: NDArray[np.int64],
-    peaks: Floats,
+    status: Integers1,
+    impacts: Integers1,
+    peaks: Floats2,
 ) -> None:
     """March blocks from rest through one motion and note how each fares.
 

@@ -13,6 +13,7 @@ from rocksteady.kernels.core.forcing import HALF_PI, SINE, Forcing
 from rocksteady.kernels.core.tables import DURATION, FREQUENCY, PHASE, Floats
 from rocksteady.kernels.core.typed import ZERO
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
+from rocksteady.kernels.machine_code.types import Floats2
 
 PI_HIGH = math.pi
 PI_LOW = 1.2246467991473532e-16  # pi - PI_HIGH
@@ -54,7 +55,7 @@ def side_phase(half: int, phase: float, side: int, frequency: float) -> tuple[fl
 
 
 @compiled
-def segment_start(segments: Floats, index: int) -> tuple[int, float]:
+def segment_start(segments: Floats2, index: int) -> tuple[int, float]:
     """Return half cycles and phase (or time) at the start of a segment."""
     if segments[index, FREQUENCY] == 0.0:
         return 0, 0.0

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from rocksteady.errors import Status
 from rocksteady.kernels.core.typed import whole
 from rocksteady.kernels.machine_code.compilation import inlined
+from rocksteady.kernels.machine_code.types import Floats2
 
 Floats = NDArray[np.float64]
 
@@ -94,7 +95,7 @@ class March(NamedTuple):
 
 
 @inlined
-def is_nonlinear(sides: Floats) -> bool:
+def is_nonlinear(sides: Floats2) -> bool:
     """Return whether a side table asks for the nonlinear equation of motion."""
     return bool(sides.shape[1] > SIDE_COLUMNS)
 

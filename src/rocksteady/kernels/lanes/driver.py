@@ -49,6 +49,7 @@ from rocksteady.kernels.lanes._newton import approach, bounce, fly, land, shake
 from rocksteady.kernels.lanes._nodes import node_decision, node_state
 from rocksteady.kernels.lanes._periods import LEAPT, compare, leap
 from rocksteady.kernels.machine_code.compilation import compiled, fused
+from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.rest import STILL
 
@@ -73,18 +74,18 @@ def census(lanes: Floats) -> int:
 
 @compiled
 def lane_fates(
-    amplitude: Floats,
-    frequency_ratio: Floats,
-    restitution: Floats,
-    angle: Floats,
-    velocity: Floats,
-    phase: Floats,
+    amplitude: Floats1,
+    frequency_ratio: Floats1,
+    restitution: Floats1,
+    angle: Floats1,
+    velocity: Floats1,
+    phase: Floats1,
     cycles: int,
     leaping: bool,
     most: int,
-    status: Integers,
-    impacts: Integers,
-    final: Floats,
+    status: Integers1,
+    impacts: Integers1,
+    final: Floats2,
 ) -> None:
     """March symmetric blocks under harmonic shaking and note how each ends.
 

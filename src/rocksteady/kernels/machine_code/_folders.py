@@ -15,6 +15,8 @@ import warnings
 from contextlib import suppress
 from pathlib import Path
 
+import platformdirs
+
 MOST_LINKS = 40
 """Links in one path, as the system allows."""
 KEPT = 2
@@ -23,8 +25,15 @@ IN_USE = 24 * 3600.0
 """Seconds after the start of the last process that used a version in which it is kept too."""
 VERSION = re.compile(r"[0-9a-f]{16}")
 """Name of the folder of a version."""
-MACHINE_CODE = re.compile(r".+\.nb[ic](\.tmp\.[0-9a-f]+)?")
+MACHINE_CODE = re.compile(
+    r".+\.nb[ic](\.tmp\.[0-9a-f]+)?|rocksteady-.+\.(so|dylib|dll|wasm)(\.sha256)?(\.tmp)?"
+)
 """Name of a file of machine code, or of one that was left half written."""
+
+
+def version_folder(version: str) -> Path:
+    """Return the folder of all machine code of one version of the sources."""
+    return Path(platformdirs.user_cache_dir("rocksteady")) / "kernels" / version
 
 
 def own_folder(top: Path, *names: str) -> Path:
@@ -46,15 +55,15 @@ def own_folder(top: Path, *names: str) -> Path:
         for name in ("", *names):
             preferred /= name
             preferred.mkdir(mode=0o700, parents=True, exist_ok=True)
-        weakness = _weakness(preferred)
-        if weakness is None:
+        found = weakness(preferred)
+        if found is None:
             with tempfile.TemporaryFile(dir=preferred):
                 return preferred
     except OSError as error:
-        weakness = f"{preferred} cannot be written: {error.strerror or error}"
+        found = f"{preferred} cannot be written: {error.strerror or error}"
     warnings.warn(
         f"machine code is kept for this run only, and compiling it takes up to some minutes: "
-        f"{weakness}; mend that, or set XDG_CACHE_HOME to a folder of your own",
+        f"{found}; mend that, or set XDG_CACHE_HOME to a folder of your own",
         stacklevel=2,
     )
     return _fresh()
@@ -73,7 +82,7 @@ def _fresh() -> Path:
     return folder
 
 
-def _weakness(folder: Path) -> str | None:
+def weakness(folder: Path) -> str | None:
     """Return what lets another user change a folder's content, as a clause; None where nothing.
 
     Looks at each folder and link on the way to it: a user who may rename one of them could put

@@ -1,123 +1,238 @@
-"""The only decorators that compile kernels, and the folder that caches the machine code.
+"""The only decorators that compile kernels, and what runs one that Python calls.
 
-A kernel is compiled together with the functions that it calls, from whatever module, so that its
-machine code is that of all kernel sources: the cache folder is keyed on their content.
+A decorated function is a `Kernel`: the library that was compiled ahead of time runs it if it holds
+it, else numba compiles it when it is first called.  No other module names numba, and nothing
+imports it before it compiles.
 """
 
-import hashlib
-import sys
+import functools
+import importlib.util
+import os
 from collections.abc import Callable
 from contextlib import suppress
 from functools import cache
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any, TypeVar
 
-import llvmlite  # type: ignore[import-untyped]
-import numba
-import numba.core.config
-import numpy as np
-import platformdirs
-
-from rocksteady.errors import Status
-from rocksteady.kernels.machine_code._caching import CheckedCache
-from rocksteady.kernels.machine_code._folders import own_folder, prune
+from rocksteady.errors import InputError, MissingKernelsError, Words
+from rocksteady.kernels.machine_code._folders import own_folder, prune, version_folder
+from rocksteady.kernels.machine_code.library import library
+from rocksteady.kernels.machine_code.sources import sources_hash, unchanged
+from rocksteady.kernels.machine_code.types import parts, signature_leaves, signature_of
 
 FunctionT = TypeVar("FunctionT", bound=Callable[..., object])
 
-config: Any = numba.core.config  # its settings are made at import: no type checker sees them
-
+CHOICE = "ROCKSTEADY_KERNELS"
+"""Environment variable that says what runs kernels; unset, the first of these that is there."""
+LIBRARY, JIT, PYTHON = "library", "jit", "python"
 PACKAGE = __name__.removesuffix("machine_code.compilation")
 """The dotted name of the kernels' package, with its last dot."""
 
 
 @cache
+def runner() -> str:
+    """Return what runs kernels: ``"library"``, ``"jit"`` (numba) or ``"python"``.
+
+    Raises
+    ------
+    MissingKernelsError
+        If there is neither a library for this processor nor numba, or not what CHOICE asks for.
+    InputError
+        If CHOICE is none of them.
+    """
+    choice = os.environ.get(CHOICE, "")
+    if choice == PYTHON:
+        return PYTHON
+    if choice not in {"", LIBRARY, JIT}:
+        raise InputError(
+            name=CHOICE,
+            value=choice,
+            valid=f"it must be {LIBRARY}, {JIT} or {PYTHON}",
+            hint="unset it to use the library where there is one, and else numba",
+        )
+    if choice != JIT and library() is not None:
+        return LIBRARY
+    if choice != LIBRARY and importlib.util.find_spec("numba") is not None:
+        return JIT
+    raise MissingKernelsError(
+        name="compiled code",
+        value=Words(
+            {
+                LIBRARY: "is not in this installation",
+                JIT: "needs numba, which is not installed",
+            }.get(choice, "is not in this installation, nor is numba")
+        ),
+        valid="a wheel for this platform brings it, and numba compiles it",
+        hint="install such a wheel, or 'rocksteady[jit]'",
+    )
+
+
+@cache
 def cache_folder() -> Path:
-    """Return the folder of this version's machine code, one that only this user can write.
+    """Return the folder of what numba compiles, one that only this user can write.
 
     Two copies of the package have the same one if their kernels, Python, numba, llvmlite and NumPy
     are the same.
     """
-    _stamps()
-    top = Path(platformdirs.user_cache_dir("rocksteady"))
-    folder = own_folder(top, "kernels", _version(), _tools())
+    preferred = version_folder(sources_hash())
+    top = preferred.parents[1]
+    folder = own_folder(top, *preferred.relative_to(top).parts, _tools())
     if folder.is_relative_to(top):
-        prune(folder.parent)
+        prune(preferred)
     return folder
 
 
 def must_compile(kernel: str) -> bool:
-    """Return whether no machine code of a kernel is kept yet: its first call compiles.
+    """Return whether the first call of a kernel compiles it.
 
     `kernel` is its module and its name, as "march.march", which are in the name of its file.
     """
-    return not config.DISABLE_JIT and not any(cache_folder().glob(f"*.{kernel}-*.nbi"))
+    return runner() == JIT and not any(cache_folder().glob(f"*.{kernel}-*.nbi"))
 
 
 def compiled(function: FunctionT) -> FunctionT:
-    """Compile a module-level function; with ``NUMBA_DISABLE_JIT=1`` return it unchanged.
+    """Make a kernel of a module-level function.
 
     ``error_model="numpy"`` drops the check for division by zero: kernels never divide by a number
     that can be zero.  ``nogil`` lets threads run kernels side by side.  Fast-math stays off: the
-    sign of a computed number decides whether a block falls.
+    sign of a computed number decides whether a block falls, and every processor gives the same.
     """
-    return _compile(function)
-
-
-def fused(function: FunctionT) -> FunctionT:
-    """Compile a loop over lanes, in which a product and the sum that it enters are rounded once.
-
-    Machines that cannot do so give other last digits; each gives the same ones every time.
-    """
-    return _compile(function, fastmath={"contract"})
-
-
-def fused_inlined(function: FunctionT) -> FunctionT:
-    """Compile a small function into the loops over lanes that call it."""
-    return _compile(function, forceinline=True, fastmath={"contract"})
+    return _kernel(function)
 
 
 def inlined(function: FunctionT) -> FunctionT:
-    """Compile a small function into each of its callers: what one flight calls many times."""
-    return _compile(function, forceinline=True)
+    """Make a kernel that is compiled into each of its callers: what one flight calls many times."""
+    return _kernel(function, forceinline=True)
 
 
-def _compile(
-    function: FunctionT, *, forceinline: bool = False, fastmath: bool | set[str] = False
-) -> FunctionT:
-    jit: Any = numba.njit(
-        nogil=True,
-        error_model="numpy",
-        forceinline=forceinline,
-        fastmath=fastmath,
-    )
-    found: Any = jit(function)
-    if not config.DISABLE_JIT:
-        # As cache=True does with numba's own. A source that cannot be read, as one in an archive,
-        # is compiled in each process.
-        with suppress(OSError):
-            found._cache = CheckedCache(function, _name(function), cache_folder(), _unchanged)
-    compiled_function: FunctionT = found
-    return compiled_function
+def fused(function: FunctionT) -> FunctionT:
+    """Make a kernel."""
+    return _kernel(function)
 
 
-def _sources() -> list[Path]:
-    """Return the files of all kernels, in one order wherever they are."""
-    return sorted(Path(__file__).parents[1].rglob("*.py"))
+def fused_inlined(function: FunctionT) -> FunctionT:
+    """Make an inlined kernel."""
+    return _kernel(function, forceinline=True)
 
 
-def _version() -> str:
-    """Return a hash of what machine code is made of: the kernels, and the codes they end with."""
-    digest = hashlib.sha256(repr([(status.name, status.value) for status in Status]).encode())
-    for source in _sources():
-        digest.update(source.relative_to(Path(__file__).parents[1]).as_posix().encode())
-        digest.update(source.read_bytes())
-    return digest.hexdigest()[:16]
+class Kernel:
+    """A function that is compiled: the library's, or numba's from its first call on.
+
+    Parameters
+    ----------
+    function
+        What it computes, in Python.
+    forceinline
+        Whether it is compiled into its callers.
+
+    Attributes
+    ----------
+    py_func
+        The function.
+    """
+
+    def __init__(self, function: Callable[..., object], *, forceinline: bool = False) -> None:
+        functools.update_wrapper(self, function)
+        self.py_func = function
+        self._forceinline = forceinline
+        self._call: Callable[..., Any] = self._first_call
+
+    def __call__(self, *arguments: Any) -> Any:
+        """Return what the function returns."""
+        return self._call(*arguments)
+
+    def __reduce__(self) -> str:
+        return self.py_func.__qualname__
+
+    def _first_call(self, *arguments: Any) -> Any:
+        self._call = self._resolved()
+        return self._call(*arguments)
+
+    def _resolved(self) -> Callable[..., Any]:
+        """Return what runs the function."""
+        own = self.py_func.__module__.startswith(PACKAGE)
+        if runner() == LIBRARY and own:
+            loaded = library()
+            found = loaded.entry(self.py_func) if loaded else None
+            # What the library does not hold is called by other kernels: from Python by tests alone.
+            return found or self.py_func
+        dispatcher: Callable[..., Any] = self.dispatcher
+        return dispatcher
+
+    @functools.cached_property
+    def dispatcher(self) -> Any:
+        """Return numba's compiler of the function."""
+        import numba
+        import numba.core.config
+
+        settings: Any = numba.core.config  # made at import: no type checker sees them
+        found: Any = numba.njit(
+            nogil=True, error_model="numpy", forceinline=self._forceinline, **EXTRA_OPTIONS
+        )(self.py_func)
+        if not EXTRA_OPTIONS and not settings.DISABLE_JIT:
+            from rocksteady.kernels.machine_code._caching import CheckedCache
+
+            # As cache=True does with numba's own. A source that cannot be read, as one in an
+            # archive, is compiled in each process.
+            with suppress(OSError):
+                found._cache = CheckedCache(
+                    self.py_func, _name(self.py_func), cache_folder(), unchanged
+                )
+        return found
+
+    @property
+    def _numba_type_(self) -> Any:
+        """Return the type by which numba knows it in another kernel."""
+        import numba
+
+        return numba.typeof(self.dispatcher)
+
+    def compile(self) -> Any:
+        """Compile it by numba with the types that its annotations say, and return the code."""
+        hints = signature_of(self.py_func).arguments
+        types = tuple(numba_type(hint) for hint in hints)
+        self.dispatcher.compile(types)
+        return self.dispatcher.overloads[types]
+
+
+EXTRA_OPTIONS: dict[str, Any] = {}
+"""Options of numba that the build of a library adds; machine code is not kept on disk then."""
+
+
+def numba_type(hint: Any) -> Any:
+    """Return numba's type of what an annotation says."""
+    from numba.core import types
+
+    inner = parts(hint)
+    if inner is not None:
+        made = [numba_type(part) for _, part in inner]
+        return types.BaseTuple.from_types(made, hint if isinstance(hint, type) else None)
+    (leaf,) = signature_leaves("", hint)
+    scalars = {
+        float: types.float64,
+        int: types.int64,
+        bool: types.boolean,
+        complex: types.complex128,
+    }
+    scalar = scalars[leaf.kind]
+    return types.Array(scalar, leaf.dimensions, "C") if leaf.dimensions else scalar
+
+
+def _kernel(function: FunctionT, *, forceinline: bool = False) -> FunctionT:
+    if os.environ.get(CHOICE) == PYTHON:
+        return function
+    kernel: Any = Kernel(function, forceinline=forceinline)
+    made: FunctionT = kernel
+    return made
 
 
 def _tools() -> str:
     """Return what turns kernels into machine code, with its versions."""
-    parts = (sys.implementation.cache_tag, "numba", numba.__version__)
-    return "-".join((*parts, "llvmlite", llvmlite.__version__, "numpy", np.__version__))
+    import sys
+
+    tools = ("numba", "llvmlite", "numpy")
+    return "-".join((sys.implementation.cache_tag or "", *(f"{t}-{version(t)}" for t in tools)))
 
 
 def _name(function: Callable[..., object]) -> str:
@@ -125,21 +240,7 @@ def _name(function: Callable[..., object]) -> str:
     if function.__module__.startswith(PACKAGE):
         return function.__module__.removeprefix(PACKAGE)
     # Of another one, as in a test: its path tells it from those of the same name.
+    import hashlib
+
     path = hashlib.sha256(function.__code__.co_filename.encode()).hexdigest()
     return f"{function.__module__}-{path[:16]}"
-
-
-@cache
-def _stamps() -> dict[Path, tuple[int, int]]:
-    """Return time stamp and size of each source when the folder was chosen."""
-    return {source: _stamp(source) for source in _sources()}
-
-
-def _stamp(source: Path) -> tuple[int, int]:
-    found = source.stat()
-    return found.st_mtime_ns, found.st_size
-
-
-def _unchanged() -> bool:
-    """Return whether the kernel sources are unchanged since the cache folder was chosen."""
-    return all(_stamp(source) == stamp for source, stamp in _stamps().items())

@@ -58,6 +58,7 @@ from rocksteady.kernels.linear.extrema import keep_peaks
 from rocksteady.kernels.linear.flight import make_flight
 from rocksteady.kernels.linear.zeros import next_zero
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
+from rocksteady.kernels.machine_code.types import Floats1, Floats2
 from rocksteady.kernels.march._samples import fly_through, rest_through
 from rocksteady.kernels.march.rest import STILL, chatter_ends, next_uplift
 from rocksteady.kernels.nonlinear.drive import foot_forcing, jump_share, loss_of_contact, side_drive
@@ -95,15 +96,15 @@ def foot_of(
 
 @compiled
 def march(
-    segments: Floats,
-    sides: Floats,
+    segments: Floats2,
+    sides: Floats2,
     start: March,
     stop_half_cycles: int,
     stop_phase: float,
     rest_velocity: float,
     limit: int,
-    rows: Floats,
-    peaks: Floats,
+    rows: Floats2,
+    peaks: Floats1,
 ) -> tuple[int, March]:
     """March from `start` to the stop, to overturning, or to the limit.
 

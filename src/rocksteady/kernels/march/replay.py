@@ -30,6 +30,7 @@ from rocksteady.kernels.core.typed import ZERO
 from rocksteady.kernels.linear.extrema import flight_peaks, last_rise
 from rocksteady.kernels.linear.flight import Flight, flight_acceleration, flight_state, make_flight
 from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
 from rocksteady.kernels.march.march import side_forcing
 from rocksteady.kernels.nonlinear.drive import Drive, acceleration, side_drive
 from rocksteady.kernels.nonlinear.flight import phase_at
@@ -134,12 +135,12 @@ def fill_nonlinear(
 
 @compiled
 def fill_states(
-    segments: Floats,
-    sides: Floats,
-    rows: Floats,
-    index: NDArray[np.int64],
-    since: Floats,
-    states: Floats,
+    segments: Floats2,
+    sides: Floats2,
+    rows: Floats2,
+    index: Integers1,
+    since: Floats1,
+    states: Floats2,
 ) -> None:
     """Fill angle, velocity and acceleration, shape (3, times), in reference units.
 
@@ -165,7 +166,9 @@ def fill_states(
 
 
 @compiled
-def last_crossing(segments: Floats, sides: Floats, rows: Floats, level: float) -> tuple[int, float]:
+def last_crossing(
+    segments: Floats2, sides: Floats2, rows: Floats2, level: float
+) -> tuple[int, float]:
     """Return row and time since its start at which the last flight last rises through a level.
 
     The level is in units of the side's own slenderness.  A flight that starts above it and never
@@ -194,7 +197,7 @@ def last_crossing(segments: Floats, sides: Floats, rows: Floats, level: float) -
 
 @compiled
 def recorded_peaks(
-    segments: Floats, sides: Floats, rows: Floats, last_duration: float
+    segments: Floats2, sides: Floats2, rows: Floats2, last_duration: float
 ) -> tuple[float, float, float]:
     """Return the largest |theta|/alpha on either side, and the largest |velocity|.
 
@@ -236,7 +239,7 @@ def recorded_peaks(
 
 @compiled
 def peaks_until_overturning(
-    segments: Floats, sides: Floats, rows: Floats
+    segments: Floats2, sides: Floats2, rows: Floats2
 ) -> tuple[float, float, float]:
     """Return what `recorded_peaks` does, until a block that falls passes its alpha for good.
 

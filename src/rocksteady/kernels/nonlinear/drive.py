@@ -33,6 +33,7 @@ from rocksteady.kernels.core.tables import (
     Floats,
 )
 from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.types import Floats2
 
 WEIGHTLESS = 1e-14
 """Weight over M g that counts as none: a sample of -g in the units of a block is -g to rounding."""
@@ -102,6 +103,6 @@ def loss_of_contact(segments: Floats, index: int) -> float:
 
 
 @compiled
-def jump_share(sides: Floats, side: int, angle: float) -> float:
+def jump_share(sides: Floats2, side: int, angle: float) -> float:
     """Return the part of a horizontal impulse that turns the block: cos(alpha (1 - y))."""
     return math.cos(sides[0 if side > 0 else 1, ALPHA] * (1.0 - angle))

@@ -26,6 +26,7 @@ from numpy.typing import NDArray
 from rocksteady.kernels.linear.arcs import arc_flight, make_arc
 from rocksteady.kernels.linear.extrema import inner_extrema
 from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
 from rocksteady.kernels.orbits.return_map import (
     Jacobian,
     System,
@@ -68,11 +69,11 @@ def seen(turns: int, phase: float, side: int) -> float:
 def fill_chain(
     amplitude: float,
     frequency: float,
-    sides: Floats,
-    turns: Whole,
-    phases: Floats,
+    sides: Floats2,
+    turns: Integers1,
+    phases: Floats1,
     half_cycles: int,
-    table: Floats,
+    table: Floats2,
 ) -> None:
     """Fill the table of a chain.
 
@@ -123,7 +124,7 @@ def fill_chain(
 
 
 @compiled
-def fill_matrix(table: Floats, closing: float, matrix: Floats) -> None:
+def fill_matrix(table: Floats2, closing: float, matrix: Floats2) -> None:
     """Fill the derivative of F by the phases, shape (m, m), closed with a factor of 1 or -1."""
     m = len(table)
     matrix[:, :] = 0.0
@@ -134,7 +135,7 @@ def fill_matrix(table: Floats, closing: float, matrix: Floats) -> None:
 
 
 @compiled
-def turned_over(table: Floats) -> Jacobian:
+def turned_over(table: Floats2) -> Jacobian:
     """Return what a chain makes of a displacement of the phases of its last two impacts.
 
     Its eigenvalues are those of the return map over the chain; its entries are infinite where an
@@ -149,7 +150,9 @@ def turned_over(table: Floats) -> Jacobian:
 
 
 @compiled
-def fill_arcs(system: System, turns: Whole, phases: Floats, table: Floats, shape: Floats) -> None:
+def fill_arcs(
+    system: System, turns: Integers1, phases: Floats1, table: Floats2, shape: Floats2
+) -> None:
     """Fill the extrema of each arc: largest |theta|/alpha, least minimum and its pivot time.
 
     A minimum at the base is a graze, one below it makes the chain inadmissible; inf and nan where

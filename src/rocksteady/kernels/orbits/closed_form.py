@@ -36,6 +36,7 @@ from rocksteady.kernels.linear.flight import LARGEST_EXPONENT, Flight, flight_st
 from rocksteady.kernels.linear.landing import landing_jacobian
 from rocksteady.kernels.linear.zeros import next_zero
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
+from rocksteady.kernels.machine_code.types import Booleans2, Floats1, Floats2, Integers1, Integers2
 
 Floats = NDArray[np.float64]
 
@@ -263,8 +264,8 @@ def fill_half_cycle(
     frequency_ratio: float,
     order: int,
     orbit: Symmetric,
-    time: Floats,
-    states: Floats,
+    time: Floats1,
+    states: Floats2,
 ) -> None:
     """Fill angle and velocity (per pivot time), shape (2, times), at times of the half cycle."""
     forcing = make_forcing(-1.0, 0.0, amplitude, frequency_ratio)
@@ -278,19 +279,19 @@ def fill_half_cycle(
 
 @compiled
 def fill_steady(
-    amplitude: Floats,
-    frequency_ratio: Floats,
-    restitution: Floats,
-    order: NDArray[np.int64],
+    amplitude: Floats1,
+    frequency_ratio: Floats1,
+    restitution: Floats1,
+    order: Integers1,
     shapes: bool,
-    region: NDArray[np.int64],
-    boundaries: Floats,
-    phase: Floats,
-    velocity: Floats,
-    trace: Floats,
-    peak: Floats,
-    extrema: NDArray[np.int64],
-    admissible: NDArray[np.bool_],
+    region: Integers1,
+    boundaries: Floats2,
+    phase: Floats2,
+    velocity: Floats2,
+    trace: Floats2,
+    peak: Floats2,
+    extrema: Integers2,
+    admissible: Booleans2,
 ) -> None:
     """Fill both branches at every point; where there is no orbit the numbers are nan.
 
@@ -318,7 +319,7 @@ def fill_steady(
 
 @compiled
 def fill_curves(
-    frequency_ratio: Floats, restitution: Floats, order: NDArray[np.int64], curves: Floats
+    frequency_ratio: Floats1, restitution: Floats1, order: Integers1, curves: Floats2
 ) -> None:
     """Fill the five curves of the plane, shape (5, points), at each frequency ratio.
 

@@ -19,6 +19,7 @@ from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import ONE, ZERO
 from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers2
 from rocksteady.kernels.orbits.return_map import (
     FALL,
     GRAZE,
@@ -80,7 +81,7 @@ class Fixed(NamedTuple):
 
 
 @compiled
-def put(table: Floats, row: int, state: Section) -> None:
+def put(table: Floats2, row: int, state: Section) -> None:
     """Write a state into the table of an orbit."""
     table[row, SIDE] = state.side
     table[row, HALF_CYCLES] = state.half_cycles
@@ -89,7 +90,7 @@ def put(table: Floats, row: int, state: Section) -> None:
 
 
 @compiled
-def state_at(table: Floats, row: int) -> Section:
+def state_at(table: Floats2, row: int) -> Section:
     """Return a state from the table of an orbit."""
     return Section(
         int(table[row, SIDE]), int(table[row, HALF_CYCLES]), table[row, PHASE], table[row, SPEED]
@@ -126,7 +127,7 @@ def laid_out(system: System, state: Section, passages: int, table: Floats) -> bo
 
 
 @compiled
-def measured(system: System, passages: int, periods: int, table: Floats) -> Fixed:
+def measured(system: System, passages: int, periods: int, table: Floats2) -> Fixed:
     """Return by what the states of a table fail to be an orbit, and fill in its derivatives."""
     total = identity()
     residual = 0.0
@@ -205,7 +206,7 @@ def carried(table: Floats, row: int, phase: float, speed: float) -> tuple[float,
 
 
 @compiled
-def polish(system: System, state: Section, passages: int, periods: int, table: Floats) -> Fixed:
+def polish(system: System, state: Section, passages: int, periods: int, table: Floats2) -> Fixed:
     """Find the orbit of m passages and n periods near a state, and leave its states in a table.
 
     Parameters
@@ -287,7 +288,7 @@ def primitive(table: Floats, passages: int, periods: int) -> tuple[int, int]:
 
 
 @compiled
-def is_symmetric(system: System, table: Floats, passages: int, periods: int) -> bool:
+def is_symmetric(system: System, table: Floats2, passages: int, periods: int) -> bool:
     """Return whether half of an orbit turns it into its mirror image.
 
     Of a block whose sides differ the mirror image of a motion is none, and one that comes near its
@@ -308,7 +309,7 @@ def mirror(state: Section, half_cycles: int) -> Section:
 
 
 @compiled
-def fill_peaks(system: System, passages: int, table: Floats) -> None:
+def fill_peaks(system: System, passages: int, table: Floats2) -> None:
     """Fill the largest |theta|/alpha of each passage of an orbit."""
     for k in range(passages):
         state = state_at(table, k)
@@ -319,14 +320,14 @@ def fill_peaks(system: System, passages: int, table: Floats) -> None:
 @compiled
 def search(
     system: System,
-    phases: Floats,
-    speeds: Floats,
+    phases: Floats1,
+    speeds: Floats1,
     most_passages: int,
     most_periods: int,
     mirrors: bool,
-    table: Floats,
-    found: Floats,
-    shape: NDArray[np.int64],
+    table: Floats2,
+    found: Floats2,
+    shape: Integers2,
     count: int,
 ) -> int:
     """Search for orbits by Newton's method from a grid of states after an impact.

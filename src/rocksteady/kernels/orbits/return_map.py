@@ -24,7 +24,6 @@ from rocksteady.kernels.core.tables import (
     NO_RETURN,
     RATE,
     RESTITUTION,
-    Floats,
     is_nonlinear,
 )
 from rocksteady.kernels.core.typed import MINUS_ONE, ONE, TRUE
@@ -33,6 +32,7 @@ from rocksteady.kernels.linear.flight import Flight, make_flight
 from rocksteady.kernels.linear.landing import landing_jacobian
 from rocksteady.kernels.linear.zeros import next_zero
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
+from rocksteady.kernels.machine_code.types import Floats2
 from rocksteady.kernels.march.rest import chatter_ends, uplift_time
 from rocksteady.kernels.nonlinear.drive import Drive, foot_forcing
 from rocksteady.kernels.nonlinear.landing import fly_to_landing, landing_derivative
@@ -105,7 +105,7 @@ class Passage(NamedTuple):
 
 
 @compiled
-def make_system(amplitude: float, frequency: float, sides: Floats) -> System:
+def make_system(amplitude: float, frequency: float, sides: Floats2) -> System:
     """Return the system of shaking ``A sin(Omega s + phi)`` and a table of sides."""
     size_here, turn_here = amplitude / sides[0, LEAN], frequency / sides[0, RATE]
     size_there, turn_there = amplitude / sides[1, LEAN], frequency / sides[1, RATE]

@@ -14,6 +14,7 @@ from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import ZERO, whole
 from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.types import Floats2
 from rocksteady.kernels.orbits.periodic import (
     distance,
     loss,
@@ -109,8 +110,8 @@ def settle(
     angle: float,
     velocity: float,
     most_periods: int,
-    memory: Floats,
-    table: Floats,
+    memory: Floats2,
+    table: Floats2,
 ) -> Settled:
     """Follow a motion from any state until it is known what it settles to.
 

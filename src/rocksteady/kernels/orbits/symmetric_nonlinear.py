@@ -10,8 +10,9 @@ at which ``T = 1 + delta^2``: branch 1 has a smaller trace, branch 2 a larger on
 import math
 from typing import NamedTuple
 
-from rocksteady.kernels.core.tables import ALPHA, RESTITUTION, Floats
+from rocksteady.kernels.core.tables import ALPHA, RESTITUTION
 from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.types import Floats2
 from rocksteady.kernels.orbits.periodic import (
     CLOSED,
     EXACT,
@@ -92,7 +93,7 @@ def symmetric_near(system: System, state: Section, order: int) -> Half:
 def symmetric_from(
     amplitude: float,
     frequency_ratio: float,
-    sides: Floats,
+    sides: Floats2,
     order: int,
     branch: int,
     state: Section,

@@ -20,7 +20,7 @@ from numba.core.dispatcher import Dispatcher
 
 import rocksteady as rs
 import rocksteady.kernels
-from rocksteady.kernels.warm import warm
+from rocksteady.kernels.entries import warm
 from tests.public.calls import calls
 from tests.strategies import PLAIN
 

@@ -1,0 +1,136 @@
+"""Every kernel that Python calls: what the library holds, and what is compiled without it.
+
+A kernel's annotations say with which types it is called (`kernels.machine_code.types`); of one that
+other kernels call alone nothing is listed here.  ``python -m rocksteady.kernels.entries`` compiles
+them all by numba and keeps the machine code on disk: some minutes once, next to nothing later.
+"""
+
+import logging
+import time
+from typing import Any
+
+from rocksteady.kernels.batch.attractors import fill_clocks, settle_cells
+from rocksteady.kernels.batch.harmonic import fates_of_sides, harmonic_segment
+from rocksteady.kernels.batch.pulses import pulse_fates
+from rocksteady.kernels.batch.records import record_fates
+from rocksteady.kernels.core.clock import clock, segment_start
+from rocksteady.kernels.core.tables import is_nonlinear
+from rocksteady.kernels.lanes.driver import lane_fates
+from rocksteady.kernels.machine_code.compilation import Kernel, cache_folder
+from rocksteady.kernels.march.march import march
+from rocksteady.kernels.march.replay import (
+    fill_states,
+    last_crossing,
+    peaks_until_overturning,
+    recorded_peaks,
+)
+from rocksteady.kernels.nonlinear.drive import jump_share
+from rocksteady.kernels.orbits.chains import (
+    fill_arcs,
+    fill_chain,
+    fill_matrix,
+    side_of,
+    turned_over,
+)
+from rocksteady.kernels.orbits.closed_form import (
+    fill_curves,
+    fill_half_cycle,
+    fill_steady,
+    half_cycle_jacobian,
+    symmetric_orbit,
+    symmetry_breaking,
+)
+from rocksteady.kernels.orbits.periodic import (
+    fill_peaks,
+    is_symmetric,
+    loss,
+    measured,
+    mirror,
+    multipliers,
+    polish,
+    put,
+    search,
+    state_at,
+)
+from rocksteady.kernels.orbits.return_map import (
+    guess_after,
+    highest_after,
+    make_system,
+    next_passage,
+    phase_between,
+    uplift_after,
+)
+from rocksteady.kernels.orbits.settle import settle, stretched
+from rocksteady.kernels.orbits.symmetric_nonlinear import symmetric_from
+
+logger = logging.getLogger(__name__)
+
+_KERNELS: tuple[Any, ...] = (
+    # Batches.
+    fates_of_sides,
+    lane_fates,
+    settle_cells,
+    fill_clocks,
+    record_fates,
+    pulse_fates,
+    harmonic_segment,
+    # Time histories.
+    march,
+    fill_states,
+    last_crossing,
+    peaks_until_overturning,
+    recorded_peaks,
+    clock,
+    segment_start,
+    is_nonlinear,
+    jump_share,
+    # Steady states.
+    fill_steady,
+    fill_curves,
+    fill_half_cycle,
+    half_cycle_jacobian,
+    symmetric_orbit,
+    symmetric_from,
+    symmetry_breaking,
+    # The return map and its orbits.
+    make_system,
+    next_passage,
+    uplift_after,
+    guess_after,
+    highest_after,
+    phase_between,
+    settle,
+    stretched,
+    search,
+    polish,
+    measured,
+    multipliers,
+    loss,
+    fill_peaks,
+    is_symmetric,
+    mirror,
+    put,
+    state_at,
+    # Continuation.
+    fill_chain,
+    fill_matrix,
+    fill_arcs,
+    side_of,
+    turned_over,
+)
+ENTRIES: dict[str, Any] = {kernel.__name__: kernel for kernel in _KERNELS}
+"""By name; each a `Kernel`, or with compilation switched off the function itself."""
+
+
+def warm() -> None:
+    """Compile every entry by numba, or load it from disk."""
+    for kernel in ENTRIES.values():
+        if isinstance(kernel, Kernel):
+            kernel.compile()
+
+
+if __name__ == "__main__":
+    logging.basicConfig(level=logging.INFO, format="%(message)s")
+    began = time.perf_counter()
+    warm()
+    logger.info("kernels ready in %s (%.1f s)", cache_folder(), time.perf_counter() - began)

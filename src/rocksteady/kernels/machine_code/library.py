@@ -1,0 +1,267 @@
+"""The library of kernels compiled ahead of time: where it is, and how Python calls what is in it.
+
+Every entry of the library is a C function ``int32_t rs_<name>(int64_t *cells)``.  The caller puts
+the leaves of the arguments into cells of 8 bytes (of an array its address and its lengths) and
+finds those of the result in the cells after them; `Signature` says how many there are.
+"""
+
+import ctypes
+import hashlib
+import itertools
+import platform
+import sys
+from collections.abc import Callable, Iterator
+from functools import cache, cached_property
+from pathlib import Path
+from struct import Struct
+from typing import Any
+
+import numpy as np
+
+from rocksteady.kernels.machine_code._cpu import x86_64_level
+from rocksteady.kernels.machine_code._folders import prune, version_folder, weakness
+from rocksteady.kernels.machine_code.sources import sources_hash
+from rocksteady.kernels.machine_code.types import Leaf, Signature, parts, signature_of
+
+SUFFIXES = {"linux": ".so", "macos": ".dylib", "windows": ".dll"}
+"""Of a library's file, by system."""
+_FORMATS = {float: "d", int: "q", bool: "?7x", complex: "dd"}
+"""How `struct` packs a leaf into cells."""
+DTYPES = {float: np.dtype(np.float64), int: np.dtype(np.int64), bool: np.dtype(np.bool_)}
+_BYTE = ctypes.c_char
+
+
+class Library:
+    """A shared library of kernels, loaded.
+
+    Parameters
+    ----------
+    path
+        Of its file.
+    target
+        What it was compiled for, as ``"linux-x86-64-v3"``.
+
+    Raises
+    ------
+    OSError
+        If it cannot be loaded.
+    """
+
+    def __init__(self, path: Path, target: str) -> None:
+        self.path = path
+        self.target = target
+        self._loaded = ctypes.CDLL(str(path))
+
+    @property
+    def sources(self) -> str:
+        """Return the hash of the sources it was compiled from."""
+        found = (ctypes.c_char * len(sources_hash())).in_dll(self._loaded, "rs_sources")
+        return found.raw.decode("ascii", "replace")
+
+    def entry(self, function: Callable[..., object]) -> Callable[..., Any] | None:
+        """Return what calls a kernel in the library; None where the library does not hold it."""
+        try:
+            address = self._loaded[f"rs_{function.__name__}"]
+        except AttributeError:
+            return None
+        address.argtypes = [ctypes.c_void_p]
+        address.restype = ctypes.c_int32
+        return caller(function, address)
+
+
+@cache
+def library() -> Library | None:
+    """Return the library for this processor and these sources; None where there is none."""
+    for folder in (installed_folder(), built_folder()):
+        for target, path in _candidates(folder):
+            try:
+                found = Library(path, target)
+                if found.sources == sources_hash():
+                    if folder == built_folder():
+                        prune(folder.parent)
+                    return found
+            except (OSError, ValueError):  # damaged, or not a library of kernels
+                continue
+    return None
+
+
+def installed_folder() -> Path:
+    """Return the folder of the libraries that a wheel brings along."""
+    return Path(__file__).parent / "libraries"
+
+
+def built_folder() -> Path:
+    """Return the folder of libraries built on this machine from these sources."""
+    return version_folder(sources_hash()) / "library"
+
+
+def targets() -> tuple[str, ...]:
+    """Return what this processor can run, the fastest first; empty where nothing is built for it.
+
+    Examples
+    --------
+    >>> from rocksteady.kernels.machine_code.library import targets
+    >>> all("-" in target for target in targets())
+    True
+    """
+    system = {"linux": "linux", "darwin": "macos", "win32": "windows"}.get(sys.platform)
+    machine = platform.machine().lower()
+    if system in {"linux", "windows"} and machine in {"x86_64", "amd64"}:
+        return tuple(f"{system}-x86-64-v{level}" for level in range(x86_64_level(), 1, -1))
+    if system == "linux" and machine == "aarch64":
+        return ("linux-aarch64",)
+    if system == "macos" and machine == "arm64":
+        return ("macos-arm64",)
+    return ()
+
+
+def file_name(target: str) -> str:
+    """Return the name of the library's file for a target."""
+    return f"rocksteady-{target}{SUFFIXES[target.partition('-')[0]]}"
+
+
+def checksum_file(path: Path) -> Path:
+    """Return the file beside a library built on this machine that holds its checksum."""
+    return path.with_name(path.name + ".sha256")
+
+
+def _candidates(folder: Path) -> Iterator[tuple[str, Path]]:
+    """Yield targets and files of libraries that may be loaded, the fastest first."""
+    built = folder == built_folder()
+    for target in targets():
+        path = folder / file_name(target)
+        if not path.is_file():
+            continue
+        # Loading runs what stands there: a folder that others may write to is not trusted, and
+        # half a file would end the process.
+        if built and (weakness(folder) is not None or not _is_whole(path)):
+            continue
+        yield target, path
+
+
+def _is_whole(path: Path) -> bool:
+    """Return whether a library is what was written."""
+    try:
+        expected = checksum_file(path).read_text("ascii").strip()
+        return hashlib.sha256(path.read_bytes()).hexdigest() == expected
+    except (OSError, ValueError):
+        return False
+
+
+def caller(function: Callable[..., object], address: Callable[..., int]) -> Callable[..., Any]:
+    """Return a Python function that calls an entry of the library.
+
+    Its code is written for the signature: a loop over the leaves would take longer than most
+    kernels do.
+    """
+    name = function.__name__
+    script = _Script(signature_of(function))
+    space: dict[str, Any] = {**script.space, "entry": address, "name": name}
+    arguments = ", ".join(script.arguments)
+    body = "\n    ".join(script.lines)
+    exec(compile(f"def {name}({arguments}):\n    {body}\n", f"<call of {name}>", "exec"), space)
+    found: Callable[..., Any] = space[name]
+    found.__doc__ = function.__doc__
+    return found
+
+
+class _Script:
+    """Lines of Python that call an entry, and the names that they use."""
+
+    def __init__(self, signature: Signature) -> None:
+        taken, returned = signature.leaves, signature.returned
+        first = sum(leaf.cells for leaf in taken)
+        cells = first + sum(leaf.cells for leaf in returned)
+        self._names = (f"v{count}" for count in itertools.count())
+        self._leaves = iter(taken)
+        self.space: dict[str, Any] = {
+            "Room": ctypes.c_int64 * cells,
+            "pack": _cells_of(taken).pack_into,
+            "unpack": _cells_of(returned).unpack_from,
+            "address": _address,
+            "fail": _fail,
+        }
+        self.arguments = [next(self._names) for _ in signature.arguments]
+        self.lines: list[str] = []
+        values = [
+            cell
+            for value, hint in zip(self.arguments, signature.arguments, strict=True)
+            for cell in self._taken(value, hint)
+        ]
+        self.lines += [
+            "room = Room()",
+            f"pack(room, 0, {', '.join(values)})",
+            "status = entry(room)",
+            "if status: fail(name, status)",
+        ]
+        if signature.result is not None:
+            made = self._made(signature.result)
+            names = "".join(f"{value}, " for value in self._unpacked)
+            self.lines += [f"{names}= unpack(room, {8 * first})", f"return {made}"]
+
+    def _taken(self, value: str, hint: Any) -> list[str]:
+        """Return the expressions of an argument's cells, after lines that take tuples apart."""
+        inner = parts(hint)
+        if inner is not None:
+            names = [next(self._names) for _ in inner]
+            self.lines.append(f"{''.join(f'{name}, ' for name in names)}= {value}")
+            pairs = zip(names, inner, strict=True)
+            return [cell for name, (_, part) in pairs for cell in self._taken(name, part)]
+        leaf = next(self._leaves)
+        if not leaf.dimensions:
+            return [value]
+        where, dtype = next(self._names), f"{leaf.kind.__name__}s"
+        self.space[dtype] = DTYPES[leaf.kind]
+        self.lines.append(f"{where} = address({value}, {dtype}, {leaf.dimensions}, {leaf.name!r})")
+        return [where, f"*{value}.shape"]
+
+    @cached_property
+    def _unpacked(self) -> list[str]:
+        """Return the names of what the result's cells hold, in order."""
+        return []
+
+    def _made(self, hint: Any) -> str:
+        """Return the expression that builds a result of its cells."""
+        inner = parts(hint)
+        if inner is None:
+            self._unpacked.append(next(self._names))
+            if hint is not complex:
+                return self._unpacked[-1]
+            self._unpacked.append(next(self._names))
+            return f"complex({', '.join(self._unpacked[-2:])})"
+        made = "".join(f"{self._made(part)}, " for _, part in inner)
+        if not isinstance(hint, type):
+            return f"({made})"
+        self.space[hint.__name__] = hint
+        return f"{hint.__name__}({made})"
+
+
+def _cells_of(leaves: tuple[Leaf, ...]) -> Struct:
+    """Return how `struct` packs leaves into cells."""
+    formats = ("q" * leaf.cells if leaf.dimensions else _FORMATS[leaf.kind] for leaf in leaves)
+    return Struct("=" + "".join(formats))
+
+
+def _address(array: Any, dtype: np.dtype[Any], dimensions: int, name: str) -> int:
+    """Return the address of an array's first element."""
+    if not (
+        isinstance(array, np.ndarray)
+        and array.dtype == dtype
+        and array.ndim == dimensions
+        and array.flags.carray
+    ):
+        given = f"{type(array).__name__} {getattr(array, 'dtype', '')}".strip()
+        raise TypeError(
+            f"{name}: {given}; a kernel takes a writable, C-contiguous array of {dtype} with "
+            f"{dimensions} dimension{'s' * (dimensions > 1)}"
+        )
+    try:
+        start: Any = array
+        return ctypes.addressof(_BYTE.from_buffer(start))
+    except ValueError:  # empty
+        address: int = array.__array_interface__["data"][0]
+        return address
+
+
+def _fail(name: str, status: int) -> None:
+    raise MemoryError(f"kernel {name}: no memory (status {status})")

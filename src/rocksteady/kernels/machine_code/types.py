@@ -1,0 +1,126 @@
+"""Types of what Python passes to kernels: annotations that name the dimensions of an array.
+
+A kernel that Python calls states with them what the library, numba and the WebAssembly module
+expect: C-contiguous, writable arrays of one type and one number of dimensions.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cache
+from types import NoneType
+from typing import Annotated, Any, get_args, get_origin, get_type_hints
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats1 = Annotated[NDArray[np.float64], 1]
+Floats2 = Annotated[NDArray[np.float64], 2]
+Floats3 = Annotated[NDArray[np.float64], 3]
+Integers1 = Annotated[NDArray[np.int64], 1]
+Integers2 = Annotated[NDArray[np.int64], 2]
+Booleans2 = Annotated[NDArray[np.bool_], 2]
+
+SCALARS = (float, int, bool, complex)
+
+
+@dataclass(frozen=True)
+class Leaf:
+    """One value of a call that is not made of others.
+
+    Attributes
+    ----------
+    name
+        Where it is, as ``start.phase``.
+    kind
+        Its Python type; of an array that of its elements.
+    dimensions
+        Of an array; 0 otherwise.
+    """
+
+    name: str
+    kind: type
+    dimensions: int = 0
+
+    @property
+    def cells(self) -> int:
+        """Return how many cells of 8 bytes hold it: of an array its address and its lengths."""
+        if self.dimensions:
+            return 1 + self.dimensions
+        return 2 if self.kind is complex else 1
+
+
+@dataclass(frozen=True)
+class Signature:
+    """What a kernel takes and returns.
+
+    Attributes
+    ----------
+    names
+        Of its arguments.
+    arguments
+        Their annotations: a scalar, an array with its dimensions, or a tuple of annotations.
+    result
+        The annotation of what it returns; None where it returns nothing.
+    """
+
+    names: tuple[str, ...]
+    arguments: tuple[Any, ...]
+    result: Any
+
+    @property
+    def leaves(self) -> tuple[Leaf, ...]:
+        """Return the leaves of all arguments, in order."""
+        pairs = zip(self.names, self.arguments, strict=True)
+        return tuple(leaf for name, hint in pairs for leaf in signature_leaves(name, hint))
+
+    @property
+    def returned(self) -> tuple[Leaf, ...]:
+        """Return the leaves of the result, in order."""
+        return () if self.result is None else tuple(signature_leaves("", self.result))
+
+
+@cache
+def signature_of(function: Callable[..., object]) -> Signature:
+    """Return what the annotations of a function say.
+
+    Raises
+    ------
+    TypeError
+        If one of them is none of those that Python may pass to a kernel.
+    """
+    hints = get_type_hints(function, include_extras=True)
+    result = hints.pop("return")
+    found = Signature(tuple(hints), tuple(hints.values()), None if result is NoneType else result)
+    try:
+        _, returned = found.leaves, found.returned
+    except TypeError as error:
+        raise TypeError(f"{function.__qualname__}: {error}") from None
+    if any(leaf.dimensions for leaf in returned):
+        raise TypeError(f"{function.__qualname__} returns an array")
+    return found
+
+
+def parts(hint: Any) -> tuple[tuple[str, Any], ...] | None:
+    """Return names and annotations of what a tuple is made of; None of anything else."""
+    if isinstance(hint, type) and issubclass(hint, tuple):
+        return tuple(get_type_hints(hint, include_extras=True).items())
+    if get_origin(hint) is tuple:
+        return tuple((str(index), part) for index, part in enumerate(get_args(hint)))
+    return None
+
+
+def signature_leaves(name: str, hint: Any) -> Iterator[Leaf]:
+    """Yield the leaves of one argument or result."""
+    inner = parts(hint)
+    if inner is not None:
+        for part, annotation in inner:
+            yield from signature_leaves(f"{name}.{part}" if name else part, annotation)
+    elif hint in SCALARS:
+        yield Leaf(name, hint)
+    elif get_origin(hint) is Annotated:
+        array, dimensions = get_args(hint)
+        scalar = get_args(get_args(array)[1])[0]
+        kinds = {np.float64: float, np.int64: int, np.bool_: bool}
+        yield Leaf(name, kinds[scalar], dimensions)
+    else:
+        raise TypeError(f"{name or 'the result'} is a {hint}, which Python cannot pass")

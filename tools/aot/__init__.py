@@ -1,0 +1,1 @@
+"""Compile the kernels ahead of time: lower them once, then optimise, emit and link for each target."""

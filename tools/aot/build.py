@@ -1,0 +1,57 @@
+"""Build libraries of the kernels: lower once, then optimise, emit and link for each target."""
+
+import hashlib
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Sequence
+from pathlib import Path
+
+from rocksteady.kernels.machine_code.library import built_folder, checksum_file
+from tools.aot.emit import emit
+from tools.aot.link import link
+from tools.aot.targets import TARGETS
+
+BITCODE = "kernels.bc"
+
+
+def build(names: Sequence[str], folder: Path) -> list[Path]:
+    """Build the libraries of some targets into a folder; return their files.
+
+    Each stands there whole, with its checksum beside it, or not at all.
+    """
+    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    bitcode = _bitcode(folder)
+    made = []
+    for name in names:
+        target = TARGETS[name]
+        start = time.perf_counter()
+        with tempfile.TemporaryDirectory(dir=folder, prefix="linking-") as scratch:
+            objects, library = Path(scratch, "kernels.o"), Path(scratch, target.file)
+            objects.write_bytes(emit(bitcode, target))
+            linker = link(objects, library, target)
+            content = library.read_bytes()
+            made.append(folder / target.file)
+            _publish(checksum_file(made[-1]), hashlib.sha256(content).hexdigest().encode() + b"\n")
+            _publish(made[-1], content)
+        took = time.perf_counter() - start
+        print(f"  {target.file}: {len(content) / 1e3:.0f} kB, by {linker}, {took:.0f} s", flush=True)
+    return made
+
+
+def _bitcode(folder: Path) -> bytes:
+    """Return the lowered kernels; lower them in a process of its own if that is still to be done."""
+    kept = built_folder() / BITCODE
+    if not kept.is_file():
+        kept.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+        subprocess.run([sys.executable, "-m", "tools.aot", "lower", str(kept)], check=True)
+    return kept.read_bytes()
+
+
+def _publish(file: Path, content: bytes) -> None:
+    """Write a file that is whole as soon as it is there."""
+    scratch = file.with_name(f"{file.name}.{os.getpid()}.tmp")
+    scratch.write_bytes(content)
+    scratch.replace(file)

@@ -1,0 +1,68 @@
+"""Platforms that libraries are built for, and what compiles and links for each."""
+
+from dataclasses import dataclass
+
+from rocksteady.kernels.machine_code.library import file_name
+
+
+@dataclass(frozen=True)
+class Target:
+    """A platform.
+
+    Attributes
+    ----------
+    name
+        As ``"linux-x86-64-v3"``; the library's file is named after it.
+    triple, cpu, features
+        What LLVM compiles for.
+    linker
+        What zig calls the platform when it links, with the oldest C library that will do.
+    static
+        Whether code stays where it is linked, as in WebAssembly.
+    """
+
+    name: str
+    triple: str
+    cpu: str
+    features: str = ""
+    linker: str = ""
+    static: bool = False
+
+    @property
+    def file(self) -> str:
+        """Return the name of its library's file."""
+        return "rocksteady.wasm" if self.name == WASM else file_name(self.name)
+
+
+WASM = "wasm32"
+_LINUX = ("x86_64-unknown-linux-gnu", "x86_64-linux-gnu.2.17")
+_WINDOWS = ("x86_64-pc-windows-gnu", "x86_64-windows-gnu")
+# Every processor of these levels runs the fastest forms that they have; no step is fused on any.
+_LEVELS = {"v2": "", "v3": "", "v4": "-prefer-256-bit"}
+
+TARGETS = {
+    target.name: target
+    for target in (
+        *(
+            Target(f"linux-x86-64-{level}", _LINUX[0], f"x86-64-{level}", features, _LINUX[1])
+            for level, features in _LEVELS.items()
+        ),
+        Target(
+            "linux-aarch64", "aarch64-unknown-linux-gnu", "generic", "+neon", "aarch64-linux-gnu.2.17"
+        ),
+        Target("macos-arm64", "arm64-apple-macosx11.0", "apple-m1", "", "aarch64-macos.11.0"),
+        *(
+            Target(f"windows-x86-64-{level}", _WINDOWS[0], f"x86-64-{level}", "", _WINDOWS[1])
+            for level in ("v2", "v3")
+        ),
+        Target(
+            WASM,
+            "wasm32-unknown-unknown",
+            "generic",
+            "+simd128,+bulk-memory,+nontrapping-fptoint,+sign-ext,+mutable-globals",
+            "wasm32-wasi",
+            static=True,
+        ),
+    )
+}
+"""By name."""
