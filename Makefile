@@ -11,7 +11,7 @@ FLOOR := build/floor
 FLOOR_STAMP := $(FLOOR)/.installed
 EXTRAS := bench,cluster,dev,records
 PEERS := heyoka mujoco
-CHECKS := lint types layers tests tests-nojit
+CHECKS := lint types layers tests tests-python
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
@@ -39,7 +39,7 @@ help: ## list the commands
 		/^[.a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 .PHONY: demo
-demo: .venv ## do a whole paper again, and film a block that falls; pictures and a report in out/
+demo: .venv library ## do a whole paper again, and film a block that falls; pictures and a report in out/
 	@mkdir -p out
 	$(BIN)/rocksteady simulate --block tso-wong-1989 -A 2 -W 1.7 --start steady --cycles 40 --plot out/simulate.png --animate out/simulate.gif --force
 	$(BIN)/rocksteady paper --out out/tso-wong-1989 --force
@@ -50,7 +50,7 @@ test: .venv ## run every check, the tests marked slow excepted
 
 .PHONY: test-all
 test-all: .venv ## run every check, the tests marked slow and the lower bounds included
-	@$(call run-in-turn,$(CHECKS) tests-floor,$(MAKE) MARKS=)
+	@$(call run-in-turn,$(CHECKS) tests-jit tests-floor,$(MAKE) MARKS=)
 
 ##@ One check at a time
 
@@ -73,16 +73,26 @@ tests: .venv ## pytest, kernels compiled (MARKS= runs the slow ones too)
 	$(BIN)/python -m rocksteady.kernels.warm
 	$(BIN)/python -m pytest -n $(WORKERS) -m "$(MARKS)"
 
-.PHONY: tests-nojit
-tests-nojit: .venv ## the kernels' tests once more as plain Python
+.PHONY: tests-python
+tests-python: .venv ## the kernels' tests once more as plain Python
 	ROCKSTEADY_KERNELS=python $(BIN)/python -m pytest tests/kernels -n $(WORKERS)
+
+.PHONY: tests-jit
+tests-jit: .venv ## pytest, kernels compiled by numba
+	@# Once, so that the workers load the compiled kernels instead of each compiling its own.
+	ROCKSTEADY_KERNELS=jit $(BIN)/python -m rocksteady.kernels.entries
+	ROCKSTEADY_KERNELS=jit $(BIN)/python -m pytest -n $(WORKERS)
 
 .PHONY: tests-floor
 tests-floor: $(FLOOR_STAMP) ## pytest with every dependency at its lower bound, the slow tests excepted
 	$(FLOOR)/bin/python -m rocksteady.kernels.warm
-	$(FLOOR)/bin/python -m pytest -n $(WORKERS) -o cache_dir=$(FLOOR)/pytest
+	ROCKSTEADY_KERNELS=jit $(FLOOR)/bin/python -m pytest -n $(WORKERS) -o cache_dir=$(FLOOR)/pytest
 
 ##@ Upkeep
+
+.PHONY: library
+library: .venv ## compile the kernels into a library for this machine, unless that is done
+	@$(BIN)/python -m tools.aot host
 
 .PHONY: .venv
 .venv: $(STAMP) ## create the environment and install the package; again only where pins changed
@@ -103,7 +113,7 @@ bench: .venv ## time the package; writes docs/benchmarks.md
 	$(BIN)/python bench/report.py
 
 .PHONY: bench-peers
-bench-peers: .venv ## time other solvers beside the package; writes their part of docs/benchmarks.md
+bench-peers: .venv library ## time other solvers beside the package; writes their part of docs/benchmarks.md
 	@mkdir -p out docs
 	@# One by one: where a solver cannot be installed, its row says so.
 	@for peer in $(PEERS); do \

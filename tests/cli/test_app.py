@@ -15,7 +15,7 @@ from rocksteady import __version__
 from rocksteady.cli import app
 from rocksteady.cli.commands import attractor, basins, bifurcate, maps, orbits, simulate, steady
 from rocksteady.cli.console import terminal
-from rocksteady.kernels.core import compilation
+from rocksteady.kernels.machine_code import compilation
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
 

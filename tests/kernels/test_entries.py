@@ -1,4 +1,4 @@
-"""`warm` leaves nothing to compile: whatever the public namespace calls has its machine code."""
+"""The entries are what Python calls: nothing else is compiled on first use, or runs as Python."""
 
 import inspect
 import json
@@ -15,12 +15,12 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 import pytest
-from numba.core import event
-from numba.core.dispatcher import Dispatcher
 
 import rocksteady as rs
 import rocksteady.kernels
-from rocksteady.kernels.entries import warm
+from rocksteady.kernels.entries import ENTRIES, warm
+from rocksteady.kernels.machine_code.compilation import LIBRARY, Kernel, runner
+from rocksteady.kernels.machine_code.types import signature_of
 from tests.public.calls import calls
 from tests.strategies import PLAIN
 
@@ -30,22 +30,57 @@ MODELS = ("linear", "nonlinear")
 pytestmark = pytest.mark.skipif(PLAIN, reason="nothing is compiled")
 
 
-def test_public_calls_use_no_kernel_but_those_that_warming_up_has_called(tmp_path: Path) -> None:
+def test_each_entry_says_with_which_types_it_is_called() -> None:
+    for kernel in ENTRIES.values():
+        signature_of(kernel.py_func)
+
+
+def test_no_other_kernel_has_the_name_of_an_entry() -> None:
+    # The library knows its functions by name.
+    for kernel in all_kernels():
+        assert ENTRIES.get(kernel.__name__, kernel) is kernel
+
+
+@pytest.mark.skipif(not PLAIN and runner() != LIBRARY, reason="there is no library")
+def test_public_calls_run_no_kernel_as_python_where_there_is_a_library(tmp_path: Path) -> None:
+    found = in_a_process("print_kernels_that_run_as_python", tmp_path, ROCKSTEADY_KERNELS="library")
+    assert found == []
+
+
+def test_public_calls_import_no_numba_where_there_is_a_library(tmp_path: Path) -> None:
+    if runner() != LIBRARY:
+        pytest.skip("there is no library")
+    assert in_a_process("print_whether_numba_is_imported", tmp_path) == [False]
+
+
+@pytest.mark.slow
+def test_public_calls_compile_no_kernel_but_entries(tmp_path: Path) -> None:
     # In a process of its own: other tests call kernels with types that nothing else does.
-    assert in_a_process("print_new_signatures", tmp_path) == []
+    found = in_a_process("print_new_signatures", tmp_path, ROCKSTEADY_KERNELS="jit")
+    assert found == []
 
 
 @pytest.mark.slow
 def test_warming_up_compiles_each_function_once(tmp_path: Path) -> None:
     # A literal is a type of its own to numba; so are layouts, and arrays that are read-only.
     (tmp_path / "cache").mkdir(mode=0o700)
-    compiled = in_a_process("print_compilations", tmp_path, XDG_CACHE_HOME=str(tmp_path / "cache"))
+    compiled = in_a_process(
+        "print_compilations",
+        tmp_path,
+        XDG_CACHE_HOME=str(tmp_path / "cache"),
+        ROCKSTEADY_KERNELS="jit",
+    )
     names = [name for name, _ in compiled]
     assert "rocksteady.kernels.march.march.march" in names
     assert sorted({name for name in names if names.count(name) > 1}) == []
     assert [found for found in compiled if "iteral" in found[1] or "omitted" in found[1]] == []
     # The next process finds all of it on disk.
-    again = in_a_process("print_compilations", tmp_path, XDG_CACHE_HOME=str(tmp_path / "cache"))
+    again = in_a_process(
+        "print_compilations",
+        tmp_path,
+        XDG_CACHE_HOME=str(tmp_path / "cache"),
+        ROCKSTEADY_KERNELS="jit",
+    )
     assert again == []
 
 
@@ -66,6 +101,8 @@ def in_a_process(name: str, folder: Path, **environment: str) -> list[list[str]]
 
 def print_compilations() -> None:
     """Print which kernels `warm` compiles, each with its types."""
+    from numba.core import event
+
     with event.install_recorder("numba:compile") as recorder:
         warm()
     found = [item.data for _, item in recorder.buffer if item.is_start]
@@ -76,8 +113,6 @@ def print_compilations() -> None:
 def print_new_signatures() -> None:
     """Print the kernels, with their types, that public calls use and `warm` does not."""
     mpl.use("Agg")
-    for module in walk_packages(rocksteady.kernels.__path__, "rocksteady.kernels."):
-        import_module(module.name)
     warm()
     before = signatures()
     for call in all_calls():
@@ -91,14 +126,54 @@ def name_of(dispatcher: Any) -> str:
 
 
 def signatures() -> set[tuple[str, str]]:
-    """Return every kernel that Python has called in this process, with its types."""
+    """Return every kernel that numba has compiled in this process for Python, with its types."""
+    compiled = [kernel for kernel in all_kernels() if "dispatcher" in vars(kernel)]
+    return {
+        (name_of(kernel), str(types))
+        for kernel in compiled
+        for types in kernel.dispatcher.overloads
+    }
+
+
+def all_kernels() -> list[Kernel]:
+    """Return every kernel of the package."""
+    for module in walk_packages(rocksteady.kernels.__path__, "rocksteady.kernels."):
+        import_module(module.name)
     modules = [module for name, module in sys.modules.items() if name.startswith("rocksteady.")]
-    kernels = [
-        member
+    kernels = {
+        id(member): member
         for module in modules
-        for _, member in inspect.getmembers(module, lambda member: isinstance(member, Dispatcher))
-    ]
-    return {(name_of(kernel), str(types)) for kernel in kernels for types in kernel.overloads}
+        for _, member in inspect.getmembers(module, lambda member: isinstance(member, Kernel))
+    }
+    return list(kernels.values())
+
+
+def print_kernels_that_run_as_python() -> None:
+    """Print the kernels that public calls run as Python, called from outside the kernels."""
+    mpl.use("Agg")
+    found = set()
+    resolved = Kernel._resolved
+
+    def watched(kernel: Kernel) -> Callable[..., Any]:
+        run = resolved(kernel)
+        caller = sys._getframe(3).f_globals["__name__"]
+        if run is kernel.py_func and not caller.startswith("rocksteady.kernels."):
+            found.add(f"{name_of(kernel)} by {caller}")
+        return run
+
+    Kernel._resolved = watched  # type: ignore[method-assign]
+    for call in all_calls():
+        call()
+    json.dump(sorted(found), sys.stdout)
+
+
+def print_whether_numba_is_imported() -> None:
+    """Print it after a simulation and a map."""
+    block = rs.Block.rectangle(width=0.4, height=1.2)
+    rs.simulate(block, rs.Harmonic(amplitude=2.0, frequency_ratio=4.0), cycles=3)
+    for call in grids(block, "nonlinear"):
+        call()
+    json.dump(["numba" in sys.modules], sys.stdout)
 
 
 def all_calls() -> Iterator[Callable[[], object]]:

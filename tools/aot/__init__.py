@@ -1,1 +1,1 @@
-"""Compile the kernels ahead of time: lower them once, then optimise, emit and link for each target."""
+"""Compile the kernels ahead of time: lower them once, then build a library for each target."""

@@ -5,13 +5,14 @@ unless it is there; ``build`` builds those of any targets into a folder.
 """
 
 import argparse
+import os
 import sys
 import time
 from pathlib import Path
 
-from rocksteady.kernels.machine_code.library import built_folder, file_name, library, targets
-from tools.aot.build import build
-from tools.aot.link import NoCompilerError, compiler_for
+from rocksteady.kernels.machine_code.library import built_folder, library, targets
+from tools.aot.build import ChangedError, build
+from tools.aot.link import LinkError, compilers
 from tools.aot.targets import TARGETS
 
 
@@ -29,34 +30,38 @@ def main(arguments: list[str] | None = None) -> int:
     if given.command == "lower":
         return _lower(given.file)
     if given.command == "build":
-        build(given.targets, given.out)
+        try:
+            build(given.targets, given.out)
+        except (ChangedError, LinkError, OSError) as error:
+            print(f"python -m tools.aot: {error}", file=sys.stderr)
+            return 1
         return 0
     return _host()
 
 
 def _host() -> int:
-    """Build the library of this machine's processor where there is none yet."""
+    """Build the library of this machine's processor where there is none yet.
+
+    Where that cannot be done, numba compiles kernels when they are first called: no failure.
+    """
     found = library()
     if found is not None:
         print(f"library of kernels: {found.path}")
         return 0
     known = [name for name in targets() if name in TARGETS]
-    if not known:
-        print("no library of kernels is built for this platform: numba compiles them on first use")
-        return 0
-    try:
-        compiler_for(TARGETS[known[0]])
-    except NoCompilerError as error:
-        print(f"no library of kernels: {error}; numba compiles them on first use")
+    if not known or not compilers(TARGETS[known[0]]):
+        missing = "a C compiler (gcc, clang or the package ziglang)" if known else "this platform"
+        print(f"no library of kernels without {missing}: numba compiles on first use")
         return 0
     print(
-        "Compiling the kernels into a library, once for each version of their sources\n"
-        f"  (half a minute or more; into {built_folder()})",
+        "Compiling the kernels into a library, once for each version of their sources and so that\n"
+        f"nothing is compiled later: about a minute\n  into {built_folder()}",
         flush=True,
     )
-    build(known[:1], built_folder())
-    if not (built_folder() / file_name(known[0])).is_file():
-        return 1
+    try:
+        build(known[:1], built_folder())
+    except (ChangedError, LinkError, OSError) as error:
+        print(f"no library of kernels: {error}; numba compiles on first use", file=sys.stderr)
     return 0
 
 
@@ -73,7 +78,7 @@ def _lower(file: Path) -> int:
         if sys.stdout.isatty():
             print(f"\r  kernel {seen}", end="", flush=True)
 
-    scratch = file.with_name(f"{file.name}.tmp")
+    scratch = file.with_name(f"{file.name}.{os.getpid()}.tmp")
     write(lower(progress), scratch)
     scratch.replace(file)
     took = time.perf_counter() - began

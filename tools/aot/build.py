@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from rocksteady.kernels.machine_code.library import built_folder, checksum_file
+from rocksteady.kernels.machine_code.sources import unchanged
 from tools.aot.emit import emit
 from tools.aot.link import link
 from tools.aot.targets import TARGETS
@@ -17,13 +18,24 @@ from tools.aot.targets import TARGETS
 BITCODE = "kernels.bc"
 
 
+class ChangedError(Exception):
+    """The sources are no longer what they were when the build began."""
+
+
 def build(names: Sequence[str], folder: Path) -> list[Path]:
     """Build the libraries of some targets into a folder; return their files.
 
     Each stands there whole, with its checksum beside it, or not at all.
+
+    Raises
+    ------
+    ChangedError
+        If the sources change in the meantime.
+    LinkError
+        If no compiler in reach links one.
     """
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-    bitcode = _bitcode(folder)
+    bitcode = _bitcode()
     made = []
     for name in names:
         target = TARGETS[name]
@@ -33,16 +45,19 @@ def build(names: Sequence[str], folder: Path) -> list[Path]:
             objects.write_bytes(emit(bitcode, target))
             linker = link(objects, library, target)
             content = library.read_bytes()
+            if not unchanged():
+                raise ChangedError("the kernels were changed while they were compiled: build again")
             made.append(folder / target.file)
             _publish(checksum_file(made[-1]), hashlib.sha256(content).hexdigest().encode() + b"\n")
             _publish(made[-1], content)
         took = time.perf_counter() - start
-        print(f"  {target.file}: {len(content) / 1e3:.0f} kB, by {linker}, {took:.0f} s", flush=True)
+        size = f"{len(content) / 1e3:.0f} kB"
+        print(f"  {target.file}: {size}, linked by {linker}, {took:.0f} s", flush=True)
     return made
 
 
-def _bitcode(folder: Path) -> bytes:
-    """Return the lowered kernels; lower them in a process of its own if that is still to be done."""
+def _bitcode() -> bytes:
+    """Return the lowered kernels; lower them first, in another process, if that is to be done."""
     kept = built_folder() / BITCODE
     if not kept.is_file():
         kept.parent.mkdir(mode=0o700, parents=True, exist_ok=True)

@@ -14,7 +14,7 @@ from tools.aot.targets import WASM, Target
 RUNTIME = Path(__file__).with_name("runtime.c")
 
 
-class NoCompilerError(Exception):
+class LinkError(Exception):
     """No compiler is in reach that links for a target."""
 
 
@@ -37,35 +37,29 @@ def link(objects: Path, library: Path, target: Target) -> str:
 
     Raises
     ------
-    NoCompilerError
-        If there is neither a C compiler for this machine nor zig.
-    subprocess.CalledProcessError
-        If it fails; the exception holds what it said.
+    LinkError
+        If there is neither a C compiler for the target nor zig, or if none of them does it.
     """
-    compiler = compiler_for(target)
-    command = [
-        *compiler,
-        "-O2",
-        f'-DROCKSTEADY_SOURCES="{sources_hash()}"',
-        "-o",
-        str(library),
-        str(objects),
-        str(RUNTIME),
-        *_options(target),
-    ]
-    subprocess.run(command, check=True, capture_output=True, text=True)
-    return "zig" if "ziglang" in compiler else compiler[0]
+    files = [f'-DROCKSTEADY_SOURCES="{sources_hash()}"', str(objects), str(RUNTIME)]
+    said = ""
+    for name, compiler in compilers(target).items():
+        command = [*compiler, "-O2", "-o", str(library), *files, *_options(target)]
+        done = subprocess.run(command, check=False, capture_output=True, text=True)
+        if done.returncode == 0:
+            return name
+        said += f"; {name} says: {(done.stderr.strip().splitlines() or ['nothing'])[-1]}"
+    needed = "a C compiler that links for it: gcc, clang or the package ziglang"
+    raise LinkError(f"{target.name} needs {needed}{said}")
 
 
-def compiler_for(target: Target) -> list[str]:
-    """Return the command that compiles C for a target."""
+def compilers(target: Target) -> dict[str, list[str]]:
+    """Return what can compile and link C for a target, by name, the first choice first."""
+    found = {}
     if target.name in targets():
-        for name in ("gcc", "clang", "cc"):
-            if shutil.which(name):
-                return [name]
+        found = {name: [name] for name in ("gcc", "clang", "cc") if shutil.which(name)}
     if importlib.util.find_spec("ziglang") is not None:
-        return [sys.executable, "-m", "ziglang", "cc", "-target", target.linker]
-    raise NoCompilerError(f"{target.name} needs a C compiler: gcc, clang, or the package ziglang")
+        found["zig"] = [sys.executable, "-m", "ziglang", "cc", "-target", target.linker]
+    return found
 
 
 def _options(target: Target) -> list[str]:

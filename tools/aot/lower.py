@@ -14,7 +14,7 @@ from typing import Any
 from llvmlite import binding, ir
 from numba.core import cgutils, codegen, cpu, types
 from numba.core.registry import cpu_target
-from numba.core.runtime import rtsys
+from numba.core.runtime.nrt import rtsys
 from numba.np.arrayobj import make_array, populate_array
 
 from rocksteady.kernels.entries import ENTRIES
@@ -75,10 +75,12 @@ def _keep_raw_modules() -> list[binding.ModuleRef]:
         library._ensure_finalized()
         return [].append  # a key that numba looks up, new each time; it is never called
 
-    codegen.CPUCodeLibrary.add_llvm_module = add_llvm_module
-    codegen.CPUCodeLibrary.finalize = finalize
-    codegen.CPUCodeLibrary._get_module_for_linking = lambda self: self._final_module
-    cpu.CPUContext.get_executable = get_executable
+    code_library: Any = codegen.CPUCodeLibrary
+    code_library.add_llvm_module = add_llvm_module
+    code_library.finalize = finalize
+    code_library._get_module_for_linking = lambda self: self._final_module
+    context: Any = cpu.CPUContext
+    context.get_executable = get_executable
     return kept
 
 
@@ -124,13 +126,13 @@ class _Entry:
         if isinstance(kind, types.Array):
             return self._array(kind)
         if isinstance(kind, types.BaseTuple):
-            inner = [self._taken(part) for part in kind.types]
+            inner = [self._taken(part) for part in _types_of(kind)]
             return self._context.make_tuple(self._builder, kind, inner)
         if isinstance(kind, types.Boolean):
             return self._builder.icmp_signed("!=", self._load(BYTE), ir.Constant(BYTE, 0))
         return self._load(ir.DoubleType() if isinstance(kind, types.Float) else CELL)
 
-    def _array(self, kind: types.Array) -> Any:
+    def _array(self, kind: Any) -> Any:
         """Return a C-contiguous array, of its address and its lengths."""
         builder = self._builder
         array = make_array(kind)(self._context, builder)
@@ -155,7 +157,7 @@ class _Entry:
         """Write a result into its cells."""
         builder = self._builder
         if isinstance(kind, types.BaseTuple):
-            for index, part in enumerate(kind.types):
+            for index, part in enumerate(_types_of(kind)):
                 self._put(builder.extract_value(value, index), part)
         elif isinstance(kind, types.Complex):
             for index in range(2):
@@ -164,6 +166,12 @@ class _Entry:
             if isinstance(kind, types.Boolean):
                 value = builder.zext(value, CELL)
             builder.store(value, self._place(value.type))
+
+
+def _types_of(kind: Any) -> tuple[Any, ...]:
+    """Return the types of what a tuple holds."""
+    found: tuple[Any, ...] = kind.types
+    return found
 
 
 def externals(module: binding.ModuleRef) -> Iterator[str]:

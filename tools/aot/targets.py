@@ -36,6 +36,7 @@ class Target:
 
 WASM = "wasm32"
 _LINUX = ("x86_64-unknown-linux-gnu", "x86_64-linux-gnu.2.17")
+_ARM_LINUX = ("aarch64-unknown-linux-gnu", "aarch64-linux-gnu.2.17")
 _WINDOWS = ("x86_64-pc-windows-gnu", "x86_64-windows-gnu")
 # Every processor of these levels runs the fastest forms that they have; no step is fused on any.
 _LEVELS = {"v2": "", "v3": "", "v4": "-prefer-256-bit"}
@@ -47,9 +48,7 @@ TARGETS = {
             Target(f"linux-x86-64-{level}", _LINUX[0], f"x86-64-{level}", features, _LINUX[1])
             for level, features in _LEVELS.items()
         ),
-        Target(
-            "linux-aarch64", "aarch64-unknown-linux-gnu", "generic", "+neon", "aarch64-linux-gnu.2.17"
-        ),
+        Target("linux-aarch64", _ARM_LINUX[0], "generic", "+neon", _ARM_LINUX[1]),
         Target("macos-arm64", "arm64-apple-macosx11.0", "apple-m1", "", "aarch64-macos.11.0"),
         *(
             Target(f"windows-x86-64-{level}", _WINDOWS[0], f"x86-64-{level}", "", _WINDOWS[1])

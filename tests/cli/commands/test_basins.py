@@ -10,7 +10,7 @@ import pytest
 from rocksteady import DimensionlessBlock, Harmonic, basins, erosion
 from rocksteady.cli.flags.parsing import axis
 from rocksteady.dynamics.batch import fates
-from rocksteady.kernels.core import compilation
+from rocksteady.kernels.machine_code import compilation
 from tests.cli.program import refused, rocksteady
 
 WINDOW = "--angles=-1:1:30 --velocities=-0.6:0.6:30"

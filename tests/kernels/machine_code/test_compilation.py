@@ -8,6 +8,7 @@ import sys
 import tempfile
 from collections.abc import Callable, Iterator
 from enum import IntEnum
+from importlib import metadata
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -15,7 +16,7 @@ import numba
 import numba.core.config
 import pytest
 
-from rocksteady.kernels.machine_code import compilation
+from rocksteady.kernels.machine_code import compilation, sources
 from rocksteady.kernels.machine_code.compilation import cache_folder, compiled
 from rocksteady.kernels.march.march import march
 from tests.strategies import PLAIN
@@ -25,19 +26,24 @@ SOURCES = Path(compilation.__file__).parents[1]
 
 @pytest.fixture(autouse=True)
 def _forget_the_folder() -> Iterator[None]:
-    cache_folder.cache_clear()
+    _forget()
     yield
-    cache_folder.cache_clear()
+    _forget()
+
+
+def _forget() -> None:
+    for known in (cache_folder, sources.sources_hash, sources._stamps):
+        known.cache_clear()
 
 
 def key_of(folder: Path, monkeypatch: pytest.MonkeyPatch, cache: Path) -> str:
     """Return the version that sources in `folder` would have."""
-    monkeypatch.setattr(compilation, "__file__", str(folder / "machine_code" / "compilation.py"))
+    monkeypatch.setattr(sources, "_root", lambda: folder)
     monkeypatch.setattr(
-        "rocksteady.kernels.machine_code.compilation.platformdirs.user_cache_dir",
+        "rocksteady.kernels.machine_code._folders.platformdirs.user_cache_dir",
         lambda _name: str(cache),
     )
-    cache_folder.cache_clear()
+    _forget()
     return cache_folder().parent.name
 
 
@@ -69,7 +75,7 @@ def test_where_home_is_read_only_the_code_is_kept_in_the_temporary_folder(
     blocked = tmp_path / "home"
     blocked.write_text("a file, in which no folder can be made")
     monkeypatch.setattr(
-        "rocksteady.kernels.machine_code.compilation.platformdirs.user_cache_dir",
+        "rocksteady.kernels.machine_code._folders.platformdirs.user_cache_dir",
         lambda _name: str(blocked),
     )
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
@@ -92,7 +98,7 @@ def test_compiling_leaves_numba_s_own_setting_alone() -> None:
 
 @pytest.mark.skipif(PLAIN, reason="nothing is compiled")
 def test_a_kernel_is_compiled_without_fast_math_and_without_the_lock() -> None:
-    options = march.targetoptions  # type: ignore[attr-defined]
+    options = march.dispatcher.targetoptions  # type: ignore[attr-defined]
     assert options["nogil"] is True
     assert options["error_model"] == "numpy"
     assert not options.get("fastmath")
@@ -110,8 +116,8 @@ import sys
 from pathlib import Path
 from numba.core import event
 import numpy as np
-from rocksteady.kernels.machine_code import compilation
-compilation.platformdirs.user_cache_dir = lambda _: sys.argv[1]
+from rocksteady.kernels.machine_code import _folders, compilation
+_folders.platformdirs.user_cache_dir = lambda _: sys.argv[1]
 from rocksteady.kernels.core import clock
 first = compilation.must_compile("clock.segment_start")
 for edited in sys.argv[2:]:
@@ -148,7 +154,7 @@ def ran(package: Path, cache: Path, *edited: str) -> tuple[bool, int, bool]:
     """
     done = subprocess.run(
         [sys.executable, "-c", SHARED, str(cache), *edited],
-        env={**os.environ, "PYTHONPATH": str(package)},
+        env={**os.environ, "PYTHONPATH": str(package), "ROCKSTEADY_KERNELS": "jit"},
         capture_output=True,
         text=True,
         check=False,
@@ -187,12 +193,14 @@ def test_what_is_compiled_after_an_edit_is_not_kept(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(PLAIN, reason="nothing is compiled")
-@pytest.mark.parametrize("tool", ["numba", "llvmlite", "np"])
+@pytest.mark.parametrize("tool", ["numba", "llvmlite", "numpy"])
 def test_every_version_of_a_tool_has_machine_code_of_its_own(
     tool: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     folder = preferred(tmp_path, monkeypatch)
-    monkeypatch.setattr(f"rocksteady.kernels.machine_code.compilation.{tool}.__version__", "99.1")
+    monkeypatch.setattr(
+        compilation, "version", lambda name: "99.1" if name == tool else metadata.version(name)
+    )
     other = cache_folder()
     assert other != folder
     assert other.parent == folder.parent  # of the same sources
@@ -202,7 +210,8 @@ def test_the_cache_folder_changes_with_the_status_codes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     folder = preferred(tmp_path, monkeypatch)
-    monkeypatch.setattr(compilation, "Status", IntEnum("Status", ["ROCKING", "AT_REST"]))
+    monkeypatch.setattr(sources, "Status", IntEnum("Status", ["ROCKING", "AT_REST"]))
+    _forget()
     assert cache_folder().parent != folder.parent
 
 
@@ -227,7 +236,7 @@ def preferred(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     home.mkdir(mode=0o700)
     (tmp_path / "tmp").mkdir()
     monkeypatch.setattr(
-        "rocksteady.kernels.machine_code.compilation.platformdirs.user_cache_dir",
+        "rocksteady.kernels.machine_code._folders.platformdirs.user_cache_dir",
         lambda name: str(home / ".cache" / name),
     )
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "tmp"))
@@ -354,8 +363,8 @@ import sys
 from numba.core import event
 from pathlib import Path
 sys.path.insert(0, sys.argv[1])
-from rocksteady.kernels.machine_code import compilation
-compilation.platformdirs.user_cache_dir = lambda _: sys.argv[2]
+from rocksteady.kernels.machine_code import _folders
+_folders.platformdirs.user_cache_dir = lambda _: sys.argv[2]
 import kernel_of_a_test
 with event.install_recorder("numba:compile") as recorder:
     assert kernel_of_a_test.twice(2.0) == 4.0
@@ -419,6 +428,6 @@ def test_a_folder_in_the_place_of_machine_code_ends_no_run(
     def thrice(number: float) -> float:
         return 3.0 * number
 
-    cache = thrice._cache  # type: ignore[attr-defined]
+    cache = thrice.dispatcher._cache  # type: ignore[attr-defined]
     Path(cache._cache_file._index_path).mkdir(parents=True)
     assert thrice(2.0) == 6.0

@@ -189,11 +189,22 @@ class Kernel:
         return numba.typeof(self.dispatcher)
 
     def compile(self) -> Any:
-        """Compile it by numba with the types that its annotations say, and return the code."""
-        hints = signature_of(self.py_func).arguments
-        types = tuple(numba_type(hint) for hint in hints)
+        """Compile it by numba with the types that its annotations say, and return the code.
+
+        Raises
+        ------
+        TypeError
+            If it returns something else than they say.
+        """
+        signature = signature_of(self.py_func)
+        types = tuple(numba_type(hint) for hint in signature.arguments)
         self.dispatcher.compile(types)
-        return self.dispatcher.overloads[types]
+        code = self.dispatcher.overloads[types]
+        expected = numba_type(signature.result)
+        if code.signature.return_type != expected:
+            found = code.signature.return_type
+            raise TypeError(f"{self.__name__} returns {found}, its annotation says {expected}")
+        return code
 
 
 EXTRA_OPTIONS: dict[str, Any] = {}
@@ -201,9 +212,11 @@ EXTRA_OPTIONS: dict[str, Any] = {}
 
 
 def numba_type(hint: Any) -> Any:
-    """Return numba's type of what an annotation says."""
+    """Return numba's type of what an annotation says; None is that of no result."""
     from numba.core import types
 
+    if hint is None:
+        return types.none
     inner = parts(hint)
     if inner is not None:
         made = [numba_type(part) for _, part in inner]

@@ -28,7 +28,6 @@ SUFFIXES = {"linux": ".so", "macos": ".dylib", "windows": ".dll"}
 _FORMATS = {float: "d", int: "q", bool: "?7x", complex: "dd"}
 """How `struct` packs a leaf into cells."""
 DTYPES = {float: np.dtype(np.float64), int: np.dtype(np.int64), bool: np.dtype(np.bool_)}
-_BYTE = ctypes.c_char
 
 
 class Library:
@@ -178,7 +177,10 @@ class _Script:
             "Room": ctypes.c_int64 * cells,
             "pack": _cells_of(taken).pack_into,
             "unpack": _cells_of(returned).unpack_from,
-            "address": _address,
+            "ndarray": np.ndarray,
+            "addressof": ctypes.addressof,
+            "first_byte": ctypes.c_char.from_buffer,
+            "refuse": _refuse,
             "fail": _fail,
         }
         self.arguments = [next(self._names) for _ in signature.arguments]
@@ -212,7 +214,15 @@ class _Script:
             return [value]
         where, dtype = next(self._names), f"{leaf.kind.__name__}s"
         self.space[dtype] = DTYPES[leaf.kind]
-        self.lines.append(f"{where} = address({value}, {dtype}, {leaf.dimensions}, {leaf.name!r})")
+        sound = (
+            f"{value}.__class__ is ndarray and {value}.dtype == {dtype} and {value}.flags.carray"
+        )
+        self.lines += [
+            f"if not ({sound} and {value}.ndim == {leaf.dimensions}):",
+            f"    refuse({value}, {dtype}, {leaf.dimensions}, {leaf.name!r})",
+            f"try: {where} = addressof(first_byte({value}))",
+            f"except ValueError: {where} = {value}.ctypes.data  # empty",
+        ]
         return [where, f"*{value}.shape"]
 
     @cached_property
@@ -242,25 +252,13 @@ def _cells_of(leaves: tuple[Leaf, ...]) -> Struct:
     return Struct("=" + "".join(formats))
 
 
-def _address(array: Any, dtype: np.dtype[Any], dimensions: int, name: str) -> int:
-    """Return the address of an array's first element."""
-    if not (
-        isinstance(array, np.ndarray)
-        and array.dtype == dtype
-        and array.ndim == dimensions
-        and array.flags.carray
-    ):
-        given = f"{type(array).__name__} {getattr(array, 'dtype', '')}".strip()
-        raise TypeError(
-            f"{name}: {given}; a kernel takes a writable, C-contiguous array of {dtype} with "
-            f"{dimensions} dimension{'s' * (dimensions > 1)}"
-        )
-    try:
-        start: Any = array
-        return ctypes.addressof(_BYTE.from_buffer(start))
-    except ValueError:  # empty
-        address: int = array.__array_interface__["data"][0]
-        return address
+def _refuse(given: object, dtype: np.dtype[Any], dimensions: int, name: str) -> None:
+    """Raise the error of an argument that is not the array that a kernel takes."""
+    kind = f"{type(given).__name__} of {given.dtype}" if isinstance(given, np.ndarray) else given
+    raise TypeError(
+        f"{name} is {kind}: it must be a writable, C-contiguous array of {dtype} with "
+        f"{dimensions} dimension{'s' * (dimensions > 1)}"
+    )
 
 
 def _fail(name: str, status: int) -> None:
