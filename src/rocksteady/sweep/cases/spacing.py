@@ -1,0 +1,23 @@
+"""Numbers in equal ratios: the one place where a logarithmic axis is made."""
+
+from rocksteady.kernels.elementary.arrays import exp, log
+
+
+def in_equal_ratios(start: float, stop: float, count: int) -> list[float]:
+    """Return numbers from `start` to `stop`, each the same multiple of the one before.
+
+    Parameters
+    ----------
+    start, stop
+        The ends, above 0; they are in the list as they are given.
+    count
+        How many, both ends included; at least 2.
+
+    Examples
+    --------
+    >>> in_equal_ratios(1.0, 8.0, 4)
+    [1.0, 2.0, 4.0, 8.0]
+    """
+    last = count - 1
+    ratio = log(stop / start)
+    return [start, *(start * exp(ratio * i / last) for i in range(1, last)), stop]
