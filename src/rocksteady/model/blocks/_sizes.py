@@ -1,9 +1,9 @@
 """Sizes as they are given: which of them, in which unit, and the radius that p implies."""
 
-import math
 import warnings
 
 from rocksteady.errors import ModelError, Words
+from rocksteady.kernels.elementary.arrays import cos, sin, tan
 from rocksteady.model.blocks.sides import length_value, p_value
 
 TALLEST = 200.0
@@ -63,8 +63,9 @@ def radius_of_p(p: float, alpha: float, other_alpha: float, gravity: float) -> f
         g [m/s^2].
     """
     rate = p_value(p)
-    base = math.sin(alpha) + math.cos(alpha) * math.tan(other_alpha)
-    shape = (base * base + 4.0 * math.cos(alpha) ** 2) / 12.0
+    height = cos(alpha)
+    base = sin(alpha) + height * tan(other_alpha)
+    shape = (base * base + 4.0 * height * height) / 12.0
     return gravity / (rate * rate * (1.0 + shape))
 
 

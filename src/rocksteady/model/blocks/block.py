@@ -12,6 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from rocksteady.errors import InputError
+from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin, tan
 from rocksteady.model.blocks._sizes import (
     check_inertia,
     check_one_size,
@@ -124,7 +125,7 @@ class Block:
         b = length_value("width", width, hint="give the full width in metres")
         h = length_value("height", height, hint="give the full height in metres")
         question_millimetres(width=b, height=h)
-        alpha = math.atan2(b, h)
+        alpha = atan2(b, h)
         if restitution == "housner" and housner_ratio(alpha) <= 0.0:
             # Not left to the check of alpha, which the caller has not given.
             raise InputError(
@@ -135,7 +136,7 @@ class Block:
                 hint="give a measured restitution in (0, 1], or a more slender block",
             )
         return cls.from_radius(
-            alpha=alpha, radius=0.5 * math.hypot(b, h), restitution=restitution, gravity=gravity
+            alpha=alpha, radius=0.5 * hypot(b, h), restitution=restitution, gravity=gravity
         )
 
     @classmethod
@@ -332,8 +333,8 @@ class Block:
         else:
             assert p is not None
             length = radius_of_p(p, first, second, g)
-        centre = length * math.cos(first)
-        left, right = length * math.sin(first), centre * math.tan(second)
+        centre = length * cos(first)
+        left, right = length * sin(first), centre * tan(second)
         return cls._asymmetric(left, right, 2.0 * centre, gyration, restitution, g)
 
     @classmethod
@@ -353,15 +354,15 @@ class Block:
         if b1 == b2 and k is None:
             return cls._alike(cls.rectangle, restitution, g, width=2.0 * b1, height=h)
         if b1 == b2 and k is not None:
-            radius = math.hypot(b1, 0.5 * h)
-            sizes = {"radius": radius, "alpha": math.atan2(b1, 0.5 * h)}
+            radius = hypot(b1, 0.5 * h)
+            sizes = {"radius": radius, "alpha": atan2(b1, 0.5 * h)}
             inertia = k * k + radius * radius
             return cls._alike(cls.general, restitution, g, mass=1.0, inertia=inertia, **sizes)
         one, other = sides_of_body(
             left=b1,
             right=b2,
             centre_height=0.5 * h,
-            gyration=math.sqrt(((b1 + b2) ** 2 + h * h) / 12.0) if k is None else k,
+            gyration=math.sqrt(((b1 + b2) * (b1 + b2) + h * h) / 12.0) if k is None else k,
             restitution=restitution,
             gravity=g,
         )
@@ -417,14 +418,12 @@ class Block:
     @property
     def width(self) -> float:
         """Distance between the pivots [m]; that of a rectangle is its full width."""
-        return self.positive.radius * math.sin(
-            self.positive.alpha
-        ) + self.negative.radius * math.sin(self.negative.alpha)
+        return self.positive.distance + self.negative.distance
 
     @property
     def height(self) -> float:
         """Twice the height of the mass centre [m]; that of a rectangle is its full height."""
-        return 2.0 * self.positive.radius * math.cos(self.positive.alpha)
+        return 2.0 * self.positive.centre_height
 
     @property
     def symmetric(self) -> bool:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from rocksteady.errors import InputError, ModelError
+from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
 
@@ -78,12 +79,12 @@ class Side:
     @property
     def distance(self) -> float:
         """Horizontal distance from the pivot to the mass centre [m]."""
-        return self.radius * math.sin(self.alpha)
+        return self.radius * sin(self.alpha)
 
     @property
     def centre_height(self) -> float:
         """Height of the mass centre [m]."""
-        return self.radius * math.cos(self.alpha)
+        return self.radius * cos(self.alpha)
 
 
 def check_one_body(one: Side, other: Side, gravity: float) -> None:
@@ -105,8 +106,10 @@ def check_one_body(one: Side, other: Side, gravity: float) -> None:
             hint="use Block.from_alphas with one radius, or Block.asymmetric",
         )
     # I_c/M = g R/p^2 - R^2 about the mass centre is that of one body seen from either pivot.
-    about = [gravity * side.radius / side.p**2 for side in (one, other)]
-    centre = [whole - side.radius**2 for whole, side in zip(about, (one, other), strict=True)]
+    about = [gravity * side.radius / (side.p * side.p) for side in (one, other)]
+    centre = [
+        whole - side.radius * side.radius for whole, side in zip(about, (one, other), strict=True)
+    ]
     if abs(centre[0] - centre[1]) > SAME_BODY * max(about):
         raise ModelError(
             name="g radius / p^2 - radius^2",
@@ -139,8 +142,8 @@ def sides_of_body(
     restitution, gravity
         As for `rocksteady.Block.asymmetric`.
     """
-    alphas = math.atan2(left, centre_height), math.atan2(right, centre_height)
-    radii = math.hypot(left, centre_height), math.hypot(right, centre_height)
+    alphas = atan2(left, centre_height), atan2(right, centre_height)
+    radii = hypot(left, centre_height), hypot(right, centre_height)
     rates = [math.sqrt(gravity * r / (gyration * gyration + r * r)) for r in radii]
     if restitution == "housner":
         ratios = (
@@ -269,14 +272,15 @@ def housner_ratio(
     alpha: float, *, p: float = 1.0, radius: float = 0.75, gravity: float = 1.0
 ) -> float:
     """Return the value of `housner_restitution`, positive or not."""
-    return 1.0 - 2.0 * (p * p * radius / gravity) * math.sin(alpha) ** 2
+    sine = sin(alpha)
+    return 1.0 - 2.0 * (p * p * radius / gravity) * (sine * sine)
 
 
 def impact_ratio(alphas: tuple[float, ...], radii: tuple[float, ...], gyration: float) -> float:
     """Return the value of `impact_restitution`, positive or not."""
     square = gyration * gyration
     # R1 R2 cos(alpha1 + alpha2) is the height squared less the product of the two distances.
-    shared = radii[0] * radii[1] * math.cos(alphas[0] + alphas[1])
+    shared = radii[0] * radii[1] * cos(alphas[0] + alphas[1])
     return (square + shared) / (square + radii[1] * radii[1])
 
 

@@ -14,8 +14,10 @@ References
 import math
 from collections.abc import Callable
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
+from rocksteady.kernels.elementary.arrays import atan2, exp, sin
+from rocksteady.kernels.elementary.roots import root
 from rocksteady.model.motions._sampled import polyline
 from rocksteady.model.motions.combine import added, scaled
 from rocksteady.model.motions.segments import Piecewise, Segment
@@ -26,6 +28,7 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
+NumberT = TypeVar("NumberT", float, "Floats")
 Pieces = tuple[Segment, ...]
 Shape = Callable[[float, float], Pieces]
 
@@ -111,7 +114,7 @@ def type_c_phase(n: int) -> float:
     """
     phi = 0.0
     for _ in range(20):  # each step leaves less than a twentieth of the error
-        phi = math.atan2(2.0, (2 * n + 1) * math.pi - 2.0 * phi)
+        phi = atan2(2.0, (2 * n + 1) * math.pi - 2.0 * phi)
     return phi
 
 
@@ -154,25 +157,22 @@ def ricker(a: float, w: float, *, antisymmetric: bool, tolerance: float) -> Piec
     tolerance
         As a part of a.
     """
-    import numpy as np
-    from scipy.optimize import brentq
-
     # Where the antisymmetric one is largest, u^4 - 6 u^2 + 3 = 0.
     crest = math.sqrt(3.0 - math.sqrt(6.0))
-    peak = (3.0 * crest - crest**3) * math.exp(-0.5 * crest**2)
+    peak = crest * (3.0 - crest * crest) * exp(-0.5 * crest * crest)
 
-    def wave(u: "Floats") -> "Floats":
-        bell = np.exp(-0.5 * u * u)
-        return (u**3 - 3.0 * u) * bell / peak if antisymmetric else (1.0 - u * u) * bell
+    def wave(u: NumberT) -> NumberT:
+        bell = exp(-0.5 * u * u)
+        return u * (u * u - 3.0) * bell / peak if antisymmetric else (1.0 - u * u) * bell
 
     unit = math.sqrt(3.0 if antisymmetric else 2.0) / w
     bend = 5.79 / peak if antisymmetric else 3.0
     # Beyond u = 2.5 both only fall off.
-    reach = brentq(lambda u: abs(float(wave(np.array(u)))) - tolerance, 2.5, 40.0)
+    reach = root(lambda u: abs(wave(u)) - tolerance, 2.5, 40.0)
     return polyline(
         lambda s: wave(s / unit - reach),
         2.0 * reach * unit,
-        curvature=bend / unit**2,
+        curvature=bend / (unit * unit),
         tolerance=tolerance,
         size=a,
     )
@@ -232,7 +232,7 @@ def peak_of_unit_velocity(oscillations: float, phase: float) -> float:
     from scipy.optimize import minimize_scalar
 
     def size(s: "Floats") -> "Floats":
-        waves = (v * w * np.sin(w * s + phase) for v, w in _velocity_waves(oscillations))
+        waves = (v * w * sin(w * s + phase) for v, w in _velocity_waves(oscillations))
         return np.abs(sum(waves))
 
     end = oscillations * math.pi

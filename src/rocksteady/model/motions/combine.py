@@ -1,12 +1,12 @@
 """Combined base motions: scaled or reversed, delayed, one after another, and summed."""
 
-import cmath
 import math
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import accumulate, pairwise
 
 from rocksteady.errors import ModelError
+from rocksteady.kernels.elementary.arrays import atan2, hypot, sincos
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, in_range, positive
 from rocksteady.model.motions._sampled import polyline
@@ -212,12 +212,16 @@ def _sum(
     """Return the sum of segments, each some time after its start, over a duration."""
     constant = math.fsum(piece.constant + piece.slope * since for since, piece in acting)
     slope = math.fsum(piece.slope for _, piece in acting)
-    phasors: dict[float, complex] = {}
+    phasors: dict[float, tuple[float, float]] = {}  # its sine's share, and its cosine's
     for since, piece in acting:
         if piece.amplitude != 0.0:
             turned = math.remainder(piece.phase + piece.frequency * since, 2.0 * math.pi)
-            swing = cmath.rect(piece.amplitude, turned)
-            phasors[piece.frequency] = phasors.get(piece.frequency, 0.0) + swing
+            sine, cosine = sincos(turned)
+            one, other = phasors.get(piece.frequency, (0.0, 0.0))
+            phasors[piece.frequency] = (
+                one + piece.amplitude * cosine,
+                other + piece.amplitude * sine,
+            )
     if len(phasors) > 1:
         if duration == math.inf:
             raise ModelError(
@@ -229,21 +233,24 @@ def _sum(
         import numpy as np
 
         def together(s: "np.typing.NDArray[np.float64]") -> "np.typing.NDArray[np.float64]":
-            swings = [(np.exp(1j * w * s) * swing).imag for w, swing in phasors.items()]
-            return np.asarray(constant + slope * s + sum(swings))
+            total = constant + slope * s
+            for w, (one, other) in phasors.items():
+                sine, cosine = sincos(w * s)
+                total = total + (one * sine + other * cosine)
+            return np.asarray(total)
 
-        curvature = math.fsum(abs(swing) * w * w for w, swing in phasors.items())
+        curvature = math.fsum(hypot(*shares) * w * w for w, shares in phasors.items())
         first, *others = polyline(together, duration, curvature=curvature, tolerance=tolerance)
         return replace(first, jump=jump), *others
-    frequency, swing = next(iter(phasors.items())) if phasors else (0.0, 0j)
+    frequency, (one, other) = next(iter(phasors.items())) if phasors else (0.0, (0.0, 0.0))
     return (
         Segment(
             duration=duration,
             constant=constant,
             slope=slope,
-            amplitude=abs(swing),
+            amplitude=hypot(one, other),
             frequency=frequency,
-            phase=cmath.phase(swing),
+            phase=atan2(other, one),
             jump=jump,
         ),
     )

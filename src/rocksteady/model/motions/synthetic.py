@@ -6,6 +6,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from rocksteady.errors import InputError
+from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import (
@@ -243,7 +244,7 @@ class SyntheticMotion:
         high = self.high_pass_ratio * ground
         # (2 d g s + g^2)/(s^2 + 2 d g s + g^2) of Kanai and Tajimi, s^2/(s^2 + 2 d h s + h^2)
         zeros = np.array([-ground / (2.0 * damping), 0.0, 0.0])
-        turn = damping + 1j * math.sqrt(1.0 - damping**2)
+        turn = damping + 1j * math.sqrt(1.0 - damping * damping)
         poles = -np.array([ground * turn, ground / turn, high * turn, high / turn])
         discrete = signal.bilinear_zpk(zeros, poles, 2.0 * damping * ground, 1.0 / self.step)
         return np.asarray(signal.zpk2sos(*discrete), dtype=np.float64)
@@ -252,9 +253,10 @@ class SyntheticMotion:
         """Return the envelope at parts of the duration."""
         import numpy as np
 
-        rising = np.minimum(1.0, (time / self.rise) ** 2) if self.rise > 0.0 else np.ones(len(time))
+        part = time / self.rise if self.rise > 0.0 else np.ones(len(time))
+        rising = np.minimum(1.0, part * part)
         late = np.maximum(0.0, time - (1.0 - self.decay)) / (self.decay or 1.0)
-        return np.asarray(rising * LEFT_AT_THE_END**late)
+        return np.asarray(rising * exp(late * log(LEFT_AT_THE_END)))
 
 
 def _sampling(frequency_ratio: float) -> float:
