@@ -68,6 +68,7 @@ if TYPE_CHECKING:
         Status,
         UnfinishedError,
     )
+    from rocksteady.installation.check import Installation, KernelCheck, check_installation
     from rocksteady.model.blocks.block import Block
     from rocksteady.model.blocks.dimensionless import DimensionlessBlock
     from rocksteady.model.blocks.examples import example_block
@@ -155,7 +156,9 @@ __all__ = [
     "Impacts",
     "Impulses",
     "InputError",
+    "Installation",
     "IntensityMeasures",
+    "KernelCheck",
     "ModelError",
     "Motions",
     "Orbit",
@@ -204,6 +207,7 @@ __all__ = [
     "bifurcation_branches",
     "bifurcation_curve",
     "boundaries",
+    "check_installation",
     "continuation",
     "delayed",
     "doubling_cascade",
@@ -293,7 +297,9 @@ _DEFINED_IN = {
     "Impacts": "rocksteady.dynamics.history.samples",
     "Impulses": "rocksteady.model.motions.impulses",
     "InputError": "rocksteady.errors",
+    "Installation": "rocksteady.installation.check",
     "IntensityMeasures": "rocksteady.seismic.measures.intensity",
+    "KernelCheck": "rocksteady.installation.check",
     "ModelError": "rocksteady.errors",
     "Motions": "rocksteady.dynamics.history.samples",
     "Orbit": "rocksteady.dynamics.orbits.orbit",
@@ -341,6 +347,7 @@ _DEFINED_IN = {
     "bifurcation_branches": "rocksteady.dynamics.continuation.branches",
     "bifurcation_curve": "rocksteady.dynamics.continuation.loci",
     "boundaries": "rocksteady.dynamics.steady.regions",
+    "check_installation": "rocksteady.installation.check",
     "continuation": "rocksteady.dynamics.continuation.branch",
     "delayed": "rocksteady.model.motions.combine",
     "doubling_cascade": "rocksteady.dynamics.continuation.cascade",

@@ -19,6 +19,7 @@ from rocksteady.cli.commands import (
     attractor,
     basins,
     bifurcate,
+    doctor,
     maps,
     orbits,
     overturn,
@@ -65,6 +66,7 @@ COMMANDS = (
     record,
     spectrum,
     paper,
+    doctor,
 )
 for command in COMMANDS:
     name = command.__name__.rpartition(".")[2]

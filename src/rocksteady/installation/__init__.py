@@ -1,0 +1,1 @@
+"""Whether the kernels of this installation compute what those of every other one do."""

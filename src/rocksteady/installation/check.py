@@ -1,0 +1,206 @@
+"""Check of an installation: recorded calls of every kernel, made again and compared bit for bit."""
+
+import inspect
+import platform
+import warnings
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rocksteady import __version__
+from rocksteady.installation._recorded import Call, Difference, differences, loaded, replayed
+from rocksteady.kernels.machine_code.types import signature_of
+
+RECORDED = Path(__file__).parent / "recorded-calls.bin.gz"
+"""Calls that every installation must repeat to the last bit."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class KernelCheck:
+    """Replay of the recorded calls of one kernel.
+
+    Attributes
+    ----------
+    name
+        Of the kernel.
+    calls
+        Number of calls.
+    values
+        Number of values compared: results, and every element of every array argument.
+    differing
+        How many of them differ.
+    first_difference
+        The first one in words; None where all are equal.
+    """
+
+    name: str
+    calls: int
+    values: int
+    differing: int
+    first_difference: str | None
+
+    @property
+    def equal(self) -> bool:
+        """Whether every value is the recorded one."""
+        return self.first_difference is None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Installation:
+    """What runs the kernels here, and whether it computes what it should.
+
+    Attributes
+    ----------
+    system
+        Operating system and processor.
+    cpu_level
+        Instruction sets of the processor, as "x86-64-v3"; None where there are no levels.
+    kernels
+        "library" for code compiled ahead of time, "jit" for code that numba compiles here, "python"
+        for kernels that run uncompiled.
+    library, target
+        The file of the library, and what it was compiled for; None without one.
+    cache
+        Folder of the machine code that numba has compiled; None where numba is not used.
+    versions
+        Of rocksteady, Python, NumPy and numba; None for what is not installed.
+    checks
+        Replay of each kernel.
+    """
+
+    system: str
+    cpu_level: str | None
+    kernels: str
+    library: Path | None
+    target: str | None
+    cache: Path | None
+    versions: dict[str, str | None]
+    checks: tuple[KernelCheck, ...]
+
+    @property
+    def equal(self) -> bool:
+        """Whether every value of every kernel is the recorded one."""
+        return all(check.equal for check in self.checks)
+
+    @property
+    def calls(self) -> int:
+        """Number of calls that were made again."""
+        return sum(check.calls for check in self.checks)
+
+    @property
+    def values(self) -> int:
+        """Number of values compared."""
+        return sum(check.values for check in self.checks)
+
+    @property
+    def differing(self) -> int:
+        """Number of values that differ."""
+        return sum(check.differing for check in self.checks)
+
+
+def check_installation() -> Installation:
+    """Repeat recorded calls of every kernel and compare all values bit for bit.
+
+    The kernels give the same bits on every processor and system; a difference means that this
+    installation is faulty. Takes less than a second; where numba compiles the kernels, some minutes
+    the first time.
+
+    Returns
+    -------
+    Installation
+        What runs the kernels, the versions, and the comparison of each kernel.
+
+    Examples
+    --------
+    >>> check_installation().equal
+    True
+    """
+    from rocksteady.kernels.entries import ENTRIES
+
+    checks = replay(loaded(RECORDED.read_bytes()), ENTRIES)
+    return Installation(**_environment(), checks=checks)
+
+
+def replay(
+    calls: Iterable[Call], kernels: Mapping[str, Callable[..., Any]]
+) -> tuple[KernelCheck, ...]:
+    """Repeat recorded calls and compare them, kernel by kernel in the order of the calls.
+
+    Parameters
+    ----------
+    calls
+        The records.
+    kernels
+        What computes them, by name.
+    """
+    by_kernel: dict[str, list[Call]] = {}
+    for call in calls:
+        by_kernel.setdefault(call.entry, []).append(call)
+    # Kernels that run as plain Python warn of overflow, which is meant.
+    with np.errstate(all="ignore"), warnings.catch_warnings():
+        warnings.simplefilter("ignore", RuntimeWarning)
+        return tuple(_checked(name, own, kernels[name]) for name, own in by_kernel.items())
+
+
+def _checked(name: str, calls: list[Call], kernel: Callable[..., Any]) -> KernelCheck:
+    """Repeat the calls of one kernel."""
+    values = differing = 0
+    first = None
+    for number, call in enumerate(calls):
+        compared, unequal, difference = differences(call, replayed(call, kernel))
+        values += compared
+        differing += unequal
+        if difference is not None and first is None:
+            first = (
+                f"call {number + 1} of {len(calls)}, {_place(difference, kernel)}: "
+                f"{difference.computed!r} in place of {difference.recorded!r}"
+            )
+    return KernelCheck(
+        name=name, calls=len(calls), values=values, differing=differing, first_difference=first
+    )
+
+
+def _place(difference: Difference, kernel: Callable[..., Any]) -> str:
+    """Return where a difference is, as ``final[3, 0]`` or ``result state.phase``."""
+    signature = signature_of(inspect.unwrap(kernel))
+    names = [leaf.name for leaf in signature.leaves]
+    for leaf in signature.returned:
+        names += [f"result {leaf.name}".strip()] * leaf.cells  # two of a complex number
+    index = f"{list(difference.index)}" if difference.index else ""
+    return f"{names[difference.leaf]}{index}"
+
+
+def _environment() -> dict[str, Any]:
+    """Return what runs the kernels, and the versions."""
+    from rocksteady.kernels.machine_code.compilation import JIT, LIBRARY, cache_folder, runner
+    from rocksteady.kernels.machine_code.library import library, targets
+
+    kernels = runner()
+    used = library() if kernels == LIBRARY else None
+    fastest = next(iter(targets()), None)
+    return {
+        "system": f"{platform.system()} {platform.machine()}",
+        "cpu_level": None if fastest is None else fastest.partition("-")[2],
+        "kernels": kernels,
+        "library": None if used is None else used.path,
+        "target": None if used is None else used.target,
+        "cache": cache_folder() if kernels == JIT else None,
+        "versions": {
+            "rocksteady": __version__,
+            "python": platform.python_version(),
+            "numpy": np.__version__,
+            "numba": _version_of("numba"),
+        },
+    }
+
+
+def _version_of(package: str) -> str | None:
+    """Return the version of a package without importing it; None where it is not installed."""
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return None

@@ -1,0 +1,119 @@
+"""Calls of the kernels behind one time history: the march, its clock and its replay."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from rocksteady.kernels.core.tables import (
+    AMPLITUDE,
+    FREQUENCY,
+    OVERTURNED,
+    PEAK_COLUMNS,
+    ROW_COLUMNS,
+    ROW_DURATION,
+    SEGMENT_COLUMNS,
+    March,
+)
+from tools.aot.calls.drawn import MOTIONS, Drawn
+from tools.aot.calls.recorder import Recorder
+
+LIMIT = 400
+"""Flights after which a march is given up."""
+
+
+def record_histories(call: Recorder) -> None:
+    """Record marches under motions of every kind, and what is read off them."""
+    for kind in MOTIONS:
+        for nonlinear in (False, True):
+            drawn = Drawn.by_name(f"{kind}, {nonlinear}")
+            segments = drawn.segments(kind, nonlinear=nonlinear)
+            _history(call, drawn, segments, LIMIT)
+    drawn = Drawn.by_name("base that falls away")
+    _history(call, drawn, drawn.segments("record", nonlinear=True, lift=6.0), LIMIT)
+    drawn = Drawn.by_name("march cut short")
+    _history(call, drawn, drawn.segments("harmonic", nonlinear=False), 3)
+    for nonlinear in (False, True):
+        _fall(call, nonlinear=nonlinear)
+
+
+def record_small_parts(call: Recorder) -> None:
+    """Record clocks, tables and other small kernels that Python calls by themselves."""
+    drawn = Drawn.by_name("small parts")
+    for phase in (0.0, math.pi, -math.pi, drawn.between(-20.0, 20.0), drawn.over(1e3, 1e6)):
+        call("clock", phase)
+    phases = drawn.rng.uniform(-9.0, 9.0, 12)
+    call("fill_clocks", phases, np.zeros(12, np.int64), np.zeros(12))
+    for nonlinear in (False, True):
+        call("is_nonlinear", drawn.sides(1, nonlinear=nonlinear)[0])
+        segments = drawn.segments("pieces", nonlinear=nonlinear)
+        call("segment_start", segments, 2)
+        call("segment_start", segments, len(segments) - 1)
+    for _ in range(2):
+        amplitude, ratio = drawn.shaking()
+        empty = np.ones((1, SEGMENT_COLUMNS))
+        call("harmonic_segment", empty, amplitude, ratio, drawn.between(-3.0, 3.0))
+    for side in (1, -1):
+        slender = drawn.sides(1, nonlinear=True, alike=0.0)[0]
+        call("jump_share", slender, side, drawn.between(0.0, 0.9))
+
+
+def _history(call: Recorder, drawn: Drawn, segments: Any, limit: int) -> None:
+    """Record a march with its rows, and its replay."""
+    sides = drawn.sides(1, nonlinear=segments.shape[1] > SEGMENT_COLUMNS)[0]
+    half, phase = call.quietly("segment_start", segments, 0)
+    moving = drawn.chance(0.7)
+    velocity = drawn.between(-0.3, 0.3) if moving else 0.0
+    angle = math.copysign(drawn.between(0.0, 0.4), velocity) if drawn.chance(0.5) else 0.0
+    side = int(math.copysign(1.0, velocity)) if moving or angle != 0.0 else 0
+    start = March(side, angle, velocity, 0, half, phase, 0, 0)
+    until: tuple[Any, ...] = (0, drawn.between(5.0, 40.0))
+    if len(segments) == 1:
+        until = (half + 40, phase)
+    _marched(call, segments, sides, start, until, drawn, limit)
+
+
+def _fall(call: Recorder, *, nonlinear: bool) -> None:
+    """Record marches that end in overturning, and what is read off their last flight."""
+    for attempt in range(2):
+        drawn = Drawn.by_name(f"falls, {nonlinear}, {attempt}")
+        sides = drawn.sides(1, nonlinear=nonlinear, alike=attempt)[0]
+        segments = drawn.segments("harmonic", nonlinear=nonlinear)
+        while True:
+            segments[0, AMPLITUDE] = drawn.between(3.0, 9.0)
+            segments[0, FREQUENCY] = drawn.over(1.5, 6.0)
+            segments[0, 7] = segments[0, AMPLITUDE]
+            half, phase = call.quietly("segment_start", segments, 0)
+            start = March(1, 0.0, drawn.between(0.01, 0.3), 0, half, phase, 0, 0)
+            none, nothing = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
+            given = (segments, sides, start, half + 60, phase, math.inf, LIMIT, none, nothing)
+            status, end = call.quietly("march", *given)
+            if status == OVERTURNED and end.impacts > 3:
+                break
+        rows = _marched(call, segments, sides, start, (half + 60, phase), drawn, LIMIT)
+        call("last_crossing", segments, sides, rows, drawn.between(0.2, 0.8) if attempt else 1.0)
+        call("peaks_until_overturning", segments, sides, rows)
+
+
+def _marched(
+    call: Recorder,
+    segments: Any,
+    sides: Any,
+    start: March,
+    until: tuple[Any, ...],
+    drawn: Drawn,
+    limit: int,
+) -> Any:
+    """Record a march that keeps its rows, states at some times and peaks; return the rows."""
+    none = np.zeros((0, ROW_COLUMNS))
+    given = (segments, sides, start, *until, drawn.over(1e-4, 1.0), limit)
+    _, end = call.quietly("march", *given, none, np.zeros(0))
+    rows = np.zeros((end.flights, ROW_COLUMNS))
+    call("march", *given, rows, np.zeros(PEAK_COLUMNS))
+    index = np.sort(drawn.rng.integers(0, len(rows), 12))
+    span = np.minimum(rows[index, ROW_DURATION], 1.0)
+    states = np.zeros((3, 12))
+    call("fill_states", segments, sides, rows, index, span * drawn.rng.random(12), states)
+    last = min(float(rows[-1, ROW_DURATION]), 0.7)
+    call("recorded_peaks", segments, sides, rows, last)
+    return rows
