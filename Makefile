@@ -9,7 +9,7 @@ BIN := .venv/bin
 STAMP := .venv/.installed
 FLOOR := build/floor
 FLOOR_STAMP := $(FLOOR)/.installed
-EXTRAS := bench,cluster,dev,records
+EXTRAS := bench,build,cluster,dev,jit,records
 PEERS := heyoka mujoco
 CHECKS := lint types layers tests tests-python
 
@@ -122,6 +122,13 @@ bench-peers: .venv library ## time other solvers beside the package; writes thei
 	done
 	$(BIN)/python -m rocksteady.kernels.warm
 	$(BIN)/python -m bench.peers
+
+.PHONY: wheels
+wheels: .venv ## build a wheel for each platform into dist/, and check the one of this machine
+	@rm -rf build/libraries dist
+	$(BIN)/python -m tools.aot build --out build/libraries
+	$(BIN)/python -m tools.wheels build --libraries build/libraries --out dist
+	$(BIN)/python -m tools.wheels check --wheels dist
 
 .PHONY: architecture
 architecture: .venv ## draw docs/images/architecture.png and its table from the imports

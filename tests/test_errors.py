@@ -8,9 +8,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rocksteady.errors import InputError, ModelError, OutputError, RocksteadyError, Status, Words
+from rocksteady.errors import (
+    InputError,
+    MissingKernelsError,
+    ModelError,
+    OutputError,
+    RocksteadyError,
+    Status,
+    Words,
+)
 
-KINDS = (InputError, ModelError, OutputError)
+KINDS = (InputError, ModelError, OutputError, MissingKernelsError)
 
 
 def restitution_error(value: object = 1.2) -> InputError:
@@ -48,13 +56,25 @@ def test_the_line_of_an_output_error() -> None:
     assert str(error) == "--plot = 'a.png' cannot be written: the file exists; add --force"
 
 
+def test_the_line_of_missing_kernels() -> None:
+    error = MissingKernelsError(
+        name="compiled code",
+        value=Words("is missing"),
+        valid="there is no library for this system, and no numba",
+        hint="install numba",
+    )
+    assert str(error) == (
+        "compiled code is missing: there is no library for this system, and no numba; install numba"
+    )
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_error_is_caught_as_a_rocksteady_error(kind: type[RocksteadyError]) -> None:
     with pytest.raises(RocksteadyError):
         raise kind(name="a", value=0, valid="b", hint="c")
 
 
-@pytest.mark.parametrize(("kind", "is_one"), [*zip(KINDS, (True, True, False), strict=True)])
+@pytest.mark.parametrize(("kind", "is_one"), [*zip(KINDS, (True, True, False, False), strict=True)])
 def test_what_is_wrong_with_arguments_is_a_value_error(
     kind: type[RocksteadyError], is_one: bool
 ) -> None:

@@ -61,6 +61,7 @@ if TYPE_CHECKING:
     )
     from rocksteady.errors import (
         InputError,
+        MissingKernelsError,
         ModelError,
         OutputError,
         RecordFileError,
@@ -159,6 +160,7 @@ __all__ = [
     "Installation",
     "IntensityMeasures",
     "KernelCheck",
+    "MissingKernelsError",
     "ModelError",
     "Motions",
     "Orbit",
@@ -300,6 +302,7 @@ _DEFINED_IN = {
     "Installation": "rocksteady.installation.check",
     "IntensityMeasures": "rocksteady.seismic.measures.intensity",
     "KernelCheck": "rocksteady.installation.check",
+    "MissingKernelsError": "rocksteady.errors",
     "ModelError": "rocksteady.errors",
     "Motions": "rocksteady.dynamics.history.samples",
     "Orbit": "rocksteady.dynamics.orbits.orbit",

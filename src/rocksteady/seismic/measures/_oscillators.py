@@ -17,7 +17,6 @@ import math
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.signal import lfilter
 
 Floats = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
@@ -87,6 +86,8 @@ def peaks(acceleration: Floats, dt: float, frequency: float, damping: float) -> 
 
 def _states(a: Floats, h: float, rate: complex) -> Complexes:
     """Return z at each sample, begun at rest."""
+    from scipy.signal import lfilter
+
     x = rate * h
     growth = np.exp(x)
     if abs(x) < SERIES_BELOW:

@@ -5,7 +5,6 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.integrate import trapezoid
 
 from rocksteady import RegionMap, SteadyStates, plot_regions, region_map, steady_states
 from rocksteady.studies.tso_wong_1989.figures.panel import Panel
@@ -185,4 +184,4 @@ def region_shares(curves: RegionMap, top: float = HIGHEST_AMPLITUDE) -> dict[int
         4: existence,
         5: np.maximum(kind - sign, 0.0),
     }
-    return {number: float(trapezoid(height, w) / span) for number, height in heights.items()}
+    return {number: float(np.trapezoid(height, w) / span) for number, height in heights.items()}

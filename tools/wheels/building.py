@@ -1,0 +1,71 @@
+"""Wheels of the package, each with the libraries of its platform inside."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from hatchling.builders.wheel import WheelBuilder
+
+from tools.wheels.needs import faults
+from tools.wheels.platforms import Platform
+
+ROOT = Path(__file__).parents[2]
+INSIDE = "rocksteady/kernels/machine_code/libraries"
+"""Folder of the libraries in a wheel."""
+LARGEST = 2_000_000
+"""Bytes of a wheel."""
+
+
+class _Builder(WheelBuilder):
+    """Builds a wheel as hatchling builds any other, with a platform's tag and libraries."""
+
+    def __init__(self, platform: Platform, libraries: Sequence[Path]) -> None:
+        super().__init__(str(ROOT))
+        self._platform = platform
+        self._libraries = libraries
+
+    def get_default_build_data(self) -> dict[str, Any]:
+        """Return what hatchling lets a project say about its wheel."""
+        return super().get_default_build_data() | {
+            "tag": f"py3-none-{self._platform.tag}",
+            "pure_python": not self._libraries,
+            "force_include": {str(file): f"{INSIDE}/{file.name}" for file in self._libraries},
+        }
+
+
+def build(platform: Platform, libraries: Path, out: Path) -> Path:
+    """Build the wheel of a platform; the same sources and libraries give the same bytes.
+
+    Parameters
+    ----------
+    platform
+        The platform.
+    libraries
+        Folder that ``python -m tools.aot build`` wrote its libraries to.
+    out
+        Folder for the wheel.
+
+    Returns
+    -------
+    Path
+        The wheel.
+
+    Raises
+    ------
+    SystemExit
+        If a library is missing, if systems to which the tag belongs could not load it, or if the
+        wheel is too large.
+    """
+    files = platform.libraries(libraries)
+    wrong = []
+    for file in files:
+        found = faults(file, platform.tag) if file.is_file() else ["it is missing"]
+        wrong += [f"{file} does not fit {platform.tag}: {fault}" for fault in found]
+    if wrong:
+        raise SystemExit("\n".join(wrong))
+    (built,) = _Builder(platform, files).build(directory=str(out), versions=["standard"])
+    wheel = Path(built)
+    size = wheel.stat().st_size
+    if size > LARGEST:
+        raise SystemExit(f"{wheel} has {size} bytes, and {LARGEST} is the most")
+    return wheel

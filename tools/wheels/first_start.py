@@ -1,0 +1,240 @@
+"""What somebody meets who installs the wheel of this machine: its size, its speed, its errors."""
+
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from packaging.tags import sys_tags
+from packaging.utils import parse_wheel_filename
+
+from tools.wheels.building import LARGEST, ROOT
+
+MB = 1e6
+MOST_INSTALLED = 540.0
+"""MB of what is installed with the package, itself included."""
+LONGEST_IMPORT = 0.03
+"""Seconds of ``import rocksteady``."""
+LONGEST_FIRST_PICTURE = 3.0
+"""Seconds from the start of the program to its first picture, for a user who has just come."""
+IMPORTS = 10
+USERS = 3
+"""How often either is timed; the median counts."""
+LISTED = 10
+"""Packages whose sizes are shown."""
+FIRST_PICTURE = (
+    *("simulate", "--width-m", ".5", "--height-m", "2", "--accel-g", ".6", "--freq-hz", "2"),
+    *("--plot", "a.png"),
+)
+TIMED = "import time; t = time.perf_counter(); import rocksteady; print(time.perf_counter() - t)"
+RUNNER = (
+    "from rocksteady.kernels.machine_code.compilation import runner\n"
+    "from rocksteady.kernels.machine_code.library import library\n"
+    "print(runner(), library().target)"
+)
+COMPILERS = (
+    "import importlib.util as found; "
+    "print([name for name in ('numba', 'llvmlite') if found.find_spec(name)])"
+)
+
+
+class Row(NamedTuple):
+    """One thing that was looked at."""
+
+    what: str
+    found: str
+    goal: str
+    good: bool
+
+
+class Environment:
+    """A fresh environment, and a new user in it at each start of a program.
+
+    Parameters
+    ----------
+    folder
+        An empty folder for it.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        # Without pip, which may be missing beside this Python and would count as installed.
+        command = [sys.executable, "-m", "venv", "--without-pip", str(folder)]
+        subprocess.run(command, check=True)
+        self._programs = folder / ("Scripts" if os.name == "nt" else "bin")
+        self.python = self._programs / "python"
+        code = "import sysconfig; print(sysconfig.get_path('purelib'))"
+        self.packages = Path(self.run("python", "-c", code).stdout.strip())
+
+    def install(self, wheel: Path, *options: str) -> None:
+        """Install a wheel and, unless told otherwise, what it depends on in the pinned versions."""
+        pip = [sys.executable, "-m", "pip", "--python", str(self.python), "--quiet", "install"]
+        pins = ["--constraint", str(ROOT / "constraints.txt"), "--only-binary", ":all:"]
+        subprocess.run([*pip, *pins, *options, str(wheel)], check=True)
+
+    def run(self, program: str, *arguments: str) -> subprocess.CompletedProcess[str]:
+        """Run a program of the environment in an empty folder that is its home."""
+        with tempfile.TemporaryDirectory() as home:
+            return subprocess.run(
+                [str(self._programs / program), *arguments],
+                cwd=home,
+                env=_as_new_user(home),
+                capture_output=True,
+                text=True,
+                check=False,
+            )
+
+
+def _as_new_user(home: str) -> dict[str, str]:
+    """Return the variables of a process whose user has no settings and no caches."""
+    own = ("MPL", "NUMBA_", "PIP_", "PYTHON", "ROCKSTEADY_", "VIRTUAL_ENV", "XDG_")
+    kept = {name: value for name, value in os.environ.items() if not name.startswith(own)}
+    return kept | dict.fromkeys(("HOME", "USERPROFILE", "APPDATA", "LOCALAPPDATA"), home)
+
+
+def wheel_of_this_machine(wheels: Sequence[Path]) -> Path:
+    """Return the wheel that pip would take here.
+
+    Raises
+    ------
+    SystemExit
+        If there is none but the one without a library.
+    """
+    own = {tag: rank for rank, tag in enumerate(sys_tags())}
+    ranked = [
+        (min(own.get(tag, len(own)) for tag in parse_wheel_filename(wheel.name)[3]), wheel)
+        for wheel in wheels
+        if not is_pure(wheel)
+    ]
+    rank, wheel = min(ranked, default=(len(own), Path()))
+    if rank == len(own):
+        raise SystemExit("none of the wheels with a library can be installed here")
+    return wheel
+
+
+def is_pure(wheel: Path) -> bool:
+    """Return whether a wheel has no library inside."""
+    return wheel.stem.endswith("-any")
+
+
+def check(wheels: Sequence[Path], folder: Path) -> list[Row]:
+    """Install the wheel of this machine, start it as a new user does, and return what was found.
+
+    Parameters
+    ----------
+    wheels
+        All wheels.
+    folder
+        An empty folder for the environment.
+    """
+    own = wheel_of_this_machine(wheels)
+    environment = Environment(folder)
+    environment.install(own)
+    rows = [_size(wheel, wheel == own) for wheel in sorted(wheels)]
+    rows += _installed(environment)
+    rows += [_without_compilers(environment), _runner(environment)]
+    rows += [_import(environment), _first_picture(environment), _doctor(environment)]
+    pure = [wheel for wheel in wheels if is_pure(wheel)]
+    rows += [_refusal(environment, wheel) for wheel in pure]
+    return rows
+
+
+def sizes(packages: Path) -> list[tuple[str, float]]:
+    """Return what each installed package weighs on disk in MB, the largest first."""
+    found: Counter[str] = Counter()
+    for file in packages.rglob("*"):
+        if file.is_file():
+            size = file.stat()
+            taken = size.st_blocks * 512 if hasattr(size, "st_blocks") else size.st_size
+            # Libraries that a package brings along stand beside it.
+            found[file.relative_to(packages).parts[0].removesuffix(".libs")] += taken
+    return [(name, size / MB) for name, size in found.most_common()]
+
+
+def _size(wheel: Path, own: bool) -> Row:
+    size = wheel.stat().st_size
+    checked = "" if own or is_pure(wheel) else ": linked, not run here"
+    return Row(
+        f"wheel for {wheel.stem.rpartition('-')[2]}{checked}",
+        f"{size / MB:.2f} MB",
+        f"{LARGEST / MB:.0f} MB",
+        size <= LARGEST,
+    )
+
+
+def _installed(environment: Environment) -> list[Row]:
+    found = sizes(environment.packages)
+    total = sum(size for _, size in found)
+    most = f"{MOST_INSTALLED:.0f} MB"
+    return [
+        Row("installed, all packages", f"{total:.0f} MB", most, total <= MOST_INSTALLED),
+        *(Row(f"  of these {name}", f"{size:.0f} MB", "", True) for name, size in found[:LISTED]),
+    ]
+
+
+def _without_compilers(environment: Environment) -> Row:
+    found = environment.run("python", "-c", COMPILERS).stdout.strip()
+    return Row("compilers that can be imported", found, "[]", found == "[]")
+
+
+def _runner(environment: Environment) -> Row:
+    done = environment.run("python", "-c", RUNNER)
+    return Row("kernels run by", _said(done), "the library", done.stdout.split()[:1] == ["library"])
+
+
+def _import(environment: Environment) -> Row:
+    runs = [environment.run("python", "-c", TIMED) for _ in range(IMPORTS)]
+    median = statistics.median(float(done.stdout or "inf") for done in runs)
+    return Row(
+        f"import rocksteady, median of {IMPORTS}",
+        f"{median:.3f} s",
+        f"{LONGEST_IMPORT:.3f} s",
+        median <= LONGEST_IMPORT,
+    )
+
+
+def _first_picture(environment: Environment) -> Row:
+    seconds = []
+    for _ in range(USERS):
+        began = time.perf_counter()
+        done = environment.run("rocksteady", *FIRST_PICTURE)
+        seconds.append(time.perf_counter() - began)
+        if done.returncode != 0 or "wrote a.png" not in done.stderr:
+            return Row("first picture", _said(done), "a.png", False)
+    median = statistics.median(seconds)
+    return Row(
+        f"first picture of a new user, median of {USERS}",
+        f"{median:.2f} s",
+        f"{LONGEST_FIRST_PICTURE:.2f} s",
+        median <= LONGEST_FIRST_PICTURE,
+    )
+
+
+def _doctor(environment: Environment) -> Row:
+    done = environment.run("rocksteady", "doctor")
+    return Row("rocksteady doctor", f"exit code {done.returncode}", "0", done.returncode == 0)
+
+
+def _refusal(environment: Environment, pure: Path) -> Row:
+    """Install the wheel without a library, for which there is no compiler here."""
+    environment.install(pure, "--no-deps", "--force-reinstall")
+    done = environment.run("rocksteady", *FIRST_PICTURE)
+    lines = done.stderr.splitlines()
+    return Row(
+        "without library and compiler",
+        _said(done),
+        "exit code 2, one line that names rocksteady[jit]",
+        done.returncode == 2 and len(lines) == 1 and "rocksteady[jit]" in lines[0],
+    )
+
+
+def _said(done: subprocess.CompletedProcess[str]) -> str:
+    """Return what a program printed last, with its exit code where that is not 0."""
+    lines = [*done.stdout.splitlines(), *done.stderr.splitlines()]
+    code = f"exit code {done.returncode}: " if done.returncode else ""
+    return f"{code}{lines[-1] if lines else ''}"
