@@ -60,9 +60,9 @@ def faults(library: Path, tag: str) -> list[str]:
         if not found.has_nx:  # newer systems refuse such a library
             wrong.append("it asks for a stack that can be executed")
     if isinstance(found, lief.MachO.Binary):
-        oldest = found.build_version.minos if found.build_version else None
-        if oldest is None or tuple(oldest[:2]) > promised:
-            wrong.append(f"it needs macOS {'.'.join(map(str, oldest or ['unknown']))}")
+        oldest = found.build_version.minos if found.build_version else []
+        if not oldest or tuple(oldest) > (*promised, 0):
+            wrong.append(f"it needs macOS {'.'.join(map(str, oldest)) or 'of unknown version'}")
         if not found.has_code_signature:  # which the processor's systems ask for
             wrong.append("it is not signed")
     return wrong
@@ -72,14 +72,14 @@ def _needed(found: lief.Binary) -> list[str]:
     """Return the names of the libraries that a library needs."""
     if isinstance(found, lief.MachO.Binary):  # among them is its own
         own = lief.MachO.LoadCommand.TYPE.ID_DYLIB
-        return [each.name for each in found.libraries if each.command != own]
-    return list(found.abstract.libraries)
+        return [str(each.name) for each in found.libraries if each.command != own]
+    return [str(name) for name in found.abstract.libraries]
 
 
 def _symbols(found: lief.ELF.Binary) -> set[str]:
     """Return the versions of symbols that a library of Linux needs, as ``GLIBC_2.17``."""
     return {
-        auxiliary.name
+        str(auxiliary.name)
         for requirement in found.symbols_version_requirement
         for auxiliary in requirement.get_auxiliary_symbols()
     }

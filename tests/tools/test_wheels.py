@@ -1,0 +1,264 @@
+"""The wheels: what is in them, and that their libraries keep what their tags promise."""
+
+import base64
+import csv
+import hashlib
+import io
+import shutil
+import struct
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+from hatchling.builders.wheel import WheelBuilder
+from packaging.metadata import Metadata
+from packaging.tags import sys_tags
+
+from tools.wheels import building
+from tools.wheels.building import INSIDE, ROOT, build
+from tools.wheels.first_start import sizes, wheel_of_this_machine
+from tools.wheels.needs import faults
+from tools.wheels.platforms import PLATFORMS, PURE, Platform
+
+SQUARE = "double g(double x) { return x * x; }"
+TRIPLES = {
+    "manylinux_2_28_x86_64": "x86_64-linux-gnu",
+    "manylinux_2_28_aarch64": "aarch64-linux-gnu",
+    "macosx_11_0_arm64": "aarch64-macos.11.0",
+    "win_amd64": "x86_64-windows-gnu",
+}
+"""What zig calls a platform."""
+
+
+def library(
+    file: Path, triple: str, *options: str | Path, code: str = SQUARE, entry: str = "g"
+) -> Path:
+    """Compile a library that needs nothing, unless it is asked to."""
+    source = file.with_suffix(".c")
+    source.write_text(code, encoding="utf-8")
+    command = [sys.executable, "-m", "ziglang", "cc", "-shared", "-nostdlib", "-target", triple]
+    start = [f"-Wl,--entry={entry}"] if "windows" in triple else []
+    subprocess.run([*command, *start, "-o", file, source, *options], check=True)
+    return file
+
+
+@pytest.fixture(scope="module")
+def libraries(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Every library of every wheel, small ones."""
+    folder = tmp_path_factory.mktemp("libraries")
+    for platform in PLATFORMS:
+        for file in platform.libraries(folder):
+            library(file, TRIPLES[platform.tag])
+    return folder
+
+
+@pytest.fixture(scope="module")
+def wheels(libraries: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[Platform, Path]:
+    out = tmp_path_factory.mktemp("wheels")
+    return {platform: build(platform, libraries, out) for platform in PLATFORMS}
+
+
+def content(wheel: Path) -> dict[str, bytes]:
+    with zipfile.ZipFile(wheel) as archive:
+        return {name: archive.read(name) for name in archive.namelist()}
+
+
+def described(wheel: Path, name: str) -> bytes:
+    """A file of the folder that describes a wheel."""
+    (found,) = [what for file, what in content(wheel).items() if file.endswith(f"info/{name}")]
+    return found
+
+
+# ---------------------------------------------------------------------------- what is in a wheel
+
+
+@pytest.mark.parametrize("platform", PLATFORMS, ids=lambda platform: platform.tag)
+def test_a_wheel_holds_the_libraries_of_its_platform_beside_the_package(
+    platform: Platform, libraries: Path, wheels: dict[Platform, Path]
+) -> None:
+    found, plain = content(wheels[platform]), content(wheels[PURE])
+    inside = {name: found.pop(name) for name in list(found) if name.startswith(INSIDE)}
+    files = platform.libraries(libraries)
+    assert inside == {f"{INSIDE}/{file.name}": file.read_bytes() for file in files}
+    assert set(found) == set(plain)
+    differ = {name.rpartition("/")[2] for name in found if found[name] != plain[name]}
+    assert differ == (set() if platform == PURE else {"RECORD", "WHEEL"})
+
+
+def test_a_wheel_holds_the_sources_and_nothing_else(wheels: dict[Platform, Path]) -> None:
+    found = content(wheels[PURE])
+    listed = subprocess.run(
+        ["git", "ls-files", "--cached", "--others", "--exclude-standard", "rocksteady"],
+        cwd=ROOT / "src",
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout.splitlines()
+    tracked = {name for name in listed if (ROOT / "src" / name).exists()}
+    assert {name for name in found if not name.startswith("rocksteady-")} == tracked
+    assert len(tracked) > 100
+
+
+@pytest.mark.parametrize("platform", PLATFORMS, ids=lambda platform: platform.tag)
+def test_name_and_record_of_a_wheel_are_those_of_its_content(
+    platform: Platform, wheels: dict[Platform, Path]
+) -> None:
+    wheel = wheels[platform]
+    assert wheel.name.endswith(f"-py3-none-{platform.tag}.whl")
+    said = described(wheel, "WHEEL").decode().splitlines()
+    assert f"Tag: py3-none-{platform.tag}" in said
+    assert f"Root-Is-Purelib: {str(platform == PURE).lower()}" in said
+    found = content(wheel)
+    rows = list(csv.reader(io.StringIO(described(wheel, "RECORD").decode())))
+    assert [name for name, _, _ in rows] == list(found)
+    for name, checksum, size in rows[:-1]:
+        digest = base64.urlsafe_b64encode(hashlib.sha256(found[name]).digest()).rstrip(b"=")
+        assert (checksum, size) == (f"sha256={digest.decode()}", str(len(found[name])))
+
+
+def test_the_metadata_are_valid_and_ask_for_no_compiler(wheels: dict[Platform, Path]) -> None:
+    found = Metadata.from_email(described(wheels[PURE], "METADATA"), validate=True)
+    needed = found.requires_dist or []
+    assert {str(each.name) for each in needed if each.marker is None} >= {"numpy", "scipy"}
+    asking = {str(each.marker) for each in needed if each.name in {"numba", "llvmlite"}}
+    assert 'extra == "jit"' in asking
+    assert all(marker.startswith("extra == ") for marker in asking)
+
+
+def test_what_pip_builds_of_the_sources_is_the_wheel_without_a_library(
+    wheels: dict[Platform, Path], tmp_path: Path
+) -> None:
+    (built,) = WheelBuilder(str(ROOT)).build(directory=str(tmp_path), versions=["standard"])
+    assert Path(built).name == wheels[PURE].name
+    assert Path(built).read_bytes() == wheels[PURE].read_bytes()
+
+
+def test_the_same_libraries_give_the_same_bytes(
+    libraries: Path, wheels: dict[Platform, Path], tmp_path: Path
+) -> None:
+    platform = PLATFORMS[0]
+    for file in platform.libraries(libraries):
+        shutil.copy(file, tmp_path)  # which gives it another time stamp
+    again = build(platform, tmp_path, tmp_path)
+    assert again.read_bytes() == wheels[platform].read_bytes()
+
+
+def test_no_wheel_is_built_without_a_library_of_its_platform(
+    libraries: Path, tmp_path: Path
+) -> None:
+    platform = PLATFORMS[0]
+    first, *others = platform.libraries(libraries)
+    for file in others:
+        shutil.copy(file, tmp_path)
+    with pytest.raises(SystemExit, match=f"{first.name} does not fit .*: it is missing"):
+        build(platform, tmp_path, tmp_path)
+    assert list(tmp_path.glob("*.whl")) == []
+
+
+def test_no_wheel_is_built_of_a_library_that_does_not_fit(tmp_path: Path) -> None:
+    platform = Platform("manylinux_2_28_aarch64", ("linux-aarch64",), ".so")
+    (file,) = platform.libraries(tmp_path)
+    library(file, "x86_64-linux-gnu")
+    with pytest.raises(SystemExit, match="it is made for X86_64"):
+        build(platform, tmp_path, tmp_path)
+
+
+def test_a_wheel_that_is_too_large_is_refused(
+    libraries: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(building, "LARGEST", 1000)
+    with pytest.raises(SystemExit, match="and 1000 is the most"):
+        build(PURE, libraries, tmp_path)
+
+
+def test_pip_would_take_the_wheel_that_is_checked() -> None:
+    names = [f"rocksteady-1.0-py3-none-{tag}.whl" for tag in ("any", "plan9_1_mips")]
+    with pytest.raises(SystemExit, match="none of the wheels"):
+        wheel_of_this_machine([Path(name) for name in names])
+    tags = [tag.platform for tag in sys_tags() if tag.platform != "any"]
+    older, newer = (Path(f"rocksteady-1.0-py3-none-{tag}.whl") for tag in (tags[-1], tags[0]))
+    assert wheel_of_this_machine([older, Path(names[0]), newer, Path(names[1])]) == newer
+
+
+def test_a_package_weighs_what_its_libraries_beside_it_do(tmp_path: Path) -> None:
+    for name, size in (("numpy/a.py", 4_096), ("numpy.libs/b.so", 1_000_000), ("six.py", 1)):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_bytes(bytes(range(256)) * (size // 256 + 1))
+    (first, larger), (second, smaller) = sizes(tmp_path)
+    assert (first, second) == ("numpy", "six.py")
+    assert 1.0 < larger < 1.1
+    assert 0.0 < smaller < 0.1
+
+
+# ------------------------------------------------------------------- what a library may need
+
+
+@pytest.mark.parametrize("tag", TRIPLES)
+@pytest.mark.parametrize("made_for", TRIPLES)
+def test_a_library_fits_its_own_platform_alone(tag: str, made_for: str, tmp_path: Path) -> None:
+    found = faults(library(tmp_path / "library", TRIPLES[made_for]), tag)
+    assert (found == []) == (tag == made_for)
+
+
+def test_symbols_newer_than_the_tag_are_found(tmp_path: Path) -> None:
+    """The C library here has one function, in a version that the test chooses."""
+    versions = tmp_path / "versions"
+    versions.write_text("GLIBC_2.29 { exp; };", encoding="utf-8")
+    theirs = library(
+        tmp_path / "libm.so.6",
+        "x86_64-linux-gnu",
+        f"-Wl,--version-script={versions}",
+        "-Wl,-soname,libm.so.6",
+        code="double exp(double x) { return x; }",
+    )
+    calls = "double exp(double); double g(double x) { return exp(x); }"
+    ours = library(tmp_path / "ours.so", "x86_64-linux-gnu", theirs, code=calls)
+    assert faults(ours, "manylinux_2_28_x86_64") == ["it needs GLIBC_2.29"]
+    assert faults(ours, "manylinux_2_29_x86_64") == []
+
+
+def test_libraries_that_not_every_system_has_are_found(tmp_path: Path) -> None:
+    name = "-Wl,-soname,libopenblas.so.0"
+    theirs = library(tmp_path / "libopenblas.so", "x86_64-linux-gnu", name)
+    calls = "double g(double); double f(double x) { return g(x); }"
+    ours = library(tmp_path / "ours.so", "x86_64-linux-gnu", theirs, code=calls)
+    assert faults(ours, "manylinux_2_28_x86_64") == ["it needs the library libopenblas.so.0"]
+
+
+def test_a_stack_that_can_be_executed_is_found(tmp_path: Path) -> None:
+    file = library(tmp_path / "library.so", "x86_64-linux-gnu")
+    data = bytearray(file.read_bytes())
+    (start,) = struct.unpack_from("<Q", data, 32)
+    size, count = struct.unpack_from("<HH", data, 54)
+    gnu_stack, executable = 0x6474E551, 1
+    changed = 0
+    for header in range(start, start + size * count, size):
+        kind, flags = struct.unpack_from("<II", data, header)
+        if kind == gnu_stack:
+            struct.pack_into("<I", data, header + 4, flags | executable)
+            changed += 1
+    assert changed == 1
+    file.write_bytes(data)
+    assert faults(file, "manylinux_2_28_x86_64") == ["it asks for a stack that can be executed"]
+
+
+def test_a_macos_newer_than_the_tag_is_found(tmp_path: Path) -> None:
+    file = library(tmp_path / "library.dylib", "aarch64-macos.13.0")
+    assert faults(file, "macosx_11_0_arm64") == ["it needs macOS 13.0.0"]
+    assert faults(file, "macosx_13_0_arm64") == []
+
+
+@pytest.mark.parametrize("tag", TRIPLES)
+def test_a_file_that_is_no_library_is_refused(tag: str, tmp_path: Path) -> None:
+    file = tmp_path / "library"
+    file.write_text(SQUARE, encoding="utf-8")
+    assert faults(file, tag) == [f"it is no shared library of {tag.partition('_')[0]}"]
+
+
+def test_an_unknown_kind_of_tag_is_refused(tmp_path: Path) -> None:
+    file = library(tmp_path / "library.so", "x86_64-linux-gnu")
+    assert faults(file, "musllinux_1_2_x86_64") == [
+        "musllinux_1_2_x86_64 is no platform tag of a kind that is known"
+    ]
