@@ -140,7 +140,7 @@ def _padded(data: bytes) -> bytes:
     return data + bytes(-len(data) % CELL)
 
 
-def _number(value: int | float) -> bytes:
+def _number(value: float) -> bytes:
     if isinstance(value, float):
         return struct.pack("<qd", REAL, value)
     return struct.pack("<qq", WHOLE, value)

@@ -15,6 +15,25 @@ from rocksteady.kernels.batch.pulses import pulse_fates
 from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core.clock import clock, segment_start
 from rocksteady.kernels.core.tables import is_nonlinear
+from rocksteady.kernels.elementary.loops import (
+    fill_acos,
+    fill_asin,
+    fill_asinh,
+    fill_atan,
+    fill_atan2,
+    fill_cos,
+    fill_cosh,
+    fill_exp,
+    fill_expm1,
+    fill_hypot,
+    fill_log,
+    fill_log1p,
+    fill_next_up,
+    fill_sin,
+    fill_sinh,
+    fill_tan,
+    fill_tanh,
+)
 from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.machine_code.compilation import Kernel, cache_folder
 from rocksteady.kernels.march.march import march
@@ -117,6 +136,24 @@ _KERNELS: tuple[Any, ...] = (
     fill_arcs,
     side_of,
     turned_over,
+    # Elementary functions over arrays.
+    fill_exp,
+    fill_expm1,
+    fill_log,
+    fill_log1p,
+    fill_sin,
+    fill_cos,
+    fill_tan,
+    fill_asin,
+    fill_acos,
+    fill_atan,
+    fill_sinh,
+    fill_cosh,
+    fill_tanh,
+    fill_asinh,
+    fill_next_up,
+    fill_atan2,
+    fill_hypot,
 )
 ENTRIES: dict[str, Any] = {kernel.__name__: kernel for kernel in _KERNELS}
 """By name; each a `Kernel`, or with compilation switched off the function itself."""

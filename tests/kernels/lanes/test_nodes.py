@@ -22,7 +22,7 @@ from rocksteady.kernels.lanes._fields import (
     VELOCITY_THERE,
 )
 from rocksteady.kernels.lanes._launching import launch
-from rocksteady.kernels.lanes._loading import load, put
+from rocksteady.kernels.lanes._loading import load, put_lane
 from rocksteady.kernels.lanes._nodes import node_state, passes_over
 from tests.oracles import ExactFlight, mp
 from tests.strategies import sample_size
@@ -35,7 +35,7 @@ def lanes_in_flight(rng: np.random.Generator) -> np.ndarray:
         amplitude, frequency = 1.0 + 10.0 ** rng.uniform(-3, 1), 10.0 ** rng.uniform(-1, 2)
         load(lanes, j, j, amplitude, frequency, 0.8, 0.5)
         velocity = 10.0 ** rng.uniform(-3, 0)
-        put(lanes, j, March(1, 0.0, velocity, 0, 0, rng.uniform(0.0, 3.1), 0, 0), 100)
+        put_lane(lanes, j, March(1, 0.0, velocity, 0, 0, rng.uniform(0.0, 3.1), 0, 0), 100)
     launch(lanes)
     return lanes
 

@@ -101,9 +101,7 @@ def record_steady_states(call: Recorder, name: str, count: int, *, shapes: bool)
     call("fill_curves", w, 0.999 * r, order, np.zeros((5, count)))
 
 
-def record_records(
-    call: Recorder, name: str, count: int, *, nonlinear: bool, samples: int
-) -> None:
+def record_records(call: Recorder, name: str, count: int, *, nonlinear: bool, samples: int) -> None:
     """Record the fates of blocks under a record.
 
     Parameters

@@ -129,9 +129,7 @@ class Drawn:
             vertical = self.record(samples // 2).scaled(lift)
         elif kind == "pulse":
             shape = str(self.rng.choice(PULSES))
-            motion = Pulse(
-                shape=shape, amplitude=amplitude, frequency_ratio=ratio, tolerance=3e-2
-            )
+            motion = Pulse(shape=shape, amplitude=amplitude, frequency_ratio=ratio, tolerance=3e-2)
         elif kind == "impulses":
             times = np.sort(self.rng.uniform(0.0, 4.0, 4))
             kicks = self.rng.uniform(-0.6, 0.6, 4)

@@ -82,7 +82,7 @@ def load(
 
 
 @compiled
-def put(lanes: Floats, j: int, state: March, end_half: int) -> None:
+def put_lane(lanes: Floats, j: int, state: March, end_half: int) -> None:
     """Give a lane the state of a march that is in flight from the floor."""
     frequency = lanes[FREQUENCY + j]
     phase, moved = side_phase(state.half_cycles, state.phase, state.side, frequency)

@@ -44,7 +44,7 @@ from rocksteady.kernels.lanes._fields import (
     weight,
 )
 from rocksteady.kernels.lanes._launching import begin_special, launch
-from rocksteady.kernels.lanes._loading import at_the_end, load, put, taken
+from rocksteady.kernels.lanes._loading import at_the_end, load, put_lane, taken
 from rocksteady.kernels.lanes._newton import approach, bounce, fly, land, shake
 from rocksteady.kernels.lanes._nodes import node_decision, node_state
 from rocksteady.kernels.lanes._periods import LEAPT, compare, leap
@@ -148,7 +148,7 @@ def lane_fates(
                     else:
                         code, state = settled(lanes, j, segments, sides, end_half)
                     if code == UNDECIDED and not given_up:
-                        put(lanes, j, state, end_half)
+                        put_lane(lanes, j, state, end_half)
                     else:
                         note(status, impacts, final, cell, code, state)
                         lanes[STAGE + j] = EMPTY
@@ -182,7 +182,7 @@ def lane_fates(
                         restitution[cell],
                         start_phase,
                     )
-                    put(lanes, j, state, end_half)
+                    put_lane(lanes, j, state, end_half)
                     busy += 1
             if busy == 0:
                 return

@@ -28,6 +28,8 @@ CHOICE = "ROCKSTEADY_KERNELS"
 LIBRARY, JIT, PYTHON = "library", "jit", "python"
 PACKAGE = __name__.removesuffix("machine_code.compilation")
 """The dotted name of the kernels' package, with its last dot."""
+_OF_ONE_NUMBER, _OF_ARRAYS = f"{PACKAGE}elementary.", f"{PACKAGE}elementary.loops"
+"""Elementary functions: of a number, which Python works out itself, and of arrays."""
 
 
 @cache
@@ -151,12 +153,14 @@ class Kernel:
 
     def _resolved(self) -> Callable[..., Any]:
         """Return what runs the function."""
-        own = self.py_func.__module__.startswith(PACKAGE)
-        if runner() == LIBRARY and own:
+        module = self.py_func.__module__
+        if runner() == LIBRARY and module.startswith(PACKAGE):
             loaded = library()
             found = loaded.entry(self.py_func) if loaded else None
             # What the library does not hold is called by other kernels: from Python by tests alone.
             return found or self.py_func
+        if module.startswith(_OF_ONE_NUMBER) and module != _OF_ARRAYS:
+            return self.py_func  # the same bits sooner than they would be compiled
         dispatcher: Callable[..., Any] = self.dispatcher
         return dispatcher
 
