@@ -1,4 +1,4 @@
-"""Exponentials, sines and cosines of the lanes, against numpy's."""
+"""Exponentials and small turns of the lanes, against numpy's functions."""
 
 import numpy as np
 import pytest
@@ -6,7 +6,6 @@ import pytest
 from rocksteady.kernels.lanes._exp_sincos import (
     growth_and_decay,
     nearest_whole,
-    sine_cosine,
     turned_by,
 )
 
@@ -19,13 +18,6 @@ def test_exponentials_are_exact_to_rounding() -> None:
         grown, decayed = growth_and_decay(time)
         assert grown == pytest.approx(np.expm1(time), rel=ROUNDING * (5.0 + time), abs=0.0)
         assert decayed == pytest.approx(-np.expm1(-time), rel=5.0 * ROUNDING, abs=0.0)
-
-
-def test_sine_and_cosine_are_exact_to_rounding() -> None:
-    for angle in np.linspace(-10.0, 30.0, 401):
-        sine, cosine = sine_cosine(angle)
-        assert abs(sine - np.sin(angle)) < 3.0 * ROUNDING
-        assert abs(cosine - np.cos(angle)) < 3.0 * ROUNDING
 
 
 def test_small_turns_are_exact_to_rounding() -> None:

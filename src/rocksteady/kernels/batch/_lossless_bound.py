@@ -42,6 +42,7 @@ from rocksteady.kernels.core.tables import (
     is_nonlinear,
 )
 from rocksteady.kernels.core.typed import ZERO
+from rocksteady.kernels.elementary.circular import sincos
 from rocksteady.kernels.machine_code.compilation import compiled
 
 STEPS = 600
@@ -94,14 +95,17 @@ def largest_margin(segments: Floats, sides: Floats, state: March) -> float:
     weight, cosine, sine = 1.0, 1.0, 0.0
     if is_nonlinear(sides):
         alpha = sides[0, ALPHA]
-        weight, cosine, sine = math.sin(alpha) / alpha, math.cos(alpha), alpha * math.sin(alpha)
+        sine, cosine = sincos(alpha)
+        weight, sine = sine / alpha, alpha * sine
     speed = state.velocity / (lean * rate)
     energy, plus, minus = 0.5 * speed * speed, 0.0, 0.0
     half, phase = segment_start(segments, state.segment)
     since = elapsed_time(
         state.half_cycles, state.phase, half, phase, segments[state.segment, FREQUENCY]
     )
-    left = segments[state.segment :, DURATION].sum() - since
+    left = -since
+    for index in range(state.segment, len(segments)):
+        left += segments[index, DURATION]
     base, climb = math.nan, 0.0  # h and h' at the end of the step before
     for index in range(state.segment, len(segments)):
         if segments[index, JUMP] != 0.0:
@@ -115,8 +119,9 @@ def largest_margin(segments: Floats, sides: Floats, state: March) -> float:
         for k in range(count + 1):
             time = since + k * step
             turned = segments[index, PHASE] + frequency * time
-            h = segments[index, CONSTANT] / lean + slope * time + size * math.sin(turned)
-            rise = slope + size * frequency * math.cos(turned)
+            swing, swing_rate = sincos(turned)
+            h = segments[index, CONSTANT] / lean + slope * time + size * swing
+            rise = slope + size * frequency * swing_rate
             if k == 0:
                 if not math.isnan(base):  # a step of the base acceleration
                     energy += max((base - h) * plus, (h - base) * minus, 0.0)

@@ -33,6 +33,7 @@ import math
 from typing import NamedTuple
 
 from rocksteady.kernels.core.tables import ALPHA, LEAN, RATE, RESTITUTION, Floats, is_nonlinear
+from rocksteady.kernels.elementary.circular import sin
 from rocksteady.kernels.machine_code.compilation import compiled
 
 HALF_PI = 0.5 * math.pi
@@ -57,7 +58,7 @@ def over_the_top(sides: Floats, row: int, angle: float) -> float:
     if not is_nonlinear(sides):
         return angle - 1.0
     alpha: float = sides[row, ALPHA]
-    return 2.0 * math.sin(0.5 * alpha * (angle - 1.0)) / alpha
+    return 2.0 * sin(0.5 * alpha * (angle - 1.0)) / alpha
 
 
 @compiled
@@ -66,7 +67,7 @@ def gained_by_landing(sides: Floats, row: int, angle: float) -> float:
     if not is_nonlinear(sides):
         return angle * (2.0 - angle)
     alpha: float = sides[row, ALPHA]
-    share = math.sin(0.5 * alpha * angle) * math.sin(alpha * (1.0 - 0.5 * angle))
+    share = sin(0.5 * alpha * angle) * sin(alpha * (1.0 - 0.5 * angle))
     return 4.0 * share / (alpha * alpha)
 
 
@@ -79,7 +80,7 @@ def speed_of_lying(sides: Floats, row: int, angle: float, velocity: float) -> fl
     # cos(alpha (1 - y)) is cos(alpha - pi/2) there; both sines are above 0 before that.
     up_to = 0.5 * (alpha * angle - alpha) + 0.5 * (HALF_PI - alpha)
     left = 0.5 * (HALF_PI - alpha) - 0.5 * (alpha * angle - alpha)
-    gained = 4.0 * math.sin(up_to) * math.sin(left) / (alpha * alpha)
+    gained = 4.0 * sin(up_to) * sin(left) / (alpha * alpha)
     return math.sqrt(max(velocity * velocity + gained, 0.0))
 
 

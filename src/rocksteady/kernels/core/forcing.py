@@ -12,6 +12,10 @@ with ``t`` counted from the start of the flight.  The first zero of a flight is 
 import math
 from typing import NamedTuple
 
+import numpy as np
+
+from rocksteady.kernels.elementary.circular import sin, sincos
+from rocksteady.kernels.elementary.inverse import acos, atan2
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 HALF_PI = 0.5 * math.pi
@@ -56,7 +60,7 @@ def make_forcing(constant: float, slope: float, amplitude: float, frequency: flo
         # (1 - s)(1 + s) with 1 -+ s = (amplitude +- constant)/amplitude keeps the cosine exact
         # where the crest barely clears the threshold.
         node_cosine = math.sqrt((amplitude + constant) * (amplitude - constant)) / amplitude
-        rising = math.atan2(node_sine, node_cosine)
+        rising = atan2(node_sine, node_cosine)
     return Forcing(
         kind,
         constant,
@@ -83,7 +87,7 @@ def starts_positive(forcing: Forcing, phase: float) -> bool:
     if forcing.kind == SINE:
         return forcing.rising <= phase < math.pi - forcing.rising
     if forcing.kind == MIXED:
-        sine, cosine = math.sin(phase), math.cos(phase)
+        sine, cosine = sincos(phase)
         r = forcing.constant + forcing.amplitude * sine
         if abs(r) <= 4.0 * EPSILON * (abs(forcing.constant) + forcing.amplitude):
             # Zero but for rounding: where it is going decides.
@@ -100,10 +104,10 @@ def next_turn(forcing: Forcing, phase: float, time: float) -> float:
     speed = forcing.amplitude * forcing.frequency
     if abs(forcing.slope) >= speed:
         return math.inf
-    turn = math.acos(-forcing.slope / speed)
+    turn = acos(-forcing.slope / speed)
     now = phase + forcing.frequency * time
-    up = turn + TWO_PI * math.ceil((now - turn) / TWO_PI)
-    down = -turn + TWO_PI * math.ceil((now + turn) / TWO_PI)
+    up = turn + TWO_PI * float(np.ceil((now - turn) / TWO_PI))
+    down = -turn + TWO_PI * float(np.ceil((now + turn) / TWO_PI))
     nearest = (min(up, down) - phase) / forcing.frequency
     if nearest <= time:  # the turn on which we stand
         nearest = (min(max(up, down), min(up, down) + TWO_PI) - phase) / forcing.frequency
@@ -121,13 +125,13 @@ def mixed_node(forcing: Forcing, phase: float, time: float, positive: bool, span
     low = time
     while low < span:
         high = min(next_turn(forcing, phase, low), span)
-        sine = math.sin(phase + forcing.frequency * high)
+        sine = sin(phase + forcing.frequency * high)
         if sign * forcing_at(forcing, high, sine) < 0.0:
             for _ in range(200):
                 middle = 0.5 * (low + high)
                 if middle <= low or middle >= high:
                     break
-                sine = math.sin(phase + forcing.frequency * middle)
+                sine = sin(phase + forcing.frequency * middle)
                 if sign * forcing_at(forcing, middle, sine) < 0.0:
                     high = middle
                 else:
@@ -149,7 +153,7 @@ def largest_forcing(forcing: Forcing, phase: float, span: float) -> float:
         if turned >= to_crest:
             crest = forcing.amplitude
         else:
-            crest = forcing.amplitude * max(math.sin(phase), math.sin(phase + turned))
+            crest = forcing.amplitude * max(sin(phase), sin(phase + turned))
     return forcing.constant + max(0.0, forcing.slope * span) + crest
 
 

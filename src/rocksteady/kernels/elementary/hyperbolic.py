@@ -3,7 +3,7 @@
 import math
 
 from rocksteady.kernels.elementary.exponential import expm1, scaled_exp
-from rocksteady.kernels.elementary.logarithm import log, log1p
+from rocksteady.kernels.elementary.logarithm import LN2, log, log1p
 from rocksteady.kernels.machine_code.compilation import compiled
 
 TINY = 2.0**-28
@@ -11,7 +11,6 @@ LARGE = 22.0
 """From here on e^-x is nothing beside e^x."""
 HALF_LN3 = 0.5493061443340549
 HALF_LN_5_3 = 0.25541281188299536  # half the logarithm of 5/3
-LN2 = 0.6931471805599453
 
 
 @compiled

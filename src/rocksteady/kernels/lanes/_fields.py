@@ -1,6 +1,6 @@
 """Fields of a lane's state, and the codes of its stages."""
 
-from rocksteady.kernels.machine_code.compilation import fused_inlined
+from rocksteady.kernels.machine_code.compilation import inlined
 
 # 16 or fewer lanes would be unrolled and stay scalar; more than 64 leave the first cache.
 LANES = 48
@@ -90,7 +90,7 @@ FARTHEST = 100.0  # further ahead nothing is known: squares of what has grown ar
 UNKNOWN = 1e140  # a doubt above all that can have grown
 
 
-@fused_inlined
+@inlined
 def weight(stage: float) -> int:
     """Return what a lane adds to the census."""
     number = 1 if stage > 0.0 else 0

@@ -35,12 +35,12 @@ from rocksteady.kernels.lanes._fields import (
     VELOCITY,
     weight,
 )
-from rocksteady.kernels.machine_code.compilation import fused
+from rocksteady.kernels.machine_code.compilation import compiled
 
 WINDOW = 3.0  # times v / (pull (1 - delta)): how long chatter is given to die out
 
 
-@fused
+@compiled
 def launch(lanes: Floats) -> int:
     """Begin flights from the floor; return the census, `SPECIALS` for `begin_special` in it."""
     count = 0
@@ -81,7 +81,7 @@ def launch(lanes: Floats) -> int:
     return count
 
 
-@fused
+@compiled
 def begin_special(lanes: Floats) -> None:
     """Begin flights that may be short, come to rest, or outlast the run."""
     for j in range(LANES):

@@ -3,10 +3,10 @@
 from rocksteady.kernels.core.clock import PI_HIGH, PI_LOW
 from rocksteady.kernels.core.forcing import HALF_PI, TWO_PI
 from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.lanes._exp_sincos import (
     growth_and_decay,
     nearest_whole,
-    sine_cosine,
     turned_by,
 )
 from rocksteady.kernels.lanes._fields import (
@@ -44,22 +44,22 @@ from rocksteady.kernels.lanes._fields import (
     VELOCITY_THERE,
 )
 from rocksteady.kernels.linear.zeros import reversion
-from rocksteady.kernels.machine_code.compilation import fused
+from rocksteady.kernels.machine_code.compilation import compiled
 
 SHORTEST = 0.25  # below it, in t and Omega t, cancellation asks for Taylor's polynomial ...
 LONGEST = 0.3  # ... which serves up to here: 2e-17 of its largest term is left out
 
 
-@fused
+@compiled
 def shake(lanes: Floats) -> None:
     """Find sine and cosine at `TIME`."""
     for j in range(LANES):
-        sine, cosine = sine_cosine(lanes[PHASE + j] + lanes[FREQUENCY + j] * lanes[TIME + j])
+        sine, cosine = sincos_near(lanes[PHASE + j] + lanes[FREQUENCY + j] * lanes[TIME + j])
         lanes[SINE_THERE + j] = sine
         lanes[COSINE_THERE + j] = cosine
 
 
-@fused
+@compiled
 def fly(lanes: Floats) -> None:
     """Find angle and velocity at `TIME` by the closed form."""
     for j in range(LANES):
@@ -78,7 +78,7 @@ def fly(lanes: Floats) -> None:
         )
 
 
-@fused
+@compiled
 def bounce(lanes: Floats) -> None:
     """Find them by Taylor's polynomial, in the lanes at `SHORT`."""
     for j in range(LANES):
@@ -109,7 +109,7 @@ def bounce(lanes: Floats) -> None:
         lanes[VELOCITY_THERE + j] = velocity + speed if short else v
 
 
-@fused
+@compiled
 def approach(lanes: Floats) -> None:
     """Step towards the zero as `rocksteady.kernels.linear.zeros.series_step` does.
 
@@ -161,7 +161,7 @@ def approach(lanes: Floats) -> None:
         lanes[OUTCOME + j] = (2.0 if final else 1.0) if falls else 0.0
 
 
-@fused
+@compiled
 def land(lanes: Floats, below: float) -> None:
     """Judge the step of lanes at stages below one: an impact, another step, or another way."""
     for j in range(LANES):

@@ -53,10 +53,10 @@ from rocksteady.kernels.lanes._fields import (
     VELOCITY_THERE,
     weight,
 )
-from rocksteady.kernels.machine_code.compilation import fused, fused_inlined
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 
-@fused_inlined
+@inlined
 def passes_over(
     angle: float,
     velocity: float,
@@ -73,7 +73,7 @@ def passes_over(
     return upward | (end_velocity < -doubt) | (meet < -room)
 
 
-@fused
+@compiled
 def node_state(lanes: Floats) -> None:
     """Find the state at the end of a piece and the doubt about it."""
     for j in range(LANES):
@@ -120,7 +120,7 @@ def node_state(lanes: Floats) -> None:
         )
 
 
-@fused
+@compiled
 def node_decision(lanes: Floats) -> int:
     """Decide from the states at both ends of a piece whether a zero lies in it; count again."""
     count = 0

@@ -18,7 +18,7 @@ from rocksteady.kernels.lanes._fields import (
     VELOCITY,
     WIDEST,
 )
-from rocksteady.kernels.machine_code.compilation import fused
+from rocksteady.kernels.machine_code.compilation import compiled
 
 NEAR = 0.05  # phase and velocity that have come back as closely are watched ...
 SAME = 1e-11  # ... until they repeat to this, each time more closely ...
@@ -30,7 +30,7 @@ LEAPT = -2.0
 MANTISSA = 2**52 - 1
 
 
-@fused
+@compiled
 def compare(lanes: Floats, most: int) -> int:
     """Compare states about to be launched with earlier ones; count those that are periodic.
 
@@ -74,7 +74,7 @@ def compare(lanes: Floats, most: int) -> int:
     return count
 
 
-@fused
+@compiled
 def leap(lanes: Floats) -> None:
     """Leap over all but the last whole period of the lanes that have become periodic."""
     for j in range(LANES):

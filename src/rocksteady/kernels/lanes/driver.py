@@ -48,7 +48,7 @@ from rocksteady.kernels.lanes._loading import at_the_end, load, put_lane, taken
 from rocksteady.kernels.lanes._newton import approach, bounce, fly, land, shake
 from rocksteady.kernels.lanes._nodes import node_decision, node_state
 from rocksteady.kernels.lanes._periods import LEAPT, compare, leap
-from rocksteady.kernels.machine_code.compilation import compiled, fused
+from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.rest import STILL
@@ -63,7 +63,7 @@ PATIENCE = 4  # ... but for no more than so many passes where others would go on
 ROUNDS = 4096  # passes from one look at the numbers of impacts to the next
 
 
-@fused
+@compiled
 def census(lanes: Floats) -> int:
     """Count the lanes of each kind of stage."""
     count = 0

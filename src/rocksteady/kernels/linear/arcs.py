@@ -16,10 +16,12 @@ graze.  By either phase the derivatives of the other end are simple::
     d start/d psi1 = landing/(Omega sinh T),    d landing/d psi0 = -start/(Omega sinh T)
 """
 
-import math
 from typing import NamedTuple
 
 from rocksteady.kernels.core.forcing import Forcing
+from rocksteady.kernels.elementary.circular import cos, sin, sincos
+from rocksteady.kernels.elementary.exponential import exp, expm1
+from rocksteady.kernels.elementary.hyperbolic import sinh, tanh
 from rocksteady.kernels.linear.flight import LARGEST_EXPONENT, Flight, wrapped
 from rocksteady.kernels.machine_code.compilation import compiled
 
@@ -52,7 +54,7 @@ def series(square: float) -> float:
 @compiled
 def sine_excess(x: float) -> float:
     """Return sin(x)/x - 1, with all its digits however small x is."""
-    return series(-x * x) if abs(x) < SMALL else math.sin(x) / x - 1.0
+    return series(-x * x) if abs(x) < SMALL else sin(x) / x - 1.0
 
 
 @compiled
@@ -67,7 +69,7 @@ def sinh_excess(x: float) -> float:
 @compiled
 def sine_ratio(x: float) -> float:
     """Return sin(x)/x."""
-    return math.sin(x) / x if x != 0.0 else 1.0
+    return sin(x) / x if x != 0.0 else 1.0
 
 
 @compiled
@@ -75,7 +77,7 @@ def sinh_ratio(x: float) -> float:
     """Return x/sinh(x)."""
     if x == 0.0:
         return 1.0
-    return x / math.sinh(x) if abs(x) <= LARGEST_EXPONENT else 0.0
+    return x / sinh(x) if abs(x) <= LARGEST_EXPONENT else 0.0
 
 
 @compiled
@@ -92,14 +94,14 @@ def make_arc(forcing: Forcing, duration: float, first: float, last: float) -> Ar
         psi0 and psi1, whole periods left out as one likes.
     """
     beta, w = forcing.beta, forcing.frequency
-    sine0, cosine0 = math.sin(first), math.cos(first)
-    sine1, cosine1 = math.sin(last), math.cos(last)
+    sine0, cosine0 = sincos(first)
+    sine1, cosine1 = sincos(last)
     half_turn = 0.5 * w * duration
     middle = first + half_turn
     ratio = sinh_ratio(duration)  # T/sinh T
     chord = sine_ratio(half_turn)
-    cosine_chord = -math.sin(middle) * w * chord * ratio  # (cos psi1 - cos psi0)/sinh T
-    bend = math.tanh(0.5 * duration)
+    cosine_chord = -sin(middle) * w * chord * ratio  # (cos psi1 - cos psi0)/sinh T
+    bend = tanh(0.5 * duration)
     # (sin psi1 - sin psi0)/sinh T less Omega cos psi0, or less Omega cos psi1, as a sum of small
     # numbers: in a short arc the speeds themselves are small.
     lacking, turned = sinh_excess(duration), ratio * half_turn * chord * chord
@@ -140,8 +142,8 @@ def make_arc(forcing: Forcing, duration: float, first: float, last: float) -> Ar
 @compiled
 def exponentials(first: float, last: float, duration: float) -> tuple[float, float]:
     """Return G and H of ``G e^(t - T) + H e^-t`` from its values at 0 and at the duration T."""
-    decay = math.exp(-duration)
-    span = -math.expm1(-2.0 * duration)
+    decay = exp(-duration)
+    span = -expm1(-2.0 * duration)
     return (last - first * decay) / span, (first - last * decay) / span
 
 
@@ -152,11 +154,11 @@ def arc_flight(forcing: Forcing, duration: float, first: float, last: float) -> 
     From the initial velocity alone the growing part would be lost to rounding in long arcs.
     """
     beta, w = forcing.beta, forcing.frequency
-    sine, cosine = math.sin(first), math.cos(first)
-    begin, end = forcing.constant + beta * sine, forcing.constant + beta * math.sin(last)
+    sine, cosine = sincos(first)
+    begin, end = forcing.constant + beta * sine, forcing.constant + beta * sin(last)
     growing, decaying = exponentials(begin, end, duration)
-    chord = math.cos(first + 0.5 * w * duration) * w * sine_ratio(0.5 * w * duration)
-    swing = beta * chord * sinh_ratio(duration) - begin * math.tanh(0.5 * duration)
+    chord = cos(first + 0.5 * w * duration) * w * sine_ratio(0.5 * w * duration)
+    swing = beta * chord * sinh_ratio(duration) - begin * tanh(0.5 * duration)
     velocity = swing - beta * w * cosine
     return Flight(
         0.0, velocity, wrapped(first), sine, cosine, swing, begin, growing, duration, decaying

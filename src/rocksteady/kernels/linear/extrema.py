@@ -9,6 +9,7 @@ import math
 from rocksteady.kernels.core.forcing import Forcing
 from rocksteady.kernels.core.tables import FOUND, PEAK_ANGLE, PEAK_SPEED, Floats
 from rocksteady.kernels.core.typed import FALSE
+from rocksteady.kernels.elementary.circular import sincos
 from rocksteady.kernels.linear.flight import (
     Flight,
     flight_state,
@@ -38,7 +39,8 @@ def inner_extrema(flight: Flight, forcing: Forcing, span: float) -> tuple[float,
             break
         if zero.velocity != 0.0:
             phase = flight.phase + forcing.frequency * passed
-            angle, _ = flight_state(flight, forcing, passed, math.sin(phase), math.cos(phase))
+            sine, cosine = sincos(phase)
+            angle, _ = flight_state(flight, forcing, passed, sine, cosine)
             largest = max(largest, angle)
             if zero.velocity > 0.0 and angle < lowest:
                 lowest, lowest_time = angle, passed
@@ -51,7 +53,8 @@ def inner_extrema(flight: Flight, forcing: Forcing, span: float) -> tuple[float,
 def highest_angle(flight: Flight, forcing: Forcing, span: float) -> tuple[float, int]:
     """Return the largest angle over [0, span], ends included, and the number of extrema inside."""
     phase = flight.phase + forcing.frequency * span
-    angle, _ = flight_state(flight, forcing, span, math.sin(phase), math.cos(phase))
+    sine, cosine = sincos(phase)
+    angle, _ = flight_state(flight, forcing, span, sine, cosine)
     largest, _, _, extrema = inner_extrema(flight, forcing, span)
     return max(flight.angle, angle, largest), extrema
 

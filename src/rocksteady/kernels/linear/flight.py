@@ -17,10 +17,12 @@ Three ways of writing it share the work, since none is accurate everywhere:
   a tiny growing part keeps its own relative precision.
 """
 
-import math
 from typing import NamedTuple
 
+import numpy as np
+
 from rocksteady.kernels.core.forcing import HALF_PI, TWO_PI, Forcing, make_forcing
+from rocksteady.kernels.elementary.exponential import exp, exp_near, expm1_near
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 SHORT = 0.25
@@ -56,7 +58,7 @@ def make_flight(
 @compiled
 def wrapped(phase: float) -> float:
     """Return `phase` modulo 2 pi in [-pi/2, 3 pi/2)."""
-    turned = phase - TWO_PI * math.floor((phase + HALF_PI) / TWO_PI)
+    turned = phase - TWO_PI * float(np.floor((phase + HALF_PI) / TWO_PI))
     if turned >= 3.0 * HALF_PI:  # the subtraction rounded up
         turned -= TWO_PI
     return turned
@@ -71,7 +73,7 @@ def flight_state(
         return short_flight_state(flight, forcing, time)
     beta = forcing.beta
     if time < LONG:
-        grown = math.expm1(time)  # e^t - 1
+        grown = expm1_near(time)  # e^t - 1
         decayed = grown / (1.0 + grown)  # 1 - e^-t
         sinh = 0.5 * (grown + decayed)
         cosh_less_1 = 0.5 * grown * decayed
@@ -90,11 +92,11 @@ def flight_state(
         )
         return angle, velocity
     if flight.reference == 0.0:
-        up = math.exp(min(time, LARGEST_EXPONENT))
+        up = exp_near(min(time, LARGEST_EXPONENT))
         down = 1.0 / up
     else:
-        up = math.exp(min(time - flight.reference, LARGEST_EXPONENT))
-        down = math.exp(-time)
+        up = exp(min(time - flight.reference, LARGEST_EXPONENT))
+        down = exp(-time)
     up *= flight.growing
     down *= flight.decaying
     angle = up + down - forcing.constant - forcing.slope * time - beta * sine
@@ -163,7 +165,7 @@ def rebased(
             start.cosh_part,
             flight.growing,
             flight.reference - time,
-            flight.decaying * math.exp(-time),
+            flight.decaying * exp(-time),
         ),
         later,
     )

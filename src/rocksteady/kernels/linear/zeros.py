@@ -32,21 +32,23 @@ from rocksteady.kernels.core.forcing import (
     mixed_node,
     starts_positive,
 )
-from rocksteady.kernels.core.sincos import sine_and_cosine
 from rocksteady.kernels.core.tables import FOUND, NO_RETURN, SPAN_END
 from rocksteady.kernels.core.typed import ZERO
+from rocksteady.kernels.elementary.circular import sincos
+from rocksteady.kernels.elementary.exponential import exp
+from rocksteady.kernels.elementary.lengths import next_up
+from rocksteady.kernels.elementary.logarithm import log1p
 from rocksteady.kernels.linear.flight import (
     LARGEST_EXPONENT,
     Flight,
     flight_acceleration,
     flight_state,
 )
-from rocksteady.kernels.machine_code.compilation import compiled, fused_inlined, inlined
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
-# A step of the reverted series is final once each of its terms is this much smaller than the one
-# before, and the forcing turns little on the way.  The first term left out has coefficient 42: it
-# is 4e-14 of a step that is itself 2e-3 of |F'/F''| at most.
-SERIES_RATIO = 1e-3
+# A step of the reverted series is final once each of its terms is below 1e-3 of the one before,
+# and the forcing turns little on the way.  The first term left out has coefficient 42: it is 4e-14
+# of a step that is itself 2e-3 of |F'/F''| at most.
 LARGEST_TURN = 0.03
 ROTATION = 1e-3  # largest angle through which a sine and cosine are turned by polynomial
 # Every fourth step halves the bracket, so that a long piece is crossed too: F grows like e^t over
@@ -202,10 +204,7 @@ def settling_time(flight: Flight, forcing: Forcing) -> float:
     """
     growing = abs(flight.growing)
     rest = abs(flight.decaying) + abs(forcing.constant) + forcing.beta + forcing.swing
-    if growing == 0.0:
-        late = 50.0 + math.log1p(rest)
-    else:
-        late = flight.reference + math.log1p(rest / growing)
+    late = 50.0 + log1p(rest) if growing == 0.0 else flight.reference + log1p(rest / growing)
     return max(late, 0.0) + 1e-3
 
 
@@ -219,7 +218,7 @@ def no_return(
         return False
     if sign * angle < 0.0 or (angle == 0.0 and sign * velocity <= 0.0):
         return False
-    up = 2.0 * growing * math.exp(min(time - flight.reference, LARGEST_EXPONENT))
+    up = 2.0 * growing * exp(min(time - flight.reference, LARGEST_EXPONENT))
     return up >= forcing.swing + sign * forcing.constant
 
 
@@ -257,7 +256,7 @@ def dip_contact(
             break
         later = time - angle / velocity
         if later <= time and angle > 0.0:
-            later = math.nextafter(time, math.inf)  # a step too small to move: count it
+            later = next_up(time)  # a step too small to move: count it
         if later > end:
             break
         stuck = later - time <= 4e-16 * later
@@ -362,10 +361,10 @@ def series_step(
     step = z * reversion(a2, a3, a4, a5)
     final = (
         abs(forcing.frequency * z) < LARGEST_TURN
-        and abs(a2) < SERIES_RATIO
-        and abs(a3) < SERIES_RATIO**2
-        and abs(a4) < SERIES_RATIO**3
-        and abs(a5) < SERIES_RATIO**4
+        and abs(a2) < 1e-3
+        and abs(a3) < 1e-6
+        and abs(a4) < 1e-9
+        and abs(a5) < 1e-12
     )
     if not final:
         return Step(False, time + step, phase, sine, cosine, v, y)
@@ -393,10 +392,10 @@ def sine_cosine(forcing: Forcing, phase: float) -> tuple[float, float]:
     """Return sine and cosine of the phase, of which a forcing without sinusoid needs none."""
     if forcing.amplitude == 0.0:
         return 0.0, 1.0
-    return sine_and_cosine(phase)
+    return sincos(phase)
 
 
-@fused_inlined
+@inlined
 def reversion(a2: float, a3: float, a4: float, a5: float) -> float:
     """Return x / z where x - z + a2 x^2/z + a3 x^3/z^2 + ... = 0, to fifth order in z.
 

@@ -98,23 +98,14 @@ def compiled(function: FunctionT) -> FunctionT:
 
     ``error_model="numpy"`` drops the check for division by zero: kernels never divide by a number
     that can be zero.  ``nogil`` lets threads run kernels side by side.  Fast-math stays off: the
-    sign of a computed number decides whether a block falls, and every processor gives the same.
+    sign of a computed number decides whether a block falls, and no product may be fused with a sum
+    where a processor can do so, or its last digits would be its own.
     """
     return _kernel(function)
 
 
 def inlined(function: FunctionT) -> FunctionT:
     """Make a kernel that is compiled into each of its callers: what one flight calls many times."""
-    return _kernel(function, forceinline=True)
-
-
-def fused(function: FunctionT) -> FunctionT:
-    """Make a kernel."""
-    return _kernel(function)
-
-
-def fused_inlined(function: FunctionT) -> FunctionT:
-    """Make an inlined kernel."""
     return _kernel(function, forceinline=True)
 
 

@@ -54,6 +54,7 @@ from rocksteady.kernels.core.tables import (
     write_row,
 )
 from rocksteady.kernels.core.typed import FALSE, MINUS_ONE, ONE, TRUE, ZERO
+from rocksteady.kernels.elementary.circular import sincos
 from rocksteady.kernels.linear.extrema import keep_peaks
 from rocksteady.kernels.linear.flight import make_flight
 from rocksteady.kernels.linear.zeros import next_zero
@@ -262,7 +263,8 @@ def _march(
             velocity = segments[segment, JUMP]
             if velocity != 0.0:
                 side = 1 if velocity > 0.0 else -1
-                velocity *= sides[0 if side > 0 else 1, RATE] ** 2
+                rate = sides[0 if side > 0 else 1, RATE]
+                velocity *= rate * rate
                 if nonlinear:
                     velocity *= jump_share(sides, side, 0.0)
             continue
@@ -273,7 +275,7 @@ def _march(
         forcing = positive if side > 0 else negative
         seen_phase, seen_half = side_phase(half, phase, side, frequency)
         if not turned_side:
-            sine, cosine = math.sin(seen_phase), math.cos(seen_phase)
+            sine, cosine = sincos(seen_phase)
         turned_side = False
         if bounced:
             bounced = False

@@ -1,7 +1,5 @@
 """Replay of a march: state at any time, peaks, time of overturning."""
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -27,6 +25,7 @@ from rocksteady.kernels.core.tables import (
     is_nonlinear,
 )
 from rocksteady.kernels.core.typed import ZERO
+from rocksteady.kernels.elementary.circular import sin, sincos
 from rocksteady.kernels.linear.extrema import flight_peaks, last_rise
 from rocksteady.kernels.linear.flight import Flight, flight_acceleration, flight_state, make_flight
 from rocksteady.kernels.machine_code.compilation import compiled
@@ -60,13 +59,14 @@ def row_flight(
     since = elapsed_time(half, phase, first_half, first_phase, frequency)
     forcing = side_forcing(segments, segment, sides, side, since)
     seen, _ = side_phase(half, phase, side, frequency)
+    sine, cosine = sincos(seen)
     flight = make_flight(
         forcing,
         side * rows[index, ROW_ANGLE] / lean,
         side * rows[index, ROW_VELOCITY] / (lean * rate),
         seen,
-        math.sin(seen),
-        math.cos(seen),
+        sine,
+        cosine,
     )
     return flight, forcing, lean, rate
 
@@ -128,9 +128,7 @@ def fill_nonlinear(
         _, turned = phase_at(drive, seen, time)
         states[0, i] = side * lean * angle
         states[1, i] = side * lean * rate * velocity
-        states[2, i] = (
-            side * lean * rate * rate * acceleration(drive, time, angle, math.sin(turned))
-        )
+        states[2, i] = side * lean * rate * rate * acceleration(drive, time, angle, sin(turned))
 
 
 @compiled
@@ -157,7 +155,7 @@ def fill_states(
         flight, forcing, lean, rate = row_flight(segments, sides, rows, index[i])
         time = since[i] * rate
         phase = flight.phase + forcing.frequency * time
-        sine, cosine = math.sin(phase), math.cos(phase)
+        sine, cosine = sincos(phase)
         angle, velocity = flight_state(flight, forcing, time, sine, cosine)
         acceleration = flight_acceleration(forcing, time, angle, sine)
         states[0, i] = side * lean * angle
@@ -227,7 +225,8 @@ def recorded_peaks(
             flight, forcing, lean, rate = row_flight(segments, sides, rows, index)
             span = duration * rate
             turned = flight.phase + forcing.frequency * span
-            y, v = flight_state(flight, forcing, span, math.sin(turned), math.cos(turned))
+            sine, cosine = sincos(turned)
+            y, v = flight_state(flight, forcing, span, sine, cosine)
             angle, fast = flight_peaks(flight, forcing, span, y, v, angle, speed / (lean * rate))
         speed = max(speed, fast * lean * rate)
         if above:

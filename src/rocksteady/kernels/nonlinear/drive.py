@@ -32,6 +32,7 @@ from rocksteady.kernels.core.tables import (
     SLOPE,
     Floats,
 )
+from rocksteady.kernels.elementary.circular import cos, sincos
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.machine_code.types import Floats2
 
@@ -71,7 +72,8 @@ def side_drive(segments: Floats, index: int, sides: Floats, side: int, elapsed: 
 @compiled
 def foot_forcing(drive: Drive) -> Forcing:
     """Return r, the acceleration of a block that stands on its base."""
-    sine, cosine = math.sin(drive.alpha) / drive.alpha, math.cos(drive.alpha)
+    sine, cosine = sincos(drive.alpha)
+    sine /= drive.alpha
     return make_forcing(
         drive.constant * cosine - (1.0 + drive.lift) * sine,
         drive.slope * cosine - drive.lift_slope * sine,
@@ -86,7 +88,8 @@ def acceleration(drive: Drive, time: float, angle: float, sine: float) -> float:
     tilt = drive.alpha * (1.0 - angle)
     h = drive.constant + drive.slope * time + drive.amplitude * sine
     weight = 1.0 + drive.lift + drive.lift_slope * time
-    return h * math.cos(tilt) - weight * math.sin(tilt) / drive.alpha
+    sine_of_tilt, cosine_of_tilt = sincos(tilt)
+    return h * cosine_of_tilt - weight * sine_of_tilt / drive.alpha
 
 
 @compiled
@@ -105,4 +108,4 @@ def loss_of_contact(segments: Floats, index: int) -> float:
 @compiled
 def jump_share(sides: Floats2, side: int, angle: float) -> float:
     """Return the part of a horizontal impulse that turns the block: cos(alpha (1 - y))."""
-    return math.cos(sides[0 if side > 0 else 1, ALPHA] * (1.0 - angle))
+    return cos(sides[0 if side > 0 else 1, ALPHA] * (1.0 - angle))

@@ -11,6 +11,7 @@ from rocksteady.kernels.core.tables import (
     SPAN_END,
     Floats,
 )
+from rocksteady.kernels.elementary.circular import sincos
 from rocksteady.kernels.linear.zeros import Zero
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.nonlinear._zeros import first_rise, first_zero, largest
@@ -106,7 +107,7 @@ def fly(
     time, cycle = 0.0, 0
     watch = len(peaks) > 0
     here = phase
-    sine, cosine = math.sin(phase), math.cos(phase)
+    sine, cosine = sincos(phase)
     while True:
         if angle >= flat:
             return Zero(NO_RETURN, time, cycle, here, sine, cosine, angle, velocity)
@@ -146,7 +147,7 @@ def fly(
         time = span if event == SPAN_END and step >= left else time + ends
         if drive.frequency > 0.0:
             cycle, here = phase_at(drive, phase, time)
-            sine, cosine = math.sin(here), math.cos(here)
+            sine, cosine = sincos(here)
         if event == FOUND:
             return Zero(FOUND, time, cycle, here, sine, cosine, 0.0, min(velocity, 0.0))
         if event == NO_RETURN:

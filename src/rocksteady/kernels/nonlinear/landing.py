@@ -13,12 +13,12 @@ just after the impact, as in `kernels.linear.landing`, and the landing takes the
 onto the section in the same way: ``dT = -(y_psi dpsi + y_v dv)/y'(T)``.
 """
 
-import math
-
 import numpy as np
 
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import FALSE, TRUE
+from rocksteady.kernels.elementary.circular import sin
+from rocksteady.kernels.elementary.inverse import atan
 from rocksteady.kernels.linear.zeros import Zero
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.nonlinear.drive import Drive, acceleration
@@ -33,7 +33,7 @@ SHARE = 0.01
 @compiled
 def lost_under_shaking(drive: Drive) -> float:
     """Return the y beyond which a block that moves on never comes back from harmonic shaking."""
-    return 1.0 + math.atan(drive.alpha * drive.amplitude) / drive.alpha
+    return 1.0 + atan(drive.alpha * drive.amplitude) / drive.alpha
 
 
 @compiled
@@ -124,7 +124,7 @@ def landing_derivative(
             break
         leg = leg_after(leg, drive, phase, zero.time, left_out, work)
     _, turned = phase_at(drive, phase, zero.time)
-    end = acceleration(drive, zero.time, 0.0, math.sin(turned))
+    end = acceleration(drive, zero.time, 0.0, sin(turned))
     time_by_phase = -y_phase / zero.velocity
     time_by_speed = -y_speed / zero.velocity
     return (

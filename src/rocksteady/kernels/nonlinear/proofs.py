@@ -31,6 +31,8 @@ from rocksteady.kernels.core.tables import (
     RESTITUTION,
     Floats,
 )
+from rocksteady.kernels.elementary.circular import sin, sincos
+from rocksteady.kernels.elementary.inverse import atan2
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.nonlinear.drive import Drive, foot_forcing, side_drive
 
@@ -49,13 +51,13 @@ def point_of_no_return(segments: Floats, index: int, sides: Floats, side: int) -
     weight = 1.0 - segments[index, LIFT_CEILING]
     if weight <= 0.0 or ceiling == math.inf:
         return math.inf
-    return 1.0 + math.atan2(alpha * ceiling, weight) / alpha
+    return 1.0 + atan2(alpha * ceiling, weight) / alpha
 
 
 @compiled
 def falls_on_still_base(alpha: float, angle: float, velocity: float) -> bool:
     """Return whether energy proves that a block overturns on a base that stands still for ever."""
-    barrier = 2.0 * math.sin(0.5 * alpha * abs(1.0 - angle)) / alpha
+    barrier = 2.0 * sin(0.5 * alpha * abs(1.0 - angle)) / alpha
     if angle <= 1.0:
         return velocity > barrier
     return velocity > -barrier
@@ -152,7 +154,8 @@ def bounce_bounds(
     """Return upper bounds of a bounce's growth of velocity squared and of its duration."""
     forcing = foot_forcing(drive)
     pull = -largest_forcing(forcing, phase, window)
-    sine, cosine, alpha = math.sin(drive.alpha), math.cos(drive.alpha), drive.alpha
+    alpha = drive.alpha
+    sine, cosine = sincos(alpha)
     shaking = abs(drive.constant) + abs(drive.slope) * window + drive.amplitude
     weight = 1.0 + abs(drive.lift) + abs(drive.lift_slope) * window
     stiffness = max(1.0, weight * cosine + alpha * sine * shaking + 0.5 * pull * alpha * alpha)

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.elementary.circular import sincos
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.nonlinear._zeros import largest, last_rise
 from rocksteady.kernels.nonlinear.drive import Drive
@@ -40,13 +41,14 @@ def leg_from(
 ) -> Leg:
     """Return the step that begins at `start`, of a flight that lasts `span`."""
     _, turned = phase_at(drive, phase, start)
+    sine, cosine = sincos(turned)
     degree, step = expand(
         drive,
         start,
         angle,
         velocity,
-        math.sin(turned),
-        math.cos(turned),
+        sine,
+        cosine,
         angle == 0.0 and velocity == 0.0,
         reach_of(velocity, span - start),
         left_out,

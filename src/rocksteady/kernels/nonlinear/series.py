@@ -20,7 +20,10 @@ and M. Zou, Experimental Mathematics 14, 99-117 (2005).
 import math
 
 from rocksteady.kernels.core.tables import Floats
-from rocksteady.kernels.machine_code.compilation import compiled, fused_inlined, inlined
+from rocksteady.kernels.elementary.circular import sincos
+from rocksteady.kernels.elementary.exponential import exp
+from rocksteady.kernels.elementary.logarithm import log
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.nonlinear.drive import Drive
 
 TERMS = 24
@@ -81,8 +84,8 @@ def expand(
     shaken = drive.amplitude > 0.0
     work[ANGLE, 0] = angle
     work[ANGLE, 1] = work[SPEED, 0] = velocity
-    work[SINE, 0] = math.sin(tilt) / drive.alpha
-    work[COSINE, 0] = math.cos(tilt)
+    work[SINE, 0], work[COSINE, 0] = sincos(tilt)
+    work[SINE, 0] /= drive.alpha
     # The derivatives of the sinusoid over the factorials, two by two.
     swing_even, swing_odd = drive.amplitude * sine, drive.amplitude * drive.frequency * cosine
     work[SHAKING, 0] = drive.constant + drive.slope * time + swing_even
@@ -129,7 +132,7 @@ def expand(
     return HIGHEST, min(reach, _step(left_out, work))
 
 
-@fused_inlined
+@inlined
 def sums_of_three(work: Floats, n: int) -> tuple[float, float, float]:
     """Return coefficient n of h C, y' C and y' S; even and odd terms by themselves, for speed."""
     force = work[SHAKING, 0] * work[COSINE, n]
@@ -150,7 +153,7 @@ def sums_of_three(work: Floats, n: int) -> tuple[float, float, float]:
     return force + odd_force, by_cosine + odd_by_cosine, by_sine + odd_by_sine
 
 
-@fused_inlined
+@inlined
 def sums_of_two(work: Floats, n: int) -> tuple[float, float]:
     """Return coefficient n of y' C and y' S; even and odd terms by themselves, for speed."""
     by_cosine = work[SPEED, 0] * work[COSINE, n]
@@ -171,7 +174,7 @@ def sums_of_two(work: Floats, n: int) -> tuple[float, float]:
 def _step(left_out: float, work: Floats) -> float:
     """Return the step at which the last two terms are just negligible; infinite without motion."""
     # In logarithms: of the smallest that each of the first four terms lets the last ones be.
-    part = math.log(left_out)
+    part = log(left_out)
     angle = _logarithm(work[ANGLE, 0]) + part
     velocity = _logarithm(work[ANGLE, 1]) + part
     bend = _logarithm(work[ANGLE, 2]) + part
@@ -187,16 +190,16 @@ def _step(left_out: float, work: Floats) -> float:
                 (third - last) / (n - 3),
             )
             step = min(step, holds)
-    return math.exp(step) if step < 700.0 else math.inf
+    return exp(step) if step < 700.0 else math.inf
 
 
 @inlined
 def _logarithm(value: float) -> float:
     """Return ln |value|, minus infinity of 0."""
-    return math.log(abs(value)) if value != 0.0 else -math.inf
+    return log(abs(value)) if value != 0.0 else -math.inf
 
 
-@fused_inlined
+@inlined
 def angle_at(work: Floats, degree: int, time: float) -> tuple[float, float]:
     """Return y and y' of the polynomial."""
     angle, velocity = work[ANGLE, degree], 0.0
@@ -206,7 +209,7 @@ def angle_at(work: Floats, degree: int, time: float) -> tuple[float, float]:
     return angle, velocity
 
 
-@fused_inlined
+@inlined
 def speed_at(work: Floats, degree: int, time: float) -> tuple[float, float]:
     """Return y' and y'' of the polynomial."""
     velocity, bend = degree * work[ANGLE, degree], 0.0
@@ -216,7 +219,7 @@ def speed_at(work: Floats, degree: int, time: float) -> tuple[float, float]:
     return velocity, bend
 
 
-@fused_inlined
+@inlined
 def bend_at(work: Floats, degree: int, time: float) -> tuple[float, float]:
     """Return y'' and the third derivative of the polynomial."""
     bend, third = degree * (degree - 1) * work[ANGLE, degree], 0.0

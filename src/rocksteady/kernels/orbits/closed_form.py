@@ -30,6 +30,11 @@ from numpy.typing import NDArray
 from rocksteady.kernels.core.forcing import EPSILON, make_forcing
 from rocksteady.kernels.core.tables import FOUND
 from rocksteady.kernels.core.typed import FALSE
+from rocksteady.kernels.elementary.circular import sincos
+from rocksteady.kernels.elementary.exponential import expm1
+from rocksteady.kernels.elementary.hyperbolic import tanh
+from rocksteady.kernels.elementary.inverse import atan2
+from rocksteady.kernels.elementary.lengths import hypot
 from rocksteady.kernels.linear.arcs import exponentials
 from rocksteady.kernels.linear.extrema import inner_extrema
 from rocksteady.kernels.linear.flight import LARGEST_EXPONENT, Flight, flight_state, wrapped
@@ -102,7 +107,7 @@ def half_cycle(frequency_ratio: float, restitution: float, order: int) -> HalfCy
     """Return h and cosh(n pi/Omega) - 1, from one exponential, and the three boundaries."""
     length = order * math.pi / frequency_ratio
     if length < LARGEST_EXPONENT:
-        grown = math.expm1(length)
+        grown = expm1(length)
         h = grown / (grown + 2.0)
         growth = 0.5 * grown * (grown / (1.0 + grown))
     else:
@@ -153,7 +158,7 @@ def orbit_of(
     # Eq 19: its cos f is taken out by eq 18, and with it all cancellation.
     velocity = 2.0 * restitution * beta * s / ((1.0 + restitution) * p)
     trace = half_cycle_trace(frequency_ratio, restitution, half.growth, beta * s)
-    return Symmetric(math.atan2(sine, cosine), sine, cosine, velocity, trace)
+    return Symmetric(atan2(sine, cosine), sine, cosine, velocity, trace)
 
 
 @inlined
@@ -163,9 +168,10 @@ def half_cycle_trace(
     """Return the trace T of the half-cycle map; `scaled_sine` is beta sin(f)/D."""
     if scaled_sine == 0.0:
         return math.inf
+    more, less = 1.0 + restitution, 1.0 - restitution
     stretch = (
-        (1.0 + restitution) ** 2 / (2.0 * scaled_sine)
-        - (1.0 - restitution) ** 2 * (1.0 + frequency_ratio * frequency_ratio) * 0.5
+        more * more / (2.0 * scaled_sine)
+        - less * less * (1.0 + frequency_ratio * frequency_ratio) * 0.5
         - 2.0 * restitution
     )
     if stretch == 0.0:  # however long the half cycle is
@@ -183,13 +189,14 @@ def symmetry_breaking(frequency_ratio: float, restitution: float, order: int) ->
     w = frequency_ratio
     half = half_cycle(w, restitution, order)
     h = half.tanh
-    loss = (1.0 - restitution) ** 2
+    more, less = 1.0 + restitution, 1.0 - restitution
+    loss = less * less
     part = 0.5 * loss * (1.0 + w * w) + 2.0 * restitution - loss / half.growth  # > 0 always
-    scaled_sine = (1.0 + restitution) ** 2 / (2.0 * part)  # beta s
+    scaled_sine = more * more / (2.0 * part)  # beta s
     rest = h * h - scaled_sine
     if half.growth > 2.0:  # at low frequency both are nearly 1: what each lacks to 1 instead
         rest = loss * (w * w - 2.0 / half.growth) / (2.0 * part) - 2.0 / (half.growth + 2.0)
-    return math.hypot(damping(restitution) * scaled_sine, rest / (h * w)) * (1.0 + w * w)
+    return hypot(damping(restitution) * scaled_sine, rest / (h * w)) * (1.0 + w * w)
 
 
 @compiled
@@ -204,7 +211,7 @@ def half_cycle_flight(
     w = frequency_ratio
     beta = amplitude / (1.0 + w * w)
     length = order * math.pi / w
-    h = math.tanh(0.5 * length)
+    h = tanh(0.5 * length)
     first, last = beta * orbit.sine - 1.0, -beta * orbit.sine - 1.0  # eq 15, and that of the end
     growing, decaying = exponentials(first, last, length)
     return Flight(
@@ -272,9 +279,8 @@ def fill_half_cycle(
     flight = half_cycle_flight(amplitude, frequency_ratio, order, orbit)
     for i in range(len(time)):
         phase = orbit.phase + frequency_ratio * time[i]
-        states[0, i], states[1, i] = flight_state(
-            flight, forcing, time[i], math.sin(phase), math.cos(phase)
-        )
+        sine, cosine = sincos(phase)
+        states[0, i], states[1, i] = flight_state(flight, forcing, time[i], sine, cosine)
 
 
 @compiled

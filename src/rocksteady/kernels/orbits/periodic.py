@@ -270,7 +270,7 @@ def loss(system: System, side: int, passages: int, rests: int) -> float:
     total = 1.0
     row = 0 if side > 0 else 1
     for _ in range(passages):
-        total *= system.restitution[row] ** 2
+        total *= system.restitution[row] * system.restitution[row]
         row = 1 - row
     return total
 

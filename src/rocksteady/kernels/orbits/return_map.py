@@ -27,6 +27,7 @@ from rocksteady.kernels.core.tables import (
     is_nonlinear,
 )
 from rocksteady.kernels.core.typed import MINUS_ONE, ONE, TRUE
+from rocksteady.kernels.elementary.circular import sin, sincos
 from rocksteady.kernels.linear.extrema import highest_angle
 from rocksteady.kernels.linear.flight import Flight, make_flight
 from rocksteady.kernels.linear.landing import landing_jacobian
@@ -185,14 +186,8 @@ def flight_from(system: System, state: Section) -> Flight:
     row = 0 if state.side > 0 else 1
     seen, _ = side_phase(state.half_cycles, state.phase, state.side, system.frequency)
     unit = system.lean[row] * system.rate[row]
-    return make_flight(
-        forcing_of(system, state.side),
-        0.0,
-        state.speed / unit,
-        seen,
-        math.sin(seen),
-        math.cos(seen),
-    )
+    sine, cosine = sincos(seen)
+    return make_flight(forcing_of(system, state.side), 0.0, state.speed / unit, seen, sine, cosine)
 
 
 @compiled
@@ -241,13 +236,9 @@ def first_passage(
     forcing = forcing_of(system, side)
     seen, _ = side_phase(half_cycles, phase, side, system.frequency)
     lean, rate = system.lean[row], system.rate[row]
+    sine, cosine = sincos(seen)
     flight = make_flight(
-        forcing,
-        side * angle / lean,
-        side * velocity / (lean * rate),
-        seen,
-        math.sin(seen),
-        math.cos(seen),
+        forcing, side * angle / lean, side * velocity / (lean * rate), seen, sine, cosine
     )
     return passage_of(system, row, half_cycles, phase, flight, forcing, -1.0)
 
@@ -335,7 +326,7 @@ def comes_to_rest(system: System, state: Section) -> bool:
         forcing,
         opposite,
         seen,
-        math.sin(seen),
+        sin(seen),
     )
 
 

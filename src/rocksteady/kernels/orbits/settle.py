@@ -13,6 +13,8 @@ from typing import NamedTuple
 from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.core.typed import ZERO, whole
+from rocksteady.kernels.elementary.lengths import hypot
+from rocksteady.kernels.elementary.logarithm import LN2, log
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.machine_code.types import Floats2
 from rocksteady.kernels.orbits.periodic import (
@@ -50,7 +52,7 @@ MEMORY = 256
 LONGEST_ORBIT = 2**17
 """Passages of the longest orbit, which a table has to hold: of some thousand forcing periods with a
 chatter in each half of them."""
-ROUNDED = math.log(1e12)
+ROUNDED = 27.631021115928547  # ln 1e12
 """Growth of a small difference between two rests from which on rounding decides what comes next."""
 NEAR = 1e-2
 """Difference of a state from an earlier one that is worth a search for an orbit."""
@@ -60,7 +62,7 @@ FIRST_LOOK = 16
 """Forcing periods before the first comparison."""
 SEARCHES = 12
 """Most searches for an orbit in one comparison."""
-WILD = math.log(100.0)
+WILD = 4.605170185988092  # ln 100
 """Growth of a small difference over a return from which on no stable orbit is looked for there.
 Near one it shrinks; a chaotic motion comes back often, and each search would be in vain."""
 GROWN = 4
@@ -229,10 +231,10 @@ def stretched(stretch: Stretch, jacobian: Jacobian) -> Stretch:
     """Return a tangent vector after a passage, at length 1."""
     phase = jacobian.phase_by_phase * stretch.phase + jacobian.phase_by_speed * stretch.speed
     speed = jacobian.speed_by_phase * stretch.phase + jacobian.speed_by_speed * stretch.speed
-    size = math.hypot(phase, speed)
+    size = hypot(phase, speed)
     if size == 0.0:  # the one direction that a flight from an uplift forgets
         return Stretch(GENERIC[0], GENERIC[1], stretch.logarithm, stretch.since)
-    return Stretch(phase / size, speed / size, stretch.logarithm + math.log(size), stretch.since)
+    return Stretch(phase / size, speed / size, stretch.logarithm + log(size), stretch.since)
 
 
 @compiled
@@ -292,7 +294,7 @@ def recognised(
         if not arrives(system, last, orbit, passages, largest):
             return nothing  # what comes next are multiples of it
         first, of = primitive(table, passages, periods)
-        exponent = math.log(largest) / periods if largest > 0.0 else -math.inf
+        exponent = log(largest) / periods if largest > 0.0 else -math.inf
         rests = fixed.rests * first // passages
         return Settled(
             PERIODIC, orbit, first, of, fixed.residual, rests, exponent, exponent, passed, growth
@@ -310,7 +312,7 @@ def arrives(system: System, state: Section, orbit: Section, passages: int, large
     """
     near = distance(orbit, state)
     returns = min(MOST_RETURNS, 20 + int(30.0 / (1.0 - largest)), MOST_PASSAGES // passages)
-    halving = math.log(0.5) / math.log(largest) if largest > 0.0 else 0.0
+    halving = -LN2 / log(largest) if largest > 0.0 else 0.0
     half, since = 0.5 * near, 0
     for count in range(returns):
         apart = distance(orbit, state)

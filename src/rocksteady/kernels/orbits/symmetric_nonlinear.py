@@ -120,7 +120,7 @@ def symmetric_from(
         Not found where the branch ends before, in a fold or as the floor comes in its way.
     """
     table = sides.copy()
-    fold = 1.0 + sides[0, RESTITUTION] ** 2
+    fold = 1.0 + sides[0, RESTITUTION] * sides[0, RESTITUTION]
     reached, step = 0.0, 1.0
     found = Half(False, state, identity())
     # How the orbit moves with the square of the slenderness.  Of a very unstable one Newton's
