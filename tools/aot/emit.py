@@ -19,7 +19,6 @@ RUNTIME = {
     "NRT_MemInfo_data_fast",
     "NRT_decref",
     "NRT_incref",
-    *["acos", "atan", "atan2", "expm1", "hypot", "log1p", "nextafter", "sinh", "tanh"],
     "memcpy",
     "memset",
 }

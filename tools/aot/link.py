@@ -74,7 +74,7 @@ def _options(target: Target) -> list[str]:
             "-Wl,-z,stack-size=1048576",
             *(f"-Wl,--export={name}" for name in names),
         ]
-    options = ["-shared", "-fvisibility=default", "-s", "-lm"]
+    options = ["-shared", "-fvisibility=default", "-s"]
     if target.name.startswith("linux"):
         options += ["-fPIC", "-Wl,--no-undefined"]
     return options

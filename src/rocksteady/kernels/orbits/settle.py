@@ -287,7 +287,8 @@ def recognised(
         if not fixed.found or fixed.grazes > 0 or distance(orbit, last) > 10.0 * NEAR:
             continue
         determinant = loss(system, orbit.side, passages, fixed.rests)
-        largest = abs(multipliers(fixed.jacobian, determinant)[0])
+        first, _ = multipliers(fixed.jacobian, determinant)
+        largest = hypot(first.real, first.imag)
         # Without loss nothing is attracted, whatever rounding makes of a modulus of 1.
         if not (determinant < 1.0 and largest < 1.0):
             continue
