@@ -7,6 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.elementary.arrays import hypot
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.sweep.cases.axes import Axis
@@ -27,7 +28,7 @@ def reach(amplitude: float, frequency_ratio: float) -> float:
     A/sqrt(1 + Omega^2) in size.  Where that is positive the block could come back to its base only
     in a dip on the way.
     """
-    return 1.0 + amplitude / math.hypot(1.0, frequency_ratio)
+    return 1.0 + amplitude / hypot(1.0, frequency_ratio)
 
 
 def window_of(sides: Floats, amplitude: float, frequency_ratio: float) -> tuple[float, float]:

@@ -1,14 +1,14 @@
 """A periodic orbit at given parameters as a chain of arcs, the form that continuation uses."""
 
-import cmath
 import math
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import repeat
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.orbits.orbit import ordered
+from rocksteady.dynamics.orbits.orbit import ordered, squared
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.orbits import chains as kernel
 from rocksteady.kernels.orbits.return_map import Section
@@ -159,14 +159,19 @@ class Chain:
         """
         with np.errstate(all="ignore"):
             over = kernel.turned_over(self.table)
-        half = complex(0.5 * (over.phase_by_phase + over.speed_by_speed))
-        if not cmath.isfinite(half):
+        half = 0.5 * float(over.phase_by_phase + over.speed_by_speed)
+        if not math.isfinite(half):
             return np.array([complex(math.inf, 0.0), complex(0.0, 0.0)])
-        determinant = float(self.parameters[2]) ** (2 * self.impacts)
-        first = half + cmath.sqrt(half * half - determinant) * (1.0 if half.real >= 0.0 else -1.0)
-        second = determinant / first
+        determinant = math.prod(repeat(float(self.parameters[2]), 2 * self.impacts))
+        spread = half * half - determinant
+        if spread < 0.0:
+            first = complex(half, math.sqrt(-spread))
+            second = first.conjugate()
+        else:
+            first = complex(half + math.copysign(math.sqrt(spread), half))
+            second = complex(determinant / first.real)
         if self.symmetric:
-            first, second = first * first, second * second
+            first, second = squared(first), squared(second)
         return ordered(first, second)
 
     @property

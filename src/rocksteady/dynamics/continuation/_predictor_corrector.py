@@ -14,6 +14,8 @@ from typing import Generic, Protocol, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.kernels.elementary.arrays import acos
+
 Floats = NDArray[np.float64]
 
 STEPS = 12
@@ -156,9 +158,9 @@ class Curve(Generic[SolutionT]):
                 continue
             oriented = there
             yield new
-            turn = math.acos(min(1.0, float(new.tangent @ spot.tangent)))
+            turn = acos(min(1.0, float(new.tangent @ spot.tangent)))
             spot = new
-            if turn < 0.3 * math.acos(STRAIGHT):
+            if turn < 0.3 * acos(STRAIGHT):
                 step = min(1.6 * step, self.largest_step)
 
     def locate(

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.continuation._chain import Chain
-from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
+from rocksteady.dynamics.orbits.orbit import Orbit, modulus, orbit_from
 from rocksteady.dynamics.orbits.return_map import make_system, state_of
 from rocksteady.errors import ModelError
 from rocksteady.kernels.orbits import periodic
@@ -152,7 +152,7 @@ class BranchPoint:
         Not at a bifurcation, where one of them lies on it.
         """
         marginal = self.type in MARGINAL or self.restitution == 1.0
-        return bool(self.admissible and not marginal and abs(self.multipliers[0]) < 1.0)
+        return bool(self.admissible and not marginal and modulus(self.multipliers[0]) < 1.0)
 
     @cached_property
     def peaks(self) -> Floats:

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.samples import Impacts
 from rocksteady.kernels.core import tables as columns
+from rocksteady.kernels.elementary.arrays import exp, log
 
 Floats = NDArray[np.float64]
 
@@ -39,15 +40,16 @@ def growth_of(
     rates = sides[:, columns.RATE].tolist()
     one, other = (1.0, 0.0), (0.0, 1.0)  # images of a unit of angle and of velocity
     gone = largest = 0.0  # logarithms: of what has been divided out, and of the growth
-    on = rows[:, columns.ROW_SIDE].astype(int).tolist()
-    for row, (side, duration) in enumerate(zip(on, durations.tolist(), strict=True)):
+    on = rows[:, columns.ROW_SIDE].astype(int)
+    turned = durations * np.where(on > 0, rates[0], rates[1])  # rho t
+    flights = zip(on.tolist(), turned.tolist(), exp(-2.0 * turned).tolist(), strict=True)
+    for row, (side, turn, left) in enumerate(flights):
         if side == 0:
             one, other, gone = (1.0, 0.0), (0.0, 1.0), 0.0
             continue
         rate = rates[0 if side > 0 else 1]
         # cosh and sinh times exp(-rho t), which is put aside.
-        gone += rate * duration
-        left = math.exp(-2.0 * rate * duration)
+        gone += turn
         cosh, sinh = 0.5 * (1.0 + left), 0.5 * (1.0 - left)
         one, other = (
             (cosh * u + sinh / rate * v, rate * sinh * u + cosh * v) for u, v in (one, other)
@@ -55,13 +57,14 @@ def growth_of(
         if row in turns:
             ratio, kink = turns[row]
             one, other = ((ratio * u, kink * u + ratio * v) for u, v in (one, other))
-        size = math.hypot(*one, *other)
+        (a, b), (c, d) = one, other
+        size = math.sqrt(a * a + b * b + c * c + d * d)
         if not 0.0 < size < math.inf:
             return math.inf
-        gone += math.log(size)
+        gone += log(size)
         one, other = ((u / size, v / size) for u, v in (one, other))
         largest = max(largest, gone)
-    return math.exp(largest) if largest < LARGEST_LOGARITHM else math.inf
+    return exp(largest) if largest < LARGEST_LOGARITHM else math.inf
 
 
 def _impacts(
@@ -71,7 +74,7 @@ def _impacts(
     ended = np.flatnonzero(rows[:, columns.ROW_EVENT] == columns.ENDED_BY_IMPACT)
     here = np.where(impacts.side > 0, 0, 1)
     before, after = (
-        sides[side, columns.RATE] ** 2 * (base - sign * sides[side, columns.LEAN])
+        np.square(sides[side, columns.RATE]) * (base - sign * sides[side, columns.LEAN])
         for side, sign in ((here, impacts.side), (1 - here, -impacts.side))
     )
     ratios = sides[here, columns.RESTITUTION]

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.kernels.core import tables as columns
+from rocksteady.kernels.elementary.arrays import sin, sincos
 
 Floats = NDArray[np.float64]
 
@@ -64,7 +65,7 @@ def base_acceleration(segments: Floats, s: ArrayLike) -> Floats:
         row[..., columns.CONSTANT]
         + row[..., columns.SLOPE] * since
         + row[..., columns.AMPLITUDE]
-        * np.sin(row[..., columns.FREQUENCY] * since + row[..., columns.PHASE])
+        * sin(row[..., columns.FREQUENCY] * since + row[..., columns.PHASE])
     )
     return result
 
@@ -90,7 +91,7 @@ def largest_acceleration(segments: Floats) -> float:
 def swinging_displacement(segments: Floats, s: ArrayLike) -> Floats:
     """Return the displacement of a base in endless harmonic shaking, to and fro about 0."""
     a, w, phase = segments[0, [columns.AMPLITUDE, columns.FREQUENCY, columns.PHASE]]
-    result: Floats = -a / w**2 * np.sin(w * np.asarray(s, dtype=np.float64) + phase)
+    result: Floats = -a / (w * w) * sin(w * np.asarray(s, dtype=np.float64) + phase)
     return result
 
 
@@ -124,8 +125,9 @@ def _gains(rows: Floats, since: Floats) -> tuple[Floats, Floats]:
     w = np.where(frequency > 0.0, frequency, 1.0)  # without one there is no amplitude
     swing = rows[..., columns.AMPLITUDE] / w
     turned = w * since + phase
-    velocity = since * (constant + since * slope / 2.0) + swing * (np.cos(phase) - np.cos(turned))
-    displacement = since**2 * (constant / 2.0 + since * slope / 6.0) + swing * (
-        since * np.cos(phase) - (np.sin(turned) - np.sin(phase)) / w
+    (sine, cosine), (late_sine, late_cosine) = sincos(phase), sincos(turned)
+    velocity = since * (constant + since * slope / 2.0) + swing * (cosine - late_cosine)
+    displacement = since * since * (constant / 2.0 + since * slope / 6.0) + swing * (
+        since * cosine - (late_sine - sine) / w
     )
     return velocity, displacement

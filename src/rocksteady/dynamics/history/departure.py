@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.tables import ALPHA, RESTITUTION, is_nonlinear
+from rocksteady.kernels.elementary.arrays import hypot
 from rocksteady.kernels.orbits.closed_form import half_cycle_jacobian, symmetric_orbit
 from rocksteady.kernels.orbits.return_map import Section
 from rocksteady.kernels.orbits.symmetric_nonlinear import Half, symmetric_from
@@ -71,7 +72,8 @@ def set_off(
         state, jacobian = found.state, found.jacobian
         phase, velocity = state.half_cycles * math.pi + state.phase, state.speed
         trace = jacobian.phase_by_phase + jacobian.speed_by_speed
-        if not abs(trace) < 1.0 + float(sides[0, RESTITUTION]) ** 2:
+        restitution = float(sides[0, RESTITUTION])
+        if not abs(trace) < 1.0 + restitution * restitution:
             turn, rate = growing(tuple(jacobian), velocity, order, branch, frequency_ratio)
     elif unstable:
         restitution = float(sides[0, RESTITUTION])
@@ -148,13 +150,13 @@ def growing(
         )
     # Its entries may be near the overflow; the direction does not depend on their scale.
     j11, j12, j21, j22 = (entry / largest for entry in entries)
-    half = 0.5 * (j11 + j22)
-    root = math.sqrt(max(0.25 * (j11 - j22) ** 2 + j12 * j21, 0.0))
+    half, apart = 0.5 * (j11 + j22), 0.5 * (j11 - j22)
+    root = math.sqrt(max(apart * apart + j12 * j21, 0.0))
     multiplier = half + math.copysign(root, half)
     # The longer of the two rows of J - multiplier gives the direction.
-    if math.hypot(j11 - multiplier, j12) > math.hypot(j21, j22 - multiplier):
+    if hypot(j11 - multiplier, j12) > hypot(j21, j22 - multiplier):
         x, y = -j12, j11 - multiplier
     else:
         x, y = multiplier - j22, j21
-    size = math.copysign(math.hypot(x, y), y)
+    size = math.copysign(hypot(x, y), y)
     return x / size, y / size * velocity

@@ -16,6 +16,7 @@ from rocksteady.errors import InputError, ModelError, Status
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.core.tables import is_nonlinear
+from rocksteady.kernels.elementary.arrays import cos, sin, tan
 from rocksteady.kernels.march.replay import (
     fill_states,
     last_crossing,
@@ -158,8 +159,8 @@ class Trajectory:
             float(self.sides[row, columns.ALPHA]),
             1.0 + base_motion.lift(self.segments, s),
         )
-        own = lean * (weight * math.sin(alpha) / alpha)
-        return float(rate * rate * (own - push * math.cos(alpha)))
+        own = lean * (weight * sin(alpha) / alpha)
+        return float(rate * rate * (own - push * cos(alpha)))
 
     @cached_property
     def _overturning(self) -> tuple[int, float] | None:
@@ -247,7 +248,7 @@ class Trajectory:
         if not is_nonlinear(self.sides):
             return negative, positive
         first, second = self.sides[:, columns.ALPHA].tolist()
-        return negative * (math.tan(second) / second), positive * (math.tan(first) / first)
+        return negative * (tan(second) / second), positive * (tan(first) / first)
 
     @cached_property
     def impacts(self) -> Impacts:
@@ -287,7 +288,7 @@ class Trajectory:
         durations[-1] = self._last_duration
         if isinstance(self.motion, Harmonic):  # the clock keeps its digits in long runs
             sign = np.where(self.impacts.half_cycles % 2 == 0, 1.0, -1.0)
-            base = self.motion.amplitude * sign * np.sin(self.impacts.phase)
+            base = self.motion.amplitude * sign * sin(self.impacts.phase)
         else:
             base = self.base_acceleration(self.impacts.s)
         return growth_of(self.rows, self.sides, durations, self.impacts, base)
@@ -390,15 +391,15 @@ class Trajectory:
     def _energy(self, angle: Floats, velocity: Floats) -> Floats:
         """Return kinetic and potential energy above rest."""
         own = self.sides[np.where(angle < 0.0, 1, 0)]
-        lean, square = own[..., columns.LEAN], own[..., columns.RATE] ** 2
-        energy: Floats
+        lean, square = own[..., columns.LEAN], np.square(own[..., columns.RATE])
         if is_nonlinear(self.sides):
             alpha, tilt = own[..., columns.ALPHA], np.abs(angle) / lean
             # cos x - cos y as a product, which keeps the digits of small angles.
-            raised = np.sin(alpha * (1.0 - 0.5 * tilt)) * np.sin(0.5 * alpha * tilt)
-            energy = 0.5 * velocity**2 + 2.0 * square * lean**2 * raised / alpha**2
+            raised = sin(alpha * (1.0 - 0.5 * tilt)) * sin(0.5 * alpha * tilt)
+            potential = 2.0 * square * np.square(lean) * raised / np.square(alpha)
         else:
-            energy = 0.5 * velocity**2 + square * lean * np.abs(angle) - 0.5 * square * angle**2
+            potential = square * lean * np.abs(angle) - 0.5 * square * np.square(angle)
+        energy: Floats = 0.5 * np.square(velocity) + potential
         return energy
 
     def phase_path(self, per_unit: int = 100) -> tuple[Floats, Floats]:

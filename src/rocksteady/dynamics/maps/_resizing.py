@@ -1,9 +1,7 @@
 """Blocks resized along a map's axis: which other dimensions stay fixed, which follow."""
 
-import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from itertools import repeat
 from typing import NamedTuple
 
 import numpy as np
@@ -11,6 +9,7 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.parameters import SIZES, UNLIKE
 from rocksteady.errors import ModelError
+from rocksteady.kernels.elementary.arrays import atan2, hypot, sin
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.sides import Restitution
@@ -76,7 +75,7 @@ def check_sizes(block: Block | DimensionlessBlock, names: Sequence[str]) -> None
                 valid="sizes are moved of homogeneous rectangles; the sides of this block differ",
                 hint="move its restitution or the shaking, or call once for each block",
             )
-        ratio = block.p**2 * block.radius / block.gravity
+        ratio = block.p * block.p * block.radius / block.gravity
         if abs(ratio - 0.75) > HOMOGENEOUS:
             raise ModelError(
                 name="block",
@@ -190,19 +189,11 @@ def measures_of(
     else:
         alpha, radius = first, second
         if "width" in sizes:
-            alpha = _each(math.atan2, first, second)
-            radius = 0.5 * _each(math.hypot, first, second)
+            alpha = atan2(first, second)
+            radius = 0.5 * hypot(first, second)
         p = np.sqrt(0.75 * gravity / radius)
     restitution: float | Floats = block.restitution
     if housner:
-        squared = _each(math.pow, _each(math.sin, alpha), 2.0)
-        restitution = 1.0 - 2.0 * (p * p * radius / gravity) * squared
+        sine = sin(alpha)
+        restitution = 1.0 - 2.0 * (p * p * radius / gravity) * (sine * sine)
     return Measures(alpha * gravity, p, restitution, alpha)
-
-
-def _each(function: Callable[..., float], *arguments: float | Floats) -> float | Floats:
-    """Call a function of Python's `math` for each cell: NumPy's may differ in the last bit."""
-    if all(isinstance(one, float) for one in arguments):
-        return function(*arguments)
-    columns = (repeat(one) if isinstance(one, float) else one.tolist() for one in arguments)
-    return np.array(list(map(function, *columns)))

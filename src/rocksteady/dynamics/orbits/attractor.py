@@ -17,6 +17,7 @@ from rocksteady.dynamics.orbits.return_map import (
     make_system,
     state_of,
 )
+from rocksteady.kernels.elementary.arrays import exp
 from rocksteady.kernels.orbits import settle as kernel
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS
 from rocksteady.model.blocks.block import Block
@@ -230,7 +231,7 @@ def attractor(
         orbit=orbit,
         lyapunov=found.lyapunov,
         after=found.after,
-        growth=math.exp(min(found.growth, 700.0)),
+        growth=exp(min(found.growth, 700.0)),
         reason=_reason(found, bare) if kind is AttractorKind.UNDECIDED else "",
         state=state_of(found.state) if found.state.side != 0 else None,
         model=equations,
@@ -260,7 +261,7 @@ def _reason(found: kernel.Settled, block: DimensionlessBlock) -> str:
         return (
             f"it rests again and again, the last time after {found.passages} impacts in "
             f"{found.periods} forcing periods, on which a small difference may grow "
-            f"{math.exp(min(found.growth, 700.0)):.1g}-fold: rounding decides how it goes on"
+            f"{exp(min(found.growth, 700.0)):.1g}-fold: rounding decides how it goes on"
         )
     if found.passages > 0:
         return (

@@ -16,6 +16,7 @@ from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.dynamics.orbits.return_map import ImpactState, make_system, section_of, state_of
 from rocksteady.errors import ModelError, Status, Words
 from rocksteady.kernels.core import tables as columns
+from rocksteady.kernels.elementary.arrays import hypot, log
 from rocksteady.kernels.orbits import periodic
 from rocksteady.kernels.orbits.return_map import UPLIFT, Section, next_passage
 from rocksteady.model.blocks.block import Block
@@ -91,7 +92,7 @@ class Orbit:
     @property
     def largest_multiplier(self) -> float:
         """Modulus of the larger multiplier."""
-        return float(abs(self.multipliers[0]))
+        return modulus(self.multipliers[0])
 
     @property
     def stable(self) -> bool:
@@ -111,7 +112,7 @@ class Orbit:
     def lyapunov(self) -> float:
         """Largest Lyapunov exponent per forcing period; -inf where the orbit comes to rest."""
         size = self.largest_multiplier
-        return math.log(size) / self.period if size > 0.0 else -math.inf
+        return log(size) / self.period if size > 0.0 else -math.inf
 
     @property
     def start(self) -> State:
@@ -250,6 +251,17 @@ def orbit_from(
         residual=residual,
         model=model,
     )
+
+
+def modulus(value: complex) -> float:
+    """Return the modulus, the same bits everywhere."""
+    return hypot(value.real, value.imag)
+
+
+def squared(value: complex) -> complex:
+    """Return the square, each product rounded by itself, as a complex product need not."""
+    real, imaginary = value.real, value.imag
+    return complex(real * real - imaginary * imaginary, 2.0 * real * imaginary)
 
 
 def ordered(first: complex, second: complex) -> NDArray[np.complex128]:

@@ -200,8 +200,10 @@ class ReturnMap:
                 break
             impacts += kind != return_map.UPLIFT
             uplifts += kind == return_map.UPLIFT
-            jacobian = np.array(step.jacobian).reshape(2, 2)
-            total = jacobian @ total if kind != return_map.GRAZE else np.full((2, 2), math.nan)
+            if kind == return_map.GRAZE:
+                total = np.full((2, 2), math.nan)
+            else:  # the product of two matrices, whose sums BLAS may round otherwise
+                total = (np.array(step.jacobian).reshape(2, 2, 1) * total).sum(axis=1)
             here = step.state
         ended = kind in (return_map.FALL, return_map.STAY, return_map.STUCK)
         return Passage(

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.departure import nonlinear_half
 from rocksteady.dynamics.history.models import ModelName, model_name, sides_of
-from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from, ordered
+from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from, ordered, squared
 from rocksteady.dynamics.orbits.return_map import (
     ImpactState,
     bare_block,
@@ -18,6 +18,7 @@ from rocksteady.dynamics.orbits.return_map import (
     section_of,
 )
 from rocksteady.dynamics.steady.states import steady_states
+from rocksteady.kernels.elementary.arrays import hypot
 from rocksteady.kernels.orbits import periodic
 from rocksteady.kernels.orbits.periodic import mirror
 from rocksteady.kernels.orbits.return_map import (
@@ -175,8 +176,7 @@ def _symmetric_orbits(
             phase, velocity = float(states.phase[which]), float(states.velocity[which])
             admissible = bool(states.admissible[which])
             peak = float(states.peak[which]) if admissible else math.nan
-            with np.errstate(over="ignore", invalid="ignore"):
-                pair = states.multipliers[which] ** 2
+            pair = [squared(half) for half in states.multipliers[which].tolist()]
             first = ImpactState(side=1, phase=phase, speed=abs(velocity) * w)
             residual = math.nan
             if admissible:
@@ -195,7 +195,7 @@ def _symmetric_orbits(
                 symmetric=True,
                 highest=peak,
                 lowest=-peak,
-                multipliers=ordered(complex(pair[0]), complex(pair[1])),
+                multipliers=ordered(*pair),
                 residual=residual,
                 admissible=admissible,
                 branch=which + 1,
@@ -282,7 +282,7 @@ def _searched_orbits(
 ) -> Iterable[Found]:
     """Yield the orbits that Newton's method finds."""
     w = shaking.frequency_ratio
-    fastest = 1.0 + shaking.amplitude / math.hypot(1.0, w)
+    fastest = 1.0 + shaking.amplitude / hypot(1.0, w)
     steps = np.arange(seeds, dtype=np.float64)
     phases: Floats = steps * (2.0 * math.pi / seeds)
     speeds: Floats = (steps + 0.5) * (fastest / seeds)

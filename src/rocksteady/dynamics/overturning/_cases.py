@@ -15,6 +15,7 @@ from rocksteady.dynamics.overturning._scan import MANY, Fates, Found, scan
 from rocksteady.errors import Status
 from rocksteady.kernels.batch.pulses import pulse_fates
 from rocksteady.kernels.core.tables import ALPHA, CEILING, LEAN, is_nonlinear
+from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.motions.pulses import Pulse
@@ -113,7 +114,7 @@ def uplifts_of(sides: Floats) -> tuple[float, float]:
     """Return the a/(alpha g) at which either side lifts: 1, or tan(alpha)/alpha, times its lean."""
     if not is_nonlinear(sides):
         return float(sides[0, LEAN]), float(sides[1, LEAN])
-    first, second = (math.tan(side[ALPHA]) / side[ALPHA] * side[LEAN] for side in sides)
+    first, second = (tan(side[ALPHA]) / side[ALPHA] * side[LEAN] for side in sides)
     return first, second
 
 

@@ -31,11 +31,15 @@ Where windows have no number the search would not end for a long time.  After `M
 besides the grid it ends, the widest intervals halved first, and counts those that it leaves.
 """
 
+import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+from rocksteady.kernels.elementary.arrays import log, log1p
+from rocksteady.sweep.cases.spacing import in_equal_ratios
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -144,15 +148,14 @@ def first_grid(low: float, high: float, step: float, uplifts: Sequence[float] = 
     floor = max(low, min(uplifts))
     if high <= floor:
         return np.unique([low, high])
-    count = int(np.ceil(np.log(high / floor) / np.log1p(step))) + 1
-    parts = [np.array([low]), np.geomspace(floor, high, max(count, 2))]
+    count = math.ceil(log(high / floor) / log1p(step)) + 1
+    parts: list[Floats] = [np.array([low]), np.array(in_equal_ratios(floor, high, max(count, 2)))]
     for uplift in sorted(set(uplifts)):
         nearest, furthest = max(floor - uplift, NEAREST * uplift), high - uplift
         if furthest > nearest:
-            decades = np.log10(furthest / nearest)
-            parts.append(
-                uplift + np.geomspace(nearest, furthest, int(np.ceil(DECADE * decades)) + 1)
-            )
+            decades = log(furthest / nearest) / log(10.0)
+            count = math.ceil(DECADE * decades) + 1
+            parts.append(uplift + np.array(in_equal_ratios(nearest, furthest, count)))
     # Ends that rounding has moved, and neighbours that it has made one.
     return np.unique(np.clip(np.concatenate(parts), low, high))
 

@@ -17,6 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError
+from rocksteady.kernels.elementary.arrays import cos, exp, expm1, log, log1p, sin
+from rocksteady.kernels.elementary.roots import root
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
@@ -133,14 +135,7 @@ def overturning_impulse(block: Block, *, linear: bool = False) -> float:
     if linear:
         return block.uplift_acceleration / block.p
     # 2 sin(alpha/2) is sqrt(2 (1 - cos alpha)), without its cancellation
-    return block.gravity / block.p * 2.0 * math.sin(0.5 * block.alpha) / math.cos(block.alpha)
-
-
-def _root(equation: Callable[[float], float], low: float, high: float) -> float:
-    """Return where an equation changes its sign, to the last digits."""
-    from scipy.optimize import brentq
-
-    return float(brentq(equation, low, high, xtol=1e-300, rtol=4.0 * np.finfo(float).eps))
+    return block.gravity / block.p * 2.0 * sin(0.5 * block.alpha) / cos(block.alpha)
 
 
 def _sine(w: float, end: float, sign: float) -> float:
@@ -150,33 +145,34 @@ def _sine(w: float, end: float, sign: float) -> float:
     """
 
     def equation(psi: float) -> float:
-        return w * math.sin(psi) - math.cos(psi) - sign * math.exp(-(end - psi) / w)
+        return w * sin(psi) - cos(psi) - sign * exp(-(end - psi) / w)
 
-    return 1.0 / math.sin(_root(equation, 0.0, 0.5 * math.pi))
+    return 1.0 / sin(root(equation, 0.0, 0.5 * math.pi))
 
 
 def _versed_sine(w: float) -> float:
     k = 2.0 * w
 
     def equation(psi: float) -> float:
-        return k * math.cos(psi) + math.sin(psi) - k * math.exp(-(2.0 * math.pi - psi) / k)
+        return k * cos(psi) + sin(psi) - k * exp(-(2.0 * math.pi - psi) / k)
 
-    half = 0.5 * _root(equation, 0.0, math.pi)
-    return 1.0 / math.sin(half) ** 2
+    sine = sin(0.5 * root(equation, 0.0, math.pi))
+    return 1.0 / (sine * sine)
 
 
 def _triangle(w: float) -> float:
     q = 0.5 * math.pi / w
     if q > 1.0:
-        return q / (q - math.log(2.0 - math.exp(-q)))
+        return q / (q - log(2.0 - exp(-q)))
     # q - ln(2 - e^-q) = -ln(e^-q (2 - e^-q)) = -ln(1 - (1 - e^-q)^2)
-    return q / -math.log1p(-(math.expm1(-q) ** 2))
+    lost = expm1(-q)
+    return q / -log1p(-lost * lost)
 
 
 def _decaying_ramp(w: float) -> float:
     d = math.pi / w
     if d > 0.1:
-        return d / (d + math.expm1(-d))
+        return d / (d + expm1(-d))
     # d - 1 + e^-d = d^2/2 - d^3/6 + ...: its terms fall by d/3 or more.
     term, total = 0.5 * d * d, 0.0
     for n in range(3, 20):
@@ -186,12 +182,12 @@ def _decaying_ramp(w: float) -> float:
 
 
 THRESHOLDS: dict[str, Callable[[float], float]] = {
-    "rectangle": lambda w: -1.0 / math.expm1(-math.pi / w),
+    "rectangle": lambda w: -1.0 / expm1(-math.pi / w),
     "half-sine": lambda w: _sine(w, math.pi, 1.0),
     "versed-sine": _versed_sine,
     "triangle": _triangle,
     "decaying-ramp": _decaying_ramp,
     "one-sine": lambda w: _sine(w, 2.0 * math.pi, -1.0),
-    "one-cosine": lambda w: -(1.0 + w * w) / math.expm1(-2.0 * math.pi / w),
+    "one-cosine": lambda w: -(1.0 + w * w) / expm1(-2.0 * math.pi / w),
 }
 """The closed form of each shape, from w."""

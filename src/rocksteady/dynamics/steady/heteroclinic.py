@@ -1,7 +1,6 @@
 """Heteroclinic tangency in closed form, for a block with equal or different sides."""
 
-import math
-
+from rocksteady.kernels.elementary.arrays import hypot
 from rocksteady.model.blocks.dimensionless import SideRow
 
 
@@ -50,6 +49,6 @@ def tangency_amplitude(sides: tuple[SideRow, SideRow], frequency_ratio: float) -
         w, other_w = frequency_ratio / rate, frequency_ratio / other_rate
         going = delta * rate / (1.0 + w * w)
         coming = other_rate / (1.0 + other_w * other_w)
-        length = math.hypot(going + coming, coming * other_w - going * w)
+        length = hypot(going + coming, coming * other_w - going * w)
         found.append(abs(delta * lean * rate - other_lean * other_rate) / length)
     return min(found)

@@ -4,13 +4,14 @@ They are the curves along which these states begin to exist, change kind and los
 one along which the stable and unstable manifolds of the upright saddles first touch.
 """
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import order_of_orbit, real_array, validated_grid
+from rocksteady.kernels.elementary.arrays import exp, log
+from rocksteady.kernels.elementary.roots import root
 from rocksteady.kernels.orbits.closed_form import fill_curves, symmetry_breaking
 from rocksteady.model.blocks.sides import restitution_value
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -205,7 +206,7 @@ def melnikov_amplitude(frequency_ratio: ArrayLike, restitution: ArrayLike) -> Fl
     array([0.1 , 0.25, 1.3 ])
     """
     _, ratios, restitutions, _ = validated_grid(0.0, frequency_ratio, restitution, 1)
-    result: Floats = 0.5 * (1.0 - restitutions) * (1.0 + ratios**2)
+    result: Floats = 0.5 * (1.0 - restitutions) * (1.0 + ratios * ratios)
     return result
 
 
@@ -272,19 +273,17 @@ def symmetry_breaking_frequency(amplitude: float, restitution: float, *, order: 
     >>> symmetry_breaking_frequency(2.0, 0.8).round(6)
     array([1.948378])
     """
-    from scipy.optimize import brentq
-
     a = in_range("amplitude", amplitude, 0.0, LARGEST, hint="give a_max/(alpha g)")
     ratio_of_velocities = restitution_value(restitution)
     n = order_of_orbit(order)
 
     def excess(log_ratio: float) -> float:
-        return symmetry_breaking(math.exp(log_ratio), ratio_of_velocities, n) - a
+        return symmetry_breaking(exp(log_ratio), ratio_of_velocities, n) - a
 
-    grid = np.linspace(math.log(0.01), math.log(1000.0), 4001)
+    grid = np.linspace(log(0.01), log(1000.0), 4001).tolist()
     values = np.array([excess(x) for x in grid])
     roots = [
-        math.exp(brentq(excess, grid[i], grid[i + 1], xtol=1e-15, rtol=1e-14))
+        exp(root(excess, grid[i], grid[i + 1]))
         for i in range(len(grid) - 1)
         if values[i] * values[i + 1] <= 0.0 and values[i] != 0.0
     ]

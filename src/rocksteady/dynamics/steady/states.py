@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.arrays import order_of_orbit, validated_grid
 from rocksteady.dynamics.steady.regions import REGIONS
 from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.kernels.elementary.arrays import sin
 from rocksteady.kernels.orbits.closed_form import fill_half_cycle, fill_steady, symmetric_orbit
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -151,7 +152,7 @@ class SteadyStates:
         the positive imaginary part first.  The full orbit's are their squares.
         """
         half = 0.5 * self.trace
-        product = np.broadcast_to(self.restitution**2, half.shape)
+        product = np.broadcast_to(self.restitution * self.restitution, half.shape)
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
             # sqrt(half^2 - product) without squaring a trace near the overflow
             ratio = self.restitution / np.abs(half)
@@ -159,8 +160,10 @@ class SteadyStates:
             root = np.abs(half) * np.sqrt(np.where(real, (1.0 - ratio) * (1.0 + ratio), 0.0))
             large = half + np.copysign(root, half)
             turn = np.sqrt(np.maximum(product - half * half, 0.0))
-            first = np.where(real, large + 0j, half + 1j * np.where(real, 0.0, turn))
-            second = np.where(real, product / large + 0j, np.conj(first))
+            first = np.empty(half.shape, dtype=np.complex128)
+            first.real, first.imag = np.where(real, large, half), np.where(real, 0.0, turn)
+            second = np.conj(first)
+            second.real = np.where(real, product / large, half)
         nothing = np.isnan(half)
         first[nothing] = second[nothing] = complex(math.nan, 0.0)
         return np.stack([first, second], axis=-1)
@@ -177,7 +180,7 @@ class SteadyStates:
 
         That is so where ``|trace| < 1 + restitution^2``; a neutral orbit is not stable.
         """
-        inside: Bools = np.abs(self.trace) < 1.0 + self.restitution**2
+        inside: Bools = np.abs(self.trace) < 1.0 + self.restitution * self.restitution
         stable: Bools = inside & (self.restitution < 1.0) & self._allowed
         return stable
 
@@ -416,5 +419,5 @@ def steady_orbit(
     velocity = np.concatenate([motion[1], -motion[1, 1:]]) / float(w)
     tau = np.concatenate([tau, length + tau[1:]])
     return SteadyOrbit(
-        tau=tau, angle=angle, velocity=velocity, excitation=float(a) * np.sin(tau + orbit.phase)
+        tau=tau, angle=angle, velocity=velocity, excitation=float(a) * sin(tau + orbit.phase)
     )

@@ -406,4 +406,4 @@ def last_place(written: str) -> float:
     mantissa, _, exponent = written.lower().replace("d", "e").partition("e")
     decimals = len(mantissa.partition(".")[2])
     power = int(exponent) if re.fullmatch(r"[+-]?\d{1,3}", exponent) else 0
-    return float(10.0 ** (power - decimals))
+    return float(f"1e{power - decimals}")

@@ -10,13 +10,19 @@ step from one to the next is exact,
 
 Nigam and Jennings' recurrence with one complex number in place of a matrix: a filter of the first
 order, which `scipy.signal.lfilter` runs.
+
+All but the filter is computed with real numbers: a product of complex ones is rounded in one way on
+one processor and in another on the next.
 """
 
-import cmath
 import math
+from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from rocksteady.kernels.elementary.arrays import atan2, exp, sincos
 
 Floats = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
@@ -51,7 +57,7 @@ def peaks(acceleration: Floats, dt: float, frequency: float, damping: float) -> 
     ndarray, shape (3,)
         Of u and u' relative to the ground, and of u'' + a.
     """
-    rate = complex(-damping, math.sqrt(1.0 - damping * damping)) * frequency
+    rate = complex(-damping * frequency, math.sqrt(1.0 - damping * damping) * frequency)
     # Steps of less than half a damped period: each derivative then has one extremum at most in it.
     parts = int(rate.imag * dt / math.pi) + 1
     h = dt / parts
@@ -59,28 +65,25 @@ def peaks(acceleration: Floats, dt: float, frequency: float, damping: float) -> 
     if parts > 1:
         a = np.interp(np.arange((len(a) - 1) * parts + 1) / parts, np.arange(len(a)), a)
     z = _states(a, h, rate)
-    powers = np.array([1.0, rate, rate * rate]) / rate.imag
-    sampled = np.abs((powers[:, np.newaxis] * z).imag).max(axis=1)
-    after = [_after(complex(power * z[-1]), rate) for power in powers]
-    found: Floats = np.maximum(sampled, after)
+    # 1/(wd L), 1/wd, L/wd and L^2/wd: what each kind is made with, after what its slope is.
+    inverse = _inverse(rate)
+    powers = [part / rate.imag for part in (inverse, complex(1.0), rate, _times(rate, rate))]
     slope = np.diff(a) / h
     # Inside a sample z = swing e^(L t) + steady + slope t/L.
-    steady = (a[:-1] + slope / rate) / rate
+    steady = _times(_complex(a[:-1] + slope * inverse.real, slope * inverse.imag), inverse)
     swing = z[:-1] - steady
-    reach = h * h * abs(rate * rate) * np.abs(swing)
-    for kind, power in enumerate(powers):
+    reach = h * h * frequency * frequency * np.sqrt(np.square(swing.real) + np.square(swing.imag))
+    found = np.empty(3)
+    for kind, (before, power) in enumerate(pairwise(powers)):
+        course = _times(power, z)
+        best = max(float(np.abs(course.imag).max()), _after(complex(course[-1]), rate))
         # No faster than at the sample's start by more than `reach`: most samples are passed over.
-        start = (power * z[:-1]).imag
-        speed = h * np.abs((power * rate * swing).imag + (power / rate).imag * slope)
-        of = np.flatnonzero(np.abs(start) + speed + abs(power) * reach > found[kind])
-        found[kind] = _between(
-            power * swing[of],
-            power * steady[of],
-            (power / rate).imag * slope[of],
-            rate,
-            h,
-            float(found[kind]),
-        )
+        moving = _times(power, swing)
+        speed = h * np.abs(_times(rate, moving).imag + before.imag * slope)
+        size = math.sqrt(power.real * power.real + power.imag * power.imag)
+        of = np.flatnonzero(np.abs(course.imag[:-1]) + speed + size * reach > best)
+        constant = _times(power, steady[of]).imag
+        found[kind] = _between(moving[of], constant, before.imag * slope[of], rate, h, best)
     return found
 
 
@@ -89,13 +92,16 @@ def _states(a: Floats, h: float, rate: complex) -> Complexes:
     from scipy.signal import lfilter
 
     x = rate * h
-    growth = np.exp(x)
-    if abs(x) < SERIES_BELOW:
-        second = sum(x**k / math.factorial(k + 2) for k in range(SERIES_TERMS))
-        first = 1.0 + x * second
+    growth = _grown(rate, h)
+    inverse = _inverse(x)
+    if x.real * x.real + x.imag * x.imag < SERIES_BELOW * SERIES_BELOW:
+        second = 0j
+        for k in reversed(range(SERIES_TERMS)):
+            second = _times(x, second) + 1.0 / math.factorial(k + 2)
+        first = 1.0 + _times(x, second)
     else:
-        first = (growth - 1.0) / x
-        second = (first - 1.0) / x
+        first = _times(growth - 1.0, inverse)
+        second = _times(first - 1.0, inverse)
     # The filter's own start would feel the first sample as if one of 0 had come before it.
     driven = lfilter(
         [-h * second, -h * (first - second)],
@@ -108,14 +114,15 @@ def _states(a: Floats, h: float, rate: complex) -> Complexes:
 
 def _after(z: complex, rate: complex) -> float:
     """Return the largest |Im(z e^(L t))| for t >= 0: at once, or at its first extremum."""
-    t = (-cmath.phase(rate * z) % math.pi) / rate.imag
-    return max(abs(z.imag), abs((z * cmath.exp(rate * t)).imag))
+    t = (-_phase(_times(rate, z)) % math.pi) / rate.imag
+    later: complex = _times(z, _grown(rate, t))
+    return max(abs(z.imag), abs(later.imag))
 
 
 def _between(
-    swing: Complexes, constant: Complexes, slope: Floats, rate: complex, h: float, best: float
+    swing: Complexes, constant: Floats, slope: Floats, rate: complex, h: float, best: float
 ) -> float:
-    """Return the largest |Im(swing e^(L t) + constant) + slope t| of some samples, 0 < t < h.
+    """Return the largest |Im(swing e^(L t)) + constant + slope t| of some samples, 0 < t < h.
 
     Parameters
     ----------
@@ -127,10 +134,11 @@ def _between(
         The largest value that is known; it is returned where none is larger.
     """
     # The derivative turns once at most inside a sample, at a phase that is known.
-    turn = np.minimum((-np.angle(rate * rate * swing) % math.pi) / rate.imag, h)
+    moving = _times(rate, swing)
+    turn = np.minimum((-_phase(_times(rate, moving)) % math.pi) / rate.imag, h)
 
     def speed(t: Floats | float, of: NDArray[np.intp] | slice = slice(None)) -> Floats:
-        moved: Floats = (rate * swing[of] * np.exp(rate * t)).imag + slope[of]
+        moved: Floats = _times(moving[of], _grown(rate, t)).imag + slope[of]
         return moved
 
     ends = [speed(0.0), speed(turn), speed(h)]
@@ -147,6 +155,36 @@ def _between(
             before = np.sign(speed(t, of)) == sign
             left, right = np.where(before, t, left), np.where(before, right, t)
         t = 0.5 * (left + right)
-        values = (swing[of] * np.exp(rate * t) + constant[of]).imag + slope[of] * t
+        values = _times(swing[of], _grown(rate, t)).imag + constant[of] + slope[of] * t
         best = max(best, float(np.abs(values).max()))
     return best
+
+
+def _grown(rate: complex, t: Any) -> Any:
+    """Return e^(L t) at a time or at each of an array of times."""
+    size, (sine, cosine) = exp(rate.real * t), sincos(rate.imag * t)
+    return _complex(size * cosine, size * sine)
+
+
+def _phase(z: Any) -> Any:
+    """Return the angle of a complex number or of each of an array."""
+    return atan2(z.imag, z.real)
+
+
+def _inverse(z: complex) -> complex:
+    square = z.real * z.real + z.imag * z.imag
+    return complex(z.real / square, -z.imag / square)
+
+
+def _times(x: Any, y: Any) -> Any:
+    """Return a product of complex numbers, or of arrays of them."""
+    return _complex(x.real * y.real - x.imag * y.imag, x.real * y.imag + x.imag * y.real)
+
+
+def _complex(real: Any, imaginary: Any) -> Any:
+    """Return complex numbers with these parts, or an array of them."""
+    if isinstance(real, float):
+        return complex(real, imaginary)
+    z = np.empty(real.shape, dtype=np.complex128)
+    z.real, z.imag = real, imaginary
+    return z

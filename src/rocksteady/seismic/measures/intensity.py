@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError
+from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import positive
@@ -196,7 +197,7 @@ def intensity_measures(
     pga, pgv = abs(course.peak_acceleration.value), abs(course.peak_velocity.value)
     begin, most, end = (course.time_of_arias(part) for part in (0.05, 0.75, 0.95))
     arias = float(course.arias_m_s[-1])
-    squares = float(np.trapezoid(record.acceleration_m_s2**2, dx=record.dt_s))
+    squares = float(np.trapezoid(np.square(record.acceleration_m_s2), dx=record.dt_s))
     strong = strong_shaking(record, threshold)
     spectrum = response_spectrum(record, HOUSNER_PERIODS_S, damping=damping)
     return IntensityMeasures(
@@ -240,7 +241,8 @@ def mean_period(record: Record) -> float:
     count = next_fast_len(max(needed, len(samples)), real=True)
     frequency = np.fft.rfftfreq(count, record.dt_s)
     inside = (frequency >= MEAN_PERIOD_HZ[0]) & (frequency <= MEAN_PERIOD_HZ[1])
-    power = np.abs(np.fft.rfft(samples, count)[inside]) ** 2
+    swing = np.fft.rfft(samples, count)[inside]
+    power = np.square(swing.real) + np.square(swing.imag)
     total = float(power.sum())
     return float((power / frequency[inside]).sum()) / total if total > 0.0 else math.nan
 
@@ -248,7 +250,7 @@ def mean_period(record: Record) -> float:
 def _felt(block: Block, pga: float, pgv: float) -> dict[str, float]:
     """Return the dimensionless measures of the side that lifts first."""
     side = min((block.positive, block.negative), key=lambda one: one.alpha)
-    uplift = block.gravity * math.tan(side.alpha)
+    uplift = block.gravity * tan(side.alpha)
     return {
         "pga_per_uplift": pga / uplift,
         "p_pgv_per_uplift": side.p * pgv / uplift,

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError
+from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import LARGEST, in_range, whole_number
 from rocksteady.model.motions.record import Record
@@ -60,7 +61,7 @@ class ResponseSpectrum:
     @property
     def pseudo_acceleration_m_s2(self) -> Floats:
         """PSA = w^2 Sd [m/s^2]: the spring's force over the mass, and Sa without damping."""
-        found: Floats = (2.0 * math.pi / self.periods_s) ** 2 * self.displacement_m
+        found: Floats = np.square(2.0 * math.pi / self.periods_s) * self.displacement_m
         return found
 
 
@@ -190,4 +191,4 @@ def average_spectral_acceleration(
         )
     periods = middle * np.linspace(low, high, count)
     found = response_spectrum(record, periods, damping=damping)
-    return float(np.exp(np.mean(np.log(found.pseudo_acceleration_m_s2))))
+    return exp(float(np.mean(log(found.pseudo_acceleration_m_s2))))
