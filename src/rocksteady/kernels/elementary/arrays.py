@@ -33,7 +33,7 @@ def _of_one(module: str, name: str, x: Any) -> "float | Floats":
 
     if not isinstance(x, np.ndarray):
         return float(_of_numbers(module, name)(float(x)))
-    given = np.require(x, np.float64, ["C", "W"]).reshape(-1)
+    given = np.array(x, dtype=np.float64, order="C").reshape(-1)  # writable: one signature
     out = np.empty(x.shape)
     _loop(name)(given, out.reshape(-1))
     return out
@@ -48,7 +48,7 @@ def _of_two(module: str, name: str, x: Any, y: Any) -> "float | Floats":
     if not (isinstance(x, np.ndarray) or isinstance(y, np.ndarray)):
         return float(_of_numbers(module, name)(float(x), float(y)))
     pair = np.broadcast_arrays(x, y)
-    first, second = (np.require(each, np.float64, ["C", "W"]) for each in pair)
+    first, second = (np.array(each, dtype=np.float64, order="C") for each in pair)
     out = np.empty(pair[0].shape)
     _loop(name)(first.reshape(-1), second.reshape(-1), out.reshape(-1))
     return out
