@@ -139,7 +139,8 @@ def test_tests_stand_in_the_folders_of_what_they_test() -> None:
     """A test of a module has its name, in the same folder of `tests`."""
     tests = ROOT / "tests"
     folders = {folder.relative_to(SOURCE) for folder in (file.parent for file in FILES)}
-    own = {Path("tools"), Path("public"), Path()}  # beside the package, or of all of it
+    # Beside the package, or of all of it.
+    own = {Path("tools"), Path("tools/aot"), Path("public"), Path()}
     for file in tests.rglob("test_*.py"):
         folder = file.relative_to(tests).parent
         assert folder in folders | own, file

@@ -30,7 +30,8 @@ KINDS = {np.dtype(np.float64): 2, np.dtype(np.int64): 3, np.dtype(np.bool_): 4}
 CELL = 8
 """Bytes of a cell."""
 
-Leaf = int | float | NDArray[Any]
+Number = int | float
+Leaf = Number | NDArray[Any]
 """A number or an array."""
 Kernel = Callable[..., Any]
 
@@ -42,7 +43,7 @@ class Call(NamedTuple):
     before: tuple[Leaf, ...]
     after: tuple[Leaf, ...]
     """The arguments after the call: arrays that it has filled, all else as it was."""
-    results: tuple[int | float, ...]
+    results: tuple[Number, ...]
 
 
 class Difference(NamedTuple):
@@ -50,10 +51,10 @@ class Difference(NamedTuple):
 
     leaf: int
     """Its place among the flat arguments and results, the results last."""
-    index: tuple[int, ...]
+    place: tuple[int, ...]
     """Its place in an array; empty otherwise."""
-    recorded: int | float
-    computed: int | float
+    recorded: Number
+    computed: Number
 
 
 # ------------------------------------------------------------------------------- values
@@ -140,7 +141,7 @@ def _padded(data: bytes) -> bytes:
     return data + bytes(-len(data) % CELL)
 
 
-def _number(value: float) -> bytes:
+def _number(value: Number) -> bytes:
     if isinstance(value, float):
         return struct.pack("<qd", REAL, value)
     return struct.pack("<qq", WHOLE, value)
@@ -185,7 +186,7 @@ class _Reader:
         first = self._array(kind, shape)
         return first, self._array(kind, shape) if self.whole() else first
 
-    def _number(self, kind: int) -> int | float:
+    def _number(self, kind: int) -> Number:
         return float(self._cell("<d")) if kind == REAL else self.whole()
 
     def _array(self, kind: int, shape: tuple[int, ...]) -> NDArray[Any]:
@@ -237,14 +238,14 @@ def differences(call: Call, again: Call) -> tuple[int, int, Difference | None]:
     compared = differing = 0
     first = None
     pairs = zip((*call.after, *call.results), (*again.after, *again.results), strict=True)
-    for place, (one, other) in enumerate(pairs):
+    for leaf, (one, other) in enumerate(pairs):
         a, b = np.asarray(one), np.asarray(other)
         compared += a.size
         unlike = _unlike(a, b)
         count = int(np.count_nonzero(unlike))
         if count and first is None:
-            index = tuple(int(places[0]) for places in np.nonzero(unlike)) if a.ndim else ()
-            first = Difference(place, index, a[index].item(), b[index].item())
+            place = tuple(int(places[0]) for places in np.nonzero(unlike)) if a.ndim else ()
+            first = Difference(leaf, place, a[place].item(), b[place].item())
         differing += count
     return compared, differing, first
 

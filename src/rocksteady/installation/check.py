@@ -5,13 +5,13 @@ import platform
 import warnings
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from rocksteady import __version__
 from rocksteady.installation._recorded import Call, Difference, differences, loaded, replayed
 from rocksteady.kernels.machine_code.types import signature_of
 
@@ -170,8 +170,8 @@ def _place(difference: Difference, kernel: Callable[..., Any]) -> str:
     names = [leaf.name for leaf in signature.leaves]
     for leaf in signature.returned:
         names += [f"result {leaf.name}".strip()] * leaf.cells  # two of a complex number
-    index = f"{list(difference.index)}" if difference.index else ""
-    return f"{names[difference.leaf]}{index}"
+    place = f"{list(difference.place)}" if difference.place else ""
+    return f"{names[difference.leaf]}{place}"
 
 
 def _environment() -> dict[str, Any]:
@@ -190,7 +190,8 @@ def _environment() -> dict[str, Any]:
         "target": None if used is None else used.target,
         "cache": cache_folder() if kernels == JIT else None,
         "versions": {
-            "rocksteady": __version__,
+            # Not imported above: the package names what this module defines.
+            "rocksteady": import_module("rocksteady").__version__,
             "python": platform.python_version(),
             "numpy": np.__version__,
             "numba": _version_of("numba"),

@@ -7,6 +7,7 @@ import numpy as np
 
 from rocksteady.kernels.core.tables import (
     AMPLITUDE,
+    CEILING,
     FREQUENCY,
     OVERTURNED,
     PEAK_COLUMNS,
@@ -67,10 +68,9 @@ def _history(call: Recorder, drawn: Drawn, segments: Any, limit: int) -> None:
     angle = math.copysign(drawn.between(0.0, 0.4), velocity) if drawn.chance(0.5) else 0.0
     side = int(math.copysign(1.0, velocity)) if moving or angle != 0.0 else 0
     start = March(side, angle, velocity, 0, half, phase, 0, 0)
-    until: tuple[Any, ...] = (0, drawn.between(5.0, 40.0))
-    if len(segments) == 1:
-        until = (half + 40, phase)
-    _marched(call, segments, sides, start, until, drawn, limit)
+    stop = (half + 40, phase) if len(segments) == 1 else (0, drawn.between(5.0, 40.0))
+    slow = drawn.over(1e-4, 1.0)
+    _marched(call, (segments, sides, start, *stop, slow, limit), drawn)
 
 
 def _fall(call: Recorder, *, nonlinear: bool) -> None:
@@ -80,34 +80,23 @@ def _fall(call: Recorder, *, nonlinear: bool) -> None:
         sides = drawn.sides(1, nonlinear=nonlinear, alike=attempt)[0]
         segments = drawn.segments("harmonic", nonlinear=nonlinear)
         while True:
-            segments[0, AMPLITUDE] = drawn.between(3.0, 9.0)
+            segments[0, AMPLITUDE] = segments[0, CEILING] = drawn.between(3.0, 9.0)
             segments[0, FREQUENCY] = drawn.over(1.5, 6.0)
-            segments[0, 7] = segments[0, AMPLITUDE]
             half, phase = call.quietly("segment_start", segments, 0)
             start = March(1, 0.0, drawn.between(0.01, 0.3), 0, half, phase, 0, 0)
-            none, nothing = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
-            given = (segments, sides, start, half + 60, phase, math.inf, LIMIT, none, nothing)
-            status, end = call.quietly("march", *given)
+            given = (segments, sides, start, half + 60, phase, math.inf, LIMIT)
+            status, end = call.quietly("march", *given, np.zeros((0, ROW_COLUMNS)), np.zeros(0))
             if status == OVERTURNED and end.impacts > 3:
                 break
-        rows = _marched(call, segments, sides, start, (half + 60, phase), drawn, LIMIT)
+        rows = _marched(call, given, drawn)
         call("last_crossing", segments, sides, rows, drawn.between(0.2, 0.8) if attempt else 1.0)
         call("peaks_until_overturning", segments, sides, rows)
 
 
-def _marched(
-    call: Recorder,
-    segments: Any,
-    sides: Any,
-    start: March,
-    until: tuple[Any, ...],
-    drawn: Drawn,
-    limit: int,
-) -> Any:
+def _marched(call: Recorder, given: tuple[Any, ...], drawn: Drawn) -> Any:
     """Record a march that keeps its rows, states at some times and peaks; return the rows."""
-    none = np.zeros((0, ROW_COLUMNS))
-    given = (segments, sides, start, *until, drawn.over(1e-4, 1.0), limit)
-    _, end = call.quietly("march", *given, none, np.zeros(0))
+    segments, sides = given[:2]
+    _, end = call.quietly("march", *given, np.zeros((0, ROW_COLUMNS)), np.zeros(0))
     rows = np.zeros((end.flights, ROW_COLUMNS))
     call("march", *given, rows, np.zeros(PEAK_COLUMNS))
     index = np.sort(drawn.rng.integers(0, len(rows), 12))

@@ -57,11 +57,13 @@ def record_passages(call: Recorder) -> None:
                 step = call("next_passage", system, state, -1.0)
                 if k != 1 and step.kind not in (FALL, STAY, STUCK):
                     call("highest_after", system, state, step)
+                if k == 1 and speed == speeds[0]:
+                    call("phase_between", state, step.state)
+                    call("guess_after", step)
+                    stretch = Stretch(*GENERIC, drawn.between(-1.0, 1.0), 2)
+                    call("stretched", stretch, step.jacobian)
             if k != 0:
                 call("uplift_after", system, k, drawn.between(0.0, math.pi))
-        call("phase_between", state, step.state)
-        call("guess_after", step)
-        call("stretched", Stretch(*GENERIC, drawn.between(-1.0, 1.0), 2), step.jacobian)
 
 
 def record_orbits(call: Recorder) -> None:
@@ -80,7 +82,9 @@ def record_orbits(call: Recorder) -> None:
         table, found = np.zeros((8, ORBIT_COLUMNS)), np.zeros((6, 2))
         shape = np.zeros((6, 2), np.int64)
         call("search", system, phases, speeds, 4, 3, True, table, found, shape, 0)
+    drawn = Drawn.by_name("states")
     state = Section(-1, 5, drawn.between(0.0, 3.0), drawn.between(0.0, 1.0))
+    table = np.zeros((2, ORBIT_COLUMNS))
     call("put", table, 1, call("mirror", state, 3))
     call("state_at", table, 1)
 

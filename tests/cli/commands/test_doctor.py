@@ -1,0 +1,127 @@
+"""`rocksteady doctor`: its contract, its screen, and its exit codes."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+import rocksteady as rs
+from rocksteady.installation import check
+from rocksteady.installation.check import Installation, KernelCheck
+from tests.cli.program import refused, rocksteady
+
+GOOD = KernelCheck(name="march", calls=16, values=7162, differing=0, first_difference=None)
+BAD = KernelCheck(
+    name="settle_cells",
+    calls=6,
+    values=1230,
+    differing=2,
+    first_difference="call 3 of 6, real[0, 1]: 0.5666704075316477 in place of 0.5666704075316478",
+)
+HEALTHY = Installation(
+    system="Linux x86_64",
+    cpu_level="x86-64-v4",
+    kernels="library",
+    library=Path("/usr/lib/rocksteady-linux-x86-64-v4.so"),
+    target="linux-x86-64-v4",
+    cache=None,
+    versions={"rocksteady": "1.2", "python": "3.12.1", "numpy": "2.1.0", "numba": None},
+    checks=(GOOD, replace(BAD, differing=0, first_difference=None)),
+)
+ILL = replace(
+    HEALTHY,
+    kernels="jit",
+    library=None,
+    target=None,
+    cache=Path("/home/user/.cache/rocksteady"),
+    versions={**HEALTHY.versions, "numba": "0.61.2"},
+    checks=(GOOD, BAD),
+)
+
+
+@pytest.fixture
+def healthy(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(check, "check_installation", lambda: HEALTHY)
+
+
+@pytest.fixture
+def ill(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(check, "check_installation", lambda: ILL)
+
+
+def test_the_command_explains_itself() -> None:
+    assert "doctor" in rocksteady("--help").out
+    ran = rocksteady("doctor --help")
+    assert (ran.code, ran.err) == (0, "")
+    for word in ("--json", "--check", "bits"):
+        assert word in ran.out
+
+
+@pytest.mark.usefixtures("healthy")
+def test_the_screen_of_a_healthy_installation() -> None:
+    ran = rocksteady("doctor --check")
+    assert ran.code == 0
+    assert ran.out == (
+        "rocksteady  1.2\n"
+        "runs on     Python 3.12.1, NumPy 2.1.0, no numba\n"
+        "system      Linux x86_64, CPU level x86-64-v4\n"
+        "kernels     library, compiled ahead of time\n"
+        "target      linux-x86-64-v4\n"
+        "library     /usr/lib/rocksteady-linux-x86-64-v4.so\n"
+        "\n"
+        "repeated 22 recorded calls of 2 kernels, 8,392 values:\n"
+        "all equal, bit for bit\n"
+    )
+
+
+@pytest.mark.usefixtures("ill")
+def test_the_screen_of_an_ill_one_names_each_kernel_that_differs() -> None:
+    ran = rocksteady("doctor")
+    assert ran.code == 0
+    _, _, rest = ran.out.partition("\n\n")
+    assert "kernels     compiled by numba on this machine\n" in ran.out
+    assert "cache       /home/user/.cache/rocksteady\n" in ran.out
+    assert rest == (
+        "repeated 22 recorded calls of 2 kernels, 8,392 values:\n"
+        "2 values of 1 kernel differ; the other 1 kernel equal\n"
+        "\n"
+        "settle_cells: 2 of 1,230 values differ; the first in\n"
+        "  call 3 of 6, real[0, 1]: 0.5666704075316477 in place of 0.5666704075316478\n"
+    )
+    assert max(map(len, ran.out.splitlines())) <= 80
+
+
+@pytest.mark.usefixtures("ill")
+def test_a_difference_is_exit_code_1_with_check_only() -> None:
+    assert rocksteady("doctor --json").code == 0
+    ran = rocksteady("doctor --check --json")
+    assert ran.code == 1
+    assert ran.json["equal"] is False
+    assert ran.json["differing"] == 2
+    assert ran.json["checks"][1] == {
+        "kernel": "settle_cells",
+        "equal": False,
+        "calls": 6,
+        "values": 1230,
+        "differing": 2,
+        "first_difference": BAD.first_difference,
+    }
+
+
+@pytest.mark.usefixtures("healthy")
+def test_the_json_keeps_the_contract() -> None:
+    values = rocksteady("doctor --json").json
+    assert next(iter(values)) == "schema"
+    assert values["schema"] == "rocksteady/doctor/1"
+    assert values["equal"] is True
+    assert values["kernels"] == "library"
+    assert values["library"] == "/usr/lib/rocksteady-linux-x86-64-v4.so"
+    assert values["versions"]["numba"] is None
+    assert [entry["kernel"] for entry in values["checks"]] == ["march", "settle_cells"]
+
+
+def test_the_real_one_runs_and_takes_no_arguments() -> None:
+    found = rocksteady("doctor --json").json
+    assert found["versions"]["rocksteady"] == rs.__version__
+    assert found["calls"] == sum(entry["calls"] for entry in found["checks"])
+    assert "extra" in refused("doctor extra")

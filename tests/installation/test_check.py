@@ -1,0 +1,121 @@
+"""The shipped calls: of every kernel, up to date, and each bit of a wrong kernel is noticed."""
+
+import functools
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+import rocksteady as rs
+from rocksteady.errors import Status
+from rocksteady.installation._recorded import Call, loaded
+from rocksteady.installation.check import RECORDED, replay
+from rocksteady.kernels.batch.attractors import RESTS
+from rocksteady.kernels.core.tables import NONLINEAR_SIDE_COLUMNS, SIDE_COLUMNS
+from rocksteady.kernels.entries import ENTRIES
+from rocksteady.kernels.machine_code.compilation import LIBRARY, runner
+from rocksteady.kernels.orbits.return_map import FALL, IMPACT, UPLIFT
+from rocksteady.kernels.orbits.settle import FALLS, PERIODIC
+from tests.strategies import PLAIN
+
+CALLS = loaded(RECORDED.read_bytes())
+RENEW = "renew the calls by `python -m tools.aot.calls`"
+
+
+def calls_of(entry: str) -> list[Call]:
+    return [call for call in CALLS if call.entry == entry]
+
+
+def columns(table: Any) -> int:
+    """The last length of an array."""
+    return int(table.shape[-1])
+
+
+def test_some_200_calls_of_every_kernel_are_shipped() -> None:
+    assert {call.entry for call in CALLS} == set(ENTRIES), RENEW
+    assert 180 <= len(CALLS) <= 260
+    assert RECORDED.stat().st_size < 300_000
+
+
+@pytest.mark.skipif(PLAIN, reason="takes half a minute uncompiled: see the test below")
+def test_the_shipped_calls_are_those_of_the_kernels_as_they_are() -> None:
+    found = rs.check_installation()
+    wrong = {check.name: check.first_difference for check in found.checks if not check.equal}
+    assert wrong == {}, RENEW
+    assert (found.equal, found.differing) == (True, 0)
+    assert found.calls == len(CALLS)
+    assert found.values > 10_000
+    assert found.kernels == runner()
+    assert found.versions["rocksteady"] == rs.__version__
+    assert found.versions["numpy"] == np.__version__
+    assert (found.library is not None) == (found.kernels == LIBRARY)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("other", ["jit", "python"])
+def test_compiled_here_and_uncompiled_kernels_give_the_same_bits(other: str) -> None:
+    ran = subprocess.run(
+        [sys.executable, "-m", "rocksteady", "doctor", "--check"],
+        env={**os.environ, "ROCKSTEADY_KERNELS": other},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+    assert "all equal, bit for bit" in ran.stdout
+
+
+def test_the_calls_reach_every_end_of_a_motion_in_both_models() -> None:
+    ends = {(columns(call.before[1]) > SIDE_COLUMNS, call.results[0]) for call in calls_of("march")}
+    both = (Status.ROCKING, Status.AT_REST, Status.OVERTURNED)
+    assert ends >= {(False, int(status)) for status in both}
+    assert ends >= {(True, int(status)) for status in (*both[1:], Status.LOST_CONTACT)}
+    kinds = {call.results[0] for call in calls_of("next_passage") + calls_of("uplift_after")}
+    assert kinds >= {IMPACT, UPLIFT, FALL}
+    assert {call.results[0] for call in calls_of("settle")} >= {PERIODIC, FALLS}
+    whole = [np.asarray(call.after[9]) for call in calls_of("settle_cells")]
+    assert any(cells[:, RESTS].any() for cells in whole), "orbits that rest"
+    models = {columns(call.before[2]) for call in calls_of("settle_cells")}
+    assert models == {SIDE_COLUMNS, NONLINEAR_SIDE_COLUMNS}
+
+
+def last_bit(kernel: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a kernel whose first array result, or first number, is wrong in its last bit."""
+
+    @functools.wraps(kernel)
+    def wrong(*arguments: Any) -> Any:
+        result = kernel(*arguments)
+        if isinstance(result, float):
+            return np.nextafter(result, np.inf)
+        arguments[-1].flat[0] = np.nextafter(arguments[-1].flat[0], np.inf)
+        return result
+
+    return wrong
+
+
+@pytest.mark.parametrize(
+    ("entry", "where"),
+    [("symmetry_breaking", "result"), ("fill_curves", "curves[0, 0]"), ("fill_clocks", "rest[0]")],
+)
+def test_one_wrong_bit_is_found_and_named(entry: str, where: str) -> None:
+    calls = [*calls_of(entry), *calls_of("clock")]
+    right, clock = replay(calls, ENTRIES)
+    assert (right.equal, clock.equal) == (True, True)
+    wrong, clock = replay(calls, {**ENTRIES, entry: last_bit(ENTRIES[entry])})
+    assert clock.equal
+    assert not wrong.equal
+    assert (wrong.name, wrong.calls, wrong.differing) == (entry, right.calls, right.calls)
+    assert wrong.values == right.values
+    assert wrong.first_difference is not None
+    assert wrong.first_difference.startswith(f"call 1 of {wrong.calls}, {where}: ")
+
+
+@pytest.mark.skipif(PLAIN or runner() != LIBRARY, reason="numba compiles the kernels here")
+def test_with_a_library_numba_is_not_imported() -> None:
+    code = "import rocksteady, sys; rocksteady.check_installation(); print('numba' in sys.modules)"
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert ran.stdout == "False\n"
