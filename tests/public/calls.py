@@ -112,6 +112,7 @@ def things() -> dict[str, Any]:
         "map_of_return": rs.ReturnMap(bare, shaking),
         "store": rs.Store("new.zarr"),
         "boundaries": rs.boundaries(4.0, 0.8),
+        "installation": rs.check_installation(),
     }
 
 
@@ -357,6 +358,9 @@ def calls() -> dict[str, Call]:
         rs.intensity_measures(record, block).rows: {},
         rs.intensity_measures(record, block).values: {},
         rs.Motions: fields(run([0.1, 0.2])),
+        rs.check_installation: {},
+        rs.Installation: fields(t["installation"]),
+        rs.KernelCheck: fields(t["installation"].checks[0]),
     }  # fmt: skip
     results = {
         rs.Attractor: "attractor", rs.AttractorTrail: "trail", rs.Basins: "basins",
