@@ -31,7 +31,7 @@ def main(arguments: list[str] | None = None) -> int:
         return _lower(given.file)
     if given.command == "build":
         try:
-            build(given.targets, given.out)
+            build(given.targets, given.out, elsewhere=True)
         except (ChangedError, LinkError, OSError) as error:
             print(f"python -m tools.aot: {error}", file=sys.stderr)
             return 1

@@ -22,10 +22,11 @@ class ChangedError(Exception):
     """The sources are no longer what they were when the build began."""
 
 
-def build(names: Sequence[str], folder: Path) -> list[Path]:
+def build(names: Sequence[str], folder: Path, *, elsewhere: bool = False) -> list[Path]:
     """Build the libraries of some targets into a folder; return their files.
 
-    Each stands there whole, with its checksum beside it, or not at all.
+    Each stands there whole, with its checksum beside it, or not at all. Those that are to run
+    `elsewhere` too are linked by zig, and need no newer C library than their targets say.
 
     Raises
     ------
@@ -43,7 +44,7 @@ def build(names: Sequence[str], folder: Path) -> list[Path]:
         with tempfile.TemporaryDirectory(dir=folder, prefix="linking-") as scratch:
             objects, library = Path(scratch, "kernels.o"), Path(scratch, target.file)
             objects.write_bytes(emit(bitcode, target))
-            linker = link(objects, library, target)
+            linker = link(objects, library, target, elsewhere=elsewhere)
             content = library.read_bytes()
             if not unchanged():
                 raise ChangedError("the kernels were changed while they were compiled: build again")

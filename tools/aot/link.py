@@ -18,7 +18,7 @@ class LinkError(Exception):
     """No compiler is in reach that links for a target."""
 
 
-def link(objects: Path, library: Path, target: Target) -> str:
+def link(objects: Path, library: Path, target: Target, *, elsewhere: bool = False) -> str:
     """Link a library.
 
     Parameters
@@ -29,6 +29,8 @@ def link(objects: Path, library: Path, target: Target) -> str:
         File to write.
     target
         What it is for.
+    elsewhere
+        Whether it is for other machines too, so that it must not need what this one has.
 
     Returns
     -------
@@ -42,7 +44,7 @@ def link(objects: Path, library: Path, target: Target) -> str:
     """
     files = [f'-DROCKSTEADY_SOURCES="{sources_hash()}"', str(objects), str(RUNTIME)]
     said = ""
-    for name, compiler in compilers(target).items():
+    for name, compiler in compilers(target, elsewhere=elsewhere).items():
         command = [*compiler, "-O2", "-o", str(library), *files, *_options(target)]
         done = subprocess.run(command, check=False, capture_output=True, text=True)
         if done.returncode == 0:
@@ -52,10 +54,13 @@ def link(objects: Path, library: Path, target: Target) -> str:
     raise LinkError(f"{target.name} needs {needed}{said}")
 
 
-def compilers(target: Target) -> dict[str, list[str]]:
-    """Return what can compile and link C for a target, by name, the first choice first."""
+def compilers(target: Target, *, elsewhere: bool = False) -> dict[str, list[str]]:
+    """Return what can compile and link C for a target, by name, the first choice first.
+
+    zig alone links for the oldest C library that will do, and not for the one of this machine.
+    """
     found = {}
-    if target.name in targets():
+    if target.name in targets() and not elsewhere:
         found = {name: [name] for name in ("gcc", "clang", "cc") if shutil.which(name)}
     if importlib.util.find_spec("ziglang") is not None:
         found["zig"] = [sys.executable, "-m", "ziglang", "cc", "-target", target.linker]
