@@ -3,6 +3,7 @@
 import ctypes
 import ctypes.util
 import hashlib
+import platform
 import struct
 import sys
 from collections.abc import Callable, Iterator
@@ -23,6 +24,7 @@ from rocksteady.kernels.machine_code.library import (
     library,
     targets,
 )
+from rocksteady.kernels.machine_code.sources import sources_hash
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
 from tests.strategies import PLAIN
 
@@ -90,7 +92,12 @@ def lengths(values: Floats1, counts: Integers1) -> None:
 
 def test_what_is_no_array_of_the_kind_is_refused_by_name() -> None:
     called: list[int] = []
-    call = caller(lengths, routine(lambda _: called.append(1) or 0))
+
+    def noted(_cells: Any) -> int:
+        called.append(1)
+        return 0
+
+    call = caller(lengths, routine(noted))
     good, counts = np.zeros(4), np.zeros(4, dtype=np.int64)
     frozen = np.zeros(4)
     frozen.flags.writeable = False
@@ -116,7 +123,12 @@ def test_what_is_no_array_of_the_kind_is_refused_by_name() -> None:
 
 def test_empty_arrays_are_passed() -> None:
     seen = []
-    call = caller(lengths, routine(lambda cells: seen.append((cells[1], cells[3])) or 0))
+
+    def noted(cells: Any) -> int:
+        seen.append((cells[1], cells[3]))
+        return 0
+
+    call = caller(lengths, routine(noted))
     call(np.zeros(0), np.zeros(0, dtype=np.int64))
     assert seen == [(0, 0)]
 
@@ -197,7 +209,7 @@ def test_a_built_library_is_found_and_a_damaged_one_is_not(home: Path) -> None:
 
 @needs_library
 def test_a_library_of_other_sources_is_not_used(home: Path) -> None:
-    named = module.sources_hash().encode()
+    named = sources_hash().encode()
     assert LIBRARY.count(named) == 1
     placed(home, LIBRARY.replace(named, b"0123456789abcdef"), targets()[-1])
     assert library() is None
@@ -226,7 +238,7 @@ def test_a_library_without_a_hash_is_not_used(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("platform", "machine", "expected"),
+    ("system", "machine", "expected"),
     [
         ("linux", "x86_64", ("linux-x86-64-v3", "linux-x86-64-v2")),
         ("linux", "aarch64", ("linux-aarch64",)),
@@ -238,9 +250,9 @@ def test_a_library_without_a_hash_is_not_used(tmp_path: Path) -> None:
     ],
 )
 def test_the_fastest_code_that_a_processor_runs_comes_first(
-    platform: str, machine: str, expected: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+    system: str, machine: str, expected: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(module.sys, "platform", platform)
-    monkeypatch.setattr(module.platform, "machine", lambda: machine)
+    monkeypatch.setattr(sys, "platform", system)
+    monkeypatch.setattr(platform, "machine", lambda: machine)
     monkeypatch.setattr(module, "x86_64_level", lambda: 3)
     assert targets() == expected

@@ -198,7 +198,9 @@ class Kernel:
         expected = numba_type(signature.result)
         if code.signature.return_type != expected:
             found = code.signature.return_type
-            raise TypeError(f"{self.__name__} returns {found}, its annotation says {expected}")
+            raise TypeError(
+                f"{self.py_func.__name__} returns {found}, its annotation says {expected}"
+            )
         return code
 
 
