@@ -10,8 +10,14 @@ import sys
 import time
 from pathlib import Path
 
-from rocksteady.kernels.machine_code.library import built_folder, library, targets
-from tools.aot.build import ChangedError, build
+from rocksteady.kernels.machine_code.library import (
+    built_folder,
+    checksum_file,
+    library,
+    make_built_folder,
+    targets,
+)
+from tools.aot.build import ChangedError, build, tools_hash
 from tools.aot.link import LinkError, compilers
 from tools.aot.targets import TARGETS
 
@@ -45,24 +51,39 @@ def _host() -> int:
     Where that cannot be done, numba compiles kernels when they are first called: no failure.
     """
     found = library()
-    if found is not None:
+    if found is not None and _is_current(found.path):
         print(f"library of kernels: {found.path}")
         return 0
-    known = [name for name in targets() if name in TARGETS]
-    if not known or not compilers(TARGETS[known[0]]):
-        missing = "a C compiler (gcc, clang or the package ziglang)" if known else "this platform"
-        print(f"no library of kernels without {missing}: numba compiles on first use")
-        return 0
-    print(
-        "Compiling the kernels into a library, once for each version of their sources and so that\n"
-        f"nothing is compiled later: about a minute\n  into {built_folder()}",
-        flush=True,
-    )
-    try:
-        build(known[:1], built_folder())
-    except (ChangedError, LinkError, OSError) as error:
-        print(f"no library of kernels: {error}; numba compiles on first use", file=sys.stderr)
+    reason = _obstacle()
+    if reason is None:
+        print(
+            "Compiling the kernels into a library, once for each version of their sources, so\n"
+            f"that nothing is compiled later (about a minute)\n  into {built_folder()}",
+            flush=True,
+        )
+        try:
+            build(targets()[:1], built_folder())
+        except (ChangedError, LinkError, OSError) as error:
+            reason = str(error)
+    if reason is not None:
+        print(f"no library of kernels: {reason}; numba compiles on first use", file=sys.stderr)
     return 0
+
+
+def _is_current(library: Path) -> bool:
+    """Return whether a library was built by these tools, or came with a wheel."""
+    if library.parent != built_folder():
+        return True
+    return checksum_file(library).read_text("ascii").split()[1:] == [tools_hash()]
+
+
+def _obstacle() -> str | None:
+    """Return why no library can be built here; None where one can."""
+    if not targets():
+        return "none is made for this platform"
+    if not compilers(TARGETS[targets()[0]]):
+        return "it needs a C compiler: gcc, clang or the package ziglang"
+    return make_built_folder()
 
 
 def _lower(file: Path) -> int:

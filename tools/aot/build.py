@@ -7,15 +7,17 @@ import sys
 import tempfile
 import time
 from collections.abc import Sequence
+from importlib.metadata import version
 from pathlib import Path
 
-from rocksteady.kernels.machine_code.library import built_folder, checksum_file
-from rocksteady.kernels.machine_code.sources import unchanged
+from rocksteady.kernels.machine_code.library import checksum_file
+from rocksteady.kernels.machine_code.sources import sources_hash, unchanged
 from tools.aot.emit import emit
 from tools.aot.link import link
 from tools.aot.targets import TARGETS
 
-BITCODE = "kernels.bc"
+LOWERED = Path(__file__).parents[2] / "build" / "aot"
+"""Folder of the lowered kernels, from which the libraries of all targets are made."""
 
 
 class ChangedError(Exception):
@@ -49,7 +51,8 @@ def build(names: Sequence[str], folder: Path, *, elsewhere: bool = False) -> lis
             if not unchanged():
                 raise ChangedError("the kernels were changed while they were compiled: build again")
             made.append(folder / target.file)
-            _publish(checksum_file(made[-1]), hashlib.sha256(content).hexdigest().encode() + b"\n")
+            checksum = f"{hashlib.sha256(content).hexdigest()} {tools_hash()}\n"
+            _publish(checksum_file(made[-1]), checksum.encode())
             _publish(made[-1], content)
         took = time.perf_counter() - start
         size = f"{len(content) / 1e3:.0f} kB"
@@ -57,11 +60,22 @@ def build(names: Sequence[str], folder: Path, *, elsewhere: bool = False) -> lis
     return made
 
 
+def tools_hash() -> str:
+    """Return a hash of what builds libraries: this folder, and the version of numba."""
+    digest = hashlib.sha256(version("numba").encode())
+    for source in sorted(Path(__file__).parent.glob("*.[pc]*")):
+        if source.is_file():
+            digest.update(source.read_bytes())
+    return digest.hexdigest()[:16]
+
+
 def _bitcode() -> bytes:
     """Return the lowered kernels; lower them first, in another process, if that is to be done."""
-    kept = built_folder() / BITCODE
+    kept = LOWERED / f"{sources_hash()}-{tools_hash()}.bc"
     if not kept.is_file():
-        kept.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        for old in kept.parent.glob("*.bc"):
+            old.unlink(missing_ok=True)
         subprocess.run([sys.executable, "-m", "tools.aot", "lower", str(kept)], check=True)
     return kept.read_bytes()
 

@@ -94,6 +94,17 @@ def built_folder() -> Path:
     return version_folder(sources_hash()) / "library"
 
 
+def make_built_folder() -> str | None:
+    """Make that folder for this user alone; return why it cannot be used, None if it can."""
+    folder = built_folder()
+    try:
+        for parent in (folder.parents[2], *folder.parents[1::-1], folder):
+            parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+    except OSError as error:
+        return f"{folder} cannot be written: {error.strerror or error}"
+    return weakness(folder)
+
+
 def targets() -> tuple[str, ...]:
     """Return what this processor can run, the fastest first; empty where nothing is built for it.
 
@@ -120,7 +131,7 @@ def file_name(target: str) -> str:
 
 
 def checksum_file(path: Path) -> Path:
-    """Return the file beside a library built on this machine that holds its checksum."""
+    """Return the file beside a library that begins with its checksum."""
     return path.with_name(path.name + ".sha256")
 
 
@@ -141,8 +152,8 @@ def _candidates(folder: Path) -> Iterator[tuple[str, Path]]:
 def _is_whole(path: Path) -> bool:
     """Return whether a library is what was written."""
     try:
-        expected = checksum_file(path).read_text("ascii").strip()
-        return hashlib.sha256(path.read_bytes()).hexdigest() == expected
+        expected = checksum_file(path).read_text("ascii").split()[:1]
+        return [hashlib.sha256(path.read_bytes()).hexdigest()] == expected
     except (OSError, ValueError):
         return False
 
