@@ -15,6 +15,7 @@ from rocksteady import AttractorKind, Axis, Grid, Output, Store, evaluate, stead
 from rocksteady.dynamics.batch.attractors import Beginnings, SettledCells, settled_cells
 from rocksteady.dynamics.history.lowering import symmetric_sides
 from rocksteady.dynamics.orbits.attractor import KINDS
+from rocksteady.kernels.elementary.arrays import cos, sin
 from rocksteady.studies.atlas.analysis.plane import Plane
 
 Floats = NDArray[np.float64]
@@ -200,11 +201,11 @@ def starts(amplitude: Floats, ratio: Floats, restitution: float) -> Iterator[Beg
         velocity = np.where(there, states.velocity[branch - 1] * ratio, 0.0)
         for aside in (1.0 - ASIDE, 1.0 + ASIDE):  # at rest where there is no such state
             yield _after_impact(phase, aside * velocity)
-    beta = amplitude / (1.0 + ratio**2)
+    beta = amplitude / (1.0 + ratio * ratio)
     for k in range(PHASES):
         turn = 2.0 * math.pi * (k + 0.5) / PHASES
         # A faster block flies off for good: the growing part of its flight is positive.
-        fastest = 1.0 - beta * (math.sin(turn) + ratio * math.cos(turn))
+        fastest = 1.0 - beta * (sin(turn) + ratio * cos(turn))
         for j in range(SPEEDS):
             speed = np.maximum(fastest, SLOWEST) * (j + 0.5) / SPEEDS
             yield _after_impact(np.full(len(amplitude), turn), speed)

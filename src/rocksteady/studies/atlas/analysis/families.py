@@ -50,7 +50,7 @@ class FamilyMap:
         ratios = self.plane.ratios
         # Each column stands for its cell, so that the outermost ones count to the window's edges.
         widths = np.diff([left, *(0.5 * (ratios[1:] + ratios[:-1])), right])
-        return float(widths @ np.maximum(heights, 0.0) / ((right - left) * (high - low)))
+        return float((widths * np.maximum(heights, 0.0)).sum() / ((right - left) * (high - low)))
 
     def stable(self, amplitude: Floats) -> NDArray[np.bool_]:
         """Return where a motion of the family is stable, shape (amplitudes, columns)."""

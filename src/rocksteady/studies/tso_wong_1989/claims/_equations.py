@@ -16,6 +16,7 @@ from rocksteady import (
     simulate,
     steady_states,
 )
+from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, log, sin, tanh
 from rocksteady.studies.tso_wong_1989.claims._solutions import (
     LONGEST,
     differing,
@@ -75,7 +76,7 @@ def linear_equations(_: Evidence) -> Finding:
     ahead, here, behind = run(s + step), run(s), run(s - step)
     velocity = (ahead.angle - behind.angle) / (2.0 * step)
     acceleration = (ahead.velocity - behind.velocity) / (2.0 * step)
-    base = 2.0 * np.sin(3.0 * s + 0.3)
+    base = 2.0 * sin(3.0 * s + 0.3)
     worst = max(
         float(np.abs(velocity - here.velocity).max()),
         float(np.abs(acceleration - (here.angle - side + base)).max()),
@@ -155,13 +156,13 @@ def odd_orders(_: Evidence) -> Finding:
 
 def _algebra(a: float, w: float, r: float, n: int) -> tuple[float, float]:
     """Return phase and du/dtau of branch 1 by (19), (21), (22) as printed, for any n."""
-    h = math.tanh(0.5 * n * math.pi / w)
+    h = tanh(0.5 * n * math.pi / w)
     d = (1.0 - r) / (1.0 + r)
     beta = a / (1.0 + w * w)
     p, q = d * h * w, d * h * h / beta
     root = math.sqrt(1.0 + p * p - q * q)
-    phase = math.atan2((q + p * root) / (1.0 + p * p), (q * p - root) / (1.0 + p * p))
-    velocity = -(beta * math.sin(phase) / h - h) / w - beta * math.cos(phase)
+    phase = atan2((q + p * root) / (1.0 + p * p), (q * p - root) / (1.0 + p * p))
+    velocity = -(beta * sin(phase) / h - h) / w - beta * cos(phase)
     return phase, velocity
 
 
@@ -228,7 +229,7 @@ def two_velocities(evidence: Evidence) -> Finding:
     sample = evidence.sample
     states, there = sample.states, sample.exists
     w = states.frequency_ratio
-    sine, cosine = np.sin(states.phase), np.cos(states.phase)
+    sine, cosine = sin(states.phase), cos(states.phase)
     ratio = sample.beta * sine / sample.tanh
     by_18 = states.restitution * ((ratio + sample.tanh) / w - sample.beta * cosine)
     by_19 = -(ratio - sample.tanh) / w - sample.beta * cosine
@@ -257,11 +258,11 @@ def paired_signs(evidence: Evidence) -> Finding:
     states, there = sample.states, sample.exists
     p, q, root = sample.p[there], sample.q[there], sample.root[there]
     phase = states.phase[:, there]
-    worst = float((np.abs(p * np.cos(phase) + np.sin(phase) - q) / (1.0 + p)).max())
+    worst = float((np.abs(p * cos(phase) + sin(phase) - q) / (1.0 + p)).max())
     # Where the radical or P is next to 0 the wrong pairing is next to the right one.
     clear = p * root > 1e-3
     sine, cosine = (q + p * root) / (1.0 + p * p), (q * p + root) / (1.0 + p * p)
-    wrong = float(np.abs(sine**2 + cosine**2 - 1.0)[clear & (q > 1e-3)].min())
+    wrong = float(np.abs(sine * sine + cosine * cosine - 1.0)[clear & (q > 1e-3)].min())
     distinct = float(np.abs(phase[0] - phase[1]).min())
     return Finding(
         holds=worst < 1e-8 and wrong > 0.0 and distinct > 0.0,
@@ -281,7 +282,7 @@ def paired_signs(evidence: Evidence) -> Finding:
 def existence(evidence: Evidence) -> Finding:
     """Compare the radicand with the boundary on amplitudes around it."""
     sample = evidence.sample
-    radicand = sample.p**2 + 1.0 - sample.q**2
+    radicand = sample.p * sample.p + 1.0 - sample.q * sample.q
     by_amplitude = sample.states.amplitude > sample.states.existence
     agree = int(((radicand > 0.0) == by_amplitude).sum())
     count = len(radicand)
@@ -303,21 +304,21 @@ def frequency_parameter(_: Evidence) -> Finding:
     """Build blocks of several masses and sizes."""
     gravity = 9.80665
     half_width, half_height = 0.2, 1.0
-    radius = math.hypot(half_width, half_height)
+    radius = hypot(half_width, half_height)
     by_mass = []
     for mass in (1.0, 50.0, 2000.0):
-        inertia = mass * 4.0 / 3.0 * radius**2
+        inertia = mass * 4.0 / 3.0 * radius * radius
         block = Block.general(
             mass=mass,
             inertia=inertia,
             radius=radius,
-            alpha=math.atan2(half_width, half_height),
+            alpha=atan2(half_width, half_height),
             restitution=0.8,
             gravity=gravity,
         )
         by_mass.append(block.p)
     gyration = radius / math.sqrt(3.0)
-    eq26 = math.sqrt(gravity * radius / (gyration**2 + radius**2))
+    eq26 = math.sqrt(gravity * radius / (gyration * gyration + radius * radius))
     eq27 = math.sqrt(3.0 * gravity / (4.0 * radius))
     sizes = (1.0, 4.0, 9.0)
     scaled = [
@@ -325,7 +326,7 @@ def frequency_parameter(_: Evidence) -> Finding:
         for size in sizes
     ]
     spread = max(abs(value - eq27) for value in (*by_mass, eq26, scaled[0]))
-    power = math.log(scaled[-1] / scaled[0]) / math.log(sizes[-1])
+    power = log(scaled[-1] / scaled[0]) / log(sizes[-1])
     return Finding(
         holds=spread < 1e-12 and abs(power + 0.5) < 1e-12,
         detail=f"A homogeneous block 0.4 m by 2 m has p = {eq27:.6f} rad/s by (26), by (27) and "

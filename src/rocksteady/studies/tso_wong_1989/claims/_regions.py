@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from rocksteady import region_map, steady_states
-from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
+from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements, drawn_between
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
 from rocksteady.studies.tso_wong_1989.figures.regions import FREQUENCIES, region_shares
 from rocksteady.studies.tso_wong_1989.figures.words import percent, scientific, series
@@ -86,9 +86,9 @@ def kinds(evidence: Evidence) -> Finding:
 def boundaries_in_amplitude(evidence: Evidence) -> Finding:
     """Compare the inequalities with the boundaries of the package, and those with the formulae."""
     sample, states = evidence.sample, evidence.sample.states
-    squared = 1.0 + states.frequency_ratio**2
+    squared = 1.0 + np.square(states.frequency_ratio)
     sign = sample.tanh * squared / states.frequency_ratio
-    kind = sample.damping * sample.tanh**2 * squared
+    kind = sample.damping * np.square(sample.tanh) * squared
     worst = float(
         max(np.abs(states.sign / sign - 1.0).max(), np.abs(states.kind / kind - 1.0).max())
     )
@@ -219,7 +219,7 @@ def region_4(evidence: Evidence) -> Finding:
     sample = evidence.sample
     empty = ~sample.exists
     # P cos f + sin f is at most sqrt(1 + P^2); what is missing to Q must be positive.
-    missing = (sample.q - np.sqrt(1.0 + sample.p**2))[empty]
+    missing = (sample.q - np.sqrt(1.0 + np.square(sample.p)))[empty]
     none = int(np.isnan(sample.states.phase[:, empty]).all(axis=0).sum())
     return Finding(
         holds=bool((missing > 0.0).all()) and none == int(empty.sum()),
@@ -339,12 +339,12 @@ def too_large(_: Evidence) -> Finding:
     """Follow branch 1 to large amplitudes in region 2."""
     draw = np.random.default_rng(1989)
     points = 4000
-    ratio = draw.uniform(0.5, 16.0, points)
-    restitution = draw.uniform(0.1, 0.99, points)
+    ratio = drawn_between(draw, 0.5, 16.0, points)
+    restitution = drawn_between(draw, 0.1, 0.99, points)
     counts = {}
     for order in (1, 3):
         base = steady_states(1.0, ratio, restitution, order=order, shapes=False)
-        amplitude = np.maximum(base.sign, base.kind) * draw.uniform(1.01, 20.0, points)
+        amplitude = np.maximum(base.sign, base.kind) * drawn_between(draw, 1.01, 20.0, points)
         states = steady_states(amplitude, ratio, restitution, order=order)
         assert states.admissible is not None
         assert (states.region == 2).all()

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady import Block, boundaries, response_curve, steady_states
+from rocksteady.kernels.elementary.arrays import log
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
 from rocksteady.studies.tso_wong_1989.figures.responses import RESTITUTION, RESTITUTIONS, Responses
@@ -296,7 +297,7 @@ def sensitivities(_: Evidence) -> Finding:
                     order=order,
                 )
                 assert states.peak is not None
-                ends.append(math.log(float(states.peak[0])))
+                ends.append(log(float(states.peak[0])))
             elastic[name] = (ends[1] - ends[0]) / (2.0 * step)
         frequency = abs(elastic["frequency_ratio"])
         others = max(abs(elastic["amplitude"]), abs(elastic["restitution"]))

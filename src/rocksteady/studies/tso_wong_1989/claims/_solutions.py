@@ -16,6 +16,7 @@ from rocksteady import (
     simulate,
     steady_orbit,
 )
+from rocksteady.kernels.elementary.arrays import cos, cosh, sin, sinh
 
 Floats = NDArray[np.float64]
 
@@ -118,13 +119,13 @@ def differing(solution: NDArray[Any]) -> dict[str, Floats]:
         orbit = steady_orbit(a, w, one.restitution, order=one.order, branch=one.branch, samples=201)
         tau = orbit.tau[:101]
         beta = a / (1.0 + w * w)
-        sinh_part = w * (one.velocity + beta * math.cos(one.phase))  # (14)
-        cosh_part = beta * math.sin(one.phase) - 1.0  # (15)
+        sinh_part = w * (one.velocity + beta * cos(one.phase))  # (14)
+        cosh_part = beta * sin(one.phase) - 1.0  # (15)
         angle = (
-            sinh_part * np.sinh(tau / w)
-            + cosh_part * np.cosh(tau / w)
+            sinh_part * sinh(tau / w)
+            + cosh_part * cosh(tau / w)
             + 1.0
-            - beta * np.sin(tau + one.phase)
+            - beta * sin(tau + one.phase)
         )
         apart[cell] = np.abs(angle - orbit.angle[:101]).max()
     return {"apart": apart}

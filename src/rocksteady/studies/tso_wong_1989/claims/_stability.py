@@ -5,6 +5,7 @@ from itertools import pairwise
 import numpy as np
 
 from rocksteady import Harmonic, State, steady_states
+from rocksteady.kernels.elementary.arrays import hypot
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
 from rocksteady.studies.tso_wong_1989.figures.cases import RESTITUTION, SIDES
@@ -46,7 +47,7 @@ def in_phase_stable(evidence: Evidence) -> Finding:
     words = "; ".join(
         f"A = {float(point.amplitude):g}, Ω = {float(point.frequency_ratio):g}, "
         f"δ = {float(point.restitution):g}, n = {int(point.order)}: φ = {phase:.3f} < π/2, trace "
-        f"{float(point.trace[0]):.3f} (stable below {1.0 + float(point.restitution) ** 2:.3f}), "
+        f"{float(point.trace[0]):.3f} (stable below {1.0 + np.square(point.restitution):.3f}), "
         f"region {int(point.region)}, and a run displaced by 0.001 "
         f"{'returns' if stays else 'does not return'} to it"
         for point, phase, stays in named
@@ -76,7 +77,8 @@ def branch_2(evidence: Evidence) -> Finding:
     states = evidence.sample.states
     assert states.admissible is not None
     admissible = states.admissible[1]
-    size = np.abs(states.multipliers[1, :, 0])[admissible]
+    first = states.multipliers[1, :, 0][admissible]
+    size = hypot(first.real, first.imag)
     drawn = {
         name: evidence.histories[name].multiplier.real
         for name in ("8a", "8b", "8c", "9a", "9b", "9c")

@@ -1,9 +1,10 @@
 """Statements on the paper's time histories (Figs 8 to 13), one per figure."""
 
-import math
 from dataclasses import dataclass
 from functools import partial
 
+from rocksteady.dynamics.orbits.orbit import modulus
+from rocksteady.kernels.elementary.arrays import log
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
 from rocksteady.studies.tso_wong_1989.figures.cases import KICK, RESTITUTION, SIDES
@@ -159,7 +160,7 @@ def fate_finding(
         holds=same,
         detail=f"{'Stable' if history.stable else 'Unstable'}, half-cycle multiplier "
         f"{multiplier_text(history.multiplier)}. {reason}Left {_fates(history)}.",
-        values={"share": share, "multiplier": abs(history.multiplier)},
+        values={"share": share, "multiplier": modulus(history.multiplier)},
     )
 
 
@@ -179,7 +180,7 @@ def stable_finding(history: History) -> Finding:
             f"The block settles there: peak {fate.highest:.5f}, by Newton's method on its returns."
         )
     else:
-        periods = 1.0 / (2.0 * math.log10(abs(history.multiplier)) / history.case.order)
+        periods = 1.0 / (2.0 * log(modulus(history.multiplier)) / log(10.0) / history.case.order)
         text += (
             f"Unstable: a disturbance grows tenfold in {periods:.1f} periods, and over the "
             f"{history.case.periods} periods of the figure {times(history.growth)}, too little "

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady import SteadyStates, steady_states
+from rocksteady.kernels.elementary.arrays import tanh
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
 from rocksteady.studies.tso_wong_1989.figures.histories import History, histories
 from rocksteady.studies.tso_wong_1989.figures.regions import Plane, planes
@@ -46,7 +47,7 @@ class Sample:
     def root(self) -> Floats:
         """The radical of eqs 21 and 22; nan where it is not real."""
         with np.errstate(invalid="ignore"):
-            found: Floats = np.sqrt(1.0 + self.p**2 - self.q**2)
+            found: Floats = np.sqrt(1.0 + np.square(self.p) - np.square(self.q))
         return found
 
     @property
@@ -56,27 +57,32 @@ class Sample:
         return found
 
 
+def drawn_between(draw: np.random.Generator, low: float, high: float, points: int) -> Floats:
+    """Return numbers drawn evenly; a generator's own ``uniform`` may round them otherwise."""
+    return low + (high - low) * draw.random(points)
+
+
 def random_sample(points: int = POINTS) -> Sample:
     """Return points drawn evenly over A to 8, Omega .2 to 16, restitution .05 to .99, n = 1, 3, 5.
 
     The ends cover the paper's axes and go beyond them; the seed is fixed.
     """
     draw = np.random.default_rng(SEED)
-    amplitude = draw.uniform(0.01, 8.0, points)
-    ratio = draw.uniform(0.2, 16.0, points)
-    restitution = draw.uniform(0.05, 0.99, points)
+    amplitude = drawn_between(draw, 0.01, 8.0, points)
+    ratio = drawn_between(draw, 0.2, 16.0, points)
+    restitution = drawn_between(draw, 0.05, 0.99, points)
     order = draw.choice([1, 3, 5], points)
     states = steady_states(amplitude, ratio, restitution, order=order)
-    tanh = np.tanh(0.5 * math.pi * order / ratio)
+    h = tanh(0.5 * math.pi * order / ratio)
     damping = (1.0 - restitution) / (1.0 + restitution)
-    beta = amplitude / (1.0 + ratio**2)
+    beta = amplitude / (1.0 + ratio * ratio)
     return Sample(
         states=states,
-        tanh=tanh,
+        tanh=h,
         damping=damping,
         beta=beta,
-        p=damping * tanh * ratio,
-        q=damping * tanh**2 / beta,
+        p=damping * h * ratio,
+        q=damping * np.square(h) / beta,
     )
 
 

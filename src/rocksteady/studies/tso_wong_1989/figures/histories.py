@@ -17,6 +17,8 @@ from rocksteady import (
     simulate,
     steady_states,
 )
+from rocksteady.dynamics.orbits.orbit import modulus
+from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.show.style import palette
 from rocksteady.studies.tso_wong_1989.figures._fate_plots import (
     plot_fates,
@@ -116,7 +118,7 @@ class History:
     @property
     def growth(self) -> float:
         """By what a small distance from the orbit has grown at the end of the paper's axis."""
-        return float(abs(self.multiplier) ** (2.0 * self.case.periods / self.case.order))
+        return exp(log(modulus(self.multiplier)) * 2.0 * self.case.periods / self.case.order)
 
     def panel(self) -> Panel:
         """Return the figure with its data and its words."""
