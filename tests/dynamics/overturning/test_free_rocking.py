@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from scipy.integrate import quad
+from scipy.special import elliprf
 
 from rocksteady import (
     Block,
@@ -103,6 +104,19 @@ def test_the_period_is_the_integral_of_energy() -> None:
         end = math.acosh(1.0 / (1.0 - phi))
         quarter = quad(lambda x: math.sinh(x) / math.sqrt(math.cosh(x) ** 2 - 1.0), 1e-12, end)[0]
         assert float(free_rocking_period(phi)) == pytest.approx(4.0 * quarter, rel=1e-9)
+
+
+@pytest.mark.parametrize("alpha", [1e-6, 0.3, 1.5])
+def test_the_tilting_period_is_the_elliptic_integral_of_another_library(alpha: float) -> None:
+    phi = np.concatenate(
+        [[0.0], 10.0 ** np.linspace(-15, -0.01, 200), 1.0 - 2.0 ** -np.arange(2, 51)]
+    )
+    upright = np.sin(0.5 * alpha * (1.0 - phi))
+    # sin^2(alpha/2) - sin^2(w0/2) as a product, which keeps the digits of a small phi
+    square = np.sin(alpha * (1.0 - 0.5 * phi)) * np.sin(0.5 * alpha * phi)
+    ratio = square / (upright * math.cos(0.5 * alpha)) ** 2
+    expected = 4.0 * np.sqrt(ratio) * elliprf(1.0, 1.0 + ratio * upright**2, 1.0 + ratio)
+    assert free_rocking_period(phi, alpha=alpha) == pytest.approx(expected, rel=5e-15)
 
 
 def test_small_and_large_amplitudes_keep_their_digits() -> None:

@@ -1,0 +1,121 @@
+"""Numbers from outside the kernels, as digests of their bits.
+
+`python -m tests.digits` writes them.
+"""
+
+import hashlib
+import json
+import math
+import sys
+from collections.abc import Callable, Iterable
+from pathlib import Path
+
+import numpy as np
+
+import rocksteady as rs
+from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
+from rocksteady.records.core.recording import Recording
+from rocksteady.sweep.cases.spacing import in_equal_ratios
+
+Numbers = Iterable[float]
+SIZES = np.random.default_rng(11).random((100, 3)).tolist()
+RATIOS = in_equal_ratios(0.05, 50.0, 60)
+
+
+def blocks() -> list[rs.Block]:
+    found = [rs.Block.rectangle(width=0.1 + 0.3 * b, height=0.7 + h) for b, h, _ in SIZES]
+    found += [
+        rs.Block.asymmetric(left=0.1 + 0.1 * b, right=0.1 + 0.1 * h, height=1.0 + c)
+        for b, h, c in SIZES
+    ]
+    return found + [
+        rs.Block.from_alphas(positive=0.05 + 0.2 * b, negative=0.05 + 0.2 * h, p=1.0 + c)
+        for b, h, c in SIZES
+    ]
+
+
+def record() -> rs.Record:
+    times = np.arange(2000) * 0.01
+    samples = np.array(SIZES).ravel()[(7 * np.arange(2000)) % 300] - 0.5
+    return rs.Record(acceleration_m_s2=samples * times * (20.0 - times), dt_s=0.01)
+
+
+def sizes() -> Numbers:
+    for block in blocks():
+        for side in (block.positive, block.negative):
+            yield from (side.alpha, side.radius, side.p, side.restitution, side.distance)
+        yield rs.overturning_impulse(block)
+
+
+def segments() -> Numbers:
+    waves = [
+        rs.Piecewise(
+            pieces=(rs.Segment(duration=1.0 + b, amplitude=h, frequency=9.0 * c, phase=b),)
+        )
+        for b, h, c in SIZES
+    ]
+    pulses = [
+        rs.Pulse(shape=shape, amplitude=2.0, frequency_ratio=3.0, tolerance=1e-4)
+        for shape in ("type-c1", "ricker", "ricker-antisymmetric", "mavroeidis-papageorgiou")
+    ]
+    sums = [
+        rs.added(one, other, tolerance=1e-3)
+        for one, other in zip(waves[::2], waves[1::2], strict=True)
+    ]
+    again = [rs.added(one, rs.delayed(one, 0.3)) for one in waves]
+    motions: list[rs.Pulse | rs.Piecewise] = [*pulses, *sums, *again]
+    for motion in motions:
+        for piece in motion.segments():
+            yield from (piece.duration, piece.constant, piece.slope, piece.amplitude, piece.phase)
+
+
+def closed_forms() -> Numbers:
+    for shape in THRESHOLDS:
+        yield from rs.overturning_threshold(shape, RATIOS)
+    heights = np.linspace(0.0, 0.999, 500)
+    yield from rs.free_rocking_period(heights)
+    yield from rs.free_rocking_period(heights, alpha=0.3)
+    yield from rs.free_rocking_peaks(0.9, 0.95, 100)
+    yield from rs.free_rocking_peaks(0.9, 0.95, 100, alpha=0.3)
+    yield from rs.equivalent_damping(np.linspace(0.1, 1.0, 100))
+    yield from RATIOS
+
+
+def measures() -> Numbers:
+    found = rs.response_spectrum(record(), in_equal_ratios(0.02, 8.0, 40))
+    yield from found.displacement_m
+    yield from found.pseudo_acceleration_m_s2
+    yield rs.average_spectral_acceleration(record(), 0.5)
+    for name, value in vars(rs.intensity_measures(record(), blocks()[0])).items():
+        if isinstance(value, float) and name != "mean_period_s":
+            yield value
+
+
+def recordings() -> Numbers:
+    given = Recording(record=record(), format="table", path=Path("none"), units_in_file="m/s^2")
+    for baseline in ("mean", "linear", "polynomial:5"):
+        yield from rs.baseline_corrected(given, baseline).record.acceleration_m_s2
+    yield from rs.resampled(given, 0.0037).record.acceleration_m_s2
+
+
+def of_the_system() -> Numbers:
+    """What the package does not call."""
+    angles = np.linspace(0.01, 20.0, 20001)
+    yield from np.exp(angles)
+    yield from map(math.exp, angles.tolist())
+
+
+GROUPS: dict[str, Callable[[], Numbers]] = {
+    group.__name__: group
+    for group in (sizes, segments, closed_forms, measures, recordings, of_the_system)
+}
+
+
+def digest(numbers: Numbers) -> tuple[int, str]:
+    """Return how many numbers there are, and a hash of their bits."""
+    array = np.array(list(numbers), dtype=np.float64)
+    return len(array), hashlib.sha256(array.tobytes()).hexdigest()[:16]
+
+
+if __name__ == "__main__":
+    json.dump({name: digest(group()) for name, group in GROUPS.items()}, sys.stdout)
