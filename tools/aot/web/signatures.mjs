@@ -1,0 +1,63 @@
+// Made by `python -m tools.aot.web` from the annotations of the kernels.
+// Letters: f number, i integer, b truth value, c complex number; f2 an array of rank 2.
+
+const March = { side: 'i', angle: 'f', velocity: 'f', segment: 'i', half_cycles: 'i', phase: 'f', impacts: 'i', flights: 'i' };
+const Symmetric = { phase: 'f', sine: 'f', cosine: 'f', velocity: 'f', trace: 'f' };
+const Section = { side: 'i', half_cycles: 'i', phase: 'f', speed: 'f' };
+const Jacobian = { phase_by_phase: 'f', phase_by_speed: 'f', speed_by_phase: 'f', speed_by_speed: 'f' };
+const Half = { found: 'b', state: Section, jacobian: Jacobian };
+const Forcing = { kind: 'i', constant: 'f', slope: 'f', amplitude: 'f', frequency: 'f', beta: 'f', swing: 'f', rising: 'f', node_sine: 'f', node_cosine: 'f' };
+const System = { positive: Forcing, negative: Forcing, frequency: 'f', restitution: ['f', 'f'], lean: ['f', 'f'], rate: ['f', 'f'], alpha: ['f', 'f'], amplitude: 'f', left_out: 'f' };
+const Passage = { kind: 'i', state: Section, time: 'f', landing: 'f', jacobian: Jacobian };
+const Settled = { outcome: 'i', state: Section, passages: 'i', periods: 'i', residual: 'f', rests: 'i', lyapunov: 'f', least: 'f', after: 'i', growth: 'f' };
+const Stretch = { phase: 'f', speed: 'f', logarithm: 'f', since: 'i' };
+const Fixed = { found: 'b', residual: 'f', jacobian: Jacobian, rests: 'i', grazes: 'i' };
+
+export const signatures = {
+  fates_of_sides: { takes: ['f1', 'f1', 'f3', 'f1', 'f1', 'f1', 'i', 'i', 'i1', 'i1', 'f2'], gives: null },
+  lane_fates: { takes: ['f1', 'f1', 'f1', 'f1', 'f1', 'f1', 'i', 'b', 'i', 'i1', 'i1', 'f2'], gives: null },
+  settle_cells: { takes: ['f1', 'f1', 'f3', 'i1', 'f1', 'f1', 'i1', 'f1', 'i', 'i2', 'f2'], gives: null },
+  fill_clocks: { takes: ['f1', 'i1', 'f1'], gives: null },
+  record_fates: { takes: ['f2', 'f3', 'f1', 'i', 'i1', 'i1', 'f2'], gives: null },
+  pulse_fates: { takes: ['f2', 'f2', 'f1', 'f1', 'f', 'i', 'i1', 'i1', 'i1', 'i1', 'f1'], gives: null },
+  harmonic_segment: { takes: ['f2', 'f', 'f', 'f'], gives: null },
+  march: { takes: ['f2', 'f2', March, 'i', 'f', 'f', 'i', 'f2', 'f1'], gives: ['i', March] },
+  fill_states: { takes: ['f2', 'f2', 'f2', 'i1', 'f1', 'f2'], gives: null },
+  last_crossing: { takes: ['f2', 'f2', 'f2', 'f'], gives: ['i', 'f'] },
+  peaks_until_overturning: { takes: ['f2', 'f2', 'f2'], gives: ['f', 'f', 'f'] },
+  recorded_peaks: { takes: ['f2', 'f2', 'f2', 'f'], gives: ['f', 'f', 'f'] },
+  clock: { takes: ['f'], gives: ['i', 'f'] },
+  segment_start: { takes: ['f2', 'i'], gives: ['i', 'f'] },
+  is_nonlinear: { takes: ['f2'], gives: 'b' },
+  jump_share: { takes: ['f2', 'i', 'f'], gives: 'f' },
+  fill_steady: { takes: ['f1', 'f1', 'f1', 'i1', 'b', 'i1', 'f2', 'f2', 'f2', 'f2', 'f2', 'i2', 'b2'], gives: null },
+  fill_curves: { takes: ['f1', 'f1', 'i1', 'f2'], gives: null },
+  fill_half_cycle: { takes: ['f', 'f', 'i', Symmetric, 'f1', 'f2'], gives: null },
+  half_cycle_jacobian: { takes: ['f', 'f', 'f', 'i', Symmetric], gives: ['f', 'f', 'f', 'f'] },
+  symmetric_orbit: { takes: ['f', 'f', 'f', 'i', 'i'], gives: Symmetric },
+  symmetric_from: { takes: ['f', 'f', 'f2', 'i', 'i', Section], gives: Half },
+  symmetry_breaking: { takes: ['f', 'f', 'i'], gives: 'f' },
+  make_system: { takes: ['f', 'f', 'f2'], gives: System },
+  next_passage: { takes: [System, Section, 'f'], gives: Passage },
+  uplift_after: { takes: [System, 'i', 'f'], gives: Passage },
+  guess_after: { takes: [Passage], gives: 'f' },
+  highest_after: { takes: [System, Section, Passage], gives: ['f', 'f'] },
+  phase_between: { takes: [Section, Section], gives: 'f' },
+  settle: { takes: [System, 'i', 'i', 'f', 'f', 'f', 'i', 'f2', 'f2'], gives: Settled },
+  stretched: { takes: [Stretch, Jacobian], gives: Stretch },
+  search: { takes: [System, 'f1', 'f1', 'i', 'i', 'b', 'f2', 'f2', 'i2', 'i'], gives: 'i' },
+  polish: { takes: [System, Section, 'i', 'i', 'f2'], gives: Fixed },
+  measured: { takes: [System, 'i', 'i', 'f2'], gives: Fixed },
+  multipliers: { takes: [Jacobian, 'f'], gives: ['c', 'c'] },
+  loss: { takes: [System, 'i', 'i', 'i'], gives: 'f' },
+  fill_peaks: { takes: [System, 'i', 'f2'], gives: null },
+  is_symmetric: { takes: [System, 'f2', 'i', 'i'], gives: 'b' },
+  mirror: { takes: [Section, 'i'], gives: Section },
+  put: { takes: ['f2', 'i', Section], gives: null },
+  state_at: { takes: ['f2', 'i'], gives: Section },
+  fill_chain: { takes: ['f', 'f', 'f2', 'i1', 'f1', 'i', 'f2'], gives: null },
+  fill_matrix: { takes: ['f2', 'f', 'f2'], gives: null },
+  fill_arcs: { takes: [System, 'i1', 'f1', 'f2', 'f2'], gives: null },
+  side_of: { takes: ['i'], gives: 'i' },
+  turned_over: { takes: ['f2'], gives: Jacobian },
+};
