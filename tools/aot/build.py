@@ -38,7 +38,7 @@ def build(names: Sequence[str], folder: Path, *, elsewhere: bool = False) -> lis
         If no compiler in reach links one.
     """
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-    bitcode = _bitcode()
+    bitcode = lowered()
     made = []
     for name in names:
         target = TARGETS[name]
@@ -69,7 +69,7 @@ def tools_hash() -> str:
     return digest.hexdigest()[:16]
 
 
-def _bitcode() -> bytes:
+def lowered() -> bytes:
     """Return the lowered kernels; lower them first, in another process, if that is to be done."""
     kept = LOWERED / f"{sources_hash()}-{tools_hash()}.bc"
     if not kept.is_file():

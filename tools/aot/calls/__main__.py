@@ -13,7 +13,7 @@ from typing import Any
 from rocksteady.installation._recorded import Call, save
 from rocksteady.installation.check import RECORDED
 from rocksteady.kernels.entries import ENTRIES
-from tools.aot.calls import batches, histories, orbits
+from tools.aot.calls import batches, functions, histories, orbits
 from tools.aot.calls.recorder import Recorder
 
 CELLS = 100_000
@@ -43,6 +43,7 @@ def small_calls(entries: dict[str, Callable[..., Any]]) -> list[Call]:
     orbits.record_passages(call)
     orbits.record_orbits(call)
     orbits.record_chains(call)
+    functions.record_functions(call, 60)
     return call.calls
 
 
@@ -56,6 +57,7 @@ def large_calls(entries: dict[str, Callable[..., Any]], part: float = 1.0) -> li
         batches.record_pulses(call, name, cells, nonlinear=nonlinear)
         batches.record_records(call, name, cells, nonlinear=nonlinear, samples=200)
     batches.record_steady_states(call, "many steady states", int(CELLS * part), shapes=True)
+    functions.record_functions(call, int(CELLS * part))
     return call.calls
 
 

@@ -70,14 +70,19 @@ def repeat(program: Path, calls: Path, machine: str = platform.machine()) -> lis
     """
     command = [str(program), str(calls)]
     if machine != platform.machine():
-        emulator = shutil.which(f"qemu-{machine}") or shutil.which(f"qemu-{machine}-static")
-        if emulator is None:
+        found = emulator(machine)
+        if found is None:
             raise MissingProgramError(f"qemu-{machine} is not installed")
-        command.insert(0, emulator)
+        command.insert(0, found)
     ran = subprocess.run(command, capture_output=True, text=True, check=False)
     if ran.returncode not in (0, DIFFERENT):
         raise subprocess.CalledProcessError(ran.returncode, command, ran.stdout, ran.stderr)
     return read(ran.stdout)
+
+
+def emulator(machine: str) -> str | None:
+    """Return the program that runs those of another processor; None where it is not installed."""
+    return shutil.which(f"qemu-{machine}") or shutil.which(f"qemu-{machine}-static")
 
 
 def _compiled(compiler: list[str], files: list[str], program: Path) -> Path:

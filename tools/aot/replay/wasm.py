@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from rocksteady.installation._recorded import Call, Leaf, differences, dumped
+from rocksteady.installation._recorded import Call, Leaf, differences
 from tools.aot.replay.outcome import MissingProgramError, Repeated, read
 from tools.aot.web.generated import WEB
 
@@ -49,6 +49,8 @@ def in_browser(module: Path, calls: Path) -> list[Repeated]:
     ------
     MissingProgramError
         If no browser is installed.
+    ValueError
+        If the page fails.
     """
     browser = next(filter(None, map(shutil.which, BROWSERS)), None)
     if browser is None:
@@ -73,8 +75,11 @@ def in_browser(module: Path, calls: Path) -> list[Repeated]:
         )
     found = FOUND.search(ran.stdout)
     if found is None:
-        raise ValueError(f"the page answered nothing: {ran.stdout[-2000:]} {ran.stderr[-2000:]}")
-    return read(html.unescape(found[1]))
+        raise ValueError(f"the page shows nothing: {ran.stderr[-1000:]}")
+    text = html.unescape(found[1])
+    if text.startswith("error"):
+        raise ValueError(text)
+    return read(text)
 
 
 def page(module: bytes, calls: bytes) -> str:
@@ -98,14 +103,15 @@ def page(module: bytes, calls: bytes) -> str:
 const [module, recorded] = [{texts}].map(text => Uint8Array.from(atob(text), c => c.charCodeAt(0)));
 let lines;
 try {{
-  lines = (await replay(module, recorded.buffer)).map(call => `${{call.name}} ${{call.values}} ${{call.differing}}`);
+  const found = await replay(module, recorded.buffer);
+  lines = found.map(call => `${{call.name}} ${{call.values}} ${{call.differing}}`);
 }} catch (error) {{
   lines = [`error: ${{error.stack}}`];
 }}
-const found = document.createElement('pre');
-found.id = 'found';
-found.textContent = lines.join('\\n');
-document.body.append(found);
+const shown = document.createElement('pre');
+shown.id = 'found';
+shown.textContent = lines.join('\\n');
+document.body.append(shown);
 }}
 </script>
 """
@@ -138,8 +144,9 @@ class _Machine:
         engine = wasmtime.Engine()
         self._store = wasmtime.Store(engine)
         loaded = wasmtime.Module.from_file(engine, str(module))
-        self._exports: Any = wasmtime.Instance(self._store, loaded, []).exports(self._store)
-        self._memory = self._exports["memory"]
+        instance: Any = wasmtime.Instance(self._store, loaded, [])
+        self._exports = instance.exports(self._store)
+        self._memory: Any = self._exports["memory"]
         if "_initialize" in self._exports:
             self._exports["_initialize"](self._store)
 
@@ -181,9 +188,3 @@ class _Machine:
 
     def _read(self, address: int, length: int) -> bytes:
         return bytes(self._memory.read(self._store, address, address + length))
-
-
-def uncompressed(calls: list[Call], file: Path) -> Path:
-    """Write calls to a file as every replay reads it; return the file."""
-    file.write_bytes(dumped(calls))
-    return file

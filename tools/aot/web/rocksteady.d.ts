@@ -220,6 +220,40 @@ export interface Kernels {
   side_of(row: number): number;
   /** Return what a chain makes of a displacement of the phases of its last two impacts. */
   turned_over(table: Floats): Jacobian;
+  /** Fill `out` with e^x of each x. */
+  fill_exp(x: Floats, out: Floats): void;
+  /** Fill `out` with e^x - 1 of each x. */
+  fill_expm1(x: Floats, out: Floats): void;
+  /** Fill `out` with the natural logarithm of each x. */
+  fill_log(x: Floats, out: Floats): void;
+  /** Fill `out` with log(1 + x) of each x. */
+  fill_log1p(x: Floats, out: Floats): void;
+  /** Fill `out` with the sine of each x. */
+  fill_sin(x: Floats, out: Floats): void;
+  /** Fill `out` with the cosine of each x. */
+  fill_cos(x: Floats, out: Floats): void;
+  /** Fill `out` with the tangent of each x. */
+  fill_tan(x: Floats, out: Floats): void;
+  /** Fill `out` with the inverse sine of each x. */
+  fill_asin(x: Floats, out: Floats): void;
+  /** Fill `out` with the inverse cosine of each x. */
+  fill_acos(x: Floats, out: Floats): void;
+  /** Fill `out` with the inverse tangent of each x. */
+  fill_atan(x: Floats, out: Floats): void;
+  /** Fill `out` with the hyperbolic sine of each x. */
+  fill_sinh(x: Floats, out: Floats): void;
+  /** Fill `out` with the hyperbolic cosine of each x. */
+  fill_cosh(x: Floats, out: Floats): void;
+  /** Fill `out` with the hyperbolic tangent of each x. */
+  fill_tanh(x: Floats, out: Floats): void;
+  /** Fill `out` with the inverse hyperbolic sine of each x. */
+  fill_asinh(x: Floats, out: Floats): void;
+  /** Fill `out` with the next number above of each x. */
+  fill_next_up(x: Floats, out: Floats): void;
+  /** Fill `out` with the angle of (x, y) of each pair. */
+  fill_atan2(y: Floats, x: Floats, out: Floats): void;
+  /** Fill `out` with the length of (x, y) of each pair. */
+  fill_hypot(x: Floats, y: Floats, out: Floats): void;
 }
 
 /** Load the module from its bytes, or from what has been compiled of them. */

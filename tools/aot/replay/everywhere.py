@@ -1,0 +1,98 @@
+"""Targets that run on this machine, and how recorded calls are repeated on each."""
+
+import functools
+import platform
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from rocksteady.installation._recorded import Call, differences, replayed, save
+from rocksteady.kernels.entries import ENTRIES
+from rocksteady.kernels.machine_code.compilation import Kernel
+from rocksteady.kernels.machine_code.library import Library, targets
+from tools.aot.build import lowered
+from tools.aot.emit import emit
+from tools.aot.replay import native, wasm
+from tools.aot.replay.outcome import MissingProgramError, Repeated
+from tools.aot.targets import TARGETS, WASM
+
+ARM = "linux-aarch64"
+
+
+def by_library(target: str, built: Path, calls: list[Call]) -> list[Repeated]:
+    """Repeat calls in this process by the library of one CPU level."""
+    if target not in targets():
+        raise MissingProgramError(f"this processor runs nothing for {target}")
+    library = Library(built / TARGETS[target].file, target)
+    found = []
+    for call in calls:
+        kernel = _entry(library, ENTRIES[call.entry])
+        compared, differing, _ = differences(call, replayed(call, kernel))
+        found.append(Repeated(call.entry, compared, differing))
+    return found
+
+
+def in_c(built: Path, calls: list[Call]) -> list[Repeated]:
+    """Repeat calls by a program in C with the library of this processor."""
+    target = next(iter(targets()), None)
+    if target is None:
+        raise MissingProgramError("no library is built for this processor")
+    with tempfile.TemporaryDirectory() as folder:
+        program = native.linked(built / TARGETS[target].file, Path(folder, "replay"))
+        return native.repeat(program, _written(calls, folder))
+
+
+def on_arm(built: Path, calls: list[Call]) -> list[Repeated]:
+    """Repeat calls on a 64-bit ARM, which qemu makes of another processor."""
+    program = built / f"replay-{ARM}"
+    if platform.machine() != "aarch64" and not native.emulator("aarch64"):
+        raise MissingProgramError("qemu-aarch64 is not installed")
+    if not program.is_file():
+        native.standalone(emit(lowered(), TARGETS[ARM]), "aarch64", program)
+    with tempfile.TemporaryDirectory() as folder:
+        return native.repeat(program, _written(calls, folder), "aarch64")
+
+
+def in_wasm(
+    repeat: Callable[[Path, Path], list[Repeated]], built: Path, calls: list[Call]
+) -> list[Repeated]:
+    """Repeat calls by the WebAssembly module, in node or in a browser."""
+    with tempfile.TemporaryDirectory() as folder:
+        return repeat(built / TARGETS[WASM].file, _written(calls, folder))
+
+
+def in_wasmtime(built: Path, calls: list[Call]) -> list[Repeated]:
+    """Repeat calls by the WebAssembly module in wasmtime."""
+    return wasm.in_wasmtime(built / TARGETS[WASM].file, calls)
+
+
+RUNS: dict[str, Callable[[Path, list[Call]], list[Repeated]]] = {
+    **{
+        target: functools.partial(by_library, target)
+        for target in TARGETS
+        if target.startswith("linux-x86")
+    },
+    "C": in_c,
+    ARM: on_arm,
+    "node": functools.partial(in_wasm, wasm.in_node),
+    "Chromium": functools.partial(in_wasm, wasm.in_browser),
+    "wasmtime": in_wasmtime,
+}
+"""What repeats calls, given the folder of what `tools.aot` has built; by name."""
+
+
+def _entry(library: Library, kernel: Any) -> Callable[..., Any]:
+    """Return what calls a kernel in a library, with the annotations of the kernel."""
+    function = kernel.py_func if isinstance(kernel, Kernel) else kernel
+    found = library.entry(function)
+    if found is None:
+        raise KeyError(f"{library.path} does not hold {function.__name__}")
+    return functools.wraps(function)(found)
+
+
+def _written(calls: list[Call], folder: str) -> Path:
+    """Write calls to a file as every replay reads it; return the file."""
+    file = Path(folder, "calls")
+    save(file, calls, compress=False)
+    return file
