@@ -10,6 +10,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from rocksteady import OutputError, durable
+from rocksteady.kernels.machine_code.compilation import JIT, LIBRARY, runner
+from rocksteady.kernels.machine_code.library import library
 
 Done = Callable[[str], None]
 """Called with the name of each thing that has been computed or written."""
@@ -132,7 +134,17 @@ def environment() -> str:
     """Return what a study runs on, in one line."""
     from importlib.metadata import version
 
-    parts = [f"Python {platform.python_version()}"]
-    parts += [f"{name} {version(name)}" for name in ("numpy", "numba", "matplotlib")]
-    parts.append(f"{platform.system()} on {platform.machine()}")
-    return ", ".join(parts)
+    runs, found = runner(), library()
+    if runs == LIBRARY and found is not None:
+        kernels = f"kernels compiled for {found.target}"
+    else:
+        kernels = f"numba {version('numba')}" if runs == JIT else "kernels not compiled"
+    return ", ".join(
+        (
+            f"Python {platform.python_version()}",
+            f"numpy {version('numpy')}",
+            kernels,
+            f"matplotlib {version('matplotlib')}",
+            f"{platform.system()} on {platform.machine()}",
+        )
+    )
