@@ -254,6 +254,8 @@ BOX, HIGH, GAP = 0.7, 0.18, 0.135
 """Least width and height of a room's box, and the distance to the next."""
 LANE = 0.1
 """Between two lines at the right."""
+ROOMS = 5.6
+"""Width that rooms may take before the lines at the right."""
 BAND, FLOW = "#f1eee5", palette.LINK
 KEYS = (
     "At the right: a layer (▲) uses those with a dot (●) on its line.",
@@ -322,20 +324,27 @@ def _draw_layer(axes: Any, layer: Layer, top: float, tall: float) -> None:
     _write(axes, left, line, layer.name, size=NAME, weight="bold")
     _write(axes, left + 0.86, line, layer.sentence, color=palette.NUMBER)
 
-    box = max([BOX, *(0.1 + _width(room) for room in layer.rooms)])
+    wide = _widths(layer)
     corner = {
-        name: (left + (box + GAP) * column, top + HEAD + ROW * row + 0.5 * (ROW - HIGH))
+        name: (
+            left + sum(wide[:column]) + GAP * column,
+            top + HEAD + ROW * row + 0.5 * (ROW - HIGH),
+        )
         for name, (column, row) in spots(layer).items()
     }
+    box = {name: wide[column] for name, (column, _) in spots(layer).items()}
     level = levels(layer.rooms, layer.edges)
     for user, used in sorted(reduced(layer.rooms, layer.edges)):
         between = [passing(user, used, k) for k in range(level[used] + 1, level[user])]
         stops = [corner[name] for name in (used, *between, user)]
         shift = 0.25 + 0.2 * spots(layer)[used][1]  # arrows from other rows turn elsewhere
-        xs, ys = [stops[0][0] + box], [stops[0][1]]
-        for (x, y), (next_x, next_y) in pairwise(stops):
-            turn = x + box + shift * GAP
-            xs += [turn, turn, next_x + box]
+        places = (used, *between, user)
+        xs, ys = [stops[0][0] + box[used]], [stops[0][1]]
+        for (here, there), ((x, y), (next_x, next_y)) in zip(
+            pairwise(places), pairwise(stops), strict=True
+        ):
+            turn = x + box[here] + shift * GAP
+            xs += [turn, turn, next_x + box[there]]
             ys += [y, next_y, next_y]
         xs[-1] = stops[-1][0]
         middle = [y + 0.5 * HIGH for y in ys]
@@ -344,9 +353,21 @@ def _draw_layer(axes: Any, layer: Layer, top: float, tall: float) -> None:
     for room in layer.rooms:
         x, y = corner[room]
         look = {"fc": "white", "ec": palette.INK, "lw": 0.6, "zorder": 3, "gid": "room"}
-        axes.add_patch(Rectangle((x, y), box, HIGH, **look))
+        axes.add_patch(Rectangle((x, y), box[room], HIGH, **look))
         look = {"size": ROOM, "ha": "center", "zorder": 4, "gid": "room"}
-        _write(axes, x + 0.5 * box, y + 0.5 * HIGH, room, **look)
+        _write(axes, x + 0.5 * box[room], y + 0.5 * HIGH, room, **look)
+
+
+def _widths(layer: Layer) -> list[float]:
+    """Return the width of each column: one for all, or if that is too wide, its own."""
+    columns: dict[int, float] = {}
+    for name, (column, _) in spots(layer).items():
+        words = 0.1 + _width(name) if name in layer.rooms else 0.0
+        columns[column] = max(columns.get(column, 0.0), words)
+    alike = max([BOX, *columns.values()])
+    if (alike + GAP) * len(columns) <= ROOMS:
+        return [alike] * len(columns)
+    return [columns[column] for column in sorted(columns)]
 
 
 def _draw_lanes(axes: Any, tree: Tree, heights: Sequence[float]) -> None:
