@@ -416,6 +416,16 @@ def test_an_interruption_while_one_is_dealt_with_ends_with_130_too(
     assert left.value.code == 130
 
 
+@pytest.mark.skipif(compilation.runner() != compilation.LIBRARY, reason="there is no library")
+@commands
+def test_with_a_library_nothing_compiles_and_nothing_is_said(
+    command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(compilation, "cache_folder", lambda: tmp_path)  # empty
+    assert rocksteady(f"{SHAKEN[command]} -r 0.8 --json").err.count("compiling") == 0
+
+
+@pytest.mark.skipif(compilation.runner() != compilation.JIT, reason="numba compiles nothing")
 @commands
 def test_a_first_run_says_that_it_compiles(command: str, monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[str] = []
@@ -428,7 +438,7 @@ def test_a_first_run_says_that_it_compiles(command: str, monkeypatch: pytest.Mon
         first.setattr(compilation, "must_compile", first_run)
         ran = rocksteady(f"{SHAKEN[command]} -r 0.8 --json")
     assert ran.code == 0
-    line = "compiling what this needs, once for each version: up to a minute\n"
+    line = "compiling what this needs with numba, once for each version: up to a minute\n"
     assert ran.err.startswith(line)  # and what takes long has progress to tell
     # It has called the kernel that it named, whose code is kept since.
     assert [compilation.must_compile(kernel) for kernel in asked] == [False]

@@ -31,7 +31,8 @@ def announce_compilation(kernel: str) -> None:
     from rocksteady.kernels.machine_code.compilation import must_compile
 
     if must_compile(kernel):
-        print("compiling what this needs, once for each version: up to a minute", file=sys.stderr)
+        what = "compiling what this needs with numba, once for each version: up to a minute"
+        print(what, file=sys.stderr)
 
 
 def write_figure(file: Path, figure: "Figure") -> None:
