@@ -17,7 +17,7 @@ one processor and in another on the next.
 
 import math
 from itertools import pairwise
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,14 +25,21 @@ from numpy.typing import NDArray
 from rocksteady.kernels.elementary.arrays import atan2, exp, sincos
 
 Floats = NDArray[np.float64]
-Complexes = NDArray[np.complex128]
+
+
+class Parts(NamedTuple):
+    """Real and imaginary part of a complex number, or of each of an array."""
+
+    real: Any
+    imag: Any
+
 
 SERIES_BELOW = 0.5
 """|x| below which phi_2 is summed: its closed form cancels."""
 SERIES_TERMS = 16
 """0.5^16/18! is below 1e-20."""
-HALVINGS = 30
-"""Of the bracket of a peak's time; a peak is flat, so that half the digits of a double suffice."""
+HALVES: Floats = np.ldexp(1.0, -np.arange(1, 31))[:, np.newaxis]
+"""Parts of the bracket of a peak's time; a peak is flat: half the digits of a double suffice."""
 
 
 def peaks(acceleration: Floats, dt: float, frequency: float, damping: float) -> Floats:
@@ -57,7 +64,7 @@ def peaks(acceleration: Floats, dt: float, frequency: float, damping: float) -> 
     ndarray, shape (3,)
         Of u and u' relative to the ground, and of u'' + a.
     """
-    rate = complex(-damping * frequency, math.sqrt(1.0 - damping * damping) * frequency)
+    rate = Parts(-damping * frequency, math.sqrt(1.0 - damping * damping) * frequency)
     # Steps of less than half a damped period: each derivative then has one extremum at most in it.
     parts = int(rate.imag * dt / math.pi) + 1
     h = dt / parts
@@ -67,60 +74,62 @@ def peaks(acceleration: Floats, dt: float, frequency: float, damping: float) -> 
     z = _states(a, h, rate)
     # 1/(wd L), 1/wd, L/wd and L^2/wd: what each kind is made with, after what its slope is.
     inverse = _inverse(rate)
-    powers = [part / rate.imag for part in (inverse, complex(1.0), rate, _times(rate, rate))]
+    kinds = (inverse, Parts(1.0, 0.0), rate, _times(rate, rate))
+    powers = [Parts(kind.real / rate.imag, kind.imag / rate.imag) for kind in kinds]
     slope = np.diff(a) / h
     # Inside a sample z = swing e^(L t) + steady + slope t/L.
-    steady = _times(_complex(a[:-1] + slope * inverse.real, slope * inverse.imag), inverse)
-    swing = z[:-1] - steady
+    steady = _times(Parts(a[:-1] + slope * inverse.real, slope * inverse.imag), inverse)
+    swing = Parts(z.real[:-1] - steady.real, z.imag[:-1] - steady.imag)
     reach = h * h * frequency * frequency * np.sqrt(np.square(swing.real) + np.square(swing.imag))
     found = np.empty(3)
     for kind, (before, power) in enumerate(pairwise(powers)):
-        course = _times(power, z)
-        best = max(float(np.abs(course.imag).max()), _after(complex(course[-1]), rate))
+        course = _imaginary(power, z)
+        last = _times(power, Parts(float(z.real[-1]), float(z.imag[-1])))
+        best = max(float(np.abs(course).max()), _after(last, rate))
         # No faster than at the sample's start by more than `reach`: most samples are passed over.
-        moving = _times(power, swing)
-        speed = h * np.abs(_times(rate, moving).imag + before.imag * slope)
+        speed = h * np.abs(_imaginary(_times(power, rate), swing) + before.imag * slope)
         size = math.sqrt(power.real * power.real + power.imag * power.imag)
-        of = np.flatnonzero(np.abs(course.imag[:-1]) + speed + size * reach > best)
-        constant = _times(power, steady[of]).imag
-        found[kind] = _between(moving[of], constant, before.imag * slope[of], rate, h, best)
+        of = np.flatnonzero(np.abs(course[:-1]) + speed + size * reach > best)
+        constant = _imaginary(power, _some(steady, of))
+        inside = _times(power, _some(swing, of))
+        found[kind] = _between(inside, constant, before.imag * slope[of], rate, h, best)
     return found
 
 
-def _states(a: Floats, h: float, rate: complex) -> Complexes:
+def _states(a: Floats, h: float, rate: Parts) -> Parts:
     """Return z at each sample, begun at rest."""
     from scipy.signal import lfilter
 
-    x = rate * h
+    x = Parts(rate.real * h, rate.imag * h)
     growth = _grown(rate, h)
-    inverse = _inverse(x)
     if x.real * x.real + x.imag * x.imag < SERIES_BELOW * SERIES_BELOW:
-        second = 0j
+        second = Parts(0.0, 0.0)
         for k in reversed(range(SERIES_TERMS)):
-            second = _times(x, second) + 1.0 / math.factorial(k + 2)
-        first = 1.0 + _times(x, second)
+            second = _less(_times(x, second), -1.0 / math.factorial(k + 2))
+        first = _less(_times(x, second), -1.0)
     else:
-        first = _times(growth - 1.0, inverse)
-        second = _times(first - 1.0, inverse)
+        first = _times(_less(growth, 1.0), _inverse(x))
+        second = _times(_less(first, 1.0), _inverse(x))
+    late = complex(h * second.real, h * second.imag)
+    early = complex(h * (first.real - second.real), h * (first.imag - second.imag))
     # The filter's own start would feel the first sample as if one of 0 had come before it.
-    driven = lfilter(
-        [-h * second, -h * (first - second)],
-        [1.0, -growth],
+    driven, _ = lfilter(
+        [-late, -early],
+        [1.0, -complex(*growth)],
         a.astype(np.complex128),
-        zi=np.array([h * second * a[0]]),
-    )[0]
-    return np.asarray(driven, dtype=np.complex128)
+        zi=np.array([late * a[0]]),
+    )
+    return Parts(driven.real.copy(), driven.imag.copy())
 
 
-def _after(z: complex, rate: complex) -> float:
+def _after(z: Parts, rate: Parts) -> float:
     """Return the largest |Im(z e^(L t))| for t >= 0: at once, or at its first extremum."""
     t = (-_phase(_times(rate, z)) % math.pi) / rate.imag
-    later: complex = _times(z, _grown(rate, t))
-    return max(abs(z.imag), abs(later.imag))
+    return float(max(abs(z.imag), abs(_imaginary(z, _grown(rate, t)))))
 
 
 def _between(
-    swing: Complexes, constant: Floats, slope: Floats, rate: complex, h: float, best: float
+    swing: Parts, constant: Floats, slope: Floats, rate: Parts, h: float, best: float
 ) -> float:
     """Return the largest |Im(swing e^(L t)) + constant + slope t| of some samples, 0 < t < h.
 
@@ -136,55 +145,55 @@ def _between(
     # The derivative turns once at most inside a sample, at a phase that is known.
     moving = _times(rate, swing)
     turn = np.minimum((-_phase(_times(rate, moving)) % math.pi) / rate.imag, h)
-
-    def speed(t: Floats | float, of: NDArray[np.intp] | slice = slice(None)) -> Floats:
-        moved: Floats = _times(moving[of], _grown(rate, t)).imag + slope[of]
-        return moved
-
-    ends = [speed(0.0), speed(turn), speed(h)]
-    for low, high, here, there in (
-        (np.zeros(len(turn)), turn, ends[0], ends[1]),
-        (turn, np.full(len(turn), h), ends[1], ends[2]),
+    turned = _times(moving, _grown(rate, turn))
+    ends = (moving.imag, turned.imag, _imaginary(moving, _grown(rate, h)))
+    start, middle, end = (imaginary + slope for imaginary in ends)
+    for low, width, at, here, there in (
+        (np.zeros(len(turn)), turn, moving, start, middle),
+        (turn, h - turn, turned, middle, end),
     ):
         of = np.flatnonzero(here * there < 0.0)
         if len(of) == 0:
             continue
-        left, right, sign = low[of], high[of], np.sign(here[of])
-        for _ in range(HALVINGS):
-            t = 0.5 * (left + right)
-            before = np.sign(speed(t, of)) == sign
-            left, right = np.where(before, t, left), np.where(before, right, t)
-        t = 0.5 * (left + right)
-        values = _times(swing[of], _grown(rate, t)).imag + constant[of] + slope[of] * t
+        t, left, rising = low[of], _some(at, of), here[of] > 0.0
+        steps = width[of] * HALVES
+        for step, real, imaginary in zip(steps, *_grown(rate, steps), strict=True):
+            later = _times(left, Parts(real, imaginary))
+            before = (later.imag + slope[of] > 0.0) == rising
+            t = np.where(before, t + step, t)
+            left = Parts(*(np.where(before, *pair) for pair in zip(later, left, strict=True)))
+        values = _imaginary(_some(swing, of), _grown(rate, t)) + constant[of] + slope[of] * t
         best = max(best, float(np.abs(values).max()))
     return best
 
 
-def _grown(rate: complex, t: Any) -> Any:
+def _grown(rate: Parts, t: Any) -> Parts:
     """Return e^(L t) at a time or at each of an array of times."""
     size, (sine, cosine) = exp(rate.real * t), sincos(rate.imag * t)
-    return _complex(size * cosine, size * sine)
+    return Parts(size * cosine, size * sine)
 
 
-def _phase(z: Any) -> Any:
-    """Return the angle of a complex number or of each of an array."""
+def _phase(z: Parts) -> Any:
     return atan2(z.imag, z.real)
 
 
-def _inverse(z: complex) -> complex:
+def _inverse(z: Parts) -> Parts:
     square = z.real * z.real + z.imag * z.imag
-    return complex(z.real / square, -z.imag / square)
+    return Parts(z.real / square, -z.imag / square)
 
 
-def _times(x: Any, y: Any) -> Any:
-    """Return a product of complex numbers, or of arrays of them."""
-    return _complex(x.real * y.real - x.imag * y.imag, x.real * y.imag + x.imag * y.real)
+def _some(z: Parts, of: NDArray[np.intp]) -> Parts:
+    return Parts(z.real[of], z.imag[of])
 
 
-def _complex(real: Any, imaginary: Any) -> Any:
-    """Return complex numbers with these parts, or an array of them."""
-    if isinstance(real, float):
-        return complex(real, imaginary)
-    z = np.empty(real.shape, dtype=np.complex128)
-    z.real, z.imag = real, imaginary
-    return z
+def _less(z: Parts, real: float) -> Parts:
+    return Parts(z.real - real, z.imag)
+
+
+def _times(x: Parts, y: Parts) -> Parts:
+    return Parts(x.real * y.real - x.imag * y.imag, _imaginary(x, y))
+
+
+def _imaginary(x: Parts, y: Parts) -> Any:
+    """Return the imaginary part of a product."""
+    return x.real * y.imag + x.imag * y.real

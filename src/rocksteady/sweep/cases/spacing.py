@@ -18,6 +18,8 @@ def in_equal_ratios(start: float, stop: float, count: int) -> list[float]:
     >>> in_equal_ratios(1.0, 8.0, 4)
     [1.0, 2.0, 4.0, 8.0]
     """
+    import numpy as np  # not before an axis is needed: flags are read at once
+
     last = count - 1
-    ratio = log(stop / start)
-    return [start, *(start * exp(ratio * i / last) for i in range(1, last)), stop]
+    inner = start * exp(log(stop / start) * np.arange(1, last) / last)
+    return [start, *inner.tolist(), stop]
