@@ -70,7 +70,7 @@ def types() -> str:
     return NOTE + HEAD + interfaces + kernels + TAIL
 
 
-FILES: dict[str, Callable[[], str]] = {"signatures.mjs": signatures, "rocksteady.d.ts": types}
+FILES: dict[str, Callable[[], str]] = {"signatures.mjs": signatures, "rocksteady.d.mts": types}
 """What makes each file."""
 
 

@@ -1,5 +1,5 @@
 // The kernels in a page or in node, without a server: load the module and call them by name.
-// Named tuples are objects, other tuples are arrays; the types are in rocksteady.d.ts.
+// Named tuples are objects, other tuples are arrays; the types are in rocksteady.d.mts.
 import { signatures } from './signatures.mjs';
 
 const CELL = 8;
