@@ -22,7 +22,8 @@ MOST_INSTALLED = 540.0
 LONGEST_IMPORT = 0.03
 """Seconds of ``import rocksteady``."""
 LONGEST_FIRST_PICTURE = 3.0
-"""Seconds from the start of the program to its first picture, for a user who has just come."""
+"""Seconds from the start of the program to its first picture, for a user who has just come; those
+in which a processor was busy with it are shown beside them, for a machine that is shared."""
 IMPORTS = 10
 USERS = 3
 """How often either is timed; the median counts."""
@@ -199,17 +200,19 @@ def _import(environment: Environment) -> Row:
 
 
 def _first_picture(environment: Environment) -> Row:
-    seconds = []
+    seconds, busy = [], []
     for _ in range(USERS):
-        began = time.perf_counter()
+        began, before = time.perf_counter(), os.times()
         done = environment.run("rocksteady", *FIRST_PICTURE)
         seconds.append(time.perf_counter() - began)
+        after = os.times()
+        busy.append(sum(after[2:4]) - sum(before[2:4]))
         if done.returncode != 0 or "wrote a.png" not in done.stderr:
             return Row("first picture", _said(done), "a.png", False)
     median = statistics.median(seconds)
     return Row(
         f"first picture of a new user, median of {USERS}",
-        f"{median:.2f} s",
+        f"{median:.2f} s, busy {statistics.median(busy):.2f}",
         f"{LONGEST_FIRST_PICTURE:.2f} s",
         median <= LONGEST_FIRST_PICTURE,
     )
