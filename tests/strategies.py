@@ -8,6 +8,8 @@ import numpy as np
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from rocksteady.kernels.machine_code.compilation import JIT, runner
+
 Floats = NDArray[np.float64]
 SizeT = TypeVar("SizeT")
 
@@ -18,6 +20,16 @@ PLAIN = os.environ.get("ROCKSTEADY_KERNELS") == "python"
 def sample_size(compiled: SizeT, plain: SizeT) -> SizeT:
     """Return how much to test: as much as compiled code can do, or less without it."""
     return plain if PLAIN else compiled
+
+
+def inner_sample_size(compiled: int, plain: int) -> int:
+    """Return how much to test of a kernel that other kernels alone call.
+
+    The library does not hold it: where numba does not compile it, it runs as plain Python.
+    """
+    if PLAIN:
+        return plain
+    return compiled if runner() == JIT else round(math.sqrt(compiled * plain))
 
 
 # Columns of a random flight.

@@ -11,7 +11,14 @@ from rocksteady.kernels.core.forcing import Forcing, make_forcing
 from rocksteady.kernels.linear.extrema import flight_peaks, highest_angle, inner_extrema, last_rise
 from rocksteady.kernels.linear.flight import Flight, make_flight
 from rocksteady.kernels.linear.zeros import next_zero
-from tests.strategies import ANGLE, PHASE, SPAN, VELOCITY, random_flights, sample_size
+from tests.strategies import (
+    ANGLE,
+    PHASE,
+    SPAN,
+    VELOCITY,
+    inner_sample_size,
+    random_flights,
+)
 
 Floats = NDArray[np.float64]
 
@@ -70,7 +77,7 @@ def cases(seed: int, count: int) -> Floats:
 
 def test_extrema_and_peaks_agree_with_dense_sampling() -> None:
     counted, several = 0, 0
-    for case in cases(1, sample_size(1000, 150)):
+    for case in cases(1, inner_sample_size(1000, 150)):
         flight, forcing = made(case)
         span = float(case[SPAN])
         roots, sure = sampled_roots(case, 1, 0.0)
@@ -103,14 +110,14 @@ def test_extrema_and_peaks_agree_with_dense_sampling() -> None:
             assert highest == pytest.approx(truth, abs=blur), case.tolist()
         else:
             assert highest >= truth - blur
-    assert counted > sample_size(500, 50)
-    assert several > sample_size(40, 5)
+    assert counted > inner_sample_size(500, 50)
+    assert several > inner_sample_size(40, 5)
 
 
 @pytest.mark.parametrize("level", [0.02, 0.3, 1.0, -0.4])
 def test_the_last_rise_through_a_level_agrees_with_dense_sampling(level: float) -> None:
     counted = 0
-    for case in cases(2, sample_size(500, 100)):
+    for case in cases(2, inner_sample_size(500, 100)):
         flight, forcing = made(case)
         span = float(case[SPAN])
         roots, sure = sampled_roots(case, 0, level)
@@ -125,7 +132,7 @@ def test_the_last_rise_through_a_level_agrees_with_dense_sampling(level: float) 
         steep = curves(case, np.array([rising[-1]]))[1][0]
         blur = 64 * 2.0**-52 * scale(case) / steep
         assert found == pytest.approx(rising[-1], abs=blur + 1e-12), case.tolist()
-    assert counted > sample_size(30, 5)
+    assert counted > inner_sample_size(30, 5)
 
 
 def test_a_falling_block_rises_through_the_critical_angle_for_the_last_time() -> None:
@@ -173,7 +180,7 @@ def test_an_inflection_is_no_extremum() -> None:
 
 def test_peaks_of_flights_above_the_floor_are_those_of_dense_sampling() -> None:
     rng, short = np.random.default_rng(6), 0
-    for case in cases(5, sample_size(400, 80)):
+    for case in cases(5, inner_sample_size(400, 80)):
         case[ANGLE] = abs(case[ANGLE])
         if case[ANGLE] == 0.0:
             case[VELOCITY] = abs(case[VELOCITY])
@@ -195,4 +202,4 @@ def test_peaks_of_flights_above_the_floor_are_those_of_dense_sampling() -> None:
             for before in ((share * angle, 0.0), (0.0, share * speed), (share * angle, 1e9)):
                 again = flight_peaks(flight, forcing, span, *peaks, *before)
                 assert again == (max(angle, before[0]), max(speed, before[1]))
-    assert short > sample_size(150, 30)
+    assert short > inner_sample_size(150, 30)

@@ -12,7 +12,7 @@ from rocksteady.kernels.linear.flight import make_flight, wrapped
 from rocksteady.kernels.linear.landing import landing_jacobian
 from rocksteady.kernels.linear.zeros import next_zero
 from tests.oracles import ExactFlight, mp
-from tests.strategies import sample_size
+from tests.strategies import inner_sample_size, sample_size
 
 
 def landing(
@@ -66,7 +66,7 @@ def test_its_determinant_is_that_of_a_flow_that_keeps_area() -> None:
     # The flow keeps v dv dpsi; an impact multiplies v by the restitution.
     rng = np.random.default_rng(2)
     checked = 0
-    while checked < sample_size(2000, 200):
+    while checked < inner_sample_size(2000, 200):
         amplitude, restitution = rng.uniform(0.0, 6.0), rng.uniform(0.05, 1.0)
         frequency, phase = rng.uniform(0.5, 12.0), wrapped(rng.uniform(0.0, 6.28))
         velocity = rng.uniform(0.05, 0.6)

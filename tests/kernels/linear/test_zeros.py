@@ -23,6 +23,7 @@ from tests.strategies import (
     SLOPE,
     SPAN,
     VELOCITY,
+    inner_sample_size,
     random_flights,
     sample_size,
 )
@@ -143,7 +144,7 @@ def none_missed(seed: int, count: int) -> None:
 
 @pytest.mark.parametrize("seed", range(5))
 def test_no_zero_is_missed_or_invented(seed: int) -> None:
-    none_missed(seed, sample_size(40_000, 300))
+    none_missed(seed, inner_sample_size(40_000, 300))
 
 
 @pytest.mark.slow

@@ -17,8 +17,8 @@ Floats = NDArray[np.float64]
 
 def states(ran: Run, sides: Floats, index: ArrayLike, since: ArrayLike) -> Floats:
     rows, times = (
-        np.atleast_1d(np.asarray(index, np.int64)),
-        np.atleast_1d(np.asarray(since, np.float64)),
+        np.array(index, np.int64, ndmin=1),
+        np.array(since, np.float64, ndmin=1),
     )
     filled = np.full((3, len(rows)), math.nan)
     fill_states(ran.segments, sides, ran.rows, rows, times, filled)

@@ -22,7 +22,7 @@ from rocksteady.kernels.core.tables import (
 from rocksteady.kernels.march.rest import STILL, bounce_bounds, settles, uplift_time
 from tests.kernels.tables import Piece, Run, both_sides, exact_segments, harmonic, run, table
 from tests.oracles import exact_march, mp
-from tests.strategies import amplitudes, logarithmic, phases, sample_size
+from tests.strategies import amplitudes, inner_sample_size, logarithmic, phases, sample_size
 
 
 @given(st.floats(-3.0, 3.0), st.floats(-3.0, 3.0), amplitudes, logarithmic(0.1, 50.0), phases)
@@ -183,7 +183,7 @@ def test_chatter_that_is_said_to_settle_does(
 def test_a_bounce_is_no_longer_and_lands_no_faster_than_bounded() -> None:
     rng = np.random.default_rng(5)
     checked = 0
-    for _ in range(sample_size(4000, 300)):
+    for _ in range(inner_sample_size(4000, 300)):
         amplitude, frequency = rng.uniform(0.0, 3.0), 10.0 ** rng.uniform(-1.0, 2.0)
         phase = float(rng.uniform(-0.5 * math.pi, 1.5 * math.pi))
         velocity = 10.0 ** rng.uniform(-4.0, -0.3)
@@ -203,7 +203,7 @@ def test_a_bounce_is_no_longer_and_lands_no_faster_than_bounded() -> None:
         checked += 1
         assert ran.rows[0, ROW_DURATION] <= duration * (1.0 + 1e-12)
         assert ran.rows[1, 5] ** 2 <= growth * velocity**2 * (1.0 + 1e-12)
-    assert checked > sample_size(500, 30)
+    assert checked > inner_sample_size(500, 30)
 
 
 def bounces_fit(
@@ -220,7 +220,7 @@ def test_the_bounces_of_chatter_that_settles_fit_into_a_window_without_uplift() 
     # The proof itself: some window, no longer than the span, holds the sum of the bounds.
     rng = np.random.default_rng(6)
     said, refused = 0, 0
-    for _ in range(sample_size(20_000, 1000)):
+    for _ in range(inner_sample_size(20_000, 1000)):
         amplitude, frequency = rng.uniform(0.0, 3.0), 10.0 ** rng.uniform(-1.0, 2.0)
         phase = float(rng.uniform(-0.5 * math.pi, 1.5 * math.pi))
         other = phase + math.pi if phase < 0.5 * math.pi else phase - math.pi
@@ -238,7 +238,7 @@ def test_the_bounces_of_chatter_that_settles_fit_into_a_window_without_uplift() 
             )
         said += ends
         refused += not ends
-    assert min(said, refused) > sample_size(1000, 50)
+    assert min(said, refused) > inner_sample_size(1000, 50)
 
 
 def test_chatter_cut_off_by_the_next_segment_goes_on_in_it() -> None:

@@ -372,7 +372,7 @@ def sampled_speed(ran: Run, sides: Floats, points: int = 20) -> float:
     """Return the largest speed at evenly spaced times of each flight, its ends included."""
     moving = np.flatnonzero(ran.rows[:, ROW_SIDE])
     since = np.linspace(0.0, 1.0, points)[:, None] * ran.rows[moving, ROW_DURATION]
-    index = np.broadcast_to(moving, since.shape).ravel()
+    index = np.array(np.broadcast_to(moving, since.shape)).ravel()
     states = np.empty((3, index.size))
     fill_states(ran.segments, sides, ran.rows, index, since.ravel(), states)
     return float(np.abs(states[1]).max(initial=0.0))
