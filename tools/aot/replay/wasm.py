@@ -70,14 +70,8 @@ def in_browser(module: Path, calls: Path) -> list[Repeated]:
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, "page.html")
         file.write_text(page(module.read_bytes(), calls.read_bytes()), encoding="utf-8")
-        command = [
-            browser,
-            "--headless",
-            "--no-sandbox",
-            "--disable-gpu",
-            "--disable-dev-shm-usage",
-        ]
-        command += [f"--user-data-dir={folder}/profile", "--virtual-time-budget=100000"]
+        command = [browser, "--headless", "--no-sandbox", "--disable-gpu"]
+        command += ["--disable-dev-shm-usage", f"--user-data-dir={folder}/profile"]
         ran = subprocess.run(
             [*command, "--dump-dom", file.as_uri()],
             capture_output=True,
@@ -96,37 +90,37 @@ def in_browser(module: Path, calls: Path) -> list[Repeated]:
 
 def page(module: bytes, calls: bytes) -> str:
     """Return a page that repeats calls and shows what came of it; all is inside."""
-    # Modules of their own cannot be imported from a file: here they are one.
-    scripts = [
-        (WEB / name).read_text() for name in ("signatures.mjs", "rocksteady.mjs", "replay.mjs")
-    ]
-    script = "\n".join(
-        re.sub(r"^(import .*|export )", "", text, flags=re.MULTILINE) for text in scripts[:2]
-    )
-    # The replay has names of its own, and what runs it in node is left out.
-    last = re.sub(r"^(import .*|export )", "", scripts[2], flags=re.MULTILINE)
-    last = last.partition("\nif (typeof process")[0]
+    # Modules of their own cannot be imported from a file: here they are one script.
+    loader = _unwrapped("signatures.mjs") + _unwrapped("rocksteady.mjs")
+    replay = _unwrapped("replay.mjs").partition("\nif (typeof process")[0]
     texts = ", ".join(json.dumps(base64.b64encode(data).decode()) for data in (module, calls))
-    return f"""<!doctype html><meta charset="utf-8"><title>Recorded calls</title>
-<script type="module">
-{script}
+    # Nothing in it waits, so that the page is not complete before all is done.
+    return f"""<!doctype html>
+<meta charset="utf-8"><title>Recorded calls</title><pre id="found"></pre>
+<script>
+{loader}
 {{
-{last}
-const [module, recorded] = [{texts}].map(text => Uint8Array.from(atob(text), c => c.charCodeAt(0)));
+{replay}
 let lines;
 try {{
-  const found = await replay(module, recorded.buffer);
+  const bytes = text => Uint8Array.from(atob(text), character => character.charCodeAt(0));
+  const [module, recorded] = [{texts}].map(bytes);
+  const instance = new WebAssembly.Instance(new WebAssembly.Module(module), {{}});
+  const found = replay(kernels(instance), recorded.buffer);
   lines = found.map(call => `${{call.name}} ${{call.values}} ${{call.differing}}`);
 }} catch (error) {{
   lines = [`error: ${{error.stack}}`];
 }}
-const shown = document.createElement('pre');
-shown.id = 'found';
-shown.textContent = lines.join('\\n');
-document.body.append(shown);
+document.getElementById('found').textContent = lines.join('\\n');
 }}
 </script>
 """
+
+
+def _unwrapped(name: str) -> str:
+    """Return a module without the words that import and export."""
+    text = (WEB / name).read_text(encoding="utf-8")
+    return re.sub(r"^(import .*|export )", "", text, flags=re.MULTILINE)
 
 
 def in_wasmtime(module: Path, calls: list[Call]) -> list[Repeated]:

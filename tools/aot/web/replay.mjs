@@ -32,8 +32,8 @@ const built = (type, leaves) => typeof type === 'string' ? leaves.shift()
   : Object.fromEntries(Object.entries(type).map(([name, part]) => [name, built(part, leaves)]));
 const flat = value => value === undefined ? [] : typeof value === 'object' ? Object.values(value).flatMap(flat) : [Number(value)];
 
-export async function replay(module, recorded) {
-  const kernels = await load(module), found = [];
+export function replay(kernels, recorded) {
+  const found = [];
   for (const { name, leaves, results } of calls(recorded)) {
     const given = leaves.map(leaf => leaf.kind ? kernels.array(leaf.kind, leaf.shape, new view[leaf.kind](leaf.before)) : leaf.value);
     const returned = flat(kernels[name](...built(signatures[name].takes, [...given])));
@@ -56,5 +56,5 @@ if (typeof process !== 'undefined' && process.argv[1] === new URL(import.meta.ur
   const { readFileSync } = await import('node:fs'), { gunzipSync } = await import('node:zlib');
   const file = readFileSync(process.argv[3]), plain = file[0] === 0x1f ? gunzipSync(file) : file;
   const recorded = plain.buffer.slice(plain.byteOffset, plain.byteOffset + plain.length);
-  for (const { name, values, differing } of await replay(readFileSync(process.argv[2]), recorded)) console.log(name, values, differing);
+  for (const { name, values, differing } of replay(await load(readFileSync(process.argv[2])), recorded)) console.log(name, values, differing);
 }

@@ -258,3 +258,6 @@ export interface Kernels {
 
 /** Load the module from its bytes, or from what has been compiled of them. */
 export function load(source: BufferSource | WebAssembly.Module): Promise<Kernels>;
+
+/** Return the kernels of an instance of the module. */
+export function kernels(instance: WebAssembly.Instance): Kernels;

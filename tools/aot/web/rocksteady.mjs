@@ -8,7 +8,11 @@ const isArray = type => typeof type === 'string' && type.length === 2; // as 'f2
 
 export async function load(source) {
   const made = await WebAssembly.instantiate(source, {});
-  const { memory, malloc, free, ...entries } = (made.instance ?? made).exports;
+  return kernels(made.instance ?? made);
+}
+
+export function kernels(instance) {
+  const { memory, malloc, free, ...entries } = instance.exports;
   entries._initialize?.();
 
   const room = bytes => {
