@@ -317,6 +317,63 @@ def test_a_refusal_of_flags_loads_nothing_heavy() -> None:
     assert set(done.stdout.split()) & set(HEAVY) == set()
 
 
+def test_a_picture_of_a_history_loads_no_more_than_it_shows(tmp_path: Path) -> None:
+    """Compilers, statistics and tables of many cases would take most of its first seconds."""
+    picture = tmp_path / "history.png"
+    code = (
+        "import sys, rocksteady.cli.app as app\n"
+        f"flags = ['--cycles', '2', '--plot', {str(picture)!r}]\n"
+        "assert app.run(['simulate', '-A', '2', '-W', '4', '-r', '0.8', *flags]) == 0\n"
+        "print(*{name.partition('.')[0] for name in sys.modules})"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        check=True,
+        env={**os.environ, "ROCKSTEADY_KERNELS": "python"},
+    )
+    loaded = set(done.stdout.splitlines()[-1].split())
+    assert loaded & {"h5py", "jinja2", "numba", "pandas", "scipy", "xarray", "zarr"} == set()
+    assert "matplotlib" in loaded
+    assert picture.stat().st_size > 10_000
+
+
+@pytest.mark.parametrize(
+    ("call", "code", "said"),
+    [
+        ("sys.exit(app.run(['simulate', '-A', '2', '-W', '4', '-r', '0.8']))", 2, "rocksteady: "),
+        ("rs.steady_states(2.0, 4.0, 0.8)", 1, "rocksteady.errors.MissingKernelsError: "),
+        ("sys.exit(app.run(['simulate', '--help']))", 0, None),
+    ],
+)
+def test_without_library_and_numba_a_line_says_what_to_install(
+    call: str, code: int, said: str | None
+) -> None:
+    without = (
+        "import sys\n"
+        "sys.modules['numba'] = None\n"
+        "from rocksteady.kernels.machine_code import compilation\n"
+        "compilation.library = lambda: None\n"
+        "import rocksteady as rs, rocksteady.cli.app as app\n"
+    )
+    own = {name: value for name, value in os.environ.items() if name != "ROCKSTEADY_KERNELS"}
+    done = subprocess.run(
+        [sys.executable, "-c", without + call],
+        capture_output=True,
+        text=True,
+        check=False,
+        env=own,
+    )
+    assert done.returncode == code
+    lines = done.stderr.splitlines()
+    assert (lines == []) == (said is None)
+    if said is not None:
+        assert lines[-1].startswith(said)
+        assert "'rocksteady[jit]'" in lines[-1]
+    assert code == 1 or len(lines) <= 1
+
+
 # -------------------------------------------------------------------------- as a subprocess
 
 
