@@ -43,7 +43,7 @@ def build(names: Sequence[str], folder: Path, *, elsewhere: bool = False) -> lis
     for name in names:
         target = TARGETS[name]
         start = time.perf_counter()
-        with tempfile.TemporaryDirectory(dir=folder, prefix="linking-") as scratch:
+        with tempfile.TemporaryDirectory(prefix="rocksteady-") as scratch:
             objects, library = Path(scratch, "kernels.o"), Path(scratch, target.file)
             objects.write_bytes(emit(bitcode, target))
             linker = link(objects, library, target, elsewhere=elsewhere)
@@ -74,7 +74,7 @@ def lowered() -> bytes:
     kept = LOWERED / f"{sources_hash()}-{tools_hash()}.bc"
     if not kept.is_file():
         kept.parent.mkdir(parents=True, exist_ok=True)
-        for old in kept.parent.glob("*.bc"):
+        for old in kept.parent.glob("*.bc*"):
             old.unlink(missing_ok=True)
         subprocess.run([sys.executable, "-m", "tools.aot", "lower", str(kept)], check=True)
     return kept.read_bytes()

@@ -134,7 +134,10 @@ def test_at_a_graze_orbits_with_two_impacts_more_begin(graze: BranchPoint) -> No
     for point in points[1:]:
         assert point.admissible
         assert (point.impacts, point.period) == (graze.impacts + 4, graze.period)
-    for point in points[1:-1:5]:
+    # Beside a fold Newton's method on the return map is singular.
+    apart = [each for each in points[1:-1] if abs(each.multipliers[0] - 1.0) > 10.0]
+    assert len(apart) > 10
+    for point in apart[::5]:
         # Newton's method on the return map finds it again, from a place beside it.
         orbit = point.orbit()
         begin, table = orbit.states[0], np.zeros((orbit.impacts or 0, periodic.ORBIT_COLUMNS))
