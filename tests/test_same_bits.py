@@ -45,14 +45,12 @@ EXACT_UFUNCS = words(
     """
 )
 """Functions of NumPy that round each number once; of all others none is allowed."""
-INEXACT = (
-    words(  # functions inside that are none of these, sums in an unknown order, fused products
-        """
-    angle bartlett blackman emath geomspace hamming hanning i0 kaiser logspace sinc unwrap
-    convolve corrcoef correlate cov cross dot einsum einsum_path inner kron linalg tensordot vdot
-    fft interp poly polyfit polynomial polyval random roots vander
+INEXACT = words(  # with other functions inside, sums in an unknown order, or fused products
     """
-    )
+    angle bartlett blackman convolve corrcoef correlate cov cross dot einsum einsum_path emath fft
+    geomspace hamming hanning i0 inner interp kaiser kron linalg logspace poly polyfit polynomial
+    polyval random roots sinc tensordot unwrap vander vdot
+    """
 )
 """Other names of NumPy that are not allowed."""
 INTEGERS = {"numpy.random.SeedSequence", "numpy.random.Generator"}
@@ -76,10 +74,7 @@ ALLOWED = {
     ("model/motions/synthetic.py", "numpy.random"): "noise of NumPy",
     ("model/motions/synthetic.py", "scipy.signal"): "filters of SciPy",
     ("records/processing.py", "scipy.signal"): "the low-pass filter before a coarser sampling",
-    (
-        "seismic/measures/_oscillators.py",
-        "scipy.signal",
-    ): "a filter of SciPy, one order for all x86",
+    ("seismic/measures/_oscillators.py", "scipy.signal"): "SciPy's filter: one for all x86",
     ("seismic/measures/intensity.py", "numpy.fft"): "the spectrum behind the mean period",
     ("seismic/measures/intensity.py", "scipy.fft"): "a whole number",
     ("studies/atlas/pages/pictures.py", "numpy.interp"): "where a drawn line ends",
