@@ -74,7 +74,6 @@ ALLOWED = {
     ("model/motions/synthetic.py", "numpy.random"): "noise of NumPy",
     ("model/motions/synthetic.py", "scipy.signal"): "filters of SciPy",
     ("records/processing.py", "scipy.signal"): "the low-pass filter before a coarser sampling",
-    ("seismic/measures/_oscillators.py", "scipy.signal"): "SciPy's filter: one for all x86",
     ("seismic/measures/intensity.py", "numpy.fft"): "the spectrum behind the mean period",
     ("seismic/measures/intensity.py", "scipy.fft"): "a whole number",
     ("studies/atlas/pages/pictures.py", "numpy.interp"): "where a drawn line ends",

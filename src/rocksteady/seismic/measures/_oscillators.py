@@ -8,11 +8,10 @@ step from one to the next is exact,
     z_1 = e^(L h) z_0 - h ((phi_1 - phi_2) a_0 + phi_2 a_1),  phi_1 = (e^x - 1)/x,
     phi_2 = (e^x - 1 - x)/x^2,  x = L h,
 
-Nigam and Jennings' recurrence with one complex number in place of a matrix: a filter of the first
-order, which `scipy.signal.lfilter` runs.
+Nigam and Jennings' recurrence with one complex number in place of a matrix.
 
-All but the filter is computed with real numbers: a product of complex ones is rounded in one way on
-one processor and in another on the next.
+All is computed with real numbers: a product of complex ones is rounded in one way on one processor
+and in another on the next.
 """
 
 import math
@@ -23,6 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.kernels.elementary.arrays import atan2, exp, sincos
+from rocksteady.kernels.linear.oscillator import fill_oscillator
 
 Floats = NDArray[np.float64]
 
@@ -110,16 +110,11 @@ def _states(a: Floats, h: float, rate: Parts) -> Parts:
     else:
         first = _times(_less(growth, 1.0), _inverse(x))
         second = _times(_less(first, 1.0), _inverse(x))
-    late = complex(h * second.real, h * second.imag)
-    early = complex(h * (first.real - second.real), h * (first.imag - second.imag))
-    # The filter's own start would feel the first sample as if one of 0 had come before it.
-    driven, _ = lfilter(
-        [-late, -early],
-        [1.0, -complex(*growth)],
-        a.astype(np.complex128),
-        zi=np.array([late * a[0]]),
-    )
-    return Parts(driven.real.copy(), driven.imag.copy())
+    early = Parts(-h * (first.real - second.real), -h * (first.imag - second.imag))
+    late = Parts(-h * second.real, -h * second.imag)
+    z = np.empty((2, len(a)))
+    fill_oscillator(np.array(a), np.array([growth, early, late]), z)
+    return Parts(*z)
 
 
 def _after(z: Parts, rate: Parts) -> float:
