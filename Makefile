@@ -68,9 +68,7 @@ layers: .venv ## import-linter: who may import whom
 	$(BIN)/lint-imports --no-logo
 
 .PHONY: tests
-tests: .venv ## pytest, kernels compiled (MARKS= runs the slow ones too)
-	@# Once, so that the workers load the compiled kernels instead of each compiling its own.
-	$(BIN)/python -m rocksteady.kernels.warm
+tests: .venv library ## pytest, kernels from the library (MARKS= runs the slow ones too)
 	$(BIN)/python -m pytest -n $(WORKERS) -m "$(MARKS)"
 
 .PHONY: tests-python
@@ -85,7 +83,7 @@ tests-jit: .venv ## pytest, kernels compiled by numba
 
 .PHONY: tests-floor
 tests-floor: $(FLOOR_STAMP) ## pytest with every dependency at its lower bound, the slow tests excepted
-	$(FLOOR)/bin/python -m rocksteady.kernels.warm
+	ROCKSTEADY_KERNELS=jit $(FLOOR)/bin/python -m rocksteady.kernels.entries
 	ROCKSTEADY_KERNELS=jit $(FLOOR)/bin/python -m pytest -n $(WORKERS) -o cache_dir=$(FLOOR)/pytest
 
 ##@ Upkeep
@@ -106,9 +104,8 @@ format: .venv ## let ruff mend and format what it can
 	$(BIN)/python -m ruff format
 
 .PHONY: bench
-bench: .venv ## time the package; writes docs/benchmarks.md
+bench: .venv library ## time the package; writes docs/benchmarks.md
 	@mkdir -p out docs
-	$(BIN)/python -m rocksteady.kernels.warm
 	$(BIN)/python -m pytest bench --benchmark-only --benchmark-json=out/bench.json
 	$(BIN)/python bench/report.py
 
@@ -120,7 +117,6 @@ bench-peers: .venv library ## time other solvers beside the package; writes thei
 		$(BIN)/python -m pip install --quiet --constraint constraints.txt --constraint bench/peers/constraints.txt "$$peer" || \
 			echo "$$peer cannot be installed here, and its row will say so" >&2; \
 	done
-	$(BIN)/python -m rocksteady.kernels.warm
 	$(BIN)/python -m bench.peers
 
 .PHONY: wheels

@@ -35,6 +35,7 @@ from rocksteady.kernels.elementary.loops import (
     fill_tanh,
 )
 from rocksteady.kernels.lanes.driver import lane_fates
+from rocksteady.kernels.linear.oscillator import fill_oscillator
 from rocksteady.kernels.machine_code.compilation import Kernel, cache_folder
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import (
@@ -93,6 +94,7 @@ _KERNELS: tuple[Any, ...] = (
     record_fates,
     pulse_fates,
     harmonic_segment,
+    fill_oscillator,
     # Time histories.
     march,
     fill_states,

@@ -1,15 +1,11 @@
 """Damped oscillators: their states under a record, sample by sample."""
 
-import numpy as np
-from numpy.typing import NDArray
-
 from rocksteady.kernels.machine_code.compilation import compiled
-
-Floats = NDArray[np.float64]
+from rocksteady.kernels.machine_code.types import Floats1, Floats2
 
 
 @compiled
-def fill_oscillator(acceleration: Floats, step: Floats, out: Floats) -> None:
+def fill_oscillator(acceleration: Floats1, step: Floats2, out: Floats2) -> None:
     """Fill the states ``z_i = g z_(i-1) + b a_(i-1) + c a_i`` of complex numbers, from rest.
 
     Parameters

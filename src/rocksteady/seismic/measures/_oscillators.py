@@ -98,8 +98,6 @@ def peaks(acceleration: Floats, dt: float, frequency: float, damping: float) -> 
 
 def _states(a: Floats, h: float, rate: Parts) -> Parts:
     """Return z at each sample, begun at rest."""
-    from scipy.signal import lfilter
-
     x = Parts(rate.real * h, rate.imag * h)
     growth = _grown(rate, h)
     if x.real * x.real + x.imag * x.imag < SERIES_BELOW * SERIES_BELOW:
