@@ -42,8 +42,8 @@ from rocksteady.kernels.core.tables import (
     is_nonlinear,
 )
 from rocksteady.kernels.core.typed import ZERO
-from rocksteady.kernels.elementary.circular import sincos
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.elementary.circular import sincos_near
+from rocksteady.kernels.machine_code.compilation import allocating, compiled
 
 STEPS = 600
 """In which the rest of the pulse is gone through, at least one a segment."""
@@ -76,7 +76,7 @@ def furthest(angle: float, energy: float, pull: float, bend: float, time: float)
     return reached
 
 
-@compiled
+@allocating
 def largest_margin(segments: Floats, sides: Floats, state: March) -> float:
     """Return an upper bound, below 0, of the margin of a block that is proved to stand; or inf.
 
@@ -95,7 +95,7 @@ def largest_margin(segments: Floats, sides: Floats, state: March) -> float:
     weight, cosine, sine = 1.0, 1.0, 0.0
     if is_nonlinear(sides):
         alpha = sides[0, ALPHA]
-        sine, cosine = sincos(alpha)
+        sine, cosine = sincos_near(alpha)
         weight, sine = sine / alpha, alpha * sine
     speed = state.velocity / (lean * rate)
     energy, plus, minus = 0.5 * speed * speed, 0.0, 0.0
@@ -119,7 +119,7 @@ def largest_margin(segments: Floats, sides: Floats, state: March) -> float:
         for k in range(count + 1):
             time = since + k * step
             turned = segments[index, PHASE] + frequency * time
-            swing, swing_rate = sincos(turned)
+            swing, swing_rate = sincos_near(turned)
             h = segments[index, CONSTANT] / lean + slope * time + size * swing
             rise = slope + size * frequency * swing_rate
             if k == 0:

@@ -6,7 +6,7 @@ import numpy as np
 
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.typed import ZERO
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1, Integers2
 from rocksteady.kernels.orbits.periodic import (
     ORBIT_COLUMNS,
@@ -48,7 +48,7 @@ def fill_clocks(phase: Floats1, half_cycles: Integers1, rest: Floats1) -> None:
         half_cycles[i], rest[i] = clock(phase[i])
 
 
-@compiled
+@allocating
 def settle_cells(
     amplitude: Floats1,
     frequency_ratio: Floats1,

@@ -19,7 +19,7 @@ from rocksteady.kernels.core.tables import (
     ROW_COLUMNS,
     March,
 )
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
 from rocksteady.kernels.march.march import march
 
@@ -35,7 +35,7 @@ def harmonic_segment(segments: Floats2, amplitude: float, frequency: float, phas
     segments[0, CEILING] = amplitude
 
 
-@compiled
+@allocating
 def fates_of_sides(
     amplitude: Floats1,
     frequency_ratio: Floats1,

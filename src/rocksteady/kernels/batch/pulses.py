@@ -37,7 +37,7 @@ from rocksteady.kernels.core.tables import (
     is_nonlinear,
 )
 from rocksteady.kernels.core.typed import FALSE, ZERO
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.compilation import allocating
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import recorded_peaks
@@ -54,7 +54,7 @@ LOST = 1.0
 """Margin of a linear block that is lost before the pulse ends: how much has not been followed."""
 
 
-@compiled
+@allocating
 def pulse_fates(
     segments: Floats2,
     sides: Floats2,
@@ -158,7 +158,7 @@ def pulse_fates(
             margin[i] = max(margin[i], near)
 
 
-@compiled
+@allocating
 def followed(
     segments: Floats,
     sides: Floats,
@@ -186,7 +186,7 @@ def followed(
     return code, end, bound
 
 
-@compiled
+@allocating
 def speed_at_the_floor(segments: Floats, sides: Floats, last: March) -> float:
     """Return the speed with which a nonlinear block comes to lie on its side, over the barrier.
 

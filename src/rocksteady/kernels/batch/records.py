@@ -22,13 +22,13 @@ from rocksteady.kernels.core.tables import (
     March,
 )
 from rocksteady.kernels.core.typed import ZERO
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.compilation import allocating
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import peaks_until_overturning
 
 
-@compiled
+@allocating
 def record_fates(
     segments: Floats2,
     sides: Floats3,

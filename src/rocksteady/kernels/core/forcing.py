@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rocksteady.kernels.elementary.circular import sin, sincos
+from rocksteady.kernels.elementary.circular import sin, sincos_near
 from rocksteady.kernels.elementary.inverse import acos, atan2
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
@@ -87,7 +87,7 @@ def starts_positive(forcing: Forcing, phase: float) -> bool:
     if forcing.kind == SINE:
         return forcing.rising <= phase < math.pi - forcing.rising
     if forcing.kind == MIXED:
-        sine, cosine = sincos(phase)
+        sine, cosine = sincos_near(phase)
         r = forcing.constant + forcing.amplitude * sine
         if abs(r) <= 4.0 * EPSILON * (abs(forcing.constant) + forcing.amplitude):
             # Zero but for rounding: where it is going decides.

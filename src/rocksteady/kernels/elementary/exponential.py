@@ -28,6 +28,7 @@ LN2_LOW = 1.90821492927058770002e-10
 NORMAL = 700.0  # e^-700, and what its last digits are made of, are normal numbers
 HIGHEST = 711.0  # e^711 / 2 overflows
 LOWEST = -746.0  # e^-746 rounds to 0
+POSITIVE = (1 << 63) - 1  # bits but the sign: what is not in range, NaN too, stays a float
 HALF_LN2 = 0.34657  # below ln 2 / 2
 
 
@@ -58,8 +59,14 @@ def exp_near(t: float) -> float:
     r = (t - k * STEP_HIGH) - k * STEP_LOW
     steps = bits_of(shifted) - ROUND_BITS
     j = 2 * (steps & (PARTS - 1))
-    head = float_of(bits_of(POWERS[j]) + ((steps >> 6) << 52))
+    head = float_of((bits_of(POWERS[j]) + ((steps >> 6) << 52)) & POSITIVE)
     return head + head * _series(r, float(POWERS[j + 1]))
+
+
+@inlined
+def exp_clamped(t: float) -> float:
+    """Return e^t for |t| <= 700, and e^700 or e^-700 beyond."""
+    return exp_near(max(min(t, NORMAL), -NORMAL))
 
 
 @inlined
@@ -104,6 +111,12 @@ def scaled_exp(t: float, exponent: float) -> float:
 def expm1_near(t: float) -> float:
     """Return e^t - 1 for |t| <= ln 2 / 2, which is not checked; it gives +0 for -0."""
     return t + _rest(t)
+
+
+@inlined
+def expm1_short(t: float) -> float:
+    """Return e^t - 1 for t >= 0, within 2.2 ulp, and e^700 beyond 700."""
+    return expm1_near(t) if t < HALF_LN2 else exp_near(min(t, NORMAL)) - 1.0
 
 
 @inlined

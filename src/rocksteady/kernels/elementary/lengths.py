@@ -3,7 +3,7 @@
 import math
 
 from rocksteady.kernels.elementary.bits import bits_of, float_of, lost_in_product
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 LARGE, SHRINK = 2.0**400, 2.0**-600
 SMALL, GROW = 2.0**-400, 2.0**600
@@ -37,7 +37,7 @@ def hypot(x: float, y: float) -> float:
     return scale * (root + lost / (root + root))
 
 
-@compiled
+@inlined
 def next_up(x: float) -> float:
     """Return the least number above x; infinity and NaN stay."""
     x = float(x)

@@ -14,6 +14,8 @@ ROOT_HALF_BITS = 0x3FE6A09E667F3BCD
 LEAST_NORMAL = 2.0**-1022
 TINY = 2.0**-54
 LN2 = 0.6931471805599453
+LOG2_DOUBT = 0.0861
+"""What `low_log2` may be too small by."""
 
 
 @inlined
@@ -56,6 +58,15 @@ def log(x: float) -> float:
         k, m = _parts(x * 2.0**54)
         return _sum(k - 54.0, m - 1.0, 0.0)
     return x  # infinity or NaN
+
+
+@inlined
+def low_log2(x: float) -> float:
+    """Return the logarithm to base 2 of x > 0 less `LOG2_DOUBT` at most; -1023 of 0.
+
+    Between powers of two it is linear: the bits of a float are just that.
+    """
+    return bits_of(x) * 2.0**-52 - 1023.0
 
 
 @compiled

@@ -5,7 +5,7 @@ import math
 from rocksteady.kernels.core.clock import PI_HIGH, clock, side_phase
 from rocksteady.kernels.core.forcing import make_forcing
 from rocksteady.kernels.core.tables import Floats, March
-from rocksteady.kernels.elementary.circular import sincos
+from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.lanes._exp_sincos import growth_and_decay
 from rocksteady.kernels.lanes._fields import (
     AHEAD,
@@ -75,7 +75,7 @@ def load(
         min(ahead / frequency, FARTHEST)
     )
     lanes[STOP + j] = stop
-    lanes[STOP_SINE + j], lanes[STOP_COSINE + j] = sincos(stop)
+    lanes[STOP_SINE + j], lanes[STOP_COSINE + j] = sincos_near(stop)
     lanes[REF_PHASE + j] = math.inf
     lanes[REF_VELOCITY + j] = math.inf
     lanes[REF_IMPACTS + j] = math.inf
@@ -91,7 +91,7 @@ def put_lane(lanes: Floats, j: int, state: March, end_half: int) -> None:
     lanes[LEFT + j] = end_half - (state.half_cycles - moved)
     lanes[VELOCITY + j] = state.side * state.velocity
     lanes[IMPACTS + j] = state.impacts
-    lanes[SINE + j], lanes[COSINE + j] = sincos(phase)
+    lanes[SINE + j], lanes[COSINE + j] = sincos_near(phase)
     lanes[TIME + j] = 0.0
     lanes[STAGE + j] = LAUNCH
 

@@ -3,7 +3,7 @@
 from rocksteady.kernels.core.clock import PI_HIGH, PI_LOW
 from rocksteady.kernels.core.forcing import HALF_PI, TWO_PI
 from rocksteady.kernels.core.tables import Floats
-from rocksteady.kernels.elementary.circular import sincos_near
+from rocksteady.kernels.elementary.circular import sincos_short
 from rocksteady.kernels.lanes._exp_sincos import (
     growth_and_decay,
     nearest_whole,
@@ -54,7 +54,7 @@ LONGEST = 0.3  # ... which serves up to here: 2e-17 of its largest term is left 
 def shake(lanes: Floats) -> None:
     """Find sine and cosine at `TIME`."""
     for j in range(LANES):
-        sine, cosine = sincos_near(lanes[PHASE + j] + lanes[FREQUENCY + j] * lanes[TIME + j])
+        sine, cosine = sincos_short(lanes[PHASE + j] + lanes[FREQUENCY + j] * lanes[TIME + j])
         lanes[SINE_THERE + j] = sine
         lanes[COSINE_THERE + j] = cosine
 

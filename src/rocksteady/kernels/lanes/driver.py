@@ -48,7 +48,7 @@ from rocksteady.kernels.lanes._loading import at_the_end, load, put_lane, taken
 from rocksteady.kernels.lanes._newton import approach, bounce, fly, land, shake
 from rocksteady.kernels.lanes._nodes import node_decision, node_state
 from rocksteady.kernels.lanes._periods import LEAPT, compare, leap
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.rest import STILL
@@ -72,7 +72,7 @@ def census(lanes: Floats) -> int:
     return count
 
 
-@compiled
+@allocating
 def lane_fates(
     amplitude: Floats1,
     frequency_ratio: Floats1,
@@ -236,7 +236,7 @@ def prepare(
     sides[:, RESTITUTION] = restitution[cell]
 
 
-@compiled
+@allocating
 def launched(
     segments: Floats, sides: Floats, start: March, end_half: int, end_phase: float
 ) -> tuple[int, March]:
@@ -250,7 +250,7 @@ def launched(
     return code, state
 
 
-@compiled
+@allocating
 def settled(
     lanes: Floats, j: int, segments: Floats, sides: Floats, end_half: int
 ) -> tuple[int, March]:

@@ -19,7 +19,7 @@ graze.  By either phase the derivatives of the other end are simple::
 from typing import NamedTuple
 
 from rocksteady.kernels.core.forcing import Forcing
-from rocksteady.kernels.elementary.circular import cos, sin, sincos
+from rocksteady.kernels.elementary.circular import cos, sin, sincos_near
 from rocksteady.kernels.elementary.exponential import exp, expm1
 from rocksteady.kernels.elementary.hyperbolic import sinh, tanh
 from rocksteady.kernels.linear.flight import LARGEST_EXPONENT, Flight, wrapped
@@ -94,8 +94,8 @@ def make_arc(forcing: Forcing, duration: float, first: float, last: float) -> Ar
         psi0 and psi1, whole periods left out as one likes.
     """
     beta, w = forcing.beta, forcing.frequency
-    sine0, cosine0 = sincos(first)
-    sine1, cosine1 = sincos(last)
+    sine0, cosine0 = sincos_near(first)
+    sine1, cosine1 = sincos_near(last)
     half_turn = 0.5 * w * duration
     middle = first + half_turn
     ratio = sinh_ratio(duration)  # T/sinh T
@@ -154,7 +154,7 @@ def arc_flight(forcing: Forcing, duration: float, first: float, last: float) -> 
     From the initial velocity alone the growing part would be lost to rounding in long arcs.
     """
     beta, w = forcing.beta, forcing.frequency
-    sine, cosine = sincos(first)
+    sine, cosine = sincos_near(first)
     begin, end = forcing.constant + beta * sine, forcing.constant + beta * sin(last)
     growing, decaying = exponentials(begin, end, duration)
     chord = cos(first + 0.5 * w * duration) * w * sine_ratio(0.5 * w * duration)

@@ -9,7 +9,7 @@ import math
 from rocksteady.kernels.core.forcing import Forcing
 from rocksteady.kernels.core.tables import FOUND, PEAK_ANGLE, PEAK_SPEED, Floats
 from rocksteady.kernels.core.typed import FALSE
-from rocksteady.kernels.elementary.circular import sincos
+from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.linear.flight import (
     Flight,
     flight_state,
@@ -39,7 +39,7 @@ def inner_extrema(flight: Flight, forcing: Forcing, span: float) -> tuple[float,
             break
         if zero.velocity != 0.0:
             phase = flight.phase + forcing.frequency * passed
-            sine, cosine = sincos(phase)
+            sine, cosine = sincos_near(phase)
             angle, _ = flight_state(flight, forcing, passed, sine, cosine)
             largest = max(largest, angle)
             if zero.velocity > 0.0 and angle < lowest:
@@ -53,7 +53,7 @@ def inner_extrema(flight: Flight, forcing: Forcing, span: float) -> tuple[float,
 def highest_angle(flight: Flight, forcing: Forcing, span: float) -> tuple[float, int]:
     """Return the largest angle over [0, span], ends included, and the number of extrema inside."""
     phase = flight.phase + forcing.frequency * span
-    sine, cosine = sincos(phase)
+    sine, cosine = sincos_near(phase)
     angle, _ = flight_state(flight, forcing, span, sine, cosine)
     largest, _, _, extrema = inner_extrema(flight, forcing, span)
     return max(flight.angle, angle, largest), extrema

@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rocksteady.kernels.core.forcing import HALF_PI, TWO_PI, Forcing, make_forcing
-from rocksteady.kernels.elementary.exponential import exp, exp_near, expm1_near
+from rocksteady.kernels.elementary.exponential import exp, exp_clamped, exp_near, expm1_near
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 SHORT = 0.25
@@ -95,8 +95,8 @@ def flight_state(
         up = exp_near(min(time, LARGEST_EXPONENT))
         down = 1.0 / up
     else:
-        up = exp(min(time - flight.reference, LARGEST_EXPONENT))
-        down = exp(-time)
+        up = exp_clamped(time - flight.reference)
+        down = exp_clamped(-time)
     up *= flight.growing
     down *= flight.decaying
     angle = up + down - forcing.constant - forcing.slope * time - beta * sine

@@ -6,7 +6,7 @@ Since y(T) = 0 for every start, ``dT = -(y_psi dpsi + y_v dv) / y'(T)``.
 """
 
 from rocksteady.kernels.core.forcing import Forcing
-from rocksteady.kernels.elementary.exponential import expm1
+from rocksteady.kernels.elementary.exponential import expm1_short
 from rocksteady.kernels.linear.flight import Flight
 from rocksteady.kernels.machine_code.compilation import compiled
 
@@ -30,7 +30,7 @@ def landing_jacobian(
     """
     beta, frequency = forcing.beta, forcing.frequency
     sine, cosine = flight.sine, flight.cosine
-    grown = expm1(time)
+    grown = expm1_short(time)
     decayed = grown / (1.0 + grown)
     sinh, cosh_less_1 = 0.5 * (grown + decayed), 0.5 * grown * decayed
     end_acceleration = forcing.constant + forcing.amplitude * end_sine

@@ -34,12 +34,11 @@ from rocksteady.kernels.core.forcing import (
 )
 from rocksteady.kernels.core.tables import FOUND, NO_RETURN, SPAN_END
 from rocksteady.kernels.core.typed import ZERO
-from rocksteady.kernels.elementary.circular import sincos
-from rocksteady.kernels.elementary.exponential import exp
+from rocksteady.kernels.elementary.circular import sincos_near
+from rocksteady.kernels.elementary.exponential import exp_clamped
 from rocksteady.kernels.elementary.lengths import next_up
 from rocksteady.kernels.elementary.logarithm import log1p
 from rocksteady.kernels.linear.flight import (
-    LARGEST_EXPONENT,
     Flight,
     flight_acceleration,
     flight_state,
@@ -218,7 +217,7 @@ def no_return(
         return False
     if sign * angle < 0.0 or (angle == 0.0 and sign * velocity <= 0.0):
         return False
-    up = 2.0 * growing * exp(min(time - flight.reference, LARGEST_EXPONENT))
+    up = 2.0 * growing * exp_clamped(time - flight.reference)
     return up >= forcing.swing + sign * forcing.constant
 
 
@@ -392,7 +391,7 @@ def sine_cosine(forcing: Forcing, phase: float) -> tuple[float, float]:
     """Return sine and cosine of the phase, of which a forcing without sinusoid needs none."""
     if forcing.amplitude == 0.0:
         return 0.0, 1.0
-    return sincos(phase)
+    return sincos_near(phase)
 
 
 @inlined

@@ -104,6 +104,14 @@ def compiled(function: FunctionT) -> FunctionT:
     return _kernel(function)
 
 
+def allocating(function: FunctionT) -> FunctionT:
+    """Make a kernel of a function that makes arrays, which need to be counted and freed.
+
+    Others count no references to theirs: counting costs as much as the arithmetic of a short step.
+    """
+    return _kernel(function, allocates=True)
+
+
 def inlined(function: FunctionT) -> FunctionT:
     """Make a kernel that is compiled into each of its callers: what one flight calls many times."""
     return _kernel(function, forceinline=True)
@@ -118,6 +126,8 @@ class Kernel:
         What it computes, in Python.
     forceinline
         Whether it is compiled into its callers.
+    allocates
+        Whether it makes arrays.
 
     Attributes
     ----------
@@ -125,10 +135,17 @@ class Kernel:
         The function.
     """
 
-    def __init__(self, function: Callable[..., object], *, forceinline: bool = False) -> None:
+    def __init__(
+        self,
+        function: Callable[..., object],
+        *,
+        forceinline: bool = False,
+        allocates: bool = False,
+    ) -> None:
         functools.update_wrapper(self, function)
         self.py_func = function
         self._forceinline = forceinline
+        self._allocates = allocates
         self._call: Callable[..., Any] = self._first_call
 
     def __call__(self, *arguments: Any) -> Any:
@@ -162,8 +179,13 @@ class Kernel:
         import numba.core.config
 
         settings: Any = numba.core.config  # made at import: no type checker sees them
-        found: Any = numba.njit(
-            nogil=True, error_model="numpy", forceinline=self._forceinline, **EXTRA_OPTIONS
+        numbas: Any = numba  # no type checker knows the last option
+        found = numbas.njit(
+            nogil=True,
+            error_model="numpy",
+            forceinline=self._forceinline,
+            _nrt=self._allocates,
+            **EXTRA_OPTIONS,
         )(self.py_func)
         if not EXTRA_OPTIONS and not settings.DISABLE_JIT:
             from rocksteady.kernels.machine_code._caching import CheckedCache
@@ -229,10 +251,12 @@ def numba_type(hint: Any) -> Any:
     return types.Array(scalar, leaf.dimensions, "C") if leaf.dimensions else scalar
 
 
-def _kernel(function: FunctionT, *, forceinline: bool = False) -> FunctionT:
+def _kernel(
+    function: FunctionT, *, forceinline: bool = False, allocates: bool = False
+) -> FunctionT:
     if os.environ.get(CHOICE) == PYTHON:
         return function
-    kernel: Any = Kernel(function, forceinline=forceinline)
+    kernel: Any = Kernel(function, forceinline=forceinline, allocates=allocates)
     made: FunctionT = kernel
     return made
 

@@ -54,11 +54,10 @@ from rocksteady.kernels.core.tables import (
     write_row,
 )
 from rocksteady.kernels.core.typed import FALSE, MINUS_ONE, ONE, TRUE, ZERO
-from rocksteady.kernels.elementary.circular import sincos
 from rocksteady.kernels.linear.extrema import keep_peaks
 from rocksteady.kernels.linear.flight import make_flight
-from rocksteady.kernels.linear.zeros import next_zero
-from rocksteady.kernels.machine_code.compilation import compiled, inlined
+from rocksteady.kernels.linear.zeros import next_zero, sine_cosine
+from rocksteady.kernels.machine_code.compilation import allocating, compiled, inlined
 from rocksteady.kernels.machine_code.types import Floats1, Floats2
 from rocksteady.kernels.march._samples import fly_through, rest_through
 from rocksteady.kernels.march.rest import STILL, chatter_ends, next_uplift
@@ -95,7 +94,7 @@ def foot_of(
     return side_forcing(segments, index, sides, side, elapsed)
 
 
-@compiled
+@allocating
 def march(
     segments: Floats2,
     sides: Floats2,
@@ -147,6 +146,7 @@ def march(
             limit,
             rows,
             peaks,
+            np.empty((WORK_ROWS, TERMS)),
             TRUE,
         )
     return _march(
@@ -159,6 +159,7 @@ def march(
         limit,
         rows,
         peaks,
+        np.empty((0, TERMS)),
         FALSE,
     )
 
@@ -174,6 +175,7 @@ def _march(
     limit: int,
     rows: Floats,
     peaks: Floats,
+    work: Floats,
     nonlinear: bool,
 ) -> tuple[int, March]:
     """March; inlined once for each model, so that each loop holds the branches of its own alone."""
@@ -182,7 +184,6 @@ def _march(
     impacts, flights = start.impacts, start.flights
     record, watch = len(rows) > 0, len(peaks) > 0
     last = len(segments) - 1
-    work = np.empty((WORK_ROWS if nonlinear else 0, TERMS))
     since, contact_lost = 0.0, math.inf  # nonlinear model: time on the segment, and to its loss
 
     loaded = -1  # the segment that the following belong to
@@ -275,7 +276,7 @@ def _march(
         forcing = positive if side > 0 else negative
         seen_phase, seen_half = side_phase(half, phase, side, frequency)
         if not turned_side:
-            sine, cosine = sincos(seen_phase)
+            sine, cosine = sine_cosine(forcing, seen_phase)
         turned_side = False
         if bounced:
             bounced = False

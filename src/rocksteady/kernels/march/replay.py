@@ -25,10 +25,10 @@ from rocksteady.kernels.core.tables import (
     is_nonlinear,
 )
 from rocksteady.kernels.core.typed import ZERO
-from rocksteady.kernels.elementary.circular import sin, sincos
+from rocksteady.kernels.elementary.circular import sin, sincos_near
 from rocksteady.kernels.linear.extrema import flight_peaks, last_rise
 from rocksteady.kernels.linear.flight import Flight, flight_acceleration, flight_state, make_flight
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
 from rocksteady.kernels.march.march import side_forcing
 from rocksteady.kernels.nonlinear.drive import Drive, acceleration, side_drive
@@ -59,7 +59,7 @@ def row_flight(
     since = elapsed_time(half, phase, first_half, first_phase, frequency)
     forcing = side_forcing(segments, segment, sides, side, since)
     seen, _ = side_phase(half, phase, side, frequency)
-    sine, cosine = sincos(seen)
+    sine, cosine = sincos_near(seen)
     flight = make_flight(
         forcing,
         side * rows[index, ROW_ANGLE] / lean,
@@ -95,7 +95,7 @@ def row_start(
     )
 
 
-@compiled
+@allocating
 def fill_nonlinear(
     segments: Floats,
     sides: Floats,
@@ -155,7 +155,7 @@ def fill_states(
         flight, forcing, lean, rate = row_flight(segments, sides, rows, index[i])
         time = since[i] * rate
         phase = flight.phase + forcing.frequency * time
-        sine, cosine = sincos(phase)
+        sine, cosine = sincos_near(phase)
         angle, velocity = flight_state(flight, forcing, time, sine, cosine)
         acceleration = flight_acceleration(forcing, time, angle, sine)
         states[0, i] = side * lean * angle
@@ -225,7 +225,7 @@ def recorded_peaks(
             flight, forcing, lean, rate = row_flight(segments, sides, rows, index)
             span = duration * rate
             turned = flight.phase + forcing.frequency * span
-            sine, cosine = sincos(turned)
+            sine, cosine = sincos_near(turned)
             y, v = flight_state(flight, forcing, span, sine, cosine)
             angle, fast = flight_peaks(flight, forcing, span, y, v, angle, speed / (lean * rate))
         speed = max(speed, fast * lean * rate)

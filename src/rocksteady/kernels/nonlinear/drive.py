@@ -32,7 +32,7 @@ from rocksteady.kernels.core.tables import (
     SLOPE,
     Floats,
 )
-from rocksteady.kernels.elementary.circular import cos, sincos
+from rocksteady.kernels.elementary.circular import cos, sincos_near
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.machine_code.types import Floats2
 
@@ -72,7 +72,7 @@ def side_drive(segments: Floats, index: int, sides: Floats, side: int, elapsed: 
 @compiled
 def foot_forcing(drive: Drive) -> Forcing:
     """Return r, the acceleration of a block that stands on its base."""
-    sine, cosine = sincos(drive.alpha)
+    sine, cosine = sincos_near(drive.alpha)
     sine /= drive.alpha
     return make_forcing(
         drive.constant * cosine - (1.0 + drive.lift) * sine,
@@ -88,7 +88,7 @@ def acceleration(drive: Drive, time: float, angle: float, sine: float) -> float:
     tilt = drive.alpha * (1.0 - angle)
     h = drive.constant + drive.slope * time + drive.amplitude * sine
     weight = 1.0 + drive.lift + drive.lift_slope * time
-    sine_of_tilt, cosine_of_tilt = sincos(tilt)
+    sine_of_tilt, cosine_of_tilt = sincos_near(tilt)
     return h * cosine_of_tilt - weight * sine_of_tilt / drive.alpha
 
 

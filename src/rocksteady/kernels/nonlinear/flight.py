@@ -11,7 +11,7 @@ from rocksteady.kernels.core.tables import (
     SPAN_END,
     Floats,
 )
-from rocksteady.kernels.elementary.circular import sincos
+from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.linear.zeros import Zero
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.nonlinear._zeros import first_rise, first_zero, largest
@@ -107,7 +107,7 @@ def fly(
     time, cycle = 0.0, 0
     watch = len(peaks) > 0
     here = phase
-    sine, cosine = sincos(phase)
+    sine, cosine = sincos_near(phase)
     while True:
         if angle >= flat:
             return Zero(NO_RETURN, time, cycle, here, sine, cosine, angle, velocity)
@@ -147,7 +147,7 @@ def fly(
         time = span if event == SPAN_END and step >= left else time + ends
         if drive.frequency > 0.0:
             cycle, here = phase_at(drive, phase, time)
-            sine, cosine = sincos(here)
+            sine, cosine = sincos_near(here)
         if event == FOUND:
             return Zero(FOUND, time, cycle, here, sine, cosine, 0.0, min(velocity, 0.0))
         if event == NO_RETURN:

@@ -20,7 +20,7 @@ from rocksteady.kernels.core.typed import FALSE, TRUE
 from rocksteady.kernels.elementary.circular import sin
 from rocksteady.kernels.elementary.inverse import atan
 from rocksteady.kernels.linear.zeros import Zero
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.nonlinear.drive import Drive, acceleration
 from rocksteady.kernels.nonlinear.flight import fly, phase_at
 from rocksteady.kernels.nonlinear.replay import leg_after, leg_from
@@ -36,7 +36,7 @@ def lost_under_shaking(drive: Drive) -> float:
     return 1.0 + atan(drive.alpha * drive.amplitude) / drive.alpha
 
 
-@compiled
+@allocating
 def fly_to_landing(
     drive: Drive, angle: float, velocity: float, phase: float, span: float, left_out: float
 ) -> Zero:
@@ -59,7 +59,7 @@ def fly_to_landing(
     )
 
 
-@compiled
+@allocating
 def variation_step(
     drive: Drive, work: Floats, degree: int, step: float, angle: float, rate: float, by_phase: bool
 ) -> tuple[float, float]:
@@ -92,7 +92,7 @@ def variation_step(
     return value, slope
 
 
-@compiled
+@allocating
 def landing_derivative(
     drive: Drive, restitution: float, velocity: float, phase: float, zero: Zero, left_out: float
 ) -> tuple[float, float, float, float]:

@@ -31,7 +31,7 @@ from rocksteady.kernels.core.tables import (
     RESTITUTION,
     Floats,
 )
-from rocksteady.kernels.elementary.circular import sin, sincos
+from rocksteady.kernels.elementary.circular import sin, sincos_near
 from rocksteady.kernels.elementary.inverse import atan2
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.nonlinear.drive import Drive, foot_forcing, side_drive
@@ -155,7 +155,7 @@ def bounce_bounds(
     forcing = foot_forcing(drive)
     pull = -largest_forcing(forcing, phase, window)
     alpha = drive.alpha
-    sine, cosine = sincos(alpha)
+    sine, cosine = sincos_near(alpha)
     shaking = abs(drive.constant) + abs(drive.slope) * window + drive.amplitude
     weight = 1.0 + abs(drive.lift) + abs(drive.lift_slope) * window
     stiffness = max(1.0, weight * cosine + alpha * sine * shaking + 0.5 * pull * alpha * alpha)

@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from rocksteady.kernels.core.tables import Floats
-from rocksteady.kernels.elementary.circular import sincos
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.elementary.circular import sincos_near
+from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.nonlinear._zeros import largest, last_rise
 from rocksteady.kernels.nonlinear.drive import Drive
 from rocksteady.kernels.nonlinear.flight import phase_at, reach_of
@@ -41,7 +41,7 @@ def leg_from(
 ) -> Leg:
     """Return the step that begins at `start`, of a flight that lasts `span`."""
     _, turned = phase_at(drive, phase, start)
-    sine, cosine = sincos(turned)
+    sine, cosine = sincos_near(turned)
     degree, step = expand(
         drive,
         start,
@@ -66,7 +66,7 @@ def leg_after(
     return leg_from(drive, phase, leg.start + leg.step, angle, velocity, span, left_out, work)
 
 
-@compiled
+@allocating
 def peaks_of(
     drive: Drive,
     phase: float,
@@ -87,7 +87,7 @@ def peaks_of(
         leg = leg_after(leg, drive, phase, span, left_out, work)
 
 
-@compiled
+@allocating
 def last_rise_of(
     drive: Drive,
     phase: float,

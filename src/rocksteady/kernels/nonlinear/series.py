@@ -20,9 +20,9 @@ and M. Zou, Experimental Mathematics 14, 99-117 (2005).
 import math
 
 from rocksteady.kernels.core.tables import Floats
-from rocksteady.kernels.elementary.circular import sincos
-from rocksteady.kernels.elementary.exponential import exp
-from rocksteady.kernels.elementary.logarithm import log
+from rocksteady.kernels.elementary.circular import sincos_near
+from rocksteady.kernels.elementary.exponential import exp_clamped
+from rocksteady.kernels.elementary.logarithm import LN2, LOG2_DOUBT, low_log2
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.nonlinear.drive import Drive
 
@@ -84,7 +84,7 @@ def expand(
     shaken = drive.amplitude > 0.0
     work[ANGLE, 0] = angle
     work[ANGLE, 1] = work[SPEED, 0] = velocity
-    work[SINE, 0], work[COSINE, 0] = sincos(tilt)
+    work[SINE, 0], work[COSINE, 0] = sincos_near(tilt)
     work[SINE, 0] /= drive.alpha
     # The derivatives of the sinusoid over the factorials, two by two.
     swing_even, swing_odd = drive.amplitude * sine, drive.amplitude * drive.frequency * cosine
@@ -172,17 +172,17 @@ def sums_of_two(work: Floats, n: int) -> tuple[float, float]:
 
 @compiled
 def _step(left_out: float, work: Floats) -> float:
-    """Return the step at which the last two terms are just negligible; infinite without motion."""
+    """Return the step at which the last two terms are just negligible; e^700 without motion."""
     # In logarithms: of the smallest that each of the first four terms lets the last ones be.
-    part = log(left_out)
-    angle = _logarithm(work[ANGLE, 0]) + part
-    velocity = _logarithm(work[ANGLE, 1]) + part
-    bend = _logarithm(work[ANGLE, 2]) + part
-    third = _logarithm(work[ANGLE, 3]) + part
+    part = low_log2(left_out)
+    angle = low_log2(abs(work[ANGLE, 0])) + part
+    velocity = low_log2(abs(work[ANGLE, 1])) + part
+    bend = low_log2(abs(work[ANGLE, 2])) + part
+    third = low_log2(abs(work[ANGLE, 3])) + part
     step = math.inf
     for n in range(HIGHEST - 1, HIGHEST + 1):
-        last = _logarithm(work[ANGLE, n])
-        if last > -math.inf:
+        if work[ANGLE, n] != 0.0:
+            last = low_log2(abs(work[ANGLE, n])) + LOG2_DOUBT
             holds = max(
                 (angle - last) / n,
                 (velocity - last) / (n - 1),
@@ -190,13 +190,7 @@ def _step(left_out: float, work: Floats) -> float:
                 (third - last) / (n - 3),
             )
             step = min(step, holds)
-    return exp(step) if step < 700.0 else math.inf
-
-
-@inlined
-def _logarithm(value: float) -> float:
-    """Return ln |value|, minus infinity of 0."""
-    return log(abs(value)) if value != 0.0 else -math.inf
+    return exp_clamped(LN2 * step)
 
 
 @inlined

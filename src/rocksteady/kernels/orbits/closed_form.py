@@ -30,7 +30,7 @@ from numpy.typing import NDArray
 from rocksteady.kernels.core.forcing import EPSILON, make_forcing
 from rocksteady.kernels.core.tables import FOUND
 from rocksteady.kernels.core.typed import FALSE
-from rocksteady.kernels.elementary.circular import sincos
+from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.elementary.exponential import expm1
 from rocksteady.kernels.elementary.hyperbolic import tanh
 from rocksteady.kernels.elementary.inverse import atan2
@@ -279,7 +279,7 @@ def fill_half_cycle(
     flight = half_cycle_flight(amplitude, frequency_ratio, order, orbit)
     for i in range(len(time)):
         phase = orbit.phase + frequency_ratio * time[i]
-        sine, cosine = sincos(phase)
+        sine, cosine = sincos_near(phase)
         states[0, i], states[1, i] = flight_state(flight, forcing, time[i], sine, cosine)
 
 

@@ -27,7 +27,7 @@ from rocksteady.kernels.core.tables import (
     is_nonlinear,
 )
 from rocksteady.kernels.core.typed import MINUS_ONE, ONE, TRUE
-from rocksteady.kernels.elementary.circular import sin, sincos
+from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.linear.extrema import highest_angle
 from rocksteady.kernels.linear.flight import Flight, make_flight
 from rocksteady.kernels.linear.landing import landing_jacobian
@@ -186,7 +186,7 @@ def flight_from(system: System, state: Section) -> Flight:
     row = 0 if state.side > 0 else 1
     seen, _ = side_phase(state.half_cycles, state.phase, state.side, system.frequency)
     unit = system.lean[row] * system.rate[row]
-    sine, cosine = sincos(seen)
+    sine, cosine = sincos_near(seen)
     return make_flight(forcing_of(system, state.side), 0.0, state.speed / unit, seen, sine, cosine)
 
 
@@ -197,7 +197,7 @@ def next_passage(system: System, state: Section, guess: float) -> Passage:
     forcing = forcing_of(system, state.side)
     flight = flight_from(system, state)
     if state.speed > 0.0:
-        if comes_to_rest(system, state):
+        if comes_to_rest(system, state, flight.sine):
             return uplift_after(system, state.half_cycles, state.phase)
     elif not lifts(forcing, flight.phase):  # it touches its base and stays
         return uplift_after(system, state.half_cycles, state.phase)
@@ -236,7 +236,7 @@ def first_passage(
     forcing = forcing_of(system, side)
     seen, _ = side_phase(half_cycles, phase, side, system.frequency)
     lean, rate = system.lean[row], system.rate[row]
-    sine, cosine = sincos(seen)
+    sine, cosine = sincos_near(seen)
     flight = make_flight(
         forcing, side * angle / lean, side * velocity / (lean * rate), seen, sine, cosine
     )
@@ -296,8 +296,11 @@ def passage_of(
 
 
 @compiled
-def comes_to_rest(system: System, state: Section) -> bool:
-    """Return whether the bounces that a state begins are proved to die out."""
+def comes_to_rest(system: System, state: Section, sine: float) -> bool:
+    """Return whether the bounces that a state begins are proved to die out.
+
+    `sine` is that of the phase of the forcing, seen from the side of the state.
+    """
     row = 0 if state.side > 0 else 1
     other = 1 - row
     forcing, opposite = forcing_of(system, state.side), forcing_of(system, -state.side)
@@ -326,7 +329,7 @@ def comes_to_rest(system: System, state: Section) -> bool:
         forcing,
         opposite,
         seen,
-        sin(seen),
+        sine,
     )
 
 

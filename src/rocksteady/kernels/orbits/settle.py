@@ -62,6 +62,7 @@ FIRST_LOOK = 16
 """Forcing periods before the first comparison."""
 SEARCHES = 12
 """Most searches for an orbit in one comparison."""
+TINY, HUGE = 1e-280, 1e280  # between them the square of a length has all its digits
 WILD = 4.605170185988092  # ln 100
 """Growth of a small difference over a return from which on no stable orbit is looked for there.
 Near one it shrinks; a chaotic motion comes back often, and each search would be in vain."""
@@ -231,7 +232,8 @@ def stretched(stretch: Stretch, jacobian: Jacobian) -> Stretch:
     """Return a tangent vector after a passage, at length 1."""
     phase = jacobian.phase_by_phase * stretch.phase + jacobian.phase_by_speed * stretch.speed
     speed = jacobian.speed_by_phase * stretch.phase + jacobian.speed_by_speed * stretch.speed
-    size = hypot(phase, speed)
+    square = phase * phase + speed * speed
+    size = math.sqrt(square) if TINY < square < HUGE else hypot(phase, speed)
     if size == 0.0:  # the one direction that a flight from an uplift forgets
         return Stretch(GENERIC[0], GENERIC[1], stretch.logarithm, stretch.since)
     return Stretch(phase / size, speed / size, stretch.logarithm + log(size), stretch.since)

@@ -11,7 +11,7 @@ import math
 from typing import NamedTuple
 
 from rocksteady.kernels.core.tables import ALPHA, RESTITUTION
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats2
 from rocksteady.kernels.orbits.periodic import (
     CLOSED,
@@ -89,7 +89,7 @@ def symmetric_near(system: System, state: Section, order: int) -> Half:
     return nothing
 
 
-@compiled
+@allocating
 def symmetric_from(
     amplitude: float,
     frequency_ratio: float,
