@@ -44,6 +44,7 @@ def small_calls(entries: dict[str, Callable[..., Any]]) -> list[Call]:
     orbits.record_orbits(call)
     orbits.record_chains(call)
     functions.record_functions(call, 60)
+    functions.record_oscillators(call, 60)
     return call.calls
 
 
@@ -58,6 +59,7 @@ def large_calls(entries: dict[str, Callable[..., Any]], part: float = 1.0) -> li
         batches.record_records(call, name, cells, nonlinear=nonlinear, samples=200)
     batches.record_steady_states(call, "many steady states", int(CELLS * part), shapes=True)
     functions.record_functions(call, int(CELLS * part))
+    functions.record_oscillators(call, int(CELLS * part))
     return call.calls
 
 

@@ -1,4 +1,4 @@
-"""Calls of the elementary functions over arrays."""
+"""Calls of the elementary functions over arrays, and of oscillators under a record."""
 
 import math
 
@@ -23,6 +23,19 @@ def record_functions(call: Recorder, count: int) -> None:
         drawn = Drawn.by_name(name)
         arguments = [_numbers(drawn, count) for _ in range(2 if name in OF_TWO else 1)]
         call(name, *arguments, np.zeros(count))
+
+
+def record_oscillators(call: Recorder, samples: int) -> None:
+    """Record the states of damped oscillators under a record."""
+    if "fill_oscillator" not in ENTRIES:
+        return
+    for damping in (0.0, 0.05):
+        drawn = Drawn.by_name(f"oscillator, {damping}, {samples}")
+        angle = drawn.between(0.05, 0.5)
+        size = math.exp(-damping * angle)
+        turn = (size * math.cos(angle), size * math.sin(angle))
+        step = np.array([turn, *drawn.rng.normal(scale=0.01, size=(2, 2))])
+        call("fill_oscillator", drawn.rng.normal(size=samples), step, np.zeros((2, samples)))
 
 
 def _numbers(drawn: Drawn, count: int) -> NDArray[np.float64]:
