@@ -1,14 +1,16 @@
-"""Numbers from outside the kernels, as digests of their bits.
+"""Numbers from outside the kernels and through them, as digests of their bits.
 
 `python -m tests.digits` writes them.
 """
 
 import hashlib
+import itertools
 import json
 import math
 import sys
 from collections.abc import Callable, Iterable
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 
@@ -98,6 +100,26 @@ def recordings() -> Numbers:
     yield from rs.resampled(given, 0.0037).record.acceleration_m_s2
 
 
+def courses() -> Numbers:
+    """Through the kernels: closed forms, time histories of both models, returns, spectra."""
+    states = rs.steady_states(np.linspace(0.5, 6.0, 40)[:, np.newaxis], RATIOS, 0.8)
+    for grid in (states.phase, states.velocity, states.trace, states.multipliers.real):
+        yield from np.asarray(grid, dtype=np.float64).ravel()
+    block = rs.Block.rectangle(width=0.5, height=2.0)
+    pulse = rs.Pulse(shape="one-sine", amplitude=2.5, frequency_ratio=3.0)
+    shaking = rs.Harmonic(amplitude=2.0, frequency_ratio=4.0)
+    motions: tuple[rs.Pulse | rs.Harmonic | rs.Record, ...] = (pulse, shaking, record())
+    models: tuple[Literal["linear", "nonlinear"], ...] = ("linear", "nonlinear")
+    for motion, model in itertools.product(motions, models):
+        start = rs.State(angle=0.1, velocity=0.0)
+        run = rs.simulate(block, motion, start=start, model=model)
+        course = run(np.linspace(0.0, min(run.shown_to_s, 30.0), 200))
+        yield from np.concatenate([course.angle, course.velocity, course.energy])
+        yield from run.impacts.s
+    for orbit in rs.orbits(rs.DimensionlessBlock(restitution=0.8), shaking, seeds=24):
+        yield from (orbit.highest, orbit.lowest, orbit.largest_multiplier)
+
+
 def of_the_system() -> Numbers:
     """What the package does not call."""
     angles = np.linspace(0.01, 20.0, 20001)
@@ -107,7 +129,7 @@ def of_the_system() -> Numbers:
 
 GROUPS: dict[str, Callable[[], Numbers]] = {
     group.__name__: group
-    for group in (sizes, segments, closed_forms, measures, recordings, of_the_system)
+    for group in (sizes, segments, closed_forms, measures, recordings, courses, of_the_system)
 }
 
 
