@@ -93,7 +93,8 @@ def _in_quarter(x: float, tail: float, n: int) -> tuple[float, float]:
 def sincos_short(angle: float) -> tuple[float, float]:
     """Return sine and cosine, both within 1.7e-16, for |angle| <= 2e5, which is not checked.
 
-    The shortest form, for vectorised loops: it leaves out what makes small results exact too.
+    The shortest form, for searches and vectorised loops: it leaves out what makes small results
+    exact too.
     """
     shifted = angle * PER_QUARTER + ROUND
     n = shifted - ROUND

@@ -34,7 +34,7 @@ from rocksteady.kernels.core.forcing import (
 )
 from rocksteady.kernels.core.tables import FOUND, NO_RETURN, SPAN_END
 from rocksteady.kernels.core.typed import ZERO
-from rocksteady.kernels.elementary.circular import sincos_near
+from rocksteady.kernels.elementary.circular import sincos_short
 from rocksteady.kernels.elementary.exponential import exp_clamped
 from rocksteady.kernels.elementary.lengths import next_up
 from rocksteady.kernels.elementary.logarithm import log1p
@@ -391,7 +391,7 @@ def sine_cosine(forcing: Forcing, phase: float) -> tuple[float, float]:
     """Return sine and cosine of the phase, of which a forcing without sinusoid needs none."""
     if forcing.amplitude == 0.0:
         return 0.0, 1.0
-    return sincos_near(phase)
+    return sincos_short(phase)
 
 
 @inlined
