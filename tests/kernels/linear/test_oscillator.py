@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 from scipy.signal import lfilter
 
-from rocksteady.kernels.linear.oscillator import Floats, fill_oscillator
+from rocksteady.kernels.linear.oscillator import fill_oscillator
 
 
-def states(acceleration: Floats, *step: complex) -> Floats:
+def states(acceleration: NDArray[np.float64], *step: complex) -> NDArray[np.float64]:
     out = np.full((2, len(acceleration)), np.nan)
     fill_oscillator(acceleration, np.array([[one.real, one.imag] for one in step]), out)
     return out
