@@ -142,6 +142,8 @@ export interface Kernels {
   pulse_fates(segments: Floats, sides: Floats, amplitude: Floats, frequency_ratio: Floats, rest_velocity: number, limit: number, status: Integers, impacts: Integers, side: Integers, during: Integers, margin: Floats): void;
   /** Fill row 0 with endless harmonic shaking; `amplitude` and `frequency` as for the model. */
   harmonic_segment(segments: Floats, amplitude: number, frequency: number, phase: number): void;
+  /** Fill the states ``z_i = g z_(i-1) + b a_(i-1) + c a_i`` of complex numbers, from rest. */
+  fill_oscillator(acceleration: Floats, step: Floats, out: Floats): void;
   /** March from `start` to the stop, to overturning, or to the limit. */
   march(segments: Floats, sides: Floats, start: March, stop_half_cycles: number, stop_phase: number, rest_velocity: number, limit: number, rows: Floats, peaks: Floats): [number, March];
   /** Fill angle, velocity and acceleration, shape (3, times), in reference units. */

@@ -21,6 +21,7 @@ export const signatures = {
   record_fates: { takes: ['f2', 'f3', 'f1', 'i', 'i1', 'i1', 'f2'], gives: null },
   pulse_fates: { takes: ['f2', 'f2', 'f1', 'f1', 'f', 'i', 'i1', 'i1', 'i1', 'i1', 'f1'], gives: null },
   harmonic_segment: { takes: ['f2', 'f', 'f', 'f'], gives: null },
+  fill_oscillator: { takes: ['f1', 'f2', 'f2'], gives: null },
   march: { takes: ['f2', 'f2', March, 'i', 'f', 'f', 'i', 'f2', 'f1'], gives: ['i', March] },
   fill_states: { takes: ['f2', 'f2', 'f2', 'i1', 'f1', 'f2'], gives: null },
   last_crossing: { takes: ['f2', 'f2', 'f2', 'f'], gives: ['i', 'f'] },
