@@ -8,6 +8,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
 from rocksteady.model.motions.record import Record
 from rocksteady.records.core.recording import Recording
+from rocksteady.records.core.sampling import interpolated
 
 if TYPE_CHECKING:
     import numpy as np
@@ -47,12 +48,10 @@ def baseline_corrected(recording: Recording, baseline: str) -> Recording:
     if order is None:
         return recording
     import numpy as np
-    from numpy.polynomial import Legendre
 
     record = recording.record
     values = record.acceleration_m_s2
-    time = np.linspace(-1.0, 1.0, len(values))
-    fitted = Legendre.fit(time, values, min(order, len(values) - 1))(time)
+    fitted = _fitted(values, min(order, len(values) - 1))
     corrected = Record(acceleration_m_s2=values - fitted, dt_s=record.dt_s, name=record.name)
     largest = float(np.abs(fitted).max())
     what = {0: "the mean", 1: "a straight line"}.get(order, f"a polynomial of order {order}")
@@ -115,12 +114,34 @@ def resampled(
         )
     values = record.acceleration_m_s2
     if method == "linear":
-        old = np.arange(len(values)) * record.dt_s
-        new = np.interp(np.arange(count) * step, old, values)
+        old = record.dt_s * np.arange(len(values), dtype=np.float64)
+        new = interpolated(step * np.arange(count, dtype=np.float64), old, values)
     else:
         new = _filtered(values, record.dt_s, step)[:count]
     note = f"resampled from {record.dt_s:g} s to {step:g} s ({method})"
     return recording.processed(Record(acceleration_m_s2=new, dt_s=step, name=record.name), note)
+
+
+def _fitted(values: "Floats", order: int) -> "Floats":
+    """Return the polynomial of an order that fits evenly spaced values best, at each of them.
+
+    By Forsythe's polynomials [1]_, orthogonal over the very points: no equations are solved.
+
+    References
+    ----------
+    .. [1] G. E. Forsythe, J. Soc. Ind. Appl. Math. 5, 74-88 (1957).
+    """
+    import numpy as np
+
+    time = np.linspace(-1.0, 1.0, len(values))
+    fitted = np.zeros(len(values))
+    before, here = np.zeros(len(values)), np.ones(len(values))
+    square, last = float(len(values)), 1.0
+    for _ in range(order + 1):
+        fitted += float(((values - fitted) * here).sum()) / square * here
+        before, here = here, time * here - square / last * before
+        square, last = float(np.square(here).sum()), square
+    return fitted
 
 
 def _order(baseline: str) -> int | None:

@@ -13,6 +13,7 @@ from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.present.shared import block_values, multipliers_text, worth
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.sweep.cases.spacing import in_equal_ratios
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.steady.states import SteadyStates
@@ -267,7 +268,8 @@ def point_figure(point: dict[str, Any], page: "Page") -> Any:
     ]
     ratios = np.linspace(0.1, 14.0, 700)
     if not 0.3 <= w <= 10.0:  # a logarithmic axis, wide enough for the point
-        ratios = np.geomspace(max(0.01, min(0.1, w / 10.0)), min(1e4, max(14.0, 3.0 * w)), 700)
+        low, high = max(0.01, min(0.1, w / 10.0)), min(1e4, max(14.0, 3.0 * w))
+        ratios = np.array(in_equal_ratios(low, high, 700))
     curves = region_map(ratios, r, order=n)
     title = f"Symmetric steady states: A = {a:g}, Ω = {w:g}, restitution {r:g}, n = {n}"
     return steady_figure(orbits, curves, point=(w, a), title=title, page=page)

@@ -6,6 +6,7 @@ from rocksteady.cli.console.refusals import FlagError, missing
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.sides import Restitution, Restitutions
+from rocksteady.sweep.cases.spacing import in_equal_ratios
 
 MOST_AXIS_POINTS = 1_000_000
 
@@ -72,8 +73,7 @@ def axis(flag: str, text: str) -> list[float]:
         if not 0.0 < quotient < math.inf:
             valid = "the ends of a logarithmic axis must not lie so far apart"
             raise InputError(name=flag, value=text, valid=valid, hint=hint)
-        ratio = math.log(quotient)
-        return [start, *(start * math.exp(ratio * i / last) for i in range(1, last)), stop]
+        return in_equal_ratios(start, stop, count)
     return [start, *(start + (stop - start) * i / last for i in range(1, last)), stop]
 
 

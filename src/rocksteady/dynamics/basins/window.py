@@ -18,6 +18,8 @@ POINTS = 200
 """Default number of points along an axis of a window."""
 DECIMALS = 12
 """Of a phase in radians: what is beyond them is rounding of the whole periods taken off."""
+HALF_UNIT = 5e-13
+"""Half a unit of the last of them."""
 
 
 def reach(amplitude: float, frequency_ratio: float) -> float:
@@ -91,6 +93,6 @@ def moment(shaking: Harmonic) -> tuple[int, float]:
     rest, although adding pi to a number rounds it, and near a fractal border a rounding decides.
     """
     half, rest = clock(shaking.phase)
-    if math.pi - rest < 0.5 * 10.0**-DECIMALS:
+    if math.pi - rest < HALF_UNIT:
         half, rest = half + 1, 0.0
     return half % 2, round(rest, DECIMALS)

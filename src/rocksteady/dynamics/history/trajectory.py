@@ -155,10 +155,8 @@ class Trajectory:
         lean, rate = self.sides[row, [columns.LEAN, columns.RATE]].tolist()
         if not is_nonlinear(self.sides):
             return float(rate * rate * (lean - push))
-        alpha, weight = (
-            float(self.sides[row, columns.ALPHA]),
-            1.0 + base_motion.lift(self.segments, s),
-        )
+        alpha = float(self.sides[row, columns.ALPHA])
+        weight = 1.0 + base_motion.lift(self.segments, s)
         own = lean * (weight * sin(alpha) / alpha)
         return float(rate * rate * (own - push * cos(alpha)))
 

@@ -222,7 +222,7 @@ class SyntheticMotion:
         process = signal.sosfilt(filters, noise)[settling:]
         envelope = self._envelope(np.linspace(0.0, 1.0, count))
         # Noise of variance 1 becomes a process whose variance is the response's sum of squares.
-        motion = self.rms / math.sqrt(float(response @ response)) * process * envelope
+        motion = self.rms / math.sqrt(float(np.square(response).sum())) * process * envelope
         motion -= envelope * (np.trapezoid(motion) / np.trapezoid(envelope))
         return np.asarray(motion, dtype=np.float64)
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
+from rocksteady.kernels.elementary.arrays import log
 from rocksteady.records.core.assembling import Given
 from rocksteady.records.core.header_statements import last_place
 from rocksteady.records.core.numbers import number
@@ -125,7 +126,7 @@ def evenly_spaced(
         raise text.error(f"{count} samples {step:g} s apart would be needed", "give another dt_s")
     even = times[0] + step * np.arange(count)
     table = values.reshape(len(times), -1)
-    new = np.stack([np.interp(even, times, column) for column in table.T], axis=1)
+    new = np.stack([interpolated(even, times, column) for column in table.T], axis=1)
     low, high = f"{steps.min():g}", f"{steps.max():g}"
     old = f"{low} s" if low == high else f"intervals of {low} to {high} s"
     note = f"resampled from {old} to {step:g} s (straight lines between the samples)"
@@ -277,6 +278,24 @@ def _rounded(interval: float, error: float) -> float:
     return _simplest(interval - error, interval + error)
 
 
+def interpolated(at: "Floats", times: "Floats", values: "Floats") -> "Floats":
+    """Return values between given ones along straight lines; beyond the last time the last one.
+
+    Parameters
+    ----------
+    at
+        Where they are wanted, at the first time or later.
+    times, values
+        The given ones, two or more, the times ascending.
+    """
+    import numpy as np
+
+    start = np.minimum(np.searchsorted(times, at, side="right") - 1, len(times) - 2)
+    slope = (np.diff(values) / np.diff(times))[start]
+    between: Floats = values[start] + slope * (at - times[start])
+    return np.where(at < times[-1], between, values[-1])
+
+
 def places(written: Sequence[str]) -> "Floats":
     """Return half a unit of the last digit that each number of a column may be written with.
 
@@ -294,6 +313,8 @@ def places(written: Sequence[str]) -> "Floats":
     digits = max(len(one.replace(".", "").lstrip("0")) for one in mantissas)
     finest = min(map(last_place, written))
     sizes = np.abs([number(one) or 0.0 for one in written])
-    tens = np.floor(np.log10(np.where(sizes > 0.0, sizes, finest)) + 1.0e-12)
-    result: Floats = 0.5 * np.maximum(10.0 ** (tens - digits + 1.0), finest)
+    tens = np.floor(log(np.where(sizes > 0.0, sizes, finest)) / log(10.0) + 1.0e-12)
+    powers, of = np.unique(tens - digits + 1.0, return_inverse=True)
+    units = np.array([float(f"1e{power:.0f}") for power in powers.tolist()])
+    result: Floats = 0.5 * np.maximum(units[of], finest)
     return result

@@ -10,6 +10,7 @@ import re
 import unicodedata
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import repeat
 from typing import Final
 
 from rocksteady.errors import InputError
@@ -174,7 +175,7 @@ def _product(tokens: _Tokens, *, together: bool) -> tuple[float, tuple[int, int]
             raise _NoUnitError
         units += not number
         sign = -1 if below else 1
-        size *= factor**sign
+        size *= _raised(factor, sign)
         powers = (powers[0] + sign * exponents[0], powers[1] + sign * exponents[1])
         first = False
     if first:
@@ -201,7 +202,13 @@ def _factor(tokens: _Tokens, *, together: bool) -> tuple[float, tuple[int, int]]
     else:
         raise _NoUnitError
     power = _power(tokens, bare=kind == "unit")
-    return size**power, (powers[0] * power, powers[1] * power)
+    return _raised(size, power), (powers[0] * power, powers[1] * power)
+
+
+def _raised(size: float, power: int) -> float:
+    """Return a whole power as a product."""
+    product = math.prod(repeat(size, abs(power)))
+    return product if power >= 0 else 1.0 / product
 
 
 def _unit(tokens: _Tokens) -> tuple[float, tuple[int, int]]:

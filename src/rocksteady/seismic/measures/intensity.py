@@ -260,6 +260,6 @@ def _felt(block: Block, pga: float, pgv: float) -> dict[str, float]:
 
 def _simpson(values: Floats, at: Floats) -> float:
     """Return an integral over evenly spaced points, an odd number of them."""
-    from scipy.integrate import simpson
-
-    return float(simpson(values, x=at))
+    weights = np.where(np.arange(len(at)) % 2 == 1, 4.0, 2.0)
+    weights[[0, -1]] = 1.0
+    return float((weights * values).sum()) * float(at[-1] - at[0]) / (3.0 * (len(at) - 1))

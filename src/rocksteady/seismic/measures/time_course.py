@@ -5,12 +5,14 @@ and the energy of the acceleration a cubic too.  Nothing is left out but roundin
 or a displacement is largest inside a sample, that is where its derivative has its zero.
 """
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import LARGEST, in_range
@@ -146,7 +148,7 @@ class GroundCourse:
         first, last = self.acceleration_m_s2[at : at + 2].tolist()
         slope = (last - first) / self.record.dt_s
         # The integral of a^2 is (a(t)^3 - first^3)/(3 slope); solved for t without a difference.
-        then = float(np.cbrt(first**3 + 3.0 * slope * missing))
+        then = _cube_root(first * first * first + 3.0 * slope * missing)
         square = then * then + then * first + first * first
         since = 3.0 * missing / square if square > 0.0 else 0.0
         return float(self.t_s[at]) + min(since, self.record.dt_s)
@@ -205,6 +207,14 @@ def refuse_extreme(record: Record) -> None:
     """
     largest, hint = record.peak_acceleration_m_s2, "give the accelerations in m/s^2"
     in_range("acceleration_m_s2", largest, 1.0 / LARGEST, LARGEST, "[]", hint=hint)
+
+
+def _cube_root(value: float) -> float:
+    """Return the real cube root: a first one, and a step of Newton's method."""
+    if value == 0.0:
+        return 0.0
+    size = exp(log(abs(value)) / 3.0)
+    return math.copysign(size - (size - abs(value) / (size * size)) / 3.0, value)
 
 
 def _summed(steps: Floats) -> Floats:
