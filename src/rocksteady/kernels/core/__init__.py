@@ -1,1 +1,1 @@
-"""What all kernels share: columns of tables, clock, forcing, sine and cosine."""
+"""What all kernels share: columns of tables, clock and forcing."""

@@ -12,16 +12,16 @@ Largest errors, in units in the last place (ulp) of the exact result:
 =============  =====  =============================================================
 function       ulp    arguments
 =============  =====  =============================================================
-exp            0.55   all; 1.0 where the result is subnormal
-expm1          1.1    all
-log, log1p     0.85   all
-sin, cos       0.80   all
-tan            0.90   all
-atan, atan2    0.65   all
-asin, acos     0.90   all
-sinh           1.9    all
-cosh           1.3    all
-tanh           2.0    all
+exp            0.57   all; 1.0 where the result is subnormal
+expm1          1.3    all
+log, log1p     0.9    all
+sin, cos       0.9    all
+tan            1.0    all
+asin, acos     1.0    all
+atan, atan2    0.75   all
+sinh           2.0    all
+cosh           1.2    all
+tanh           2.2    all
 asinh          1.9    all
 hypot          0.55   all; 1.0 where the result is subnormal
 =============  =====  =============================================================
