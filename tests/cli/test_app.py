@@ -473,15 +473,6 @@ def test_an_interruption_while_one_is_dealt_with_ends_with_130_too(
     assert left.value.code == 130
 
 
-@pytest.mark.skipif(compilation.runner() != compilation.LIBRARY, reason="there is no library")
-@commands
-def test_with_a_library_nothing_compiles_and_nothing_is_said(
-    command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(compilation, "cache_folder", lambda: tmp_path)  # empty
-    assert rocksteady(f"{SHAKEN[command]} -r 0.8 --json").err.count("compiling") == 0
-
-
 @pytest.mark.skipif(compilation.runner() != compilation.JIT, reason="numba compiles nothing")
 @commands
 def test_a_first_run_says_that_it_compiles(command: str, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -66,6 +66,8 @@ class Installation:
         The file of the library, and what it was compiled for; None without one.
     cache
         Folder of the machine code that numba has compiled; None where numba is not used.
+    sources
+        Hash of the kernels' sources: installations with the same one have the same kernels.
     versions
         Of rocksteady, Python, NumPy and numba; None for what is not installed.
     checks
@@ -78,6 +80,7 @@ class Installation:
     library: Path | None
     target: str | None
     cache: Path | None
+    sources: str
     versions: dict[str, str | None]
     checks: tuple[KernelCheck, ...]
 
@@ -178,6 +181,7 @@ def _environment() -> dict[str, Any]:
     """Return what runs the kernels, and the versions."""
     from rocksteady.kernels.machine_code.compilation import JIT, LIBRARY, cache_folder, runner
     from rocksteady.kernels.machine_code.library import library, targets
+    from rocksteady.kernels.machine_code.sources import sources_hash
 
     kernels = runner()
     used = library() if kernels == LIBRARY else None
@@ -189,6 +193,7 @@ def _environment() -> dict[str, Any]:
         "library": None if used is None else used.path,
         "target": None if used is None else used.target,
         "cache": cache_folder() if kernels == JIT else None,
+        "sources": sources_hash(),
         "versions": {
             # Not imported above: the package names what this module defines.
             "rocksteady": import_module("rocksteady").__version__,

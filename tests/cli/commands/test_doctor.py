@@ -25,6 +25,7 @@ HEALTHY = Installation(
     library=Path("/usr/lib/rocksteady-linux-x86-64-v4.so"),
     target="linux-x86-64-v4",
     cache=None,
+    sources="0123456789abcdef",
     versions={"rocksteady": "1.2", "python": "3.12.1", "numpy": "2.1.0", "numba": None},
     checks=(GOOD, replace(BAD, differing=0, first_difference=None)),
 )
@@ -66,6 +67,7 @@ def test_the_screen_of_a_healthy_installation() -> None:
         "runs on     Python 3.12.1, NumPy 2.1.0, no numba\n"
         "system      Linux x86_64, CPU level x86-64-v4\n"
         "kernels     library, compiled ahead of time\n"
+        "sources     0123456789abcdef\n"
         "target      linux-x86-64-v4\n"
         "library     /usr/lib/rocksteady-linux-x86-64-v4.so\n"
         "\n"

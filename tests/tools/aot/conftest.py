@@ -1,12 +1,14 @@
 """What the tests of targets share: a folder with the library of this machine and the module."""
 
+import shutil
 from pathlib import Path
 
 import pytest
 from filelock import FileLock
 
-from rocksteady.kernels.machine_code.library import built_folder, library
-from tools.aot.build import build
+from rocksteady.kernels.machine_code.library import library
+from rocksteady.kernels.machine_code.sources import sources_hash
+from tools.aot.build import LOWERED, build, tools_hash
 from tools.aot.link import compilers
 from tools.aot.targets import TARGETS, WASM
 
@@ -19,9 +21,10 @@ def built() -> Path:
         pytest.skip("no library of kernels is built here: `make library` builds it")
     if not compilers(TARGETS[WASM]):
         pytest.skip("the package ziglang, which links the module, is not installed")
-    folder = built_folder()
-    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    folder = LOWERED / f"{sources_hash()}-{tools_hash()}"
+    folder.mkdir(parents=True, exist_ok=True)
     with FileLock(folder / "module.lock"):
+        shutil.copyfile(found.path, folder / found.path.name)
         if not (folder / TARGETS[WASM].file).is_file():
             build([WASM], folder)
     return folder

@@ -27,8 +27,6 @@ def record_functions(call: Recorder, count: int) -> None:
 
 def record_oscillators(call: Recorder, samples: int) -> None:
     """Record the states of damped oscillators under a record."""
-    if "fill_oscillator" not in ENTRIES:
-        return
     for damping in (0.0, 0.05):
         drawn = Drawn.by_name(f"oscillator, {damping}, {samples}")
         angle = drawn.between(0.05, 0.5)

@@ -60,6 +60,7 @@ def values(found: "Installation") -> dict[str, Any]:
         "library": None if found.library is None else str(found.library),
         "target": found.target,
         "cache": None if found.cache is None else str(found.cache),
+        "sources": found.sources,
         "versions": found.versions,
         "calls": found.calls,
         "values": found.values,
@@ -91,6 +92,7 @@ def print_found(found: "Installation") -> None:
         ),
         ("system", f"{found.system}, CPU level {found.cpu_level or 'unknown'}"),
         ("kernels", RUNNERS[found.kernels]),
+        ("sources", found.sources),
     ]
     if found.library is not None:
         rows += [("target", str(found.target)), ("library", str(found.library))]

@@ -397,8 +397,7 @@ class Trajectory:
             potential = 2.0 * square * np.square(lean) * raised / np.square(alpha)
         else:
             potential = square * lean * np.abs(angle) - 0.5 * square * np.square(angle)
-        energy: Floats = 0.5 * np.square(velocity) + potential
-        return energy
+        return np.asarray(0.5 * np.square(velocity) + potential)
 
     def phase_path(self, per_unit: int = 100) -> tuple[Floats, Floats]:
         """Return angle and velocity in the order of time, both states of each impact included.

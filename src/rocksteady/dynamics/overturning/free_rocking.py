@@ -76,7 +76,7 @@ def free_rocking_period(amplitude_ratio: ArrayLike, *, alpha: float | None = Non
     if alpha is not None and alpha_value(alpha) > SLENDER:
         return _tilting_period(phi, float(alpha))
     # arccosh(1/c) = arcsinh(sqrt(1 - c^2)/c), which keeps the digits of a small phi and of 1 - phi
-    period: Floats = 4.0 * asinh(np.sqrt(phi * (2.0 - phi)) / (1.0 - phi))
+    period: Floats = 4.0 * asinh(np.asarray(np.sqrt(phi * (2.0 - phi)) / (1.0 - phi)))
     return period
 
 

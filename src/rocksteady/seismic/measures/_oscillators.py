@@ -70,7 +70,8 @@ def peaks(acceleration: Floats, dt: float, frequency: float, damping: float) -> 
     h = dt / parts
     a = acceleration
     if parts > 1:
-        a = np.interp(np.arange((len(a) - 1) * parts + 1) / parts, np.arange(len(a)), a)
+        within = np.diff(a)[:, np.newaxis] * (np.arange(parts) / parts)
+        a = np.append(a[:-1, np.newaxis] + within, a[-1])
     z = _states(a, h, rate)
     # 1/(wd L), 1/wd, L/wd and L^2/wd: what each kind is made with, after what its slope is.
     inverse = _inverse(rate)
