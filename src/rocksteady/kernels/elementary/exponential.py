@@ -115,8 +115,10 @@ def expm1_near(t: float) -> float:
 
 @inlined
 def expm1_short(t: float) -> float:
-    """Return e^t - 1 for t >= 0, within 2.2 ulp, and e^700 beyond 700."""
-    return expm1_near(t) if t < HALF_LN2 else exp_near(min(t, NORMAL)) - 1.0
+    """Return e^t - 1 for t >= 0, within 2.2 ulp."""
+    if t < HALF_LN2:
+        return expm1_near(t)
+    return exp_near(t) - 1.0 if t <= NORMAL else exp(t)
 
 
 @inlined

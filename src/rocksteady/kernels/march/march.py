@@ -54,9 +54,10 @@ from rocksteady.kernels.core.tables import (
     write_row,
 )
 from rocksteady.kernels.core.typed import FALSE, MINUS_ONE, ONE, TRUE, ZERO
+from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.linear.extrema import keep_peaks
 from rocksteady.kernels.linear.flight import make_flight
-from rocksteady.kernels.linear.zeros import next_zero, sine_cosine
+from rocksteady.kernels.linear.zeros import next_zero
 from rocksteady.kernels.machine_code.compilation import allocating, compiled, inlined
 from rocksteady.kernels.machine_code.types import Floats1, Floats2
 from rocksteady.kernels.march._samples import fly_through, rest_through
@@ -276,7 +277,9 @@ def _march(
         forcing = positive if side > 0 else negative
         seen_phase, seen_half = side_phase(half, phase, side, frequency)
         if not turned_side:
-            sine, cosine = sine_cosine(forcing, seen_phase)
+            sine, cosine = 0.0, 1.0
+            if frequency != 0.0:
+                sine, cosine = sincos_near(seen_phase)
         turned_side = False
         if bounced:
             bounced = False
