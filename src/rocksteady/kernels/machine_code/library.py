@@ -188,6 +188,7 @@ class _Script:
             "Room": ctypes.c_int64 * cells,
             "pack": _cells_of(taken).pack_into,
             "unpack": _cells_of(returned).unpack_from,
+            "new": tuple.__new__,
             "ndarray": np.ndarray,
             "addressof": ctypes.addressof,
             "first_byte": ctypes.c_char.from_buffer,
@@ -254,7 +255,7 @@ class _Script:
         if not isinstance(hint, type):
             return f"({made})"
         self.space[hint.__name__] = hint
-        return f"{hint.__name__}({made})"
+        return f"new({hint.__name__}, ({made}))"  # sooner than by the name of the class
 
 
 def _cells_of(leaves: tuple[Leaf, ...]) -> Struct:
