@@ -12,6 +12,7 @@ from rocksteady.kernels.core.forcing import make_forcing
 from rocksteady.kernels.core.tables import FOUND, NO_RETURN, SPAN_END
 from rocksteady.kernels.linear.flight import make_flight, wrapped
 from rocksteady.kernels.linear.zeros import Zero, next_zero
+from rocksteady.kernels.machine_code.compilation import compiled
 from tests.oracles import ExactFlight, first_zero_in_double, mp
 from tests.strategies import (
     AMPLITUDE,
@@ -34,7 +35,7 @@ Floats = NDArray[np.float64]
 EVENT, TIME, END_ANGLE, END_VELOCITY, END_PHASE, CYCLE = range(6)
 
 
-@numba.njit(error_model="numpy")
+@compiled
 def search(flight: Floats, span: float, endless: bool, guess: float) -> Zero:
     forcing = make_forcing(flight[0], flight[1], flight[2], flight[3])
     phase = flight[6]
@@ -42,7 +43,7 @@ def search(flight: Floats, span: float, endless: bool, guess: float) -> Zero:
     return next_zero(start, forcing, span, endless, False, guess)
 
 
-@numba.njit(error_model="numpy")
+@compiled
 def search_all(flights: Floats, endless: bool, guesses: Floats, found: Floats) -> None:
     for i in range(len(flights)):
         span = math.inf if endless else flights[i, 7]
