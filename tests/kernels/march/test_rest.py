@@ -168,7 +168,7 @@ def test_chatter_that_is_said_to_settle_does(
         if row[ROW_SIDE] == 0.0:
             break
         total += row[ROW_DURATION]
-    crest = math.pi / 2 - phase if phase <= math.pi / 2 else 5 * math.pi / 2 - phase
+    crest = math.pi / 2 - phase if phase < math.pi / 2 else 5 * math.pi / 2 - phase
     if amplitude > 1.0:
         node = (math.asin(1.0 / amplitude) - phase) % (2.0 * math.pi)
         other = (math.asin(1.0 / amplitude) - there_phase) % (2.0 * math.pi)
