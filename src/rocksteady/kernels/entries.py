@@ -1,8 +1,8 @@
-"""Every kernel that Python calls: what the library holds, and what is compiled without it.
+"""The kernels that Python calls: the functions of the library.
 
-A kernel's annotations say with which types it is called (`kernels.machine_code.types`); of one that
-other kernels call alone nothing is listed here.  ``python -m rocksteady.kernels.entries`` compiles
-them all by numba and keeps the machine code on disk: some minutes once, next to nothing later.
+Their annotations state the types of a call (`kernels.machine_code.types`).  Kernels that only other
+kernels call are not listed.  ``python -m rocksteady.kernels.entries`` compiles all of them with
+numba, which takes some minutes the first time, and keeps the machine code on disk.
 """
 
 import logging

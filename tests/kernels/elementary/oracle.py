@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from rocksteady.kernels import elementary
 from rocksteady.kernels.elementary import arrays
+from rocksteady.kernels.elementary.circular import NEAR
 
 Floats = NDArray[np.float64]
 Draw = Callable[[np.random.Generator, int], Floats]
@@ -57,6 +58,15 @@ def any_float(rng: np.random.Generator, count: int) -> Floats:
 
 def positive(draw: Draw) -> Draw:
     return lambda rng, count: np.abs(draw(rng, count))
+
+
+ANGLES: list[Any] = [
+    uniform(-1.6, 4.8),
+    uniform(-NEAR, NEAR),
+    near(0.5 * math.pi, 127_000),
+    spread(1e5, 1e20),
+]
+"""Ranges from which angles are drawn."""
 
 
 def length(x: Any, y: Any) -> Any:

@@ -1,7 +1,6 @@
 """Exponential functions: errors in ulp, special values, symmetry of their parts."""
 
 import math
-from typing import Any
 
 import numpy as np
 import pytest
@@ -15,48 +14,9 @@ from rocksteady.kernels.elementary.exponential import (
     expm1_short,
 )
 from tests.kernels.elementary.oracle import (
-    COUNT,
-    MANY,
-    SPECIAL,
     around,
     bits,
-    check,
-    same_as_math,
-    spread,
-    uniform,
 )
-
-EXP: list[Any] = [uniform(0.25, 60.0), uniform(-708.0, 709.78), uniform(-1.0, 1.0)]
-EXPM1: list[Any] = [
-    uniform(-0.35, 0.35),
-    uniform(0.34, 0.42),
-    uniform(-3.0, 3.0),
-    spread(1e-18, 700.0),
-]
-
-
-def test_errors_of_exp() -> None:
-    check("exp", EXP, COUNT)
-
-
-def test_errors_of_exp_where_it_is_subnormal() -> None:
-    check("exp", [uniform(-744.0, -708.4)], COUNT // 10, bound=1.0)
-
-
-def test_errors_of_expm1() -> None:
-    check("expm1", EXPM1, COUNT)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("name", "draws"), [("exp", EXP), ("expm1", EXPM1)])
-def test_errors_on_many(name: str, draws: list[Any]) -> None:
-    check(name, draws, MANY)
-
-
-@pytest.mark.parametrize("x", SPECIAL)
-@pytest.mark.parametrize("name", ["exp", "expm1"])
-def test_special_values(name: str, x: float) -> None:
-    assert same_as_math(name, x)
 
 
 def test_the_table_holds_the_powers_of_two() -> None:

@@ -1,47 +1,13 @@
 """Hyperbolic functions: errors in ulp, special values, symmetry."""
 
-from typing import Any
-
 import numpy as np
 import pytest
 
 from rocksteady.kernels.elementary import arrays
 from tests.kernels.elementary.oracle import (
-    COUNT,
-    MANY,
-    SPECIAL,
     any_float,
     bits,
-    check,
-    same_as_math,
-    spread,
-    uniform,
 )
-
-WIDE: list[Any] = [spread(1e-10, 700.0), uniform(-3.0, 3.0), uniform(709.0, 710.47)]
-DRAWS: dict[str, list[Any]] = {
-    "sinh": WIDE,
-    "cosh": WIDE,
-    "tanh": [spread(1e-10, 21.0), uniform(-2.0, 2.0)],
-    "asinh": [spread(1e-10, 25.0), uniform(-3.0, 3.0), any_float],
-}
-
-
-@pytest.mark.parametrize("name", DRAWS)
-def test_errors(name: str) -> None:
-    check(name, DRAWS[name], COUNT)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("name", DRAWS)
-def test_errors_on_many(name: str) -> None:
-    check(name, DRAWS[name], MANY)
-
-
-@pytest.mark.parametrize("x", SPECIAL)
-@pytest.mark.parametrize("name", DRAWS)
-def test_special_values(name: str, x: float) -> None:
-    assert same_as_math(name, x)
 
 
 def test_signs_follow_the_argument() -> None:

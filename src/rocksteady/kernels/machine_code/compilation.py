@@ -1,8 +1,8 @@
-"""The only decorators that compile kernels, and what runs one that Python calls.
+"""Decorators that make kernels, and the choice of what runs them.
 
-A decorated function is a `Kernel`: the library that was compiled ahead of time runs it if it holds
-it, else numba compiles it when it is first called.  No other module names numba, and nothing
-imports it before it compiles.
+A decorated function is a `Kernel`.  The library compiled ahead of time runs it where it holds it;
+elsewhere numba compiles it at its first call.  No other module imports numba, except the cache
+beside this one.
 """
 
 import functools
@@ -28,8 +28,6 @@ CHOICE = "ROCKSTEADY_KERNELS"
 LIBRARY, JIT, PYTHON = "library", "jit", "python"
 PACKAGE = __name__.removesuffix("machine_code.compilation")
 """The dotted name of the kernels' package, with its last dot."""
-_OF_ONE_NUMBER, _OF_ARRAYS = f"{PACKAGE}elementary.", f"{PACKAGE}elementary.loops"
-"""Elementary functions: of a number, which Python works out itself, and of arrays."""
 
 
 @cache
@@ -161,14 +159,11 @@ class Kernel:
 
     def _resolved(self) -> Callable[..., Any]:
         """Return what runs the function."""
-        module = self.py_func.__module__
-        if runner() == LIBRARY and module.startswith(PACKAGE):
+        if runner() == LIBRARY and self.py_func.__module__.startswith(PACKAGE):
             loaded = library()
             found = loaded.entry(self.py_func) if loaded else None
             # What the library does not hold is called by other kernels: from Python by tests alone.
             return found or self.py_func
-        if module.startswith(_OF_ONE_NUMBER) and module != _OF_ARRAYS:
-            return self.py_func  # the same bits sooner than they would be compiled
         dispatcher: Callable[..., Any] = self.dispatcher
         return dispatcher
 

@@ -1,8 +1,7 @@
-"""The library of kernels compiled ahead of time: where it is, and how Python calls what is in it.
+"""Finding the library of kernels compiled ahead of time, and calling its functions.
 
-Every entry of the library is a C function ``int32_t rs_<name>(int64_t *cells)``.  The caller puts
-the leaves of the arguments into cells of 8 bytes (of an array its address and its lengths) and
-finds those of the result in the cells after them; `Signature` says how many there are.
+Each of them is ``int32_t rs_<name>(int64_t *cells)`` in C.  The caller writes the arguments into
+cells of 8 bytes, an array as its address and its lengths.  The result is in the cells that follow.
 """
 
 import ctypes
@@ -58,7 +57,7 @@ class Library:
         return found.raw.decode("ascii", "replace")
 
     def entry(self, function: Callable[..., object]) -> Callable[..., Any] | None:
-        """Return what calls a kernel in the library; None where the library does not hold it."""
+        """Return a Python function that calls a kernel; None if the library has no such kernel."""
         try:
             address = self._loaded[f"rs_{function.__name__}"]
         except AttributeError:
@@ -70,7 +69,7 @@ class Library:
 
 @cache
 def library() -> Library | None:
-    """Return the library for this processor and these sources; None where there is none."""
+    """Return the library for this processor and these sources, or None."""
     for folder in (installed_folder(), built_folder()):
         for target, path in _candidates(folder):
             try:
@@ -126,7 +125,7 @@ def targets() -> tuple[str, ...]:
 
 
 def file_name(target: str) -> str:
-    """Return the name of the library's file for a target."""
+    """Return the file name of a target's library."""
     return f"rocksteady-{target}{SUFFIXES[target.partition('-')[0]]}"
 
 

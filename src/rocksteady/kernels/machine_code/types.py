@@ -1,7 +1,7 @@
-"""Types of what Python passes to kernels: annotations that name the dimensions of an array.
+"""Annotations of kernels that Python calls, and the signatures that follow from them.
 
-A kernel that Python calls states with them what the library, numba and the WebAssembly module
-expect: C-contiguous, writable arrays of one type and one number of dimensions.
+They state the dimensions of each array.  The library, numba and the WebAssembly module all expect
+C-contiguous, writable arrays of that type.
 """
 
 from collections.abc import Callable, Iterator
@@ -25,7 +25,7 @@ SCALARS = (float, int, bool, complex)
 
 @dataclass(frozen=True)
 class Leaf:
-    """One value of a call that is not made of others.
+    """One number or array of a call, taken out of its tuples.
 
     Attributes
     ----------
@@ -81,12 +81,12 @@ class Signature:
 
 @cache
 def signature_of(function: Callable[..., object]) -> Signature:
-    """Return what the annotations of a function say.
+    """Return the signature that a function's annotations state.
 
     Raises
     ------
     TypeError
-        If one of them is none of those that Python may pass to a kernel.
+        If Python cannot pass an argument of that type to a kernel, or if it returns an array.
     """
     hints = get_type_hints(function, include_extras=True)
     result = hints.pop("return")
