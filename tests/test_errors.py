@@ -23,10 +23,7 @@ KINDS = (InputError, ModelError, OutputError, MissingKernelsError)
 
 def restitution_error(value: object = 1.2) -> InputError:
     return InputError(
-        name="restitution",
-        value=value,
-        valid="it must lie in (0, 1]",
-        hint="give a ratio of angular velocities",
+        "restitution", value, "it must lie in (0, 1]", "give a ratio of angular velocities"
     )
 
 
@@ -38,10 +35,7 @@ def test_the_line_of_an_input_error() -> None:
 
 def test_the_line_of_a_model_error() -> None:
     error = ModelError(
-        name="model",
-        value="linear",
-        valid="the linear equations have no vertical motion",
-        hint="take model='nonlinear'",
+        "model", "linear", "the linear equations have no vertical motion", "take model='nonlinear'"
     )
     assert str(error) == (
         "model = 'linear' is refused by the model: the linear equations have no vertical motion; "
@@ -50,18 +44,16 @@ def test_the_line_of_a_model_error() -> None:
 
 
 def test_the_line_of_an_output_error() -> None:
-    error = OutputError(
-        name="--plot", value=Path("a.png"), valid="the file exists", hint="add --force"
-    )
+    error = OutputError("--plot", Path("a.png"), "the file exists", "add --force")
     assert str(error) == "--plot = 'a.png' cannot be written: the file exists; add --force"
 
 
 def test_the_line_of_missing_kernels() -> None:
     error = MissingKernelsError(
-        name="compiled code",
-        value=Words("is missing"),
-        valid="there is no library for this system, and no numba",
-        hint="install numba",
+        "compiled code",
+        Words("is missing"),
+        "there is no library for this system, and no numba",
+        "install numba",
     )
     assert str(error) == (
         "compiled code is missing: there is no library for this system, and no numba; install numba"
@@ -161,7 +153,7 @@ def test_a_status_survives_pickle_as_itself() -> None:
 
 
 def test_what_is_no_value_is_stated_without_a_verdict_on_it() -> None:
-    error = InputError(name="--plot", value=Words("needs two sizes"), valid="it has one", hint="go")
+    error = InputError("--plot", Words("needs two sizes"), "it has one", "go")
     assert str(error) == "--plot needs two sizes: it has one; go"
     again = pickle.loads(pickle.dumps(error))
     assert str(again) == str(error)

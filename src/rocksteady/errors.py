@@ -59,7 +59,7 @@ class RocksteadyError(Exception):
 
     _verdict = "is not accepted"
 
-    def __init__(self, *, name: str, value: object, valid: str, hint: str) -> None:
+    def __init__(self, name: str, value: object, valid: str, hint: str) -> None:
         self.name = name
         self.value = value
         self.valid = valid
@@ -68,10 +68,10 @@ class RocksteadyError(Exception):
         super().__init__(f"{_cut(name)} {given}: {valid}; {hint}")
 
     def __reduce__(self) -> tuple[object, ...]:
-        # An exception is rebuilt from its positional arguments unless told otherwise; ours has
-        # none, and it has to come back whole from a worker process, with the notes added there.
-        parts = (type(self), self.name, self.value, self.valid, self.hint)
-        return _rebuilt, parts, self.__dict__
+        # pickle would rebuild it from the message; it has to come back whole from a worker
+        # process, with the notes added there.
+        parts = (self.name, self.value, self.valid, self.hint)
+        return type(self), parts, self.__dict__
 
 
 class InputError(RocksteadyError, ValueError):
@@ -82,10 +82,10 @@ class InputError(RocksteadyError, ValueError):
     Examples
     --------
     >>> raise InputError(
-    ...     name="restitution",
-    ...     value=1.2,
-    ...     valid="it must lie in (0, 1]",
-    ...     hint="give the ratio of the angular velocities after and before an impact",
+    ...     "restitution",
+    ...     1.2,
+    ...     "it must lie in (0, 1]",
+    ...     "give the ratio of the angular velocities after and before an impact",
     ... )
     Traceback (most recent call last):
     ...
@@ -265,13 +265,6 @@ def _cut(name: object) -> str:
         return text
     half = (_LONGEST_VALUE - len(" ... ")) // 2
     return f"{text[:half]} ... {text[-half:]}"
-
-
-def _rebuilt(
-    kind: type[RocksteadyError], name: str, value: object, valid: str, hint: str
-) -> RocksteadyError:
-    """Make an error again from its parts, for pickle."""
-    return kind(name=name, value=value, valid=valid, hint=hint)
 
 
 def _rebuilt_of_file(

@@ -55,10 +55,10 @@ def validated_grid(
         )
     except ValueError:
         raise InputError(
-            name="shapes",
-            value=(amplitudes.shape, ratios.shape, restitutions.shape, orders.shape),
-            valid="the arguments must broadcast against each other",
-            hint="give arrays of one shape, or add axes with [:, np.newaxis]",
+            "shapes",
+            (amplitudes.shape, ratios.shape, restitutions.shape, orders.shape),
+            "the arguments must broadcast against each other",
+            "give arrays of one shape, or add axes with [:, np.newaxis]",
         ) from None
     # Copies, so that the kernels see one type of array: read-only ones would be compiled for anew.
     a, w, r = (
@@ -80,10 +80,7 @@ def real_array(name: str, values: ArrayLike) -> Floats:
         return np.asarray(numeric_array(name, values)).astype(np.float64)
     except UnfitError:
         raise InputError(
-            name=name,
-            value=values,
-            valid="it must be a real number or an array of them",
-            hint="give floats",
+            name, values, "it must be a real number or an array of them", "give floats"
         ) from None
 
 
@@ -101,5 +98,5 @@ def order_of_orbit(value: object) -> int:
     order = odd_order(value)
     if order > HIGHEST_ORDER:
         valid = f"it must be at most {HIGHEST_ORDER}"
-        raise InputError(name="order", value=value, valid=valid, hint="use 1, 3, 5, ...")
+        raise InputError("order", value, valid, "use 1, 3, 5, ...")
     return order

@@ -84,26 +84,23 @@ def validated_axes(axes: Iterable[str], fixed: Iterable[str] = ()) -> tuple[str,
     names = (*moved, *fixed)
     if not moved:
         raise InputError(
-            name="axes",
-            value=names,
-            valid="a map has one axis or more",
-            hint="give a mapping of names to values, as {'amplitude': [1.0, 2.0]}",
+            "axes",
+            names,
+            "a map has one axis or more",
+            "give a mapping of names to values, as {'amplitude': [1.0, 2.0]}",
         )
     for name in names:
         if name not in AXES:
             raise InputError(
-                name="axes",
-                value=name,
-                valid="there is no parameter of that name",
-                hint="choose from " + ", ".join(AXES),
+                "axes", name, "there is no parameter of that name", "choose from " + ", ".join(AXES)
             )
     for pair in combinations(names, 2):
         if pair[0] == pair[1] or set(pair) in TWICE:
             raise ModelError(
-                name="axes",
-                value=Words(f"hold both {pair[0]} and {pair[1]}"),
-                valid="they say one thing in two ways",
-                hint=f"leave {pair[0]} or {pair[1]} out",
+                "axes",
+                Words(f"hold both {pair[0]} and {pair[1]}"),
+                "they say one thing in two ways",
+                f"leave {pair[0]} or {pair[1]} out",
             )
     return moved
 

@@ -85,19 +85,16 @@ class RecordSet:
         """
         if method not in {"trim", "pad"}:
             raise InputError(
-                name="method",
-                value=method,
-                valid="it must be a way of making lengths equal",
-                hint="use trim or pad",
+                "method", method, "it must be a way of making lengths equal", "use trim or pad"
             )
         channels = self.recordings
         intervals = sorted({one.record.dt_s for one in channels})
         if len(intervals) > 1:
             raise InputError(
-                name="dt_s",
-                value=intervals,
-                valid=f"the channels of {self.name} have different intervals between samples",
-                hint="bring them to one first (rocksteady.resampled)",
+                "dt_s",
+                intervals,
+                f"the channels of {self.name} have different intervals between samples",
+                "bring them to one first (rocksteady.resampled)",
             )
         shifts = _shifts(channels)
         ends = [
@@ -107,10 +104,10 @@ class RecordSet:
         first, last = (max(shifts), min(ends)) if method == "trim" else (min(shifts), max(ends))
         if last - first < 2:
             raise InputError(
-                name="method",
-                value=method,
-                valid=f"the channels of {self.name} have no time in common",
-                hint="see whether they are of one earthquake, or pad",
+                "method",
+                method,
+                f"the channels of {self.name} have no time in common",
+                "see whether they are of one earthquake, or pad",
             )
         moved = [
             _cut(one, first - shift, last - shift)

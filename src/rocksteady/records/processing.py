@@ -92,10 +92,7 @@ def resampled(
     step = positive("dt_s", dt_s, hint="give the new time between samples in seconds")
     if method not in ("linear", "filtered"):
         raise InputError(
-            name="method",
-            value=method,
-            valid="it must be a way of resampling",
-            hint="use linear or filtered",
+            "method", method, "it must be a way of resampling", "use linear or filtered"
         )
     record = recording.record
     if math.isclose(step, record.dt_s, rel_tol=1.0e-9):
@@ -107,10 +104,10 @@ def resampled(
     count = math.floor(steps) + 1 if steps < _MOST_SAMPLES else _MOST_SAMPLES + 1
     if not 2 <= count <= _MOST_SAMPLES:
         raise InputError(
-            name="dt_s",
-            value=dt_s,
-            valid=f"{record.duration_s:g} s would have {max(1.0, steps):.10g} samples",
-            hint=f"give an interval near the record's, {record.dt_s:g} s",
+            "dt_s",
+            dt_s,
+            f"{record.duration_s:g} s would have {max(1.0, steps):.10g} samples",
+            f"give an interval near the record's, {record.dt_s:g} s",
         )
     values = record.acceleration_m_s2
     if method == "linear":
@@ -154,10 +151,10 @@ def _order(baseline: str) -> int | None:
     if known and 0 <= int(order) <= _HIGHEST_ORDER:
         return int(order)
     raise InputError(
-        name="baseline",
-        value=baseline,
-        valid="it must be a way of taking off a baseline",
-        hint=f"use none, mean, linear or polynomial:N with N up to {_HIGHEST_ORDER}",
+        "baseline",
+        baseline,
+        "it must be a way of taking off a baseline",
+        f"use none, mean, linear or polynomial:N with N up to {_HIGHEST_ORDER}",
     )
 
 
@@ -176,10 +173,10 @@ def _filtered(values: "Floats", old: float, new: float) -> "Floats":
     ratio = Fraction(old / new).limit_denominator(1000)
     if ratio.numerator > 1000 or abs(float(ratio) * new / old - 1.0) > 1.0e-9:
         raise InputError(
-            name="dt_s",
-            value=new,
-            valid=f"its ratio to {old:g} s must be one of whole numbers up to 1000",
-            hint="give such an interval, or method linear",
+            "dt_s",
+            new,
+            f"its ratio to {old:g} s must be one of whole numbers up to 1000",
+            "give such an interval, or method linear",
         )
     result: Floats = resample_poly(values, ratio.numerator, ratio.denominator, padtype="line")
     return result

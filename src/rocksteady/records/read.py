@@ -94,9 +94,7 @@ def read_recordings(
     given = Given(units=units, dt_s=dt_s, column=column, resample=resample)
     if format is not None and format not in FORMATS:
         hint = f"use one of {', '.join(FORMATS)}, or leave it out"
-        raise InputError(
-            name="format", value=format, valid="it must be a format that can be read", hint=hint
-        )
+        raise InputError("format", format, "it must be a format that can be read", hint)
     file = Path(path)
     data = file_bytes(file)
     # What overflows is refused when the record is made.
@@ -218,10 +216,10 @@ def chosen(recordings: tuple[Recording, ...], channel: str | int | None) -> Reco
         if len(recordings) == 1:
             return recordings[0]
         raise InputError(
-            name="channel",
-            value=Words("is not given"),
-            valid=f"{recordings[0].path} holds {len(recordings)} channels",
-            hint=f"choose one: {listed}",
+            "channel",
+            Words("is not given"),
+            f"{recordings[0].path} holds {len(recordings)} channels",
+            f"choose one: {listed}",
         )
     wanted = str(channel).strip().lower()
     if isinstance(channel, str):
@@ -231,8 +229,5 @@ def chosen(recordings: tuple[Recording, ...], channel: str | int | None) -> Reco
     if len(wanted) < 10 and wanted.isdecimal() and 1 <= int(wanted) <= len(recordings):
         return recordings[int(wanted) - 1]
     raise InputError(
-        name="channel",
-        value=channel,
-        valid=f"{recordings[0].path} has no such channel",
-        hint=f"choose one: {listed}",
+        "channel", channel, f"{recordings[0].path} has no such channel", f"choose one: {listed}"
     )

@@ -45,23 +45,21 @@ def check_folder(folder: Path | str, ours: str, *, force: bool = False) -> None:
         target.exists()
     except OSError as error:  # a name of too many characters
         raise OutputError(
-            name="out", value=target, valid=error.strerror or str(error), hint="name another folder"
+            "out", target, error.strerror or str(error), "name another folder"
         ) from error
     if target.is_dir():
         named = sorted(file for file in target.iterdir() if re.fullmatch(ours, file.name))
         for file in named:
             found = durable.obstacle(file)
             if found is not None:
-                raise OutputError(
-                    name="out", value=file, valid=found[0], hint="move it, or name another folder"
-                )
+                raise OutputError("out", file, found[0], "move it, or name another folder")
         held = [] if force else [file.name for file in named]
         if held:
             raise OutputError(
-                name="out",
-                value=target,
-                valid=f"it holds {held[0]}" + (f" and {len(held) - 1} more" if held[1:] else ""),
-                hint="add --force to replace them, or name another folder",
+                "out",
+                target,
+                f"it holds {held[0]}" + (f" and {len(held) - 1} more" if held[1:] else ""),
+                "add --force to replace them, or name another folder",
             )
     if os.path.lexists(target) and not target.is_dir():
         valid, hint = "it is a file", "name a folder"
@@ -71,7 +69,7 @@ def check_folder(folder: Path | str, ours: str, *, force: bool = False) -> None:
         valid, hint = "it is not writable", "choose another folder"
     else:
         return
-    raise OutputError(name="out", value=target, valid=valid, hint=hint)
+    raise OutputError("out", target, valid, hint)
 
 
 def fill_folder(
@@ -110,10 +108,10 @@ def fill_folder(
             return [_moved(file, target / file.name) for file in sorted(Path(stage).iterdir())]
     except OSError as error:
         raise OutputError(
-            name="out",
-            value=target,
-            valid=error.strerror or str(error),
-            hint="check the folder and the space that is left",
+            "out",
+            target,
+            error.strerror or str(error),
+            "check the folder and the space that is left",
         ) from error
     finally:
         if made:

@@ -77,7 +77,7 @@ class Parts:
             )
 
     def _refused(self, valid: str, hint: str) -> OutputError:
-        return OutputError(name="out", value=self.study, valid=valid, hint=hint)
+        return OutputError("out", self.study, valid, hint)
 
     def _foreign(self, *, described: bool) -> list[str]:
         """Return what has the name of a part, or lies in one, and no study wrote: relative paths.

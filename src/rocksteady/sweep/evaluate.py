@@ -179,10 +179,10 @@ def _check_names(task: Task) -> None:
     bound = constants_of(task).keys() & set(names)
     if bound:
         raise InputError(
-            name="cases",
-            value=min(bound),
-            valid="a constant may not have the name of an axis",
-            hint="leave it out of the functools.partial",
+            "cases",
+            min(bound),
+            "a constant may not have the name of an axis",
+            "leave it out of the functools.partial",
         )
 
 
@@ -192,10 +192,7 @@ def _place(store: Store | Path | str | None) -> Store | None:
         return store
     if not isinstance(store, Path | str):
         raise InputError(
-            name="store",
-            value=store,
-            valid="it must be a path or a Store",
-            hint="give a path, as 'map.zarr'",
+            "store", store, "it must be a path or a Store", "give a path, as 'map.zarr'"
         )
     return Store(store)
 

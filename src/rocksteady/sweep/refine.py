@@ -195,7 +195,7 @@ def _spacing(coarse: object) -> int:
     hint = "give 4, 8 or 16"
     spacing = whole_number("refine", coarse, at_least=1, at_most=COARSEST, hint=hint)
     if spacing & (spacing - 1):
-        raise InputError(name="refine", value=coarse, valid="it must be a power of two", hint=hint)
+        raise InputError("refine", coarse, "it must be a power of two", hint)
     return spacing
 
 
@@ -203,8 +203,8 @@ def _check_classes(classes: Sequence[str], outputs: Sequence[Output]) -> None:
     whole = [output.name for output in outputs if output.dtype.kind in "bi"]
     if not classes or not set(classes) <= set(whole):
         raise InputError(
-            name="classes",
-            value=tuple(classes),
-            valid=f"a class is made of integer outputs, here {', '.join(whole) or 'none'}",
-            hint="name one or more of them",
+            "classes",
+            tuple(classes),
+            f"a class is made of integer outputs, here {', '.join(whole) or 'none'}",
+            "name one or more of them",
         )

@@ -59,7 +59,7 @@ def test_no_value_of_a_flag_is_dropped_or_taken_for_another(tmp_path: Path) -> N
 
 
 def test_a_refusal_names_a_flag_with_its_value_or_a_finding() -> None:
-    one = FlagError(name="--phase", value=1.5, valid="it has none", hint="leave it out")
+    one = FlagError("--phase", 1.5, "it has none", "leave it out")
     assert str(one) == "--phase = 1.5 is not accepted: it has none; leave it out"
     assert isinstance(one, ModelError)
     other = FlagError(finding="neither is given", valid="one is needed", hint="give one")

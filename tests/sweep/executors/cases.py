@@ -44,7 +44,7 @@ def slow(a: Floats, b: Floats, *, seconds: float = 0.002) -> Found:
 def failing(a: Floats, b: Floats, *, kind: str) -> Found:
     if (b == 13.0).any():
         if kind == "ours":
-            raise InputError(name="b", value=13.0, valid="it is another", hint="give another")
+            raise InputError("b", 13.0, "it is another", "give another")
         raise ZeroDivisionError("as it happens")
     return some(a, b)
 

@@ -20,7 +20,7 @@ from tests.sweep.store.faults import CHUNKS
 
 
 def refused(valid: str) -> RocksteadyError:
-    return OutputError(name="store", value="a.zarr", valid=valid, hint="name another")
+    return OutputError("store", "a.zarr", valid, "name another")
 
 
 def contents(folder: Path) -> Contents:

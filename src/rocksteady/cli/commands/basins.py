@@ -118,10 +118,10 @@ def basins(
     ratio = single("frequency_ratio", ratios)
     if seed is not None and len(amplitudes) > 1:
         raise FlagError(
-            name="seed",
-            value=seed,
-            valid="safe basins are computed at the points of a grid",
-            hint="leave it out, or give one amplitude",
+            "seed",
+            seed,
+            "safe basins are computed at the points of a grid",
+            "leave it out, or give one amplitude",
         )
     first = Harmonic(amplitude=amplitudes[0], frequency_ratio=ratio, phase=phase)
     chosen: dict[str, Any] = {

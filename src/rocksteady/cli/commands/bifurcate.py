@@ -177,10 +177,10 @@ def bifurcate(
     whole_number("max_branches", max_branches, at_least=1, at_most=10 * MOST, hint=hint)
     if doublings is not None and not cascade:
         raise FlagError(
-            name="doublings",
-            value=doublings,
-            valid="without --cascade it has no meaning",
-            hint="add --cascade, or leave it out",
+            "doublings",
+            doublings,
+            "without --cascade it has no meaning",
+            "add --cascade, or leave it out",
         )
     many = DOUBLINGS if doublings is None else doublings
     whole_number("doublings", many, at_least=1, at_most=8, hint=hint)
@@ -262,10 +262,10 @@ def check_top(top: float | None, output: OutputFlags) -> None:
     positive("top", top, hint="give an angle in units of alpha, as 1.5")
     if output.plot is None:
         raise FlagError(
-            name="top",
-            value=top,
-            valid="without --plot it has no meaning",
-            hint="add --plot diagram.png, or leave it out",
+            "top",
+            top,
+            "without --plot it has no meaning",
+            "add --plot diagram.png, or leave it out",
         )
 
 

@@ -94,10 +94,10 @@ def maps(
         _check_drawable(case)
     if sweep.out is not None and refine is not None:
         raise FlagError(
-            name="--refine",
-            value=refine,
-            valid="a store holds every cell of its grid",
-            hint="leave --out or --refine out",
+            "--refine",
+            refine,
+            "a store holds every cell of its grid",
+            "leave --out or --refine out",
         )
     store = sweep.store(force=output.force)
 
@@ -153,8 +153,5 @@ def _check_drawable(case: MapCase) -> None:
         panels_axis({name: len(values) for name, values in case.axes.items()})
     except InputError as error:
         raise InputError(
-            name="--plot",
-            value=error.value,
-            valid=error.valid,
-            hint="leave --plot out, or give fewer axes and values",
+            "--plot", error.value, error.valid, "leave --plot out, or give fewer axes and values"
         ) from None

@@ -147,10 +147,10 @@ def overturn(
     within = _range(body, amplitude, accel_g)
     if output.plot is not None and len(ratios) < 2:
         raise FlagError(
-            name="--plot",
-            value=output.plot,
-            valid="a spectrum is drawn over two frequencies or more",
-            hint="give -W as an axis, as 0.5:8:200, or leave --plot out",
+            "--plot",
+            output.plot,
+            "a spectrum is drawn over two frequencies or more",
+            "give -W as an axis, as 0.5:8:200, or leave --plot out",
         )
     store = sweep.store(force=output.force)
 
@@ -220,10 +220,10 @@ def _range(
         return None if amplitude is None else _ends("--amplitude/-A", amplitude, lowest)
     if isinstance(body, DimensionlessBlock):
         raise FlagError(
-            name="--accel-g",
-            value=accel_g,
-            valid="g needs a block with a slenderness",
-            hint="describe a block, or give -A",
+            "--accel-g",
+            accel_g,
+            "g needs a block with a slenderness",
+            "describe a block, or give -A",
         )
     unit = body.uplift_acceleration / body.gravity
     low, high = _ends("--accel-g", accel_g, lowest * unit)
@@ -235,18 +235,18 @@ def _ends(flag: str, text: str, lowest: float) -> tuple[float, float]:
     parts = text.split(":")
     if len(parts) > 2:
         raise InputError(
-            name=flag,
-            value=text,
-            valid="it must be a number or a range",
-            hint="write the largest as 12, or low:high as 1:12; all in between is searched",
+            flag,
+            text,
+            "it must be a number or a range",
+            "write the largest as 12, or low:high as 1:12; all in between is searched",
         )
     ends = [number(flag, part) for part in parts]
     low, high = ends if len(ends) == 2 else (min(lowest, ends[0]), ends[0])
     if not 0.0 <= low < high:
         raise InputError(
-            name=flag,
-            value=text,
-            valid="the range must ascend from 0 or above",
-            hint=f"write it as {lowest:.4g}:{12 * lowest:.4g}",
+            flag,
+            text,
+            "the range must ascend from 0 or above",
+            f"write it as {lowest:.4g}:{12 * lowest:.4g}",
         )
     return low, high

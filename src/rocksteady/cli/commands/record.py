@@ -170,10 +170,10 @@ def sized(block: BlockFlags) -> Block | None:
     if isinstance(body, Block):
         return body
     raise FlagError(
-        name="restitution",
-        value=block.restitution,
-        valid="no measure of a record depends on it",
-        hint="describe a block by its size, or leave it out",
+        "restitution",
+        block.restitution,
+        "no measure of a record depends on it",
+        "describe a block by its size, or leave it out",
     )
 
 
@@ -193,10 +193,10 @@ def unit_of(units_out: str | None, output: OutputFlags) -> str:
         return "m/s^2"
     if output.csv is None:
         raise FlagError(
-            name="--units-out",
-            value=units_out,
-            valid="without --csv it has no meaning",
-            hint="add --csv record.csv, or leave it out",
+            "--units-out",
+            units_out,
+            "without --csv it has no meaning",
+            "add --csv record.csv, or leave it out",
         )
     return unit_named(units_out, "--units-out")
 
@@ -210,8 +210,8 @@ def refuse_several(file: Path, count: int) -> NoReturn:
         Always.
     """
     raise FlagError(
-        name="--csv",
-        value=file,
-        valid=f"it holds one record, and there are {count}",
-        hint="give one file, and --channel where that has several",
+        "--csv",
+        file,
+        f"it holds one record, and there are {count}",
+        "give one file, and --channel where that has several",
     )

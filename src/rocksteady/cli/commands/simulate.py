@@ -191,10 +191,10 @@ def refuse_cycles(cycles: float | None, thing: str) -> None:
     """
     if cycles is not None:
         raise FlagError(
-            name="--cycles",
-            value=cycles,
-            valid=f"{thing} ends, and the block is followed to rest or overturning",
-            hint="leave it out",
+            "--cycles",
+            cycles,
+            f"{thing} ends, and the block is followed to rest or overturning",
+            "leave it out",
         )
 
 
@@ -217,10 +217,10 @@ def refuse_beside_record(*, pulse: PulseFlags, shaking: ShakingFlags, phase: flo
     for flag, value in others.items():
         if value is not None:
             raise FlagError(
-                name=flag,
-                value=value,
-                valid="--record says how the base moves",
-                hint="leave one of the two out; --scale makes a record stronger",
+                flag,
+                value,
+                "--record says how the base moves",
+                "leave one of the two out; --scale makes a record stronger",
             )
 
 
@@ -242,8 +242,8 @@ def film_of_run(trajectory: "Trajectory", flags_of_film: AnimationFlags) -> "Fil
         # The command has no part of a run to offer, but the run can be made shorter.
         shaken = isinstance(trajectory.motion, Harmonic)
         raise InputError(
-            name="--animate",
-            value=flags_of_film.animate,
-            valid=error.valid,
-            hint="follow fewer periods with --cycles" if shaken else "give a --speed",
+            "--animate",
+            flags_of_film.animate,
+            error.valid,
+            "follow fewer periods with --cycles" if shaken else "give a --speed",
         ) from error

@@ -124,10 +124,10 @@ def spectrum(
     output.refuse_read(recorded.files, netcdf=sweep.netcdf)
     if recorded.vertical is not None and len(files) > 1:
         raise FlagError(
-            name="--vertical",
-            value=recorded.vertical,
-            valid=f"it belongs to one record, and there are {len(files)}",
-            hint="give one --record, or a list of each to rocking_spectrum in Python",
+            "--vertical",
+            recorded.vertical,
+            f"it belongs to one record, and there are {len(files)}",
+            "give one --record, or a list of each to rocking_spectrum in Python",
         )
     refuse_of_linear(model, "--vertical", recorded.vertical)
     slenderness = _slenderness(alpha_rad, alpha_deg)
@@ -243,10 +243,10 @@ def _restitution(text: str | None) -> "Restitution":
     found = restitution_from(text, default="housner")
     if isinstance(found, tuple):
         raise InputError(
-            name="restitution",
-            value=text,
-            valid="both sides of a rectangle are alike",
-            hint="give one number, or 'housner'",
+            "restitution",
+            text,
+            "both sides of a rectangle are alike",
+            "give one number, or 'housner'",
         )
     return found
 

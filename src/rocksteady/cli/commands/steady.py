@@ -66,10 +66,10 @@ def steady(
     amplitudes, ratios = shaking.of(body)
     if output.plot is not None and len(amplitudes) > 1 and len(ratios) == 1:
         raise FlagError(
-            name="--plot",
-            value=output.plot,
-            valid="response curves are drawn over frequency ratios, and there is one",
-            hint="give -W as an axis start:stop:count, or take --csv",
+            "--plot",
+            output.plot,
+            "response curves are drawn over frequency ratios, and there is one",
+            "give -W as an axis start:stop:count, or take --csv",
         )
     announce_compilation("closed_form.fill_steady")
     import numpy as np

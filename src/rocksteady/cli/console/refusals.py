@@ -35,14 +35,14 @@ class FlagError(ModelError):
 
     def __init__(
         self,
-        *,
-        valid: str,
-        hint: str,
         name: str = "",
         value: object = None,
+        valid: str = "",
+        hint: str = "",
+        *,
         finding: str | None = None,
     ) -> None:
-        super().__init__(name=name, value=value, valid=valid, hint=hint)
+        super().__init__(name, value, valid, hint)
         if finding is not None:
             self.args = (f"{finding}: {valid}; {hint}",)
 
@@ -103,19 +103,16 @@ def _check_paths(command: TyperCommand, found: dict[str, Any]) -> None:
         for value in given if isinstance(given, list | tuple) else [given]:
             if value == "":
                 raise FlagError(
-                    name=flag,
-                    value=value,
-                    valid="it is empty, which would mean this folder",
-                    hint="name a file or a folder",
+                    flag,
+                    value,
+                    "it is empty, which would mean this folder",
+                    "name a file or a folder",
                 )
             if isinstance(value, str) and any(
                 len(os.fsencode(part)) > LONGEST_NAME for part in Path(value).parts
             ):
                 raise FlagError(
-                    name=flag,
-                    value=value,
-                    valid=f"names in a path have at most {LONGEST_NAME} bytes",
-                    hint="shorten it",
+                    flag, value, f"names in a path have at most {LONGEST_NAME} bytes", "shorten it"
                 )
 
 

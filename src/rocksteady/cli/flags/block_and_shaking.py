@@ -53,10 +53,10 @@ class ShakingFlags:
         for flag, value in (("--accel-g", self.accel_g), ("--freq-hz", self.freq_hz)):
             if value is not None and isinstance(block, DimensionlessBlock):
                 raise FlagError(
-                    name=flag,
-                    value=value,
-                    valid="g and Hz need a block with a slenderness and a p",
-                    hint="describe a block, or give -A and -W",
+                    flag,
+                    value,
+                    "g and Hz need a block with a slenderness and a p",
+                    "describe a block, or give -A and -W",
                 )
         for flag, one, alias, other in (
             ("--amplitude/-A", self.amplitude, "--accel-g", self.accel_g),
@@ -102,10 +102,10 @@ class ShakingFlags:
         amplitudes, ratios = given["amplitude"], given["frequency_ratio"]
         if len(amplitudes) * len(ratios) > MOST_AXIS_POINTS:
             raise InputError(
-                name="-A and -W",
-                value=f"{len(amplitudes)} amplitudes x {len(ratios)} frequencies",
-                valid=f"they may have {MOST_AXIS_POINTS} points together",
-                hint="take fewer points",
+                "-A and -W",
+                f"{len(amplitudes)} amplitudes x {len(ratios)} frequencies",
+                f"they may have {MOST_AXIS_POINTS} points together",
+                "take fewer points",
             )
         return amplitudes, ratios
 
@@ -141,10 +141,10 @@ class PulseFlags:
         """
         if self.pulse is None and self.oscillations is not None:
             raise FlagError(
-                name="oscillations",
-                value=self.oscillations,
-                valid="without --pulse it has no meaning",
-                hint="add --pulse mavroeidis-papageorgiou, or leave it out",
+                "oscillations",
+                self.oscillations,
+                "without --pulse it has no meaning",
+                "add --pulse mavroeidis-papageorgiou, or leave it out",
             )
         return self.pulse is not None
 
@@ -210,10 +210,10 @@ class BlockFlags:
         if not given and self.block is None:
             if self.gravity_m_s2 is not None:
                 raise FlagError(
-                    name="--gravity-m-s2",
-                    value=self.gravity_m_s2,
-                    valid="without a block gravity has no meaning",
-                    hint="describe a block, or leave it out",
+                    "--gravity-m-s2",
+                    self.gravity_m_s2,
+                    "without a block gravity has no meaning",
+                    "describe a block, or leave it out",
                 )
             ratio = restitution_from(self.restitution, default=None)
             first, second = ratio if isinstance(ratio, tuple) else (ratio, None)
@@ -317,10 +317,10 @@ def equations_for(model: str, body: Block | DimensionlessBlock) -> "ModelName":
     """
     if model == "nonlinear" and not isinstance(body, Block):
         raise FlagError(
-            name="--model",
-            value=model,
-            valid="the full equations need the block's slenderness",
-            hint="give the block, as --alpha-rad 0.3 --radius-m 1 or --width-m 0.4 --height-m 1.2",
+            "--model",
+            model,
+            "the full equations need the block's slenderness",
+            "give the block, as --alpha-rad 0.3 --radius-m 1 or --width-m 0.4 --height-m 1.2",
         )
     return cast("ModelName", model)
 
@@ -335,8 +335,8 @@ def refuse_of_linear(model: str, name: str, value: object) -> None:
     """
     if model == "linear" and value is not None:
         raise FlagError(
-            name=name,
-            value=value,
-            valid="only the nonlinear model has it",
-            hint="leave it out, or take --model nonlinear",
+            name,
+            value,
+            "only the nonlinear model has it",
+            "leave it out, or take --model nonlinear",
         )

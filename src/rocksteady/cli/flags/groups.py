@@ -52,22 +52,20 @@ class OutputFlags:
         for flag, value in (("--width", self.width), ("--legend", self.legend)):
             if value is not None and self.plot is None:
                 raise FlagError(
-                    name=flag,
-                    value=value,
-                    valid="without --plot it has no meaning",
-                    hint="add --plot figure.pdf, or leave it out",
+                    flag,
+                    value,
+                    "without --plot it has no meaning",
+                    "add --plot figure.pdf, or leave it out",
                 )
         if self.plot is not None and self.plot.suffix.lower() not in FIGURE_FORMATS:
             raise OutputError(
-                name="--plot",
-                value=self.plot,
-                valid="the ending says the format: " + ", ".join(FIGURE_FORMATS),
-                hint="rename it",
+                "--plot",
+                self.plot,
+                "the ending says the format: " + ", ".join(FIGURE_FORMATS),
+                "rename it",
             )
         if same_file(self.plot, self.csv):
-            raise OutputError(
-                name="--csv", value=self.csv, valid="--plot writes the same file", hint="rename one"
-            )
+            raise OutputError("--csv", self.csv, "--plot writes the same file", "rename one")
         for flag, file in (("--plot", self.plot), ("--csv", self.csv)):
             if file is not None:
                 check_writable(flag, file, force=self.force)
@@ -90,10 +88,7 @@ class OutputFlags:
         for name, file in {"plot": self.plot, "csv": self.csv, **more}.items():
             if any(same_file(file, other) for other in read):
                 raise OutputError(
-                    name=f"--{name}",
-                    value=file,
-                    valid="the command reads this file",
-                    hint="name another one",
+                    f"--{name}", file, "the command reads this file", "name another one"
                 )
 
     @property
@@ -144,26 +139,20 @@ class AnimationFlags:
         if self.animate is None:
             if self.speed is not None:
                 raise FlagError(
-                    name="speed",
-                    value=self.speed,
-                    valid="without --animate it has no meaning",
-                    hint="add --animate run.gif, or leave it out",
+                    "speed",
+                    self.speed,
+                    "without --animate it has no meaning",
+                    "add --animate run.gif, or leave it out",
                 )
             return
         if self.animate.suffix.lower() != ".gif":
             raise OutputError(
-                name="--animate",
-                value=self.animate,
-                valid="the ending says the format: .gif",
-                hint="rename it",
+                "--animate", self.animate, "the ending says the format: .gif", "rename it"
             )
         for flag, file in (("--plot", output.plot), ("--csv", output.csv)):
             if same_file(self.animate, file):
                 raise OutputError(
-                    name="--animate",
-                    value=self.animate,
-                    valid=f"{flag} writes the same file",
-                    hint="rename one",
+                    "--animate", self.animate, f"{flag} writes the same file", "rename one"
                 )
         check_writable("--animate", self.animate, force=output.force)
 

@@ -90,10 +90,10 @@ class MapStartFlags:
             state = {name: axis("start", text) for name, text in halves.items()}
         except InputError as error:
             valid = error.valid if ":" in self.start else "it is not two numbers"
-            raise InputError(name="start", value=self.start, valid=valid, hint=HINT) from None
+            raise InputError("start", self.start, valid, HINT) from None
         if not all(math.isfinite(value) for values in state.values() for value in values):
             valid = "its numbers must be finite"
-            raise InputError(name="start", value=self.start, valid=valid, hint=HINT)
+            raise InputError("start", self.start, valid, HINT)
         return state
 
     def at_first(self) -> StartFlags:
@@ -121,9 +121,7 @@ class MapStartFlags:
             text = typed.get(error.name.removeprefix("--"))
             if text is None:
                 raise
-            raise FlagError(
-                name=error.name, value=text, valid=error.valid, hint=error.hint
-            ) from error
+            raise FlagError(error.name, text, error.valid, error.hint) from error
 
     @property
     def _per_pivot_time(self) -> bool:
@@ -150,10 +148,10 @@ class MapStartFlags:
             return found
         if not one_for_all:
             raise FlagError(
-                name="start",
-                value=self.start,
-                valid="where omega/p moves, du/dtau is another velocity in each cell",
-                hint="give du/d(pt), as 0.4,w=0.1",
+                "start",
+                self.start,
+                "where omega/p moves, du/dtau is another velocity in each cell",
+                "give du/d(pt), as 0.4,w=0.1",
             )
         return [velocity * shaking.frequency_ratio for velocity in found]
 

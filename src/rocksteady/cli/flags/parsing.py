@@ -35,9 +35,7 @@ def number(flag: str, text: str) -> float:
     try:
         return decimal(text)
     except ValueError:
-        raise InputError(
-            name=flag, value=text, valid="it must be a number", hint="write it as 2 or 0.35"
-        ) from None
+        raise InputError(flag, text, "it must be a number", "write it as 2 or 0.35") from None
 
 
 def axis(flag: str, text: str) -> list[float]:
@@ -56,23 +54,23 @@ def axis(flag: str, text: str) -> list[float]:
         return [number(flag, text)]
     hint = "write start:stop:count or log:start:stop:count, as 0.5:12:200"
     if len(ends) != 3 or not (ends[2].isascii() and ends[2].isdigit()):
-        raise InputError(name=flag, value=text, valid="it must be a number or an axis", hint=hint)
+        raise InputError(flag, text, "it must be a number or an axis", hint)
     start, stop = number(flag, ends[0]), number(flag, ends[1])
     count = int(ends[2].lstrip("0")[:9] or "0")  # nine digits are too many, as are any more
     if not (math.isfinite(start) and math.isfinite(stop)):
-        raise InputError(name=flag, value=text, valid="the ends must be finite", hint=hint)
+        raise InputError(flag, text, "the ends must be finite", hint)
     if not 2 <= count <= MOST_AXIS_POINTS:
         valid = f"an axis has from 2 to {MOST_AXIS_POINTS} points"
-        raise InputError(name=flag, value=text, valid=valid, hint=hint)
+        raise InputError(flag, text, valid, hint)
     if logarithmic and not (start > 0.0 and stop > 0.0):
         valid = "the ends of a logarithmic axis must be above 0"
-        raise InputError(name=flag, value=text, valid=valid, hint=hint)
+        raise InputError(flag, text, valid, hint)
     last = count - 1
     if logarithmic:
         quotient = stop / start
         if not 0.0 < quotient < math.inf:
             valid = "the ends of a logarithmic axis must not lie so far apart"
-            raise InputError(name=flag, value=text, valid=valid, hint=hint)
+            raise InputError(flag, text, valid, hint)
         return in_equal_ratios(start, stop, count)
     return [start, *(start + (stop - start) * i / last for i in range(1, last)), stop]
 
@@ -96,10 +94,10 @@ def restitution_from(text: str | None, *, default: Restitution | None) -> Restit
     if text == "housner":
         if default is None:
             raise InputError(
-                name="restitution",
-                value=text,
-                valid="Housner's value follows from a block's slenderness",
-                hint="describe a block, or give a number in (0, 1]",
+                "restitution",
+                text,
+                "Housner's value follows from a block's slenderness",
+                "describe a block, or give a number in (0, 1]",
             )
         return "housner"
     first, comma, second = text.partition(",")
@@ -107,10 +105,10 @@ def restitution_from(text: str | None, *, default: Restitution | None) -> Restit
         return (decimal(first), decimal(second)) if comma else decimal(text)
     except ValueError:
         raise InputError(
-            name="restitution",
-            value=text,
-            valid="it must be a number in (0, 1], two of them, or 'housner'",
-            hint="write it as -r 0.8, or -r 0.8,0.9",
+            "restitution",
+            text,
+            "it must be a number in (0, 1], two of them, or 'housner'",
+            "write it as -r 0.8, or -r 0.8,0.9",
         ) from None
 
 

@@ -198,10 +198,10 @@ class ReadingFlags:
         upright = tuple(one for one in found if one.orientation == "vertical")
         if len(found) > 1 and len(upright) != 1:
             raise InputError(
-                name="--vertical",
-                value=file,
-                valid=f"of its {len(found)} channels {len(upright)} are vertical",
-                hint="give a file with one channel",
+                "--vertical",
+                file,
+                f"of its {len(found)} channels {len(upright)} are vertical",
+                "give a file with one channel",
             )
         (one,) = self._ready(file, upright if len(found) > 1 else found)
         if one.orientation is None:
@@ -283,10 +283,10 @@ class RecordFlags:
         """
         if self.reverse_vertical and self.vertical is None:
             raise FlagError(
-                name="--reverse-vertical",
-                value=True,
-                valid="without --vertical it has no meaning",
-                hint="add --vertical FILE, or leave it out",
+                "--reverse-vertical",
+                True,
+                "without --vertical it has no meaning",
+                "add --vertical FILE, or leave it out",
             )
         if self.record:
             return True
@@ -298,10 +298,10 @@ class RecordFlags:
         idle = reading.given | {flag: value for flag, value in own.items() if value is not None}
         for flag, value in idle.items():
             raise FlagError(
-                name=flag,
-                value=value,
-                valid="without --record it has no meaning",
-                hint="add --record FILE, or leave it out",
+                flag,
+                value,
+                "without --record it has no meaning",
+                "add --record FILE, or leave it out",
             )
         return False
 
@@ -331,10 +331,10 @@ class RecordFlags:
         if isinstance(body, Block):
             return body
         raise FlagError(
-            name="--record",
-            value=(self.record or [])[0],
-            valid="m/s^2 and seconds need a block with a slenderness and a p",
-            hint="describe a block, as --width-m 0.4 --height-m 1.6",
+            "--record",
+            (self.record or [])[0],
+            "m/s^2 and seconds need a block with a slenderness and a p",
+            "describe a block, as --width-m 0.4 --height-m 1.6",
         )
 
     def recording(self, reading: ReadingFlags) -> "Recording":

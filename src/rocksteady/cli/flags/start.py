@@ -60,31 +60,29 @@ class StartFlags:
             If a steady start has a phase, or something needs shaking and there is none.
         """
         if self.side not in ("+", "-"):
-            raise InputError(
-                name="side", value=self.side, valid="it must be + or -", hint="give + or -"
-            )
+            raise InputError("side", self.side, "it must be + or -", "give + or -")
         if self.start in STEADY and self.phase is not None:
             raise FlagError(
-                name="--phase",
-                value=self.phase,
-                valid="a steady state decides its phase",
-                hint="leave --phase or --start steady out",
+                "--phase",
+                self.phase,
+                "a steady state decides its phase",
+                "leave --phase or --start steady out",
             )
         if shaken:
             return
         if self.start in STEADY:
             raise FlagError(
-                name="--start",
-                value=self.start,
-                valid="a steady state needs shaking",
-                hint="give shaking with -A and -W, or another start as 0.5,w=0",
+                "--start",
+                self.start,
+                "a steady state needs shaking",
+                "give shaking with -A and -W, or another start as 0.5,w=0",
             )
         if self.start == "rest":
             raise FlagError(
-                name="--start",
-                value=self.start,
-                valid="on a still base a block at rest stays there",
-                hint="give shaking with -A and -W, or let the block go: --start 0.5,w=0",
+                "--start",
+                self.start,
+                "on a still base a block at rest stays there",
+                "give shaking with -A and -W, or let the block go: --start 0.5,w=0",
             )
         refuse_without_shaking("--phase", self.phase)
 
@@ -111,10 +109,10 @@ class StartFlags:
         ):
             if value != idle:
                 raise FlagError(
-                    name=name,
-                    value=value,
-                    valid=f"only a steady start has {thing}",
-                    hint="add --start steady, or leave it out",
+                    name,
+                    value,
+                    f"only a steady start has {thing}",
+                    "add --start steady, or leave it out",
                 )
         return Rest() if self.start == "rest" else state_from(self.start, frequency_ratio)
 
@@ -126,9 +124,7 @@ class StartFlags:
         except ModelError as error:
             if error.name != "start":
                 raise
-            raise FlagError(
-                name="start", value=self.start, valid=error.valid, hint=error.hint
-            ) from error
+            raise FlagError("start", self.start, error.valid, error.hint) from error
 
 
 def refuse_without_shaking(flag: str, value: object) -> None:
@@ -141,10 +137,10 @@ def refuse_without_shaking(flag: str, value: object) -> None:
     """
     if value is not None:
         raise FlagError(
-            name=flag,
-            value=value,
-            valid="without shaking it has no meaning",
-            hint="leave it out, or give shaking with -A and -W",
+            flag,
+            value,
+            "without shaking it has no meaning",
+            "leave it out, or give shaking with -A and -W",
         )
 
 
@@ -164,16 +160,11 @@ def state_from(text: str, frequency_ratio: float | None) -> "State":
         angle, velocity = decimal(first), decimal(second.removeprefix("w="))
     except ValueError:
         valid = "it is no known start" if not comma else "it is not two numbers"
-        raise InputError(name="start", value=text, valid=valid, hint=HINT) from None
+        raise InputError("start", text, valid, HINT) from None
     if not (math.isfinite(angle) and math.isfinite(velocity)):
-        raise InputError(name="start", value=text, valid="its numbers must be finite", hint=HINT)
+        raise InputError("start", text, "its numbers must be finite", HINT)
     if with_rate:
         return State(angle=angle, velocity=velocity)
     if frequency_ratio is None:
-        raise InputError(
-            name="start",
-            value=text,
-            valid="du/dtau needs harmonic shaking",
-            hint="give du/d(pt) as U,w=V",
-        )
+        raise InputError("start", text, "du/dtau needs harmonic shaking", "give du/d(pt) as U,w=V")
     return State.per_tau(angle=angle, velocity=velocity, frequency_ratio=frequency_ratio)

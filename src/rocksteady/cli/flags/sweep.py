@@ -110,23 +110,16 @@ class SweepFlags:
         files["--out"] = self.out
         for (flag, file), (other, its) in combinations(files.items(), 2):
             if same_file(file, its):
-                raise OutputError(
-                    name=other, value=its, valid=f"{flag} writes the same file", hint="rename one"
-                )
+                raise OutputError(other, its, f"{flag} writes the same file", "rename one")
         for flag, file in files.items():
             inside = None if file is None or self.out is None else place_of(file).parents
             if inside is not None and self.out is not None and place_of(self.out) in inside:
-                raise OutputError(
-                    name=flag, value=file, valid="it lies in --out", hint="name another folder"
-                )
+                raise OutputError(flag, file, "it lies in --out", "name another folder")
         if self.netcdf is None:
             return
         if self.netcdf.suffix.lower() != ".nc":
             raise OutputError(
-                name="--netcdf",
-                value=self.netcdf,
-                valid="the ending says the format: .nc",
-                hint="rename it",
+                "--netcdf", self.netcdf, "the ending says the format: .nc", "rename it"
             )
         check_writable("--netcdf", self.netcdf, force=output.force or self.resume)
 
@@ -147,25 +140,23 @@ class SweepFlags:
             for flag, value in (("--resume", self.resume or None), ("--chunk", self.chunk)):
                 if value is not None:
                     raise FlagError(
-                        name=flag,
-                        value=value,
-                        valid="without --out there is no store",
-                        hint="add --out map.zarr, or leave it out",
+                        flag,
+                        value,
+                        "without --out there is no store",
+                        "add --out map.zarr, or leave it out",
                     )
             return None
         impossible = impossible_name(self.out)
         if impossible is not None:
-            raise OutputError(
-                name="--out", value=self.out, valid=impossible, hint="name another folder"
-            )
+            raise OutputError("--out", self.out, impossible, "name another folder")
         if self.resume and force:
             raise both("--resume", "--force", valid="a store is continued or begun anew")
         if is_store(self.out) and not (self.resume or force):
             raise OutputError(
-                name="--out",
-                value=self.out,
-                valid="it exists",
-                hint="add --resume to continue it, or --force to begin anew",
+                "--out",
+                self.out,
+                "it exists",
+                "add --resume to continue it, or --force to begin anew",
             )
         store = Store(self.out, resume=self.resume, overwrite=force, chunk=self.chunk)
         store.check()

@@ -32,12 +32,7 @@ class SweepStart(StartFlags):
         """
         for name, value in (("start", self.start), ("phase", self.phase), ("kick", self.kick)):
             if value not in (None, AUTO):
-                raise FlagError(
-                    name=name,
-                    value=value,
-                    valid=f"{why}, it has no meaning",
-                    hint="leave it out",
-                )
+                raise FlagError(name, value, f"{why}, it has no meaning", "leave it out")
 
     def begin(self, span: Range, value: float) -> tuple[str, "Start", float]:
         """Return at the first value of a sweep its start in a word, as a state, and the phase.

@@ -140,10 +140,10 @@ class Erosion:
         """
         if name not in MEASURES:
             raise InputError(
-                name="measure",
-                value=name,
-                valid=f"it must be one of {', '.join(MEASURES)}",
-                hint="leave it out for the integrity factor",
+                "measure",
+                name,
+                f"it must be one of {', '.join(MEASURES)}",
+                "leave it out for the integrity factor",
             )
         return self.integrity_factor if name == MEASURES[0] else self.global_integrity
 
@@ -360,10 +360,10 @@ def erosion(
     sides = sides_of(block, equations)
     if (np.diff(axis.points) <= 0.0).any():
         raise InputError(
-            name="amplitudes",
-            value=amplitudes,
-            valid="the amplitudes must ascend",
-            hint="give them from the lowest to the highest",
+            "amplitudes",
+            amplitudes,
+            "the amplitudes must ascend",
+            "give them from the lowest to the highest",
         )
     ratio = finite("frequency_ratio", frequency_ratio, hint="give one number, omega/p")
     reach = _least_half_width(sides)
@@ -397,10 +397,10 @@ def erosion(
     ).T
     if shares[0] == 0.0:
         raise ModelError(
-            name="angles",
-            value=angles,
-            valid="no state of this window stands on a still base",
-            hint="give a window around u = 0, du/dtau = 0",
+            "angles",
+            angles,
+            "no state of this window stands on a still base",
+            "give a window around u = 0, du/dtau = 0",
         )
     shaken = slice(len(safe) - len(given), None)
     return Erosion(

@@ -73,10 +73,10 @@ def window_axis(name: str, values: ArrayLike, long_name: str) -> Axis:
     steps = np.diff(axis.points)
     if not (steps.size and (steps > 0.0).all() and np.ptp(steps) <= 1e-6 * steps.mean()):
         raise InputError(
-            name=name,
-            value=values,
-            valid="the window needs two values or more, ascending and evenly spaced",
-            hint="give them from the lowest to the highest in equal steps",
+            name,
+            values,
+            "the window needs two values or more, ascending and evenly spaced",
+            "give them from the lowest to the highest in equal steps",
         )
     return axis
 

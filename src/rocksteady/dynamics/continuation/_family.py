@@ -144,20 +144,20 @@ def checked_ranges(
     for name, ends in zip(parameters, within, strict=True):
         if name not in PARAMETERS:
             raise InputError(
-                name="parameter",
-                value=name,
-                valid="orbits are followed in " + ", ".join(PARAMETERS),
-                hint="name one of them",
+                "parameter",
+                name,
+                "orbits are followed in " + ", ".join(PARAMETERS),
+                "name one of them",
             )
         index = PARAMETERS.index(str(name))
         low, high = _checked_range(index, ends)
         value = float(chain.parameters[index])
         if not low <= value <= high:
             raise InputError(
-                name="within",
-                value=ends,
-                valid=f"it must hold the {name} of the start, {value:.12g}",
-                hint="widen it, or start elsewhere",
+                "within",
+                ends,
+                f"it must hold the {name} of the start, {value:.12g}",
+                "widen it, or start elsewhere",
             )
         active.append(index)
         ranges.append((low, high))
@@ -168,12 +168,12 @@ def _checked_range(index: int, ends: object) -> tuple[float, float]:
     name = PARAMETERS[index]
     hint = f"give two values of {name}, the lower one first"
     if not is_pair(ends):
-        raise InputError(name="within", value=ends, valid="it must be two numbers", hint=hint)
+        raise InputError("within", ends, "it must be two numbers", hint)
     least, most, interval = LIMITS[index]
     low, high = (in_range(name, end, least, most, interval, hint=hint) for end in ends)
     if not low < high:
         valid = "the first must be less than the second"
-        raise InputError(name="within", value=ends, valid=valid, hint=hint)
+        raise InputError("within", ends, valid, hint)
     return low, high
 
 

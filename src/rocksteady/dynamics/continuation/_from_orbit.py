@@ -25,10 +25,10 @@ def chain_at(start: object) -> Chain:
     if isinstance(start, Orbit):
         return chain_of(start)
     raise InputError(
-        name="start",
-        value=start,
-        valid="it must be an orbit or a point of a branch",
-        hint="take one of `orbits`, or of another branch",
+        "start",
+        start,
+        "it must be an orbit or a point of a branch",
+        "take one of `orbits`, or of another branch",
     )
 
 
@@ -43,25 +43,25 @@ def chain_of(orbit: Orbit) -> Chain:
     """
     if orbit.model != "linear":
         raise ModelError(
-            name="start",
-            value=Words(f"is an orbit of the {orbit.model} model"),
-            valid="branches are followed in the linear model alone, whose arcs are in closed form",
-            hint="ask for `orbits` at several values, or move the parameter with `attractor_map`",
+            "start",
+            Words(f"is an orbit of the {orbit.model} model"),
+            "branches are followed in the linear model alone, whose arcs are in closed form",
+            "ask for `orbits` at several values, or move the parameter with `attractor_map`",
         )
     if not orbit.block.symmetric:
         raise ModelError(
-            name="start",
-            value=Words("is an orbit of an asymmetric block"),
-            valid="branches are followed of symmetric blocks alone: the arcs of a chain have one "
+            "start",
+            Words("is an orbit of an asymmetric block"),
+            "branches are followed of symmetric blocks alone: the arcs of a chain have one "
             "restitution, alpha and p",
-            hint="move the parameter with `attractor_trail`, or ask for `orbits` at several values",
+            "move the parameter with `attractor_trail`, or ask for `orbits` at several values",
         )
     if orbit.rest_phases:
         raise ModelError(
-            name="start",
-            value=Words("is an orbit with rests"),
-            valid="an orbit that comes to rest forgets its past and does not bifurcate smoothly",
-            hint="start from an orbit without rest, as one of steady_states",
+            "start",
+            Words("is an orbit with rests"),
+            "an orbit that comes to rest forgets its past and does not bifurcate smoothly",
+            "start from an orbit without rest, as one of steady_states",
         )
     bare = orbit.block.dimensionless()
     shaking = orbit.shaking

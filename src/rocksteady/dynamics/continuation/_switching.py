@@ -53,10 +53,10 @@ def switched(kind: PointType, chain: Chain) -> tuple[Chain, Floats | None]:
             # What is left may be symmetric, or an orbit of a shorter period run through again.
             return rest.primitive(REPEATED), None
     raise ModelError(
-        name="switch",
-        value=kind.value,
-        valid="no other branch begins there",
-        hint="start from a symmetry breaking, a period doubling or a graze",
+        "switch",
+        kind.value,
+        "no other branch begins there",
+        "start from a symmetry breaking, a period doubling or a graze",
     )
 
 

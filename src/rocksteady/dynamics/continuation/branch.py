@@ -119,10 +119,10 @@ def continuation(
         towards = None if along is None else np.append(along / np.linalg.norm(along), 0.0)
     elif not chain.admissible and not inadmissible and first is not PointType.GRAZING:
         raise ModelError(
-            name="start",
-            value=Words("passes through the floor"),
-            valid="it is no motion",
-            hint="start from an admissible orbit, or ask for inadmissible ones too",
+            "start",
+            Words("passes through the floor"),
+            "it is no motion",
+            "start from an admissible orbit, or ask for inadmissible ones too",
         )
     family = Family(chain=chain, active=active, ranges=ranges)
     curve = Curve(evaluate=family.evaluate, largest_step=course.largest_step)
@@ -205,10 +205,10 @@ def _begun(
         if spot is not None:
             return spot
         raise ModelError(
-            name="start",
-            value=Words("is an orbit"),
-            valid="it is none of this shaking, or a branch crosses another there",
-            hint="start from an orbit of `orbits`, or add switch=True at a bifurcation",
+            "start",
+            Words("is an orbit"),
+            "it is none of this shaking, or a branch crosses another there",
+            "start from an orbit of `orbits`, or add switch=True at a bifurcation",
         )
     if towards is not None:
         return Spot(place=place, tangent=towards, solution=solution, arclength=0.0)

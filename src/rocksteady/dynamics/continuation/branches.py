@@ -93,12 +93,7 @@ def bifurcation_branches(
         )
     )
     if not isinstance(starts, Iterable):
-        raise InputError(
-            name="starts",
-            value=starts,
-            valid="it must be a list of orbits",
-            hint="put it into a list",
-        )
+        raise InputError("starts", starts, "it must be a list of orbits", "put it into a list")
     found = _Found(parameter, within, longest, most, count, largest_step)
     for start in starts:
         chain = chain_at(start)

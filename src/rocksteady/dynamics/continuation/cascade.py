@@ -150,10 +150,10 @@ def doubling_cascade(
         impacts = 2 * impacts
     if not found:
         raise ModelError(
-            name="start",
-            value=Words("is an orbit"),
-            valid=f"its branch comes to no period doubling within {within}",
-            hint="widen the range, or follow it in the other direction",
+            "start",
+            Words("is an orbit"),
+            f"its branch comes to no period doubling within {within}",
+            "widen the range, or follow it in the other direction",
         )
     return DoublingCascade(parameter=parameter, points=tuple(found))
 

@@ -79,17 +79,17 @@ def bifurcation_curve(
     given: object = start
     if not isinstance(given, BranchPoint) or given.type not in BIFURCATIONS:
         raise ModelError(
-            name="start",
-            value=given.type.value if isinstance(given, BranchPoint) else given,
-            valid="a curve begins at a " + ", ".join(BIFURCATIONS),
-            hint="take such a point of a branch",
+            "start",
+            given.type.value if isinstance(given, BranchPoint) else given,
+            "a curve begins at a " + ", ".join(BIFURCATIONS),
+            "take such a point of a branch",
         )
     if not (is_pair(parameters) and is_pair(within)) or parameters[0] == parameters[1]:
         raise InputError(
-            name="parameters",
-            value=parameters,
-            valid="they must be two different ones, with a range for each in `within`",
-            hint="give two of " + ", ".join(PARAMETERS),
+            "parameters",
+            parameters,
+            "they must be two different ones, with a range for each in `within`",
+            "give two of " + ", ".join(PARAMETERS),
         )
     course = Course(direction=direction, largest_step=largest_step, most_points=most_points)
     active, ranges = checked_ranges(start.chain, parameters, within)
@@ -107,10 +107,10 @@ def _followed(
     begin = curve.start(family.place_of(family.chain), towards)
     if begin is None:
         raise ModelError(
-            name="start",
-            value=kind.value,
-            valid="the curve through it has no direction there",
-            hint="start from another point of it",
+            "start",
+            kind.value,
+            "the curve through it has no direction there",
+            "start from another point of it",
         )
     yield BranchPoint(type=kind, arclength=0.0, chain=begin.solution.chain)
     spot = begin

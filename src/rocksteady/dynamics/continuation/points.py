@@ -182,10 +182,10 @@ class BranchPoint:
             return orbit_from(block, shaking, table, self.period, residual)
         if not self.chain.admissible or self.type is PointType.GRAZING:
             raise ModelError(
-                name="point",
-                value=self.type.value,
-                valid="its solution passes through the floor or grazes it and is no motion",
-                hint="choose a point that is admissible",
+                "point",
+                self.type.value,
+                "its solution passes through the floor or grazes it and is no motion",
+                "choose a point that is admissible",
             )
         states = tuple(state_of(section) for section in sections)
         return Orbit(

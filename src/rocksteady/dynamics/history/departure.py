@@ -63,11 +63,11 @@ def set_off(
         if not found.found:
             alpha = float(sides[0, ALPHA])
             raise ModelError(
-                name="start",
-                value=Words(f"is of order {order}, branch {branch}"),
-                valid="the linear model's steady state leads to none of the nonlinear model at "
+                "start",
+                Words(f"is of order {order}, branch {branch}"),
+                "the linear model's steady state leads to none of the nonlinear model at "
                 f"alpha = {alpha:.6g}",
-                hint="take the other branch, another amplitude, or a State to start from",
+                "take the other branch, another amplitude, or a State to start from",
             )
         state, jacobian = found.state, found.jacobian
         phase, velocity = state.half_cycles * math.pi + state.phase, state.speed
@@ -142,11 +142,11 @@ def growing(
     largest = max(map(abs, entries))
     if not 0.0 < largest < math.inf:
         raise ModelError(
-            name="start",
-            value=Words(f"is of order {order}, branch {branch}"),
-            valid=f"at Omega = {frequency_ratio:.6g} its half cycle is so long that no number says "
+            "start",
+            Words(f"is of order {order}, branch {branch}"),
+            f"at Omega = {frequency_ratio:.6g} its half cycle is so long that no number says "
             "how it is left",
-            hint="take a lower order, or a State to start from",
+            "take a lower order, or a State to start from",
         )
     # Its entries may be near the overflow; the direction does not depend on their scale.
     j11, j12, j21, j22 = (entry / largest for entry in entries)

@@ -93,26 +93,26 @@ def _record_in_units_of(record: Record, block: Block | DimensionlessBlock | None
     """Return a record's table in the units of a block."""
     if not isinstance(block, Block):
         raise ModelError(
-            name="motion",
-            value=record,
-            valid="a record in seconds and m/s^2 needs a block with sizes",
-            hint="give a Block, which has p and alpha g, in place of a DimensionlessBlock",
+            "motion",
+            record,
+            "a record in seconds and m/s^2 needs a block with sizes",
+            "give a Block, which has p and alpha g, in place of a DimensionlessBlock",
         )
     if record.dt_s * block.p > LONGEST_DURATION:
         raise InputError(
-            name="dt_s",
-            value=record.dt_s,
-            valid=f"for a block with p = {block.p:.6g} rad/s it must be at most "
+            "dt_s",
+            record.dt_s,
+            f"for a block with p = {block.p:.6g} rad/s it must be at most "
             f"{LONGEST_DURATION / block.p:.6g}",
-            hint="give the time step in seconds",
+            "give the time step in seconds",
         )
     if record.peak_acceleration_m_s2 > LARGEST * block.uplift_acceleration:
         raise InputError(
-            name="acceleration_m_s2",
-            value=record.peak_acceleration_m_s2,
-            valid=f"a block that lifts at {block.uplift_acceleration:.6g} m/s^2 takes at most "
+            "acceleration_m_s2",
+            record.peak_acceleration_m_s2,
+            f"a block that lifts at {block.uplift_acceleration:.6g} m/s^2 takes at most "
             f"{LARGEST:g} times as much",
-            hint="give the acceleration in m/s^2",
+            "give the acceleration in m/s^2",
         )
     return record_table(record, rate=block.p, acceleration=block.uplift_acceleration)
 

@@ -53,10 +53,7 @@ def model_name(model: object) -> ModelName:
     """
     if not isinstance(model, str) or model not in get_args(ModelName):
         raise InputError(
-            name="model",
-            value=model,
-            valid="there are two equations of motion",
-            hint='give "linear" or "nonlinear"',
+            "model", model, "there are two equations of motion", 'give "linear" or "nonlinear"'
         )
     return "linear" if model == "linear" else "nonlinear"
 
@@ -96,11 +93,10 @@ def slender_block(block: Block | DimensionlessBlock) -> Block:
     """
     if not isinstance(block, Block):
         raise ModelError(
-            name="block",
-            value=type(block).__name__,
-            valid="the nonlinear model needs the block's slenderness alpha",
-            hint="give a Block, as Block.from_p(alpha=..., p=...), in place of a "
-            "DimensionlessBlock",
+            "block",
+            type(block).__name__,
+            "the nonlinear model needs the block's slenderness alpha",
+            "give a Block, as Block.from_p(alpha=..., p=...), in place of a DimensionlessBlock",
         )
     return block
 
@@ -173,19 +169,19 @@ def nonlinear_segment_table(
         return lifted_table(flat)
     if not (isinstance(vertical, Record) or hasattr(vertical, "segments")):
         raise InputError(
-            name="vertical",
-            value=vertical,
-            valid="it must be a base motion",
-            hint="give a Record, or leave it out for none",
+            "vertical",
+            vertical,
+            "it must be a base motion",
+            "give a Record, or leave it out for none",
         )
     lifted = segment_table(vertical, body)
     last = lifted[-1]
     if lifted[:, columns.AMPLITUDE].any() or lifted[:, columns.JUMP].any() or last[2:4].any():
         raise ModelError(
-            name="vertical",
-            value=vertical,
-            valid="vertical motion is linear between samples, and comes to an end",
-            hint="give a Record of its samples, or a Piecewise of straight lines",
+            "vertical",
+            vertical,
+            "vertical motion is linear between samples, and comes to an end",
+            "give a Record of its samples, or a Piecewise of straight lines",
         )
     return lifted_table(flat, lifted, body.positive.alpha)
 
@@ -255,8 +251,8 @@ def refuse_vertical(vertical: Motion | Record | None) -> None:
     """
     if vertical is not None:
         raise ModelError(
-            name="vertical",
-            value=vertical,
-            valid="the linear equations of motion have no term for it",
-            hint='take model="nonlinear", or leave it out',
+            "vertical",
+            vertical,
+            "the linear equations of motion have no term for it",
+            'take model="nonlinear", or leave it out',
         )

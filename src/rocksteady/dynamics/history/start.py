@@ -132,10 +132,10 @@ def validated_start(start: object) -> Start:
     """
     if not isinstance(start, Rest | State | Steady):
         raise InputError(
-            name="start",
-            value=start,
-            valid="it must be a Rest, a State or a Steady",
-            hint="give Rest(), State(angle=..., velocity=...) or Steady(branch=..., order=...)",
+            "start",
+            start,
+            "it must be a Rest, a State or a Steady",
+            "give Rest(), State(angle=..., velocity=...) or Steady(branch=..., order=...)",
         )
     return start
 
@@ -203,10 +203,10 @@ def _steady_state(
     """Return the shaking with the orbit's phase, and the state on the orbit."""
     if not isinstance(motion, Harmonic):
         raise ModelError(
-            name="start",
-            value=start,
-            valid="a steady state needs harmonic shaking",
-            hint="give a Harmonic motion, or start from a State",
+            "start",
+            start,
+            "a steady state needs harmonic shaking",
+            "give a Harmonic motion, or start from a State",
         )
     refuse_unlike_sides(block, "start", "a steady state to start on")
     a, w, r = motion.amplitude, motion.frequency_ratio, block.restitution
@@ -214,18 +214,18 @@ def _steady_state(
     which = start.branch - 1
     if states.region == 4:
         raise ModelError(
-            name="start",
-            value=start,
-            valid=f"at A = {a:.6g}, Omega = {w:.6g}, restitution {r:.6g} there is none of order "
+            "start",
+            start,
+            f"at A = {a:.6g}, Omega = {w:.6g}, restitution {r:.6g} there is none of order "
             f"{start.order}",
-            hint=f"raise the amplitude to {float(states.existence):.6g} or above (eq 23)",
+            f"raise the amplitude to {float(states.existence):.6g} or above (eq 23)",
         )
     if states.admissible is None or not states.admissible[which]:
         raise ModelError(
-            name="start",
-            value=start,
-            valid="that solution of the algebra passes through the floor and is no motion",
-            hint="take the other branch or another order",
+            "start",
+            start,
+            "that solution of the algebra passes through the floor and is no motion",
+            "take the other branch or another order",
         )
     phase, velocity = set_off(
         a,

@@ -343,12 +343,7 @@ class Trajectory:
         """Return finite times from 0 on."""
         times = real_array("s", s)
         if not ((times >= 0.0) & (times <= LARGEST)).all():
-            raise InputError(
-                name="s",
-                value=s,
-                valid=f"it must lie in [0, {LARGEST:g}]",
-                hint="give pivot times p t",
-            )
+            raise InputError("s", s, f"it must lie in [0, {LARGEST:g}]", "give pivot times p t")
         return times
 
     def __call__(self, s: ArrayLike) -> Motions:
@@ -364,10 +359,10 @@ class Trajectory:
         outside = ~((flat >= 0.0) & (flat <= self.end_s * (1.0 + 1e-15)))
         if outside.any():
             raise InputError(
-                name="s",
-                value=flat[outside][0].item(),
-                valid=f"the trajectory reaches from 0 to {self.end_s:.10g}",
-                hint="ask within it, or simulate more cycles",
+                "s",
+                flat[outside][0].item(),
+                f"the trajectory reaches from 0 to {self.end_s:.10g}",
+                "ask within it, or simulate more cycles",
             )
         index = np.searchsorted(self.flights.s, flat, side="right") - 1
         since = np.maximum(flat - self.flights.s[index], 0.0)
@@ -424,10 +419,10 @@ class Trajectory:
         """
         if self.block is None:
             raise ModelError(
-                name="block",
-                value=None,
-                valid="seconds need a block with a frequency parameter p",
-                hint="simulate a Block, or ask in pivot time: trajectory(s)",
+                "block",
+                None,
+                "seconds need a block with a frequency parameter p",
+                "simulate a Block, or ask in pivot time: trajectory(s)",
             )
         with np.errstate(over="ignore"):  # infinite, it is outside the trajectory
             s = real_array("t_s", t_s) * self.block.p
@@ -456,10 +451,10 @@ class Trajectory:
         """
         if not isinstance(self.motion, Harmonic):
             raise ModelError(
-                name="motion",
-                value=self.motion,
-                valid="tau = omega t needs harmonic shaking",
-                hint="ask in pivot time: trajectory(s)",
+                "motion",
+                self.motion,
+                "tau = omega t needs harmonic shaking",
+                "ask in pivot time: trajectory(s)",
             )
         return self.motion.frequency_ratio
 

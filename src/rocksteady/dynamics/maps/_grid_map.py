@@ -102,10 +102,10 @@ def map_of(
         return evaluate(cases, grid, question.outputs, store=store, **how)
     if store is not None:
         raise ModelError(
-            name="refine",
-            value=Words(f"is {refine}, beside a store"),
-            valid="a store holds every cell of its grid",
-            hint="leave the store or the refinement out",
+            "refine",
+            Words(f"is {refine}, beside a store"),
+            "a store holds every cell of its grid",
+            "leave the store or the refinement out",
         )
     classes = question.classes
     return refined(cases, grid, question.outputs, classes=classes, coarse=refine, **how)
@@ -116,10 +116,10 @@ def _grid(axes: Mapping[str, ArrayLike]) -> tuple[Grid, tuple[tuple[str, Any], .
     given: object = axes
     if not isinstance(given, Mapping):
         raise InputError(
-            name="axes",
-            value=given,
-            valid="it names parameters, each with its values",
-            hint="give a mapping, as {'amplitude': [1.0, 2.0]}",
+            "axes",
+            given,
+            "it names parameters, each with its values",
+            "give a mapping, as {'amplitude': [1.0, 2.0]}",
         )
     fixed = {name: value for name, value in axes.items() if _is_single(value)}
     names = validated_axes([name for name in axes if name not in fixed], fixed)

@@ -55,34 +55,34 @@ def check_sizes(block: Block | DimensionlessBlock, names: Sequence[str]) -> None
     for name in names:
         if name in UNLIKE and isinstance(block, Block):
             raise ModelError(
-                name="axes",
-                value=name,
-                valid="the sides of a block with a size follow from its shape",
-                hint="take block.dimensionless(), or call once for each Block.asymmetric(...)",
+                "axes",
+                name,
+                "the sides of a block with a size follow from its shape",
+                "take block.dimensionless(), or call once for each Block.asymmetric(...)",
             )
         if name in MEASURED and not isinstance(block, Block):
             raise ModelError(
-                name="axes",
-                value=name,
-                valid="a block of which only the restitution is known has no size to measure by",
-                hint="give a Block, as Block.rectangle(width=..., height=...)",
+                "axes",
+                name,
+                "a block of which only the restitution is known has no size to measure by",
+                "give a Block, as Block.rectangle(width=..., height=...)",
             )
     if isinstance(block, Block) and sizes_with(names):
         if not block.symmetric:
             raise ModelError(
-                name="block",
-                value=block,
-                valid="sizes are moved of homogeneous rectangles; the sides of this block differ",
-                hint="move its restitution or the shaking, or call once for each block",
+                "block",
+                block,
+                "sizes are moved of homogeneous rectangles; the sides of this block differ",
+                "move its restitution or the shaking, or call once for each block",
             )
         ratio = block.p * block.p * block.radius / block.gravity
         if abs(ratio - 0.75) > HOMOGENEOUS:
             raise ModelError(
-                name="block",
-                value=block,
-                valid="sizes are moved of homogeneous rectangles, whose p^2 R/g is 3/4; of this "
+                "block",
+                block,
+                "sizes are moved of homogeneous rectangles, whose p^2 R/g is 3/4; of this "
                 f"block it is {ratio:.6g}",
-                hint="move its restitution or the shaking, or call once for each block",
+                "move its restitution or the shaking, or call once for each block",
             )
 
 

@@ -300,35 +300,35 @@ class Scenario:
             return
         if not self.block.symmetric:
             raise ModelError(
-                name="housner",
-                value=self.housner,
-                valid="it moves with the slenderness of symmetric blocks, and the sides of this "
+                "housner",
+                self.housner,
+                "it moves with the slenderness of symmetric blocks, and the sides of this "
                 "one differ",
-                hint="leave it out: Block.asymmetric takes the restitutions of its shape",
+                "leave it out: Block.asymmetric takes the restitutions of its shape",
             )
         if "restitution" in self.given:
             raise ModelError(
-                name="axes",
-                value="restitution",
-                valid="with housner=True it follows from the slenderness",
-                hint="leave one of the two out",
+                "axes",
+                "restitution",
+                "with housner=True it follows from the slenderness",
+                "leave one of the two out",
             )
         if not isinstance(self.block, Block):
             raise ModelError(
-                name="housner",
-                value=self.housner,
-                valid="a block of which only the restitution is known has no slenderness",
-                hint="give a Block, as Block.rectangle(width=..., height=...)",
+                "housner",
+                self.housner,
+                "a block of which only the restitution is known has no slenderness",
+                "give a Block, as Block.rectangle(width=..., height=...)",
             )
 
     def _check_shaking(self) -> None:
         given = set(self.given)
         if self.shaking is None and not (given & AMPLITUDES and given & FREQUENCIES):
             raise InputError(
-                name="shaking",
-                value=None,
-                valid="it may be left out only where its amplitude and its frequency are given",
-                hint="give a Harmonic(amplitude=..., frequency_ratio=...)",
+                "shaking",
+                None,
+                "it may be left out only where its amplitude and its frequency are given",
+                "give a Harmonic(amplitude=..., frequency_ratio=...)",
             )
 
     def _check_start(self) -> None:
@@ -338,22 +338,22 @@ class Scenario:
         for name in self.given:
             if steady and name in UNLIKE:
                 raise ModelError(
-                    name="axes",
-                    value=name,
-                    valid="a block whose sides differ has no symmetric steady state to start on",
-                    hint="start from Rest() or a State, or leave it out",
+                    "axes",
+                    name,
+                    "a block whose sides differ has no symmetric steady state to start on",
+                    "start from Rest() or a State, or leave it out",
                 )
             if steady and (name == "phase" or name in STATE):
                 raise ModelError(
-                    name="axes",
-                    value=name,
-                    valid="a steady state to start on decides on it",
-                    hint="start from Rest() or a State, or leave it out",
+                    "axes",
+                    name,
+                    "a steady state to start on decides on it",
+                    "start from Rest() or a State, or leave it out",
                 )
             if name == "kick" and not steady:
                 raise ModelError(
-                    name="axes",
-                    value=name,
-                    valid="it is how far from a steady state the block is set off",
-                    hint="give start=Steady(branch=..., order=...)",
+                    "axes",
+                    name,
+                    "it is how far from a steady state the block is set off",
+                    "give start=Steady(branch=..., order=...)",
                 )

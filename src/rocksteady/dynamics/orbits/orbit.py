@@ -133,10 +133,10 @@ class Orbit:
             return self
         if not self.block.symmetric:
             raise ModelError(
-                name="orbit",
-                value=Words("is one of an asymmetric block"),
-                valid="its mirror image is a motion of the mirrored block",
-                hint="ask for orbits of the block with its sides exchanged",
+                "orbit",
+                Words("is one of an asymmetric block"),
+                "its mirror image is a motion of the mirrored block",
+                "ask for orbits of the block with its sides exchanged",
             )
         return replace(
             self,
@@ -175,10 +175,10 @@ class Orbit:
         """
         if not self.admissible:
             raise ModelError(
-                name="orbit",
-                value=self.kind,
-                valid="this solution passes through the floor and is no motion",
-                hint="choose an orbit that is admissible",
+                "orbit",
+                self.kind,
+                "this solution passes through the floor and is no motion",
+                "choose an orbit that is admissible",
             )
         return Trajectory(
             block=self.block if isinstance(self.block, Block) else None,

@@ -236,10 +236,10 @@ def bare_block(block: object) -> DimensionlessBlock:
     """
     if not isinstance(block, Block | DimensionlessBlock):
         raise InputError(
-            name="block",
-            value=block,
-            valid="it must be a Block or a DimensionlessBlock",
-            hint="the block comes first, then the shaking",
+            "block",
+            block,
+            "it must be a Block or a DimensionlessBlock",
+            "the block comes first, then the shaking",
         )
     return block.dimensionless()
 
@@ -254,10 +254,10 @@ def harmonic(shaking: object) -> Harmonic:
     """
     if not isinstance(shaking, Harmonic):
         raise ModelError(
-            name="shaking",
-            value=shaking,
-            valid="periodic motions are those of harmonic shaking",
-            hint="give a Harmonic(amplitude=..., frequency_ratio=...)",
+            "shaking",
+            shaking,
+            "periodic motions are those of harmonic shaking",
+            "give a Harmonic(amplitude=..., frequency_ratio=...)",
         )
     return shaking
 

@@ -149,11 +149,11 @@ def attractor_trail(
     body = bare if equations == "linear" else slender_block(block)
     if parameter not in PARAMETERS:
         valid = "a motion is carried along " + ", ".join(PARAMETERS)
-        raise InputError(name="parameter", value=parameter, valid=valid, hint="name one of them")
+        raise InputError("parameter", parameter, valid, "name one of them")
     steps = real_array("values", values)
     if steps.ndim != 1 or steps.size == 0:
         valid = "it must be a list of one value or more"
-        raise InputError(name="values", value=values, valid=valid, hint="use numpy.linspace")
+        raise InputError("values", values, valid, "use numpy.linspace")
     periods = cycles_value(cycles)
     begin = Rest() if start is None else start
     found: list[Attractor] = []

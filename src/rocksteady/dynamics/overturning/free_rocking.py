@@ -225,4 +225,4 @@ def _ratio(value: object) -> None:
     """Refuse an amplitude outside [0, 1)."""
     hint = "give theta0/alpha, as 0.5"
     in_range("amplitude_ratio", value, 0.0, 1.0, "[)", hint=hint)
-    raise InputError(name="amplitude_ratio", value=value, valid="it must be a number", hint=hint)
+    raise InputError("amplitude_ratio", value, "it must be a number", hint)

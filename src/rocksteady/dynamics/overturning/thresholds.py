@@ -79,10 +79,10 @@ def overturning_threshold(shape: str, frequency_ratio: ArrayLike) -> Floats:
     """
     if shape not in THRESHOLDS:
         raise InputError(
-            name="shape",
-            value=shape,
-            valid="no closed form is known for it",
-            hint="choose one of " + ", ".join(THRESHOLDS) + ", or compute overturning_windows",
+            "shape",
+            shape,
+            "no closed form is known for it",
+            "choose one of " + ", ".join(THRESHOLDS) + ", or compute overturning_windows",
         )
     ratios = real_array("frequency_ratio", frequency_ratio)
     found = np.empty(ratios.shape)
@@ -127,10 +127,10 @@ def overturning_impulse(block: Block, *, linear: bool = False) -> float:
     """
     if not isinstance(block, Block):
         raise InputError(
-            name="block",
-            value=block,
-            valid="a velocity in m/s needs a block with sizes",
-            hint="give a Block; in units of alpha g/p the impulse is 1",
+            "block",
+            block,
+            "a velocity in m/s needs a block with sizes",
+            "give a Block; in units of alpha g/p the impulse is 1",
         )
     if linear:
         return block.uplift_acceleration / block.p

@@ -316,10 +316,7 @@ def _unit(pulse: Pulse | str, ratios: Floats) -> Pulse:
         given = Pulse(shape=given, amplitude=1.0, frequency_ratio=1.0)
     if not isinstance(given, Pulse):
         raise InputError(
-            name="pulse",
-            value=pulse,
-            valid="it must be a Pulse or the name of one",
-            hint="give a name, as 'one-sine'",
+            "pulse", pulse, "it must be a Pulse or the name of one", "give a name, as 'one-sine'"
         )
     shape: dict[str, Any] = {
         "shape": given.shape,
@@ -338,10 +335,10 @@ def _ratios(frequency_ratios: ArrayLike) -> Axis:
     axis = Axis(name="frequency_ratio", values=np.atleast_1d(frequency_ratios), long_name="omega/p")
     if axis.points.dtype.kind != "f" or (np.diff(axis.points) <= 0.0).any():
         raise InputError(
-            name="frequency_ratios",
-            value=frequency_ratios,
-            valid="they must be numbers that ascend",
-            hint="give them from the lowest to the highest",
+            "frequency_ratios",
+            frequency_ratios,
+            "they must be numbers that ascend",
+            "give them from the lowest to the highest",
         )
     return axis
 
@@ -351,7 +348,7 @@ def _range(amplitudes: tuple[float, float]) -> tuple[float, float]:
     given: object = amplitudes
     hint = "give the lowest and the highest a_max/(alpha g), as (1.0, 20.0)"
     if not is_pair(given):
-        raise InputError(name="amplitudes", value=given, valid="it must be a pair", hint=hint)
+        raise InputError("amplitudes", given, "it must be a pair", hint)
     low = in_range("amplitudes", given[0], 0.0, HIGHEST, "[)", hint=hint)
     high = in_range("amplitudes", given[1], low, HIGHEST, "(]", hint=hint)
     return low, high

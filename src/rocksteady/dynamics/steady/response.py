@@ -99,19 +99,19 @@ def response_curve(
     """
     if (frequency_ratio is None) == (frequency_hz is None):
         raise ModelError(
-            name="frequency_ratio, frequency_hz",
-            value=Words("are both missing" if frequency_hz is None else "are both given"),
-            valid="exactly one of the two says at which frequencies",
-            hint="give frequency_ratio (omega/p), or frequency_hz for a Block",
+            "frequency_ratio, frequency_hz",
+            Words("are both missing" if frequency_hz is None else "are both given"),
+            "exactly one of the two says at which frequencies",
+            "give frequency_ratio (omega/p), or frequency_hz for a Block",
         )
     branch = validated_branch(branch)
     if frequency_hz is not None:
         if not isinstance(block, Block):
             raise ModelError(
-                name="frequency_hz",
-                value=frequency_hz,
-                valid="hertz need a block with a frequency parameter p",
-                hint="give a Block, or frequency_ratio",
+                "frequency_hz",
+                frequency_hz,
+                "hertz need a block with a frequency parameter p",
+                "give a Block, or frequency_ratio",
             )
         hertz = np.atleast_1d(real_array("frequency_hz", frequency_hz))
         for value in hertz[~(np.isfinite(hertz) & (hertz > 0.0))][:1]:

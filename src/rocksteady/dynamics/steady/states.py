@@ -60,9 +60,7 @@ def validated_branch(branch: object) -> Literal[1, 2]:
     number = scalar_of(branch)
     whole = isinstance(number, Integral) and not isinstance(number, bool)
     if not whole or number not in BRANCHES:
-        raise InputError(
-            name="branch", value=branch, valid="there are two branches", hint="give 1 or 2"
-        )
+        raise InputError("branch", branch, "there are two branches", "give 1 or 2")
     return 1 if number == 1 else 2
 
 
@@ -83,11 +81,11 @@ def refuse_unlike_sides(block: Block | DimensionlessBlock, name: str, what: str)
     """
     if not block.symmetric:
         raise ModelError(
-            name=name,
-            value=Words("is asymmetric" if name == "block" else "is a steady state"),
-            valid=f"{what} comes from the closed forms of symmetric motions, whose second half "
+            name,
+            Words("is asymmetric" if name == "block" else "is a steady state"),
+            f"{what} comes from the closed forms of symmetric motions, whose second half "
             "mirrors the first; a block whose sides differ has none",
-            hint="its periodic motions are found by `orbits`",
+            "its periodic motions are found by `orbits`",
         )
 
 
@@ -395,19 +393,19 @@ def steady_orbit(
     )
     if count % 2 == 0:
         raise InputError(
-            name="samples",
-            value=samples,
-            valid="it must be odd, so that the impact in the middle is a sample",
-            hint="give an odd number, as 801",
+            "samples",
+            samples,
+            "it must be odd, so that the impact in the middle is a sample",
+            "give an odd number, as 801",
         )
     a, w, r, n = validated_grid(amplitude, frequency_ratio, restitution, order)
     states = steady_states(a, w, r, order=n, shapes=False)
     if states.region == 4:
         raise InputError(
-            name="amplitude",
-            value=amplitude,
-            valid=f"a symmetric steady state needs {float(states.existence):.6g} or above (eq 23)",
-            hint="raise the amplitude, or lower the frequency ratio",
+            "amplitude",
+            amplitude,
+            f"a symmetric steady state needs {float(states.existence):.6g} or above (eq 23)",
+            "raise the amplitude, or lower the frequency ratio",
         )
     orbit = symmetric_orbit(float(a), float(w), float(r), int(n), which)
     half = (count + 1) // 2

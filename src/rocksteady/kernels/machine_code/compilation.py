@@ -46,25 +46,27 @@ def runner() -> str:
         return PYTHON
     if choice not in {"", LIBRARY, JIT}:
         raise InputError(
-            name=CHOICE,
-            value=choice,
-            valid=f"it must be {LIBRARY}, {JIT} or {PYTHON}",
-            hint="unset it to use the library where there is one, and else numba",
+            CHOICE,
+            choice,
+            f"it must be {LIBRARY}, {JIT} or {PYTHON}",
+            "unset it to use the library where there is one, and else numba",
         )
     if choice != JIT and library() is not None:
         return LIBRARY
     if choice != LIBRARY and importlib.util.find_spec("numba") is not None:
         return JIT
     raise MissingKernelsError(
-        name="compiled code",
-        value=Words(
-            {
-                LIBRARY: "is not in this installation",
-                JIT: "needs numba, which is not installed",
-            }.get(choice, "is not in this installation, nor is numba")
+        "compiled code",
+        (
+            Words(
+                {
+                    LIBRARY: "is not in this installation",
+                    JIT: "needs numba, which is not installed",
+                }.get(choice, "is not in this installation, nor is numba")
+            )
         ),
-        valid="a wheel for this platform brings it, and numba compiles it",
-        hint="install such a wheel, or 'rocksteady[jit]'",
+        "a wheel for this platform brings it, and numba compiles it",
+        "install such a wheel, or 'rocksteady[jit]'",
     )
 
 

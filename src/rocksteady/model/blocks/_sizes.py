@@ -41,10 +41,10 @@ def check_one_size(*, radius: float | None, p: float | None, gyration: float | N
     sizes = {"radius": radius, "p": p, "gyration": gyration}
     given = " and ".join(name for name, value in sizes.items() if value is not None)
     raise ModelError(
-        name="radius, p, gyration",
-        value=Words(f"do not fit, with {given} given" if given else "are all missing"),
-        valid="a radius, with or without a gyration, or a p alone says how large it is",
-        hint="give radius=..., or p=...",
+        "radius, p, gyration",
+        Words(f"do not fit, with {given} given" if given else "are all missing"),
+        "a radius, with or without a gyration, or a p alone says how large it is",
+        "give radius=..., or p=...",
     )
 
 
@@ -79,10 +79,10 @@ def check_inertia(inertia: float, least: float) -> None:
     """
     if inertia < least * (1.0 - 1e-12):
         raise ModelError(
-            name="inertia",
-            value=inertia,
-            valid=f"about a pivot it is at least mass * radius^2 = {least:.6g} kg m^2",
-            hint="add mass * radius^2 to a moment of inertia about the mass centre",
+            "inertia",
+            inertia,
+            f"about a pivot it is at least mass * radius^2 = {least:.6g} kg m^2",
+            "add mass * radius^2 to a moment of inertia about the mass centre",
         )
 
 

@@ -129,11 +129,11 @@ class Block:
         if restitution == "housner" and housner_ratio(alpha) <= 0.0:
             # Not left to the check of alpha, which the caller has not given.
             raise InputError(
-                name="width",
-                value=width,
-                valid=f"with a height of {h:.6g} m Housner's restitution is "
+                "width",
+                width,
+                f"with a height of {h:.6g} m Housner's restitution is "
                 f"{housner_ratio(alpha):.4g}, and rocking needs one above 0",
-                hint="give a measured restitution in (0, 1], or a more slender block",
+                "give a measured restitution in (0, 1], or a more slender block",
             )
         return cls.from_radius(
             alpha=alpha, radius=0.5 * hypot(b, h), restitution=restitution, gravity=gravity

@@ -61,10 +61,10 @@ def example_block(
     given: object = name
     if not isinstance(given, str) or given not in SOURCES:
         raise InputError(
-            name="name",
-            value=name,
-            valid="there is no example block of that name",
-            hint="choose one of " + ", ".join(SOURCES),
+            "name",
+            name,
+            "there is no example block of that name",
+            "choose one of " + ", ".join(SOURCES),
         )
     if name == "tso-wong-1989":
         ratio = 0.8 if restitution is None else restitution

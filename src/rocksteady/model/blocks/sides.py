@@ -100,10 +100,10 @@ def check_one_body(one: Side, other: Side, gravity: float) -> None:
     here, there = one.centre_height, other.centre_height
     if abs(here - there) > SAME_BODY * max(here, there):
         raise ModelError(
-            name="radius * cos(alpha)",
-            value=(here, there),
-            valid="it is the height of the one mass centre, so the same on both sides",
-            hint="use Block.from_alphas with one radius, or Block.asymmetric",
+            "radius * cos(alpha)",
+            (here, there),
+            "it is the height of the one mass centre, so the same on both sides",
+            "use Block.from_alphas with one radius, or Block.asymmetric",
         )
     # I_c/M = g R/p^2 - R^2 about the mass centre is that of one body seen from either pivot.
     about = [gravity * side.radius / (side.p * side.p) for side in (one, other)]
@@ -112,11 +112,10 @@ def check_one_body(one: Side, other: Side, gravity: float) -> None:
     ]
     if abs(centre[0] - centre[1]) > SAME_BODY * max(about):
         raise ModelError(
-            name="g radius / p^2 - radius^2",
-            value=tuple(centre),
-            valid="it is the squared radius of gyration about the mass centre, so the same on each "
-            "side",
-            hint="leave p to Block.asymmetric or Block.from_alphas",
+            "g radius / p^2 - radius^2",
+            tuple(centre),
+            "it is the squared radius of gyration about the mass centre, so the same on each side",
+            "leave p to Block.asymmetric or Block.from_alphas",
         )
 
 
@@ -153,12 +152,12 @@ def sides_of_body(
         if min(ratios) <= 0.0:
             # Not left to the check of the angles, which the caller may not have given.
             raise InputError(
-                name="left",
-                value=left,
-                valid=f"with {right:.6g} m to the right edge and {centre_height:.6g} m down to the "
+                "left",
+                left,
+                f"with {right:.6g} m to the right edge and {centre_height:.6g} m down to the "
                 f"base the restitution that conserves angular momentum is {min(ratios):.4g}, and "
                 "rocking needs one above 0",
-                hint="give a measured restitution in (0, 1], or a more slender block",
+                "give a measured restitution in (0, 1], or a more slender block",
             )
     else:
         ratios = restitution_pair(restitution)
@@ -208,11 +207,11 @@ def impact_restitution(
     ratio = impact_ratio(angles, lengths, k)
     if ratio <= 0.0:
         raise InputError(
-            name="alphas",
-            value=alphas,
-            valid=f"the restitution that conserves angular momentum is {ratio:.4g}, and rocking "
+            "alphas",
+            alphas,
+            f"the restitution that conserves angular momentum is {ratio:.4g}, and rocking "
             "needs one above 0",
-            hint="give a measured restitution in (0, 1], or a more slender block",
+            "give a measured restitution in (0, 1], or a more slender block",
         )
     return ratio
 
@@ -260,10 +259,10 @@ def housner_restitution(
     )
     if ratio <= 0.0:
         raise InputError(
-            name="alpha",
-            value=alpha,
-            valid=f"Housner's restitution for it is {ratio:.4g}, and rocking needs one above 0",
-            hint="give a measured restitution in (0, 1], or a more slender block",
+            "alpha",
+            alpha,
+            f"Housner's restitution for it is {ratio:.4g}, and rocking needs one above 0",
+            "give a measured restitution in (0, 1], or a more slender block",
         )
     return ratio
 
@@ -295,10 +294,10 @@ def restitution_pair(value: object) -> tuple[float, float]:
     if isinstance(value, tuple | list):
         if len(value) != 2:
             raise InputError(
-                name="restitution",
-                value=value,
-                valid="there are two impacts, the one that ends positive rotation and the other",
-                hint="give one number for both, or a pair of them",
+                "restitution",
+                value,
+                "there are two impacts, the one that ends positive rotation and the other",
+                "give one number for both, or a pair of them",
             )
         return restitution_value(value[0]), restitution_value(value[1])
     both = restitution_value(value)

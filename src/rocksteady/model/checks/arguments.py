@@ -142,7 +142,7 @@ def _reported(fit: Fit, default: object) -> Fit:
             return fit(name, value)
         except UnfitError as unfit:
             valid, hint = unfit.args
-            raise InputError(name=name, value=value, valid=valid, hint=hint) from None
+            raise InputError(name, value, valid, hint) from None
 
     return check
 

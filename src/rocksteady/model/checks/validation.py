@@ -62,7 +62,7 @@ def positive(name: str, value: object, *, hint: str) -> float:
     valid = "it must be a finite number above 0"
     number = _finite(name, value, valid, hint)
     if number <= 0.0:
-        raise InputError(name=name, value=value, valid=valid, hint=hint)
+        raise InputError(name, value, valid, hint)
     return number
 
 
@@ -74,7 +74,7 @@ def non_negative(name: str, value: object, *, hint: str) -> float:
     valid = "it must be a finite number, 0 or above"
     number = _finite(name, value, valid, hint)
     if number < 0.0:
-        raise InputError(name=name, value=value, valid=valid, hint=hint)
+        raise InputError(name, value, valid, hint)
     return abs(number)
 
 
@@ -107,7 +107,7 @@ def in_range(
     above = number >= low if ends[0] == "[" else number > low
     below = number <= high if ends[1] == "]" else number < high
     if not (above and below):
-        raise InputError(name=name, value=value, valid=valid, hint=hint)
+        raise InputError(name, value, valid, hint)
     return number
 
 
@@ -142,10 +142,10 @@ def whole_number(
     if at_most is not None:
         valid = f"it must be a whole number from {at_least} to {at_most}"
     if isinstance(number, bool) or not isinstance(number, Integral) or number < at_least:
-        raise InputError(name=name, value=value, valid=valid, hint=hint)
+        raise InputError(name, value, valid, hint)
     count = int(number)
     if at_most is not None and count > at_most:
-        raise InputError(name=name, value=value, valid=valid, hint=hint)
+        raise InputError(name, value, valid, hint)
     return count
 
 
@@ -161,10 +161,10 @@ def index_value(value: object, count: int, what: str, *, name: str = "index") ->
     whole = isinstance(number, Integral) and not isinstance(number, bool)
     if not whole or not -count <= number < count:
         raise InputError(
-            name=name,
-            value=value,
-            valid=f"it must be a whole number from {-count} to {count - 1}",
-            hint=f"give the index of a {what}",
+            name,
+            value,
+            f"it must be a whole number from {-count} to {count - 1}",
+            f"give the index of a {what}",
         )
     return int(number)
 
@@ -179,10 +179,10 @@ def within_memory(name: str, value: object, count: float, *, hint: str) -> None:
     """
     if not count <= MOST_NUMBERS:
         raise InputError(
-            name=name,
-            value=value,
-            valid=f"{count:.3g} numbers would follow from it, and {MOST_NUMBERS:.0e} are the most",
-            hint=hint,
+            name,
+            value,
+            f"{count:.3g} numbers would follow from it, and {MOST_NUMBERS:.0e} are the most",
+            hint,
         )
 
 
@@ -201,7 +201,7 @@ def span_value(
     real = all(isinstance(end, Real) and not isinstance(end, bool) for end in numbers)
     if len(ends) != 2 or not real or not low <= numbers[0] < numbers[1] <= high:
         valid = f"it must be (start, end), start before end, inside [{low:.15g}, {high:.15g}]"
-        raise InputError(name=name, value=value, valid=valid, hint=hint)
+        raise InputError(name, value, valid, hint)
     return float(numbers[0]), float(numbers[1])
 
 
@@ -215,7 +215,7 @@ def side_value(value: object, *, name: str = "side") -> int:
     """
     plain = scalar_of(value)
     if isinstance(plain, bool) or not isinstance(plain, Real) or plain not in (1, -1):
-        raise InputError(name=name, value=value, valid="it must be 1 or -1", hint="give 1 or -1")
+        raise InputError(name, value, "it must be 1 or -1", "give 1 or -1")
     return 1 if plain == 1 else -1
 
 
@@ -246,7 +246,7 @@ def odd_order(value: object, *, name: str = "order") -> int:
     number = whole_number(name, value, at_least=1, hint=_ODD_ORDER_HINT)
     if number % 2 == 0:
         valid = "a symmetric orbit needs an odd number of half periods in its half cycle"
-        raise InputError(name=name, value=value, valid=valid, hint=_ODD_ORDER_HINT)
+        raise InputError(name, value, valid, _ODD_ORDER_HINT)
     return number
 
 
@@ -266,4 +266,4 @@ def _finite(name: str, value: object, valid: str, hint: str) -> float:
             result = math.inf
         if math.isfinite(result):
             return result
-    raise InputError(name=name, value=value, valid=valid, hint=hint)
+    raise InputError(name, value, valid, hint)

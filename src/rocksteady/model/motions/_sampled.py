@@ -81,10 +81,10 @@ def polyline(
     if needed > MOST_LINES:
         excess = needed / MOST_LINES
         raise InputError(
-            name="tolerance",
-            value=tolerance,
-            valid=f"{needed:.3g} straight lines would be needed, and {MOST_LINES} are the most",
-            hint=f"give {tolerance * excess * excess:.2g} or more, or a shorter motion",
+            "tolerance",
+            tolerance,
+            f"{needed:.3g} straight lines would be needed, and {MOST_LINES} are the most",
+            f"give {tolerance * excess * excess:.2g} or more, or a shorter motion",
         )
     count = max(1, math.ceil(needed))
     values = size * acceleration(np.linspace(0.0, duration, count + 1))

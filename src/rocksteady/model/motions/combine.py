@@ -160,10 +160,10 @@ def added(*motions: Motion, tolerance: float = SUM_TOLERANCE) -> Piecewise:
 def _segments(motion: Motion) -> tuple[Segment, ...]:
     if not hasattr(motion, "segments"):
         raise ModelError(
-            name="motion",
-            value=motion,
-            valid="it must have segments in the block's own measures, which a record has not",
-            hint="use Record.scaled, or put records together before making one of them",
+            "motion",
+            motion,
+            "it must have segments in the block's own measures, which a record has not",
+            "use Record.scaled, or put records together before making one of them",
         )
     return segments_of(motion)
 
@@ -225,10 +225,10 @@ def _sum(
     if len(phasors) > 1:
         if duration == math.inf:
             raise ModelError(
-                name="motions",
-                value=sorted(phasors),
-                valid="sinusoids of several frequencies may not act together for ever",
-                hint="end all but one of them, as Piecewise(pieces=(Segment(duration=...),))",
+                "motions",
+                sorted(phasors),
+                "sinusoids of several frequencies may not act together for ever",
+                "end all but one of them, as Piecewise(pieces=(Segment(duration=...),))",
             )
         import numpy as np
 

@@ -53,13 +53,13 @@ class Impulses:
             if not isinstance(given, tuple | list):
                 hint = f"give {name}=(...,)"
                 valid = "it must be a sequence of numbers"
-                raise InputError(name=name, value=given, valid=valid, hint=hint)
+                raise InputError(name, given, valid, hint)
         if len(self.velocities) != len(self.times) or not self.times:
             raise InputError(
-                name="times",
-                value=self.times,
-                valid=f"there must be one for each of {len(self.velocities)} velocities",
-                hint="give as many times as velocities, at least one",
+                "times",
+                self.times,
+                f"there must be one for each of {len(self.velocities)} velocities",
+                "give as many times as velocities, at least one",
             )
         hint = "give a number in units of alpha g/p"
         check = partial(in_range, "velocities", low=-LARGEST, high=LARGEST, ends="[]", hint=hint)
@@ -70,7 +70,7 @@ class Impulses:
             time = in_range("times", given_time, 0.0, LONGEST_DURATION, "[]", hint=hint)
             if time <= last:
                 valid = f"each must be after the one before, {last:.15g}"
-                raise InputError(name="times", value=time, valid=valid, hint=hint)
+                raise InputError("times", time, valid, hint)
             times.append(time)
             last = time
         object.__setattr__(self, "times", tuple(times))

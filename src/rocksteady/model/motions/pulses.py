@@ -86,10 +86,10 @@ class Pulse:
         known: object = self.shape
         if not isinstance(known, str) or (known not in PULSES and _type_c(known) is None):
             raise InputError(
-                name="shape",
-                value=self.shape,
-                valid="there is no pulse of that name",
-                hint="choose one of " + ", ".join(PULSES) + ", or type-c4 to type-c99",
+                "shape",
+                self.shape,
+                "there is no pulse of that name",
+                "choose one of " + ", ".join(PULSES) + ", or type-c4 to type-c99",
             )
         # One place says what an amplitude may be.
         like = Harmonic(amplitude=self.amplitude, frequency_ratio=1.0)
@@ -105,10 +105,10 @@ class Pulse:
             value = getattr(self, name)
             if value is not None and self.shape != "mavroeidis-papageorgiou":
                 raise ModelError(
-                    name=name,
-                    value=value,
-                    valid=f"a {self.shape} pulse has none",
-                    hint="leave it out, or take the shape mavroeidis-papageorgiou",
+                    name,
+                    value,
+                    f"a {self.shape} pulse has none",
+                    "leave it out, or take the shape mavroeidis-papageorgiou",
                 )
         if self.oscillations is not None:
             hint = "give gamma, about the number of half cycles; 2 is usual"

@@ -63,9 +63,7 @@ class Record:
         )
         given: object = self.name
         if not (given is None or isinstance(given, str)):
-            raise InputError(
-                name="name", value=given, valid="it must be a text", hint="leave it out for none"
-            )
+            raise InputError("name", given, "it must be a text", "leave it out for none")
 
     @property
     def duration_s(self) -> float:
@@ -90,17 +88,14 @@ class Record:
         )
         if scale == 0.0:
             raise InputError(
-                name="factor",
-                value=factor,
-                valid="it must not be 0",
-                hint="give a Still() for a base that does not move",
+                "factor", factor, "it must not be 0", "give a Still() for a base that does not move"
             )
         if abs(scale) < 1.0 / LARGEST:
             raise InputError(
-                name="factor",
-                value=factor,
-                valid=f"its absolute value must lie in [{1.0 / LARGEST:g}, {LARGEST:g}]",
-                hint="give a number; -1 reverses",
+                "factor",
+                factor,
+                f"its absolute value must lie in [{1.0 / LARGEST:g}, {LARGEST:g}]",
+                "give a number; -1 reverses",
             )
         return replace(self, acceleration_m_s2=scale * self.acceleration_m_s2)
 
@@ -135,7 +130,7 @@ def _samples(value: ArrayLike) -> Floats:
         given = np.asarray(numeric_array("acceleration_m_s2", value, None))
     except UnfitError as unfit:
         valid, hint = unfit.args
-        raise InputError(name="acceleration_m_s2", value=value, valid=valid, hint=hint) from None
+        raise InputError("acceleration_m_s2", value, valid, hint) from None
     except ValueError:  # rows of unequal lengths
         given = np.empty((0, 0))
     valid = ""
@@ -148,7 +143,7 @@ def _samples(value: ArrayLike) -> Floats:
     elif not given.any():
         valid, hint = "all samples are zero", "give a Still() for a base that does not move"
     if valid:
-        raise InputError(name="acceleration_m_s2", value=value, valid=valid, hint=hint)
+        raise InputError("acceleration_m_s2", value, valid, hint)
     samples = given.astype(np.float64)  # a copy
     samples.flags.writeable = False
     return samples

@@ -84,17 +84,17 @@ class Segment:
         object.__setattr__(self, "frequency", frequency)
         if self.duration == math.inf and self.slope != 0.0:
             raise ModelError(
-                name="slope",
-                value=self.slope,
-                valid="the acceleration of an endless segment may not grow for ever",
-                hint="give the segment a finite duration",
+                "slope",
+                self.slope,
+                "the acceleration of an endless segment may not grow for ever",
+                "give the segment a finite duration",
             )
         if self.amplitude != 0.0 and self.frequency == 0.0:
             raise ModelError(
-                name="frequency",
-                value=self.frequency,
-                valid="a sinusoid needs a frequency above 0",
-                hint="give omega/p, or put a constant acceleration into `constant`",
+                "frequency",
+                self.frequency,
+                "a sinusoid needs a frequency above 0",
+                "give omega/p, or put a constant acceleration into `constant`",
             )
         if self.amplitude < 0.0:
             object.__setattr__(self, "amplitude", -self.amplitude)
@@ -123,10 +123,10 @@ def segments_of(motion: Motion) -> tuple[Segment, ...]:
     given: object = motion.segments()
     if not isinstance(given, tuple | list) or not all(isinstance(p, Segment) for p in given):
         raise InputError(
-            name="motion",
-            value=motion,
-            valid="its segments() must return Segments",
-            hint="return (Segment(...), Segment(...))",
+            "motion",
+            motion,
+            "its segments() must return Segments",
+            "return (Segment(...), Segment(...))",
         )
     return tuple(given)
 
@@ -216,14 +216,12 @@ class Harmonic:
         ratio = 2.0 * math.pi * f / block.p
         if not LOWEST_FREQUENCY_RATIO <= ratio <= HIGHEST_FREQUENCY_RATIO:
             raise InputError(
-                name="frequency_hz",
-                value=frequency_hz,
-                valid=(
-                    f"for a block with p = {block.p:.6g} rad/s it must lie in "
-                    f"[{LOWEST_FREQUENCY_RATIO * block.p / (2.0 * math.pi):.6g}, "
-                    f"{HIGHEST_FREQUENCY_RATIO * block.p / (2.0 * math.pi):.6g}]"
-                ),
-                hint="give the frequency in Hz",
+                "frequency_hz",
+                frequency_hz,
+                f"for a block with p = {block.p:.6g} rad/s it must lie in "
+                f"[{LOWEST_FREQUENCY_RATIO * block.p / (2.0 * math.pi):.6g}, "
+                f"{HIGHEST_FREQUENCY_RATIO * block.p / (2.0 * math.pi):.6g}]",
+                "give the frequency in Hz",
             )
         return cls(amplitude=a / block.uplift_acceleration, frequency_ratio=ratio, phase=phase)
 
@@ -292,19 +290,19 @@ class Piecewise:
         given: object = self.pieces
         if not isinstance(given, tuple | list) or not all(isinstance(p, Segment) for p in given):
             raise InputError(
-                name="pieces",
-                value=self.pieces,
-                valid="it must be a sequence of Segments",
-                hint="give pieces=(Segment(...), Segment(...))",
+                "pieces",
+                self.pieces,
+                "it must be a sequence of Segments",
+                "give pieces=(Segment(...), Segment(...))",
             )
         object.__setattr__(self, "pieces", tuple(given))
         for piece in self.pieces[:-1]:
             if piece.duration == math.inf:
                 raise ModelError(
-                    name="pieces",
-                    value=piece,
-                    valid="only the last segment may be endless",
-                    hint="give the earlier ones a finite duration",
+                    "pieces",
+                    piece,
+                    "only the last segment may be endless",
+                    "give the earlier ones a finite duration",
                 )
 
     def segments(self) -> tuple[Segment, ...]:

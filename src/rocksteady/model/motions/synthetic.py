@@ -138,11 +138,11 @@ class SyntheticMotion:
         if self._settling > MOST_SETTLING:
             shortest = self.duration * (self._settling / MOST_SETTLING)
             raise InputError(
-                name="duration",
-                value=self.duration,
-                valid=f"at its step the filters would take {self._settling:.3g} samples to settle, "
+                "duration",
+                self.duration,
+                f"at its step the filters would take {self._settling:.3g} samples to settle, "
                 f"and {MOST_SETTLING:.0e} are the most",
-                hint=f"give {shortest:.3g} or more",
+                f"give {shortest:.3g} or more",
             )
 
     @classmethod

@@ -364,10 +364,7 @@ def unit_named(units: object, name: str = "units") -> str:
     found = acceleration_unit(units) if isinstance(units, str) else None
     if found is None:
         raise InputError(
-            name=name,
-            value=units,
-            valid="it must be a unit of acceleration",
-            hint=f"use one of {', '.join(UNITS)}",
+            name, units, "it must be a unit of acceleration", f"use one of {', '.join(UNITS)}"
         )
     return found
 

@@ -266,10 +266,7 @@ def _asked_for(found: Table, column: str | int) -> int:
         return int(wanted) - 1
     listed = ", ".join(found.names) or f"1 to {found.columns}"
     raise InputError(
-        name="column",
-        value=column,
-        valid="the table has no such column",
-        hint=f"choose one of these: {listed}",
+        "column", column, "the table has no such column", f"choose one of these: {listed}"
     )
 
 

@@ -186,10 +186,10 @@ def intensity_measures(
     """
     if not (block is None or isinstance(block, Block)):
         raise InputError(
-            name="block",
-            value=block,
-            valid="it must be a Block, which has a slenderness and a p",
-            hint="give a Block, or leave it out",
+            "block",
+            block,
+            "it must be a Block, which has a slenderness and a p",
+            "give a Block, or leave it out",
         )
     hint = "give an acceleration in m/s^2"
     threshold = positive("threshold_m_s2", threshold_m_s2, hint=hint)

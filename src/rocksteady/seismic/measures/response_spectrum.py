@@ -117,10 +117,10 @@ def response_spectrum(
     if periods.ndim != 1 or len(periods) == 0 or wrong.any():
         value = periods[wrong][0] if periods.ndim == 1 and wrong.any() else periods_s
         raise InputError(
-            name="periods_s",
-            value=value,
-            valid=f"they must be finite, from {shortest:.3g} s for this record to {LONGEST_S:g} s",
-            hint="give periods in seconds, as [0.1, 0.5, 1.0]",
+            "periods_s",
+            value,
+            f"they must be finite, from {shortest:.3g} s for this record to {LONGEST_S:g} s",
+            "give periods in seconds, as [0.1, 0.5, 1.0]",
         )
     ratio = in_range("damping", damping, 0.0, 1.0, "[)", hint="give 0.05 for 5 % of critical")
     # One closed form a period, in arrays over the samples.
@@ -186,9 +186,7 @@ def average_spectral_acceleration(
     hint = "give two parts of T, as (0.2, 3.0)"
     low, high = (in_range("span", end, 0.0, LARGEST, hint=hint) for end in span)
     if low >= high:
-        raise InputError(
-            name="span", value=span, valid="its ends must ascend", hint="give (0.2, 3.0)"
-        )
+        raise InputError("span", span, "its ends must ascend", "give (0.2, 3.0)")
     periods = middle * np.linspace(low, high, count)
     found = response_spectrum(record, periods, damping=damping)
     return exp(float(np.mean(log(found.pseudo_acceleration_m_s2))))

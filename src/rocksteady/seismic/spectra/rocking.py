@@ -258,10 +258,10 @@ def _suite(records: Record | Sequence[Record]) -> list[Record]:
         or not all(isinstance(record, Record) for record in found)
     ):
         raise InputError(
-            name="records",
-            value=given,
-            valid="it must be a record or a list of them",
-            hint="give records, as [read_record('one.AT2'), read_record('two.AT2')]",
+            "records",
+            given,
+            "it must be a record or a list of them",
+            "give records, as [read_record('one.AT2'), read_record('two.AT2')]",
         )
     return list(found)
 
@@ -281,10 +281,10 @@ def _verticals(
         or not all(one is None or isinstance(one, Record) for one in found)
     ):
         raise InputError(
-            name="vertical",
-            value=given,
-            valid=f"it must be a record for each of {count}, or None",
-            hint="give the vertical records in the order of the horizontal ones",
+            "vertical",
+            given,
+            f"it must be a record for each of {count}, or None",
+            "give the vertical records in the order of the horizontal ones",
         )
     return list(found)
 
@@ -302,9 +302,7 @@ def _values(name: str, given: ArrayLike) -> list[float]:
     """Return the values of an axis, or the one of a number."""
     values: list[float] = np.atleast_1d(real_array(name, given)).tolist()
     if not values:
-        raise InputError(
-            name=name, value=given, valid="it must have one value or more", hint="give one"
-        )
+        raise InputError(name, given, "it must have one value or more", "give one")
     return values
 
 
@@ -312,10 +310,10 @@ def _periods(periods_s: ArrayLike | None, p: ArrayLike | None) -> list[float]:
     """Return the periods 2 pi/p [s]."""
     if (periods_s is None) == (p is None):
         raise InputError(
-            name="periods_s",
-            value=Words("and p are both missing" if p is None else "and p are both given"),
-            valid="a spectrum is over periods 2 pi/p or over p",
-            hint="give periods_s=numpy.linspace(0.5, 8.0, 100), or p",
+            "periods_s",
+            Words("and p are both missing" if p is None else "and p are both given"),
+            "a spectrum is over periods 2 pi/p or over p",
+            "give periods_s=numpy.linspace(0.5, 8.0, 100), or p",
         )
     if p is not None:
         return [2.0 * math.pi / p_value(value) for value in _values("p", p)]

@@ -64,17 +64,15 @@ def suite_spectrum(
 
     if "record" not in found.dims:
         raise InputError(
-            name="found",
-            value=", ".join(map(str, found.dims)),
-            valid="it has no axis of records",
-            hint="give rocking_spectrum a list of records",
+            "found",
+            ", ".join(map(str, found.dims)),
+            "it has no axis of records",
+            "give rocking_spectrum a list of records",
         )
     hint = "give parts, as (0.16, 0.5, 0.84)"
     parts = [in_range("quantiles", part, 0.0, 1.0, "[]", hint=hint) for part in quantiles]
     if not parts:
-        raise InputError(
-            name="quantiles", value=quantiles, valid="it must hold one part or more", hint=hint
-        )
+        raise InputError("quantiles", quantiles, "it must hold one part or more", hint)
     status = found["status"]
     fell = status == Status.OVERTURNED
     known = fell | (status == Status.ROCKING) | (status == Status.AT_REST)

@@ -25,20 +25,20 @@ def refuse_others(dataset: object) -> None:
         or 0 in dataset.sizes.values()
     ):
         raise InputError(
-            name="dataset",
-            value=dict(dataset.sizes) if isinstance(dataset, xarray.Dataset) else dataset,
-            valid="it is an xarray.Dataset of one variable or more, in one cell or more",
-            hint="give the result of a sweep",
+            "dataset",
+            dict(dataset.sizes) if isinstance(dataset, xarray.Dataset) else dataset,
+            "it is an xarray.Dataset of one variable or more, in one cell or more",
+            "give the result of a sweep",
         )
     for key, array in dataset.variables.items():
         kind, size = array.dtype.kind, array.dtype.itemsize
         texts = kind in "UT" or (kind == "O" and all(isinstance(x, str) for x in array.values.flat))
         if not (texts or kind in "biu" or (kind == "f" and size <= 8)):
             raise InputError(
-                name=str(key),
-                value=str(array.dtype),
-                valid="a file has booleans, integers, floats of up to 64 bits and texts",
-                hint="convert it, or leave it out",
+                str(key),
+                str(array.dtype),
+                "a file has booleans, integers, floats of up to 64 bits and texts",
+                "convert it, or leave it out",
             )
 
 

@@ -30,10 +30,10 @@ def save_cells(name: str, file: Path, dataset: "xarray.Dataset") -> None:
     for key, array in outputs.items():
         if array.dims != first.dims:
             raise InputError(
-                name=key,
-                value=array.dims,
-                valid=f"in a table all outputs are over the same axes, here {first.dims}",
-                hint="save those of the same axes, as dataset[['kind']], or all as NetCDF",
+                key,
+                array.dims,
+                f"in a table all outputs are over the same axes, here {first.dims}",
+                "save those of the same axes, as dataset[['kind']], or all as NetCDF",
             )
     axes = {str(dim): _texts(dataset, dim, first) for dim in first.dims}
     others = {key: _texts(dataset, key, first) for key in beside(dataset, first)}

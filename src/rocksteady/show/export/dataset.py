@@ -64,8 +64,5 @@ def export(dataset: "xarray.Dataset", file: Path | str) -> None:
             save_cells("file", path, dataset)
         case _:
             raise InputError(
-                name="file",
-                value=file,
-                valid="its ending says the format: .nc or .csv",
-                hint="name it as map.nc",
+                "file", file, "its ending says the format: .nc or .csv", "name it as map.nc"
             )

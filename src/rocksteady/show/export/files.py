@@ -39,7 +39,7 @@ def check_writable(name: str, file: Path, *, force: bool) -> None:
     else:
         durable.expect(file, replace=force)
         return
-    raise OutputError(name=name, value=file, valid=valid, hint=hint)
+    raise OutputError(name, file, valid, hint)
 
 
 def impossible_name(file: Path) -> str | None:
@@ -70,22 +70,19 @@ def save_whole(name: str, file: Path, write: Callable[[Path], object]) -> None:
     """
     found = durable.obstacle(file)
     if found is not None:
-        raise OutputError(name=name, value=file, valid=found[0], hint=found[1])
+        raise OutputError(name, file, found[0], found[1])
     try:
         durable.write(file, write)
     except FileExistsError as error:
         raise OutputError(
-            name=name,
-            value=file,
-            valid="another program has written it meanwhile",
-            hint="add --force to overwrite it, or name another file",
+            name,
+            file,
+            "another program has written it meanwhile",
+            "add --force to overwrite it, or name another file",
         ) from error
     except OSError as error:
         raise OutputError(
-            name=name,
-            value=file,
-            valid=error.strerror or str(error),
-            hint="check the folder and the space that is left",
+            name, file, error.strerror or str(error), "check the folder and the space that is left"
         ) from error
 
 

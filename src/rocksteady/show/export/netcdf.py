@@ -62,10 +62,10 @@ def _written(attributes: Mapping[Any, Any]) -> dict[str, Any]:
         array = np.asarray(value)
         if array.dtype.kind not in "biufU" or array.ndim > 1 or array.size == 0:
             raise InputError(
-                name=str(key),
-                value=value,
-                valid="an attribute of NetCDF is a number, a text or several of them",
-                hint="convert it, or leave it out",
+                str(key),
+                value,
+                "an attribute of NetCDF is a number, a text or several of them",
+                "convert it, or leave it out",
             )
         boolean = array.dtype.kind == "b"
         found[str(key)] = array.astype(np.int8)[()] if boolean else value

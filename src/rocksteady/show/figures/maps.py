@@ -96,20 +96,20 @@ def panels_axis(counts: Mapping[str, int]) -> str | None:
     """
     if len(counts) > 3:
         raise InputError(
-            name="found",
-            value=Words(f"has {len(counts)} axes: {', '.join(counts)}"),
-            valid="a figure shows at most three axes with several values",
-            hint="select a value of the others, as found.sel(restitution=0.8)",
+            "found",
+            Words(f"has {len(counts)} axes: {', '.join(counts)}"),
+            "a figure shows at most three axes with several values",
+            "select a value of the others, as found.sel(restitution=0.8)",
         )
     if len(counts) < 3:
         return None
     name = min(counts, key=lambda one: (counts[one], one in PLANE))
     if counts[name] > MOST_PANELS:
         raise InputError(
-            name="found",
-            value=Words(f"has {counts[name]} values of {name}"),
-            valid=f"the axis with the fewest becomes panels, at most {MOST_PANELS}",
-            hint=f"draw some of them, as found.isel({name}=slice(0, {MOST_PANELS}))",
+            "found",
+            Words(f"has {counts[name]} values of {name}"),
+            f"the axis with the fewest becomes panels, at most {MOST_PANELS}",
+            f"draw some of them, as found.isel({name}=slice(0, {MOST_PANELS}))",
         )
     return name
 

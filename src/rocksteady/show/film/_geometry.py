@@ -112,10 +112,10 @@ def shape_of(trajectory: Trajectory, alpha: float | None = None) -> Shape:
         )
     if alpha is not None:
         raise ModelError(
-            name="alpha",
-            value=alpha,
-            valid=f"the block has its own slenderness, {block.alpha:.6g} rad",
-            hint="leave alpha out; it is for a dimensionless block",
+            "alpha",
+            alpha,
+            f"the block has its own slenderness, {block.alpha:.6g} rad",
+            "leave alpha out; it is for a dimensionless block",
         )
     return Shape(
         alpha=block.alpha,

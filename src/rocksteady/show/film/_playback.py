@@ -91,11 +91,11 @@ def reel_of(
         step = max(step, length / MOST_UNASKED)
         if step > longest * (1.0 + 1e-9):
             raise InputError(
-                name="span",
-                value=(start, end),
-                valid=f"{MOST_UNASKED} frames would show each period with "
+                "span",
+                (start, end),
+                f"{MOST_UNASKED} frames would show each period with "
                 f"{period / step:.3g} of them, and at least {FEWEST_A_PERIOD} are needed",
-                hint=f"show at most p t = {MOST_UNASKED * longest:.6g} of the run with "
+                f"show at most p t = {MOST_UNASKED * longest:.6g} of the run with "
                 "span=(start, end), or choose a speed",
             )
     else:
@@ -104,13 +104,15 @@ def reel_of(
         slowest, fastest = length / (MOST_FRAMES * unit) * rate, longest / unit * rate
         if not slowest <= step / unit * rate <= fastest * (1.0 + 1e-9):
             raise InputError(
-                name="speed",
-                value=speed,
-                valid=f"the film would have {length / step:.3g} frames, {period / step:.3g} in "
+                "speed",
+                speed,
+                f"the film would have {length / step:.3g} frames, {period / step:.3g} in "
                 f"each period; at most {MOST_FRAMES} and at least {FEWEST_A_PERIOD} are needed",
-                hint=f"give from {slowest:.3g} to {fastest:.3g}"
-                if slowest <= fastest
-                else "show a shorter part of the run",
+                (
+                    f"give from {slowest:.3g} to {fastest:.3g}"
+                    if slowest <= fastest
+                    else "show a shorter part of the run"
+                ),
             )
     # The last step is shortened to meet the end.
     count = math.ceil(length / step * (1.0 - 1e-12)) + 1 if length > 0.0 else 1
@@ -128,10 +130,10 @@ def _validated_span(
     valid = f"it must be two times, 0 <= start < end <= {trajectory.end_s:.10g}"
     given: object = span
     if not isinstance(given, tuple | list) or len(given) != 2:
-        raise InputError(name="span", value=span, valid=valid, hint=hint)
+        raise InputError("span", span, valid, hint)
     start, end = (finite("span", time, hint=hint) for time in span)
     if not 0.0 <= start < end <= trajectory.end_s * (1.0 + 1e-15):
-        raise InputError(name="span", value=span, valid=valid, hint=hint)
+        raise InputError("span", span, valid, hint)
     return start, end
 
 

@@ -178,10 +178,10 @@ def _parameter(drawn: Sequence[Branch | AttractorTrail]) -> str:
     names = sorted({each.parameter for each in drawn})
     if len(names) != 1:
         raise InputError(
-            name="branches",
-            value=", ".join(names) or "none",
-            valid="they must all be over one parameter, and there must be one",
-            hint="draw others on axes of their own",
+            "branches",
+            ", ".join(names) or "none",
+            "they must all be over one parameter, and there must be one",
+            "draw others on axes of their own",
         )
     return names[0]
 

@@ -77,10 +77,10 @@ def plot_bifurcation_curves(
     for name in parameters:
         if name not in PARAMETERS:
             raise InputError(
-                name="parameters",
-                value=name,
-                valid="bifurcations are drawn over " + ", ".join(PARAMETERS),
-                hint="name two of them",
+                "parameters",
+                name,
+                "bifurcations are drawn over " + ", ".join(PARAMETERS),
+                "name two of them",
             )
     axes = axes_or_new(ax)
     inks, place = inks_of(axes), place_of(axes, legend, "right")
@@ -90,10 +90,10 @@ def plot_bifurcation_curves(
             continue
         if curve[0].type not in CURVES:
             raise InputError(
-                name="curves",
-                value=curve[0].type.value,
-                valid="a curve is one of " + ", ".join(CURVES),
-                hint="give what bifurcation_curve(...) returns, in lists",
+                "curves",
+                curve[0].type.value,
+                "a curve is one of " + ", ".join(CURVES),
+                "give what bifurcation_curve(...) returns, in lists",
             )
         number, dash, word = CURVES[curve[0].type]
         colour = colour_of(number, inks)

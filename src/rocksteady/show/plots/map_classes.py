@@ -243,18 +243,18 @@ def validated_map(found: object, names: Sequence[str]) -> "xarray.Dataset":
 
     if not isinstance(found, xarray.Dataset) or not set(names) <= set(found.data_vars):
         raise InputError(
-            name="found",
-            value=sorted(map(str, found)) if isinstance(found, xarray.Dataset) else found,
-            valid=f"a map is a dataset with {' and '.join(names)}",
-            hint="give what attractor_map or fate_map returned, whole",
+            "found",
+            sorted(map(str, found)) if isinstance(found, xarray.Dataset) else found,
+            f"a map is a dataset with {' and '.join(names)}",
+            "give what attractor_map or fate_map returned, whole",
         )
     variables = found[list(names)].squeeze()
     if variables[names[0]].ndim == 0 or 0 in variables[names[0]].shape:
         raise InputError(
-            name="found",
-            value=dict(found.sizes),
-            valid="a picture needs an axis with two values or more",
-            hint="give more values, or read the numbers of the one cell",
+            "found",
+            dict(found.sizes),
+            "a picture needs an axis with two values or more",
+            "give more values, or read the numbers of the one cell",
         )
     return variables
 
@@ -276,10 +276,10 @@ def _flags_of(kind: "xarray.DataArray") -> dict[int, CellClass]:
     unknown = [word for word in words if word not in MEANINGS]
     if unknown or not words:
         raise InputError(
-            name="found",
-            value=unknown[0] if unknown else "kind without flag_meanings",
-            valid=f"the kinds of a map are {', '.join(MEANINGS)}",
-            hint="give what the map returned, attributes included",
+            "found",
+            unknown[0] if unknown else "kind without flag_meanings",
+            f"the kinds of a map are {', '.join(MEANINGS)}",
+            "give what the map returned, attributes included",
         )
     codes = np.ravel(kind.attrs.get("flag_values", range(len(words)))).tolist()
     return {int(code): MEANINGS[word] for code, word in zip(codes, words, strict=True)}
@@ -294,10 +294,10 @@ def _classes(kind: NDArray[Any], flags: dict[int, CellClass]) -> Classes:
     strange = left[(left != BLANK) & ~np.isnan(left)]
     if strange.size:
         raise InputError(
-            name="found",
-            value=strange[0].item(),
-            valid=f"a kind is one of {', '.join(map(str, flags))}, and {BLANK} where none is known",
-            hint="give what the map returned, unchanged",
+            "found",
+            strange[0].item(),
+            f"a kind is one of {', '.join(map(str, flags))}, and {BLANK} where none is known",
+            "give what the map returned, unchanged",
         )
     return classes
 

@@ -116,10 +116,10 @@ def plot_map(
     cells = map_cells(found)
     if len(cells.names) > 2:
         raise InputError(
-            name="found",
-            value=Words(f"has {len(cells.names)} axes: {', '.join(cells.names)}"),
-            valid="one or two axes with several values can be drawn on one pair of axes",
-            hint="select a value with .sel, or draw panels with rocksteady map --plot",
+            "found",
+            Words(f"has {len(cells.names)} axes: {', '.join(cells.names)}"),
+            "one or two axes with several values can be drawn on one pair of axes",
+            "select a value with .sel, or draw panels with rocksteady map --plot",
         )
     return draw_map(axes_or_new(ax), cells, found, legend)
 

@@ -97,10 +97,10 @@ def plot_overturning(
     w = windows.frequency_ratio
     if len(w) < 2:
         raise InputError(
-            name="windows",
-            value=Words(f"has {len(w)} frequency ratio"),
-            valid="a spectrum has two or more",
-            hint="compute overturning_windows over an axis",
+            "windows",
+            Words(f"has {len(w)} frequency ratio"),
+            "a spectrum has two or more",
+            "compute overturning_windows over an axis",
         )
     axes = axes_or_new(ax)
     inks, place = inks_of(axes), place_of(axes, legend, "right")

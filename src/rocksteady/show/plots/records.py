@@ -67,10 +67,10 @@ def plot_ground_course(
     """
     if quantity not in PEAKS:
         raise InputError(
-            name="quantity",
-            value=quantity,
-            valid="it must be one of " + ", ".join(PEAKS),
-            hint="leave it out for the acceleration",
+            "quantity",
+            quantity,
+            "it must be one of " + ", ".join(PEAKS),
+            "leave it out for the acceleration",
         )
     axes = axes_or_new(ax)
     values, peak, scale, unit = {
@@ -197,10 +197,10 @@ def plot_response_spectra(
         not np.array_equal(one.periods_s, spectra[0].periods_s) for one in spectra
     ):
         raise InputError(
-            name="spectra",
-            value=Words(f"are {len(spectra)}"),
-            valid="there must be one or more, all at the same periods",
-            hint="compute response_spectrum of each record at one array of periods",
+            "spectra",
+            Words(f"are {len(spectra)}"),
+            "there must be one or more, all at the same periods",
+            "compute response_spectrum of each record at one array of periods",
         )
     axes = axes_or_new(ax)
     periods = spectra[0].periods_s

@@ -92,10 +92,10 @@ def plot_rocking_spectrum(
         spectrum = spectrum.expand_dims("alpha")
     if spectrum.sizes["alpha"] > MOST_CURVES:
         raise InputError(
-            name="found",
-            value=Words(f"has {spectrum.sizes['alpha']} slendernesses"),
-            valid=f"up to {MOST_CURVES} are drawn as curves",
-            hint="draw a map of them with plot_spectrum_map, or select some with .sel",
+            "found",
+            Words(f"has {spectrum.sizes['alpha']} slendernesses"),
+            f"up to {MOST_CURVES} are drawn as curves",
+            "draw a map of them with plot_spectrum_map, or select some with .sel",
         )
     axes = axes_or_new(ax)
     inks, place = inks_of(axes), place_of(axes, legend, "inside", width=130.0)
@@ -194,10 +194,10 @@ def plot_spectrum_map(
     spectrum = drawable(found)
     if spectrum.sizes.get("alpha", 1) < 2:
         raise InputError(
-            name="found",
-            value=Words("has one slenderness"),
-            valid="a map has two or more",
-            hint="draw a curve with plot_rocking_spectrum",
+            "found",
+            Words("has one slenderness"),
+            "a map has two or more",
+            "draw a curve with plot_rocking_spectrum",
         )
     axes = axes_or_new(ax)
     inks, place = inks_of(axes), checked_place(legend)
@@ -364,19 +364,19 @@ def drawable(found: "xarray.Dataset") -> "xarray.Dataset":
     given: object = found
     if not hasattr(given, "data_vars") or not {"status", *LABELS} <= set(found.data_vars):
         raise InputError(
-            name="found",
-            value=sorted(map(str, getattr(given, "data_vars", {}))) or given,
-            valid="it is the result of rocking_spectrum",
-            hint="compute rocking_spectrum(record, alpha=..., periods_s=...)",
+            "found",
+            sorted(map(str, getattr(given, "data_vars", {}))) or given,
+            "it is the result of rocking_spectrum",
+            "compute rocking_spectrum(record, alpha=..., periods_s=...)",
         )
     one = found.squeeze([name for name in ("record", "scale") if found.sizes.get(name) == 1])
     several = [name for name in ("record", "scale") if name in one.dims]
     if several:
         raise InputError(
-            name="found",
-            value=Words(f"has {one.sizes[several[0]]} values of {several[0]}"),
-            valid="one record and one scale are drawn",
-            hint="select one with .isel, or draw the suite_spectrum of the records",
+            "found",
+            Words(f"has {one.sizes[several[0]]} values of {several[0]}"),
+            "one record and one scale are drawn",
+            "select one with .isel, or draw the suite_spectrum of the records",
         )
     _check_periods(one)
     return one.sortby("period")
@@ -392,19 +392,19 @@ def _one_slenderness(summary: "xarray.Dataset") -> tuple["xarray.Dataset", list[
     given: object = summary
     if not hasattr(given, "dims") or "quantile" not in summary.dims or "overturned" not in summary:
         raise InputError(
-            name="summary",
-            value=given,
-            valid="it is the result of suite_spectrum",
-            hint="compute suite_spectrum(rocking_spectrum(records, ...))",
+            "summary",
+            given,
+            "it is the result of suite_spectrum",
+            "compute suite_spectrum(rocking_spectrum(records, ...))",
         )
     one = summary.squeeze([name for name in ("alpha", "scale") if summary.sizes.get(name) == 1])
     if set(one.dims) - {"quantile", "period"} or one.sizes["quantile"] != 3:
         sizes = ", ".join(f"{size} of {name}" for name, size in one.sizes.items())
         raise InputError(
-            name="summary",
-            value=sizes,
-            valid="three quantiles of one slenderness and one scale are drawn",
-            hint="select with .isel, as summary.isel(alpha=0)",
+            "summary",
+            sizes,
+            "three quantiles of one slenderness and one scale are drawn",
+            "select with .isel, as summary.isel(alpha=0)",
         )
     _check_periods(one)
     one = one.sortby("period").sortby("quantile")
@@ -414,20 +414,17 @@ def _one_slenderness(summary: "xarray.Dataset") -> tuple["xarray.Dataset", list[
 def _check_periods(one: "xarray.Dataset") -> None:
     if one.sizes.get("period", 1) < 2:
         raise InputError(
-            name="found",
-            value=Words("has one period"),
-            valid="a spectrum is drawn over two periods or more",
-            hint="compute rocking_spectrum over several periods_s",
+            "found",
+            Words("has one period"),
+            "a spectrum is drawn over two periods or more",
+            "compute rocking_spectrum over several periods_s",
         )
 
 
 def _check_quantity(quantity: object) -> None:
     if quantity not in LABELS:
         raise InputError(
-            name="quantity",
-            value=quantity,
-            valid="a spectrum has " + " and ".join(LABELS),
-            hint="name one of them",
+            "quantity", quantity, "a spectrum has " + " and ".join(LABELS), "name one of them"
         )
 
 

@@ -252,10 +252,10 @@ def plot_response(
     """
     if not curves:
         raise InputError(
-            name="curves",
-            value=curves,
-            valid="there must be one or more",
-            hint="give what response_curve(...) returns, in a list",
+            "curves",
+            curves,
+            "there must be one or more",
+            "give what response_curve(...) returns, in a list",
         )
     top = _checked_top(top, labels, len(curves))
     axes = axes_or_new(ax)
@@ -353,9 +353,9 @@ def _checked_top(top: float | None, labels: Sequence[str] | None, curves: int) -
     """Return where the axis ends, and refuse labels that are not one for each curve."""
     if labels is not None and len(labels) != curves:
         raise InputError(
-            name="labels",
-            value=labels,
-            valid=f"there must be one for each of the {curves} curves",
-            hint="give a list of texts, or leave them out",
+            "labels",
+            labels,
+            f"there must be one for each of the {curves} curves",
+            "give a list of texts, or leave them out",
         )
     return None if top is None else positive("top", top, hint="give where the axis ends")

@@ -43,10 +43,10 @@ def checked_place(legend: object) -> LegendPlace | None:
     if legend is None:
         return None
     raise InputError(
-        name="legend",
-        value=legend,
-        valid="a legend is one of " + ", ".join(PLACES),
-        hint="leave it out for the default place",
+        "legend",
+        legend,
+        "a legend is one of " + ", ".join(PLACES),
+        "leave it out for the default place",
     )
 
 

@@ -132,11 +132,11 @@ def width_mm_of(text: str) -> float:
     width = float(found[1]) * UNITS[found[2]] if found else 0.0
     if not NARROWEST <= width <= WIDEST:
         raise InputError(
-            name="--width",
-            value=text,
-            valid=f"a width is a number with its unit (mm, cm or in), from {NARROWEST:g}mm to "
+            "--width",
+            text,
+            f"a width is a number with its unit (mm, cm or in), from {NARROWEST:g}mm to "
             f"{WIDEST:g}mm",
-            hint="write 84mm for a column of a journal, 174mm for its page",
+            "write 84mm for a column of a journal, 174mm for its page",
         )
     return round(width, 9)
 

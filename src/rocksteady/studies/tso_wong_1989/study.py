@@ -245,10 +245,7 @@ def chosen_figures(only: Sequence[str]) -> tuple[str, ...]:
     for name in only:
         if name not in FIGURES:
             raise InputError(
-                name="only",
-                value=name,
-                valid="the computed figures are " + " ".join(FIGURES),
-                hint="name one of them",
+                "only", name, "the computed figures are " + " ".join(FIGURES), "name one of them"
             )
     return tuple(name for name in FIGURES if not only or name in only)
 

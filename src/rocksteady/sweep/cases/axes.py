@@ -67,25 +67,25 @@ class Axis:
             array = np.asarray(numeric_array(self.name, self.values, None))
         except UnfitError as unfit:
             valid, hint = unfit.args
-            raise InputError(name=self.name, value=self.values, valid=valid, hint=hint) from None
+            raise InputError(self.name, self.values, valid, hint) from None
         except ValueError:  # rows of unequal lengths
             array = np.empty((0, 0))
         if array.dtype.kind not in "iufU" or array.ndim != 1 or array.size == 0:
             raise InputError(
-                name=self.name,
-                value=self.values,
-                valid="an axis is a sequence of one or more real numbers, or of names",
-                hint="give a list or an array of one dimension",
+                self.name,
+                self.values,
+                "an axis is a sequence of one or more real numbers, or of names",
+                "give a list or an array of one dimension",
             )
         points = array.copy() if array.dtype.kind == "U" else self._finite(array)
         ordered = np.sort(points)
         again = ordered[1:][ordered[1:] == ordered[:-1]]
         if again.size:
             raise InputError(
-                name=self.name,
-                value=again[0].item(),
-                valid="an axis has each value once",
-                hint="leave the repetition out",
+                self.name,
+                again[0].item(),
+                "an axis has each value once",
+                "leave the repetition out",
             )
         points.flags.writeable = False
         object.__setattr__(self, "values", points)
@@ -98,20 +98,20 @@ class Axis:
         points = array.astype(np.float64)
         if not np.isfinite(points).all():
             raise InputError(
-                name=self.name,
-                value=points[~np.isfinite(points)][0].item(),
-                valid="the values of an axis are finite",
-                hint="leave nan and infinity out",
+                self.name,
+                points[~np.isfinite(points)][0].item(),
+                "the values of an axis are finite",
+                "leave nan and infinity out",
             )
         return points
 
     def _one_each(self, items: tuple[object, ...], points: Array) -> tuple[object, ...]:
         if points.dtype.kind != "U" or len(items) != len(points):
             raise InputError(
-                name="items",
-                value=Words(f"are {len(items)} for {len(points)} values"),
-                valid="an axis of things has names for its values, and one thing for each",
-                hint="give a name with each",
+                "items",
+                Words(f"are {len(items)} for {len(points)} values"),
+                "an axis of things has names for its values, and one thing for each",
+                "give a name with each",
             )
         return items
 
@@ -143,10 +143,10 @@ def indices_of(name: str, given: ArrayLike, count: int) -> Array:
     whole = where.dtype.kind in "iu" or where.size == 0
     if not whole or ((where < -count) | (where >= count)).any():
         raise InputError(
-            name=name,
-            value=given,
-            valid=f"they must be whole numbers from {-count} to {count - 1}",
-            hint="give an array of integers",
+            name,
+            given,
+            f"they must be whole numbers from {-count} to {count - 1}",
+            "give an array of integers",
         )
     return where.astype(np.int64)
 
@@ -155,15 +155,15 @@ def described(long_name: object, units: object) -> None:
     """Refuse a description or units that are no text."""
     for name, text in (("long_name", long_name), ("units", units)):
         if not isinstance(text, str):
-            raise InputError(name=name, value=text, valid="it must be a text", hint="give a str")
+            raise InputError(name, text, "it must be a text", "give a str")
 
 
 def identifier(name: object) -> None:
     """Refuse what is not the name of an argument and of a variable, or is too long for one."""
     if not isinstance(name, str) or not name.isidentifier() or len(name) > LONGEST_NAME:
         raise InputError(
-            name="name",
-            value=name,
-            valid=f"it is the name of an argument and variable, up to {LONGEST_NAME} characters",
-            hint="give an identifier, as 'amplitude'",
+            "name",
+            name,
+            f"it is the name of an argument and variable, up to {LONGEST_NAME} characters",
+            "give an identifier, as 'amplitude'",
         )

@@ -52,10 +52,7 @@ class Grid:
             or not all(isinstance(axis, Axis) for axis in given)
         ):
             raise InputError(
-                name="axes",
-                value=given,
-                valid="a grid has one axis or more",
-                hint="give axes=(Axis(...), Axis(...))",
+                "axes", given, "a grid has one axis or more", "give axes=(Axis(...), Axis(...))"
             )
         object.__setattr__(self, "axes", tuple(given))
         each_once("axes", [axis.name for axis in self.axes])
@@ -95,10 +92,10 @@ def within(most: str, grid: Grid, cells: int, *, hint: str) -> None:
     """Refuse a grid of more than so many cells, whose number is said as `most`."""
     if grid.size > cells:
         raise InputError(
-            name=grid.axes[0].name,
-            value=Words("spans " + " x ".join(f"{len(axis)}" for axis in grid.axes) + " cells"),
-            valid=f"a grid has at most {most} cells here",
-            hint=hint,
+            grid.axes[0].name,
+            Words("spans " + " x ".join(f"{len(axis)}" for axis in grid.axes) + " cells"),
+            f"a grid has at most {most} cells here",
+            hint,
         )
 
 
@@ -107,8 +104,5 @@ def each_once(what: str, names: Sequence[str]) -> None:
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
         raise InputError(
-            name=what,
-            value=twice[0],
-            valid="no two of them may have one name",
-            hint="rename one, or leave it out",
+            what, twice[0], "no two of them may have one name", "rename one, or leave it out"
         )

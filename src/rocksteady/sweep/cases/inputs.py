@@ -81,10 +81,10 @@ def _attribute(name: str, value: object) -> int | float | str:
         case int() | float() as number if not isinstance(number, bool) and math.isfinite(number):
             return number
     raise InputError(
-        name=name,
-        value=value,
-        valid="an attribute of a result is a finite number or a text",
-        hint="say it in a word, or leave it out",
+        name,
+        value,
+        "an attribute of a result is a finite number or a text",
+        "say it in a word, or leave it out",
     )
 
 
@@ -123,10 +123,10 @@ def named_function(task: Task) -> None:
     function, _ = _unwrapped(task.cases)
     if not _findable(function):
         raise InputError(
-            name="cases",
-            value=function.__qualname__,
-            valid="a function at module level or a functools.partial of one can be found again",
-            hint="move it out of the function that defines it",
+            "cases",
+            function.__qualname__,
+            "a function at module level or a functools.partial of one can be found again",
+            "move it out of the function that defines it",
         )
 
 
@@ -171,11 +171,11 @@ def plain(value: object, name: str) -> Any:
         case list() | tuple():
             return [plain(part, name) for part in value]
     raise InputError(
-        name=name,
-        value=value,
-        valid="a constant of a sweep is made of dataclasses, numbers, texts and arrays, or is a "
+        name,
+        value,
+        "a constant of a sweep is made of dataclasses, numbers, texts and arrays, or is a "
         "function that takes nothing from around it",
-        hint="give it in such a form, so that it can be written down beside the result",
+        "give it in such a form, so that it can be written down beside the result",
     )
 
 
@@ -251,10 +251,10 @@ def _unwrapped(cases: object) -> tuple[Any, dict[str, Any]]:
         cases = cases.func
     if not callable(cases) or not hasattr(cases, "__qualname__") or isinstance(cases, type):
         raise InputError(
-            name="cases",
-            value=cases,
-            valid="it must be a function or a functools.partial of one",
-            hint="give a function at module level",
+            "cases",
+            cases,
+            "it must be a function or a functools.partial of one",
+            "give a function at module level",
         )
     return cases, constants
 

@@ -61,25 +61,25 @@ class Output:
             isinstance(value, Integral) and isinstance(meaning, str) for value, meaning in entries
         ):
             raise InputError(
-                name="flags",
-                value=self.flags,
-                valid="each value of an integer has a meaning in words",
-                hint="give flags={0: 'rest', 1: 'overturned'}",
+                "flags",
+                self.flags,
+                "each value of an integer has a meaning in words",
+                "give flags={0: 'rest', 1: 'overturned'}",
             )
         object.__setattr__(self, "flags", flags)
         if self.dtype.kind not in "biuf" or self.dtype.itemsize > 8:
             raise InputError(
-                name="dtype",
-                value=str(self.dtype),
-                valid="an output is boolean, integer or float, of up to 64 bits",
-                hint="code what it says as an integer with flags",
+                "dtype",
+                str(self.dtype),
+                "an output is boolean, integer or float, of up to 64 bits",
+                "code what it says as an integer with flags",
             )
         if self.flags and self.dtype.kind not in "iu":
             raise InputError(
-                name="flags",
-                value=self.name,
-                valid=f"only integers have flags, and this output is {self.dtype}",
-                hint="give it an integer dtype",
+                "flags",
+                self.name,
+                f"only integers have flags, and this output is {self.dtype}",
+                "give it an integer dtype",
             )
 
     @property
@@ -106,10 +106,10 @@ def _dtype(given: object) -> np.dtype[Any]:
         return np.dtype(given)  # type: ignore[call-overload,no-any-return]
     except Exception:  # noqa: BLE001 - numpy raises five kinds
         raise InputError(
-            name="dtype",
-            value=given,
-            valid="it must be the dtype of an array",
-            hint="give numpy.float64, numpy.int8, ...",
+            "dtype",
+            given,
+            "it must be the dtype of an array",
+            "give numpy.float64, numpy.int8, ...",
         ) from None
 
 
@@ -129,10 +129,7 @@ def outputs_of(outputs: Sequence[Output], grid: Grid) -> tuple[Output, ...]:
     found = tuple(outputs)
     if not found or not all(isinstance(output, Output) for output in found):
         raise InputError(
-            name="outputs",
-            value=outputs,
-            valid="there is one or more",
-            hint="give outputs=(Output(...), Output(...))",
+            "outputs", outputs, "there is one or more", "give outputs=(Output(...), Output(...))"
         )
     each_once("outputs", [*grid.names, *(output.name for output in found)])
     return found

@@ -110,32 +110,32 @@ def _checked(output: Output, found: object, cells: int) -> Array:
     """Return one output of the case function as what it is declared to be."""
     if not isinstance(found, Mapping) or output.name not in found:
         raise InputError(
-            name="cases",
-            value=sorted(found) if isinstance(found, Mapping) else found,
-            valid=f"it must return a mapping with the output {output.name!r}",
-            hint="return an array for each output, or leave the output out",
+            "cases",
+            sorted(found) if isinstance(found, Mapping) else found,
+            f"it must return a mapping with the output {output.name!r}",
+            "return an array for each output, or leave the output out",
         )
     array = np.asarray(found[output.name])
     if array.shape != (cells,):
         raise InputError(
-            name=output.name,
-            value=array.shape,
-            valid=f"an output has the shape of the cells, here {(cells,)}",
-            hint="return one value for each cell",
+            output.name,
+            array.shape,
+            f"an output has the shape of the cells, here {(cells,)}",
+            "return one value for each cell",
         )
     if not np.can_cast(array.dtype, output.dtype, casting="same_kind"):
         raise InputError(
-            name=output.name,
-            value=str(array.dtype),
-            valid=f"it must fit {output.dtype}, as which it is declared",
-            hint="change the dtype of the output, or convert the array",
+            output.name,
+            str(array.dtype),
+            f"it must fit {output.dtype}, as which it is declared",
+            "change the dtype of the output, or convert the array",
         )
     if np.ma.isMaskedArray(found[output.name]):
         raise InputError(
-            name=output.name,
-            value=Words("hold a masked array"),
-            valid="a result has no masks",
-            hint="fill it with what stands for nothing",
+            output.name,
+            Words("hold a masked array"),
+            "a result has no masks",
+            "fill it with what stands for nothing",
         )
     return _fitting(output, array)
 
@@ -155,9 +155,9 @@ def _fitting(output: Output, array: Array) -> Array:
         lost = found != array
     if lost.any():
         raise InputError(
-            name=output.name,
-            value=array[lost][0].item(),
-            valid=f"it must fit {output.dtype}, as which it is declared",
-            hint="declare a longer type",
+            output.name,
+            array[lost][0].item(),
+            f"it must fit {output.dtype}, as which it is declared",
+            "declare a longer type",
         )
     return found

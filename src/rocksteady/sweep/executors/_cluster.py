@@ -85,10 +85,10 @@ def cluster_pool(task: Task, address: str | None, workers: int | None) -> Iterat
     """
     if find_spec("distributed") is None:
         raise InputError(
-            name="executor",
-            value=address or "dask",
-            valid="dask is not installed",
-            hint="install rocksteady[cluster], or leave the executor out for threads",
+            "executor",
+            address or "dask",
+            "dask is not installed",
+            "install rocksteady[cluster], or leave the executor out for threads",
         )
     with ExitStack() as stack:
         cluster: Cluster
@@ -121,11 +121,13 @@ def _sent(task: Task, cluster: Cluster) -> Iterator[str]:
         raise
     except Exception as error:
         raise InputError(
-            name="executor",
-            value=cluster.name,
-            valid="its workers must be able to load rocksteady, and one says: "
-            + " ".join(f"{type(error).__name__}: {error}".split()),
-            hint="install it there, in the version that is here",
+            "executor",
+            cluster.name,
+            (
+                "its workers must be able to load rocksteady, and one says: "
+                + " ".join(f"{type(error).__name__}: {error}".split())
+            ),
+            "install it there, in the version that is here",
         ) from error
     del plugin  # it is large, and the workers have it now
     try:
@@ -242,11 +244,11 @@ def _reason(error: BaseException, job: CellRange, task: Task, cluster: Cluster) 
     if not isinstance(error, KilledWorker):
         return error
     return UnfinishedError(
-        name="executor",
-        value=cluster.name,
-        valid=f"{error.allowed_failures + 1} worker processes ended without an answer when they "
+        "executor",
+        cluster.name,
+        f"{error.allowed_failures + 1} worker processes ended without an answer when they "
         f"computed {task.words_for(job)}",
-        hint="look for what these cells do to a process, as taking all of its memory, or for what "
+        "look for what these cells do to a process, as taking all of its memory, or for what "
         "else ends processes; a store can be resumed",
     )
 
@@ -258,9 +260,11 @@ def _connected(cluster: Cluster) -> Iterator[None]:
         yield
     except LOST as error:
         raise UnfinishedError(
-            name="executor",
-            value=cluster.name,
-            valid="the connection to the scheduler is lost: "
-            + " ".join(f"{type(error).__name__}: {error}".split()),
-            hint="check the cluster and run again: a store can be resumed",
+            "executor",
+            cluster.name,
+            (
+                "the connection to the scheduler is lost: "
+                + " ".join(f"{type(error).__name__}: {error}".split())
+            ),
+            "check the cluster and run again: a store can be resumed",
         ) from error

@@ -36,10 +36,10 @@ class TaskPlugin(WorkerPlugin):
             self._pickled: bytes | None = dumps(task)
         except Exception as error:
             raise InputError(
-                name="cases",
-                value=task.cases,
-                valid=f"other processes must be told what it is: {' '.join(str(error).split())}",
-                hint="give a function at module level, and constants that can be pickled",
+                "cases",
+                task.cases,
+                f"other processes must be told what it is: {' '.join(str(error).split())}",
+                "give a function at module level, and constants that can be pickled",
             ) from error
         self._executor = executor
         self._sources = sources_elsewhere(task)
@@ -63,22 +63,22 @@ class TaskPlugin(WorkerPlugin):
             task: Task = loads(pickled)
         except Exception as error:  # noqa: BLE001 -- unpickling runs whatever is imported for it
             raise InputError(
-                name="executor",
-                value=self._executor,
-                valid=f"its worker {address} cannot load the case function and its constants: "
+                "executor",
+                self._executor,
+                f"its worker {address} cannot load the case function and its constants: "
                 f"{' '.join(f'{type(error).__name__}: {error}'.split())}",
-                hint="install what it needs there too",
+                "install what it needs there too",
             ) from None
         here = sources_elsewhere(task)
         for module, wanted in self._sources.items():
             if (there := here.get(module, "nothing")) != wanted:
                 raise InputError(
-                    name="executor",
-                    value=self._executor,
-                    valid=f"its worker {address} has other sources of {module}, {there} "
+                    "executor",
+                    self._executor,
+                    f"its worker {address} has other sources of {module}, {there} "
                     f"(rocksteady {version('rocksteady')}), than the caller, {wanted} (rocksteady "
                     f"{self._version})",
-                    hint="install the same version there and restart the worker",
+                    "install the same version there and restart the worker",
                 )
         return task
 
@@ -96,10 +96,10 @@ def run_job(name: str, job: CellRange, seconds: float) -> Answer:
     plugin = worker.plugins.get(name)
     if not isinstance(plugin, TaskPlugin):
         raise UnfinishedError(
-            name="executor",
-            value=worker.address,
-            valid="this worker has not been told what to compute",
-            hint="restart it, and run again: a store can be resumed",
+            "executor",
+            worker.address,
+            "this worker has not been told what to compute",
+            "restart it, and run again: a store can be resumed",
         )
     return plugin.run(job, seconds)
 

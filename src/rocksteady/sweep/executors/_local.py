@@ -85,10 +85,10 @@ class WorkerProcesses:
             most = TRIES if process.returncode >= 0 else KILLS
             if self._lost >= most * len(self._processes):
                 raise UnfinishedError(
-                    name="executor",
-                    value="dask",
-                    valid=f"its worker processes end at once, {_how(process.returncode)}",
-                    hint="see what they say above, or what kills them, or compute with threads",
+                    "executor",
+                    "dask",
+                    f"its worker processes end at once, {_how(process.returncode)}",
+                    "see what they say above, or what kills them, or compute with threads",
                 )
             _closed(process)
             self._processes[place] = _started(self._folder)

@@ -53,10 +53,10 @@ class Remote:
                 self.client = Client(self.name, timeout=ANSWERED, set_as_default=False)
             except (OSError, ValueError, TypeError, RuntimeError) as error:
                 raise InputError(
-                    name="executor",
-                    value=self.name,
-                    valid=f"a dask scheduler must answer there within {ANSWERED:g} seconds",
-                    hint="start one with 'dask scheduler' and give the address that it prints, or "
+                    "executor",
+                    self.name,
+                    f"a dask scheduler must answer there within {ANSWERED:g} seconds",
+                    "start one with 'dask scheduler' and give the address that it prints, or "
                     "leave the executor out for threads",
                 ) from error
             stack.callback(self.client.close)
@@ -64,10 +64,10 @@ class Remote:
                 self.client.wait_for_workers(1, timeout=PATIENCE)
             except TimeoutError as error:
                 raise InputError(
-                    name="executor",
-                    value=self.name,
-                    valid=f"the scheduler has had no worker for {PATIENCE:g} seconds",
-                    hint=f"start some with 'dask worker {self.name}'",
+                    "executor",
+                    self.name,
+                    f"the scheduler has had no worker for {PATIENCE:g} seconds",
+                    f"start some with 'dask worker {self.name}'",
                 ) from error
             if open_to_others(self.name):
                 warnings.warn(

@@ -60,10 +60,10 @@ def validated_executor(executor: object) -> str:
         return _validated_address(executor)
     if not isinstance(executor, str) or executor not in EXECUTORS:
         raise InputError(
-            name="executor",
-            value=executor,
-            valid=f"it must be one of {', '.join(EXECUTORS)}, or the address of a dask scheduler",
-            hint="leave it out for threads, or give an address as tcp://127.0.0.1:8786",
+            "executor",
+            executor,
+            f"it must be one of {', '.join(EXECUTORS)}, or the address of a dask scheduler",
+            "leave it out for threads, or give an address as tcp://127.0.0.1:8786",
         )
     return executor
 
@@ -99,9 +99,7 @@ def _validated_address(address: str) -> str:
 
 
 def _refused_address(address: str, valid: str) -> InputError:
-    return InputError(
-        name="executor", value=address, valid=valid, hint="give it as tcp://127.0.0.1:8786"
-    )
+    return InputError("executor", address, valid, "give it as tcp://127.0.0.1:8786")
 
 
 def validated_workers(workers: object) -> int | None:

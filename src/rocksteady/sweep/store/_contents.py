@@ -191,10 +191,10 @@ def refuse_taken(names: Iterable[str]) -> None:
     for name in names:
         if name in TAKEN:
             raise InputError(
-                name="name",
-                value=name,
-                valid=f"a store has {', '.join(TAKEN)} of its own",
-                hint="rename the axis or the output",
+                "name",
+                name,
+                f"a store has {', '.join(TAKEN)} of its own",
+                "rename the axis or the output",
             )
 
 

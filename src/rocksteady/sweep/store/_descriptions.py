@@ -170,8 +170,8 @@ def refuse_others(folder: Path, marks: Marks, inputs: Mapping[str, Any]) -> None
         return
     more = f" and {len(found) - SHOWN} more" if len(found) > SHOWN else ""
     raise OutputError(
-        name="store",
-        value=folder,
-        valid="it holds another sweep: " + (", ".join(found[:SHOWN]) + more or "its marks differ"),
-        hint="give the same inputs, overwrite it, or name another store",
+        "store",
+        folder,
+        "it holds another sweep: " + (", ".join(found[:SHOWN]) + more or "its marks differ"),
+        "give the same inputs, overwrite it, or name another store",
     )

@@ -124,10 +124,10 @@ class Stored(OverCells):
             values = np.asarray(read())
         except (OSError, ValueError, RuntimeError) as error:
             raise InputError(
-                name="store",
-                value=self._folder,
-                valid=f"{self._name} cannot be read: {said(error)}",
-                hint="resume its sweep: chunks that are damaged are computed again",
+                "store",
+                self._folder,
+                f"{self._name} cannot be read: {said(error)}",
+                "resume its sweep: chunks that are damaged are computed again",
             ) from error
         if self._computed is None:
             return values

@@ -118,17 +118,17 @@ def locked(folder: Path) -> Iterator[StoreFiles]:
     except Timeout:
         holder = _holder(file)[0]
         raise OutputError(
-            name="store",
-            value=folder,
-            valid=f"another process is writing it{holder and f' ({holder})'}",
-            hint="wait for it to end, or name another store",
+            "store",
+            folder,
+            f"another process is writing it{holder and f' ({holder})'}",
+            "wait for it to end, or name another store",
         ) from None
     except OSError as error:
         raise OutputError(
-            name="store",
-            value=folder,
-            valid=f"it cannot be locked: {error.strerror or error}",
-            hint="check whether you may write there",
+            "store",
+            folder,
+            f"it cannot be locked: {error.strerror or error}",
+            "check whether you may write there",
         ) from error
     try:
         before, token = _holder(file)[1], uuid.uuid4().hex
@@ -194,7 +194,7 @@ class StoreWriter:
 
     def _unreadable(self, valid: str) -> OutputError:
         hint = "overwrite it, or name another store"
-        return OutputError(name="store", value=self._folder, valid=valid, hint=hint)
+        return OutputError("store", self._folder, valid, hint)
 
     def _sound(self, contents: Contents) -> NDArray[np.bool_]:
         """Return which chunks are finished, and remove what is left of others."""
@@ -296,11 +296,11 @@ class StoreWriter:
 
     def _stopped(self, error: OSError) -> UnfinishedError:
         return UnfinishedError(
-            name="store",
-            value=self._folder,
-            valid=f"{error.strerror or error}; {int(self._finished.sum())} of "
+            "store",
+            self._folder,
+            f"{error.strerror or error}; {int(self._finished.sum())} of "
             f"{len(self._chunks)} chunks are finished and kept",
-            hint="make room and resume it",
+            "make room and resume it",
         )
 
     def dataset(self) -> "xarray.Dataset":

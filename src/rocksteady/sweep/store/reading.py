@@ -80,12 +80,12 @@ folder; name the folder that a sweep wrote, as map.zarr
         return dataset_of(contents, complete)
     if not complete.all():
         valid = files if lost else _progress(contents, complete)
-        raise UnfinishedError(name="path", value=path, valid=valid, hint=RESUME)
+        raise UnfinishedError("path", path, valid, RESUME)
     return dataset_of(contents)
 
 
 def _refused(path: Path | str, valid: str, hint: str) -> InputError:
-    return InputError(name="path", value=path, valid=valid, hint=hint)
+    return InputError("path", path, valid, hint)
 
 
 def finished_cells(folder: Path) -> tuple[int, int]:

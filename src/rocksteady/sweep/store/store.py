@@ -118,7 +118,7 @@ class Store:
             )
 
     def _refused(self, valid: str, hint: str) -> OutputError:
-        return OutputError(name="store", value=self.path, valid=valid, hint=hint)
+        return OutputError("store", self.path, valid, hint)
 
     @contextmanager
     def opened(self, task: Task, attributes: Mapping[str, Any]) -> Iterator[StoreWriter]:

@@ -63,7 +63,7 @@ class Plane:
         orders = tuple(sorted({odd_order(order) for order in self.orders}))
         if not orders:
             hint = "give orders=(1, 3, 5)"
-            raise InputError(name="orders", value=(), valid="there is one or more", hint=hint)
+            raise InputError("orders", (), "there is one or more", hint)
         object.__setattr__(self, "orders", orders)
 
     @property
@@ -97,12 +97,12 @@ def _axis(name: str, values: ArrayLike, low: float, high: float) -> Floats:
     points = np.array(values, dtype=np.float64)
     if points.ndim != 1 or points.size < 3:
         valid = "an axis of the plane has three values or more"
-        raise InputError(name=name, value=points.tolist(), valid=valid, hint=hint)
+        raise InputError(name, points.tolist(), valid, hint)
     for end in (points.min(), points.max()):
         in_range(name, float(end), low, high, "(]" if low == 0.0 else "[]", hint=hint)
     steps = np.diff(points)
     if not ((steps > 0.0).all() and np.ptp(steps) <= 1e-6 * steps.mean()):
         valid = "the values of an axis ascend and are evenly spaced"
-        raise InputError(name=name, value=points.tolist(), valid=valid, hint=hint)
+        raise InputError(name, points.tolist(), valid, hint)
     points.flags.writeable = False
     return points
