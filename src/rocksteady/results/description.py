@@ -1,0 +1,143 @@
+"""Content of a result: facts, tables and notes, from which every rendering is made."""
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from rocksteady.results.numbers import number
+
+MOST_ROWS = 24
+"""Default largest number of rows of a table that a text or a page shows."""
+
+
+@dataclass(frozen=True)
+class Fact:
+    """One value of a result: its JSON key, and the words that people read.
+
+    Attributes
+    ----------
+    key
+        In the JSON object, as "overturn_time_s"; empty for what people alone read.
+    value
+        Plain: a number, text, bool, None, or a list or dict of these.
+    label
+        The words before it in a summary; empty for what JSON alone has.
+    text
+        The value as people read it, with its unit; by default three significant digits.
+    """
+
+    key: str
+    value: Any = None
+    label: str = ""
+    text: str = ""
+
+    @property
+    def words(self) -> str:
+        """The value as people read it."""
+        return self.text or shown(self.value)
+
+
+@dataclass(frozen=True)
+class Column:
+    """One column of a table: its key in each row, its heading, and how a value is written."""
+
+    key: str
+    heading: str
+    text: Callable[[Any], str] | None = None
+    left: bool = False
+
+    def words(self, row: Mapping[str, Any]) -> str:
+        """Return the cell of a row as people read it."""
+        value = row.get(self.key)
+        return shown(value) if self.text is None else self.text(value)
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows of one kind: all of their values for JSON and CSV, some columns for people.
+
+    Attributes
+    ----------
+    key
+        Of the list of rows in the JSON object; empty for what people alone read.
+    rows
+        Each a mapping of plain values.
+    columns
+        Those that people read; none for JSON alone.
+    title
+        A line above it.
+    most
+        The most rows that people read; of more, some are picked evenly, ends included.
+    """
+
+    key: str
+    rows: Sequence[Mapping[str, Any]]
+    columns: Sequence[Column] = ()
+    title: str = ""
+    most: int = MOST_ROWS
+
+    @property
+    def shown(self) -> list[Mapping[str, Any]]:
+        """The rows that people read."""
+        count = len(self.rows)
+        if count <= self.most:
+            return list(self.rows)
+        return [self.rows[round(k * (count - 1) / (self.most - 1))] for k in range(self.most)]
+
+    @property
+    def remark(self) -> str:
+        """How many rows are left out; empty where none are."""
+        left_out = len(self.rows) - len(self.shown)
+        return f"{left_out:,} more rows: in the file and in JSON" if left_out else ""
+
+    @property
+    def header(self) -> list[str]:
+        """The names of all values of a row."""
+        return list(dict.fromkeys(key for row in self.rows for key in row))
+
+    def records(self) -> Iterator[list[Any]]:
+        """Yield the values of each row in the order of `header`."""
+        for row in self.rows:
+            yield [row.get(key) for key in self.header]
+
+
+@dataclass(frozen=True)
+class Description:
+    """All that a result says of itself.
+
+    Attributes
+    ----------
+    headline
+        One line: what it is and how it ended, for `repr`, titles and captions.
+    facts, tables
+        The content, in order.
+    notes
+        Sentences at the end: what it means, and what to do next.
+    """
+
+    headline: str
+    facts: Sequence[Fact] = ()
+    tables: Sequence[Table] = ()
+    notes: Sequence[str] = field(default=())
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the JSON object: all facts and rows that have a key."""
+        values = {fact.key: fact.value for fact in self.facts if fact.key}
+        tables = {table.key: [dict(row) for row in table.rows] for table in self.tables}
+        return values | {key: rows for key, rows in tables.items() if key}
+
+
+def shown(value: object) -> str:
+    """Return a plain value as people read it."""
+    if value is None or (isinstance(value, float) and math.isnan(value)):
+        return "—"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float):
+        return number(value)
+    if isinstance(value, int):
+        return f"{value:,}"
+    if isinstance(value, list | tuple):
+        return ", ".join(shown(each) for each in value)
+    return str(value)

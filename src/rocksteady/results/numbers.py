@@ -1,0 +1,80 @@
+"""Numbers as engineers write them: three significant digits, a unit, no exponent where it fits."""
+
+import math
+
+DIGITS = 3
+"""Significant digits of a number in a text."""
+
+
+def number(value: float, digits: int = DIGITS) -> str:
+    """Return a number with some significant digits, without an exponent from 1e-4 to 1e6.
+
+    Examples
+    --------
+    >>> number(0.8224892168), number(1800.0), number(12345.6), number(2.5e-7), number(-0.0)
+    ('0.822', '1800', '12346', '2.5e-07', '0')
+    """
+    if not math.isfinite(value):
+        return "—" if math.isnan(value) else ("infinite" if value > 0.0 else "-infinite")
+    size = abs(value)
+    if size == 0.0:
+        return "0"
+    if 10.0**digits <= size < 1e6:
+        return f"{value:.0f}"
+    return f"{value:.{digits}g}"
+
+
+def quantity(value: float, unit: str, digits: int = DIGITS) -> str:
+    """Return a number with its unit.
+
+    Examples
+    --------
+    >>> quantity(0.82249, "alpha"), quantity(18.4349, "°")
+    ('0.822 alpha', '18.4°')
+    """
+    space = "" if unit in ("°", "%") else " "
+    return f"{number(value, digits)}{space}{unit}"
+
+
+def angle(rad: float) -> str:
+    """Return an angle [rad] in degrees.
+
+    Examples
+    --------
+    >>> angle(0.3217505544)
+    '18.4°'
+    """
+    return quantity(math.degrees(rad), "°")
+
+
+def length(metres: float) -> str:
+    """Return a length [m] in millimetres below a metre, in metres from there on.
+
+    Examples
+    --------
+    >>> length(0.0124), length(1.8)
+    ('12.4 mm', '1.8 m')
+    """
+    return quantity(metres, "m") if abs(metres) >= 1.0 else quantity(1e3 * metres, "mm")
+
+
+def share(part: int, whole: int) -> str:
+    """Return a part of a whole in per cent.
+
+    Examples
+    --------
+    >>> share(3, 8), share(0, 0)
+    ('37.5 %', '—')
+    """
+    return f"{number(100.0 * part / whole)} %" if whole else "—"
+
+
+def plural(count: int, thing: str) -> str:
+    """Return a number of things.
+
+    Examples
+    --------
+    >>> plural(1, "impact"), plural(1200, "impact")
+    ('1 impact', '1,200 impacts')
+    """
+    return f"{count:,} {thing}" if count == 1 else f"{count:,} {thing}s"

@@ -1,0 +1,116 @@
+"""Renderings of a description: text for terminals, HTML for notebooks and reports."""
+
+from html import escape
+from typing import TYPE_CHECKING
+
+from rocksteady.results.description import Description, Table
+
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.table import Table as RichTable
+
+WIDTH = 80
+"""Columns of a summary."""
+
+STYLE = "border-collapse:collapse;font-variant-numeric:tabular-nums;margin:.4em 0"
+CELL = "padding:.15em .8em .15em 0;text-align:{};vertical-align:top"
+
+
+def print_description(description: Description, console: "Console") -> None:
+    """Print a description on a console: facts, tables, then notes, dimmed.
+
+    Parameters
+    ----------
+    description
+        What is printed.
+    console
+        Of rich: of a terminal, or of a text in memory.
+    """
+    console.print(description.headline, style="bold")
+    facts = _grid()
+    for fact in description.facts:
+        if fact.label:
+            facts.add_row(fact.label, fact.words)
+    if facts.row_count:
+        console.print(facts)
+    for table in description.tables:
+        if not (table.columns and table.rows):
+            continue
+        if table.title:
+            console.print(table.title)
+        console.print(_rich(table))
+        if table.remark:
+            console.print(table.remark, style="dim")
+    for note in description.notes:
+        console.print(note, style="dim")
+
+
+def as_text(description: Description) -> str:
+    """Return a description as plain text of 80 columns."""
+    import io
+
+    from rich.console import Console
+
+    stream = io.StringIO()
+    plain = Console(file=stream, width=WIDTH, highlight=False, markup=False, emoji=False)
+    print_description(description, plain)
+    return "\n".join(line.rstrip() for line in stream.getvalue().splitlines())
+
+
+def as_html(description: Description) -> str:
+    """Return a description as HTML: a caption, the facts, the tables, the notes."""
+    parts = [f'<div class="rocksteady"><strong>{escape(description.headline)}</strong>']
+    rows = [
+        f"<tr>{_cell('th', fact.label, 'left')}{_cell('td', fact.words, 'left')}</tr>"
+        for fact in description.facts
+        if fact.label
+    ]
+    if rows:
+        parts.append(f'<table style="{STYLE}">{"".join(rows)}</table>')
+    parts += [_table(table) for table in description.tables if table.columns and table.rows]
+    parts += [f"<p>{escape(note)}</p>" for note in description.notes]
+    return "".join(parts) + "</div>"
+
+
+def _table(table: Table) -> str:
+    """Return a table as HTML."""
+    sides = ["left" if column.left else "right" for column in table.columns]
+    head = "".join(
+        _cell("th", column.heading, side) for column, side in zip(table.columns, sides, strict=True)
+    )
+    body = "".join(
+        "<tr>"
+        + "".join(
+            _cell("td", column.words(row), side)
+            for column, side in zip(table.columns, sides, strict=True)
+        )
+        + "</tr>"
+        for row in table.shown
+    )
+    caption = f"<caption>{escape(table.title)}</caption>" if table.title else ""
+    remark = f"<p>{escape(table.remark)}</p>" if table.remark else ""
+    return f'<table style="{STYLE}">{caption}<tr>{head}</tr>{body}</table>{remark}'
+
+
+def _cell(tag: str, words: str, side: str) -> str:
+    """Return a cell of a table."""
+    return f'<{tag} style="{CELL.format(side)}">{escape(words)}</{tag}>'
+
+
+def _grid() -> "RichTable":
+    """Return a table without lines and headings."""
+    from rich.table import Table as RichTable
+
+    return RichTable(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
+
+
+def _rich(table: Table) -> "RichTable":
+    """Return a table for a console."""
+    from rich.table import Table as RichTable
+
+    rich = RichTable(box=None, pad_edge=False, padding=(0, 2, 0, 0))
+    for column in table.columns:
+        rich.add_column(column.heading, justify="left" if column.left else "right", no_wrap=True)
+    for row in table.shown:
+        rich.add_row(*(column.words(row) for column in table.columns))
+    return rich

@@ -1,0 +1,72 @@
+"""Base class of results: repr, summary, HTML, JSON and plot, all from one description."""
+
+import functools
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from rocksteady.results.description import Description
+from rocksteady.results.rendering import as_html, as_text
+
+_plots: dict[str, Callable[[], Any]] = {}
+
+
+class Result:
+    """A result that describes itself.
+
+    A subclass defines `describe`; the rest follows from it.
+    """
+
+    def describe(self) -> Description:
+        """Return the facts, tables and notes of the result."""
+        raise NotImplementedError
+
+    def summary(self) -> str:
+        """Return the result as text of 80 columns, as the command prints it."""
+        return as_text(self.describe())
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the result as plain values under the names of the command's JSON."""
+        return self.describe().to_dict()
+
+    def plot(self, *arguments: Any, **options: Any) -> Any:
+        """Plot the result; arguments and axes are those of the function `plot_*` of its kind."""
+        return plotting_function(type(self).__name__)(self, *arguments, **options)
+
+    def __repr__(self) -> str:
+        """Return one line."""
+        return f"<{type(self).__name__}: {self.describe().headline}>"
+
+    def _repr_html_(self) -> str:
+        """Return the result as HTML, for notebooks."""
+        return as_html(self.describe())
+
+
+def use_plots(names: Mapping[str, str], importer: Callable[[str], Any]) -> None:
+    """Decide which public function plots which kind of result.
+
+    Results lie below the plots, so that the package's namespace, which knows both, connects them.
+
+    Parameters
+    ----------
+    names
+        Public name of the plotting function by the name of the class.
+    importer
+        Returns a public object by its name.
+    """
+    for kind, name in names.items():
+        _plots[kind] = functools.partial(importer, name)
+
+
+def plotting_function(kind: str) -> Callable[..., Any]:
+    """Return the function that plots a kind of result.
+
+    Raises
+    ------
+    TypeError
+        If none does.
+    """
+    if kind not in _plots:
+        message = f"a {kind} has no plot; summary() shows it as text"
+        raise TypeError(message)
+    function: Callable[..., Any] = _plots[kind]()
+    return function
