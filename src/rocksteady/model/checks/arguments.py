@@ -9,6 +9,7 @@ import functools
 import inspect
 import math
 import os
+import re
 import types
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from decimal import Decimal
@@ -73,7 +74,10 @@ def checked_result(target: T) -> T:
 
 def _checked(target: Any, *, numbers: bool) -> Any:
     if not inspect.isclass(target):
-        return _guarded(target, numbers=False)
+        function = _guarded(target, numbers=False)
+        # help() would spell out the twenty types of an ArrayLike, and every class with its module.
+        function.__signature__ = _readable(inspect.signature(target))  # type: ignore[attr-defined]
+        return function
     for name, member in list(vars(target).items()):
         if name.startswith("_") and name not in ("__init__", "__call__"):
             continue
@@ -111,6 +115,39 @@ def _guarded(function: Callable[..., Any], *, numbers: bool) -> Callable[..., An
         call.__code__, function.__globals__, function.__name__, closure=call.__closure__
     )
     return functools.wraps(function)(local)
+
+
+class _Words:
+    """An annotation as it is written in the source."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+
+    def __repr__(self) -> str:
+        return self.text
+
+
+def _readable(signature: inspect.Signature) -> inspect.Signature:
+    """Return a signature whose annotations are short."""
+    return signature.replace(
+        parameters=[
+            each.replace(annotation=_short(each.annotation))
+            for each in signature.parameters.values()
+        ],
+        return_annotation=_short(signature.return_annotation),
+    )
+
+
+def _short(annotation: Any) -> Any:
+    """Return an annotation with names for unions of arrays, and classes without modules."""
+    if annotation is inspect.Parameter.empty:
+        return annotation
+    inner = get_args(annotation)
+    if any("_SupportsArray" in str(get_origin(part)) for part in inner):
+        return _Words("ArrayLike | None" if types.NoneType in inner else "ArrayLike")
+    text = annotation if isinstance(annotation, str) else inspect.formatannotation(annotation)
+    text = re.sub(r"ndarray\[tuple\[[^\]]*\], [\w.]*dtype\[[^\]]*\]\]", "ndarray", text)
+    return _Words(re.sub(r"\b(?:[a-z_]\w*\.)+(?=\w)", "", text))
 
 
 def _plan(function: Callable[..., Any], numbers: bool) -> list[tuple[str, int, bool, Fit]]:
