@@ -6,6 +6,7 @@ processes are started beforehand: how long that takes is not what a long sweep i
 
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +19,7 @@ from rocksteady import (
     DimensionlessBlock,
     Grid,
     Output,
+    Run,
     State,
     Store,
     attractor_map,
@@ -28,11 +30,11 @@ from rocksteady import (
 Floats = NDArray[np.float64]
 
 AXES = {"amplitude": np.linspace(1.2, 6.0, 400), "frequency_ratio": np.linspace(0.5, 8.0, 400)}
-WAYS: dict[str, dict[str, Any]] = {
-    "one thread": {"workers": 1},
-    "all cores": {},
-    "all cores, store": {},
-    "dask, store": {},
+WAYS = {
+    "one thread": Run(workers=1),
+    "all cores": Run(),
+    "all cores, store": Run(),
+    "dask, store": Run(),
 }
 
 
@@ -48,15 +50,15 @@ def scheduler() -> Iterator[str]:
 @pytest.mark.parametrize("way", WAYS)
 @pytest.mark.benchmark(group="sweeps", timer=time.perf_counter)
 def test_map(benchmark: Any, way: str, scheduler: str, tmp_path: Path) -> None:
-    how = dict(WAYS[way])
+    how = WAYS[way]
     if "dask" in way:
-        how["executor"] = scheduler
+        how = replace(how, executor=scheduler)
     if "store" in way:
-        how["store"] = Store(tmp_path / "map.zarr", overwrite=True)
+        how = replace(how, store=Store(tmp_path / "map.zarr", overwrite=True))
     found = benchmark.pedantic(
         attractor_map,
         args=(DimensionlessBlock(restitution=0.8),),
-        kwargs={"axes": AXES, **how},
+        kwargs={"axes": AXES, "run": how},
         rounds=3,
         warmup_rounds=1,
     )
@@ -67,11 +69,11 @@ def test_map(benchmark: Any, way: str, scheduler: str, tmp_path: Path) -> None:
 @pytest.mark.benchmark(group="sweeps", timer=time.perf_counter)
 def test_fates(benchmark: Any, where: str, tmp_path: Path) -> None:
     axes = {"amplitude": np.linspace(1.0, 6.0, 400), "frequency_ratio": np.linspace(1.0, 12.0, 400)}
-    how = {"store": Store(tmp_path / "fates.zarr", overwrite=True)} if where == "store" else {}
+    store = Store(tmp_path / "fates.zarr", overwrite=True) if where == "store" else None
     found = benchmark.pedantic(
         fate_map,
         args=(DimensionlessBlock(restitution=0.8),),
-        kwargs={"axes": axes, "start": State(angle=0.0, velocity=0.3), **how},
+        kwargs={"axes": axes, "start": State(angle=0.0, velocity=0.3), "run": Run(store=store)},
         rounds=3,
         warmup_rounds=1,
     )
@@ -88,13 +90,11 @@ def cheap(a: Floats, b: Floats) -> dict[str, Any]:
 def test_cheap(benchmark: Any, where: str, tmp_path: Path) -> None:
     axes = tuple(Axis(name=name, values=np.linspace(0.0, 1.0, 1000)) for name in "ab")
     outputs = (Output(name="product"), Output(name="above", dtype=np.bool_))
-    how: dict[str, Any] = {}
-    if where == "store":
-        how["store"] = Store(tmp_path / "cheap.zarr", overwrite=True)
+    store = Store(tmp_path / "cheap.zarr", overwrite=True) if where == "store" else None
     found = benchmark.pedantic(
         evaluate,
         args=(cheap, Grid(axes=axes), outputs),
-        kwargs={"batch": 2**16, **how},
+        kwargs={"batch": 2**16, "run": Run(store=store)},
         rounds=5,
         warmup_rounds=1,
     )

@@ -115,6 +115,7 @@ if TYPE_CHECKING:
     from rocksteady.sweep.cases.grid import Grid
     from rocksteady.sweep.cases.outputs import Output
     from rocksteady.sweep.evaluate import evaluate
+    from rocksteady.sweep.run import Run
     from rocksteady.sweep.store.reading import open_store
     from rocksteady.sweep.store.store import Store
 else:
@@ -184,6 +185,7 @@ __all__ = [
     "Rest",
     "ReturnMap",
     "RocksteadyError",
+    "Run",
     "Segment",
     "Side",
     "State",
@@ -326,6 +328,7 @@ _DEFINED_IN = {
     "Rest": "rocksteady.dynamics.history.start",
     "ReturnMap": "rocksteady.dynamics.orbits.return_map",
     "RocksteadyError": "rocksteady.errors",
+    "Run": "rocksteady.sweep.run",
     "Segment": "rocksteady.model.motions.segments",
     "Side": "rocksteady.model.blocks.sides",
     "State": "rocksteady.dynamics.history.start",

@@ -71,7 +71,7 @@ def things() -> dict[str, Any]:
         if path.endswith("csv"):
             Path(path).write_text("t (s),acc (m/s2)\n0,0\n0.1,1\n0.2,-1\n", encoding="utf-8")
         else:
-            rs.evaluate(square, grid, (rs.Output(name="value"),), store=path)
+            rs.evaluate(square, grid, (rs.Output(name="value"),), run=rs.Run(store=path))
     return {
         "block": block,
         "bare": bare,
@@ -186,6 +186,7 @@ def calls() -> dict[str, Call]:
         rs.ReturnMap: {"block": bare, "shaking": shaking},
         t["map_of_return"].__call__: {"state": t["state"]},
         t["map_of_return"].passages: {"state": t["state"]},
+        rs.Run: {"executor": "serial", "workers": 1},
         rs.Segment: {"duration": 1.0, "constant": 2.0},
         rs.Side: {"alpha": 0.2, "radius": 1.0, "p": 2.0, "restitution": 0.8},
         rs.State: {"angle": 0.1, "velocity": 0.2},

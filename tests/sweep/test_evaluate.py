@@ -20,6 +20,7 @@ from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.run import Run
 
 Floats = NDArray[np.float64]
 Found = dict[str, NDArray[Any]]
@@ -66,7 +67,11 @@ def test_it_is_the_function_over_the_whole_grid_for_every_executor_and_batch(
     whole = some(a, b, c)
     told: list[int] = []
     data = evaluate(
-        some, GRID, OUTPUTS, executor=executor, workers=workers, batch=batch, done=told.append
+        some,
+        GRID,
+        OUTPUTS,
+        run=Run(executor=executor, workers=workers, progress=told.append),
+        batch=batch,
     )
     assert np.array_equal(data["sum"].values, whole["sum"])
     assert np.array_equal(data["sign"].values, whole["sign"])
@@ -102,7 +107,7 @@ def test_cells_know_their_numbers() -> None:
 @pytest.mark.parametrize("executor", ["threads", "serial"])
 def test_an_error_of_the_case_function_comes_out_and_says_where(executor: str) -> None:
     with pytest.raises(ZeroDivisionError, match="as it happens") as caught:
-        evaluate(failing, GRID, OUTPUTS, executor=executor, workers=1, batch=4)
+        evaluate(failing, GRID, OUTPUTS, run=Run(executor=executor, workers=1), batch=4)
     (note,) = caught.value.__notes__
     told = re.match(
         r"in cells (\d+) to (\d+) of 84: a (\S+) to (\S+), b .+ to .+, c \d to \d", note
@@ -128,16 +133,13 @@ def test_an_error_of_the_case_function_comes_out_and_says_where(executor: str) -
 )
 def test_what_is_not_returned_as_declared_is_named(answer: Any, valid: str) -> None:
     with pytest.raises(InputError, match=valid):
-        evaluate(lambda **_: answer, GRID, OUTPUTS[:1], executor="serial")
+        evaluate(lambda **_: answer, GRID, OUTPUTS[:1], run=Run(executor="serial"))
 
 
 @pytest.mark.parametrize(
     ("arguments", "valid"),
     [
-        ({"executor": "cloud"}, "one of threads, dask, serial"),
-        ({"executor": None}, "one of threads, dask, serial"),
-        ({"workers": 0}, "from 1 to 1024"),
-        ({"workers": 2.0}, "from 1 to 1024"),
+        ({"run": "threads"}, "run = 'threads' is not valid"),
         ({"batch": 0}, "whole number"),
         ({"numbered": "a"}, "numbered = 'a' is not valid: no two of them"),
         ({"numbered": 3}, "name of an argument"),
@@ -167,7 +169,7 @@ def test_an_interruption_cancels_what_has_not_begun(executor: str) -> None:
         signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
 
     with pytest.raises(KeyboardInterrupt):
-        evaluate(slow, GRID, OUTPUTS, executor=executor, workers=2, batch=1)
+        evaluate(slow, GRID, OUTPUTS, run=Run(executor=executor, workers=2), batch=1)
     after = len(begun)
     assert after < GRID.size
     time.sleep(0.05)
@@ -177,6 +179,10 @@ def test_an_interruption_cancels_what_has_not_begun(executor: str) -> None:
 def test_progress_is_told_in_the_calling_thread() -> None:
     threads: set[int] = set()
     evaluate(
-        some, GRID, OUTPUTS, workers=3, batch=2, done=lambda _: threads.add(threading.get_ident())
+        some,
+        GRID,
+        OUTPUTS,
+        run=Run(workers=3, progress=lambda _: threads.add(threading.get_ident())),
+        batch=2,
     )
     assert threads == {threading.get_ident()}

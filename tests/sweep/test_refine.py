@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from rocksteady import DimensionlessBlock, attractor_map
+from rocksteady import DimensionlessBlock, Run, attractor_map
 from rocksteady.errors import InputError, ModelError
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
@@ -78,8 +78,7 @@ def test_any_grid_has_a_class_in_every_cell_and_tells_its_progress(
         OUTPUTS,
         classes=("kind",),
         coarse=2**power,
-        executor="serial",
-        done=told.append,
+        run=Run(executor="serial", progress=told.append),
     )
     assert told[0] == 0
     assert sum(told) == grid.size
@@ -140,4 +139,6 @@ def test_a_class_is_made_of_integers(classes: Any) -> None:
 def test_a_store_holds_every_cell() -> None:
     axes = {"amplitude": [1.0, 2.0], "frequency_ratio": [1.0, 2.0]}
     with pytest.raises(ModelError, match="every cell"):
-        attractor_map(DimensionlessBlock(restitution=0.8), axes=axes, refine=8, store="a.zarr")
+        attractor_map(
+            DimensionlessBlock(restitution=0.8), axes=axes, refine=8, run=Run(store="a.zarr")
+        )

@@ -1,8 +1,7 @@
 """The only loop over cases: queues a grid's cells, stores the results and labels them."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 from rocksteady.errors import InputError
@@ -15,16 +14,12 @@ from rocksteady.sweep.cases.memory import Memory
 from rocksteady.sweep.cases.outputs import Output, outputs_of
 from rocksteady.sweep.cases.queue import Queue
 from rocksteady.sweep.cases.task import Answer, Cases, CellRange, Task
-from rocksteady.sweep.executors.choice import pool_for, validated_executor, validated_workers
+from rocksteady.sweep.executors.choice import pool_for
+from rocksteady.sweep.run import Progress, Run
 from rocksteady.sweep.store.store import Store
 
 if TYPE_CHECKING:
     import xarray
-
-Done = Callable[[int], object]
-"""Called in the calling thread: once with the number of cells that are there already, when the
-first of the others is about to be computed; then with the number of those just finished.  The last
-call comes when everything is kept, in a store on disk."""
 
 BATCH = 1024
 """Default largest number of cells in one call of the case function.  Calls grow to it only while
@@ -54,12 +49,9 @@ def evaluate(
     grid: Grid,
     outputs: Sequence[Output],
     *,
-    executor: str = "threads",
-    workers: int | None = None,
-    store: Store | Path | str | None = None,
+    run: Run | None = None,
     batch: int = BATCH,
     numbered: str | None = None,
-    done: Done | None = None,
     attributes: Mapping[str, Any] | None = None,
 ) -> "xarray.Dataset":
     """Evaluate a function in every cell of a grid.
@@ -80,24 +72,14 @@ def evaluate(
         The cells.
     outputs
         What it returns.
-    executor
-        "threads" (default), "serial", "dask" for a cluster of processes on this machine, or the
-        address of a dask scheduler, as "tcp://10.0.0.1:8786".
-    workers
-        How many; by default as many as this process may use cores, or as a cluster has.
-    store
-        Where to keep the results on disk, chunk by chunk; a path for a new one, or a `Store` that
-        says more.  Without one they are kept in memory.
+    run
+        Executor, number of workers, storage and progress; by default `Run()`.
     batch
         The most cells that one call takes.  An interruption waits for calls under way.
     numbered
         Name of one more argument of the case function: the numbers of its cells in the grid, in C
         order, int64.  A random number that is keyed on it does not depend on who computes it: see
         `rocksteady.sweep.cases.draws.uniform`.
-    done
-        Told in this thread how far it is: first the number of cells that are there already, when
-        the first of the others is about to be computed; then of those just finished.  The last
-        call comes when all is kept.
     attributes
         Of the result, in finite numbers and texts: what a reader wants to know first.
 
@@ -143,24 +125,27 @@ def evaluate(
         batch=whole_number("batch", batch, at_least=1, at_most=LARGEST_BATCH, hint=hint),
     )
     _check_names(task)
-    chosen, many = validated_executor(executor), validated_workers(workers)
-    where = _place(store)
+    how = Run() if run is None else run
+    where = how.place
     if where is not None:
         where.check()
     # The pool first: if there is no cluster, no store is begun.
-    with pool_for(task, chosen, many) as pool, _results(task, where, attributes or {}) as results:
+    with (
+        pool_for(task, how.executor, how.workers) as pool,
+        _results(task, where, attributes or {}) as results,
+    ):
         queue = Queue(results.missing(), workers=pool.workers, batch=task.batch)
-        _tell(done, grid.size - queue.left)
+        _tell(how.progress, grid.size - queue.left)
         with closing(pool.answers(queue)) as answers:
             for answer in answers:
                 results.put(answer)
-                _tell(done, answer.stop - answer.job[0])
+                _tell(how.progress, answer.stop - answer.job[0])
         return results.dataset()
 
 
-def _tell(done: Done | None, cells: int) -> None:
-    if done is not None:
-        done(cells)
+def _tell(progress: Progress | None, cells: int) -> None:
+    if progress is not None:
+        progress(cells)
 
 
 def _check_names(task: Task) -> None:
@@ -184,17 +169,6 @@ def _check_names(task: Task) -> None:
             "a constant may not have the name of an axis",
             "leave it out of the functools.partial",
         )
-
-
-def _place(store: Store | Path | str | None) -> Store | None:
-    """Return where the results are kept on disk; None for memory."""
-    if store is None or isinstance(store, Store):
-        return store
-    if not isinstance(store, Path | str):
-        raise InputError(
-            "store", store, "it must be a path or a Store", "give a path, as 'map.zarr'"
-        )
-    return Store(store)
 
 
 @contextmanager

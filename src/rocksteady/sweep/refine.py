@@ -8,6 +8,7 @@ has seen both of its sides; an island that it has not met, far from every border
 
 import functools
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
@@ -23,7 +24,8 @@ from rocksteady.sweep.cases.labelled import labelled
 from rocksteady.sweep.cases.memory import MOST_CELLS
 from rocksteady.sweep.cases.outputs import Output, outputs_of
 from rocksteady.sweep.cases.task import Cases, Task
-from rocksteady.sweep.evaluate import BATCH, Done, evaluate
+from rocksteady.sweep.evaluate import BATCH, evaluate
+from rocksteady.sweep.run import Progress, Run, run_in_memory
 
 if TYPE_CHECKING:
     import xarray
@@ -46,18 +48,16 @@ def refined(
     *,
     classes: Sequence[str],
     coarse: int,
-    executor: str = "threads",
-    workers: int | None = None,
+    run: Run | None = None,
     batch: int = BATCH,
-    done: Done | None = None,
     attributes: Mapping[str, Any] | None = None,
 ) -> "xarray.Dataset":
     """Evaluate a function in the cells of a grid that are near a border of its classes.
 
     Parameters
     ----------
-    cases, grid, outputs, executor, workers, batch, done, attributes
-        As for `rocksteady.sweep.evaluate.evaluate`.
+    cases, grid, outputs, run, batch, attributes
+        As for `rocksteady.sweep.evaluate.evaluate`; the run without a store.
     classes
         Names of the integer outputs that make a class.
     coarse
@@ -75,6 +75,8 @@ def refined(
     ------
     InputError
         As for `evaluate`, and if the spacing is no power of two, or a class no integer output.
+    ModelError
+        If the run has a store.
 
     Examples
     --------
@@ -87,6 +89,7 @@ def refined(
     >>> bool((found.inside == whole.inside).all()), f"{float(found.met.mean()):.2f}"
     (True, '0.07')
     """
+    given = run_in_memory(run, "a store holds every cell of its grid")
     wanted = outputs_of([*outputs, MET], grid)[:-1]
     _check_classes(classes, wanted)
     spacing = _spacing(coarse)
@@ -95,7 +98,8 @@ def refined(
     said = attributes_of(inputs_of(task), {**(attributes or {}), "coarse": spacing})
     arrays = {output.name: np.full(grid.size, output.nothing, output.dtype) for output in wanted}
     met: Bools = np.zeros(grid.size, dtype=np.bool_)
-    tell = _told_once(done)
+    tell = _told_once(given.progress)
+    how = replace(given, progress=tell)
 
     def compute(numbers: Integers) -> None:
         if not numbers.size:
@@ -104,10 +108,8 @@ def refined(
             functools.partial(_numbered, cases=cases, grid=grid),
             Grid(axes=(Axis(name="number", values=numbers),)),
             wanted,
-            executor=executor,
-            workers=workers,
+            run=how,
             batch=batch,
-            done=tell,
         )
         for name, array in arrays.items():
             array[numbers] = found[name].values
@@ -178,17 +180,17 @@ def _compared(
     return near, old, beside
 
 
-def _told_once(done: Done | None) -> Done | None:
+def _told_once(progress: Progress | None) -> Progress | None:
     """Return what several sweeps tell their progress as if they were one."""
     begun = False
 
     def told(cells: int) -> None:
         nonlocal begun
-        if done is not None and (cells or not begun):
-            done(cells)
+        if progress is not None and (cells or not begun):
+            progress(cells)
         begun = True
 
-    return told if done is not None else None
+    return told if progress is not None else None
 
 
 def _spacing(coarse: object) -> int:

@@ -11,6 +11,7 @@ from rocksteady import (
     DimensionlessBlock,
     InputError,
     OutputError,
+    Run,
     Store,
     UnfinishedError,
     attractor_map,
@@ -24,32 +25,40 @@ def filled(path: Path) -> Path:
     """Write a store of four cells."""
     axes: dict[str, Any] = {"amplitude": np.array([0.5, 1.5]), "frequency_ratio": [2.0, 3.0]}
     block = DimensionlessBlock(restitution=0.8)
-    attractor_map(block, axes=axes, cycles=20, store=Store(path))
+    attractor_map(block, axes=axes, cycles=20, run=Run(store=Store(path)))
     return path
 
 
 def test_without_out_there_is_no_store() -> None:
-    assert SweepFlags().store(force=False) is None
+    assert SweepFlags().run(force=False) == Run()
     for flags in (SweepFlags(resume=True), SweepFlags(chunk=10)):
         with pytest.raises(FlagError, match="without --out there is no store"):
-            flags.store(force=False)
+            flags.run(force=False)
+
+
+def test_the_flags_make_a_run() -> None:
+    assert SweepFlags(executor="serial", workers=2).run(force=False) == Run(
+        executor="serial", workers=2
+    )
+    with pytest.raises(InputError, match="executor = 'cloud' is not valid"):
+        SweepFlags(executor="cloud").run(force=False)
 
 
 def test_a_store_is_new_or_continued_or_begun_anew(tmp_path: Path) -> None:
-    new = SweepFlags(out=tmp_path / "new.zarr", chunk=7).store(force=False)
+    new = SweepFlags(out=tmp_path / "new.zarr", chunk=7).run(force=False).place
     assert new is not None
     assert (new.resume, new.overwrite, new.chunk) == (False, False, 7)
     there = filled(tmp_path / "a.zarr")
     with pytest.raises(OutputError, match="it exists; add --resume to continue it, or --force"):
-        SweepFlags(out=there).store(force=False)
-    again = SweepFlags(out=there, resume=True).store(force=False)
+        SweepFlags(out=there).run(force=False)
+    again = SweepFlags(out=there, resume=True).run(force=False).place
     assert again is not None
     assert (again.resume, again.overwrite) == (True, False)
-    anew = SweepFlags(out=there).store(force=True)
+    anew = SweepFlags(out=there).run(force=True).place
     assert anew is not None
     assert (anew.resume, anew.overwrite) == (False, True)
     with pytest.raises(FlagError, match="--resume and --force are both given"):
-        SweepFlags(out=there, resume=True).store(force=True)
+        SweepFlags(out=there, resume=True).run(force=True)
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 """Erosion: measures by hand, a still base in closed form, and the heteroclinic curve."""
 
 import math
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,8 +14,10 @@ from rocksteady import (
     Harmonic,
     InputError,
     ModelError,
+    Run,
     State,
     Status,
+    Store,
     erosion,
     heteroclinic_amplitude,
     simulate,
@@ -124,13 +127,29 @@ def test_a_window_already_below_the_level_is_bracketed_from_the_still_base() -> 
 def test_executors_agree_and_whole_periods_change_nothing() -> None:
     axes = coarse(40, 2.0)
     told: list[int] = []
-    one = eroded(0.9, 2.0, [0.5, 1.0], phase=0.7, done=told.append, **axes)
-    other = eroded(0.9, 2.0, [0.5, 1.0], phase=0.7 - 2.0 * math.pi, executor="serial", **axes)
+    one = eroded(0.9, 2.0, [0.5, 1.0], phase=0.7, run=Run(progress=told.append), **axes)
+    other = eroded(
+        0.9, 2.0, [0.5, 1.0], phase=0.7 - 2.0 * math.pi, run=Run(executor="serial"), **axes
+    )
     assert np.array_equal(one.safe, other.safe)
     assert sum(told) == 3 * 40 * 40  # the still base too
     image = eroded(0.9, 2.0, [0.5, 1.0], phase=0.7 + math.pi, **axes)
     assert np.array_equal(one.safe[:, ::-1, ::-1], image.safe)
     assert np.array_equal(one.radius, image.radius)
+
+
+def test_a_store_holds_the_states_and_a_drop_has_none(tmp_path: Path) -> None:
+    path, told = tmp_path / "erosion.zarr", list[int]()
+    given: dict[str, Any] = {"restitution": 0.9, "frequency": 2.0, "amplitudes": [0.6, 1.0]}
+    found = eroded(**given, run=Run(store=path))  # of the default window
+    again = eroded(**given, run=Run(store=Store(path, resume=True), progress=told.append))
+    assert told == [3 * len(found.angle) * len(found.velocity)]  # nothing is computed again
+    memory = eroded(**given)
+    for one in (found, again):
+        assert np.array_equal(one.safe, memory.safe)
+        assert one.to_dataset().identical(memory.to_dataset())
+    with pytest.raises(ModelError, match="run has a store: the basins of a drop are not kept"):
+        found.drop(run=Run(store=tmp_path / "other.zarr"))
 
 
 def test_a_dataset_and_a_table_hold_it() -> None:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, State, Status, simulate
+from rocksteady import Block, DimensionlessBlock, Harmonic, Run, State, Status, simulate
 from rocksteady.dynamics.basins._safe import measured, safe_states
 from rocksteady.dynamics.history.models import ModelName, sides_of
 
@@ -34,8 +34,7 @@ def test_a_state_is_safe_where_its_time_history_does_not_overturn(
         angles=angles,
         velocities=velocities,
         cycles=15,
-        executor="serial",
-        workers=None,
+        run=Run(executor="serial", workers=None),
     )
     assert safe.shape == (2, 4, 6)
     for at, amplitude in enumerate(amplitudes):

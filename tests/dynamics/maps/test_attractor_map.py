@@ -15,6 +15,7 @@ from rocksteady import (
     InputError,
     ModelError,
     Rest,
+    Run,
     State,
     Steady,
     attractor,
@@ -70,8 +71,8 @@ def test_a_row_along_which_chatter_ends_at_uplift_is_as_fast_as_any_other() -> N
 
 def test_executors_agree_to_the_bit_and_progress_is_told() -> None:
     told: list[int] = []
-    one = attractor_map(BLOCK, axes=AXES, cycles=300, done=told.append)
-    other = attractor_map(BLOCK, axes=AXES, cycles=300, executor="serial")
+    one = attractor_map(BLOCK, axes=AXES, cycles=300, run=Run(progress=told.append))
+    other = attractor_map(BLOCK, axes=AXES, cycles=300, run=Run(executor="serial"))
     assert one.identical(other)
     assert sum(told) == 12 * 11
 

@@ -13,6 +13,7 @@ from rocksteady import (
     Harmonic,
     InputError,
     ModelError,
+    Run,
     State,
     Status,
     Steady,
@@ -83,7 +84,7 @@ def test_a_map_says_what_it_was_computed_from_and_follows_200_periods() -> None:
         "cycles": 200,
     }
     assert set(np.unique(found.fate)) == {Status.ROCKING, Status.AT_REST, Status.OVERTURNED}
-    assert found.identical(fate_map(BLOCK, axes=AXES, start=START, executor="serial"))
+    assert found.identical(fate_map(BLOCK, axes=AXES, start=START, run=Run(executor="serial")))
 
 
 def test_a_block_that_a_mirrored_motion_moves_ends_as_its_mirror_image() -> None:
@@ -108,12 +109,12 @@ def test_a_store_holds_what_memory_does_and_is_continued(tmp_path: Path) -> None
 
     path = tmp_path / "a.zarr"
     with pytest.raises(EnoughError):
-        fate_map(BLOCK, axes=AXES, start=START, store=Store(path, chunk=19), done=stop)
+        fate_map(BLOCK, axes=AXES, start=START, run=Run(store=Store(path, chunk=19), progress=stop))
     there = int(open_store(path, partial=True).computed.sum())
     assert 0 < there < 23 * 19
     told: list[int] = []
     found = fate_map(
-        BLOCK, axes=AXES, start=START, store=Store(path, resume=True), done=told.append
+        BLOCK, axes=AXES, start=START, run=Run(store=Store(path, resume=True), progress=told.append)
     )
     assert told[0] == there
     assert found.load().identical(fate_map(BLOCK, axes=AXES, start=START))
@@ -128,7 +129,7 @@ def test_a_refined_map_has_the_fates_near_their_borders() -> None:
     assert (found.fate == whole.fate).mean() > 0.99
     assert (found.impacts == whole.impacts).values[met].all()
     with pytest.raises(ModelError, match="a store holds every cell"):
-        fate_map(BLOCK, axes=axes, refine=4, store="a.zarr")
+        fate_map(BLOCK, axes=axes, refine=4, run=Run(store="a.zarr"))
 
 
 @pytest.mark.parametrize(

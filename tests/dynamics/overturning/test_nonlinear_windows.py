@@ -14,6 +14,7 @@ from rocksteady import (
     ModelError,
     OverturningWindows,
     Pulse,
+    Run,
     Status,
     overturning_windows,
     simulate,
@@ -32,7 +33,7 @@ CABINET = Block.from_p(alpha=0.25, p=2.14, restitution=0.9, gravity=G)
 
 def nonlinear(block: Block, shape: str, ratio: float, top: float = 20.0) -> OverturningWindows:
     return overturning_windows(
-        block, shape, [ratio], model="nonlinear", amplitudes=(1.0, top), executor="serial"
+        block, shape, [ratio], model="nonlinear", amplitudes=(1.0, top), run=Run(executor="serial")
     )
 
 
@@ -222,10 +223,14 @@ def test_a_block_without_slenderness_is_refused() -> None:
 def test_where_nobody_says_the_search_goes_beyond_uplift() -> None:
     flat = Block.from_p(alpha=1.5, p=1.0, restitution=0.5)
     uplift = math.tan(1.5) / 1.5  # 9.4
-    one = overturning_windows(flat, "rectangle", [0.5], model="nonlinear", executor="serial")
+    one = overturning_windows(
+        flat, "rectangle", [0.5], model="nonlinear", run=Run(executor="serial")
+    )
     assert 2.0 * uplift < one.amplitudes[1] == 20.0
     flatter = Block.from_p(alpha=1.56, p=1.0, restitution=0.5)
-    other = overturning_windows(flatter, "rectangle", [0.5], model="nonlinear", executor="serial")
+    other = overturning_windows(
+        flatter, "rectangle", [0.5], model="nonlinear", run=Run(executor="serial")
+    )
     assert other.amplitudes[1] == pytest.approx(
         2.0 * math.tan(1.56) / 1.56
     )  # where 20 lifts nothing

@@ -1,5 +1,6 @@
 """Windows of overturning: published numbers, closed forms, a dense scan, invariants, bad input."""
 
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ from rocksteady import (
     ModelError,
     OverturningWindows,
     Pulse,
+    Run,
     Status,
     Store,
     overturning_threshold,
@@ -205,21 +207,21 @@ def test_a_side_that_lifts_sooner_sets_the_range() -> None:
 # ---------------------------------------------------------------------- sweeps
 
 
-@pytest.mark.parametrize("how", [{"workers": 1}, {"executor": "serial"}, {"workers": 2}])
-def test_every_executor_gives_the_same_bits(how: dict[str, Any], tmp_path: Path) -> None:
+@pytest.mark.parametrize("how", [Run(workers=1), Run(executor="serial"), Run(workers=2)])
+def test_every_executor_gives_the_same_bits(how: Run, tmp_path: Path) -> None:
     ratios = np.linspace(1.0, 6.0, 7)
     expected = overturning_windows(BLOCK, "one-cosine", ratios).to_dataset()
-    found = overturning_windows(BLOCK, "one-cosine", ratios, **how).to_dataset()
+    found = overturning_windows(BLOCK, "one-cosine", ratios, run=how).to_dataset()
     assert found.identical(expected)
     kept = overturning_windows(
-        BLOCK, "one-cosine", ratios, store=Store(tmp_path / "windows.zarr"), **how
+        BLOCK, "one-cosine", ratios, run=replace(how, store=tmp_path / "windows.zarr")
     )
     assert kept.to_dataset().identical(expected)
 
 
 def test_progress_is_told_by_frequency() -> None:
     told: list[int] = []
-    overturning_windows(BLOCK, "half-sine", [1.0, 2.0, 3.0], done=told.append)
+    overturning_windows(BLOCK, "half-sine", [1.0, 2.0, 3.0], run=Run(progress=told.append))
     assert told[0] == 0
     assert sum(told) == 3
 
@@ -269,7 +271,7 @@ def test_oscillations_belong_to_one_pulse_alone() -> None:
 
 def test_an_interrupted_search_keeps_most_of_its_frequencies(tmp_path: Path) -> None:
     ratios, passed = np.linspace(1.0, 5.0, 20), 0
-    how: dict[str, Any] = {"resolution": 0.02, "executor": "serial"}
+    how: dict[str, Any] = {"resolution": 0.02}
 
     def stopped(cells: int) -> None:
         nonlocal passed
@@ -279,10 +281,18 @@ def test_an_interrupted_search_keeps_most_of_its_frequencies(tmp_path: Path) -> 
 
     path = tmp_path / "windows.zarr"
     with pytest.raises(KeyboardInterrupt):
-        overturning_windows(BLOCK, "one-sine", ratios, store=path, done=stopped, **how)
+        overturning_windows(
+            BLOCK,
+            "one-sine",
+            ratios,
+            run=Run(executor="serial", store=path, progress=stopped),
+            **how,
+        )
     told: list[int] = []
     store = Store(path, resume=True)
-    found = overturning_windows(BLOCK, "one-sine", ratios, store=store, done=told.append, **how)
+    found = overturning_windows(
+        BLOCK, "one-sine", ratios, run=Run(store=store, progress=told.append), **how
+    )
     assert told[0] >= 8  # of chunks that are finished
     assert sum(told) == 20
     whole = overturning_windows(BLOCK, "one-sine", ratios, **how)

@@ -12,6 +12,7 @@ from rocksteady import (
     InputError,
     ModelError,
     Record,
+    Run,
     Status,
     open_store,
     read_record,
@@ -164,10 +165,10 @@ def test_who_computes_it_and_where_it_is_kept_change_nothing(tmp_path: Path) -> 
     grid = {"alpha": ALPHAS, "periods_s": PERIODS, "scale": [0.8, 1.0]}
     records, up = [ground(1), ground(2), ground(3)], [lifting(), None, None]
     given = {**grid, "model": "nonlinear", "vertical": up}
-    plain = rocking_spectrum(records, **given, executor="serial")  # type: ignore[arg-type]
-    same(plain, rocking_spectrum(records, **given, workers=3))  # type: ignore[arg-type]
+    plain = rocking_spectrum(records, **given, run=Run(executor="serial"))  # type: ignore[arg-type]
+    same(plain, rocking_spectrum(records, **given, run=Run(workers=3)))  # type: ignore[arg-type]
     path = tmp_path / "suite.zarr"
-    kept = rocking_spectrum(records, **given, store=path)  # type: ignore[arg-type]
+    kept = rocking_spectrum(records, **given, run=Run(store=path))  # type: ignore[arg-type]
     same(plain, kept)
     assert plain.equals(kept.load())
     same(plain, open_store(path))

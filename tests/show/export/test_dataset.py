@@ -250,13 +250,13 @@ MEASURED = """
 import resource, sys
 from pathlib import Path
 import numpy as np
-from rocksteady import Axis, Grid, Output, evaluate, export, open_store
+from rocksteady import Axis, Grid, Output, Run, evaluate, export, open_store
 sys.path.insert(0, sys.argv[2])
 from cases_of_a_large_map import many
 axes = [Axis(name=n, values=np.arange(1000.0)) for n in ("a", "b")]
 outputs = [Output(name=f"o{n}") for n in range(10)]
 folder = Path(sys.argv[2])
-evaluate(many, Grid(axes=axes), outputs, store=folder / "x.zarr", batch=100_000)
+evaluate(many, Grid(axes=axes), outputs, run=Run(store=folder / "x.zarr"), batch=100_000)
 before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 export(open_store(folder / "x.zarr"), folder / sys.argv[1])
 print((resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) // 1024)

@@ -9,7 +9,7 @@ import matplotlib as mpl
 import numpy as np
 import pytest
 
-from rocksteady import OutputError
+from rocksteady import OutputError, Run
 from rocksteady.studies.atlas import study as module
 from rocksteady.studies.atlas.analysis.from_rest import FATES
 from rocksteady.studies.atlas.study import PICTURES, SCHEMA, TABLES, atlas, plane_of, steps
@@ -112,7 +112,7 @@ def test_the_page_needs_nothing_and_names_every_file(saved: Path) -> None:
 
 @pytest.mark.slow
 def test_the_same_atlas_gives_the_same_bytes(saved: Path, tmp_path: Path) -> None:
-    again = atlas(0.8, amplitude=AMPLITUDES, frequency_ratio=FREQUENCY_RATIOS, workers=1)
+    again = atlas(0.8, amplitude=AMPLITUDES, frequency_ratio=FREQUENCY_RATIOS, run=Run(workers=1))
     again.save(tmp_path / "out")
     for name in FILES - {"atlas.html"}:  # it holds run times
         assert (tmp_path / "out" / name).read_bytes() == (saved / name).read_bytes(), name

@@ -16,6 +16,7 @@ from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
+from rocksteady.sweep.run import Run
 from tests.sweep.executors.cases import slow, GRID, OUTPUTS
 
 def mine(a, b):
@@ -27,7 +28,10 @@ def told(cells):
 
 executor = sys.argv[1] if len(sys.argv) > 1 else "dask"
 """
-RUN = "data = evaluate(mine, GRID, OUTPUTS, executor=executor, workers=2, done=told, batch=4)\n"
+RUN = (
+    "data = evaluate(mine, GRID, OUTPUTS, batch=4,"
+    " run=Run(executor=executor, workers=2, progress=told))\n"
+)
 
 
 def tree(folder: Path) -> dict[str, bytes]:

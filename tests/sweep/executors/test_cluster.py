@@ -27,6 +27,7 @@ from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.executors import _cluster, _dask, _local, _remote
 from rocksteady.sweep.executors._local import Local
 from rocksteady.sweep.executors._worker import START
+from rocksteady.sweep.run import Run
 from rocksteady.sweep.store.store import Store
 from tests.sweep.executors.callers import started, tree, within
 from tests.sweep.executors.cases import (
@@ -47,7 +48,13 @@ def test_a_store_has_the_same_bytes_whoever_computes(address: str, tmp_path: Pat
         [("serial", 1, 1024), ("threads", 3, 7), (address, None, 10), (address, 1, 50)]
     ):
         store = Store(tmp_path / f"{number}.zarr", chunk=100)
-        evaluate(some, GRID, OUTPUTS, executor=executor, workers=workers, batch=batch, store=store)
+        evaluate(
+            some,
+            GRID,
+            OUTPUTS,
+            run=Run(executor=executor, workers=workers, store=store),
+            batch=batch,
+        )
         trees.append(tree(store.folder))
     assert all(other == trees[0] for other in trees[1:])
 
@@ -56,8 +63,10 @@ def test_a_cluster_of_its_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     told: list[int] = []
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     children = set(psutil.Process().children(recursive=True))
-    found = evaluate(some, GRID, OUTPUTS, executor="dask", workers=2, batch=50, done=told.append)
-    assert found.identical(evaluate(some, GRID, OUTPUTS, executor="serial"))
+    found = evaluate(
+        some, GRID, OUTPUTS, run=Run(executor="dask", workers=2, progress=told.append), batch=50
+    )
+    assert found.identical(evaluate(some, GRID, OUTPUTS, run=Run(executor="serial")))
     assert told[0] == 0
     assert sum(told) == GRID.size
     assert set(psutil.Process().children(recursive=True)) == children
@@ -72,7 +81,7 @@ def test_things_are_sent_once_to_each_worker(address: str, tmp_path: Path) -> No
             Axis(name="b", values=np.arange(40.0)),
         )
     )
-    found = evaluate(of_items, grid, OUTPUTS[:1], executor=address, batch=2)
+    found = evaluate(of_items, grid, OUTPUTS[:1], run=Run(executor=address), batch=2)
     assert np.array_equal(found["sum"].values, np.outer([0.0, 1.0, 2.0], np.arange(40.0)))
     processes = [path.name.partition("-")[0] for path in tmp_path.iterdir()]
     assert len(processes) == 2 * len(things)
@@ -80,7 +89,7 @@ def test_things_are_sent_once_to_each_worker(address: str, tmp_path: Path) -> No
 
 
 def test_nothing_stays_at_the_scheduler(local_cluster: Local, address: str) -> None:
-    evaluate(slow, GRID, OUTPUTS, executor=address, batch=20)
+    evaluate(slow, GRID, OUTPUTS, run=Run(executor=address), batch=20)
 
     def left(dask_scheduler: Any) -> tuple[int, int]:
         plugins = [name for name in dask_scheduler.worker_plugins if "rocksteady" in name]
@@ -99,7 +108,7 @@ def test_an_error_of_the_case_function_comes_out_once_and_says_where(
     cases = functools.partial(failing, kind=kind)
     expected = InputError if kind == "ours" else ZeroDivisionError
     with pytest.raises(expected) as caught:
-        evaluate(cases, GRID, OUTPUTS, executor=address, workers=1, batch=20)
+        evaluate(cases, GRID, OUTPUTS, run=Run(executor=address, workers=1), batch=20)
     assert type(caught.value) is expected
     assert len(caught.value.__notes__) == 1
     assert caught.value.__notes__[0].startswith("in cells ")
@@ -110,7 +119,7 @@ def test_a_worker_of_other_sources_is_refused(
 ) -> None:
     monkeypatch.setattr(inputs, "_hash_of", lambda _: "0123456789abcdef")
     with pytest.raises(InputError) as caught:
-        evaluate(some, GRID, OUTPUTS, executor=address)
+        evaluate(some, GRID, OUTPUTS, run=Run(executor=address))
     message = str(caught.value)
     assert "its worker tcp://127.0.0.1:" in message
     assert "has other sources of" in message
@@ -134,7 +143,9 @@ def test_a_worker_of_other_sources_that_joins_late_is_refused(
                 joined[0].connect(cluster.address)
 
         with pytest.raises(InputError, match=r"has other sources of .*, ffffffffffffffff"):
-            evaluate(cases, GRID, OUTPUTS, executor=cluster.address, batch=1, done=join)
+            evaluate(
+                cases, GRID, OUTPUTS, run=Run(executor=cluster.address, progress=join), batch=1
+            )
         joined[0].end()
 
 
@@ -148,7 +159,7 @@ def test_a_worker_that_cannot_load_the_case_function_is_named(
     monkeypatch.syspath_prepend(tmp_path)
     module = importlib.import_module("only_here")
     with pytest.raises(InputError) as caught:
-        evaluate(module.mine, GRID, OUTPUTS, executor=address)
+        evaluate(module.mine, GRID, OUTPUTS, run=Run(executor=address))
     assert re.search(
         r"its worker tcp://\S+ cannot load the case function and its constants: "
         r"ModuleNotFoundError: No module named 'only_here'; install",
@@ -164,7 +175,7 @@ def test_what_cannot_be_sent_is_refused(address: str) -> None:
             return some(a, b)
 
     with pytest.raises(InputError, match="other processes must be told what it is"):
-        evaluate(locked, GRID, OUTPUTS, executor=address)
+        evaluate(locked, GRID, OUTPUTS, run=Run(executor=address))
 
 
 @pytest.mark.parametrize("given_address", ["tcp://127.0.0.1:9", "tcp://no.invalid:1"])
@@ -173,7 +184,7 @@ def test_an_address_where_nobody_answers_is_refused(
 ) -> None:
     monkeypatch.setattr(_remote, "ANSWERED", 0.3)
     with pytest.raises(InputError, match=r"executor = .* must answer there within 0.3 seconds"):
-        evaluate(some, GRID, OUTPUTS, executor=given_address)
+        evaluate(some, GRID, OUTPUTS, run=Run(executor=given_address))
     gc.collect()  # a client that is half made would try to close itself
     assert capfd.readouterr().err == ""
 
@@ -181,7 +192,7 @@ def test_an_address_where_nobody_answers_is_refused(
 def test_a_cluster_without_workers_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(_remote, "PATIENCE", 0.3)
     with Local(0) as empty, pytest.raises(InputError, match="no worker for 0"):
-        evaluate(some, GRID, OUTPUTS, executor=empty.address)
+        evaluate(some, GRID, OUTPUTS, run=Run(executor=empty.address))
 
 
 def test_one_is_told_that_all_workers_have_gone_and_goes_on_with_new_ones(
@@ -200,7 +211,7 @@ def test_one_is_told_that_all_workers_have_gone_and_goes_on_with_new_ones(
                 functools.partial(slow, seconds=0.003),
                 GRID,
                 OUTPUTS,
-                executor=cluster.address,
+                run=Run(executor=cluster.address),
             )
     assert np.array_equal(found["sum"].values, evaluate(some, GRID, OUTPUTS)["sum"].values)
 
@@ -208,14 +219,14 @@ def test_one_is_told_that_all_workers_have_gone_and_goes_on_with_new_ones(
 def test_dask_may_not_be_installed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(_cluster, "find_spec", lambda _: None)
     with pytest.raises(InputError, match=r"install rocksteady\[cluster\]"):
-        evaluate(some, GRID, OUTPUTS, executor="dask")
+        evaluate(some, GRID, OUTPUTS, run=Run(executor="dask"))
 
 
 def test_a_worker_that_is_killed_is_replaced(tmp_path: Path) -> None:
     notes = tmp_path / "notes"
     notes.mkdir()
     cases = functools.partial(deadly, folder=str(notes), times=1)
-    found = evaluate(cases, GRID, OUTPUTS, executor="dask", workers=2, batch=10)
+    found = evaluate(cases, GRID, OUTPUTS, run=Run(executor="dask", workers=2), batch=10)
     assert len(list(notes.iterdir())) == 1
     assert np.array_equal(found["sum"].values, evaluate(some, GRID, OUTPUTS)["sum"].values)
 
@@ -258,7 +269,9 @@ def test_an_answer_that_is_lost_with_the_last_worker_is_computed_again(
             replacing.start()
             stack.callback(replacing.join)
             stack.callback(ended.set)
-        found = evaluate(slow, GRID, OUTPUTS, executor=executor, workers=1, done=told.append)
+        found = evaluate(
+            slow, GRID, OUTPUTS, run=Run(executor=executor, workers=1, progress=told.append)
+        )
     assert len(killed) == 3
     assert sum(told) == GRID.size
     assert np.array_equal(found["sum"].values, evaluate(some, GRID, OUTPUTS)["sum"].values)
@@ -269,7 +282,7 @@ def test_workers_that_are_killed_while_they_compute_are_not_said_to_end_at_once(
 ) -> None:
     monkeypatch.setattr(_local, "KILLS", 1)
     cases = functools.partial(deadly, folder=str(tmp_path), times=3)
-    found = evaluate(cases, GRID, OUTPUTS, executor="dask", workers=1)
+    found = evaluate(cases, GRID, OUTPUTS, run=Run(executor="dask", workers=1))
     assert len(list(tmp_path.iterdir())) == 3
     assert np.array_equal(found["sum"].values, evaluate(some, GRID, OUTPUTS)["sum"].values)
 
@@ -287,7 +300,7 @@ def test_a_worker_that_dies_while_it_is_sent_the_task_is_no_lost_scheduler(
         return register(client, plugin, name)
 
     monkeypatch.setattr(distributed.Client, "register_plugin", failing_first)
-    evaluate(some, GRID, OUTPUTS, executor=address)
+    evaluate(some, GRID, OUTPUTS, run=Run(executor=address))
     assert len(tries) == 3
 
 
@@ -298,14 +311,16 @@ def test_cells_that_kill_every_worker_are_named(workers: int, tmp_path: Path) ->
     cases = functools.partial(deadly, folder=str(notes), times=4)
     store = Store(tmp_path / "a.zarr", chunk=20)
     with pytest.raises(UnfinishedError) as caught:
-        evaluate(cases, GRID, OUTPUTS, executor="dask", workers=workers, batch=5, store=store)
+        evaluate(
+            cases, GRID, OUTPUTS, run=Run(executor="dask", workers=workers, store=store), batch=5
+        )
     message = str(caught.value)
     assert "executor = 'dask' is not finished: 4 worker processes ended" in message
     assert "when they computed cells 4" in message
     assert f"of 600: a {GRID.axes[0].points[20]:.15g} to " in message
     assert "\n" not in message
     before = tree(store.folder)
-    evaluate(cases, GRID, OUTPUTS, store=Store(store.folder, resume=True))
+    evaluate(cases, GRID, OUTPUTS, run=Run(store=Store(store.folder, resume=True)))
     after = tree(store.folder)
     assert len(before) < len(after)
     assert all(after[name] == content for name, content in before.items())
@@ -334,7 +349,7 @@ def test_a_cluster_that_is_lost_says_so() -> None:
                 process.kill()
 
         with pytest.raises(UnfinishedError) as caught:
-            evaluate(slow, GRID, OUTPUTS, executor=executor, batch=5, done=kill)
+            evaluate(slow, GRID, OUTPUTS, run=Run(executor=executor, progress=kill), batch=5)
         assert time.monotonic() - lost[0] < 5
     assert str(caught.value).startswith(f"executor = '{executor}' is not finished: the connection")
     assert "\n" not in str(caught.value)

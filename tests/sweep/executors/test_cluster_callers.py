@@ -15,6 +15,7 @@ import pytest
 from rocksteady.errors import UnfinishedError
 from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.executors import _local
+from rocksteady.sweep.run import Run
 from tests.sweep.executors.callers import RUN, SCRIPT, script_in, started, within
 from tests.sweep.executors.cases import (
     GRID,
@@ -37,7 +38,9 @@ def test_an_interruption_leaves_nothing_behind(address: str) -> None:
     for executor in ("dask", address):
         interrupted.clear()
         with pytest.raises(KeyboardInterrupt):
-            evaluate(cases, GRID, OUTPUTS, executor=executor, workers=2, done=interrupt)
+            evaluate(
+                cases, GRID, OUTPUTS, run=Run(executor=executor, workers=2, progress=interrupt)
+            )
         assert time.monotonic() - interrupted[0] < 2
         assert {child.pid for child in psutil.Process().children(recursive=True)} == before
 
@@ -145,4 +148,4 @@ def test_workers_that_cannot_start_are_no_endless_loop(
 ) -> None:
     monkeypatch.setattr(_local, "START", does)
     with within(60), pytest.raises(UnfinishedError, match=f"end at once, {how}"):
-        evaluate(some, GRID, OUTPUTS, executor="dask", workers=1)
+        evaluate(some, GRID, OUTPUTS, run=Run(executor="dask", workers=1))

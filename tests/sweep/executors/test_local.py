@@ -11,6 +11,7 @@ import pytest
 
 from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.executors._local import Local
+from rocksteady.sweep.run import Run
 from tests.sweep.executors.cases import GRID, OUTPUTS, slow
 
 LISTENING = "0A"
@@ -68,7 +69,7 @@ def test_all_that_a_sweep_opens_listens_on_this_machine_alone() -> None:
             during.append(ours())
 
     cases = functools.partial(slow, seconds=0.005)
-    evaluate(cases, GRID, OUTPUTS, executor="dask", workers=2, batch=50, done=look)
+    evaluate(cases, GRID, OUTPUTS, run=Run(executor="dask", workers=2, progress=look), batch=50)
     most = max(during, key=len)
     assert len(most) >= len(before) + 6  # of a scheduler and two workers: for messages and pages
     for places in during:

@@ -7,7 +7,8 @@ import textwrap
 from pathlib import Path
 from typing import Any
 
-from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.evaluate import BATCH, evaluate
+from rocksteady.sweep.run import Run
 from rocksteady.sweep.store.store import Store
 from tests.sweep.executors.cases import GRID, OUTPUTS, some
 
@@ -23,6 +24,7 @@ import xarray, zarr
 from rocksteady import durable
 from rocksteady.errors import RocksteadyError
 from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.run import Run
 from rocksteady.sweep.store import _writer
 from rocksteady.sweep.store.store import Store
 from tests.sweep.executors.cases import GRID, OUTPUTS, slow, some
@@ -31,7 +33,7 @@ _writer.SHARE = float("inf")  # each chunk is marked as finished at once
 
 def run(path, cases=some, **options):
     store = Store(path, chunk=100, **options)
-    return evaluate(cases, GRID, OUTPUTS, executor="serial", store=store)
+    return evaluate(cases, GRID, OUTPUTS, run=Run(executor="serial", store=store))
 """
 MOMENTS = """
 class Moments:
@@ -114,11 +116,12 @@ def tree(folder: Path) -> dict[str, bytes]:
 def run(path: Path, **options: Any) -> tuple[Any, int]:
     """Return the result, and how many cells were there already."""
     told: list[int] = []
-    given = {
-        name: options.pop(name) for name in ("executor", "workers", "batch") if name in options
-    }
+    how = {name: options.pop(name) for name in ("executor", "workers") if name in options}
+    batch = options.pop("batch", BATCH)
     store = Store(path, chunk=CHUNK, **options)
-    data = evaluate(some, GRID, OUTPUTS, store=store, done=told.append, **given)
+    data = evaluate(
+        some, GRID, OUTPUTS, run=Run(store=store, progress=told.append, **how), batch=batch
+    )
     assert sum(told) == GRID.size
     return data, told[0]
 

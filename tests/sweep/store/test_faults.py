@@ -16,6 +16,7 @@ import pytest
 
 from rocksteady.errors import OutputError
 from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.run import Run
 from rocksteady.sweep.store.store import Store
 from tests.sweep.executors.cases import GRID, OUTPUTS, some
 from tests.sweep.store.faults import CHUNK, MOMENTS, run, script, tree, whole
@@ -80,7 +81,9 @@ def test_replacing_a_store_leaves_the_old_one_or_a_new_one(
     step: int, undisturbed: Path, tmp_path: Path
 ) -> None:
     old = tmp_path / "old.zarr"
-    evaluate(functools.partial(some, factor=2.0), GRID, OUTPUTS, store=Store(old, chunk=CHUNK))
+    evaluate(
+        functools.partial(some, factor=2.0), GRID, OUTPUTS, run=Run(store=Store(old, chunk=CHUNK))
+    )
     places = tmp_path / "places"
     places.mkdir()
     done = script(
@@ -90,7 +93,7 @@ def test_replacing_a_store_leaves_the_old_one_or_a_new_one(
             run(path, overwrite=True, chunk=600)  # of one chunk: most of it is the replacing
         def run(path, chunk=100, **options):
             store = Store(path, chunk=chunk, **options)
-            return evaluate(some, GRID, OUTPUTS, executor="serial", store=store)
+            return evaluate(some, GRID, OUTPUTS, run=Run(executor="serial", store=store))
         every_moment(
             Path(sys.argv[1]),
             lambda path: shutil.copytree(sys.argv[2], path),

@@ -14,6 +14,7 @@ import pytest
 
 from rocksteady.errors import OutputError, UnfinishedError
 from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.run import Run
 from rocksteady.sweep.store import _writer
 from rocksteady.sweep.store.store import Store
 from tests.sweep.executors.cases import GRID, OUTPUTS, some
@@ -31,7 +32,8 @@ def limited(cells):
         resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100))
 def run(path, **options):
     store = Store(path, chunk=100, **options)
-    evaluate(some, GRID, OUTPUTS, executor="serial", batch=100, done=told(), store=store)
+    how = Run(executor="serial", store=store, progress=told())
+    evaluate(some, GRID, OUTPUTS, run=how, batch=100)
 def told():
     cells = 0
     def add(more):
@@ -87,7 +89,9 @@ def test_a_full_disk_ends_the_run_in_one_line(
     told: list[int] = []
     store = Store(path, chunk=CHUNK)
     with pytest.raises(UnfinishedError, match=r"No space left on device; 2 of 6 chunks are fin"):
-        evaluate(some, GRID, OUTPUTS, executor="serial", batch=CHUNK, store=store, done=full)
+        evaluate(
+            some, GRID, OUTPUTS, run=Run(executor="serial", store=store, progress=full), batch=CHUNK
+        )
     before = tree(path)
     with pytest.raises((UnfinishedError, OutputError), match="No space left") as caught:
         run(path, resume=True)  # while it is full
@@ -122,8 +126,9 @@ def test_a_second_process_is_refused_until_the_first_is_no_more(
         "    print(cells, flush=True)\n"
         "    if cells == 100:\n"
         "        time.sleep(60)\n"
-        "evaluate(some, GRID, OUTPUTS, executor='serial', batch=100, done=told,\n"
-        "         store=Store(Path(sys.argv[1]), chunk=100))\n"
+        "store = Store(Path(sys.argv[1]), chunk=100)\n"
+        "how = Run(executor='serial', store=store, progress=told)\n"
+        "evaluate(some, GRID, OUTPUTS, run=how, batch=100)\n"
     )
     first = subprocess.Popen(
         [sys.executable, "-c", text, path],

@@ -16,7 +16,17 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from rocksteady import Axis, Grid, InputError, Output, Store, UnfinishedError, evaluate, open_store
+from rocksteady import (
+    Axis,
+    Grid,
+    InputError,
+    Output,
+    Run,
+    Store,
+    UnfinishedError,
+    evaluate,
+    open_store,
+)
 from tests.sweep.indices import indexers
 
 Found = dict[str, NDArray[Any]]
@@ -61,7 +71,7 @@ def reference() -> xarray.Dataset:
 @pytest.fixture(scope="module")
 def filled(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("filled") / "map.zarr"
-    evaluate(some, GRID, OUTPUTS, store=Store(path, chunk=CELLS), attributes=ATTRIBUTES)
+    evaluate(some, GRID, OUTPUTS, run=Run(store=Store(path, chunk=CELLS)), attributes=ATTRIBUTES)
     return path
 
 
@@ -103,7 +113,7 @@ def test_a_store_gives_what_memory_gives(filled: Path, reference: xarray.Dataset
 
 def test_what_the_sweep_returns_is_what_is_read(tmp_path: Path, reference: xarray.Dataset) -> None:
     path = tmp_path / "map.zarr"
-    returned = evaluate(some, GRID, OUTPUTS, store=path, attributes=ATTRIBUTES)
+    returned = evaluate(some, GRID, OUTPUTS, run=Run(store=path), attributes=ATTRIBUTES)
     assert returned.identical(reference)
     assert open_store(str(path)).identical(returned)
 
@@ -247,7 +257,9 @@ def test_a_damaged_store_is_mended_by_its_sweep(store: Path, reference: xarray.D
     chunk_file(store, "value", 4).write_bytes(b"")
     chunk_file(store, "count", 5).unlink()
     with pytest.warns(UserWarning, match="2 of 21 finished chunks are missing or damaged"):
-        evaluate(some, GRID, OUTPUTS, store=Store(store, resume=True), attributes=ATTRIBUTES)
+        evaluate(
+            some, GRID, OUTPUTS, run=Run(store=Store(store, resume=True)), attributes=ATTRIBUTES
+        )
     assert open_store(store).identical(reference)
 
 
@@ -256,7 +268,7 @@ def test_names_that_a_store_needs_itself_are_refused(name: str, tmp_path: Path) 
     grid = Grid(axes=(Axis(name=name, values=[1.0]),))
     for arguments in ((grid, OUTPUTS), (GRID, (Output(name=name),))):
         with pytest.raises(InputError, match="a store has done, chunk, computed of its own"):
-            evaluate(some, *arguments, store=tmp_path / "map.zarr")
+            evaluate(some, *arguments, run=Run(store=tmp_path / "map.zarr"))
     assert not list(tmp_path.iterdir())
 
 
@@ -308,7 +320,12 @@ def test_a_sweep_can_be_looked_at_while_it_runs(tmp_path: Path, reference: xarra
         some_of_it = found.value.where(found.computed)
         assert some_of_it.equals(reference.value.where(found.computed))
 
-    evaluate(some, GRID, OUTPUTS, executor="serial", store=Store(path, chunk=CELLS), done=look)
+    evaluate(
+        some,
+        GRID,
+        OUTPUTS,
+        run=Run(executor="serial", store=Store(path, chunk=CELLS), progress=look),
+    )
     assert there[0] == 0
     assert there == sorted(there)
     assert len(set(there)) > 3
@@ -320,8 +337,8 @@ def test_a_sweep_that_is_resumed_has_all_in_the_end(
 ) -> None:
     store, _ = unfinished
     told: list[int] = []
-    arguments = {"attributes": ATTRIBUTES, "done": told.append}
-    evaluate(some, GRID, OUTPUTS, store=Store(store, resume=True), **arguments)  # type: ignore[arg-type]
+    run = Run(store=Store(store, resume=True), progress=told.append)
+    evaluate(some, GRID, OUTPUTS, run=run, attributes=ATTRIBUTES)
     assert told[0] == GRID.size - 15
     assert open_store(store).identical(reference)
     whole = open_store(store, partial=True)

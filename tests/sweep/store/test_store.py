@@ -15,6 +15,7 @@ from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.run import Progress, Run
 from rocksteady.sweep.store.ownership import is_store
 from rocksteady.sweep.store.store import Store
 
@@ -43,9 +44,14 @@ def cases(word: Any, b: NDArray[np.float64], c: NDArray[np.float64], *, factor: 
     }
 
 
-def run(store: Any, factor: float = 1.0, **more: Any) -> Any:
+def run(store: Any, factor: float = 1.0, progress: Progress | None = None, **more: Any) -> Any:
     return evaluate(
-        functools.partial(cases, factor=factor), GRID, OUTPUTS, store=store, batch=7, **more
+        functools.partial(cases, factor=factor),
+        GRID,
+        OUTPUTS,
+        run=Run(store=store, progress=progress),
+        batch=7,
+        **more,
     )
 
 
@@ -65,7 +71,7 @@ def test_a_store_holds_what_memory_holds(tmp_path: Path) -> None:
 @pytest.mark.parametrize("chunk", [1, 8, 50, 1000])
 def test_chunks_do_not_change_a_value(tmp_path: Path, chunk: int) -> None:
     told: list[int] = []
-    stored = run(Store(tmp_path / "a.zarr", chunk=chunk), done=told.append)
+    stored = run(Store(tmp_path / "a.zarr", chunk=chunk), progress=told.append)
     assert stored.identical(run(None))
     assert told[0] == 0
     assert sum(told) == GRID.size
@@ -92,7 +98,7 @@ def test_a_finished_store_is_read_and_not_computed(tmp_path: Path) -> None:
     first = run(tmp_path / "a.zarr")
     before = {file: file.stat().st_mtime_ns for file in tmp_path.rglob("c*") if file.is_file()}
     told: list[int] = []
-    again = run(Store(tmp_path / "a.zarr", resume=True), done=told.append)
+    again = run(Store(tmp_path / "a.zarr", resume=True), progress=told.append)
     assert told == [GRID.size]
     assert again.identical(first)
     assert {file: file.stat().st_mtime_ns for file in before} == before
@@ -144,7 +150,7 @@ def test_what_a_store_is_told_is_checked(tmp_path: Path) -> None:
 
 def test_the_case_function_of_a_store_can_be_found_again(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="module level"):
-        evaluate(lambda **_: None, GRID, OUTPUTS, store=tmp_path / "a.zarr")  # type: ignore[arg-type]
+        evaluate(lambda **_: None, GRID, OUTPUTS, run=Run(store=tmp_path / "a.zarr"))  # type: ignore[arg-type]
     assert not list(tmp_path.iterdir())
 
 
@@ -162,7 +168,7 @@ def test_what_describes_a_store_is_mended(tmp_path: Path, file: str, what: str) 
         text = path.read_bytes()
         path.write_bytes(text[:20] if what == "cut" else text.replace(b"zarr", b"rats") + b" ")
     told: list[int] = []
-    again = run(Store(tmp_path / "a.zarr", resume=True), done=told.append)
+    again = run(Store(tmp_path / "a.zarr", resume=True), progress=told.append)
     assert again.identical(first)
     assert told[0] == GRID.size
     assert {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()} == before

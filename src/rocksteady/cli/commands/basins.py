@@ -151,10 +151,11 @@ def _basins(
     """Compute the basins at one amplitude, and leave behind what was asked for."""
     from rocksteady.dynamics.basins.basins import basins as computed
     from rocksteady.dynamics.basins.window import POINTS
+    from rocksteady.sweep.run import Run
 
     states = len(chosen.get("angles", range(POINTS))) * len(chosen.get("velocities", range(POINTS)))
     with sweeping("following states", states) as meter:
-        found = computed(body, shaking, **chosen, done=meter)
+        found = computed(body, shaking, **chosen, run=Run(progress=meter))
     values = basins_values(found, body)
     if output.csv is not None:
         write_csv(output.csv, ("angle", "velocity_tau", "label", "attractor"), state_rows(found))
@@ -181,6 +182,7 @@ def _erosion(
     """Compute the erosion over an axis of amplitudes, and leave behind what was asked for."""
     from rocksteady.dynamics.basins.erosion import MEASURES, erosion
     from rocksteady.dynamics.basins.window import POINTS
+    from rocksteady.sweep.run import Run
 
     window = len(chosen.get("angles", range(POINTS))) * len(chosen.get("velocities", range(POINTS)))
     states = window * (len(amplitudes) + (amplitudes[0] != 0.0))
@@ -191,7 +193,7 @@ def _erosion(
             amplitudes,
             phase=shaking.phase,
             **chosen,
-            done=meter,
+            run=Run(progress=meter),
         )
     drops = {measure: found.drop(measure) for measure in MEASURES}
     values = erosion_values(found, drops, body)

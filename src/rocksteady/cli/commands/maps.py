@@ -1,5 +1,6 @@
 """`rocksteady map`: attractor or fate of a block in every cell of a grid."""
 
+from dataclasses import replace
 from typing import Annotated
 
 import typer
@@ -99,7 +100,7 @@ def maps(
             "a store holds every cell of its grid",
             "leave --out or --refine out",
         )
-    store = sweep.store(force=output.force)
+    run = sweep.run(force=output.force)
 
     announce_compilation("driver.lane_fates" if fate else "attractors.settle_cells")
     from rocksteady.dynamics.maps.attractor_map import attractor_map
@@ -118,15 +119,12 @@ def maps(
             side=case.start.sign,
             cycles=periods,
             housner=case.housner,
-            executor=sweep.executor,
-            workers=sweep.workers,
-            store=store,
+            run=replace(run, progress=meter),
             refine=refine,
             model=equations,
-            done=meter,
         )
     values = map_values(case, found, meter)
-    values |= {"store": store and str(store.path), "cycles": periods, "fate": fate}
+    values |= {"store": run.place and str(run.place.path), "cycles": periods, "fate": fate}
     values["model"] = model
     if output.csv is not None:
         write_cells(output.csv, found)

@@ -1,5 +1,6 @@
 """`rocksteady overturn`: all amplitudes at which a pulse overturns a block, by frequency."""
 
+from dataclasses import replace
 from typing import Annotated
 
 import typer
@@ -152,7 +153,7 @@ def overturn(
             "a spectrum is drawn over two frequencies or more",
             "give -W as an axis, as 0.5:8:200, or leave --plot out",
         )
-    store = sweep.store(force=output.force)
+    run = sweep.run(force=output.force)
 
     announce_compilation("pulses.pulse_fates")
     from rocksteady.dynamics.overturning.windows import RESOLUTION, overturning_windows
@@ -174,13 +175,10 @@ def overturn(
             model=equations,
             **({} if within is None else {"amplitudes": within}),
             resolution=RESOLUTION if resolution is None else resolution,
-            executor=sweep.executor,
-            workers=sweep.workers,
-            store=store,
-            done=meter,
+            run=replace(run, progress=meter),
         )
     values = overturn_values(found, body)
-    values |= {"seconds": meter.seconds, "store": store and str(store.path)}
+    values |= {"seconds": meter.seconds, "store": run.place and str(run.place.path)}
     if output.csv is not None:
         rows = window_rows(values)
         write_csv(output.csv, list(rows[0]) if rows else ["frequency_ratio"], _cells(rows))

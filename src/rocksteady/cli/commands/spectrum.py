@@ -1,6 +1,7 @@
 """`rocksteady spectrum`: rocking spectra of recorded ground motions."""
 
 import math
+from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, cast
 
 import typer
@@ -136,7 +137,7 @@ def spectrum(
     if output.plot is not None:
         _check_drawable(len(files), len(slenderness), count)
     ratio = _restitution(restitution)
-    store = sweep.store(force=output.force)
+    run = sweep.run(force=output.force)
     across = recorded.recordings(reading)
     lifting = recorded.vertical_recording(reading, across[0])
     records = [one.record for one in across]
@@ -162,15 +163,12 @@ def spectrum(
             reverse=recorded.reverse,
             gravity=STANDARD_GRAVITY if gravity_m_s2 is None else gravity_m_s2,
             tolerance=TOLERANCE if tolerance is None else tolerance,
-            executor=sweep.executor,
-            workers=sweep.workers,
-            store=store,
-            done=meter,
+            run=replace(run, progress=meter),
         )
     found = found.load()
     summary = suite_spectrum(found) if len(records) > 1 else None
     values = spectrum_values(found, summary, files)
-    values |= {"seconds": meter.seconds, "store": store and str(store.path)}
+    values |= {"seconds": meter.seconds, "store": run.place and str(run.place.path)}
     if lifting is not None:
         values["vertical_processing"] = list(lifting.processing)
     if output.csv is not None:

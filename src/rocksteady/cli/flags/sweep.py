@@ -21,6 +21,7 @@ from rocksteady.show.style.escaping import printable
 
 if TYPE_CHECKING:
     from rocksteady.studies.parts import Parts
+    from rocksteady.sweep.run import Run
     from rocksteady.sweep.store.store import Store
 
 SWEEP = "Sweep"
@@ -123,16 +124,22 @@ class SweepFlags:
             )
         check_writable("--netcdf", self.netcdf, force=output.force or self.resume)
 
-    def store(self, *, force: bool) -> "Store | None":
-        """Return where the cells are kept, checked; None for memory.
+    def run(self, *, force: bool) -> "Run":
+        """Return how the sweep is run, its store checked.
 
         Raises
         ------
         InputError, OutputError
-            As for `rocksteady.Store` and its `check`.
+            As for `rocksteady.Run`, and as for `rocksteady.Store` and its `check`.
         InputError
             If something is said of a store and there is none.
         """
+        from rocksteady.sweep.run import Run
+
+        return Run(executor=self.executor, workers=self.workers, store=self._store(force=force))
+
+    def _store(self, *, force: bool) -> "Store | None":
+        """Return where the cells are kept, checked; None for memory."""
         from rocksteady.sweep.store.ownership import is_store
         from rocksteady.sweep.store.store import Store
 

@@ -11,7 +11,8 @@ from rocksteady.errors import Status
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
-from rocksteady.sweep.evaluate import Done, evaluate
+from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.run import Run
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -28,9 +29,7 @@ def safe_states(
     angles: Floats,
     velocities: Floats,
     cycles: int,
-    executor: str,
-    workers: int | None,
-    done: Done | None = None,
+    run: Run,
 ) -> Bools:
     """Return which states of a window do not overturn, shape (amplitudes, velocities, angles).
 
@@ -42,7 +41,7 @@ def safe_states(
         One number each; the phase is that of the shaking at the start [rad].
     amplitudes, angles, velocities
         The axes: A, u = theta/alpha and du/dtau.
-    executor, workers, done
+    run
         As for `rocksteady.sweep.evaluate.evaluate`.
     """
     axes = (("amplitudes", amplitudes), ("velocities", velocities), ("angles", angles))
@@ -56,10 +55,8 @@ def safe_states(
         ),
         Grid(axes=tuple(Axis(name=name, values=values) for name, values in axes)),
         (SAFE,),
-        executor=executor,
-        workers=workers,
+        run=run,
         batch=batch_size(cycles),
-        done=done,
     )
     safe: Bools = data["safe"].values
     return safe

@@ -24,7 +24,8 @@ from rocksteady.model.motions.segments import Harmonic
 from rocksteady.sweep.cases.draws import uniform
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
-from rocksteady.sweep.evaluate import Done, evaluate
+from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
     import xarray
@@ -238,10 +239,8 @@ def basins(
     velocities: ArrayLike | None = None,
     cycles: int = CYCLES,
     seed: int | None = None,
-    executor: str = "threads",
-    workers: int | None = None,
+    run: Run | None = None,
     model: ModelName = "linear",
-    done: Done | None = None,
 ) -> Basins:
     """Return the basins of attraction in a window of initial states at one phase.
 
@@ -271,7 +270,7 @@ def basins(
         Forcing periods after which a motion counts as aperiodic or undecided.
     seed
         With one, a state is drawn in each cell of the grid, instead of its middle.
-    executor, workers, done
+    run
         As for `rocksteady.sweep.evaluate.evaluate`.
     model
         As for `attractor`.
@@ -287,6 +286,8 @@ def basins(
     InputError, ModelError
         If a number is outside its range, an axis is not evenly spaced, the shaking is not harmonic,
         or the nonlinear model meets a block without slenderness.
+    OutputError, UnfinishedError
+        As for `rocksteady.sweep.evaluate.evaluate`.
 
     Examples
     --------
@@ -332,11 +333,9 @@ def basins(
         cases,
         Grid(axes=(velocity, angle)),
         CELL_OUTPUTS,
-        executor=executor,
-        workers=workers,
+        run=run,
         batch=batch_size(cycles),
         numbered="number",
-        done=done,
     )
     cells = {str(name): data[name].values for name in data.data_vars}
     label, attractors = labelled(block, start, equations, cells)

@@ -1,7 +1,7 @@
 """Erosion of the safe basin: its size under shaking relative to that on a still base."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -23,7 +23,7 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import finite, in_range, positive
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.sweep.cases.axes import Axis
-from rocksteady.sweep.evaluate import Done
+from rocksteady.sweep.run import Run, run_in_memory
 
 if TYPE_CHECKING:
     import xarray
@@ -153,8 +153,7 @@ class Erosion:
         *,
         level: float = LEVEL,
         tolerance: float = TOLERANCE,
-        executor: str = "threads",
-        workers: int | None = None,
+        run: Run | None = None,
     ) -> Drop | None:
         """Return where a measure first falls below a level, or None where it does not.
 
@@ -170,14 +169,17 @@ class Erosion:
             In (0, 1].
         tolerance
             How close the two amplitudes come, above 0.
-        executor, workers
-            As for `erosion`.
+        run
+            As for `erosion`, without a store; `progress` is called for one basin after another.
 
         Raises
         ------
         InputError
             If an argument is outside its range.
+        ModelError
+            If the run has a store.
         """
+        how = run_in_memory(run, "the basins of a drop are not kept")
         bound = in_range("level", level, 0.0, 1.0, hint="give a share, as 0.5")
         close = positive("tolerance", tolerance, hint="give a difference of amplitudes, as 0.001")
         values = self.measure(measure)
@@ -193,14 +195,14 @@ class Erosion:
             middle = 0.5 * (low + high)
             if not low < middle < high:  # neighbouring numbers
                 break
-            value = self._at(middle, measure, executor, workers)
+            value = self._at(middle, measure, how)
             if value < bound:
                 high, below = middle, value
             else:
                 low, above = middle, value
         return Drop(measure=measure, level=bound, low=low, high=high, above=above, below=below)
 
-    def _at(self, amplitude: float, measure: str, executor: str, workers: int | None) -> float:
+    def _at(self, amplitude: float, measure: str, run: Run) -> float:
         """Return a measure at one more amplitude."""
         safe = safe_states(
             sides=sides_of(self.block, self.model),
@@ -210,8 +212,7 @@ class Erosion:
             angles=self.angle,
             velocities=self.velocity,
             cycles=self.cycles,
-            executor=executor,
-            workers=workers,
+            run=run,
         )
         share, radius = measured(safe[0], self.angle, self.frequency_ratio * self.velocity)
         return radius / self.still_radius if measure == MEASURES[0] else share / self.still_share
@@ -280,10 +281,8 @@ def erosion(
     angles: ArrayLike | None = None,
     velocities: ArrayLike | None = None,
     cycles: int = CYCLES,
-    executor: str = "threads",
-    workers: int | None = None,
+    run: Run | None = None,
     model: ModelName = "linear",
-    done: Done | None = None,
 ) -> Erosion:
     """Return the erosion of the safe basin as the amplitude of the shaking grows.
 
@@ -320,7 +319,7 @@ def erosion(
         a restitution below .6.
     cycles
         Forcing periods that a safe state stands.
-    executor, workers, done
+    run
         As for `rocksteady.sweep.evaluate.evaluate`; the still base is cells too.
     model
         "linear" (default) or "nonlinear", which needs a `Block` and takes some hundred times as
@@ -339,6 +338,8 @@ def erosion(
     ModelError
         If no state of the window is safe on a still base, or the nonlinear model meets a block
         without slenderness.
+    OutputError, UnfinishedError
+        As for `rocksteady.sweep.evaluate.evaluate`.
 
     References
     ----------
@@ -353,6 +354,7 @@ def erosion(
     >>> print(found.global_integrity.round(2), found.integrity_factor.round(2))
     [0.99 0.79 0.46] [1.   0.62 0.42]
     """
+    how = Run() if run is None else run
     bare = bare_block(block)
     axis = Axis(name="amplitudes", values=amplitudes, long_name="a_max/(alpha g)")
     validated_grid(axis.points, frequency_ratio, bare.restitution, 1)
@@ -368,7 +370,7 @@ def erosion(
     ratio = finite("frequency_ratio", frequency_ratio, hint="give one number, omega/p")
     reach = _least_half_width(sides)
     if angles is None and velocities is None:
-        reach = _half_width(sides, executor, workers)
+        reach = _half_width(sides, replace(how, store=None, progress=None))
     half, rest = moment(Harmonic(amplitude=0.0, frequency_ratio=ratio, phase=phase))
     angle = window_axis("angles", centred(reach) if angles is None else angles, "theta/alpha")
     velocity = window_axis(
@@ -388,9 +390,7 @@ def erosion(
         angles=angle.points,
         velocities=velocity.points,
         cycles=count,
-        executor=executor,
-        workers=workers,
-        done=done,
+        run=how,
     )
     shares, radii = np.array(
         [measured(one, angle.points, ratio * velocity.points) for one in safe]
@@ -426,20 +426,20 @@ def _least_half_width(sides: Floats) -> float:
     return HALF_WIDTH * float(widths.max())
 
 
-def _half_width(sides: Floats, executor: str, workers: int | None) -> float:
+def _half_width(sides: Floats, run: Run) -> float:
     """Return how far a window reaches whose edge does not cut the largest safe circle at A = 0."""
     width = _least_half_width(sides)
-    radius = _still_radius(width, sides, executor, workers)
+    radius = _still_radius(width, sides, run)
     while width < WIDEST:
         wider = WIDENING * width
-        there = _still_radius(wider, sides, executor, workers)
+        there = _still_radius(wider, sides, run)
         if there <= radius + 2.0 * wider / POINTS:  # but for a cell the same circle
             break
         width, radius = wider, there
     return width
 
 
-def _still_radius(width: float, sides: Floats, executor: str, workers: int | None) -> float:
+def _still_radius(width: float, sides: Floats, run: Run) -> float:
     """Return the radius of the largest safe circle on a still base, in a square window."""
     axis = centred(width)
     safe = safe_states(
@@ -450,7 +450,6 @@ def _still_radius(width: float, sides: Floats, executor: str, workers: int | Non
         angles=axis,
         velocities=axis,
         cycles=CYCLES,
-        executor=executor,
-        workers=workers,
+        run=run,
     )
     return measured(safe[0], axis, axis)[1]

@@ -4,7 +4,6 @@ import functools
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from numbers import Number
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from numpy.typing import ArrayLike
@@ -14,7 +13,7 @@ from rocksteady.dynamics.history.start import Rest, Start
 from rocksteady.dynamics.maps._scenario import Scenario
 from rocksteady.dynamics.orbits.attractor import cycles_value
 from rocksteady.dynamics.parameters import AXES, validated_axes
-from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.motions.segments import Harmonic
@@ -22,9 +21,9 @@ from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.cases.task import Cases
-from rocksteady.sweep.evaluate import Done, evaluate
+from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.refine import refined
-from rocksteady.sweep.store.store import Store
+from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
     import xarray
@@ -65,12 +64,9 @@ def map_of(
     side: int,
     cycles: int,
     housner: bool,
-    executor: str,
-    workers: int | None,
-    store: Store | Path | str | None,
+    run: Run | None,
     refine: int | None,
     model: ModelName,
-    done: Done | None,
 ) -> "xarray.Dataset":
     """Return the answers to a question over a grid of parameters.
 
@@ -92,21 +88,12 @@ def map_of(
     question.load()
     cases = functools.partial(question.cases, scenario=scenario, cycles=periods)
     how: dict[str, Any] = {
-        "executor": executor,
-        "workers": workers,
+        "run": run,
         "batch": question.batch(periods),
-        "done": done,
         "attributes": {**scenario.attributes, "cycles": periods},
     }
     if refine is None:
-        return evaluate(cases, grid, question.outputs, store=store, **how)
-    if store is not None:
-        raise ModelError(
-            "refine",
-            Words(f"is {refine}, beside a store"),
-            "a store holds every cell of its grid",
-            "leave the store or the refinement out",
-        )
+        return evaluate(cases, grid, question.outputs, **how)
     classes = question.classes
     return refined(cases, grid, question.outputs, classes=classes, coarse=refine, **how)
 

@@ -1,7 +1,6 @@
 """Attractor of a block over a grid of parameters of block, shaking and start."""
 
 from collections.abc import Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,8 +21,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.segments import Harmonic
-from rocksteady.sweep.evaluate import Done
-from rocksteady.sweep.store.store import Store
+from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
     import xarray
@@ -41,12 +39,9 @@ def attractor_map(
     side: int = 1,
     cycles: int = 2000,
     housner: bool = False,
-    executor: str = "threads",
-    workers: int | None = None,
-    store: Store | Path | str | None = None,
+    run: Run | None = None,
     refine: int | None = None,
     model: ModelName = "linear",
-    done: Done | None = None,
 ) -> "xarray.Dataset":
     """Return the attractor of a block over a grid of parameters.
 
@@ -88,7 +83,7 @@ def attractor_map(
     housner
         Whether the restitution follows from the slenderness, cell by cell; else the block's own
         stays.
-    executor, workers, store, done
+    run
         As for `rocksteady.sweep.evaluate.evaluate`.
     refine
         With a power of two, as 8, every eighth cell along each axis is computed, and of the others
@@ -155,12 +150,9 @@ def attractor_map(
         side=side,
         cycles=cycles,
         housner=housner,
-        executor=executor,
-        workers=workers,
-        store=store,
+        run=run,
         refine=refine,
         model=model,
-        done=done,
     )
 
 

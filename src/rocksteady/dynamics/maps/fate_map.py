@@ -1,7 +1,6 @@
 """Fate of a block after a given time, over a grid of parameters."""
 
 from collections.abc import Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,8 +16,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.sweep.cases.outputs import Output
-from rocksteady.sweep.evaluate import Done
-from rocksteady.sweep.store.store import Store
+from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
     import xarray
@@ -39,12 +37,9 @@ def fate_map(
     side: int = 1,
     cycles: int = 200,
     housner: bool = False,
-    executor: str = "threads",
-    workers: int | None = None,
-    store: Store | Path | str | None = None,
+    run: Run | None = None,
     refine: int | None = None,
     model: ModelName = "linear",
-    done: Done | None = None,
 ) -> "xarray.Dataset":
     """Return the fate of a block after a given time, over a grid of parameters.
 
@@ -60,7 +55,7 @@ def fate_map(
         As for `attractor_map`: any parameter of block, shaking and start may be an axis.
     cycles
         Forcing periods that each motion is followed for, at most.
-    executor, workers, store, done
+    run
         As for `rocksteady.sweep.evaluate.evaluate`.
     refine
         As for `attractor_map`; a border is one of fates.
@@ -119,12 +114,9 @@ def fate_map(
         side=side,
         cycles=cycles,
         housner=housner,
-        executor=executor,
-        workers=workers,
-        store=store,
+        run=run,
         refine=refine,
         model=model,
-        done=done,
     )
 
 

@@ -2,7 +2,6 @@
 
 import functools
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -26,8 +25,8 @@ from rocksteady.model.checks.validation import in_range, index_value, is_pair
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
-from rocksteady.sweep.evaluate import Done, evaluate
-from rocksteady.sweep.store.store import Store
+from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
     import xarray
@@ -186,10 +185,7 @@ def overturning_windows(
     model: ModelName = "linear",
     amplitudes: tuple[float, float] | None = None,
     resolution: float = RESOLUTION,
-    executor: str = "threads",
-    workers: int | None = None,
-    store: Store | Path | str | None = None,
-    done: Done | None = None,
+    run: Run | None = None,
 ) -> OverturningWindows:
     r"""Return all windows of amplitude in which a pulse overturns a block, over the frequency.
 
@@ -220,7 +216,7 @@ def overturning_windows(
         an uplift beyond 10.  Where a window reaches its end, nothing is known beyond.
     resolution
         Largest step of the first amplitudes, as a part of them, from 1e-6 to 0.1.
-    executor, workers, store, done
+    run
         As for `rocksteady.sweep.evaluate.evaluate`; a cell is a frequency.
 
     Returns
@@ -282,11 +278,8 @@ def overturning_windows(
         ),
         Grid(axes=(axis,)),
         OUTPUTS,
-        executor=executor,
-        workers=workers,
-        store=store,
+        run=run,
         batch=BATCH,
-        done=done,
     )
     kept = max(1, int(data["windows"].values.max()))
     way = np.stack([data[f"way_{k}"].values for k in range(kept)], axis=1).astype(np.int64)

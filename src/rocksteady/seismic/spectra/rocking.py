@@ -3,7 +3,6 @@
 import functools
 import math
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,8 +26,8 @@ from rocksteady.seismic.spectra._batch import (
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
-from rocksteady.sweep.evaluate import Done, evaluate
-from rocksteady.sweep.store.store import Store
+from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
     import xarray
@@ -62,10 +61,7 @@ def rocking_spectrum(
     reverse: bool = False,
     gravity: float = STANDARD_GRAVITY,
     tolerance: float = TOLERANCE,
-    executor: str = "threads",
-    workers: int | None = None,
-    store: Store | Path | str | None = None,
-    done: Done | None = None,
+    run: Run | None = None,
 ) -> "xarray.Dataset":
     """Return peak rotation and velocity of homogeneous blocks under recorded ground motion.
 
@@ -97,7 +93,7 @@ def rocking_spectrum(
         Acceleration of gravity [m/s^2].
     tolerance
         Nonlinear model: as for `simulate`.
-    executor, workers, store, done
+    run
         As for `rocksteady.sweep.evaluate.evaluate`.
 
     Returns
@@ -191,10 +187,7 @@ def rocking_spectrum(
         cases,
         Grid(axes=axes),
         OUTPUTS,
-        executor=executor,
-        workers=workers,
-        store=store,
-        done=done,
+        run=run,
         attributes={
             "model": equations,
             "restitution": ratio,

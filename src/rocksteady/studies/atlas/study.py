@@ -2,13 +2,13 @@
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from numpy.typing import ArrayLike
 
-from rocksteady import Store, __version__
+from rocksteady import Run, __version__
 from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
 from rocksteady.show.report import svg_data_uri
 from rocksteady.studies.atlas.analysis.coexistence import Coexistence, coexistence
@@ -31,6 +31,7 @@ from rocksteady.studies.atlas.pages.pictures import draw_coexistence, draw_famil
 from rocksteady.studies.atlas.pages.report import report_html
 from rocksteady.studies.folder import Done, check_folder, environment, fill_folder, nothing
 from rocksteady.studies.parts import Parts
+from rocksteady.sweep.run import run_in_memory
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -214,7 +215,7 @@ def atlas(
     amplitude: ArrayLike | None = None,
     frequency_ratio: ArrayLike | None = None,
     orders: tuple[int, ...] = ORDERS,
-    workers: int | None = None,
+    run: Run | None = None,
     parts: Parts | None = None,
     done: Done = nothing,
 ) -> Atlas:
@@ -230,8 +231,9 @@ def atlas(
         Omega = omega/p, the columns: likewise; without, .075 to 12 in 160 steps.
     orders
         n of the families whose regions are followed, odd.
-    workers
-        Threads; all cores without.
+    run
+        Executor and number of workers; by default `Run()`.  `parts` and `done` are in the place of
+        its store and its progress.
     parts
         Where what is finished is kept, to go on with after an interruption.
     done
@@ -246,6 +248,8 @@ def atlas(
     ------
     InputError
         If a value is outside its range, or an axis is not evenly spaced.
+    ModelError
+        If the run has a store.
 
     Examples
     --------
@@ -258,17 +262,16 @@ def atlas(
     plane = plane_of(
         restitution, amplitude=amplitude, frequency_ratio=frequency_ratio, orders=orders
     )
+    how = replace(run_in_memory(run, "an atlas keeps its cells in its parts"), progress=None)
     began = time.perf_counter()
     if parts is not None:
         parts.begin()
 
-    def store(name: str, chunk: int) -> Store | None:
-        return None if parts is None else parts.store(name, chunk)
+    def kept(name: str, chunk: int) -> Run:
+        return how if parts is None else replace(how, store=parts.store(name, chunk))
 
     families = tuple(
-        family_map(
-            plane, order, workers=workers, store=store(f"columns-{order}", COLUMNS), done=done
-        )
+        family_map(plane, order, run=kept(f"columns-{order}", COLUMNS), done=done)
         for order in plane.orders
     )
     lines: list[Line] = []
@@ -277,15 +280,13 @@ def atlas(
         order = family.order
         lines += family_lines(family)
         if marked(plane):
-            kept = store(f"marked-{order}", COLUMNS)
-            there = columns(plane, order, marked(plane), workers=workers, store=kept)
+            there = columns(plane, order, marked(plane), run=kept(f"marked-{order}", COLUMNS))
             bands += [bands_at(column, order) for column in there]
         done(f"borders, n = {order}")
-    kept = store("coexistence", CELLS)
-    found = coexistence(plane, workers=workers, store=kept, done=_in_steps(done))
+    found = coexistence(plane, run=replace(kept("coexistence", CELLS), progress=_in_steps(done)))
     strips = windows(found)
     done("windows")
-    rest = from_rest(plane, workers=workers, parts=parts, done=done)
+    rest = from_rest(plane, run=how, parts=parts, done=done)
     return Atlas(
         plane=plane,
         families=families,

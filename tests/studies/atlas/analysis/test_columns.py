@@ -7,6 +7,7 @@ from rocksteady import (
     DimensionlessBlock,
     Harmonic,
     PointType,
+    Run,
     Steady,
     attractor,
     boundaries,
@@ -132,7 +133,7 @@ def test_columns_of_a_sweep_are_those_of_single_calls(top: float, ratios: list[f
     rows = np.array([0.125, 0.375, 0.625, 0.875]) * top
     plane = Plane(restitution=0.8, amplitude=rows, frequency_ratio=[1.0, 2.0, 3.0])
     assert plane.top == pytest.approx(top)
-    found = columns(plane, 3, ratios, workers=2)
+    found = columns(plane, 3, ratios, run=Run(workers=2))
     for each, ratio in zip(found, ratios, strict=True):
         np.testing.assert_equal(vars(each), vars(column(0.8, ratio, plane.top, 3)))
     if top > 1.0:

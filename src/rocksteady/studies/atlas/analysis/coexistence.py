@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import AttractorKind, Axis, Grid, Output, Store, evaluate, steady_states
+from rocksteady import AttractorKind, Axis, Grid, Output, Run, evaluate, steady_states
 from rocksteady.dynamics.batch.attractors import Beginnings, SettledCells, settled_cells
 from rocksteady.dynamics.history.lowering import symmetric_sides
 from rocksteady.dynamics.orbits.attractor import KINDS
@@ -147,9 +147,7 @@ class Coexistence:
 def coexistence(
     plane: Plane,
     *,
-    workers: int | None = None,
-    store: Store | None = None,
-    done: Callable[[int], object] | None = None,
+    run: Run | None = None,
 ) -> Coexistence:
     """Return what motions from many starts settle to, cell by cell.
 
@@ -159,7 +157,7 @@ def coexistence(
     ----------
     plane
         Where.
-    workers, store, done
+    run
         As for `rocksteady.evaluate`.
     """
     grid = Grid(
@@ -169,7 +167,7 @@ def coexistence(
         )
     )
     cases = functools.partial(_found, restitution=plane.restitution)
-    data = evaluate(cases, grid, OUTPUTS, workers=workers, store=store, done=done)
+    data = evaluate(cases, grid, OUTPUTS, run=run)
     return Coexistence(
         plane=plane,
         rest=data["rest"].values,

@@ -8,7 +8,7 @@ nothing is sampled.
 
 import functools
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import islice
 from typing import Any
@@ -26,8 +26,8 @@ from rocksteady import (
     Output,
     PointType,
     RocksteadyError,
+    Run,
     Steady,
-    Store,
     attractor,
     continuation,
     evaluate,
@@ -123,9 +123,7 @@ def columns(
     order: int,
     ratios: ArrayLike,
     *,
-    workers: int | None = None,
-    store: Store | None = None,
-    done: Callable[[int], object] | None = None,
+    run: Run | None = None,
 ) -> tuple[Column, ...]:
     """Return the bands of one family at several frequencies, up to the plane's top.
 
@@ -137,12 +135,12 @@ def columns(
         n = 1, 3, 5, ...
     ratios
         Omega, shape (columns,).
-    workers, store, done
+    run
         As for `rocksteady.evaluate`.
     """
     cases = functools.partial(_bands, restitution=plane.restitution, top=plane.top, order=order)
     grid = Grid(axes=(Axis(name="frequency_ratio", values=ratios),))
-    data = evaluate(cases, grid, OUTPUTS, workers=workers, store=store, done=done)
+    data = evaluate(cases, grid, OUTPUTS, run=run)
     borders, codes = (
         np.array([data[f"{name}_{level}"].values for level in range(LEVELS)]).T.tolist()
         for name in ("border", "end")

@@ -1,12 +1,12 @@
 """Bands of stable motions of one family over the plane, column by column."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import Store
+from rocksteady import Run
 from rocksteady.studies.atlas.analysis.columns import Column, columns
 from rocksteady.studies.atlas.analysis.plane import Plane
 from rocksteady.studies.folder import Done, nothing
@@ -63,8 +63,7 @@ def family_map(
     plane: Plane,
     order: int,
     *,
-    workers: int | None = None,
-    store: Store | None = None,
+    run: Run | None = None,
     done: Done = nothing,
 ) -> FamilyMap:
     """Return the bands of one family over a plane.
@@ -75,8 +74,8 @@ def family_map(
         Where.
     order
         n = 1, 3, 5, ...
-    workers, store
-        As for `rocksteady.evaluate`.
+    run
+        As for `rocksteady.evaluate`; `done` replaces its progress.
     done
         Called once for each column.
     """
@@ -85,5 +84,6 @@ def family_map(
         for _ in range(count):
             done(f"columns, n = {order}")
 
-    found = columns(plane, order, plane.ratios, workers=workers, store=store, done=told)
+    how = replace(Run() if run is None else run, progress=told)
+    found = columns(plane, order, plane.ratios, run=how)
     return FamilyMap(plane=plane, order=order, columns=found)

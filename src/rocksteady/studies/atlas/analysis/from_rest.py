@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady import (
     AttractorKind,
     DimensionlessBlock,
+    Run,
     attractor_map,
     heteroclinic_amplitude,
 )
@@ -111,7 +112,7 @@ class FromRest:
 def from_rest(
     plane: Plane,
     *,
-    workers: int | None = None,
+    run: Run | None = None,
     parts: Parts | None = None,
     done: Done = nothing,
 ) -> FromRest:
@@ -121,8 +122,8 @@ def from_rest(
     ----------
     plane
         Where.
-    workers
-        As for `rocksteady.attractor_map`.
+    run
+        As for `rocksteady.attractor_map`; `parts` and `done` replace its store and progress.
     parts
         Where finished cells are kept.
     done
@@ -132,16 +133,14 @@ def from_rest(
     marked = [w for w in MARKED if plane.window[0] <= w <= plane.window[1]]
     tried = np.linspace(1.0, plane.top, STEPS + 1) if plane.top > 1.0 else np.zeros(0)
     cells = len(phases) * (len(plane.amplitudes) * len(plane.ratios) + len(tried) * len(marked))
-    told = _in_parts(cells, done)
+    how = replace(Run() if run is None else run, progress=_in_parts(cells, done))
 
     def settled(name: str, amplitude: Floats, ratio: ArrayLike) -> "xarray.Dataset":
         return attractor_map(
             DimensionlessBlock(restitution=plane.restitution),
             axes={"phase": phases, "amplitude": amplitude, "frequency_ratio": ratio},
             cycles=CYCLES,
-            workers=workers,
-            store=None if parts is None else parts.store(name),
-            done=told,
+            run=replace(how, store=None if parts is None else parts.store(name)),
         )
 
     found = settled("from-rest", plane.amplitudes, plane.ratios)

@@ -1,0 +1,100 @@
+"""How a sweep is run: executor, number of workers, storage and progress."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from rocksteady.errors import ModelError, Words
+from rocksteady.model.checks.arguments import checked
+from rocksteady.sweep.executors.choice import validated_executor, validated_workers
+from rocksteady.sweep.store.store import Store
+
+Progress = Callable[[int], object]
+"""Called in the calling thread: once with the number of cells that are there already, when the
+first of the others is about to be computed; then with the number of those just finished.  The last
+call comes when everything is kept, in a store on disk."""
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class Run:
+    """How a sweep is run: what computes its cells, and where they are kept.
+
+    No result depends on it.
+
+    Parameters
+    ----------
+    executor
+        "threads" (default), "serial", "dask" for a cluster of processes on this machine, or the
+        address of a dask scheduler, as "tcp://10.0.0.1:8786".
+    workers
+        Number of threads or processes; by default as many as this process may use cores, or as a
+        cluster has.
+    store
+        Folder on disk that keeps the results, chunk by chunk: a path for a new one, or a `Store`,
+        which has more options.  Without one they are kept in memory.
+    progress
+        Called in the calling thread, first with the number of cells that are there already, when
+        the first of the others is about to be computed; then with the number of those just
+        finished.  The last call comes when all is kept.
+
+    Raises
+    ------
+    InputError
+        If there is no such executor, no scheduler can have that address, or the number of workers
+        is not a whole number from 1 to 1024.
+
+    Examples
+    --------
+    >>> from rocksteady import DimensionlessBlock, Run, attractor_map
+    >>> cells = []
+    >>> found = attractor_map(
+    ...     DimensionlessBlock(restitution=0.8),
+    ...     axes={"amplitude": [0.5, 2.0], "frequency_ratio": [1.0, 4.0, 8.0]},
+    ...     run=Run(executor="serial", progress=cells.append),
+    ... )
+    >>> sum(cells)
+    6
+    >>> Run(workers=0)
+    Traceback (most recent call last):
+        ...
+    rocksteady.errors.InputError: workers = 0 is not valid: ...
+    """
+
+    executor: str = "threads"
+    workers: int | None = None
+    store: Store | Path | str | None = None
+    progress: Progress | None = None
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        object.__setattr__(self, "executor", validated_executor(self.executor))
+        object.__setattr__(self, "workers", validated_workers(self.workers))
+
+    @property
+    def place(self) -> Store | None:
+        """The store as a `Store`; None for memory."""
+        if self.store is None or isinstance(self.store, Store):
+            return self.store
+        return Store(self.store)
+
+
+def run_in_memory(run: Run | None, valid: str) -> Run:
+    """Return a run, the default for None, whose results are kept in memory.
+
+    Parameters
+    ----------
+    run
+        Of a function that cannot keep its results in a store.
+    valid
+        Reason, as "a drop is kept in memory".
+
+    Raises
+    ------
+    ModelError
+        If it has a store.
+    """
+    chosen = Run() if run is None else run
+    if chosen.store is not None:
+        raise ModelError("run", Words("has a store"), valid, "give a Run without one")
+    return chosen
