@@ -9,7 +9,6 @@ import functools
 import inspect
 import math
 import os
-import re
 import types
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from decimal import Decimal
@@ -20,6 +19,7 @@ from pathlib import Path
 from typing import Any, Final, Literal, TypeVar, Union, get_args, get_origin
 
 from rocksteady.errors import InputError
+from rocksteady.model.checks._signatures import readable
 from rocksteady.model.checks.arrays import (
     MOST_ITEMS,
     UnfitError,
@@ -76,7 +76,7 @@ def _checked(target: Any, *, numbers: bool) -> Any:
     if not inspect.isclass(target):
         function = _guarded(target, numbers=False)
         # help() would spell out the twenty types of an ArrayLike, and every class with its module.
-        function.__signature__ = _readable(inspect.signature(target))  # type: ignore[attr-defined]
+        function.__signature__ = readable(inspect.signature(target))  # type: ignore[attr-defined]
         return function
     for name, member in list(vars(target).items()):
         if name.startswith("_") and name not in ("__init__", "__call__"):
@@ -115,39 +115,6 @@ def _guarded(function: Callable[..., Any], *, numbers: bool) -> Callable[..., An
         call.__code__, function.__globals__, function.__name__, closure=call.__closure__
     )
     return functools.wraps(function)(local)
-
-
-class _Words:
-    """An annotation as it is written in the source."""
-
-    def __init__(self, text: str) -> None:
-        self.text = text
-
-    def __repr__(self) -> str:
-        return self.text
-
-
-def _readable(signature: inspect.Signature) -> inspect.Signature:
-    """Return a signature whose annotations are short."""
-    return signature.replace(
-        parameters=[
-            each.replace(annotation=_short(each.annotation))
-            for each in signature.parameters.values()
-        ],
-        return_annotation=_short(signature.return_annotation),
-    )
-
-
-def _short(annotation: Any) -> Any:
-    """Return an annotation with names for unions of arrays, and classes without modules."""
-    if annotation is inspect.Parameter.empty:
-        return annotation
-    inner = get_args(annotation)
-    if any("_SupportsArray" in str(get_origin(part)) for part in inner):
-        return _Words("ArrayLike | None" if types.NoneType in inner else "ArrayLike")
-    text = annotation if isinstance(annotation, str) else inspect.formatannotation(annotation)
-    text = re.sub(r"ndarray\[tuple\[[^\]]*\], [\w.]*dtype\[[^\]]*\]\]", "ndarray", text)
-    return _Words(re.sub(r"\b(?:[a-z_]\w*\.)+(?=\w)", "", text))
 
 
 def _plan(function: Callable[..., Any], numbers: bool) -> list[tuple[str, int, bool, Fit]]:
