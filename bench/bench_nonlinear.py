@@ -14,10 +14,11 @@ from numpy.typing import NDArray
 
 from bench.bench_march import CYCLES, RESTITUTION, THINNED, Cells, cells, note
 from rocksteady import Block, Record, Status
-from rocksteady.dynamics.history.models import nonlinear_segment_table, sides_of
+from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.kernels.batch.harmonic import fates_of_sides
 from rocksteady.kernels.core.tables import ROW_COLUMNS, March
 from rocksteady.kernels.march.march import march
+from rocksteady.model.equations import Nonlinear
 from tests.dynamics.full_integrator import impacts_by_integrator
 from tests.kernels.fates import NO_LIMIT
 from tests.records import synthetic
@@ -31,7 +32,7 @@ def run(unit: Cells) -> None:
     fates_of_sides(
         unit.amplitude,
         unit.frequency_ratio,
-        np.broadcast_to(sides_of(BLOCK, "nonlinear"), (count, 2, 5)).copy(),
+        np.broadcast_to(sides_of(BLOCK, Nonlinear()), (count, 2, 5)).copy(),
         unit.zeros,
         unit.velocity,
         unit.zeros,
@@ -107,7 +108,7 @@ def test_earthquake(benchmark: Any, way: str) -> None:
     segments = nonlinear_segment_table(Record(acceleration_m_s2=values, dt_s=0.01), block)
     none = np.zeros((0, ROW_COLUMNS))
     start = March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0)
-    sides = sides_of(block, "nonlinear")
+    sides = sides_of(block, Nonlinear())
     arguments = (segments, sides, start, 0, 1e15, 1e-8, 10**9, none)
     peaks = np.zeros(2 if way == "with peaks" else 0)
     _, end = march(*arguments, peaks)

@@ -7,16 +7,17 @@ import numpy as np
 import pytest
 
 from rocksteady import Record, Status, rocking_spectrum
+from rocksteady.model.equations import Linear, Nonlinear
 from tests.records import synthetic
 
-GUIDES = {"linear": 0.5, "nonlinear": 3.0}
+GUIDES = {Linear(): 0.5, Nonlinear(): 3.0}
 
 
 @pytest.mark.parametrize("vertical", [False, True], ids=["", "vertical"])
 @pytest.mark.parametrize("model", GUIDES)
 @pytest.mark.benchmark(group="spectra", timer=time.perf_counter)
 def test_spectrum(benchmark: Any, model: Any, vertical: bool) -> None:
-    if model == "linear" and vertical:
+    if isinstance(model, Linear) and vertical:
         pytest.skip("its equations have no term for it")
     rng = np.random.default_rng(1940)
     record, up = (

@@ -35,9 +35,7 @@ def main() -> None:
 
         cabinet = rs.example_block("zhang-makris-2001")
         ratios = np.linspace(0.5, 9.0, 400)
-        full = rs.overturning_windows(
-            cabinet, "one-sine", ratios, model="nonlinear", amplitudes=(1.0, 15.0)
-        )
+        full = rs.overturning_windows(cabinet, "one-sine", ratios, amplitudes=(1.0, 15.0))
         figure = Figure(figsize=(8.0, 4.4))
         axes = rs.plot_overturning(full, figure.add_subplot())
         axes.set_title("one-sine pulse, full equations, α = 0.25 rad, restitution 0.9")

@@ -39,11 +39,11 @@ def main() -> None:
         figure = Figure(figsize=(10.4, 4.2))
         left, right = figure.subplots(1, 2)
         curves = rs.rocking_spectrum(
-            record, alpha=np.radians([10.0, 15.0, 20.0]), periods_s=periods, model="nonlinear"
+            record, alpha=np.radians([10.0, 15.0, 20.0]), periods_s=periods
         )
         rs.plot_rocking_spectrum(curves, left)
         plane = rs.rocking_spectrum(
-            record, alpha=np.linspace(0.08, 0.45, 240), periods_s=periods[::2], model="nonlinear"
+            record, alpha=np.linspace(0.08, 0.45, 240), periods_s=periods[::2]
         )
         rs.plot_spectrum_map(plane, right)
         figure.savefig(Path("docs/images/spectrum.png"), dpi=150)
@@ -51,7 +51,6 @@ def main() -> None:
         [near_fault(seed) for seed in range(1, 41)],
         alpha=np.radians([10.0, 15.0, 20.0]),
         periods_s=np.linspace(0.5, 8.0, 200),
-        model="nonlinear",
     )
     figure = suite_figure(rs.suite_spectrum(suite))
     figure.savefig(Path("docs/images/spectrum-suite.png"), dpi=150)

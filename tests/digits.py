@@ -10,7 +10,6 @@ import math
 import sys
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Literal
 
 import numpy as np
 
@@ -109,7 +108,7 @@ def courses() -> Numbers:
     pulse = rs.Pulse(shape="one-sine", amplitude=2.5, frequency_ratio=3.0)
     shaking = rs.Harmonic(amplitude=2.0, frequency_ratio=4.0)
     motions: tuple[rs.Pulse | rs.Harmonic | rs.Record, ...] = (pulse, shaking, record())
-    models: tuple[Literal["linear", "nonlinear"], ...] = ("linear", "nonlinear")
+    models: tuple[rs.Linear | rs.Nonlinear, ...] = (rs.Linear(), rs.Nonlinear())
     for motion, model in itertools.product(motions, models):
         start = rs.State(angle=0.1, velocity=0.0)
         run = rs.simulate(block, motion, start=start, model=model)

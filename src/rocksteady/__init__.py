@@ -19,13 +19,13 @@ if TYPE_CHECKING:
     from rocksteady.dynamics.continuation.stability import Stretch, stretches
     from rocksteady.dynamics.history.samples import Flights, Impacts, Motions
     from rocksteady.dynamics.history.simulate import simulate
-    from rocksteady.dynamics.history.start import Rest, State, Steady
+    from rocksteady.dynamics.history.start import ImpactState, Rest, State, Steady
     from rocksteady.dynamics.history.trajectory import Trajectory
     from rocksteady.dynamics.maps.attractor_map import attractor_map
     from rocksteady.dynamics.maps.fate_map import fate_map
     from rocksteady.dynamics.orbits.attractor import Attractor, AttractorKind, attractor
     from rocksteady.dynamics.orbits.orbit import Orbit
-    from rocksteady.dynamics.orbits.return_map import ImpactState, Passage, PassageKind, ReturnMap
+    from rocksteady.dynamics.orbits.return_map import Passage, PassageKind, ReturnMap
     from rocksteady.dynamics.orbits.search import orbits
     from rocksteady.dynamics.orbits.trail import AttractorTrail, attractor_trail
     from rocksteady.dynamics.overturning.free_rocking import (
@@ -74,6 +74,8 @@ if TYPE_CHECKING:
     from rocksteady.model.blocks.dimensionless import DimensionlessBlock
     from rocksteady.model.blocks.examples import example_block
     from rocksteady.model.blocks.sides import Side, housner_restitution, impact_restitution
+    from rocksteady.model.equations import Linear, Nonlinear
+    from rocksteady.model.motions.base_motion import BaseMotion
     from rocksteady.model.motions.combine import added, delayed, joined, scaled
     from rocksteady.model.motions.impulses import Impulses
     from rocksteady.model.motions.pulses import Pulse
@@ -139,6 +141,7 @@ __all__ = [
     "AttractorKind",
     "AttractorTrail",
     "Axis",
+    "BaseMotion",
     "BasinAttractor",
     "Basins",
     "Block",
@@ -161,9 +164,11 @@ __all__ = [
     "Installation",
     "IntensityMeasures",
     "KernelCheck",
+    "Linear",
     "MissingKernelsError",
     "ModelError",
     "Motions",
+    "Nonlinear",
     "Orbit",
     "Output",
     "OutputError",
@@ -282,6 +287,7 @@ _DEFINED_IN = {
     "AttractorKind": "rocksteady.dynamics.orbits.attractor",
     "AttractorTrail": "rocksteady.dynamics.orbits.trail",
     "Axis": "rocksteady.sweep.cases.axes",
+    "BaseMotion": "rocksteady.model.motions.base_motion",
     "BasinAttractor": "rocksteady.dynamics.basins.labels",
     "Basins": "rocksteady.dynamics.basins.basins",
     "Block": "rocksteady.model.blocks.block",
@@ -297,16 +303,18 @@ _DEFINED_IN = {
     "Grid": "rocksteady.sweep.cases.grid",
     "GroundCourse": "rocksteady.seismic.measures.time_course",
     "Harmonic": "rocksteady.model.motions.segments",
-    "ImpactState": "rocksteady.dynamics.orbits.return_map",
+    "ImpactState": "rocksteady.dynamics.history.start",
     "Impacts": "rocksteady.dynamics.history.samples",
     "Impulses": "rocksteady.model.motions.impulses",
     "InputError": "rocksteady.errors",
     "Installation": "rocksteady.installation.check",
     "IntensityMeasures": "rocksteady.seismic.measures.intensity",
     "KernelCheck": "rocksteady.installation.check",
+    "Linear": "rocksteady.model.equations",
     "MissingKernelsError": "rocksteady.errors",
     "ModelError": "rocksteady.errors",
     "Motions": "rocksteady.dynamics.history.samples",
+    "Nonlinear": "rocksteady.model.equations",
     "Orbit": "rocksteady.dynamics.orbits.orbit",
     "Output": "rocksteady.sweep.cases.outputs",
     "OutputError": "rocksteady.errors",

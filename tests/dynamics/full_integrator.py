@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
 from rocksteady import Block, Harmonic, Pulse, Record, State, Status, Trajectory, simulate
+from rocksteady.model.equations import Nonlinear
+from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.segments import Motion
 
 Ground = Callable[[float], float]
@@ -82,9 +84,9 @@ def impacts_by_integrator(
     return found
 
 
-def full(block: Block, motion: Motion | Record, **given: object) -> Trajectory:
+def full(block: Block, motion: Motion | Record | BaseMotion, **given: object) -> Trajectory:
     """Return the run of the nonlinear model."""
-    return simulate(block, motion, model="nonlinear", **given)  # type: ignore[arg-type]
+    return simulate(block, motion, **{"model": Nonlinear(), **given})  # type: ignore[arg-type]
 
 
 def same_impacts(run: Trajectory, expected: list[float]) -> None:
@@ -163,4 +165,4 @@ def agree_on_samples(
     )
     record = Record(acceleration_m_s2=flat, dt_s=dt)
     vertical = None if up is None else Record(acceleration_m_s2=up, dt_s=dt)
-    same_impacts(full(block, record, start=state, vertical=vertical), expected)
+    same_impacts(full(block, BaseMotion(record, vertical), start=state), expected)

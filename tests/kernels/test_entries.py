@@ -25,7 +25,7 @@ from tests.public.calls import calls
 from tests.strategies import PLAIN
 
 ROOT = Path(__file__).parents[2]
-MODELS = ("linear", "nonlinear")
+MODELS = (rs.Linear(), rs.Nonlinear())
 
 pytestmark = pytest.mark.skipif(PLAIN, reason="nothing is compiled")
 
@@ -172,7 +172,7 @@ def print_imports_of_numba() -> None:
     """Print which of its modules a simulation and maps have imported."""
     block = rs.Block.rectangle(width=0.4, height=1.2)
     rs.simulate(block, rs.Harmonic(amplitude=2.0, frequency_ratio=4.0), cycles=3)
-    for call in grids(block, "nonlinear"):
+    for call in grids(block, rs.Nonlinear()):
         call()
     json.dump(sorted(name for name in sys.modules if name.startswith("numba")), sys.stdout)
 
@@ -206,8 +206,8 @@ def motions(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
     yield partial(follow, rs.Impulses(velocities=(0.5, -0.1), times=(0.0, 1.0)))
     yield partial(follow, rs.Pulse(shape="ricker", amplitude=2.0, frequency_ratio=4.0))
     yield partial(follow, record)
-    if model == "nonlinear":
-        yield partial(follow, record, vertical=record)
+    if isinstance(model, rs.Nonlinear):
+        yield partial(follow, rs.BaseMotion(record, record))
 
 
 def followed(*arguments: Any, **options: Any) -> None:
@@ -227,7 +227,7 @@ def orbits(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
     shaking = rs.Harmonic(amplitude=2.0, frequency_ratio=4.0)
     state = rs.ImpactState(side=1, phase=0.5, speed=0.3)
     yield partial(rs.ReturnMap(block, shaking, model=model), state)
-    if model == "linear":
+    if isinstance(model, rs.Linear):
         yield partial(rs.attractor_trail, block, shaking, "amplitude", [1.9, 2.0], cycles=20)
 
 
@@ -269,8 +269,8 @@ def of_symmetric_blocks(block: rs.Block, model: Any) -> Iterator[Callable[[], ob
     sizes = {"alpha": [0.2, 0.3], "periods_s": [1.0, 2.0], "model": model}
     yield partial(rs.rocking_spectrum, record, **sizes)
     yield partial(rs.rocking_spectrum, [record, record.scaled(2.0)], **sizes)
-    if model == "nonlinear":
-        yield partial(rs.rocking_spectrum, [record], vertical=[record], **sizes)
+    if isinstance(model, rs.Nonlinear):
+        yield partial(rs.rocking_spectrum, [rs.BaseMotion(record, record)], **sizes)
     axes = {"amplitude": [1.0, 2.0], "frequency_ratio": [3.0, 4.0]}
     for branch in (1, 2):
         start = rs.Steady(branch=branch)

@@ -33,6 +33,8 @@ from rocksteady import (
     steady_orbit,
     suite_spectrum,
 )
+from rocksteady.model.equations import Linear, Nonlinear
+from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.show.figures.maps import map_figure
 from rocksteady.show.figures.single import (
     basins_figure,
@@ -70,7 +72,7 @@ def rocking() -> Trajectory:
 
 @cache
 def vertical_too() -> Trajectory:
-    return simulate(BLOCK, shock(), vertical=shock(scale=0.5), model="nonlinear")
+    return simulate(BLOCK, BaseMotion(shock(), shock(scale=0.5)), model=Nonlinear())
 
 
 @cache
@@ -117,16 +119,19 @@ def makers() -> dict[str, Callable[[Page], Figure]]:
     courses = [ground_course(each) for each in suite]
     spectra = [response_spectrum(each, np.geomspace(0.05, 4.0, 40)) for each in suite]
     spectrum = rocking_spectrum(
-        suite, alpha=[0.1, 0.2, 0.3], periods_s=np.linspace(1.0, 6.0, 30), model="linear"
+        suite, alpha=[0.1, 0.2, 0.3], periods_s=np.linspace(1.0, 6.0, 30), model=Linear()
     )
     many = rocking_spectrum(
-        suite[0], alpha=np.linspace(0.05, 0.4, 9), periods_s=np.linspace(1.0, 6.0, 30)
+        suite[0],
+        alpha=np.linspace(0.05, 0.4, 9),
+        periods_s=np.linspace(1.0, 6.0, 30),
+        model=Linear(),
     )
     curves = [response_curve(BARE, a, frequency_ratio=fine) for a in (1.0, 2.0, 3.0, 4.0, 5.0)]
     around = region_map(np.linspace(0.1, 14.0, 300), 0.8)
     steady = [(f"branch {n}: some words on it", steady_orbit(2, 4, 0.8, branch=n)) for n in (1, 2)]
     cells = basins(BARE, SHAKING, angles=np.linspace(-1, 1, 40), velocities=np.linspace(-1, 1, 40))
-    free = simulate(BLOCK, Still(), start=State(angle=0.8, velocity=0.0))
+    free = simulate(BLOCK, Still(), start=State(angle=0.8, velocity=0.0), model=Linear())
     return {
         "simulation": lambda page: simulation_figure(rocking(), TITLE, page),
         "free": lambda page: simulation_figure(free, TITLE, page),

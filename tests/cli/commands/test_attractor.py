@@ -33,8 +33,7 @@ def test_the_json_of_an_orbit_keeps_the_contract() -> None:
     found = attractor(
         DimensionlessBlock(restitution=0.8),
         Harmonic(amplitude=2.0, frequency_ratio=1.9),
-        start=Steady(),
-        side=-1,
+        start=Steady(side=-1),
     )
     assert found.orbit is not None
     assert (values["kind"], values["reason"]) == ("unsymmetric", None)

@@ -423,7 +423,7 @@ def test_points_of_the_csv_are_what_settles(tmp_path: Path) -> None:
     from rocksteady import Steady
 
     shaking = Harmonic(amplitude=2.0, frequency_ratio=float(row["frequency_ratio"]))
-    found = attractor(BARE, shaking, start=Steady(), side=-1)
+    found = attractor(BARE, shaking, start=Steady(side=-1))
     assert found.kind == "unsymmetric"
     assert found.peaks is not None
     sizes = sorted(map(abs, found.peaks))

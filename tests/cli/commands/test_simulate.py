@@ -177,7 +177,7 @@ def test_a_run_that_cannot_be_decided_ends_with_3(monkeypatch: pytest.MonkeyPatc
     import rocksteady.dynamics.history.simulate as module
 
     whole = module.simulate
-    monkeypatch.setattr(module, "simulate", lambda *a, **k: whole(*a, **k, flight_limit=5))
+    monkeypatch.setattr(module, "simulate", lambda *a, **k: whole(*a, **k, max_flights=5))
     ran = rocksteady(f"{SHAKEN} --json")
     assert ran.code == 3
     assert ran.json["status"] == "undecided"

@@ -7,6 +7,7 @@ from PIL import Image
 
 from rocksteady import Block, Harmonic, attractor, basins, erosion, orbits, simulate
 from rocksteady.cli.flags.parsing import axis
+from rocksteady.model.equations import Nonlinear
 from tests.cli.program import refused, rocksteady
 
 SHAKEN = "simulate --alpha-rad 0.4 --p-rad-s 2 -A 2 -W 3 --cycles 6 --model nonlinear"
@@ -18,7 +19,7 @@ def test_its_json_is_that_of_the_library() -> None:
         Block.from_p(alpha=0.4, p=2.0),
         Harmonic(amplitude=2.0, frequency_ratio=3.0),
         cycles=6,
-        model="nonlinear",
+        model=Nonlinear(),
     )
     assert (values["model"], values["status"]) == ("nonlinear", run.status.label)
     assert (values["peak"], values["impacts"]) == (run.peak, len(run.impacts))
@@ -52,7 +53,7 @@ def test_attractor_and_map_take_the_model(tmp_path: Path) -> None:
     plot = tmp_path / "orbit.png"
     found = rocksteady(f"attractor {BLOCK} -A 2 -W 4 --plot {plot} --json").json
     block = Block.from_p(alpha=0.4, p=2.0, restitution=0.8)
-    single = attractor(block, Harmonic(amplitude=2.0, frequency_ratio=4.0), model="nonlinear")
+    single = attractor(block, Harmonic(amplitude=2.0, frequency_ratio=4.0), model=Nonlinear())
     assert (found["model"], found["kind"]) == ("nonlinear", single.kind.value)
     assert found["peaks"] == list(single.peaks or ())
     assert plot.is_file()
@@ -82,7 +83,7 @@ def test_orbits_take_the_model(tmp_path: Path) -> None:
     case = f"orbits {BLOCK} -A 2 -W 4 --max-period 1 --seeds 12"
     values = rocksteady(f"{case} --json --csv {table} --plot {plot}").json
     shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
-    found = orbits(BODY, shaking, max_period=1, seeds=12, model="nonlinear")
+    found = orbits(BODY, shaking, max_period=1, seeds=12, model=Nonlinear())
     assert values["model"] == "nonlinear"
     assert [orbit["peaks"] for orbit in values["orbits"]] == [
         [orbit.highest, orbit.lowest] for orbit in found
@@ -106,7 +107,7 @@ def test_basins_take_the_model(tmp_path: Path) -> None:
         Harmonic(amplitude=2.0, frequency_ratio=4.0),
         angles=axis("", "-1:1:12"),
         velocities=axis("", "-0.4:0.4:12"),
-        model="nonlinear",
+        model=Nonlinear(),
     )
     assert values["model"] == "nonlinear"
     assert [part["states"] for part in values["fractions"]] == found.states.tolist()
@@ -127,7 +128,7 @@ def test_erosion_leaves_out_what_the_model_has_no_closed_form_of(tmp_path: Path)
         angles=axis("", "-1:1:12"),
         velocities=axis("", "-0.4:0.4:12"),
         cycles=20,
-        model="nonlinear",
+        model=Nonlinear(),
     )
     assert values["model"] == "nonlinear"
     assert [row["safe_share"] for row in values["erosion"]] == found.safe_share.tolist()

@@ -9,6 +9,8 @@ import pytest
 import xarray
 
 from rocksteady import Record, read_record, rocking_spectrum, suite_spectrum
+from rocksteady.model.equations import Nonlinear
+from rocksteady.model.motions.base_motion import BaseMotion
 from tests.cli.program import refused, rocksteady
 from tests.records import peer
 from tests.seismic.grounds import ground, lifting
@@ -80,16 +82,14 @@ def test_every_flag_reaches_the_blocks(files: list[Path], tmp_path: Path) -> Non
     command += " --scale 1.2 --reverse --tolerance 1e-8 --json"
     values = rocksteady(command, "--record", files[1], "--vertical", up).json
     found = rocking_spectrum(
-        read_record(files[1]),
+        BaseMotion(read_record(files[1]), read_record(up)),
         alpha=math.radians(12.0),
         p=2.0,
-        model="nonlinear",
+        model=Nonlinear(tolerance=1e-8),
         restitution=0.8,
         gravity=9.7,
         scale=1.2,
         reverse=True,
-        tolerance=1e-8,
-        vertical=read_record(up),
     )
     (row,) = values["values"]
     assert (row["peak"], row["impacts"]) == (float(found.peak_angle), int(found.impacts))
@@ -160,8 +160,8 @@ def test_the_files_hold_the_same(files: list[Path], tmp_path: Path) -> None:
         ("--alpha-rad 1.3", "--alpha-rad = 1.3"),
         ("--alpha-rad 0.2 -r 0.8,0.9", "both sides of a rectangle are alike"),
         ("--alpha-rad 0.2 --scale 0", "--scale = 0.0"),
-        ("--alpha-rad 0.2 --tolerance 1e-8", "--model nonlinear"),
-        ("--alpha-rad 0.2 --vertical up.AT2", "--model nonlinear"),
+        ("--alpha-rad 0.2 --model linear --tolerance 1e-8", "--model nonlinear"),
+        ("--alpha-rad 0.2 --model linear --vertical up.AT2", "--model nonlinear"),
         ("--alpha-rad 0.2 --periods-s 2 --plot one.png", "two sizes or more"),
         ("--alpha-rad 0.2 --model exact", "two equations of motion"),
     ],

@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, InputError, Pulse, example_block
+from rocksteady import Block, DimensionlessBlock, Harmonic, InputError, Pulse, Still, example_block
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.block_and_shaking import (
     BlockFlags,
@@ -14,6 +14,7 @@ from rocksteady.cli.flags.block_and_shaking import (
     refuse_of_linear,
 )
 from rocksteady.cli.flags.parsing import MOST_AXIS_POINTS
+from rocksteady.model.equations import Linear, Nonlinear
 
 BARE = DimensionlessBlock(restitution=0.8)
 SIZED = Block.rectangle(width=0.4, height=1.2)
@@ -151,12 +152,17 @@ def test_a_pulse_has_the_size_of_the_shaking() -> None:
 
 
 def test_the_nonlinear_model_needs_a_slenderness_and_has_flags_of_its_own() -> None:
-    assert equations_for("nonlinear", SIZED) == "nonlinear"
-    assert equations_for("linear", BARE) == "linear"
+    assert equations_for("nonlinear", SIZED) == Nonlinear()
+    assert equations_for("linear", BARE) == Linear()
+    assert equations_for(None, SIZED, Still()) == Nonlinear()
+    assert equations_for(None, SIZED) == equations_for(None, BARE, Still()) == Linear()
+    assert equations_for(None, SIZED, Still(), 1e-8) == Nonlinear(tolerance=1e-8)
     with pytest.raises(FlagError, match="the full equations need the block's slenderness"):
         equations_for("nonlinear", BARE)
     refuse_of_linear("nonlinear", "vertical", "up.AT2")
     refuse_of_linear("linear", "vertical", None)
+    with pytest.raises(FlagError, match="only the nonlinear model has it"):
+        equations_for(None, SIZED, tolerance=1e-8)
     with pytest.raises(FlagError, match="only the nonlinear model has it"):
         refuse_of_linear("linear", "vertical", "up.AT2")
 

@@ -10,6 +10,8 @@ import pytest
 from PIL import Image
 
 from rocksteady import Block, Record, State, simulate
+from rocksteady.model.equations import Linear, Model, Nonlinear
+from rocksteady.model.motions.base_motion import BaseMotion
 from tests.cli.motion_files import at2, real, samples
 from tests.cli.program import refused, rocksteady
 from tests.records.published import AT_PACOIMA_DAM, PEAKS
@@ -28,10 +30,10 @@ def record_of(values_g: np.ndarray) -> Record:
     return Record(acceleration_m_s2=9.80665 * values_g, dt_s=0.02)
 
 
-@pytest.mark.parametrize("model", ["linear", "nonlinear"])
-def test_a_run_is_that_of_the_library(files: tuple[Path, Path], model: str) -> None:
-    values = rocksteady(f"simulate {SIZE} --model {model} --json --record", files[0]).json
-    truth = simulate(BLOCK, record_of(samples()), model=model)  # type: ignore[arg-type]
+@pytest.mark.parametrize("model", [Linear(), Nonlinear()])
+def test_a_run_is_that_of_the_library(files: tuple[Path, Path], model: Model) -> None:
+    values = rocksteady(f"simulate {SIZE} --model {model.name} --json --record", files[0]).json
+    truth = simulate(BLOCK, record_of(samples()), model=model)
     assert values["status"] == truth.status.label == "at-rest"
     assert values["peak"] == pytest.approx(truth.peak, rel=1e-9)
     assert values["impacts"] == len(truth.impacts) > 5
@@ -63,17 +65,16 @@ def test_vertical_motion_is_scaled_with_the_record_and_not_reversed(
     files: tuple[Path, Path],
 ) -> None:
     across, up = files
-    command = f"simulate {SIZE} --model nonlinear --json --scale 0.8 --reverse --vertical"
+    command = f"simulate {SIZE} --json --scale 0.8 --reverse --vertical"
     values = rocksteady(command, up, "--record", across).json
     truth = simulate(
         BLOCK,
-        record_of(-0.8 * samples()),
-        vertical=record_of(0.8 * samples(9, 0.4)),
-        model="nonlinear",
+        BaseMotion(record_of(-0.8 * samples()), record_of(0.8 * samples(9, 0.4))),
+        model=Nonlinear(),
     )
     assert values["peak"] == pytest.approx(truth.peak, rel=1e-9)
     assert values["peak"] != pytest.approx(
-        simulate(BLOCK, record_of(-0.8 * samples()), model="nonlinear").peak, rel=1e-3
+        simulate(BLOCK, record_of(-0.8 * samples()), model=Nonlinear()).peak, rel=1e-3
     )
     assert (values["vertical"], values["vertical_pga_g"]) == ("up", pytest.approx(0.32))
 
@@ -125,7 +126,7 @@ def test_a_vertical_that_is_filed_downwards(files: tuple[Path, Path], tmp_path: 
     filed = rocksteady(command, across, "--vertical", down, "--reverse-vertical").json
     assert filed["vertical_processing"] == [note, "sign changed: --reverse-vertical"]
     truth = simulate(
-        BLOCK, record_of(samples()), vertical=record_of(-samples(9, 0.4)), model="nonlinear"
+        BLOCK, BaseMotion(record_of(samples()), record_of(-samples(9, 0.4))), model=Nonlinear()
     )
     assert filed["peak"] == pytest.approx(truth.peak, rel=1e-9) != plain.json["peak"]
     text = rocksteady(f"simulate {SIZE} --model nonlinear --record", across, "--vertical", down)
@@ -226,7 +227,7 @@ def test_what_topples_at_pacoima_dam(degrees: float, period: float, falls: bool)
         (f"{SIZE} --record across.AT2 --scale 0", ["--scale = 0.0", "(0, "]),
         (f"{SIZE} --record across.AT2 --scale=-1", ["--scale = -1.0", "--reverse"]),
         (
-            f"{SIZE} --record across.AT2 --vertical up.AT2",
+            f"{SIZE} --record across.AT2 --vertical up.AT2 --model linear",
             ["--vertical = 'up.AT2'", "--model nonlinear"],
         ),
         (f"{SIZE} --record across.AT2 --record up.AT2", ["--record names 2 files", "takes one"]),

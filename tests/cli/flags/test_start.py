@@ -26,9 +26,8 @@ def test_the_flag_is_the_librarys_argument(kick: str, side: str) -> None:
     run = simulate(
         DimensionlessBlock(restitution=0.8),
         Harmonic(amplitude=2.0, frequency_ratio=1.7),
-        start=Steady(kick=float(kick)),
+        start=Steady(kick=float(kick), side=1 if side == "+" else -1),
         cycles=40,
-        side=1 if side == "+" else -1,
     )
     assert overturned_at("--kick", kick, "--side", side) == run.overturn_tau
 

@@ -8,6 +8,7 @@ from rocksteady import Block, DimensionlessBlock, Harmonic, basins, erosion
 from rocksteady.cli.present.basins_text import case_of, print_erosion, print_fractions
 from rocksteady.cli.present.basins_values import basins_values, erosion_values
 from rocksteady.dynamics.basins.erosion import MEASURES
+from rocksteady.model.equations import Nonlinear
 from tests.cli.present.printed import fits, printed
 
 LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
@@ -79,7 +80,7 @@ def test_a_drop_is_told_or_denied() -> None:
 
 def test_the_nonlinear_model_has_no_tangency() -> None:
     block = Block.rectangle(width=0.4, height=1.2)
-    text = printed(print_erosion, erosion_of(block, model="nonlinear"))
+    text = printed(print_erosion, erosion_of(block, model=Nonlinear()))
     assert fits(text)
     assert "no closed form in the nonlinear model" in text
 

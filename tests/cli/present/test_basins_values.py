@@ -13,6 +13,7 @@ from rocksteady.cli.present.basins_values import (
     undecided,
 )
 from rocksteady.dynamics.basins.erosion import MEASURES
+from rocksteady.model.equations import Nonlinear
 from tests.cli.present.printed import as_json
 
 LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
@@ -104,7 +105,7 @@ def test_there_is_a_row_an_amplitude(block: Block | DimensionlessBlock) -> None:
 
 def test_the_nonlinear_model_has_no_tangency_in_closed_form() -> None:
     block = Block.rectangle(width=0.4, height=1.2)
-    values = values_of(erosion_of(block, model="nonlinear"), block)
+    values = values_of(erosion_of(block, model=Nonlinear()), block)
     assert values["model"] == "nonlinear"
     assert values["heteroclinic_amplitude"] is None
     assert values["heteroclinic_accel_g"] is None

@@ -19,6 +19,7 @@ from rocksteady.cli.present.overturn_values import (
     title_of,
     window_rows,
 )
+from rocksteady.model.equations import Linear, Model, Nonlinear
 from tests.cli.present.printed import as_json, fits, printed
 
 LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
@@ -27,7 +28,7 @@ BARE = DimensionlessBlock(restitution=0.9)
 
 @cache
 def windows_of(
-    block: Block | DimensionlessBlock, pulse: str, highest: float, model: str
+    block: Block | DimensionlessBlock, pulse: str, highest: float, model: Model
 ) -> OverturningWindows:
     given: dict[str, Any] = {"amplitudes": (1.0, highest), "model": model}
     return overturning_windows(block, pulse, [1.0, 2.0, 8.0], **given)
@@ -37,9 +38,9 @@ def values_of(
     block: Block | DimensionlessBlock,
     pulse: str = "ricker",
     highest: float = 3.0,
-    model: str = "linear",
+    model: Model | None = None,
 ) -> dict[str, Any]:
-    return overturn_values(windows_of(block, pulse, highest, model), block)
+    return overturn_values(windows_of(block, pulse, highest, model or Linear()), block)
 
 
 @pytest.mark.parametrize("block", [BARE, LEANING])
@@ -77,7 +78,7 @@ def test_a_closed_form_stands_beside_its_windows_in_the_linear_model_alone() -> 
     closed = [row["closed_form"] for row in values["windows"]]
     assert closed == overturning_threshold("rectangle", [1.0, 2.0, 8.0]).tolist()
     assert values["windows"][0]["first"] == pytest.approx(closed[0], rel=1e-9)
-    nonlinear = values_of(block, "rectangle", model="nonlinear")
+    nonlinear = values_of(block, "rectangle", model=Nonlinear())
     assert {row["closed_form"] for row in nonlinear["windows"]} == {None}
     assert title_of(nonlinear).endswith(", nonlinear")
 

@@ -19,6 +19,7 @@ from rocksteady import (
     erosion,
     simulate,
 )
+from rocksteady.model.equations import Linear, Nonlinear
 from tests.dynamics.kicks import apart
 
 Floats = NDArray[np.float64]
@@ -39,7 +40,7 @@ def at(block: Block, a: float, w: float, count: int = 12, **more: int) -> Basins
         Harmonic(amplitude=a, frequency_ratio=w, phase=0.4),
         angles=window(1.2, count),
         velocities=window(1.2 / w, count),
-        model="nonlinear",
+        model=Nonlinear(),
         **more,  # type: ignore[arg-type]
     )
 
@@ -58,7 +59,7 @@ def test_each_state_goes_where_it_goes_alone(
     block: Block, a: float, w: float, seed: int | None
 ) -> None:
     found = at(block, a, w, cycles=300, **({} if seed is None else {"seed": seed}))
-    assert found.model == "nonlinear"
+    assert found.model == Nonlinear()
     assert len(found.attractors) >= 2
     for row, column in np.ndindex(found.label.shape):
         state = State.per_tau(
@@ -66,12 +67,12 @@ def test_each_state_goes_where_it_goes_alone(
             velocity=float(found.start_velocity[row, column]),
             frequency_ratio=w,
         )
-        alone = attractor(block, found.shaking, start=state, cycles=300, model="nonlinear")
+        alone = attractor(block, found.shaking, start=state, cycles=300, model=Nonlinear())
         here = found.attractors[found.label[row, column]]
         assert here.kind is alone.kind
         assert (here.orbit is None) == (alone.orbit is None)
         if here.orbit is not None and alone.orbit is not None:
-            assert here.orbit.model == "nonlinear"
+            assert here.orbit.model == Nonlinear()
             assert here.period == alone.period
             assert min(apart(alone.orbit.states[0], one) for one in here.orbit.states) < 1e-6
 
@@ -84,7 +85,7 @@ def test_states_on_an_attractor_at_the_phase_stay_there() -> None:
         for angle, velocity in points:
             start = State.per_tau(angle=angle, velocity=velocity, frequency_ratio=4.0)
             back = simulate(
-                STOCKY, found.shaking, start=start, cycles=one.orbit.period, model="nonlinear"
+                STOCKY, found.shaking, start=start, cycles=one.orbit.period, model=Nonlinear()
             )
             end = back(back.end_s)
             assert (end.angle, end.velocity / 4.0) == pytest.approx((angle, velocity), abs=1e-9)
@@ -97,7 +98,7 @@ def test_half_a_period_later_the_basins_are_turned_round() -> None:
         Harmonic(amplitude=2.0, frequency_ratio=1.9, phase=0.4 + math.pi),
         angles=one.angle,
         velocities=one.velocity,
-        model="nonlinear",
+        model=Nonlinear(),
     )
     turned = other.label[::-1, ::-1]
     kinds = [np.array([x.kind.value for x in each.attractors]) for each in (one, other)]
@@ -108,7 +109,7 @@ def test_slender_blocks_have_the_basins_of_the_linear_model() -> None:
     slender = Block.from_radius(alpha=1e-7, radius=1.0, restitution=0.8)
     full = at(slender, 2.0, 4.0, count=20)
     plain = basins(
-        slender, full.shaking, angles=full.angle, velocities=full.velocity, model="linear"
+        slender, full.shaking, angles=full.angle, velocities=full.velocity, model=Linear()
     )
     np.testing.assert_array_equal(full.label, plain.label)
     assert [x.name for x in full.attractors] == [x.name for x in plain.attractors]
@@ -138,14 +139,14 @@ def test_each_state_is_as_safe_as_it_is_alone(block: Block) -> None:
         cycles=20,
         angles=axis,
         velocities=axis / 2.0,
-        model="nonlinear",
+        model=Nonlinear(),
     )
     for which, amplitude in enumerate(found.amplitude.tolist()):
         shaking = Harmonic(amplitude=amplitude, frequency_ratio=2.0, phase=found.phase)
         for row, velocity in enumerate(found.velocity.tolist()):
             for column, angle in enumerate(found.angle.tolist()):
                 state = State.per_tau(angle=angle, velocity=velocity, frequency_ratio=2.0)
-                run = simulate(block, shaking, start=state, cycles=20, model="nonlinear")
+                run = simulate(block, shaking, start=state, cycles=20, model=Nonlinear())
                 assert found.safe[which, row, column] == (run.status is not Status.OVERTURNED)
     assert 0.1 < found.safe.mean() < 0.9
 
@@ -154,7 +155,7 @@ def test_each_state_is_as_safe_as_it_is_alone(block: Block) -> None:
 def test_the_safe_basin_of_a_still_base_is_one_of_energy(block: Block) -> None:
     # Over the balance neither on its own side nor, with what impacts leave, on the other or back.
     axis = window(1.6, 41)
-    found = erosion(block, 3.0, [0.0], angles=axis, velocities=axis / 3.0, model="nonlinear")
+    found = erosion(block, 3.0, [0.0], angles=axis, velocities=axis / 3.0, model=Nonlinear())
     assert found.global_integrity[0] == found.integrity_factor[0] == 1.0
     sides = {1: block.positive, -1: block.negative}
     unit = block.positive.alpha * block.positive.p
@@ -181,7 +182,7 @@ def test_slender_blocks_erode_as_in_the_linear_model() -> None:
     axis = window(1.47, 24)  # on which no state would balance
     full, plain = (
         erosion(slender, 2.0, [0.3, 0.8], angles=axis, velocities=axis / 2.0, model=model)
-        for model in ("nonlinear", "linear")
+        for model in (Nonlinear(), Linear())
     )
     np.testing.assert_array_equal(full.safe, plain.safe)
     one, other = full.drop(tolerance=0.02), plain.drop(tolerance=0.02)
@@ -192,7 +193,7 @@ def test_slender_blocks_erode_as_in_the_linear_model() -> None:
 def test_what_is_closed_in_the_linear_model_alone_is_left_out() -> None:
     axis = window(1.5, 16)
     found = erosion(
-        STOCKY, 2.0, [0.3, 0.8], angles=axis, velocities=axis / 2.0, cycles=10, model="nonlinear"
+        STOCKY, 2.0, [0.3, 0.8], angles=axis, velocities=axis / 2.0, cycles=10, model=Nonlinear()
     )
     assert found.heteroclinic is None
     data = found.to_dataset()
@@ -204,6 +205,6 @@ def test_what_is_closed_in_the_linear_model_alone_is_left_out() -> None:
 def test_a_block_without_slenderness_is_refused() -> None:
     bare = DimensionlessBlock(restitution=0.8)
     with pytest.raises(ModelError, match="slenderness"):
-        basins(bare, Harmonic(amplitude=2.0, frequency_ratio=4.0), model="nonlinear")
+        basins(bare, Harmonic(amplitude=2.0, frequency_ratio=4.0), model=Nonlinear())
     with pytest.raises(ModelError, match="slenderness"):
-        erosion(bare, 2.0, [0.5], model="nonlinear")
+        erosion(bare, 2.0, [0.5], model=Nonlinear())

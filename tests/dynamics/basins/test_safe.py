@@ -5,7 +5,8 @@ import pytest
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, Run, State, Status, simulate
 from rocksteady.dynamics.basins._safe import measured, safe_states
-from rocksteady.dynamics.history.models import ModelName, sides_of
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
+from rocksteady.model.equations import Linear, Model, Nonlinear
 
 LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
 
@@ -13,13 +14,13 @@ LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
 @pytest.mark.parametrize(
     ("block", "model"),
     [
-        (DimensionlessBlock(restitution=0.8), "linear"),
-        (LEANING, "linear"),
-        (LEANING, "nonlinear"),
+        (DimensionlessBlock(restitution=0.8), Linear()),
+        (LEANING, Linear()),
+        (LEANING, Nonlinear()),
     ],
 )
 def test_a_state_is_safe_where_its_time_history_does_not_overturn(
-    block: Block | DimensionlessBlock, model: ModelName
+    block: Block | DimensionlessBlock, model: Model
 ) -> None:
     amplitudes, angles, velocities = (
         [0.0, 1.5],

@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, State
-from rocksteady.dynamics.history.models import ModelName, sides_of
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
+from rocksteady.model.equations import Linear, Model
 from tests.dynamics.asymmetric import random_block
 
 Floats = NDArray[np.float64]
@@ -17,7 +18,7 @@ AnyBlock = Block | DimensionlessBlock
 class Cells:
     """Cells one by one, by the public constructors, and as the arrays of a batch."""
 
-    model: ModelName
+    model: Model
     blocks: list[AnyBlock]
     shakings: list[Harmonic]
     starts: list[State]
@@ -50,7 +51,7 @@ class Cells:
         return len(self.blocks)
 
 
-def random_cells(seed: int, model: ModelName, count: int) -> Cells:
+def random_cells(seed: int, model: Model, count: int) -> Cells:
     """Return cells of which about half have equal sides, and a third start upright.
 
     Some shaking is too weak for uplift, and some restitutions are so low that motions rest in every
@@ -63,7 +64,7 @@ def random_cells(seed: int, model: ModelName, count: int) -> Cells:
         restitution = rng.uniform(0.3, 0.95)
         if at % 2:
             block: AnyBlock = random_block(rng)
-        elif model == "linear":
+        elif isinstance(model, Linear):
             block = DimensionlessBlock(restitution=restitution)
         else:
             block = Block.from_p(alpha=rng.uniform(0.05, 0.4), p=2.0, restitution=restitution)

@@ -16,13 +16,13 @@ from rocksteady.dynamics.batch.attractors import (
     settled_cells,
 )
 from rocksteady.dynamics.batch.initial_states import at_phases
-from rocksteady.dynamics.history.models import ModelName
 from rocksteady.dynamics.orbits.attractor import KINDS
+from rocksteady.model.equations import Linear, Model, Nonlinear
 from tests.dynamics.batch.cells import Cells, random_cells
 
 CYCLES = 200
 COUNT = 60
-models = pytest.mark.parametrize("model", ["linear", "nonlinear"])
+models = pytest.mark.parametrize("model", [Linear(), Nonlinear()])
 
 
 def beginnings_of(cells: Cells) -> Beginnings:
@@ -35,7 +35,7 @@ def settled(cells: Cells) -> SettledCells:
 
 
 @models
-def test_each_cell_is_the_attractor_of_its_motion_alone(model: ModelName) -> None:
+def test_each_cell_is_the_attractor_of_its_motion_alone(model: Model) -> None:
     cells = random_cells(5, model, COUNT)
     found = settled(cells)
     for at, (block, shaking, start) in enumerate(
@@ -66,7 +66,7 @@ def test_each_cell_is_the_attractor_of_its_motion_alone(model: ModelName) -> Non
 
 
 @models
-def test_mirrored_motions_settle_to_the_mirror_image(model: ModelName) -> None:
+def test_mirrored_motions_settle_to_the_mirror_image(model: Model) -> None:
     cells = random_cells(6, model, COUNT)
     one = settled(cells)
     begin = beginnings_of(cells)
@@ -89,7 +89,7 @@ def test_mirrored_motions_settle_to_the_mirror_image(model: ModelName) -> None:
 
 
 @models
-def test_one_block_for_all_cells_is_the_same_block_in_each(model: ModelName) -> None:
+def test_one_block_for_all_cells_is_the_same_block_in_each(model: Model) -> None:
     cells = random_cells(7, model, COUNT)
     sides = cells.sides[1]
     shaken, begin = (cells.amplitude, cells.frequency_ratio), beginnings_of(cells)
@@ -100,7 +100,7 @@ def test_one_block_for_all_cells_is_the_same_block_in_each(model: ModelName) -> 
 
 
 def test_what_a_grid_stores_holds_every_number() -> None:
-    found = settled(random_cells(5, "linear", COUNT))
+    found = settled(random_cells(5, Linear(), COUNT))
     for output in outputs_of_orbits():
         values = getattr(found, output.name)
         assert values.shape == (COUNT,)

@@ -6,11 +6,11 @@ import pytest
 from rocksteady import Status, Trajectory, simulate
 from rocksteady.dynamics.batch import fates
 from rocksteady.dynamics.batch.fates import ENDS, Integers, batch_size, ends_of
-from rocksteady.dynamics.history.models import ModelName
+from rocksteady.model.equations import Linear, Model, Nonlinear
 from tests.dynamics.batch.cells import Cells, random_cells
 
 CYCLES = 20
-models = pytest.mark.parametrize(("model", "count"), [("linear", 120), ("nonlinear", 40)])
+models = pytest.mark.parametrize(("model", "count"), [(Linear(), 120), (Nonlinear(), 40)])
 
 
 def ended(cells: Cells, cycles: int = CYCLES) -> tuple[Integers, Integers]:
@@ -33,7 +33,7 @@ def histories(cells: Cells) -> list[Trajectory]:
 
 
 @models
-def test_each_motion_ends_as_its_time_history_does(model: ModelName, count: int) -> None:
+def test_each_motion_ends_as_its_time_history_does(model: Model, count: int) -> None:
     # Cells of one call have equal and unequal sides in turn: they are dealt to two kernels.
     cells = random_cells(8, model, count)
     status, impacts = ended(cells)
@@ -55,7 +55,7 @@ def slow(run: Trajectory) -> bool:
 
 
 @models
-def test_a_cell_depends_on_nothing_but_the_cell(model: ModelName, count: int) -> None:
+def test_a_cell_depends_on_nothing_but_the_cell(model: Model, count: int) -> None:
     cells = random_cells(9, model, count)
     status, impacts = ended(cells)
     order = np.random.default_rng(1).permutation(count)
@@ -73,7 +73,7 @@ def test_a_cell_depends_on_nothing_but_the_cell(model: ModelName, count: int) ->
 
 @models
 def test_a_motion_of_more_impacts_than_are_followed_is_undecided(
-    model: ModelName, count: int, monkeypatch: pytest.MonkeyPatch
+    model: Model, count: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     cells = random_cells(8, model, count)
     status, impacts = ended(cells)

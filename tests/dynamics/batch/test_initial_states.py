@@ -1,28 +1,30 @@
 """Arrays of initial states: each what `dynamics.history.start` makes of it alone."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, ModelError, Steady
 from rocksteady.dynamics.batch.initial_states import at_phases, on_orbits
-from rocksteady.dynamics.history.models import ModelName, sides_of
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import initial_march
+from rocksteady.model.equations import Linear, Model, Nonlinear
 from tests.dynamics.batch.cells import random_cells
 
-models = pytest.mark.parametrize("model", ["linear", "nonlinear"])
+models = pytest.mark.parametrize("model", [Linear(), Nonlinear()])
 
 
 @models
-def test_states_at_phases_are_those_of_single_motions(model: ModelName) -> None:
+def test_states_at_phases_are_those_of_single_motions(model: Model) -> None:
     cells = random_cells(3, model, 200)
     begin = at_phases(cells.angle, cells.velocity, cells.phase)
     for at, (block, shaking, start) in enumerate(
         zip(cells.blocks, cells.shakings, cells.starts, strict=True)
     ):
-        sides = sides_of(block, model) if model == "nonlinear" else None
-        _, alone = initial_march(start, block.dimensionless(), shaking, 1, sides)
+        sides = sides_of(block, model) if isinstance(model, Nonlinear) else None
+        _, alone = initial_march(start, block.dimensionless(), shaking, sides)
         assert (begin.side[at], begin.half_cycles[at]) == (alone.side, alone.half_cycles)
         assert (begin.angle[at], begin.velocity[at]) == (alone.angle, alone.velocity)
         assert begin.phase[at] == alone.phase
@@ -39,30 +41,27 @@ def test_a_phase_is_half_periods_and_a_rest_below_pi() -> None:
 
 @models
 @pytest.mark.parametrize(
-    ("start", "side"),
-    [(Steady(), 1), (Steady(branch=2), -1), (Steady(branch=1, order=3), -1)],
+    "start", [Steady(), Steady(branch=2, side=-1), Steady(branch=1, order=3, side=-1)]
 )
-def test_states_on_orbits_are_those_of_single_motions(
-    model: ModelName, start: Steady, side: int
-) -> None:
+def test_states_on_orbits_are_those_of_single_motions(model: Model, start: Steady) -> None:
     rng = np.random.default_rng(11)
     count = 60
     amplitude, ratio = rng.uniform(0.2, 6.0, count), rng.uniform(0.8, 8.0, count)
     kick = 10.0 ** rng.uniform(-7.0, -1.0, count)
     blocks = [
         DimensionlessBlock(restitution=restitution)
-        if model == "linear"
+        if isinstance(model, Linear)
         else Block.from_p(alpha=rng.uniform(0.01, 0.3), p=2.0, restitution=restitution)
         for restitution in rng.uniform(0.4, 0.99, count)
     ]
     sides = np.array([sides_of(block, model) for block in blocks])
-    velocity, phase, there = on_orbits(start, kick, amplitude, ratio, sides, side)
+    velocity, phase, there = on_orbits(start, kick, amplitude, ratio, sides)
     for at, block in enumerate(blocks):
-        one = Steady(branch=start.branch, order=start.order, kick=kick.item(at))
+        one = replace(start, kick=kick.item(at))
         shaking = Harmonic(amplitude=amplitude.item(at), frequency_ratio=ratio.item(at))
-        tilted = sides[at] if model == "nonlinear" else None
+        tilted = sides[at] if isinstance(model, Nonlinear) else None
         try:
-            moved, alone = initial_march(one, block.dimensionless(), shaking, side, tilted)
+            moved, alone = initial_march(one, block.dimensionless(), shaking, tilted)
         except ModelError:
             assert (there[at], velocity[at], phase[at]) == (False, 0.0, 0.0)
             continue

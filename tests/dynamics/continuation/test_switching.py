@@ -11,6 +11,7 @@ from rocksteady.dynamics.continuation._from_orbit import chain_of
 from rocksteady.dynamics.continuation._switching import switched
 from rocksteady.dynamics.orbits.return_map import make_system, section_of
 from rocksteady.kernels.orbits import periodic
+from rocksteady.model.equations import Linear
 from tests.dynamics.continuation.branches import (
     first,
     setting,
@@ -141,7 +142,7 @@ def test_at_a_graze_orbits_with_two_impacts_more_begin(graze: BranchPoint) -> No
         # Newton's method on the return map finds it again, from a place beside it.
         orbit = point.orbit()
         begin, table = orbit.states[0], np.zeros((orbit.impacts or 0, periodic.ORBIT_COLUMNS))
-        system = make_system(orbit.block.dimensionless(), orbit.shaking)
+        system = make_system(orbit.block.dimensionless(), orbit.shaking, Linear())
         beside = replace(begin, speed=begin.speed * (1.0 + 1e-13))
         fixed = periodic.polish(system, section_of(beside), len(table), point.period, table)
         assert fixed.residual < 1e-9

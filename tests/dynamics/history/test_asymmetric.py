@@ -21,6 +21,7 @@ from rocksteady import (
     orbits,
     simulate,
 )
+from rocksteady.model.equations import Linear
 from tests.dynamics.asymmetric import BLOCK, HARD, UNLIKE, random_block
 from tests.dynamics.integrator import integrate_sides
 from tests.strategies import sample_size
@@ -69,7 +70,7 @@ def test_impacts_are_those_of_an_integrator(seed: int) -> None:
 def test_an_impulse_of_the_base_turns_each_side_by_its_own_p() -> None:
     # An impulse is a short, strong push: a rectangle of the same area does the same in the limit.
     motion = Impulses.from_si(BLOCK, times_s=(0.1, 0.5), velocities_m_s=(-0.4, 0.25))
-    run = simulate(BLOCK, motion)
+    run = simulate(BLOCK, motion, model=Linear())
     short = 1e-7
 
     def push(area: float) -> Segment:
@@ -83,7 +84,7 @@ def test_an_impulse_of_the_base_turns_each_side_by_its_own_p() -> None:
             pieces.append(push(area))
         if math.isfinite(duration):
             pieces.append(Segment(duration=duration - (short if area else 0.0)))
-    pushed = simulate(BLOCK, Piecewise(pieces=tuple(pieces)))
+    pushed = simulate(BLOCK, Piecewise(pieces=tuple(pieces)), model=Linear())
     assert len(run.impacts) > 3
     assert run.impacts.s[:3] == pytest.approx(pushed.impacts.s[:3], abs=1e-5)
     assert run.side_peaks == pytest.approx(pushed.side_peaks, abs=1e-5)
@@ -93,7 +94,7 @@ def test_a_record_moves_it_as_its_samples_do() -> None:
     rng = np.random.default_rng(4)
     samples = 6.0 * np.convolve(rng.normal(size=400), np.ones(8) / 8, mode="same")
     record = Record(acceleration_m_s2=samples, dt_s=0.01)
-    run = simulate(BLOCK, record, start=State(angle=0.0, velocity=-0.3))
+    run = simulate(BLOCK, record, start=State(angle=0.0, velocity=-0.3), model=Linear())
     grid = np.arange(len(samples)) * 0.01
     truth = integrate_sides(
         lambda t: float(np.interp(t, grid, samples)) / BLOCK.gravity,
@@ -207,7 +208,7 @@ def test_with_equal_sides_it_is_the_symmetric_block_to_the_last_bit(
     one = Block.asymmetric(left=0.2, right=0.2, height=1.2, restitution=(0.8, 0.8))
     two = Block.rectangle(width=0.4, height=1.2, restitution=0.8)
     runs = [
-        simulate(block, motion, start=State(angle=0.3, velocity=0.1), cycles=30)
+        simulate(block, motion, start=State(angle=0.3, velocity=0.1), cycles=30, model=Linear())
         for block in (one, two, DimensionlessBlock(restitution=0.8))
     ]
     for run in runs[1:]:
@@ -234,7 +235,9 @@ def test_sides_that_hardly_differ_move_as_if_they_did_not() -> None:
 
 def test_without_loss_the_energy_stays_what_it_was() -> None:
     block = BLOCK.with_restitution(1.0)
-    run = simulate(block, Still(), start=State(angle=0.6, velocity=0.0), flight_limit=1002)
+    run = simulate(
+        block, Still(), start=State(angle=0.6, velocity=0.0), max_flights=1002, model=Linear()
+    )
     energy = run(run.impacts.s[:-1]).energy
     assert len(energy) >= 1000
     assert np.ptp(energy) < 1e-10 * energy[0]

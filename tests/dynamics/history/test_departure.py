@@ -1,6 +1,7 @@
 """Departures from an unstable steady state: how far, in which direction, on which side."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -35,10 +36,11 @@ unstable = pytest.mark.parametrize(("a", "w", "n", "branch"), UNSTABLE)
 def started(
     a: float, w: float, n: int, branch: int, *, kick: float | None = None, side: int = 1
 ) -> Trajectory:
-    more = {} if kick is None else {"kick": kick}
-    start = Steady(order=n, branch=branch, **more)
+    start = Steady(order=n, branch=branch, side=side)
+    if kick is not None:
+        start = replace(start, kick=kick)
     shaking = Harmonic(amplitude=a, frequency_ratio=w)
-    return simulate(BLOCK, shaking, start=start, cycles=2 * n, side=side)
+    return simulate(BLOCK, shaking, start=start, cycles=2 * n)
 
 
 def shift(run: Trajectory, a: float, w: float, n: int, branch: int) -> tuple[float, float]:

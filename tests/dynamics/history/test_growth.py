@@ -18,6 +18,7 @@ from rocksteady import (
     simulate,
     steady_states,
 )
+from rocksteady.model.equations import Nonlinear
 from rocksteady.model.motions.segments import Motion
 
 BARE = DimensionlessBlock(restitution=0.8)
@@ -44,7 +45,7 @@ def test_growth_is_that_of_runs_that_begin_a_little_apart(name: str) -> None:
     block, motion = MOTIONS[name]
     start, h = (0.1, 0.2), 1e-8
     begun = State(angle=0.1, velocity=0.2)
-    run = simulate(block, motion, start=begun, cycles=5.3, flight_limit=12)
+    run = simulate(block, motion, start=begun, cycles=5.3, max_flights=12)
     at = run.impacts.s + 1e-4
     columns = []
     for shift in ((h, 0.0), (0.0, h)):
@@ -79,5 +80,5 @@ def test_a_rest_forgets_and_a_nonlinear_run_has_none() -> None:
     still = simulate(BARE, Still(), start=State(angle=0.0, velocity=0.0))
     assert still.growth == 1.0
     block = Block.rectangle(width=0.4, height=1.2)
-    run = simulate(block, Still(), start=State(angle=0.1, velocity=0.0), model="nonlinear")
+    run = simulate(block, Still(), start=State(angle=0.1, velocity=0.0), model=Nonlinear())
     assert run.growth is None

@@ -21,10 +21,10 @@ from rocksteady import (
     Still,
     simulate,
 )
-from rocksteady.dynamics.history.models import ModelName
+from rocksteady.model.equations import Linear, Model, Nonlinear
 
 BLOCK = DimensionlessBlock(restitution=0.8)
-MODELS: tuple[ModelName, ...] = ("linear", "nonlinear")
+MODELS: tuple[Model, ...] = (Linear(), Nonlinear())
 
 
 @pytest.mark.parametrize("duration", [190.0, 210.0, 1e3, 1e5, 1e6])

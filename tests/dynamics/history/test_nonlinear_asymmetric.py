@@ -23,6 +23,8 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.dynamics.orbits.return_map import ReturnMap
+from rocksteady.model.equations import Linear, Nonlinear
+from rocksteady.model.motions.base_motion import BaseMotion
 from tests.dynamics.full_integrator import (
     agree_on_harmonic,
     agree_on_pulse,
@@ -104,7 +106,7 @@ def test_impacts_after_impulses_of_the_base(seed: int) -> None:
 @pytest.mark.parametrize("angle", [0.7, -0.3])
 def test_without_loss_the_energy_stays_what_it_was(angle: float) -> None:
     block = BLOCK.with_restitution(1.0)
-    run = full(block, Still(), start=State(angle=angle, velocity=0.0), flight_limit=1002)
+    run = full(block, Still(), start=State(angle=angle, velocity=0.0), max_flights=1002)
     assert len(run.impacts) >= 1000
     energy = run(run.times(2, span=(0.0, float(run.impacts.s[999])))).energy
     assert np.ptp(energy) <= 1e-10 * energy[0]
@@ -125,7 +127,7 @@ def test_slender_blocks_move_as_in_the_linear_model() -> None:
     for motion in motions:
         for start in (State(angle=0.2, velocity=0.1), State(angle=-0.5, velocity=0.0)):
             here = full(block, motion, start=start, cycles=4)
-            there = simulate(block, motion, start=start, cycles=4)
+            there = simulate(block, motion, start=start, cycles=4, model=Linear())
             assert here.status is there.status
             count = min(6, len(there.impacts) - 1)
             assert count > 1
@@ -219,7 +221,7 @@ def test_at_rest_on_a_base_that_pushes_it_the_bounces_last_as_the_pull_of_each_s
     for angle in (0.05, -0.05):
         start = State(angle=angle, velocity=0.0)
         block = BLOCK.with_restitution((0.5, 0.55))
-        run = full(block, pushed, vertical=lifted, start=start)
+        run = full(block, BaseMotion(pushed, lifted), start=start)
         assert run.impacts.s[-1] < 2.0 * block.p
         rests_when_its_bounces_are_over(run)
 
@@ -238,7 +240,7 @@ def test_peaks_of_each_side_are_those_of_dense_samples() -> None:
 
 def test_an_attractor_is_where_a_long_run_ends() -> None:
     shaking = Harmonic(amplitude=3.0, frequency_ratio=6.0)
-    found = attractor(BLOCK, shaking, model="nonlinear")
+    found = attractor(BLOCK, shaking, model=Nonlinear())
     assert found.kind == "unsymmetric"
     assert found.orbit is not None
     assert not found.orbit.symmetric
@@ -252,21 +254,21 @@ def test_an_attractor_is_where_a_long_run_ends() -> None:
     drawn_orbit = found.orbit.trajectory()
     assert drawn_orbit.side_peaks[0] == pytest.approx(found.orbit.highest, rel=1e-13)
     state = found.orbit.states[0]
-    assert ReturnMap(BLOCK, shaking, model="nonlinear")(state, 2).state is not None
+    assert ReturnMap(BLOCK, shaking, model=Nonlinear())(state, 2).state is not None
 
 
 def test_cells_of_maps_are_single_answers() -> None:
     start = State(angle=0.0, velocity=0.3)
     shaking = Harmonic(amplitude=2.0, frequency_ratio=3.0)
     axes = {"restitution": [0.7, 0.9], "amplitude": [0.6, 2.0, 6.0]}
-    settled = attractor_map(BLOCK, shaking, axes=axes, start=start, model="nonlinear")
-    fates = fate_map(BLOCK, shaking, axes=axes, start=start, cycles=30, model="nonlinear")
+    settled = attractor_map(BLOCK, shaking, axes=axes, start=start, model=Nonlinear())
+    fates = fate_map(BLOCK, shaking, axes=axes, start=start, cycles=30, model=Nonlinear())
     meanings = settled.kind.attrs["flag_meanings"].split()
     for i, restitution in enumerate(axes["restitution"]):
         for j, amplitude in enumerate(axes["amplitude"]):
             body = BLOCK.with_restitution(restitution)
             base = Harmonic(amplitude=amplitude, frequency_ratio=3.0)
-            single = attractor(body, base, start=start, model="nonlinear")
+            single = attractor(body, base, start=start, model=Nonlinear())
             assert meanings[int(settled.kind[i, j])] == single.kind.value
             if single.orbit is not None:
                 assert float(settled.highest[i, j]) == single.orbit.highest
@@ -275,5 +277,5 @@ def test_cells_of_maps_are_single_answers() -> None:
             assert Status(int(fates.fate[i, j])) is run.status
             if run.status is Status.ROCKING:  # before a rest there are infinitely many
                 assert int(fates.impacts[i, j]) == len(run.impacts)
-    own = attractor_map(BLOCK, shaking, axes={"phase": [0.0, 1.0]}, model="nonlinear")
+    own = attractor_map(BLOCK, shaking, axes={"phase": [0.0, 1.0]}, model=Nonlinear())
     assert own.attrs["negative_restitution"] == 0.9

@@ -317,7 +317,7 @@ def test_half_cycles_and_phase_say_the_time_of_each_impact() -> None:
 
 
 def test_the_flight_limit_ends_a_run_as_undecided() -> None:
-    run = rocked(2.0, 4.0, 0.8, 0.0, 0.3, cycles=50, flight_limit=7)
+    run = rocked(2.0, 4.0, 0.8, 0.0, 0.3, cycles=50, max_flights=7)
     whole = rocked(2.0, 4.0, 0.8, 0.0, 0.3, cycles=50)
     assert run.status is Status.UNDECIDED
     assert len(run.flights) == 7
@@ -344,16 +344,19 @@ def test_a_run_that_is_repeated_is_the_same_to_the_last_bit() -> None:
         ("cycles", math.inf),
         ("cycles", 1e300),
         ("cycles", "10"),
-        ("side", 0),
-        ("side", 2),
-        ("side", "+"),
-        ("flight_limit", 0),
-        ("flight_limit", 1.5),
+        ("max_flights", 0),
+        ("max_flights", 1.5),
     ],
 )
 def test_a_bad_number_is_refused(name: str, value: Any) -> None:
     with pytest.raises(InputError, match=f"^{name} = "):
         simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=4.0), **{name: value})
+
+
+@pytest.mark.parametrize("value", [0, 2, "+", 1.5])
+def test_a_steady_start_is_left_on_one_of_two_sides(value: Any) -> None:
+    with pytest.raises(InputError, match=r"^side = "):
+        Steady(side=value)
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, 1e60, "0", None, True])

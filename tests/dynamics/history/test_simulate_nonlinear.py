@@ -24,6 +24,8 @@ from rocksteady import (
     Still,
     simulate,
 )
+from rocksteady.model.equations import Linear, Nonlinear
+from rocksteady.model.motions.base_motion import BaseMotion
 from tests.dynamics.full_integrator import (
     agree_on_harmonic,
     agree_on_pulse,
@@ -76,7 +78,7 @@ def test_impacts_of_records(seed: int, lifted: bool) -> None:
 @pytest.mark.parametrize("alpha", [0.05, 0.3, 0.7])
 def test_energy_is_constant_over_a_thousand_impacts_without_loss(alpha: float) -> None:
     block = Block.from_p(alpha=alpha, p=2.0, restitution=1.0)
-    run = full(block, Still(), start=State(angle=0.7, velocity=0.0), flight_limit=1002)
+    run = full(block, Still(), start=State(angle=0.7, velocity=0.0), max_flights=1002)
     assert len(run.impacts) >= 1000
     energy = run(run.times(2, span=(0.0, float(run.impacts.s[999])))).energy
     assert np.ptp(energy) <= 1e-10 * energy[0]
@@ -100,9 +102,9 @@ def test_turned_round_everything_is_a_mirror_image_to_the_last_bit() -> None:
     flat = synthetic(rng, 300, 0.02, 1.6 * block.alpha * G)
     up = Record(acceleration_m_s2=synthetic(rng, 300, 0.02, 0.5 * G), dt_s=0.02)
     record = Record(acceleration_m_s2=flat, dt_s=0.02)
-    here = full(block, record, start=state, vertical=up)
+    here = full(block, BaseMotion(record, up), start=state)
     mirrored = State(angle=-state.angle, velocity=-state.velocity)
-    there = full(block, record.reversed(), start=mirrored, vertical=up)
+    there = full(block, BaseMotion(record.reversed(), up), start=mirrored)
     assert np.array_equal(here.impacts.s, there.impacts.s)
     assert np.array_equal(here.impacts.velocity_after, -there.impacts.velocity_after)
     assert here.peak == there.peak
@@ -140,7 +142,7 @@ def test_the_base_falls_away_under_the_block() -> None:
     flat = Record(acceleration_m_s2=np.array([0.0, 1.0, 0.0, 0.0]), dt_s=0.1)
     up = Record(acceleration_m_s2=np.array([0.0, 0.0, -2.0 * G, 0.0]), dt_s=0.1)
     for start in (None, State(angle=0.5, velocity=0.0)):
-        run = full(block, flat, vertical=up, start=start)
+        run = full(block, BaseMotion(flat, up), start=start)
         assert run.status is Status.LOST_CONTACT
         assert run.end_s / block.p == pytest.approx(0.15, abs=1e-14)
 
@@ -154,7 +156,7 @@ def test_a_sample_of_exactly_minus_g_is_lost_contact_whatever_the_slenderness(
     for alpha in np.linspace(0.05, 1.4, 28).tolist():
         block = Block.from_p(alpha=alpha, p=2.0, restitution=0.8)
         for start in (None, State(angle=0.5, velocity=0.0)):
-            run = full(block, flat, vertical=up, start=start)
+            run = full(block, BaseMotion(flat, up), start=start)
             assert run.status is Status.LOST_CONTACT
             assert run.end_s / block.p == pytest.approx(0.1, abs=1e-14)
 
@@ -163,7 +165,7 @@ def test_a_heavier_base_holds_the_block_longer() -> None:
     block = Block.from_p(alpha=0.3, p=2.0)
     flat = Record(acceleration_m_s2=np.array([0.0, 0.0, 6.0, 0.0]), dt_s=0.1)
     up = Record(acceleration_m_s2=np.array([0.5 * G] * 3 + [0.0]), dt_s=0.1)
-    lifted = full(block, flat, vertical=up).flights
+    lifted = full(block, BaseMotion(flat, up)).flights
     expected = 0.1 + 0.1 * 1.5 * math.tan(0.3) * G / 6.0
     assert lifted.s[np.flatnonzero(lifted.side)[0]] / block.p == pytest.approx(expected, rel=1e-12)
 
@@ -177,9 +179,9 @@ def test_vertical_samples_need_not_lie_where_the_horizontal_ones_do() -> None:
     coarse = Record(acceleration_m_s2=up, dt_s=0.04)
     fine = np.interp(0.016 * np.arange(123), 0.04 * np.arange(50), up)
     whole = np.interp(0.01 * np.arange(197), 0.04 * np.arange(50), up)
-    one = full(block, flat, vertical=coarse, start=start)
-    same = full(block, flat, vertical=Record(acceleration_m_s2=whole, dt_s=0.01), start=start)
-    other = full(block, flat, vertical=Record(acceleration_m_s2=fine, dt_s=0.016), start=start)
+    one = full(block, BaseMotion(flat, coarse), start=start)
+    same = full(block, BaseMotion(flat, Record(acceleration_m_s2=whole, dt_s=0.01)), start=start)
+    other = full(block, BaseMotion(flat, Record(acceleration_m_s2=fine, dt_s=0.016)), start=start)
     np.testing.assert_allclose(same.impacts.s[:5], one.impacts.s[:5], rtol=1e-12)
     assert np.abs(other.impacts.s[:5] - one.impacts.s[:5]).max() < 0.02
 
@@ -213,9 +215,9 @@ def test_looser_tolerances_give_larger_errors_within_them() -> None:
     block = Block.from_p(alpha=0.4, p=2.0, restitution=0.8)
     motion = Harmonic(amplitude=2.0, frequency_ratio=4.0)
     start = State(angle=0.1, velocity=0.3)
-    exact = full(block, motion, start=start, cycles=20, tolerance=1e-11)
+    exact = full(block, motion, start=start, cycles=20, model=Nonlinear(tolerance=1e-11))
     for tolerance in (1e-3, 1e-6, 1e-9):
-        run = full(block, motion, start=start, cycles=20, tolerance=tolerance)
+        run = full(block, motion, start=start, cycles=20, model=Nonlinear(tolerance=tolerance))
         error = np.abs(run.impacts.s - exact.impacts.s).max()
         assert error <= tolerance
 
@@ -228,17 +230,17 @@ def test_what_is_refused_says_why() -> None:
     record = Record(acceleration_m_s2=np.array([0.0, 1.0, 0.0]), dt_s=0.1)
     shaking = Harmonic(amplitude=1.0, frequency_ratio=2.0)
     with pytest.raises(ModelError, match="needs the block's slenderness"):
-        simulate(DimensionlessBlock(restitution=0.9), shaking, model="nonlinear")
+        simulate(DimensionlessBlock(restitution=0.9), shaking, model=Nonlinear())
     with pytest.raises(ModelError, match="linear equations of motion have no term"):
-        simulate(block, record, vertical=record)
+        simulate(block, BaseMotion(record, record), model=Linear())
     with pytest.raises(ModelError, match="linear between samples"):
-        full(block, record, vertical=shaking)
+        full(block, BaseMotion(record, shaking))
     with pytest.raises(InputError, match="vertical"):
-        full(block, record, vertical=3)
-    with pytest.raises(InputError, match="two equations"):
+        full(block, BaseMotion(record, 3))  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="it must be a Linear or a Nonlinear"):
         simulate(block, record, model="quadratic")  # type: ignore[arg-type]
     with pytest.raises(InputError, match="tolerance"):
-        full(block, record, tolerance=1e-15)
+        full(block, record, model=Nonlinear(tolerance=1e-15))
 
 
 Floats = NDArray[np.float64]
@@ -298,7 +300,7 @@ def test_grazes_are_neither_missed_nor_made_up(
     for off in (1e-3, 1e-6, 1e-9, 1e-10):
         for sign, lands in ((-1.0, True), (1.0, False)):
             start = State(angle=angle, velocity=touching + sign * off)
-            run = simulate(block, shaking, start=start, cycles=2, model="nonlinear")
+            run = simulate(block, shaking, start=start, cycles=2, model=Nonlinear())
             early = run.impacts.s[run.impacts.s < span]
             first = float(early[0]) if len(early) else math.inf
             assert (first <= when) is lands

@@ -18,6 +18,7 @@ from rocksteady import (
     Still,
     simulate,
 )
+from rocksteady.model.equations import Nonlinear
 from rocksteady.model.motions.segments import Motion
 from tests.records import peer
 from tests.records.published import AT_PACOIMA_DAM, PEAKS
@@ -26,7 +27,7 @@ G = 9.81
 
 
 def topples(block: Block, motion: Motion | Record) -> bool:
-    return simulate(block, motion, model="nonlinear").status is Status.OVERTURNED
+    return simulate(block, motion, model=Nonlinear()).status is Status.OVERTURNED
 
 
 def border(falls: Callable[[float], bool], low: float, high: float) -> float:
@@ -44,7 +45,7 @@ def border(falls: Callable[[float], bool], low: float, high: float) -> float:
 )
 def test_h1_quarter_period_of_free_rocking(angle: float, expected: float) -> None:
     block = Block.from_radius(alpha=0.2, radius=1.0, gravity=G)
-    run = simulate(block, Still(), start=State(angle=angle, velocity=0.0), model="nonlinear")
+    run = simulate(block, Still(), start=State(angle=angle, velocity=0.0), model=Nonlinear())
     assert run.impacts.s[0] / block.p == pytest.approx(expected, abs=5.1e-10)
     assert run.status is Status.AT_REST
 
@@ -125,7 +126,7 @@ def test_tw9_peaks_of_the_steady_state(alpha: float, peak: float) -> None:
         Harmonic(amplitude=2.0, frequency_ratio=4.0),
         start=Steady(),
         cycles=20,
-        model="nonlinear",
+        model=Nonlinear(),
     )
     assert run.peak == pytest.approx(peak, abs=1.2e-6)
     # It stays on the orbit from the first impact on.
@@ -137,7 +138,7 @@ def test_h3_amplitudes_of_free_rocking_by_energy(alpha: float, angle: float) -> 
     # H3 of the full equations: an impact keeps r = delta^2 of cos(alpha - theta) - cos(alpha).
     delta = 0.85
     block = Block.from_radius(alpha=alpha, radius=1.0, restitution=delta, gravity=G)
-    run = simulate(block, Still(), start=State(angle=angle, velocity=0.0), model="nonlinear")
+    run = simulate(block, Still(), start=State(angle=angle, velocity=0.0), model=Nonlinear())
     height = math.cos(alpha * (1.0 - angle)) - math.cos(alpha)
     for n in range(1, 12):
         expected = 1.0 - math.acos(delta ** (2 * n) * height + math.cos(alpha)) / alpha
@@ -153,7 +154,7 @@ def test_h3_amplitudes_of_free_rocking_by_energy(alpha: float, angle: float) -> 
 @pytest.mark.parametrize(("name", "p", "alpha", "expected"), PEAKS)
 def test_peaks_under_recorded_motions(name: str, p: float, alpha: float, expected: float) -> None:
     block = Block.from_p(alpha=alpha, p=p)
-    run = simulate(block, peer(name), model="nonlinear")
+    run = simulate(block, peer(name), model=Nonlinear())
     assert run.status is Status.AT_REST
     assert run.peak * alpha == pytest.approx(expected, rel=1e-5)
 

@@ -18,6 +18,7 @@ from rocksteady import (
     Still,
     simulate,
 )
+from rocksteady.model.equations import Linear
 from tests.dynamics.runs import (
     BARE,
     HOUSNER,
@@ -36,13 +37,13 @@ from tests.dynamics.runs import (
     ("angle", "expected"), [(0.1, 0.1722212971), (0.5, 0.4855195874), (0.9, 1.1035040108)]
 )
 def test_h1_quarter_period_of_free_rocking(angle: float, expected: float) -> None:
-    run = simulate(HOUSNER, Still(), start=State(angle=angle, velocity=0.0))
+    run = simulate(HOUSNER, Still(), start=State(angle=angle, velocity=0.0), model=Linear())
     assert run.impacts.s[0] / HOUSNER.p == pytest.approx(expected, abs=5.1e-11)
     assert run.status is Status.AT_REST
 
 
 def test_h3_amplitudes_and_half_periods_of_the_housner_block() -> None:
-    run = simulate(HOUSNER, Still(), start=State(angle=0.8, velocity=0.0))
+    run = simulate(HOUSNER, Still(), start=State(angle=0.8, velocity=0.0), model=Linear())
     impacts = run.impacts.s
     half_periods = np.diff(impacts) / HOUSNER.p
     np.testing.assert_allclose(half_periods[:3], (1.180321, 0.974559, 0.843764), atol=5.1e-7)
@@ -118,7 +119,7 @@ def test_h7_half_sine_on_a_block_in_metres_and_g() -> None:
     duration = 0.5 * block.p
     for accel_g, expected in ((0.554585, Status.AT_REST), (0.554587, Status.OVERTURNED)):
         a = accel_g / block.alpha
-        assert simulate(block, half_sine(a, math.pi / duration)).status is expected
+        assert simulate(block, half_sine(a, math.pi / duration), model=Linear()).status is expected
 
 
 @pytest.mark.parametrize(

@@ -17,6 +17,7 @@ from rocksteady import (
     plot_trajectory,
     simulate,
 )
+from rocksteady.model.equations import Linear
 from tests.dynamics.history.test_lowering import as_pieces
 from tests.dynamics.integrator import integrate
 from tests.records import el_centro, synthetic
@@ -33,7 +34,10 @@ def record(peak: float = 4.0, seed: int = 8) -> Record:
 
 def test_a_record_and_its_segments_give_one_trajectory() -> None:
     shaking = record()
-    run, other = simulate(BLOCK, shaking), simulate(BLOCK, as_pieces(shaking, BLOCK))
+    run, other = (
+        simulate(BLOCK, shaking),
+        simulate(BLOCK, as_pieces(shaking, BLOCK), model=Linear()),
+    )
     assert len(run.impacts) > 10
     assert run.motion is shaking
     np.testing.assert_array_equal(run.rows, other.rows)
@@ -44,7 +48,7 @@ def test_impacts_and_angles_are_those_of_an_adaptive_integrator() -> None:
     values = synthetic(np.random.default_rng(3), 60, 0.02, 5.0)
     shaking = Record(acceleration_m_s2=values, dt_s=0.02)
     alpha, angle, velocity = BLOCK.alpha, 0.3, -0.4
-    run = simulate(BLOCK, shaking, start=State(angle=angle, velocity=velocity))
+    run = simulate(BLOCK, shaking, start=State(angle=angle, velocity=velocity), model=Linear())
     times = 0.02 * np.arange(60)
     truth = integrate(
         lambda t: float(np.interp(t, times, values)) / BLOCK.uplift_acceleration * alpha,
@@ -66,7 +70,7 @@ def test_impacts_and_angles_are_those_of_an_adaptive_integrator() -> None:
 
 def test_the_base_moves_as_recorded_and_then_stands_still() -> None:
     shaking = record()
-    run = simulate(BLOCK, shaking)
+    run = simulate(BLOCK, shaking, model=Linear())
     times = 0.02 * np.arange(500)
     inside = times[times * BLOCK.p <= run.end_s][:-1]
     middle = inside + 0.005
@@ -98,24 +102,26 @@ def test_the_base_moves_as_recorded_and_then_stands_still() -> None:
 
 def test_a_reversed_record_mirrors_and_a_scaled_one_overturns() -> None:
     shaking = record()
-    run, mirror = simulate(BLOCK, shaking), simulate(BLOCK, shaking.reversed())
+    run, mirror = simulate(BLOCK, shaking), simulate(BLOCK, shaking.reversed(), model=Linear())
     assert run.status is Status.AT_REST
     np.testing.assert_array_equal(run.impacts.s, mirror.impacts.s)
     np.testing.assert_array_equal(run.impacts.side, -mirror.impacts.side)
-    fallen = simulate(BLOCK, shaking.scaled(8.0))
+    fallen = simulate(BLOCK, shaking.scaled(8.0), model=Linear())
     assert fallen.status is Status.OVERTURNED
     assert fallen.overturn_time_s is not None
     assert fallen.peak >= 1.0
 
 
 def test_a_record_below_uplift_leaves_the_block_at_rest() -> None:
-    run = simulate(BLOCK, record(peak=0.999 * BLOCK.uplift_acceleration))
+    run = simulate(BLOCK, record(peak=0.999 * BLOCK.uplift_acceleration), model=Linear())
     assert (run.status, run.peak, run.rest_s, len(run.impacts)) == (Status.AT_REST, 0.0, 0.0, 0)
 
 
 def test_el_centro_rocks_a_block() -> None:
     values, step = el_centro()
-    run = simulate(BLOCK, Record(acceleration_m_s2=values, dt_s=step, name="El Centro"))
+    run = simulate(
+        BLOCK, Record(acceleration_m_s2=values, dt_s=step, name="El Centro"), model=Linear()
+    )
     assert run.status is Status.AT_REST
     assert len(run.impacts) > 10
     assert 0.01 < run.peak < 1.0
@@ -126,7 +132,7 @@ def test_el_centro_rocks_a_block() -> None:
 def test_plots_of_a_run_under_a_record() -> None:
     from matplotlib.figure import Figure
 
-    run = simulate(BLOCK, record())
+    run = simulate(BLOCK, record(), model=Linear())
     assert plot_trajectory(run, Figure().add_subplot()).lines
     assert plot_base(run, Figure().add_subplot()).lines
 
@@ -135,7 +141,7 @@ def test_a_record_asks_for_a_block_and_no_steady_start() -> None:
     with pytest.raises(ModelError, match="give a Block"):
         simulate(DimensionlessBlock(restitution=0.8), record())
     with pytest.raises(ModelError, match="needs harmonic shaking"):
-        simulate(BLOCK, record(), start=Steady())
+        simulate(BLOCK, record(), start=Steady(), model=Linear())
     with pytest.raises(ModelError, match="harmonic"):
-        simulate(BLOCK, record()).at_tau(0.0)
+        simulate(BLOCK, record(), model=Linear()).at_tau(0.0)
     assert simulate(BLOCK, Harmonic(amplitude=2.0, frequency_ratio=3.0), cycles=1).peak > 0.0

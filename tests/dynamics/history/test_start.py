@@ -36,7 +36,7 @@ SHAKING = Harmonic(amplitude=2.0, frequency_ratio=4.0)
 
 
 def begun(start: Start, block: DimensionlessBlock = BLOCK, motion: Any = SHAKING) -> March:
-    return initial_march(start, block, motion, 1)[1]
+    return initial_march(start, block, motion)[1]
 
 
 @given(st.floats(-1e3, 1e3), st.floats(-2.0, 2.0), st.floats(-2.0, 2.0))
@@ -80,7 +80,7 @@ def test_a_velocity_by_tau_is_one_by_pivot_time_over_the_frequency_ratio() -> No
 
 
 def test_a_stable_steady_state_decides_on_the_phase() -> None:
-    motion, state = initial_march(Steady(), BLOCK, SHAKING, 1)
+    motion, state = initial_march(Steady(), BLOCK, SHAKING)
     found = steady_states(2.0, 4.0, 0.8)
     assert isinstance(motion, Harmonic)
     assert motion.phase == float(found.phase[0])
@@ -112,7 +112,7 @@ def test_where_there_is_none_the_least_amplitude_is_named() -> None:
 
 @pytest.mark.parametrize("start", ["rest", None, 0.0, (0.1, 0.2), Rest])
 def test_anything_else_is_no_start(start: object) -> None:
-    with pytest.raises(InputError, match="must be a Rest, a State or a Steady"):
+    with pytest.raises(InputError, match="must be a Rest, a State, a Steady or an ImpactState"):
         validated_start(start)
 
 

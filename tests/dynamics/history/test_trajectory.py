@@ -25,6 +25,7 @@ from rocksteady import (
     Trajectory,
     simulate,
 )
+from rocksteady.model.equations import Linear
 
 BARE = DimensionlessBlock(restitution=0.8)
 ELASTIC = DimensionlessBlock(restitution=1.0)
@@ -247,7 +248,9 @@ def test_seconds_need_a_block_and_tau_needs_harmonic_shaking() -> None:
     with pytest.raises(ModelError, match="harmonic"):
         _ = free().frequency_ratio
     assert (
-        simulate(BLOCK, Piecewise(pieces=(Segment(duration=1.0, constant=9.0),))).overturn_tau
+        simulate(
+            BLOCK, Piecewise(pieces=(Segment(duration=1.0, constant=9.0),)), model=Linear()
+        ).overturn_tau
         is None
     )
 

@@ -49,7 +49,6 @@ class Case:
     block: Block | DimensionlessBlock
     shaking: Harmonic | None
     start: Rest | State | Steady
-    side: int
     housner: bool
     axes: dict[str, list[float]]
     fixed: dict[str, float]
@@ -129,7 +128,12 @@ def drawn_case(number: int) -> Case:
     start = (
         Rest(),
         State(angle=rng.uniform(-0.4, 0.4), velocity=rng.uniform(-0.3, 0.3)),
-        Steady(branch=int(rng.integers(1, 3)), order=int(rng.choice([1, 3])), kick=1e-3),
+        Steady(
+            branch=int(rng.integers(1, 3)),
+            order=int(rng.choice([1, 3])),
+            kick=1e-3,
+            side=int(rng.choice([-1, 1])),
+        ),
     )[rng.integers(3)]
     housner = isinstance(block, Block) and bool(rng.random() < 0.4)
     names = _drawn_names(rng, block, start, housner=housner)
@@ -148,7 +152,6 @@ def drawn_case(number: int) -> Case:
         block=block,
         shaking=None if shaken and rng.random() < 0.7 else shaking,
         start=start,
-        side=int(rng.choice([-1, 1])),
         housner=housner,
         axes={name: rng.uniform(*RANGES[name], points).tolist() for name in names[:count]},
         fixed={name: rng.uniform(*RANGES[name]) for name in names[count:]},
@@ -188,13 +191,12 @@ def same_as_alone(
     shaking: Harmonic,
     *,
     start: Any,
-    side: int,
     cycles: int,
 ) -> None:
     """Assert that a cell of a map is what `attractor` finds, to the last bit."""
     kind = KIND_FLAGS[int(cell.kind)]
     try:
-        alone = attractor(block, shaking, start=start, side=side, cycles=cycles)
+        alone = attractor(block, shaking, start=start, cycles=cycles)
     except ModelError:
         assert kind == "no-start"
         assert math.isnan(cell.highest)

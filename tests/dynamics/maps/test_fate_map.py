@@ -41,7 +41,6 @@ def test_every_cell_of_any_map_is_how_a_time_history_ends(number: int) -> None:
         case.shaking,
         axes={**case.axes, **case.fixed},
         start=case.start,
-        side=case.side,
         housner=case.housner,
         cycles=CYCLES,
     )
@@ -52,7 +51,7 @@ def test_every_cell_of_any_map_is_how_a_time_history_ends(number: int) -> None:
         cell = found.sel(at)
         fate, impacts = int(cell.fate), int(cell.impacts)
         try:
-            run = simulate(block, shaking, start=start, side=case.side, cycles=CYCLES)
+            run = simulate(block, shaking, start=start, cycles=CYCLES)
         except ModelError:
             assert fate == NO_START
             continue
@@ -77,10 +76,9 @@ def test_the_codes_of_the_fates_are_kept_for_ever() -> None:
 
 def test_a_map_says_what_it_was_computed_from_and_follows_200_periods() -> None:
     found = fate_map(BLOCK, axes=AXES, start=START)
-    assert {name: found.attrs[name] for name in ("start", "velocity", "side", "cycles")} == {
+    assert {name: found.attrs[name] for name in ("start", "velocity", "cycles")} == {
         "start": "state",
         "velocity": 0.3,
-        "side": 1,
         "cycles": 200,
     }
     assert set(np.unique(found.fate)) == {Status.ROCKING, Status.AT_REST, Status.OVERTURNED}

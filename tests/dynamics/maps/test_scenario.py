@@ -28,7 +28,6 @@ def scenario(case: Case) -> Scenario:
         shaking=case.shaking,
         start=case.start,
         fixed=tuple(case.fixed.items()),
-        side=case.side,
         housner=case.housner,
     )
 
@@ -63,7 +62,7 @@ def test_arrays_of_cells_are_the_nouns_to_the_last_bit(case: Case) -> None:
         assert cells.frequency_ratio[place] == shaking.frequency_ratio
         assert cells.sides[place, 0, 0] == bare.restitution
         try:
-            begin = initial_march(start, bare, shaking, case.side)[1]
+            begin = initial_march(start, bare, shaking)[1]
         except ModelError:
             assert not cells.there[place]
             continue
@@ -178,15 +177,23 @@ def test_restitution_follows_the_slenderness_only_where_asked() -> None:
         (Rest(), ("phase",), {"start": "rest"}),
         (Rest(), ("angle",), {"start": "state", "velocity": 0.0}),
         (State(angle=0.1, velocity=0.2), ("velocity",), {"start": "state", "angle": 0.1}),
-        (Steady(order=3), ("kick",), {"start": "steady", "branch": 1, "order": 3}),
-        (Steady(), ("amplitude",), {"start": "steady", "branch": 1, "order": 1, "kick": 1e-6}),
+        (
+            Steady(order=3, side=-1),
+            ("kick",),
+            {"start": "steady", "branch": 1, "order": 3, "side": -1},
+        ),
+        (
+            Steady(),
+            ("amplitude",),
+            {"start": "steady", "branch": 1, "order": 1, "kick": 1e-6, "side": 1},
+        ),
     ],
 )
 def test_attributes_name_the_start(start: Any, axes: Any, said: dict[str, Any]) -> None:
     shaking = Harmonic(amplitude=2.0, frequency_ratio=3.0, phase=0.5)
     block = DimensionlessBlock(restitution=0.8)
-    whole = Scenario(axes=axes, block=block, shaking=shaking, start=start, side=-1)
-    given = {"amplitude": 2.0, "frequency_ratio": 3.0, "restitution": 0.8, "side": -1}
+    whole = Scenario(axes=axes, block=block, shaking=shaking, start=start)
+    given = {"amplitude": 2.0, "frequency_ratio": 3.0, "restitution": 0.8}
     if not isinstance(start, Steady):
         given["phase"] = 0.5
     expected = {**{name: value for name, value in given.items() if name not in axes}, **said}
@@ -202,6 +209,6 @@ def test_clocks_of_many_phases_are_those_of_each() -> None:
     block = DimensionlessBlock(restitution=0.8)
     for place, phase in enumerate(phases.tolist()):
         shaking = Harmonic(amplitude=2.0, frequency_ratio=3.0, phase=phase)
-        march = initial_march(Rest(), block, shaking, 1)[1]
+        march = initial_march(Rest(), block, shaking)[1]
         assert begin.half_cycles[place] == march.half_cycles
         assert begin.phase[place] == march.phase

@@ -24,22 +24,23 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.dynamics.orbits.return_map import ReturnMap
+from rocksteady.model.equations import Nonlinear
 from tests.dynamics.full_integrator import impacts_by_integrator
 
 
 def test_an_attractor_is_where_a_long_run_ends() -> None:
     block = Block.from_p(alpha=0.3, p=1.0, restitution=0.8)
     shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
-    found = attractor(block, shaking, model="nonlinear")
+    found = attractor(block, shaking, model=Nonlinear())
     assert found.orbit is not None
-    assert (found.orbit.model, found.orbit.symmetric, found.orbit.impacts) == ("nonlinear", True, 2)
+    assert (found.orbit.model, found.orbit.symmetric, found.orbit.impacts) == (Nonlinear(), True, 2)
     assert found.orbit.residual < 1e-12
-    run = simulate(block, shaking, cycles=100, model="nonlinear")
+    run = simulate(block, shaking, cycles=100, model=Nonlinear())
     last = np.abs(run(np.linspace(run.end_s - 1.6, run.end_s, 20_001)).angle).max()
     assert found.orbit.highest == pytest.approx(last, abs=1e-8)
     assert np.prod(found.orbit.multipliers).real == pytest.approx(0.8**4, rel=1e-12)
     drawn = found.orbit.trajectory()
-    assert drawn.model == "nonlinear"
+    assert drawn.model == Nonlinear()
     assert drawn.peak == pytest.approx(found.orbit.highest, rel=1e-13)
 
 
@@ -47,8 +48,8 @@ def test_slender_blocks_settle_as_in_the_linear_model() -> None:
     block = Block.from_p(alpha=1e-6, p=1.0, restitution=0.8)
     for ratio, side in ((1.9, -1), (4.0, 1)):
         shaking = Harmonic(amplitude=2.0, frequency_ratio=ratio)
-        full = attractor(block, shaking, start=Steady(), side=side, model="nonlinear")
-        plain = attractor(block, shaking, start=Steady(), side=side)
+        full = attractor(block, shaking, start=Steady(side=side), model=Nonlinear())
+        plain = attractor(block, shaking, start=Steady(side=side))
         assert full.kind is plain.kind
         assert full.peaks == pytest.approx(plain.peaks, rel=1e-9)
 
@@ -58,19 +59,19 @@ def test_cells_of_maps_are_single_answers() -> None:
     start = State(angle=0.0, velocity=0.3)
     axes = {"alpha": [0.1, 0.3, 0.6], "amplitude": [0.8, 2.0, 5.0]}
     block = Block.from_radius(alpha=0.2, radius=1.0, restitution=0.8)
-    settled = attractor_map(block, shaking, axes=axes, start=start, model="nonlinear")
-    fates = fate_map(block, shaking, axes=axes, start=start, cycles=30, model="nonlinear")
+    settled = attractor_map(block, shaking, axes=axes, start=start, model=Nonlinear())
+    fates = fate_map(block, shaking, axes=axes, start=start, cycles=30, model=Nonlinear())
     assert settled.attrs["model"] == "nonlinear"
     for i, alpha in enumerate(axes["alpha"]):
         for j, amplitude in enumerate(axes["amplitude"]):
             body = Block.from_radius(alpha=alpha, radius=1.0, restitution=0.8)
             base = Harmonic(amplitude=amplitude, frequency_ratio=3.0)
-            single = attractor(body, base, start=start, model="nonlinear")
+            single = attractor(body, base, start=start, model=Nonlinear())
             meanings = settled.kind.attrs["flag_meanings"].split()
             assert meanings[int(settled.kind[i, j])] == single.kind.value
             if single.orbit is not None:
                 assert float(settled.highest[i, j]) == single.orbit.highest
-            run = simulate(body, base, start=start, cycles=30, model="nonlinear")
+            run = simulate(body, base, start=start, cycles=30, model=Nonlinear())
             assert Status(int(fates.fate[i, j])) is run.status
 
 
@@ -78,15 +79,15 @@ def test_a_block_without_slenderness_is_refused() -> None:
     bare = DimensionlessBlock(restitution=0.8)
     shaking = Harmonic(amplitude=2.0, frequency_ratio=3.0)
     with pytest.raises(ModelError, match="slenderness"):
-        ReturnMap(bare, shaking, model="nonlinear")
+        ReturnMap(bare, shaking, model=Nonlinear())
     with pytest.raises(ModelError, match="slenderness"):
-        attractor(bare, shaking, model="nonlinear")
+        attractor(bare, shaking, model=Nonlinear())
     with pytest.raises(ModelError, match="slenderness"):
-        fate_map(bare, shaking, axes={"amplitude": [1.0, 2.0]}, model="nonlinear")
+        fate_map(bare, shaking, axes={"amplitude": [1.0, 2.0]}, model=Nonlinear())
     with pytest.raises(ModelError, match="slenderness"):
-        orbits(bare, shaking, model="nonlinear")
+        orbits(bare, shaking, model=Nonlinear())
     with pytest.raises(ModelError, match="slenderness"):
-        attractor_trail(bare, shaking, "amplitude", [1.0, 2.0], model="nonlinear")
+        attractor_trail(bare, shaking, "amplitude", [1.0, 2.0], model=Nonlinear())
 
 
 # --------------------------------------------------------------------- all orbits at a point
@@ -108,7 +109,7 @@ cases = pytest.mark.parametrize(("block", "a", "w", "longest"), CASES)
 @cache
 def listed(block: Block, a: float, w: float, longest: int) -> tuple[Orbit, ...]:
     shaking = Harmonic(amplitude=a, frequency_ratio=w)
-    return orbits(block, shaking, max_period=longest, max_impacts=4, seeds=20, model="nonlinear")
+    return orbits(block, shaking, max_period=longest, max_impacts=4, seeds=20, model=Nonlinear())
 
 
 def images(orbit: Orbit) -> list[Orbit]:
@@ -125,13 +126,13 @@ def test_each_orbit_is_back_after_its_period(
     found = listed(block, a, w, longest)
     assert found
     for orbit in (image for each in found for image in images(each)):
-        assert (orbit.model, orbit.admissible) == ("nonlinear", True)
+        assert (orbit.model, orbit.admissible) == (Nonlinear(), True)
         run = simulate(
             block,
             orbit.shaking,
             start=orbit.start,
             cycles=orbit.period + 0.01,
-            model="nonlinear",
+            model=Nonlinear(),
         )
         if orbit.rest_phases:  # it forgets everything, and lifts again when it did at first
             drawn = orbit.trajectory()
@@ -156,7 +157,7 @@ def test_each_orbit_is_back_after_its_period(
 
 def growth(orbit: Orbit, k: int) -> float:
     """Return by how much the passage after a state may magnify a difference."""
-    step = ReturnMap(orbit.block, orbit.shaking, model="nonlinear")(orbit.states[k])
+    step = ReturnMap(orbit.block, orbit.shaking, model=Nonlinear())(orbit.states[k])
     return float(np.linalg.norm(step.jacobian, 2)) + 1.0
 
 
@@ -168,7 +169,7 @@ def test_the_flow_contracts_by_the_restitutions_alone(
         if orbit.rest_phases:
             assert not orbit.multipliers.any()
             continue
-        step = ReturnMap(block, orbit.shaking, model="nonlinear")(
+        step = ReturnMap(block, orbit.shaking, model=Nonlinear())(
             orbit.states[0], len(orbit.states)
         )
         first, second = block.positive.restitution, block.negative.restitution
@@ -210,7 +211,7 @@ def test_orbits_go_to_those_of_the_linear_model_with_the_square_of_the_slenderne
     errors = []
     for alpha in (0.01, 0.02):
         block = Block.from_p(alpha=alpha, p=1.0, restitution=0.8)
-        found = orbits(block, shaking, seeds=20, max_period=1, model="nonlinear")
+        found = orbits(block, shaking, seeds=20, max_period=1, model=Nonlinear())
         assert [(orbit.kind, orbit.branch) for orbit in found] == [
             (orbit.kind, orbit.branch) for orbit in limits
         ]
@@ -224,7 +225,7 @@ def test_orbits_go_to_those_of_the_linear_model_with_the_square_of_the_slenderne
 def test_the_attractor_from_rest_is_among_them(
     block: Block, a: float, w: float, longest: int
 ) -> None:
-    found = attractor(block, Harmonic(amplitude=a, frequency_ratio=w), model="nonlinear")
+    found = attractor(block, Harmonic(amplitude=a, frequency_ratio=w), model=Nonlinear())
     if found.orbit is None or found.orbit.period > longest:
         return
     stable = [orbit for orbit in listed(block, a, w, longest) if orbit.stable]
@@ -240,23 +241,23 @@ def test_branches_refuse_orbits_of_the_nonlinear_model() -> None:
 
 
 def test_without_shaking_there_are_none() -> None:
-    assert orbits(SLENDER, Harmonic(amplitude=0.0, frequency_ratio=2.0), model="nonlinear") == ()
+    assert orbits(SLENDER, Harmonic(amplitude=0.0, frequency_ratio=2.0), model=Nonlinear()) == ()
 
 
 def test_a_trail_settles_at_each_value_as_the_attractor_does() -> None:
     shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
     values = [2.1, 1.9, 1.8]
     trail = attractor_trail(
-        SLENDER, shaking, "frequency_ratio", values, start=Steady(), model="nonlinear"
+        SLENDER, shaking, "frequency_ratio", values, start=Steady(), model=Nonlinear()
     )
     for value, found, peaks in zip(values, trail.attractors, trail.peaks, strict=True):
         alone = attractor(
             SLENDER,
             Harmonic(amplitude=2.0, frequency_ratio=value),
             start=Steady(),
-            model="nonlinear",
+            model=Nonlinear(),
         )
-        assert (found.model, found.kind) == ("nonlinear", alone.kind)
+        assert (found.model, found.kind) == (Nonlinear(), alone.kind)
         assert found.orbit is not None
         assert alone.orbit is not None
         sizes = sorted((found.orbit.highest, -found.orbit.lowest))

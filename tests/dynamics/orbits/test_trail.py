@@ -177,7 +177,6 @@ def test_of_an_orbit_with_rests_the_first_bounces_stand_for_all() -> None:
         ({"values": [1.0, -1.0]}, "amplitude = -1.0"),
         ({"parameter": "frequency_ratio", "values": [0.0]}, "frequency_ratio = 0.0"),
         ({"cycles": 0}, "cycles = 0"),
-        ({"side": 2}, "side = 2"),
         ({"start": 3}, "start = 3"),
         ({"block": None}, "block = None"),
     ],

@@ -19,6 +19,7 @@ from rocksteady import (
     housner_restitution,
     simulate,
 )
+from rocksteady.model.equations import Nonlinear
 
 
 @pytest.mark.parametrize(
@@ -71,12 +72,12 @@ def test_the_peaks_are_those_of_a_time_history(restitution: float) -> None:
 def test_the_tilting_block_is_that_of_a_time_history(alpha: float, phi: float) -> None:
     start = State(angle=phi, velocity=0.0)
     block = Block.from_p(alpha=alpha, p=1.0, restitution=1.0)
-    run = simulate(block, Still(), start=start, model="nonlinear", flight_limit=8)
+    run = simulate(block, Still(), start=start, model=Nonlinear(), max_flights=8)
     period = float(free_rocking_period(phi, alpha=alpha))
     assert 4.0 * run.impacts.s[0] == pytest.approx(period, rel=1e-11)
     np.testing.assert_allclose(np.diff(run.impacts.s), 0.5 * period, rtol=1e-11)
     block = Block.from_p(alpha=alpha, p=1.0, restitution=0.8)
-    run = simulate(block, Still(), start=start, model="nonlinear")
+    run = simulate(block, Still(), start=start, model=Nonlinear())
     peaks = free_rocking_peaks(phi, 0.8, 6, alpha=alpha)
     halves = np.diff(run.impacts.s[:7])
     np.testing.assert_allclose(halves, 0.5 * free_rocking_period(peaks[1:], alpha=alpha), rtol=2e-9)

@@ -19,10 +19,11 @@ from rocksteady import (
     overturning_windows,
     simulate,
 )
-from rocksteady.dynamics.history.models import ModelName, nonlinear_segment_table, sides_of
+from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.core.tables import LEAN, OVERTURNED, RATE, March
 from rocksteady.kernels.march.march import march
+from rocksteady.model.equations import Model, Nonlinear
 from tests.dynamics.full_integrator import impacts_by_integrator
 from tests.strategies import sample_size
 
@@ -33,7 +34,7 @@ CABINET = Block.from_p(alpha=0.25, p=2.14, restitution=0.9, gravity=G)
 
 def nonlinear(block: Block, shape: str, ratio: float, top: float = 20.0) -> OverturningWindows:
     return overturning_windows(
-        block, shape, [ratio], model="nonlinear", amplitudes=(1.0, top), run=Run(executor="serial")
+        block, shape, [ratio], model=Nonlinear(), amplitudes=(1.0, top), run=Run(executor="serial")
     )
 
 
@@ -132,7 +133,7 @@ def test_an_integrator_falls_inside_a_border_and_lands_again_outside(
     assert impacts(window.low * (1.0 - 1e-8)) > window.impacts
 
 
-def brute_force(block: Block, model: ModelName, pulse: Pulse) -> Callable[[float, float], bool]:
+def brute_force(block: Block, model: Model, pulse: Pulse) -> Callable[[float, float], bool]:
     """Whether a block falls, by a march with the still base and the march's own proofs."""
     table, sides = nonlinear_segment_table(pulse, block), sides_of(block, model)
     half, phase = segment_start(table, 0)
@@ -161,7 +162,7 @@ def test_brute_force_finds_no_other_window(seed: int) -> None:
             positive=alpha, negative=1.3 * alpha, p=2.0, restitution=(delta, 0.9 * delta)
         )
     pulse = Pulse(shape=shape, amplitude=1.0, frequency_ratio=1.0)
-    falls = brute_force(block, "nonlinear", pulse)
+    falls = brute_force(block, Nonlinear(), pulse)
     found = nonlinear(block, shape, ratio)
     assert not found.undecided.any()
     spread = np.exp(rng.uniform(0.0, math.log(20.0), sample_size(1500, 10)))
@@ -175,7 +176,7 @@ def test_time_histories_agree_on_both_sides_of_every_border(shape: str) -> None:
     for window in found.at(0):
         for a, inside in ((window.low * (1.0 + 1e-9), True), (window.low * (1.0 - 1e-9), False)):
             pulse = Pulse(shape=shape, amplitude=a, frequency_ratio=2.0)
-            run = simulate(CABINET, pulse, model="nonlinear")
+            run = simulate(CABINET, pulse, model=Nonlinear())
             if inside:
                 assert run.status is Status.OVERTURNED
                 assert len(run.impacts) == window.impacts
@@ -201,7 +202,7 @@ def test_where_a_block_lies_before_the_pulse_ends_no_window_is_lost() -> None:
     block = Block.from_p(alpha=0.6, p=2.0, restitution=0.9)
     found = nonlinear(block, "one-sine", 3.0, 200.0)
     falls = brute_force(
-        block, "nonlinear", Pulse(shape="one-sine", amplitude=1.0, frequency_ratio=1.0)
+        block, Nonlinear(), Pulse(shape="one-sine", amplitude=1.0, frequency_ratio=1.0)
     )
     for a in np.geomspace(1.0, 200.0, sample_size(1500, 10)).tolist():
         assert falls(a, 3.0) == any(low <= a <= high for low, high in found.intervals(0)), a
@@ -214,9 +215,9 @@ def test_where_a_block_lies_before_the_pulse_ends_no_window_is_lost() -> None:
 def test_a_block_without_slenderness_is_refused() -> None:
     with pytest.raises(ModelError, match="slenderness"):
         overturning_windows(
-            DimensionlessBlock(restitution=0.9), "one-sine", [2.0], model="nonlinear"
+            DimensionlessBlock(restitution=0.9), "one-sine", [2.0], model=Nonlinear()
         )
-    with pytest.raises(InputError, match="two equations"):
+    with pytest.raises(InputError, match="it must be a Linear"):
         overturning_windows(CABINET, "one-sine", [2.0], model="exact")  # type: ignore[arg-type]
 
 
@@ -224,12 +225,12 @@ def test_where_nobody_says_the_search_goes_beyond_uplift() -> None:
     flat = Block.from_p(alpha=1.5, p=1.0, restitution=0.5)
     uplift = math.tan(1.5) / 1.5  # 9.4
     one = overturning_windows(
-        flat, "rectangle", [0.5], model="nonlinear", run=Run(executor="serial")
+        flat, "rectangle", [0.5], model=Nonlinear(), run=Run(executor="serial")
     )
     assert 2.0 * uplift < one.amplitudes[1] == 20.0
     flatter = Block.from_p(alpha=1.56, p=1.0, restitution=0.5)
     other = overturning_windows(
-        flatter, "rectangle", [0.5], model="nonlinear", run=Run(executor="serial")
+        flatter, "rectangle", [0.5], model=Nonlinear(), run=Run(executor="serial")
     )
     assert other.amplitudes[1] == pytest.approx(
         2.0 * math.tan(1.56) / 1.56

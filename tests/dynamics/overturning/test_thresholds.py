@@ -19,6 +19,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
+from rocksteady.model.equations import Linear
 from tests.model.motions.formulae_of_pulses import FORMULAE
 
 
@@ -133,13 +134,13 @@ def test_i1_the_toppling_impulse() -> None:
 
 def test_the_impulse_of_the_linear_model_is_that_which_simulate_finds() -> None:
     block = Block.rectangle(width=0.5, height=2.0)
-    size = overturning_impulse(block, linear=True)
+    size = overturning_impulse(block, model=Linear())
     for factor, status in ((1.0 - 1e-9, Status.AT_REST), (1.0 + 1e-9, Status.OVERTURNED)):
         kick = Impulses.from_si(block, velocities_m_s=(factor * size,))
-        assert simulate(block, kick).status is status
+        assert simulate(block, kick, model=Linear()).status is status
     slender = Block.from_p(alpha=1e-4, p=2.0)
     assert overturning_impulse(slender) == pytest.approx(
-        overturning_impulse(slender, linear=True), rel=1e-7
+        overturning_impulse(slender, model=Linear()), rel=1e-7
     )
 
 

@@ -23,6 +23,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
+from rocksteady.model.equations import Linear
 
 BLOCK = DimensionlessBlock(restitution=0.9)
 
@@ -62,7 +63,7 @@ def test_z3_the_window_after_one_impact_vanishes() -> None:
 def test_m1_m2_the_smallest_accelerations_of_a_block(shape: str, accel_g: float) -> None:
     block = Block.rectangle(width=1, height=3, restitution=0.85, gravity=9.81)
     pulse = Pulse.from_si(block, shape=shape, acceleration_m_s2=1.0, frequency_hz=1.0)
-    found = overturning_windows(block, shape, [pulse.frequency_ratio])
+    found = overturning_windows(block, shape, [pulse.frequency_ratio], model=Linear())
     unit = block.uplift_acceleration / block.gravity
     assert found.first[0] * unit == pytest.approx(accel_g, abs=5.1e-7)
 
@@ -167,7 +168,9 @@ def test_the_shape_alone_of_a_pulse_counts() -> None:
     given = Pulse(shape="one-sine", amplitude=7.0, frequency_ratio=3.0)
     np.testing.assert_array_equal(overturning_windows(BLOCK, given, [2.0, 5.0]).low, named.low)
     block = Block.from_p(alpha=0.2, p=3.0, restitution=0.9)
-    np.testing.assert_array_equal(overturning_windows(block, "one-sine", [2.0, 5.0]).low, named.low)
+    np.testing.assert_array_equal(
+        overturning_windows(block, "one-sine", [2.0, 5.0], model=Linear()).low, named.low
+    )
 
 
 def test_of_very_many_windows_the_widest_are_kept_and_the_others_counted() -> None:

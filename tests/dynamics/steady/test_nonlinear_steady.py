@@ -17,8 +17,9 @@ from rocksteady import (
     simulate,
     steady_states,
 )
-from rocksteady.dynamics.history.models import sides_of
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import initial_march
+from rocksteady.model.equations import Nonlinear
 from tests.dynamics.full_integrator import impacts_by_integrator
 
 POINTS = [
@@ -38,10 +39,10 @@ def body(alpha: float, delta: float) -> Block:
     return Block.from_p(alpha=alpha, p=1.7, restitution=delta)
 
 
-def begun(block: Block, shaking: Harmonic, start: Steady, side: int = 1) -> tuple[float, float]:
+def begun(block: Block, shaking: Harmonic, start: Steady) -> tuple[float, float]:
     """Return phase and velocity of a start."""
-    sides = sides_of(block, "nonlinear")
-    _, march = initial_march(start, block.dimensionless(), shaking, side, sides)
+    sides = sides_of(block, Nonlinear())
+    _, march = initial_march(start, block.dimensionless(), shaking, sides)
     return march.half_cycles * math.pi + march.phase, march.velocity
 
 
@@ -51,7 +52,7 @@ def test_half_a_cycle_later_the_motion_is_its_mirror_image(
 ) -> None:
     block, shaking = body(alpha, delta), Harmonic(amplitude=a, frequency_ratio=w)
     start = Steady(branch=branch, order=order, kick=1e-12)
-    run = simulate(block, shaking, start=start, cycles=order, model="nonlinear")
+    run = simulate(block, shaking, start=start, cycles=order, model=Nonlinear())
     first = run(0.0).velocity
     half = order * math.pi / w
     np.testing.assert_allclose(run.impacts.s[0], half, rtol=1e-9)
@@ -95,15 +96,15 @@ def test_an_unstable_one_is_left_along_its_own_direction(
     alpha: float, a: float, w: float, order: int, branch: int, side: int
 ) -> None:
     block, shaking = body(alpha, 0.8), Harmonic(amplitude=a, frequency_ratio=w)
-    steady = Steady(branch=branch, order=order, kick=1e-15)
-    phase, velocity = begun(block, shaking, steady, side)
-    kicked = begun(block, shaking, Steady(branch=branch, order=order, kick=1e-6), side)
+    steady = Steady(branch=branch, order=order, kick=1e-15, side=side)
+    phase, velocity = begun(block, shaking, steady)
+    kicked = begun(block, shaking, Steady(branch=branch, order=order, kick=1e-6, side=side))
     away = np.array([kicked[0] - phase, kicked[1] / velocity - 1.0])
     assert np.hypot(*away) == pytest.approx(1e-6, rel=1e-6)
     assert np.sign(away[1]) == side
     # Half a cycle later the difference has grown by the multiplier, in the same direction.
-    start = Steady(branch=branch, order=order, kick=1e-6)
-    run = simulate(block, shaking, start=start, side=side, cycles=order, model="nonlinear")
+    start = Steady(branch=branch, order=order, kick=1e-6, side=side)
+    run = simulate(block, shaking, start=start, cycles=order, model=Nonlinear())
     later = np.array(
         [
             run.impacts.s[0] * w + kicked[0] - phase - order * math.pi,
@@ -115,7 +116,7 @@ def test_an_unstable_one_is_left_along_its_own_direction(
     np.testing.assert_allclose(later, rate * away, rtol=0.0, atol=2e-3 * np.hypot(*later))
     listed = [
         orbit
-        for orbit in orbits(block, shaking, max_period=order, seeds=1, model="nonlinear")
+        for orbit in orbits(block, shaking, max_period=order, seeds=1, model=Nonlinear())
         if (orbit.branch, orbit.period) == (branch, order)
     ]
     assert rate**2 == pytest.approx(listed[0].multipliers[0].real, rel=1e-3)
@@ -123,11 +124,11 @@ def test_an_unstable_one_is_left_along_its_own_direction(
 
 def test_the_attractor_from_it_is_the_steady_state_itself() -> None:
     block, shaking = body(0.3, 0.8), Harmonic(amplitude=2.0, frequency_ratio=4.0)
-    found = attractor(block, shaking, start=Steady(), model="nonlinear")
+    found = attractor(block, shaking, start=Steady(), model=Nonlinear())
     assert found.orbit is not None
     assert found.orbit.highest == pytest.approx(0.181107, abs=1.2e-6)
     assert found.after <= 17  # known at the first look
-    assert found.model == "nonlinear"
+    assert found.model == Nonlinear()
 
 
 def test_cells_of_a_map_begin_where_a_single_motion_does() -> None:
@@ -135,14 +136,14 @@ def test_cells_of_a_map_begin_where_a_single_motion_does() -> None:
     for branch in (1, 2):
         start = Steady(branch=branch)
         axes = {"amplitude": [0.05, 0.6, 1.0, 2.0], "frequency_ratio": [1.9, 3.0]}
-        found = attractor_map(block, axes=axes, start=start, model="nonlinear")
+        found = attractor_map(block, axes=axes, start=start, model=Nonlinear())
         meanings = found.kind.attrs["flag_meanings"].split()
         for i, a in enumerate(axes["amplitude"]):
             for j, w in enumerate(axes["frequency_ratio"]):
                 shaking = Harmonic(amplitude=a, frequency_ratio=w)
                 kind = meanings[int(found.kind[i, j])]
                 try:
-                    alone = attractor(block, shaking, start=start, model="nonlinear")
+                    alone = attractor(block, shaking, start=start, model=Nonlinear())
                 except ModelError:
                     assert kind == "no-start"
                     continue
@@ -181,17 +182,17 @@ def test_what_the_linear_model_has_not_is_refused_with_its_reason() -> None:
             block,
             Harmonic(amplitude=0.05, frequency_ratio=4.0),
             start=Steady(),
-            model="nonlinear",
+            model=Nonlinear(),
         )
     with pytest.raises(ModelError, match="through the floor"):
         simulate(
             block,
             Harmonic(amplitude=2.0, frequency_ratio=4.0),
             start=Steady(branch=2),
-            model="nonlinear",
+            model=Nonlinear(),
         )
     unlike = Block.asymmetric(left=0.3, right=0.5, height=1.6)
     with pytest.raises(ModelError, match="sides"):
         simulate(
-            unlike, Harmonic(amplitude=2.0, frequency_ratio=4.0), start=Steady(), model="nonlinear"
+            unlike, Harmonic(amplitude=2.0, frequency_ratio=4.0), start=Steady(), model=Nonlinear()
         )

@@ -246,9 +246,8 @@ def test_an_unstable_steady_state_is_left_on_the_named_side(
         runs[side] = simulate(
             DimensionlessBlock(restitution=r),
             Harmonic(amplitude=a, frequency_ratio=w),
-            start=Steady(branch=branch, order=n),
+            start=Steady(branch=branch, order=n, side=side),
             cycles=40 * n,
-            side=side,
         )
         departure = np.abs(runs[side].impacts.velocity_after) - velocity
         # the first few half cycles multiply the distance by the multiplier ...
@@ -274,9 +273,8 @@ def test_leaving_along_the_unstable_direction_is_symmetric_to_first_order() -> N
             simulate(
                 DimensionlessBlock(restitution=0.8),
                 Harmonic(amplitude=1.0, frequency_ratio=2.0),
-                start=Steady(branch=2),
+                start=Steady(branch=2, side=side),
                 cycles=2,
-                side=side,
             ).impacts.velocity_after[:3]
         )
         - velocity

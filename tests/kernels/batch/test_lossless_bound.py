@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 from rocksteady import Block
-from rocksteady.dynamics.history.models import ModelName, sides_of
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.kernels.batch._lossless_bound import furthest, largest_margin
 from rocksteady.kernels.batch._still_base import fate_on_still_base
 from rocksteady.kernels.core.clock import segment_start
@@ -21,6 +21,7 @@ from rocksteady.kernels.core.tables import (
     March,
 )
 from rocksteady.kernels.march.march import march
+from rocksteady.model.equations import Linear, Model, Nonlinear
 from tests.kernels.tables import Piece, table
 from tests.strategies import sample_size
 
@@ -43,27 +44,25 @@ PULSES = {
 }
 
 
-def case(name: str, model: ModelName, amplitude: float, ratio: float) -> tuple[Floats, Floats]:
+def case(name: str, model: Model, amplitude: float, ratio: float) -> tuple[Floats, Floats]:
     """Segments and sides of a lossless block under a pulse of some size and frequency."""
     segments = table(*PULSES[name])
-    if model == "nonlinear":
+    if isinstance(model, Nonlinear):
         wide = np.zeros((len(segments), NONLINEAR_SEGMENT_COLUMNS))
         wide[:, :8] = segments[:, :8]
         segments = wide
     block = Block.from_p(alpha=0.3, p=2.0, restitution=1.0)
     sides = sides_of(block, model).copy()
-    uplift = 1.0 if model == "linear" else math.tan(0.3) / 0.3
+    uplift = 1.0 if isinstance(model, Linear) else math.tan(0.3) / 0.3
     sides[:, LEAN] /= amplitude * uplift
     sides[:, RATE] /= ratio
     return segments, sides
 
 
-@pytest.mark.parametrize("model", ["linear", "nonlinear"])
+@pytest.mark.parametrize("model", [Linear(), Nonlinear()])
 @pytest.mark.parametrize("name", sample_size([*PULSES], ["one-sine", "step down"]))
 @pytest.mark.parametrize("ratio", [0.4, 1.0, 5.0])
-def test_a_march_that_goes_on_stays_below_the_bound(
-    name: str, model: ModelName, ratio: float
-) -> None:
+def test_a_march_that_goes_on_stays_below_the_bound(name: str, model: Model, ratio: float) -> None:
     rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
     proved = 0
     for part in np.geomspace(2e-3, 0.2, sample_size(8, 2)).tolist():
@@ -96,7 +95,7 @@ def test_a_march_that_goes_on_stays_below_the_bound(
 def test_a_block_at_rest_may_lift_off() -> None:
     # With no energy at all the bound is that of the pulse alone, and not 0 for ever.
     for amplitude, stands in ((0.9, True), (1.01, True), (6.0, False)):
-        segments, sides = case("one-sine", "linear", amplitude, 1.0)
+        segments, sides = case("one-sine", Linear(), amplitude, 1.0)
         bound = largest_margin(segments, sides, March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0))
         assert (bound < 0.0) is stands
         if amplitude > 1.0 and stands:
@@ -105,7 +104,7 @@ def test_a_block_at_rest_may_lift_off() -> None:
 
 
 def test_nothing_is_proved_in_flight_of_unlike_sides_or_before_a_jump() -> None:
-    segments, sides = case("one-sine", "linear", 0.9, 1.0)
+    segments, sides = case("one-sine", Linear(), 0.9, 1.0)
     assert largest_margin(segments, sides, March(1, 0.1, 0.0, 0, 0, 0.1, 0, 0)) == math.inf
     unlike = sides.copy()
     unlike[1, RATE] *= 1.1

@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 from rocksteady import Block
-from rocksteady.dynamics.history.models import sides_of
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.kernels.batch._still_base import (
     fate_on_still_base,
     gained_by_landing,
@@ -26,6 +26,7 @@ from rocksteady.kernels.core.tables import (
     March,
 )
 from rocksteady.kernels.march.march import march
+from rocksteady.model.equations import Linear, Nonlinear
 from tests.strategies import sample_size
 
 Floats = NDArray[np.float64]
@@ -37,12 +38,12 @@ BLOCKS = {
     "leaning": Block.from_alphas(positive=0.15, negative=0.35, p=2.0, restitution=(0.95, 0.9)),
     "leaning back": Block.from_alphas(positive=0.5, negative=0.2, p=2.0, restitution=1.0),
 }
-MODELS = ("linear", "nonlinear")
+MODELS = (Linear(), Nonlinear())
 
 
 def still(model: str) -> Floats:
     """The table of a base that stands still for ever."""
-    columns = SEGMENT_COLUMNS if model == "linear" else NONLINEAR_SEGMENT_COLUMNS
+    columns = SEGMENT_COLUMNS if isinstance(model, Linear) else NONLINEAR_SEGMENT_COLUMNS
     table = np.zeros((1, columns))
     table[0, DURATION] = math.inf
     return table
@@ -75,7 +76,7 @@ def test_it_is_what_a_march_finds(name: str, model: str) -> None:
 
 @pytest.mark.parametrize("row", [0, 1])
 def test_energy_is_what_the_formulas_say(row: int) -> None:
-    sides = sides_of(BLOCKS["leaning"], "nonlinear")
+    sides = sides_of(BLOCKS["leaning"], Nonlinear())
     alpha = float(sides[row, ALPHA])
 
     def potential(angle: float) -> float:
@@ -94,7 +95,7 @@ def test_energy_is_what_the_formulas_say(row: int) -> None:
 
 def test_a_slender_block_has_the_linear_fate() -> None:
     block = Block.from_p(alpha=1e-4, p=2.0, restitution=0.9)
-    tables = [sides_of(block, model) for model in ("linear", "nonlinear")]
+    tables = [sides_of(block, model) for model in (Linear(), Nonlinear())]
     for angle, velocity in ((0.4, 0.3), (0.4, -1.2), (1.3, -0.2), (0.0, 0.9)):
         one, other = (fate_on_still_base(sides, 1, angle, velocity) for sides in tables)
         assert one.margin == pytest.approx(other.margin, abs=1e-7)

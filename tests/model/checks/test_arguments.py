@@ -54,7 +54,7 @@ MASKED = np.ma.array([1.0, -99999.0, 2.0], mask=[False, True, False])
         (lambda: steady_states(2.0, 4.0, 0.8, order=MASKED), ["order = ", "1 of its 3 elements"]),
         (lambda: simulate(BLOCK, SHAKING, model="cubic"), ["model = 'cubic'"]),  # type: ignore[arg-type]
         (lambda: simulate(BLOCK, SHAKING, start=Rest), ["start = ", "a Rest or a State or a"]),  # type: ignore[arg-type]
-        (lambda: simulate(BLOCK, SHAKING, flight_limit=2**64), ["flight_limit = 18446744073709"]),
+        (lambda: simulate(BLOCK, SHAKING, max_flights=2**64), ["max_flights = 18446744073709"]),
         (lambda: rocking_spectrum(RECORD, alpha=[], periods_s=[1.0]), ["alpha = ", "one value"]),
         (lambda: added(SHAKING, 3.0), ["motions = 3.0", "it must be a Motion"]),  # type: ignore[arg-type]
         (lambda: housner_restitution(0.2, p=math.nan), ["p = nan"]),

@@ -18,6 +18,7 @@ from rocksteady import (
     response_spectrum,
     simulate,
 )
+from rocksteady.model.equations import Nonlinear
 from rocksteady.seismic.measures.intensity import WORDS
 from tests.seismic.sines import noise, sine
 
@@ -109,7 +110,7 @@ def test_what_a_block_makes_of_them() -> None:
 def test_a_block_lifts_where_the_first_of_them_passes_1(part: float) -> None:
     record = noise(8)
     size = part / (intensity_measures(record, BLOCK).pga_per_uplift or 1.0)
-    run = simulate(BLOCK, record.scaled(size), model="nonlinear")
+    run = simulate(BLOCK, record.scaled(size), model=Nonlinear())
     assert run.status is Status.AT_REST
     assert (run.peak > 0.0) is (part > 1.0)
 

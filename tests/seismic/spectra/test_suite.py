@@ -7,6 +7,7 @@ import pytest
 import xarray
 
 from rocksteady import InputError, Record, Status, rocking_spectrum, suite_spectrum
+from rocksteady.model.equations import Linear
 from tests.seismic.grounds import ALPHAS, PERIODS, ground
 
 
@@ -43,7 +44,7 @@ def test_what_has_no_answer_counts_in_no_quantile() -> None:
 
 def test_over_a_grid_it_is_numpys_quantile() -> None:
     suite = [ground(seed, peak) for seed, peak in ((1, 3.0), (2, 4.0), (3, 6.0), (4, 9.0))]
-    found = rocking_spectrum(suite, alpha=ALPHAS, periods_s=PERIODS)
+    found = rocking_spectrum(suite, alpha=ALPHAS, periods_s=PERIODS, model=Linear())
     summary = suite_spectrum(found)
     assert summary.peak_angle.dims == ("quantile", "alpha", "period")
     fell = (found.status == Status.OVERTURNED).values
@@ -57,11 +58,11 @@ def test_over_a_grid_it_is_numpys_quantile() -> None:
 
 
 def test_it_needs_several_records_and_parts_of_them() -> None:
-    found = rocking_spectrum(ground(), alpha=0.2, p=2.0)
+    found = rocking_spectrum(ground(), alpha=0.2, p=2.0, model=Linear())
     with pytest.raises(InputError, match="no axis of records"):
         suite_spectrum(found)
     one = rocking_spectrum(
-        [Record(acceleration_m_s2=np.array([1.0, 0.0]), dt_s=0.1)], alpha=0.2, p=2.0
+        [Record(acceleration_m_s2=np.array([1.0, 0.0]), dt_s=0.1)], alpha=0.2, p=2.0, model=Linear()
     )
     assert suite_spectrum(one).peak_angle.values.tolist() == [0.0, 0.0, 0.0]
     with pytest.raises(InputError, match="quantiles"):

@@ -31,6 +31,7 @@ from rocksteady import (
     example_block,
     simulate,
 )
+from rocksteady.model.equations import Linear
 from rocksteady.show.film.animation import Film, film_of
 from rocksteady.show.film.gif import save_gif
 
@@ -174,13 +175,18 @@ def test_endless_runs_are_refused_and_not_drawn() -> None:
         (lambda: simulate(BARE, Harmonic(amplitude=0.5, frequency_ratio=4.0), cycles=2), "A = 0.5"),
         (lambda: shaken(cycles=1e-9, bare=True), "A = 0.9"),
         (lambda: simulate(BARE, Still(), start=State(angle=1.0, velocity=0.0)), "Free rocking"),
-        (lambda: simulate(BLOCK, Still(), start=State(angle=1e9, velocity=0.0)), "α = 0.2 rad"),
         (
-            lambda: simulate(BLOCK, Piecewise(pieces=(Segment(duration=1.1, constant=1.5),))),
+            lambda: simulate(BLOCK, Still(), start=State(angle=1e9, velocity=0.0), model=Linear()),
+            "α = 0.2 rad",
+        ),
+        (
+            lambda: simulate(
+                BLOCK, Piecewise(pieces=(Segment(duration=1.1, constant=1.5),)), model=Linear()
+            ),
             "Base motion of 1 segment,",
         ),
         (
-            lambda: simulate(BARE, Harmonic(amplitude=3.0, frequency_ratio=4.0), flight_limit=1),
+            lambda: simulate(BARE, Harmonic(amplitude=3.0, frequency_ratio=4.0), max_flights=1),
             "A = 3",
         ),
     ],
@@ -258,7 +264,10 @@ def test_nothing_of_the_picture_is_cut_off() -> None:
 
 def test_animate_returns_an_animation_that_matplotlib_can_save(tmp_path: Path) -> None:
     run = simulate(
-        Block.rectangle(width=0.5, height=2.0), Still(), start=State(angle=0.8, velocity=0.0)
+        Block.rectangle(width=0.5, height=2.0),
+        Still(),
+        start=State(angle=0.8, velocity=0.0),
+        model=Linear(),
     )
     animation = animate(run, span=(0.0, 0.5), fps=10)
     assert isinstance(animation, FuncAnimation)

@@ -35,6 +35,7 @@ from rocksteady import (
     plot_block,
     simulate,
 )
+from rocksteady.model.equations import Linear
 from rocksteady.show.film._geometry import Shape, shape_of
 from rocksteady.show.film._scene import BlockScene, signed
 from rocksteady.show.style import palette
@@ -127,7 +128,7 @@ def test_the_drawn_block_keeps_its_size_and_stands_on_its_pivot() -> None:
 
 
 def test_the_mass_centre_leaves_the_band_where_the_angle_passes_alpha() -> None:
-    shape = shape_of(simulate(BLOCK, Still(), start=State(angle=0.5, velocity=0.0)))
+    shape = shape_of(simulate(BLOCK, Still(), start=State(angle=0.5, velocity=0.0), model=Linear()))
     for part in (0.999, -0.999, 1.001, -1.001):
         x = shape.corners(part * BLOCK.alpha)[:, 0].mean()
         assert (abs(x) < shape.half_width) == (abs(part) < 1.0)
@@ -136,7 +137,7 @@ def test_the_mass_centre_leaves_the_band_where_the_angle_passes_alpha() -> None:
 def test_a_block_is_drawn_in_metres_and_a_dimensionless_one_in_radii() -> None:
     start = State(angle=0.5, velocity=0.0)
     wide = Block.rectangle(width=0.5, height=2.0)
-    axes = plot_block(simulate(wide, Still(), start=start), 0.0, new_axes())
+    axes = plot_block(simulate(wide, Still(), start=start, model=Linear()), 0.0, new_axes())
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("position [m]", "height [m]")
     corners = drawn_corners(axes)
     assert np.linalg.norm(corners[0] - corners[1]) == pytest.approx(0.5)
@@ -162,7 +163,7 @@ def test_lengths_are_equal_in_both_directions_and_everything_is_in_the_picture()
 
 def test_a_block_beyond_a_right_angle_lies_on_the_ground() -> None:
     stocky = Block.rectangle(width=1.0, height=0.9, restitution=0.5)
-    run = simulate(stocky, Still(), start=State(angle=1.01, velocity=0.0))
+    run = simulate(stocky, Still(), start=State(angle=1.01, velocity=0.0), model=Linear())
     corners = drawn_corners(plot_block(run, run.end_s, new_axes()))
     assert corners[0] == pytest.approx(corners[0] * [1.0, 0.0], abs=1e-12)
     assert sorted(corners[:, 1]) == pytest.approx([0.0, 0.0, 1.0, 1.0], abs=1e-9)
@@ -279,7 +280,7 @@ def test_the_fallen_block_is_black_and_named() -> None:
         black = to_hex(scene.body.get_facecolor()) == palette.OVERTURNED
         assert black == (s >= run.overturn_s)
     assert list(words.values()) == ["", "", "overturned", "overturned"]
-    rest = simulate(BLOCK, Still(), start=State(angle=0.5, velocity=0.0))
+    rest = simulate(BLOCK, Still(), start=State(angle=0.5, velocity=0.0), model=Linear())
     assert rest.rest_s is not None
     assert scene_at(rest, rest.rest_s).verdict.get_text() == "at rest"
     assert scene_at(rest, 0.0).verdict.get_text() == ""

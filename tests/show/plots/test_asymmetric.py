@@ -21,6 +21,7 @@ from rocksteady import (
     plot_trajectory,
     simulate,
 )
+from rocksteady.model.equations import Linear, Nonlinear
 from rocksteady.show.film._geometry import shape_of
 from rocksteady.show.film._scene import BlockScene
 from rocksteady.show.film.animation import film_of
@@ -36,9 +37,9 @@ def new_axes() -> Axes:
 
 def balanced(block: Block | DimensionlessBlock, side: int) -> Trajectory:
     """Return a run that begins where the block balances on a side, on a still base."""
-    one = simulate(block, Still(), start=State(angle=0.1, velocity=0.0))
+    one = simulate(block, Still(), start=State(angle=0.1, velocity=0.0), model=Linear())
     start = State(angle=one.balances[0 if side < 0 else 1], velocity=0.0)
-    return simulate(block, Still(), start=start)
+    return simulate(block, Still(), start=start, model=Linear())
 
 
 def mass_centre(scene: BlockScene) -> tuple[float, float]:
@@ -111,7 +112,7 @@ def test_the_marks_of_uplift_are_at_the_alpha_of_either_side() -> None:
 
 
 def test_in_the_nonlinear_model_it_lifts_at_the_tangent_of_either_alpha() -> None:
-    run = simulate(BLOCK, SHAKEN, cycles=3, model="nonlinear")
+    run = simulate(BLOCK, SHAKEN, cycles=3, model=Nonlinear())
     lifts = [
         -math.tan(BLOCK.negative.alpha) / BLOCK.alpha,
         math.tan(BLOCK.positive.alpha) / BLOCK.alpha,
@@ -139,6 +140,6 @@ def test_words_of_a_film_tell_both_sides() -> None:
 
 
 def test_plot_block_draws_it() -> None:
-    run = simulate(BLOCK, Still(), start=State(angle=-1.5, velocity=0.0))
+    run = simulate(BLOCK, Still(), start=State(angle=-1.5, velocity=0.0), model=Linear())
     axes = plot_block(run, 0.0, new_axes())
     assert "α₊" in axes.texts[1].get_text()

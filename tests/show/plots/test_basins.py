@@ -26,6 +26,7 @@ from rocksteady import (
     plot_basins,
     plot_erosion,
 )
+from rocksteady.model.equations import Nonlinear
 from rocksteady.show.figures.single import basins_figure, erosion_figure
 from rocksteady.show.plots.basins import fills_of, plot_safe_basin
 from rocksteady.show.style import palette
@@ -190,7 +191,7 @@ def test_a_threshold_beyond_the_axis_is_said() -> None:
 
 
 def test_without_a_threshold_there_is_no_line_of_it() -> None:
-    given = replace(eroded(), block=Block.from_p(alpha=0.2, p=2.0), model="nonlinear")
+    given = replace(eroded(), block=Block.from_p(alpha=0.2, p=2.0), model=Nonlinear())
     axes = plot_erosion(given, Figure().add_subplot())
     assert len(axes.lines) == 2
     legend = axes.get_legend()

@@ -27,6 +27,7 @@ from rocksteady import (
     plot_free_rocking,
     plot_overturning,
 )
+from rocksteady.model.equations import Nonlinear
 from rocksteady.show.figures.single import overturning_figure
 from rocksteady.show.plots.overturning import MODES
 from rocksteady.show.style import palette
@@ -112,7 +113,7 @@ def test_the_closed_form_is_drawn_where_there_is_one() -> None:
 
 def test_of_the_full_equations_the_curve_is_that_of_the_linear_model() -> None:
     block = Block.from_p(alpha=0.25, p=2.14, restitution=0.9)
-    full = overturning_windows(block, "one-sine", [4.0, 5.0], model="nonlinear")
+    full = overturning_windows(block, "one-sine", [4.0, 5.0], model=Nonlinear())
     axes = plot_overturning(full, Figure().add_subplot())
     (line,) = axes.lines
     assert line.get_label() == "without an impact, linear model"

@@ -23,6 +23,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.dynamics.history import base_motion
+from rocksteady.model.equations import Linear
 from rocksteady.show.film._playback import FEWEST_A_PERIOD
 from rocksteady.show.film.animation import film_of
 
@@ -33,7 +34,7 @@ BARE = DimensionlessBlock(restitution=0.9)
 
 
 def under(name: str, a: float, w: float, block: Block | DimensionlessBlock = BARE) -> Trajectory:
-    return simulate(block, Pulse(shape=name, amplitude=a, frequency_ratio=w))
+    return simulate(block, Pulse(shape=name, amplitude=a, frequency_ratio=w), model=Linear())
 
 
 def course(line: Line2D) -> tuple[Floats, Floats]:
@@ -76,7 +77,9 @@ def test_times_ask_for_no_more_points_than_before_where_a_pulse_is_slow() -> Non
 
 
 def test_impulses_are_arrows_where_and_whither_they_strike() -> None:
-    run = simulate(BLOCK, Impulses(velocities=(0.3, -0.5, 0.2), times=(1.0, 2.0, 3.0)))
+    run = simulate(
+        BLOCK, Impulses(velocities=(0.3, -0.5, 0.2), times=(1.0, 2.0, 3.0)), model=Linear()
+    )
     axes = plot_base(run, Figure().add_subplot())
     (up_times, ups), (down_times, downs) = arrows(axes, "^"), arrows(axes, "v")
     np.testing.assert_allclose(up_times, np.array([1.0, 3.0]) / BLOCK.p)

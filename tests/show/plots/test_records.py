@@ -20,6 +20,8 @@ from rocksteady import (
     response_spectrum,
     simulate,
 )
+from rocksteady.model.equations import Linear, Nonlinear
+from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.show.figures.single import record_figure
 from tests.seismic.sines import noise, sine
 
@@ -109,7 +111,7 @@ def test_the_figure_of_one_and_of_several_records() -> None:
 def test_a_vertical_motion_is_drawn_beside_the_horizontal_one() -> None:
     block = Block.rectangle(width=0.4, height=1.6)
     upwards = Record(acceleration_m_s2=2.0 * sine().acceleration_m_s2, dt_s=sine().dt_s)
-    run = simulate(block, sine().scaled(2.0), vertical=upwards, model="nonlinear")
+    run = simulate(block, BaseMotion(sine().scaled(2.0), upwards), model=Nonlinear())
     drawn = plot_base(run, axes())
     (beside,) = (each for each in drawn.figure.axes if each is not drawn)
     assert beside.get_ylabel() == "vertical [g]"
@@ -121,7 +123,7 @@ def test_a_vertical_motion_is_drawn_beside_the_horizontal_one() -> None:
     legend = drawn.get_legend()
     assert legend is not None
     assert [text.get_text() for text in legend.get_texts()] == ["horizontal", "vertical"]
-    assert plot_base(simulate(block, sine()), axes()).get_legend() is None
+    assert plot_base(simulate(block, sine(), model=Linear()), axes()).get_legend() is None
 
 
 def test_what_is_refused() -> None:

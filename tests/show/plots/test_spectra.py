@@ -26,6 +26,7 @@ from rocksteady import (
     rocking_spectrum,
     suite_spectrum,
 )
+from rocksteady.model.equations import Linear
 from rocksteady.show.figures.spectra import spectrum_figure, suite_figure
 from rocksteady.show.plots.spectra import MOST_CURVES, Quantity
 from rocksteady.show.style import palette
@@ -38,13 +39,17 @@ PERIODS = np.linspace(0.6, 6.0, 28)
 def found(slendernesses: int = 3) -> xarray.Dataset:
     alpha = np.linspace(0.12, 0.4, slendernesses)
     # In descending order: pictures sort them.
-    return rocking_spectrum(ground(), alpha=alpha, periods_s=PERIODS[::-1], scale=1.5)
+    return rocking_spectrum(
+        ground(), alpha=alpha, periods_s=PERIODS[::-1], scale=1.5, model=Linear()
+    )
 
 
 @cache
 def summary() -> xarray.Dataset:
     suite = [ground(seed, peak) for seed, peak in ((1, 3.0), (2, 4.0), (3, 6.0), (4, 9.0))]
-    return suite_spectrum(rocking_spectrum(suite, alpha=[0.15, 0.25], periods_s=PERIODS))
+    return suite_spectrum(
+        rocking_spectrum(suite, alpha=[0.15, 0.25], periods_s=PERIODS, model=Linear())
+    )
 
 
 PLOTS: dict[str, Callable[[Axes | None], Axes]] = {
@@ -113,7 +118,7 @@ def test_bars_stand_where_blocks_overturn_a_row_a_slenderness() -> None:
 
 
 def test_a_spectrum_without_a_fall_says_nothing_of_falls() -> None:
-    safe = rocking_spectrum(ground(), alpha=0.4, periods_s=PERIODS)
+    safe = rocking_spectrum(ground(), alpha=0.4, periods_s=PERIODS, model=Linear())
     axes = plot_rocking_spectrum(safe, Figure().add_subplot())
     assert not axes.collections
     assert len(axes.get_legend().get_texts()) == 1  # type: ignore[union-attr]
@@ -171,7 +176,9 @@ def test_figures_have_both_peaks_or_a_column_a_slenderness() -> None:
         (lambda: plot_suite_spectrum(found()), "result of suite_spectrum"),
         (
             lambda: plot_rocking_spectrum(
-                rocking_spectrum([ground(1), ground(2)], alpha=0.2, periods_s=[1.0, 2.0])
+                rocking_spectrum(
+                    [ground(1), ground(2)], alpha=0.2, periods_s=[1.0, 2.0], model=Linear()
+                )
             ),
             "one record and one scale",
         ),

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.models import nonlinear_segment_table
+from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table
 from rocksteady.kernels.batch.attractors import REAL_COLUMNS, WHOLE_COLUMNS
 from rocksteady.kernels.core.tables import ALPHA, CEILING, LEAN, PEAK_COLUMNS, RATE, RESTITUTION
 from rocksteady.model.motions.pulses import Pulse

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.models import nonlinear_segment_table
+from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table
 from rocksteady.kernels.core.tables import (
     ALPHA,
     LEAN,

@@ -34,10 +34,10 @@ from rocksteady.model.motions.segments import Harmonic
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from rocksteady.dynamics.history.models import ModelName
     from rocksteady.dynamics.history.start import Start
     from rocksteady.dynamics.history.trajectory import Trajectory
     from rocksteady.dynamics.orbits.attractor import Attractor
+    from rocksteady.model.equations import Model
     from rocksteady.show.style.page import Page
 
 HELP = (
@@ -104,7 +104,6 @@ def attractor(
             body,
             motion,
             start=begin,
-            side=start.sign,
             cycles=cycles,
             model=equations,
         )
@@ -112,7 +111,7 @@ def attractor(
     values |= {**start.values(found.shaking.phase), "cycles": cycles, "model": model}
     run = None
     if found.orbit is None and (output.csv is not None or output.plot is not None):
-        run = followed(found, body, motion, begin, start.sign, equations)
+        run = followed(found, body, motion, begin, equations)
     if output.csv is not None:
         write_csv(output.csv, csv_header(body), csv_rows(found, run, body))
     if output.plot is not None:
@@ -164,15 +163,14 @@ def followed(
     body: Block | DimensionlessBlock,
     shaking: Harmonic,
     start: "Start",
-    side: int,
-    model: "ModelName",
+    model: "Model",
 ) -> "Trajectory":
     """Return the run that a motion without an orbit makes."""
     from rocksteady.dynamics.history.simulate import simulate
 
     cycles = min(found.after + 5, LONGEST_CLOUD)
-    block = body.dimensionless() if model == "linear" else body
-    return simulate(block, shaking, start=start, cycles=cycles, side=side, model=model)
+    block = body.dimensionless() if model.name == "linear" else body
+    return simulate(block, shaking, start=start, cycles=cycles, model=model)
 
 
 def last_periods(run: "Trajectory", body: Block | DimensionlessBlock) -> "Trajectory":
@@ -188,7 +186,7 @@ def last_periods(run: "Trajectory", body: Block | DimensionlessBlock) -> "Trajec
     here = run(since)
     turned = math.fmod(run.motion.phase + run.frequency_ratio * since, 2.0 * math.pi)
     return simulate(
-        body if run.model == "nonlinear" else body.dimensionless(),
+        body if run.model.name == "nonlinear" else body.dimensionless(),
         replace(run.motion, phase=turned),
         start=State(angle=float(here.angle), velocity=float(here.velocity)),
         cycles=SHOWN_PERIODS,

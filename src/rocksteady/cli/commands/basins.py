@@ -134,7 +134,7 @@ def basins(
         chosen["cycles"] = cycles
 
     if len(amplitudes) > 1:
-        in_lanes = equations == "linear" and body.symmetric
+        in_lanes = equations.name == "linear" and body.symmetric
         announce_compilation("driver.lane_fates" if in_lanes else "harmonic.fates_of_sides")
         _erosion(body, first, amplitudes, chosen, output)
     else:

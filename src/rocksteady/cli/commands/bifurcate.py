@@ -325,7 +325,6 @@ def _sweep(span: Range, start: SweepStart, cycles: int, *, upwards: bool) -> Swe
         span.parameter,
         values,
         start=begin,
-        side=start.sign,
         cycles=cycles,
     )
     return Sweep(start=word, trail=trail)

@@ -116,7 +116,6 @@ def maps(
             case.body,
             axes={**case.axes, **case.fixed},
             start=case.start.of(case.shaking.frequency_ratio),
-            side=case.start.sign,
             cycles=periods,
             housner=case.housner,
             run=replace(run, progress=meter),
@@ -133,7 +132,7 @@ def maps(
     if output.plot is not None:
         from rocksteady.show.figures.maps import map_figure
 
-        title = title_of(case, periods if fate else None, model)
+        title = title_of(case, periods if fate else None, equations.name)
         write_figure(output.plot, map_figure(found, title, output.page))
     if output.as_json:
         print_json("map", values)

@@ -36,7 +36,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.validation import LARGEST
 from rocksteady.model.motions.pulses import Pulse
-from rocksteady.model.motions.segments import Harmonic
+from rocksteady.model.motions.segments import Harmonic, Still
 
 HELP = (
     "The amplitudes at which a pulse overturns a block at rest, over the pulse's frequency.\n\n"
@@ -129,12 +129,12 @@ def overturn(
     freq_hz: HertzAxis = None,
     phase: PhaseFlag = None,
     resolution: Resolution = None,
-    model: options.Model = "linear",
+    model: options.Model = None,
 ) -> None:
     """Run `rocksteady overturn`; `HELP` is what its users read."""
     sweep.check(output)
     body = block.described()
-    equations = equations_for(model, body)
+    equations = equations_for(model, body, Still())
     if not pulse.given:
         raise missing(
             "--pulse",

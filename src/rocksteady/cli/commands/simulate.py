@@ -34,6 +34,7 @@ from rocksteady.cli.present.simulate_values import (
 )
 from rocksteady.errors import InputError, Status
 from rocksteady.model.checks.validation import whole_number
+from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.segments import Harmonic, Motion, Still
 
 if TYPE_CHECKING:
@@ -95,7 +96,7 @@ def simulate(
     start: StartFlags,
     cycles: CyclesFlag = None,
     samples: SamplesFlag = 100,
-    model: options.Model = "linear",
+    model: options.Model = None,
     tolerance: options.Tolerance = None,
 ) -> None:
     """Run `rocksteady simulate`; `HELP` is what its users read."""
@@ -103,18 +104,17 @@ def simulate(
     film.check(output, recorded.files)
     of_record = recorded.given(reading)
     body = recorded.block(block) if of_record else block.described()
-    equations = equations_for(model, body)
     motion: Motion | Record = Still()
-    vertical = None
+    beside = None
     notes: dict[str, list[str]] = {}
     if of_record:
         refuse_beside_record(pulse=pulse, shaking=shaking, phase=start.phase)
         refuse_cycles(cycles, "a recorded motion")
-        refuse_of_linear(equations, "--vertical", recorded.vertical)
+        refuse_of_linear(model, "--vertical", recorded.vertical)
         across = recorded.recording(reading)
         lifting = recorded.vertical_recording(reading, across)
         motion = across.record
-        vertical = None if lifting is None else recorded.scaled(lifting.record)
+        beside = None if lifting is None else recorded.scaled(lifting.record)
         notes = processing_values(across, lifting)
     elif pulse.given:
         motion = pulse.of(shaking.at(body), phase=start.phase)
@@ -125,23 +125,19 @@ def simulate(
     if isinstance(motion, Still):
         refuse_without_shaking("--cycles", cycles)
     refuse_long_table(samples, cycles if output.csv is not None else None)
-    refuse_of_linear(model, "--tolerance", tolerance)
+    equations = equations_for(model, body, motion, tolerance)
 
     announce_compilation("march.march")
-    from rocksteady.dynamics.history.models import TOLERANCE
     from rocksteady.dynamics.history.simulate import simulate as run
 
     begin = start.of(motion.frequency_ratio if isinstance(motion, Harmonic) else None)
     with start.as_typed():
         trajectory = run(
             body,
-            motion,
+            BaseMotion(motion, beside),
             start=begin,
             cycles=50.0 if cycles is None else cycles,
-            side=start.sign,
             model=equations,
-            vertical=vertical,
-            tolerance=TOLERANCE if tolerance is None else tolerance,
         )
     values = trajectory_values(trajectory, body) | notes
     # Made before any file is written: a run that is too long to be shown is refused here.

@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, cast
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -17,16 +17,17 @@ from rocksteady.cli.console.outputs import (
 from rocksteady.cli.console.progress import sweeping
 from rocksteady.cli.console.refusals import FlagError, both, missing
 from rocksteady.cli.flags import options
-from rocksteady.cli.flags.block_and_shaking import refuse_of_linear
+from rocksteady.cli.flags.block_and_shaking import named_model, refuse_of_linear
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.parsing import axis, restitution_from
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.cli.present.spectrum_values import print_spectrum, spectrum_values, title_of
 from rocksteady.errors import InputError
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.model.motions.record import Record
 
 if TYPE_CHECKING:
-    from rocksteady.dynamics.history.models import ModelName
     from rocksteady.model.blocks.sides import Restitution
 
 HELP = (
@@ -108,7 +109,7 @@ def spectrum(
     periods_s: PeriodsS = None,
     p_rad_s: PRadS = None,
     restitution: RestitutionFlag = None,
-    model: options.Model = "linear",
+    model: options.Model = None,
     gravity_m_s2: options.GravityMS2 = None,
     tolerance: options.Tolerance = None,
 ) -> None:
@@ -120,7 +121,7 @@ def spectrum(
             valid="a rocking spectrum needs a ground motion",
             hint="add --record FILE, several times for a suite",
         )
-    refuse_of_linear(model, "--tolerance", tolerance)
+    equations = named_model("nonlinear" if model is None else model, tolerance)
     files = recorded.record or []
     output.refuse_read(recorded.files, netcdf=sweep.netcdf)
     if recorded.vertical is not None and len(files) > 1:
@@ -140,10 +141,11 @@ def spectrum(
     run = sweep.run(force=output.force)
     across = recorded.recordings(reading)
     lifting = recorded.vertical_recording(reading, across[0])
-    records = [one.record for one in across]
+    records: list[Record | BaseMotion] = [one.record for one in across]
+    if lifting is not None:
+        records = [BaseMotion(across[0].record, lifting.record)]
 
     announce_compilation("records.record_fates")
-    from rocksteady.dynamics.history.models import TOLERANCE
     from rocksteady.model.blocks.block import STANDARD_GRAVITY
     from rocksteady.seismic.spectra.rocking import rocking_spectrum
     from rocksteady.seismic.spectra.suite import suite_spectrum
@@ -157,12 +159,10 @@ def spectrum(
             alpha=slenderness,
             **sizes,
             restitution=ratio,
-            model=cast("ModelName", model),
-            vertical=None if lifting is None else [lifting.record],
+            model=equations,
             scale=1.0 if recorded.scale is None else recorded.scale,
             reverse=recorded.reverse,
             gravity=STANDARD_GRAVITY if gravity_m_s2 is None else gravity_m_s2,
-            tolerance=TOLERANCE if tolerance is None else tolerance,
             run=replace(run, progress=meter),
         )
     found = found.load()

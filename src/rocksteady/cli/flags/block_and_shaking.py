@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any
 
 from rocksteady.cli.console.refusals import FlagError, both
 from rocksteady.cli.flags import options
@@ -16,11 +16,9 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.examples import example_block
 from rocksteady.model.blocks.sides import Restitution
 from rocksteady.model.checks.validation import LARGEST, in_range, non_negative
+from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.segments import Harmonic
-
-if TYPE_CHECKING:
-    from rocksteady.dynamics.history.models import ModelName
 
 FIELDS = {name: FLAG_OF_ARGUMENT[name].removeprefix("--").replace("-", "_") for name in SIZES}
 """Fields of the flags of a block, by the measures that they are."""
@@ -307,13 +305,19 @@ class BlockFlags:
         return replace(self, **first)
 
 
-def equations_for(model: str, body: Block | DimensionlessBlock) -> "ModelName":
-    """Return the equations of motion that --model names, for a block; other names pass.
+def equations_for(
+    model: str | None,
+    body: Block | DimensionlessBlock,
+    motion: object = None,
+    tolerance: float | None = None,
+) -> Model:
+    """Return the equations of motion of --model and --tolerance, for a block and its base motion.
 
     Raises
     ------
-    ModelError
-        If the nonlinear model meets a block of which only the restitution is known.
+    InputError, ModelError
+        If the nonlinear model meets a block of which only the restitution is known, or as for
+        `named_model`.
     """
     if model == "nonlinear" and not isinstance(body, Block):
         raise FlagError(
@@ -322,10 +326,29 @@ def equations_for(model: str, body: Block | DimensionlessBlock) -> "ModelName":
             "the full equations need the block's slenderness",
             "give the block, as --alpha-rad 0.3 --radius-m 1 or --width-m 0.4 --height-m 1.2",
         )
-    return cast("ModelName", model)
+    name = chosen_model(None, body, motion).name if model is None else model
+    return named_model(name, tolerance)
 
 
-def refuse_of_linear(model: str, name: str, value: object) -> None:
+def named_model(name: str, tolerance: float | None = None) -> Model:
+    """Return the equations of motion of a name, to within a tolerance.
+
+    Raises
+    ------
+    InputError, ModelError
+        If there are none of that name, or the linear model meets a tolerance.
+    """
+    if name not in ("linear", "nonlinear"):
+        raise InputError(
+            "model", name, "there are two equations of motion", 'give "linear" or "nonlinear"'
+        )
+    refuse_of_linear(name, "--tolerance", tolerance)
+    if name == "linear":
+        return Linear()
+    return Nonlinear() if tolerance is None else Nonlinear(tolerance=tolerance)
+
+
+def refuse_of_linear(model: str | None, name: str, value: object) -> None:
     """Refuse what only the nonlinear model has.
 
     Raises

@@ -133,12 +133,13 @@ PulseName = Annotated[
     ),
 ]
 Model = Annotated[
-    str,
+    str | None,
     typer.Option(
         "--model",
         metavar="NAME",
         help="Equations of motion: linear (slender blocks, in closed form) or nonlinear (the full "
-        "equations, which need a block).",
+        "equations, which need a block; the default of a block under a pulse or a record, or "
+        "let go).",
         rich_help_panel=BLOCK,
     ),
 ]

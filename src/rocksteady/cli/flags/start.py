@@ -102,7 +102,7 @@ class StartFlags:
         if self.start in STEADY:
             branch = 2 if self.start.endswith("2") else 1
             kick = KICK if self.kick is None else self.kick
-            return Steady(branch=branch, order=self.order, kick=kick)
+            return Steady(branch=branch, order=self.order, kick=kick, side=self.sign)
         for name, thing, value, idle in (
             ("order", "an order", self.order, 1),
             ("kick", "a kick", self.kick, None),

@@ -59,7 +59,7 @@ class SweepStart(StartFlags):
             from rocksteady.dynamics.history.start import initial_march
 
             with self.as_typed():
-                initial_march(begin, bare, shaking, self.sign)  # refuses one that does not exist
+                initial_march(begin, bare, shaking)  # refuses one that does not exist
         return chosen, begin, self.first_phase
 
 

@@ -22,7 +22,7 @@ def window_values(found: "Basins | Erosion") -> dict[str, Any]:
         "angles": _axis_values(found.angle),
         "velocities": _axis_values(found.velocity),
         "cycles": found.cycles,
-        "model": found.model,
+        "model": found.model.name,
     }
 
 

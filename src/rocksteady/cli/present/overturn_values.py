@@ -20,10 +20,10 @@ def overturn_values(
 
     shape = found.pulse.shape
     closed = None
-    if shape in THRESHOLDS and found.model == "linear":
+    if shape in THRESHOLDS and found.model.name == "linear":
         closed = overturning_threshold(shape, found.frequency_ratio).tolist()
     values: dict[str, Any] = {
-        "model": found.model,
+        "model": found.model.name,
         "pulse": shape,
         "oscillations": found.pulse.oscillations,
         "phase": found.pulse.phase,

@@ -22,7 +22,7 @@ def trajectory_values(trajectory: "Trajectory", body: Block | DimensionlessBlock
 
     motion, block = trajectory.motion, trajectory.block
     values: dict[str, Any] = {
-        "model": trajectory.model,
+        "model": trajectory.model.name,
         "status": trajectory.status.label,
         "peak": trajectory.peak,
         "impacts": len(trajectory.impacts),

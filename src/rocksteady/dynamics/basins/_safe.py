@@ -36,7 +36,7 @@ def safe_states(
     Parameters
     ----------
     sides
-        Of the block, as `rocksteady.dynamics.history.models.sides_of` has them.
+        Of the block, as `rocksteady.dynamics.history.nonlinear_tables.sides_of` has them.
     frequency_ratio, phase, cycles
         One number each; the phase is that of the shaking at the start [rad].
     amplitudes, angles, velocities

@@ -2,7 +2,7 @@
 
 import functools
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -13,13 +13,14 @@ from rocksteady.dynamics.basins.labels import BasinAttractor, labelled
 from rocksteady.dynamics.basins.window import centred, moment, spacing, window_axis, window_of
 from rocksteady.dynamics.batch.attractors import Beginnings, batch_size, settled_cells
 from rocksteady.dynamics.history.lowering import side_table
-from rocksteady.dynamics.history.models import ModelName, attributes_of, model_name, sides_of
+from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
 from rocksteady.dynamics.orbits.attractor import AttractorKind, cycles_value
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, whole_number
+from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.sweep.cases.draws import uniform
 from rocksteady.sweep.cases.grid import Grid
@@ -90,7 +91,7 @@ class Basins:
     seed
         With which they were drawn; None for the points of the grid.
     model
-        Which equations of motion hold: "linear" or "nonlinear".
+        Which equations of motion hold: `Linear` or `Nonlinear`.
     """
 
     block: Block | DimensionlessBlock
@@ -103,7 +104,7 @@ class Basins:
     start_velocity: Floats
     cycles: int
     seed: int | None
-    model: ModelName = "linear"
+    model: Model = field(default_factory=Linear)
 
     @cached_property
     def states(self) -> NDArray[np.int64]:
@@ -240,7 +241,7 @@ def basins(
     cycles: int = CYCLES,
     seed: int | None = None,
     run: Run | None = None,
-    model: ModelName = "linear",
+    model: Model | None = None,
 ) -> Basins:
     """Return the basins of attraction in a window of initial states at one phase.
 
@@ -307,7 +308,7 @@ def basins(
     unsymmetric-1b 0.0450 0.029 to 0.070
     """
     bare, shaken = bare_block(block), harmonic(shaking)
-    equations = model_name(model)
+    equations = chosen_model(model, block)
     sides = sides_of(block, equations)
     half, rest = moment(shaken)
     ratio = shaken.frequency_ratio

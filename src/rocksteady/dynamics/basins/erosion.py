@@ -1,7 +1,7 @@
 """Erosion of the safe basin: its size under shaking relative to that on a still base."""
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.arrays import validated_grid
 from rocksteady.dynamics.basins._safe import measured, safe_states
 from rocksteady.dynamics.basins.window import POINTS, centred, moment, window_axis
-from rocksteady.dynamics.history.models import ModelName, attributes_of, model_name, sides_of
+from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
 from rocksteady.dynamics.orbits.attractor import cycles_value
 from rocksteady.dynamics.orbits.return_map import bare_block
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
@@ -21,6 +21,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import finite, in_range, positive
+from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.run import Run, run_in_memory
@@ -88,7 +89,7 @@ class Erosion:
     still_share, still_radius
         The same two on a still base (A = 0).
     model
-        Which equations of motion hold: "linear" or "nonlinear".
+        Which equations of motion hold: `Linear` or `Nonlinear`.
     """
 
     block: Block | DimensionlessBlock
@@ -103,7 +104,7 @@ class Erosion:
     radius: Floats
     still_share: float
     still_radius: float
-    model: ModelName = "linear"
+    model: Model = field(default_factory=Linear)
 
     @property
     def global_integrity(self) -> Floats:
@@ -124,7 +125,7 @@ class Erosion:
         Of a block whose sides differ, the lower one of both directions.  None in the nonlinear
         model, which has no closed form of it.
         """
-        if self.model != "linear":
+        if isinstance(self.model, Nonlinear):
             return None
         if not self.block.symmetric:
             return tangency_amplitude(self.block.dimensionless().sides, self.frequency_ratio)
@@ -282,7 +283,7 @@ def erosion(
     velocities: ArrayLike | None = None,
     cycles: int = CYCLES,
     run: Run | None = None,
-    model: ModelName = "linear",
+    model: Model | None = None,
 ) -> Erosion:
     """Return the erosion of the safe basin as the amplitude of the shaking grows.
 
@@ -322,7 +323,7 @@ def erosion(
     run
         As for `rocksteady.sweep.evaluate.evaluate`; the still base is cells too.
     model
-        "linear" (default) or "nonlinear", which needs a `Block` and takes some hundred times as
+        `Linear()` (default) or `Nonlinear()`, which needs a `Block` and takes some hundred times as
         long.
 
     Returns
@@ -358,7 +359,7 @@ def erosion(
     bare = bare_block(block)
     axis = Axis(name="amplitudes", values=amplitudes, long_name="a_max/(alpha g)")
     validated_grid(axis.points, frequency_ratio, bare.restitution, 1)
-    equations = model_name(model)
+    equations = chosen_model(model, block)
     sides = sides_of(block, equations)
     if (np.diff(axis.points) <= 0.0).any():
         raise InputError(

@@ -11,15 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.batch.attractors import ENDLESS
-from rocksteady.dynamics.history.models import ModelName
+from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.orbits.attractor import KINDS, AttractorKind
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
-from rocksteady.dynamics.orbits.return_map import ImpactState, make_system, section_of
+from rocksteady.dynamics.orbits.return_map import make_system, section_of
 from rocksteady.dynamics.orbits.search import SAME
 from rocksteady.kernels.orbits import periodic
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
+from rocksteady.model.equations import Model
 from rocksteady.model.motions.segments import Harmonic
 
 Floats = NDArray[np.float64]
@@ -84,7 +85,7 @@ class BasinAttractor:
 
 
 def labelled(
-    block: Block | DimensionlessBlock, shaking: Harmonic, model: ModelName, cells: Cells
+    block: Block | DimensionlessBlock, shaking: Harmonic, model: Model, cells: Cells
 ) -> tuple[Integers, tuple[BasinAttractor, ...]]:
     """Return the labels of cells and the attractors in the order of their labels.
 
@@ -150,7 +151,7 @@ def _names(found: list[tuple[AttractorKind, Orbit | None]]) -> Iterator[str]:
 
 
 def _orbits(
-    block: Block | DimensionlessBlock, shaking: Harmonic, model: ModelName, cells: Cells
+    block: Block | DimensionlessBlock, shaking: Harmonic, model: Model, cells: Cells
 ) -> Iterator[tuple[Orbit, NDArray[np.bool_]]]:
     """Yield each orbit that cells have found, and which cells."""
     left = cells["period"] > 0
@@ -185,7 +186,7 @@ def _near(state: ImpactState, side: Integers, phase: Floats, speed: Floats) -> N
 def _orbit(
     block: Block | DimensionlessBlock,
     shaking: Harmonic,
-    model: ModelName,
+    model: Model,
     cell: Mapping[str, Any],
 ) -> Orbit:
     """Return the orbit of a cell, started where it would be whichever cell had found it."""
@@ -200,7 +201,7 @@ def _orbit(
 def _through(
     block: Block | DimensionlessBlock,
     shaking: Harmonic,
-    model: ModelName,
+    model: Model,
     state: ImpactState,
     cell: Mapping[str, Any],
 ) -> Orbit:

@@ -86,7 +86,7 @@ def settled_cells(
     amplitude, frequency_ratio
         Shape (cells,).
     sides
-        Of the block of all of them, or of each, as `dynamics.history.models.sides_of` has
+        Of the block of all of them, or of each, as `dynamics.history.nonlinear_tables.sides_of` has
         them, shape (2, 3) or (cells, 2, 3), with five columns in the nonlinear model.
     begin
         Where they start.

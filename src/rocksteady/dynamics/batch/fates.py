@@ -45,7 +45,7 @@ def ends_of(
     amplitude, frequency_ratio
         Shape (cells,).
     sides
-        Of the block of each cell, as `rocksteady.dynamics.history.models.sides_of` has them, shape
+        Of the block of each cell, as `dynamics.history.nonlinear_tables.sides_of` has them, shape
         (cells, 2, 3), or (cells, 2, 5) in the nonlinear model.
     angle, velocity, phase
         theta/alpha, its derivative by pivot time, and the phase of the shaking [rad] at the start.

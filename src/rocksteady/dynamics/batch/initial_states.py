@@ -45,23 +45,20 @@ def on_orbits(
     amplitude: Floats,
     frequency_ratio: Floats,
     sides: Floats,
-    side: int,
 ) -> tuple[Floats, Floats, Bools]:
     """Return velocity and phase on a steady state at many points, and where it is a start.
 
     Parameters
     ----------
     start
-        Its branch and order count.
+        Its branch, order and side count.
     kick
         In place of its own, shape (cells,).
     amplitude, frequency_ratio
         Of the shaking, shape (cells,).
     sides
-        Of the blocks, as `dynamics.history.models.sides_of` has them, shape (cells, 2, 3), or
+        As `dynamics.history.nonlinear_tables.sides_of` has them, shape (cells, 2, 3) or
         (cells, 2, 5) in the nonlinear model.
-    side
-        +1 or -1, on which an unstable one is left.
 
     Returns
     -------
@@ -76,7 +73,7 @@ def on_orbits(
     >>> one = np.ones(2)
     >>> sides = np.tile([0.8, 1.0, 1.0], (2, 2, 1))
     >>> points = np.array([0.1, 2.0]), 4 * one, sides
-    >>> velocity, phase, there = on_orbits(Steady(), 1e-6 * one, *points, 1)
+    >>> velocity, phase, there = on_orbits(Steady(), 1e-6 * one, *points)
     >>> print(there, velocity.round(6), phase.round(6))
     [False  True] [0.       0.732389] [0.       2.846543]
     """
@@ -101,7 +98,7 @@ def on_orbits(
                 phase=phase.item(cell),
                 velocity=velocity.item(cell),
                 unstable=unstable.item(cell),
-                away=side * kick.item(cell),
+                away=start.side * kick.item(cell),
             )
         except ModelError:  # there is none, or no number says how it is left
             there[cell] = False

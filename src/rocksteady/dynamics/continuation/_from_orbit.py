@@ -10,6 +10,7 @@ from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.orbits.return_map import make_system, section_of
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.orbits.return_map import next_passage, phase_between
+from rocksteady.model.equations import Linear
 
 
 def chain_at(start: object) -> Chain:
@@ -41,10 +42,10 @@ def chain_of(orbit: Orbit) -> Chain:
         If the orbit is one of the nonlinear model or comes to rest, or the sides of its block
         differ.
     """
-    if orbit.model != "linear":
+    if not isinstance(orbit.model, Linear):
         raise ModelError(
             "start",
-            Words(f"is an orbit of the {orbit.model} model"),
+            Words(f"is an orbit of the {orbit.model.name} model"),
             "branches are followed in the linear model alone, whose arcs are in closed form",
             "ask for `orbits` at several values, or move the parameter with `attractor_map`",
         )
@@ -68,7 +69,7 @@ def chain_of(orbit: Orbit) -> Chain:
     states = orbit.states
     if states[0].side < 0:  # an orbit without rest goes to either side in turn
         states = (*states[1:], states[0])
-    system = make_system(bare, shaking)
+    system = make_system(bare, shaking, Linear())
     turns, phases = [], []
     here = section_of(states[0])
     since = 0

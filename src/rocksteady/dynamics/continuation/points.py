@@ -15,6 +15,7 @@ from rocksteady.errors import ModelError
 from rocksteady.kernels.orbits import periodic
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
+from rocksteady.model.equations import Linear
 from rocksteady.model.motions.segments import Harmonic
 
 Floats = NDArray[np.float64]
@@ -171,7 +172,7 @@ class BranchPoint:
         """
         block = DimensionlessBlock(restitution=self.restitution)
         shaking = Harmonic(amplitude=self.amplitude, frequency_ratio=self.frequency_ratio)
-        system, sections = make_system(block, shaking), self.chain.sections
+        system, sections = make_system(block, shaking, Linear()), self.chain.sections
         table = np.zeros((len(sections), periodic.ORBIT_COLUMNS))
         for row, section in enumerate(sections):
             periodic.put(table, row, section)
@@ -179,7 +180,7 @@ class BranchPoint:
         if self.chain.admissible:
             residual = periodic.measured(system, len(sections), self.period, table).residual
         if residual < CLOSING:
-            return orbit_from(block, shaking, table, self.period, residual)
+            return orbit_from(block, shaking, table, self.period, residual, Linear())
         if not self.chain.admissible or self.type is PointType.GRAZING:
             raise ModelError(
                 "point",

@@ -35,7 +35,7 @@ def set_off(
     amplitude, frequency_ratio
         Of the shaking.
     sides
-        Of the block, both alike, as `rocksteady.dynamics.history.models.sides_of` has them.
+        Of the block, both alike, as `dynamics.history.nonlinear_tables.sides_of` has them.
     order, branch
         Of the steady state.
     phase, velocity, unstable

@@ -5,10 +5,7 @@ import math
 import numpy as np
 
 from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.models import (
-    TOLERANCE,
-    ModelName,
-    model_name,
+from rocksteady.dynamics.history.nonlinear_tables import (
     nonlinear_segment_table,
     refuse_vertical,
     sides_of,
@@ -22,7 +19,9 @@ from rocksteady.kernels.march.march import march
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import in_range, side_value, whole_number
+from rocksteady.model.checks.validation import in_range, whole_number
+from rocksteady.model.equations import Model, Nonlinear, chosen_model
+from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion
 
@@ -48,15 +47,12 @@ MOST_FLIGHTS = 100_000_000
 @checked
 def simulate(
     block: Block | DimensionlessBlock,
-    motion: Motion | Record,
+    motion: Motion | Record | BaseMotion,
     *,
     start: Start | None = None,
     cycles: float = 50.0,
-    side: int = 1,
-    model: ModelName = "linear",
-    vertical: Motion | Record | None = None,
-    tolerance: float = TOLERANCE,
-    flight_limit: int = FLIGHT_LIMIT,
+    model: Model | None = None,
+    max_flights: int = FLIGHT_LIMIT,
 ) -> Trajectory:
     """Compute the time history of a block on a moving base, flight by flight.
 
@@ -72,24 +68,16 @@ def simulate(
         differ, alpha and p of the positive side are the units.
     motion
         The base motion: `Harmonic`, `Pulse`, `Impulses`, `Piecewise`, `SyntheticMotion`, `Still`,
-        anything else with segments, or a `Record`, which needs a `Block`.
+        anything else with segments, a `Record`, which needs a `Block`, or a `BaseMotion` of two.
     start
-        `Rest` (default), `State` or `Steady`, a steady state of the model.
+        `Rest` (default), `State`, `Steady`, a steady state of the model, or `ImpactState`.
     cycles
         Periods of endless harmonic shaking to follow, up to 1e15.  Motions that end are followed
         on a still base to rest or proven overturning; without loss (restitution 1) for p t = 1e4.
-    side
-        +1 or -1, the side on which an unstable steady state is left.
     model
-        "linear" (default), for slender blocks, or "nonlinear", the full equations, which need a
-        `Block` for its slenderness.
-    vertical
-        Nonlinear model: the vertical base motion, upwards positive, linear between samples; none by
-        default.  A base that falls away under the block, at -g, ends the run as lost contact.
-    tolerance
-        Nonlinear model: the error that the motion may have, as a part of it, from 1e-11 to 1e-3.
-        Each step leaves out 1e-5 of that at most.  Errors grow as the motion itself spreads.
-    flight_limit
+        `Linear()`, for slender blocks, or `Nonlinear()`, the full equations, which need a `Block`.
+        By default nonlinear where a `Block` meets another motion than a `Harmonic`.
+    max_flights
         Flights after which the run ends as undecided; up to a hundred million, which fill 6.4 GB.
 
     Returns
@@ -119,13 +107,13 @@ def simulate(
 
     The full equations need the slenderness:
 
-    >>> from rocksteady import Block
+    >>> from rocksteady import Block, Nonlinear
     >>> run = simulate(
     ...     Block.from_p(alpha=0.2, p=2.0, restitution=0.8),
     ...     Harmonic(amplitude=2.0, frequency_ratio=4.0),
     ...     start=Steady(),
     ...     cycles=10,
-    ...     model="nonlinear",
+    ...     model=Nonlinear(),
     ... )
     >>> print(f"{run.peak:.6f}")
     0.183552
@@ -134,14 +122,15 @@ def simulate(
         "cycles", cycles, 0.0, LONGEST_RUN, hint="give the number of forcing periods to follow"
     )
     hint = "give a number of flights"
-    limit = whole_number("flight_limit", flight_limit, at_least=1, at_most=MOST_FLIGHTS, hint=hint)
-    side = side_value(side)
-    model = model_name(model)
+    limit = whole_number("max_flights", max_flights, at_least=1, at_most=MOST_FLIGHTS, hint=hint)
+    equations = chosen_model(model, block, motion)
+    base = motion if isinstance(motion, BaseMotion) else BaseMotion(motion)
+    across, vertical = base.horizontal, base.vertical
     bare = block.dimensionless()
-    sides = sides_of(block, model, tolerance)
-    tilted = sides if model == "nonlinear" else None
-    shaken, begin = initial_march(Rest() if start is None else start, bare, motion, side, tilted)
-    if model == "nonlinear":
+    sides = sides_of(block, equations)
+    tilted = sides if isinstance(equations, Nonlinear) else None
+    shaken, begin = initial_march(Rest() if start is None else start, bare, across, tilted)
+    if isinstance(equations, Nonlinear):
         segments = nonlinear_segment_table(shaken, block, vertical)
     else:
         refuse_vertical(vertical)
@@ -165,6 +154,7 @@ def simulate(
         block=block if isinstance(block, Block) else None,
         motion=shaken,
         vertical=vertical,
+        model=equations,
         status=Status(status),
         segments=segments,
         sides=sides,

@@ -1,6 +1,7 @@
-"""Initial states: at rest, any angle and velocity, or on a symmetric steady state."""
+"""Initial states: at rest, any angle and velocity, after an impact, or on a steady state."""
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +19,14 @@ from rocksteady.kernels.core.tables import March
 from rocksteady.kernels.nonlinear.drive import jump_share
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import LARGEST, in_range, odd_order, positive
+from rocksteady.model.checks.validation import (
+    LARGEST,
+    finite,
+    in_range,
+    odd_order,
+    positive,
+    side_value,
+)
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Harmonic, Motion, segments_of
 
@@ -98,6 +106,8 @@ class Steady:
     kick
         How far from an unstable orbit the block is set off: the length of (phase shift [rad],
         velocity shift / velocity of the orbit), above 0 and up to 0.1.
+    side
+        +1 or -1, the side on which an unstable orbit is left.
 
     Raises
     ------
@@ -108,6 +118,7 @@ class Steady:
     branch: int = 1
     order: int = 1
     kick: float = KICK
+    side: int = 1
 
     def __post_init__(self) -> None:
         """Validate."""
@@ -117,9 +128,54 @@ class Steady:
             "kick", self.kick, 0.0, LARGEST_KICK, "(]", hint="give a small number, as 1e-6"
         )
         object.__setattr__(self, "kick", kick)
+        object.__setattr__(self, "side", side_value(self.side))
 
 
-Start = Rest | State | Steady
+@checked
+@dataclass(frozen=True, kw_only=True)
+class ImpactState:
+    """A state just after an impact, or at an uplift from rest, under harmonic shaking.
+
+    As a start it decides on the phase of the shaking.
+
+    Parameters
+    ----------
+    side
+        +1 or -1: the side to which the block goes.
+    phase
+        Phase of the shaking then [rad]; taken modulo 2 pi.
+    speed
+        |d(theta/alpha)/d(p t)|; 0 where the block lifts from rest.
+
+    Raises
+    ------
+    InputError
+        If a value is outside its range.
+    """
+
+    side: int
+    phase: float
+    speed: float
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        side = side_value(self.side)
+        phase = finite("phase", self.phase, hint="give the phase of the shaking in radians")
+        speed = in_range(
+            "speed", self.speed, 0.0, LARGEST, "[]", hint="give |d(theta/alpha)/d(p t)|"
+        )
+        turned = math.fmod(phase, 2.0 * math.pi) % (2.0 * math.pi)
+        object.__setattr__(self, "side", side)
+        object.__setattr__(self, "phase", turned if turned < 2.0 * math.pi else 0.0)
+        object.__setattr__(self, "speed", speed)
+
+    @property
+    def mirrored(self) -> "ImpactState":
+        """Its mirror image: the other side, half a period of the shaking later."""
+        return ImpactState(side=-self.side, phase=self.phase + math.pi, speed=self.speed)
+
+
+Start = Rest | State | Steady | ImpactState
 
 
 def validated_start(start: object) -> Start:
@@ -130,11 +186,11 @@ def validated_start(start: object) -> Start:
     InputError
         If it is none.
     """
-    if not isinstance(start, Rest | State | Steady):
+    if not isinstance(start, Rest | State | Steady | ImpactState):
         raise InputError(
             "start",
             start,
-            "it must be a Rest, a State or a Steady",
+            "it must be a Rest, a State, a Steady or an ImpactState",
             "give Rest(), State(angle=..., velocity=...) or Steady(branch=..., order=...)",
         )
     return start
@@ -144,7 +200,6 @@ def initial_march(
     start: Start,
     block: DimensionlessBlock,
     motion: Motion | Record,
-    side: int,
     sides: Floats | None = None,
 ) -> tuple[Motion | Record, March]:
     """Return the motion, given its phase where the start decides on that, and the initial state.
@@ -155,8 +210,6 @@ def initial_march(
         Where the block begins.
     block, motion
         What moves.
-    side
-        +1 or -1: the side on which an unstable state is left.
     sides
         Of the block in the nonlinear model, shape (2, 5): its steady states are another's, and an
         impulse at the start turns it by the part that its angle lets act.  None in the linear
@@ -167,11 +220,22 @@ def initial_march(
     InputError
         If it is no start.
     ModelError
-        If a steady start has no harmonic shaking, or there is no admissible steady state.
+        If a start that decides on the phase has no harmonic shaking, or there is no admissible
+        steady state.
     """
     start = validated_start(start)
     if isinstance(start, Steady):
-        motion, state = _steady_state(start, block, motion, side, sides)
+        motion, state = _steady_state(start, block, motion, sides)
+    elif isinstance(start, ImpactState):
+        if not isinstance(motion, Harmonic):
+            raise ModelError(
+                "start",
+                start,
+                "the state after an impact needs harmonic shaking, whose phase it has",
+                "give a Harmonic motion, or start from a State",
+            )
+        motion = replace(motion, phase=start.phase)
+        state = State(angle=0.0, velocity=start.side * start.speed)
     elif isinstance(start, State):
         state = start
     else:
@@ -197,7 +261,6 @@ def _steady_state(
     start: Steady,
     block: DimensionlessBlock,
     motion: Motion | Record,
-    side: int,
     sides: Floats | None,
 ) -> tuple[Harmonic, State]:
     """Return the shaking with the orbit's phase, and the state on the orbit."""
@@ -236,7 +299,7 @@ def _steady_state(
         phase=float(states.phase[which]),
         velocity=float(states.velocity[which]) * w,
         unstable=not (states.stable[which] or states.neutral[which]),
-        away=side * start.kick,
+        away=start.side * start.kick,
     )
     shaken = Harmonic(amplitude=a, frequency_ratio=w, phase=phase)
     return shaken, State(angle=0.0, velocity=velocity)

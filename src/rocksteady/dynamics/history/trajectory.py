@@ -1,7 +1,7 @@
 """A time history: its flights and impacts, and the motion at any time."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -10,7 +10,6 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history import base_motion
 from rocksteady.dynamics.history._growth import growth_of
-from rocksteady.dynamics.history.models import ModelName
 from rocksteady.dynamics.history.samples import Flights, Impacts, Motions
 from rocksteady.errors import InputError, ModelError, Status
 from rocksteady.kernels.core import tables as columns
@@ -26,6 +25,7 @@ from rocksteady.kernels.march.replay import (
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import LARGEST, span_value, whole_number, within_memory
+from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Harmonic, Motion
 
@@ -48,7 +48,7 @@ class Trajectory:
     block
         The block, or None for a dimensionless one.
     motion
-        The base motion, with the phase that the start has given it.
+        The horizontal base motion, with the phase that the start has given it.
     status
         How it ended: rocking (a flight or its end was in progress), at rest, overturned, or
         undecided (the flight limit was reached).
@@ -58,6 +58,8 @@ class Trajectory:
         The flights and rests, shape (flights, 8), with the columns of `kernels.march.march`.
     vertical
         The vertical base motion, if any.
+    model
+        Which equations of motion held: `Linear` or `Nonlinear`.
     """
 
     block: Block | None
@@ -67,11 +69,7 @@ class Trajectory:
     sides: Floats
     rows: Floats
     vertical: Motion | Record | None = None
-
-    @property
-    def model(self) -> ModelName:
-        """Which equations of motion held: "linear" or "nonlinear"."""
-        return "nonlinear" if is_nonlinear(self.sides) else "linear"
+    model: Model = field(default_factory=Linear)
 
     @cached_property
     def flights(self) -> Flights:
@@ -474,14 +472,14 @@ class Trajectory:
     def __repr__(self) -> str:
         """Return how it went, not its tables."""
         return (
-            f"Trajectory(model={self.model!r}, status={self.status.label!r}, peak={self.peak:.6g}, "
-            f"impacts={len(self.impacts)}, end_s={self.end_s:.6g})"
+            f"Trajectory(model={self.model.name!r}, status={self.status.label!r}, "
+            f"peak={self.peak:.6g}, impacts={len(self.impacts)}, end_s={self.end_s:.6g})"
         )
 
     def _repr_html_(self) -> str:
         """Return a small table for notebooks."""
         rows = [
-            ("model", self.model),
+            ("model", self.model.name),
             ("status", self.status.label),
             ("peak", f"{self.peak:.6g} alpha"),
             ("impacts", str(len(self.impacts))),

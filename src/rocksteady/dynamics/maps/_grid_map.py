@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.typing import ArrayLike
 
-from rocksteady.dynamics.history.models import ModelName
 from rocksteady.dynamics.history.start import Rest, Start
 from rocksteady.dynamics.maps._scenario import Scenario
 from rocksteady.dynamics.orbits.attractor import cycles_value
@@ -16,6 +15,7 @@ from rocksteady.dynamics.parameters import AXES, validated_axes
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.equations import Model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
@@ -61,12 +61,11 @@ def map_of(
     *,
     axes: Mapping[str, ArrayLike],
     start: Start | None,
-    side: int,
     cycles: int,
     housner: bool,
     run: Run | None,
     refine: int | None,
-    model: ModelName,
+    model: Model,
 ) -> "xarray.Dataset":
     """Return the answers to a question over a grid of parameters.
 
@@ -79,7 +78,6 @@ def map_of(
         shaking=shaking,
         start=Rest() if start is None else start,
         fixed=fixed,
-        side=side,
         housner=housner,
         model=model,
     )

@@ -12,8 +12,15 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.arrays import order_of_orbit
 from rocksteady.dynamics.batch.attractors import Beginnings
 from rocksteady.dynamics.batch.initial_states import at_phases, on_orbits
-from rocksteady.dynamics.history.models import ModelName, model_name, sides_of, slender_block
-from rocksteady.dynamics.history.start import Rest, Start, State, Steady, validated_start
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
+from rocksteady.dynamics.history.start import (
+    ImpactState,
+    Rest,
+    Start,
+    State,
+    Steady,
+    validated_start,
+)
 from rocksteady.dynamics.maps._resizing import block_of, check_sizes, measures_of, sizes_with
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
 from rocksteady.dynamics.parameters import UNLIKE, shaking_of, validated_axes
@@ -23,7 +30,8 @@ from rocksteady.kernels.core.tables import ALPHA, LEAN, RATE, RESTITUTION
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.sides import Restitution, housner_restitution
-from rocksteady.model.checks.validation import finite, side_value
+from rocksteady.model.checks.validation import finite
+from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 
 Floats = NDArray[np.float64]
@@ -42,7 +50,7 @@ class Cells:
     amplitude, frequency_ratio
         A and Omega.
     sides
-        Of the blocks, as `dynamics.history.models.sides_of` has them, shape (cells, 2, 3), or
+        As `dynamics.history.nonlinear_tables.sides_of` has them, shape (cells, 2, 3) or
         (cells, 2, 5) in the nonlinear model.
     angle, velocity, phase
         theta/alpha and its derivative by pivot time at the start, and where the shaking is then
@@ -86,12 +94,10 @@ class Scenario:
     fixed
         Names of the same kind, each with a value that takes the place of that of block, shaking or
         start.
-    side
-        +1 or -1, on which an unstable steady state is left.
     housner
         Whether the restitution follows from the slenderness, in place of the block's own.
     model
-        "linear" or "nonlinear", which needs a `Block`.
+        `Linear()` or `Nonlinear()`, which needs a `Block`.
 
     Raises
     ------
@@ -113,9 +119,8 @@ class Scenario:
     shaking: Harmonic | None = None
     start: Start = field(default_factory=Rest)
     fixed: tuple[tuple[str, float], ...] = ()
-    side: int = 1
     housner: bool = False
-    model: ModelName = "linear"
+    model: Model = field(default_factory=Linear)
 
     def __post_init__(self) -> None:
         """Validate each part, and whether they go together."""
@@ -128,11 +133,8 @@ class Scenario:
         if self.shaking is not None:
             harmonic(self.shaking)
         validated_start(self.start)
-        object.__setattr__(self, "side", side_value(self.side))
         object.__setattr__(self, "housner", bool(self.housner))
-        object.__setattr__(self, "model", model_name(self.model))
-        if self.model == "nonlinear":
-            slender_block(self.block)
+        object.__setattr__(self, "model", chosen_model(self.model, self.block))
         check_sizes(self.block, self.given)
         self._check_restitution()
         self._check_shaking()
@@ -196,13 +198,14 @@ class Scenario:
         if self.housner:
             found.setdefault("restitution", "housner")
         if isinstance(self.start, Steady):
-            found.update(start="steady", branch=self.start.branch, order=self.start.order)
+            steady = self.start
+            found.update(start="steady", branch=steady.branch, order=steady.order, side=steady.side)
         else:
             moved = isinstance(self.start, State) or STATE & set(self.given)
             found["start"] = "state" if moved else "rest"
-        if self.model == "nonlinear":
-            found["model"] = self.model
-        return {**found, "side": self.side}
+        if isinstance(self.model, Nonlinear):
+            found["model"] = self.model.name
+        return found
 
     def at(self, cell: Mapping[str, float]) -> tuple[Block | DimensionlessBlock, Harmonic, Start]:
         """Return block, shaking and start where the axes have these values.
@@ -267,7 +270,7 @@ class Scenario:
         there = np.ones(count, dtype=np.bool_)
         if isinstance(self.start, Steady):
             angle = upright
-            velocity, phase, there = on_orbits(self.start, full["kick"], *shaken, self.side)
+            velocity, phase, there = on_orbits(self.start, full["kick"], *shaken)
         else:
             angle, velocity = full.get("angle", upright), full.get("velocity", upright)
             phase = full["phase"]
@@ -291,7 +294,7 @@ class Scenario:
         for name, column in zip(UNLIKE, (RESTITUTION, LEAN, RATE), strict=True):
             if name in given:
                 sides[:, 1, column] = given[name]
-        if self.model == "nonlinear" and "alpha" in given:
+        if isinstance(self.model, Nonlinear) and "alpha" in given:
             sides[:, :, ALPHA] = given["alpha"][:, np.newaxis]
         return sides
 
@@ -332,6 +335,13 @@ class Scenario:
             )
 
     def _check_start(self) -> None:
+        if isinstance(self.start, ImpactState):
+            raise ModelError(
+                "start",
+                self.start,
+                "its phase and velocity belong to one cell of a map",
+                "start from Rest(), a State or a Steady",
+            )
         steady = isinstance(self.start, Steady)
         if steady:
             refuse_unlike_sides(self.block, "start", "a steady state to start on")

@@ -13,13 +13,13 @@ from rocksteady.dynamics.batch.attractors import (
     outputs_of_orbits,
     settled_cells,
 )
-from rocksteady.dynamics.history.models import ModelName
 from rocksteady.dynamics.history.start import Start
 from rocksteady.dynamics.maps._grid_map import Question, map_of
 from rocksteady.dynamics.maps._scenario import Scenario
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.equations import Model, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.sweep.run import Run
 
@@ -36,12 +36,11 @@ def attractor_map(
     *,
     axes: Mapping[str, ArrayLike],
     start: Start | None = None,
-    side: int = 1,
     cycles: int = 2000,
     housner: bool = False,
     run: Run | None = None,
     refine: int | None = None,
-    model: ModelName = "linear",
+    model: Model | None = None,
 ) -> "xarray.Dataset":
     """Return the attractor of a block over a grid of parameters.
 
@@ -78,7 +77,7 @@ def attractor_map(
         A `Harmonic` keeps its two ratios, also where a size is moved, so that its ground moves
         otherwise under each block; name acceleration_m_s2 and frequency_hz to have all blocks
         stand on one ground.  An initial state stays in the measures of the block.
-    side, cycles
+    cycles
         As for `attractor`.
     housner
         Whether the restitution follows from the slenderness, cell by cell; else the block's own
@@ -90,7 +89,8 @@ def attractor_map(
         those alone that are near a border of kinds, periods or numbers of impacts; see
         `rocksteady.sweep.refine.refined`.  Not with a store.
     model
-        "linear" (default) or "nonlinear", which needs a `Block` and takes some forty times as long.
+        `Linear()` (default) or `Nonlinear()`, which needs a `Block` and takes some forty times as
+        long.
 
     Returns
     -------
@@ -147,12 +147,11 @@ def attractor_map(
         shaking,
         axes=axes,
         start=start,
-        side=side,
         cycles=cycles,
         housner=housner,
         run=run,
         refine=refine,
-        model=model,
+        model=chosen_model(model, block),
     )
 
 

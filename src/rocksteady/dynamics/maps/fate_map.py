@@ -7,13 +7,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.batch.fates import ENDS, batch_size, ends_of, load_kernel
-from rocksteady.dynamics.history.models import ModelName
 from rocksteady.dynamics.history.start import Start
 from rocksteady.dynamics.maps._grid_map import Question, map_of
 from rocksteady.dynamics.maps._scenario import Scenario
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.equations import Model, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.run import Run
@@ -34,12 +34,11 @@ def fate_map(
     *,
     axes: Mapping[str, ArrayLike],
     start: Start | None = None,
-    side: int = 1,
     cycles: int = 200,
     housner: bool = False,
     run: Run | None = None,
     refine: int | None = None,
-    model: ModelName = "linear",
+    model: Model | None = None,
 ) -> "xarray.Dataset":
     """Return the fate of a block after a given time, over a grid of parameters.
 
@@ -51,7 +50,7 @@ def fate_map(
 
     Parameters
     ----------
-    block, shaking, axes, start, side, housner
+    block, shaking, axes, start, housner
         As for `attractor_map`: any parameter of block, shaking and start may be an axis.
     cycles
         Forcing periods that each motion is followed for, at most.
@@ -111,12 +110,11 @@ def fate_map(
         shaking,
         axes=axes,
         start=start,
-        side=side,
         cycles=cycles,
         housner=housner,
         run=run,
         refine=refine,
-        model=model,
+        model=chosen_model(model, block),
     )
 
 

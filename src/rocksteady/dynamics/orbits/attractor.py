@@ -1,29 +1,24 @@
 """Attractor of a block under harmonic shaking: its long-term motion."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.history.models import ModelName, model_name, sides_of
-from rocksteady.dynamics.history.start import Rest, Start, initial_march
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
+from rocksteady.dynamics.history.start import ImpactState, Rest, Start, initial_march
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
-from rocksteady.dynamics.orbits.return_map import (
-    ImpactState,
-    bare_block,
-    harmonic,
-    make_system,
-    state_of,
-)
+from rocksteady.dynamics.orbits.return_map import bare_block, harmonic, make_system, state_of
 from rocksteady.kernels.elementary.arrays import exp
 from rocksteady.kernels.orbits import settle as kernel
 from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import side_value, whole_number
+from rocksteady.model.checks.validation import whole_number
+from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 
 CHAOTIC = 0.01
@@ -107,7 +102,7 @@ class Attractor:
         The last state after an impact or at an uplift, from which the motion can be followed on;
         None at rest, and where the block falls without one.
     model
-        Which equations of motion hold: "linear" or "nonlinear".
+        Which equations of motion hold: `Linear` or `Nonlinear`.
     """
 
     block: Block | DimensionlessBlock
@@ -119,7 +114,7 @@ class Attractor:
     growth: float
     reason: str
     state: ImpactState | None
-    model: ModelName = "linear"
+    model: Model = field(default_factory=Linear)
 
     @property
     def period(self) -> int | None:
@@ -149,9 +144,8 @@ def attractor(
     shaking: Harmonic,
     *,
     start: Start | None = None,
-    side: int = 1,
     cycles: int = 2000,
-    model: ModelName = "linear",
+    model: Model | None = None,
 ) -> Attractor:
     """Follow a motion under harmonic shaking until its attractor is known.
 
@@ -166,15 +160,13 @@ def attractor(
         Its restitution counts, and how unlike its sides are: no motion of an asymmetric block is
         symmetric, whatever it looks like.
     shaking
-        Its phase is that at the start, unless a `Steady` start decides on it.
+        Its phase is that at the start, unless a `Steady` or `ImpactState` start decides on it.
     start
-        `Rest` (default), `State` or `Steady`.
-    side
-        +1 or -1, the side on which an unstable steady state is left.
+        `Rest` (default), `State`, `Steady` or `ImpactState`.
     cycles
         Forcing periods after which the motion counts as aperiodic or undecided.
     model
-        "linear" (default) or "nonlinear", which needs the block's slenderness.
+        `Linear()` (default) or `Nonlinear()`, which needs the block's slenderness.
 
     Returns
     -------
@@ -191,16 +183,15 @@ def attractor(
     >>> from rocksteady import DimensionlessBlock, Harmonic, Steady
     >>> block = DimensionlessBlock(restitution=0.8)
     >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
-    >>> found = attractor(block, shaking, start=Steady(), side=-1)
+    >>> found = attractor(block, shaking, start=Steady(side=-1))
     >>> print(found.kind, found.period, [round(peak, 5) for peak in found.peaks])
     unsymmetric 1 [0.90035, -0.44427]
     """
     bare, shaken = bare_block(block), harmonic(shaking)
     periods = cycles_value(cycles)
-    side = side_value(side)
-    equations = model_name(model)
-    tilted = sides_of(block, equations) if equations == "nonlinear" else None
-    motion, begin = initial_march(Rest() if start is None else start, bare, shaken, side, tilted)
+    equations = chosen_model(model, block)
+    tilted = sides_of(block, equations) if isinstance(equations, Nonlinear) else None
+    motion, begin = initial_march(Rest() if start is None else start, bare, shaken, tilted)
     shaken = harmonic(motion)
     memory, table = (
         np.empty((rows, ORBIT_COLUMNS)) for rows in (kernel.MEMORY, kernel.LONGEST_ORBIT)

@@ -2,18 +2,18 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.models import ModelName, nonlinear_segment_table, sides_of
+from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.dynamics.history.simulate import simulate
-from rocksteady.dynamics.history.start import State
+from rocksteady.dynamics.history.start import ImpactState, State
 from rocksteady.dynamics.history.trajectory import Trajectory
-from rocksteady.dynamics.orbits.return_map import ImpactState, make_system, section_of, state_of
+from rocksteady.dynamics.orbits.return_map import make_system, section_of, state_of
 from rocksteady.errors import ModelError, Status, Words
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.elementary.arrays import hypot, log
@@ -22,6 +22,7 @@ from rocksteady.kernels.orbits.return_map import UPLIFT, Section, next_passage
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
+from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.segments import Harmonic
 
 Floats = NDArray[np.float64]
@@ -62,7 +63,7 @@ class Orbit:
         1 or 2 for the symmetric solutions in closed form, and for those of the nonlinear model to
         which they lead; None for others.
     model
-        Which equations of motion hold: "linear" or "nonlinear".
+        Which equations of motion hold: `Linear` or `Nonlinear`.
     """
 
     block: Block | DimensionlessBlock
@@ -77,7 +78,7 @@ class Orbit:
     residual: float
     admissible: bool = True
     branch: int | None = None
-    model: ModelName = "linear"
+    model: Model = field(default_factory=Linear)
 
     @property
     def kind(self) -> str:
@@ -186,7 +187,7 @@ class Orbit:
             status=Status.ROCKING,
             segments=(
                 segment_table(self.shaking)
-                if self.model == "linear"
+                if isinstance(self.model, Linear)
                 else nonlinear_segment_table(self.shaking, self.block)
             ),
             sides=sides_of(self.block, self.model),
@@ -214,7 +215,7 @@ def orbit_from(
     table: Floats,
     periods: int,
     residual: float,
-    model: ModelName = "linear",
+    model: Model,
 ) -> Orbit:
     """Return the orbit of a table that the kernels have filled.
 
@@ -294,11 +295,9 @@ def _course(orbit: Orbit) -> Iterator[list[float]]:
 
 def _to_rest(orbit: Orbit, state: ImpactState, time: float, passed: int) -> Iterator[list[float]]:
     """Yield the rows of the bounces that a state begins and of the rest in which they end."""
-    shaking = replace(orbit.shaking, phase=state.phase)
-    start = State(angle=0.0, velocity=state.side * state.speed)
     # A little longer than until the uplift, so that the rest is seen to end.
-    periods = 1.001 * time * shaking.frequency_ratio / (2.0 * math.pi)
-    run = simulate(orbit.block, shaking, start=start, cycles=periods, model=orbit.model)
+    periods = 1.001 * time * orbit.shaking.frequency_ratio / (2.0 * math.pi)
+    run = simulate(orbit.block, orbit.shaking, start=state, cycles=periods, model=orbit.model)
     for row in run.rows.tolist():
         row[columns.ROW_HALF_CYCLES] += passed
         yield row

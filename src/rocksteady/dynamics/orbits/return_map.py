@@ -8,21 +8,19 @@ from enum import IntEnum
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.history.models import ModelName, model_name, sides_of
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
+from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.orbits import return_map
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import finite, in_range, side_value, whole_number
+from rocksteady.model.checks.validation import whole_number
+from rocksteady.model.equations import Model, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 
 Floats = NDArray[np.float64]
-
-FASTEST = 1e50
-"""Largest speed after an impact, as for any initial state."""
-
 
 MOST_STEPS = 100_000
 """Of one call of the map: some ten seconds."""
@@ -48,48 +46,6 @@ class PassageKind(IntEnum):
     def label(self) -> str:
         """The kind in words."""
         return self.name.lower().replace("_", "-")
-
-
-@checked
-@dataclass(frozen=True, kw_only=True)
-class ImpactState:
-    """A state just after an impact, or at an uplift from rest.
-
-    Parameters
-    ----------
-    side
-        +1 or -1: the side to which the block goes.
-    phase
-        Phase of the shaking then [rad]; taken modulo 2 pi.
-    speed
-        |d(theta/alpha)/d(p t)|; 0 where the block lifts from rest.
-
-    Raises
-    ------
-    InputError
-        If a value is outside its range.
-    """
-
-    side: int
-    phase: float
-    speed: float
-
-    def __post_init__(self) -> None:
-        """Validate."""
-        side = side_value(self.side)
-        phase = finite("phase", self.phase, hint="give the phase of the shaking in radians")
-        speed = in_range(
-            "speed", self.speed, 0.0, FASTEST, "[]", hint="give |d(theta/alpha)/d(p t)|"
-        )
-        turned = math.fmod(phase, 2.0 * math.pi) % (2.0 * math.pi)
-        object.__setattr__(self, "side", side)
-        object.__setattr__(self, "phase", turned if turned < 2.0 * math.pi else 0.0)
-        object.__setattr__(self, "speed", speed)
-
-    @property
-    def mirrored(self) -> "ImpactState":
-        """Its mirror image: the other side, half a period of the shaking later."""
-        return ImpactState(side=-self.side, phase=self.phase + math.pi, speed=self.speed)
 
 
 @checked_result
@@ -137,7 +93,7 @@ class ReturnMap:
     shaking
         Its phase does not: the states have theirs.
     model
-        "linear" (default) or "nonlinear".
+        `Linear()` (default) or `Nonlinear()`.
 
     Raises
     ------
@@ -159,11 +115,15 @@ class ReturnMap:
     """
 
     def __init__(
-        self, block: Block | DimensionlessBlock, shaking: Harmonic, *, model: ModelName = "linear"
+        self,
+        block: Block | DimensionlessBlock,
+        shaking: Harmonic,
+        *,
+        model: Model | None = None,
     ) -> None:
         self.block = bare_block(block)
         self.shaking = harmonic(shaking)
-        self.model = model_name(model)
+        self.model = chosen_model(model, block)
         self.system = make_system(block, self.shaking, self.model)
 
     def __call__(self, state: ImpactState, steps: int = 1) -> Passage:
@@ -263,7 +223,7 @@ def harmonic(shaking: object) -> Harmonic:
 
 
 def make_system(
-    block: Block | DimensionlessBlock, shaking: Harmonic, model: ModelName = "linear"
+    block: Block | DimensionlessBlock, shaking: Harmonic, model: Model
 ) -> return_map.System:
     """Return block and shaking as the kernels see them.
 

@@ -8,15 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.departure import nonlinear_half
-from rocksteady.dynamics.history.models import ModelName, model_name, sides_of
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
+from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from, ordered, squared
-from rocksteady.dynamics.orbits.return_map import (
-    ImpactState,
-    bare_block,
-    harmonic,
-    make_system,
-    section_of,
-)
+from rocksteady.dynamics.orbits.return_map import bare_block, harmonic, make_system, section_of
 from rocksteady.dynamics.steady.states import steady_states
 from rocksteady.kernels.elementary.arrays import hypot
 from rocksteady.kernels.orbits import periodic
@@ -37,6 +32,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
+from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 
 Floats = NDArray[np.float64]
@@ -57,7 +53,7 @@ def orbits(
     max_period: int = 3,
     max_impacts: int = 6,
     seeds: int = 96,
-    model: ModelName = "linear",
+    model: Model | None = None,
 ) -> tuple[Orbit, ...]:
     """Return the stable and unstable periodic motions at one amplitude and frequency ratio.
 
@@ -88,7 +84,7 @@ def orbits(
         The search starts from ``seeds x seeds`` states: phases over a period, speeds up to
         1 + A/sqrt(1 + Omega^2), above which every flight of the linear model grows without bound.
     model
-        "linear" (default) or "nonlinear", which needs a `Block` and takes some thirty times as
+        `Linear()` (default) or `Nonlinear()`, which needs a `Block` and takes some thirty times as
         long.
 
     Returns
@@ -115,7 +111,7 @@ def orbits(
     """
     bare_block(block)
     shaken = harmonic(shaking)
-    equations = model_name(model)
+    equations = chosen_model(model, block)
     system = make_system(block, shaken, equations)
     longest, most, count = (
         whole_number(name, value, at_least=1, at_most=MOST, hint=hint)
@@ -127,8 +123,10 @@ def orbits(
     )
     found: list[Orbit] = []
     if block.symmetric:
-        symmetric = _symmetric_orbits if equations == "linear" else _nonlinear_symmetric_orbits
-        found += symmetric(block, shaken, system, longest)
+        if isinstance(equations, Linear):
+            found += _symmetric_orbits(block, shaken, system, longest)
+        else:
+            found += _nonlinear_symmetric_orbits(block, shaken, equations, system, longest)
     searched = [
         orbit_from(block, shaken, table, periods, residual, equations)
         for table, periods, residual in (
@@ -203,13 +201,17 @@ def _symmetric_orbits(
 
 
 def _nonlinear_symmetric_orbits(
-    block: Block | DimensionlessBlock, shaking: Harmonic, system: System, longest: int
+    block: Block | DimensionlessBlock,
+    shaking: Harmonic,
+    model: Nonlinear,
+    system: System,
+    longest: int,
 ) -> Iterable[Orbit]:
     """Yield the symmetric orbits with two impacts to which those of the linear model lead."""
     if shaking.amplitude == 0.0:
         return
     a, w, r = shaking.amplitude, shaking.frequency_ratio, block.dimensionless().restitution
-    sides = sides_of(block, "nonlinear")
+    sides = sides_of(block, model)
     for order in range(1, longest + 1, 2):
         states = steady_states(a, w, r, order=order)
         assert states.admissible is not None
@@ -229,7 +231,7 @@ def _nonlinear_symmetric_orbits(
             periodic.put(table, 0, half.state)
             periodic.put(table, 1, mirror(half.state, order))
             residual = periodic.measured(system, 2, order, table).residual
-            orbit = orbit_from(block, shaking, table, order, residual, "nonlinear")
+            orbit = orbit_from(block, shaking, table, order, residual, model)
             yield replace(orbit, branch=which + 1)
 
 

@@ -2,30 +2,24 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import groupby
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
-from rocksteady.dynamics.history.models import ModelName, model_name, slender_block
-from rocksteady.dynamics.history.start import Rest, Start, State
+from rocksteady.dynamics.history.start import ImpactState, Rest, Start
 from rocksteady.dynamics.orbits.attractor import Attractor, AttractorKind, attractor, cycles_value
 from rocksteady.dynamics.orbits.orbit import Orbit
-from rocksteady.dynamics.orbits.return_map import (
-    ImpactState,
-    bare_block,
-    harmonic,
-    make_system,
-    section_of,
-)
+from rocksteady.dynamics.orbits.return_map import bare_block, harmonic, make_system, section_of
 from rocksteady.dynamics.parameters import PARAMETERS, moved_to
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.orbits.return_map import FALL, STAY, STUCK, highest_after, next_passage
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.equations import Linear, Model, chosen_model, slender_block
 from rocksteady.model.motions.segments import Harmonic
 
 Floats = NDArray[np.float64]
@@ -95,9 +89,8 @@ def attractor_trail(
     values: ArrayLike,
     *,
     start: Start | None = None,
-    side: int = 1,
     cycles: int = 2000,
-    model: ModelName = "linear",
+    model: Model | None = None,
 ) -> AttractorTrail:
     """Follow an attractor while a parameter changes in small steps.
 
@@ -113,7 +106,7 @@ def attractor_trail(
         "amplitude", "frequency_ratio" or "restitution".
     values
         To go through, in this order.
-    start, side, cycles, model
+    start, cycles, model
         As for `rocksteady.attractor`.
 
     Returns
@@ -145,8 +138,8 @@ def attractor_trail(
     1.75 overturned None
     """
     bare, shaken = bare_block(block), harmonic(shaking)
-    equations = model_name(model)
-    body = bare if equations == "linear" else slender_block(block)
+    equations = chosen_model(model, block)
+    body = bare if isinstance(equations, Linear) else slender_block(block)
     if parameter not in PARAMETERS:
         valid = "a motion is carried along " + ", ".join(PARAMETERS)
         raise InputError("parameter", parameter, valid, "name one of them")
@@ -161,11 +154,9 @@ def attractor_trail(
     for value in steps.tolist():
         body, shaken = moved_to(body, shaken, parameter, value)
         if carried is None:
-            last = _from_start(body, shaken, begin, side, periods, equations)
+            last = _from_start(body, shaken, begin, periods, equations)
         else:
-            state = State(angle=0.0, velocity=carried.side * carried.speed)
-            here = replace(shaken, phase=carried.phase)
-            last = attractor(body, here, start=state, cycles=periods, model=equations)
+            last = attractor(body, shaken, start=carried, cycles=periods, model=equations)
         found.append(last)
         if last.kind is AttractorKind.REST:
             begin = Rest()
@@ -184,13 +175,12 @@ def _from_start(
     block: Block | DimensionlessBlock,
     shaking: Harmonic,
     start: Start,
-    side: int,
     cycles: int,
-    model: ModelName,
+    model: Model,
 ) -> Attractor:
     """Return what the block settles to from a start, or from rest where there is none such."""
     try:
-        return attractor(block, shaking, start=start, side=side, cycles=cycles, model=model)
+        return attractor(block, shaking, start=start, cycles=cycles, model=model)
     except ModelError:
         return attractor(block, shaking, cycles=cycles, model=model)
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.models import ModelName, nonlinear_segment_table, sides_of
+from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.dynamics.overturning._scan import MANY, Fates, Found, scan
 from rocksteady.errors import Status
 from rocksteady.kernels.batch.pulses import pulse_fates
@@ -18,6 +18,7 @@ from rocksteady.kernels.core.tables import ALPHA, CEILING, LEAN, is_nonlinear
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.sweep.cases.outputs import Output
 
@@ -65,7 +66,7 @@ def windows_at(
     frequency_ratio: Floats,
     *,
     block: Block | DimensionlessBlock,
-    model: ModelName,
+    model: Model,
     pulse: Pulse,
     low: float,
     high: float,
@@ -75,7 +76,7 @@ def windows_at(
     table, sides = _tables(block, model, pulse)
     uplifts = uplifts_of(sides)
     lines = table
-    if model == "nonlinear" and len(table) > MOST_LINES:
+    if isinstance(model, Nonlinear) and len(table) > MOST_LINES:
         tolerance = max(ROUGH, pulse.tolerance)
         lines, _ = _tables(block, model, replace(pulse, tolerance=tolerance))
     found = {
@@ -98,13 +99,13 @@ def windows_at(
             uplifts=uplifts,
             keep=MOST_WINDOWS,
             rough=quick,
-            closest=CLOSEST if model == "nonlinear" else 0.0,
+            closest=CLOSEST if isinstance(model, Nonlinear) else 0.0,
         )
         _keep(found, cell, windows)
     return found
 
 
-def load_kernel(block: Block | DimensionlessBlock, model: ModelName, pulse: Pulse) -> None:
+def load_kernel(block: Block | DimensionlessBlock, model: Model, pulse: Pulse) -> None:
     """Load the kernel, or compile it, so that what is timed afterwards is computation alone."""
     table, sides = _tables(block, model, pulse)
     _follow(np.empty(0), ratio=1.0, table=table, sides=sides)
@@ -165,12 +166,10 @@ def _follow(amplitude: Floats, *, ratio: float, table: Floats, sides: Floats) ->
 
 
 @lru_cache(maxsize=8)
-def _tables(
-    block: Block | DimensionlessBlock, model: ModelName, pulse: Pulse
-) -> tuple[Floats, Floats]:
+def _tables(block: Block | DimensionlessBlock, model: Model, pulse: Pulse) -> tuple[Floats, Floats]:
     """Return the segments of a pulse, without the still base after it, and the block's sides."""
     sides = sides_of(block, model)
-    if model == "linear":
+    if isinstance(model, Linear):
         return np.ascontiguousarray(segment_table(pulse)[:-1]), sides
     table = np.ascontiguousarray(nonlinear_segment_table(pulse, block)[:-1])
     # A ceiling ends a march that is lost before it lies; the margin asks at what speed it will.

@@ -22,8 +22,9 @@ from rocksteady.kernels.elementary.roots import root
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
+from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.pulses import HIGHEST_PULSE_RATIO
-from rocksteady.model.motions.segments import LOWEST_FREQUENCY_RATIO
+from rocksteady.model.motions.segments import LOWEST_FREQUENCY_RATIO, Still
 
 Floats = NDArray[np.float64]
 
@@ -101,7 +102,7 @@ def overturning_threshold(shape: str, frequency_ratio: ArrayLike) -> Floats:
 
 
 @checked
-def overturning_impulse(block: Block, *, linear: bool = False) -> float:
+def overturning_impulse(block: Block, *, model: Model | None = None) -> float:
     r"""Return the change of base velocity that overturns a block at rest [m/s].
 
     The impulse gives the block the velocity ``p^2 v cos(alpha)/g``, which lifts its mass centre
@@ -112,8 +113,8 @@ def overturning_impulse(block: Block, *, linear: bool = False) -> float:
     ----------
     block
         The block; of one whose sides differ the positive side.
-    linear
-        Of the linear model instead: ``alpha g/p``, size 1 of `Impulses`.
+    model
+        `Nonlinear()` (default), or `Linear()`: ``alpha g/p``, size 1 of `Impulses`.
 
     References
     ----------
@@ -122,7 +123,8 @@ def overturning_impulse(block: Block, *, linear: bool = False) -> float:
     Examples
     --------
     >>> block = Block.rectangle(width=0.4, height=1.6)
-    >>> round(overturning_impulse(block), 6), round(overturning_impulse(block, linear=True), 6)
+    >>> slender = overturning_impulse(block, model=Linear())
+    >>> round(overturning_impulse(block), 6), round(slender, 6)
     (0.82711, 0.804424)
     """
     if not isinstance(block, Block):
@@ -132,7 +134,7 @@ def overturning_impulse(block: Block, *, linear: bool = False) -> float:
             "a velocity in m/s needs a block with sizes",
             "give a Block; in units of alpha g/p the impulse is 1",
         )
-    if linear:
+    if isinstance(chosen_model(model, block, Still()), Linear):
         return block.uplift_acceleration / block.p
     # 2 sin(alpha/2) is sqrt(2 (1 - cos alpha)), without its cancellation
     return block.gravity / block.p * 2.0 * sin(0.5 * block.alpha) / cos(block.alpha)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.history.lowering import side_attributes
-from rocksteady.dynamics.history.models import ModelName, model_name, sides_of
+from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.return_map import bare_block
 from rocksteady.dynamics.overturning._cases import (
     BATCH,
@@ -22,6 +22,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, index_value, is_pair
+from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
@@ -67,7 +68,7 @@ class OverturningWindows:
     block, pulse
         What falls and what makes it; of the pulse its shape counts.
     model
-        "linear" or "nonlinear".
+        `Linear()` or `Nonlinear()`.
     frequency_ratio
         omega/p, ascending, shape (frequencies,).
     amplitudes
@@ -96,7 +97,7 @@ class OverturningWindows:
 
     block: Block | DimensionlessBlock
     pulse: Pulse
-    model: ModelName
+    model: Model
     frequency_ratio: Floats
     amplitudes: tuple[float, float]
     resolution: float
@@ -156,7 +157,7 @@ class OverturningWindows:
             },
             attrs={
                 "pulse": self.pulse.shape,
-                "model": self.model,
+                "model": self.model.name,
                 **side_attributes(self.block),
                 "amplitudes": list(self.amplitudes),
                 "resolution": self.resolution,
@@ -182,7 +183,7 @@ def overturning_windows(
     pulse: Pulse | str,
     frequency_ratios: ArrayLike,
     *,
-    model: ModelName = "linear",
+    model: Model | None = None,
     amplitudes: tuple[float, float] | None = None,
     resolution: float = RESOLUTION,
     run: Run | None = None,
@@ -209,8 +210,8 @@ def overturning_windows(
     frequency_ratios
         omega/p, ascending, shape (frequencies,), from 0.01 to 5000.
     model
-        "linear" (default), in closed form, or "nonlinear", the full equations in steps within 1e-10
-        of the motion, which need a `Block`.
+        `Linear()`, in closed form, or `Nonlinear()`, the full equations within its tolerance; by
+        default nonlinear for a `Block`.
     amplitudes
         Range of a_max/(alpha g) to search, from 0 to 1e6; without, from uplift to 20, or to twice
         an uplift beyond 10.  Where a window reaches its end, nothing is known beyond.
@@ -250,16 +251,16 @@ def overturning_windows(
 
     >>> from rocksteady import Block
     >>> block = Block.from_p(alpha=0.25, p=2.14, restitution=0.9)
-    >>> found = overturning_windows(block, "one-sine", 5.0, model="nonlinear")
+    >>> found = overturning_windows(block, "one-sine", 5.0)
     >>> [(round(low, 6), round(high, 6)) for low, high in found.intervals(0)]
     [(3.032339, 6.743019), (7.493, 20.0)]
     """
-    chosen = model_name(model)
     bare = bare_block(block)
     axis = _ratios(frequency_ratios)
     unit = _unit(pulse, axis.points)
+    chosen = chosen_model(model, block, unit)
     # What counts of a block of the linear model is dimensionless.
-    body = bare if chosen == "linear" else block
+    body = bare if isinstance(chosen, Linear) else block
     uplifts = uplifts_of(sides_of(body, chosen))
     usual = min(*uplifts, 1.0), min(max(TOP, UPLIFTS * max(uplifts)), HIGHEST)
     low, high = _range(usual if amplitudes is None else amplitudes)

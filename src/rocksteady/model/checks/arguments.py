@@ -34,7 +34,7 @@ _ABC_NAMES: Final[Mapping[object, str]] = {str: "a text", bool: "True or False",
 
 Fit = Callable[[str, Any], Any]
 
-CHECKED_INSIDE: Final = frozenset({"model", "method"})
+CHECKED_INSIDE: Final = frozenset({"method"})
 """Texts whose own validator says more of what is valid than their types do."""
 
 CHECKED_INSIDE_OF: Final = frozenset(
@@ -126,7 +126,8 @@ def _plan(function: Callable[..., Any], numbers: bool) -> list[tuple[str, int, b
             continue
         if parameter.name in CHECKED_INSIDE:
             fit = _plain_text
-        if (function.__qualname__, parameter.name) in CHECKED_INSIDE_OF:
+        chosen = parameter.name == "model" and parameter.default is None  # a text has its own hint
+        if chosen or (function.__qualname__, parameter.name) in CHECKED_INSIDE_OF:
             fit = _kept
         many = parameter.kind is parameter.VAR_POSITIONAL
         by_name = parameter.kind is parameter.KEYWORD_ONLY

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.lowering import record_table
-from rocksteady.dynamics.history.models import ModelName, lifted_table, sides_of
+from rocksteady.dynamics.history.nonlinear_tables import lifted_table, sides_of
 from rocksteady.dynamics.history.simulate import ELASTIC_TIME, FLIGHT_LIMIT, LONGEST_REST
 from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core.tables import (
@@ -30,6 +30,7 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.sides import Restitution, housner_ratio
+from rocksteady.model.equations import Model
 from rocksteady.model.motions.record import Record
 
 Floats = NDArray[np.float64]
@@ -115,12 +116,12 @@ def shaken_fates(
     return Fared(status, impacts, peaks[:, PEAK_ANGLE], peaks[:, PEAK_SPEED])
 
 
-def sides_in_si(block: Block, model: ModelName, tolerance: float) -> Floats:
+def sides_in_si(block: Block, model: Model) -> Floats:
     """Return a block's sides with alpha g [m/s^2] for lean and p [rad/s] for rate.
 
-    Parameters, errors and shape are those of `rocksteady.dynamics.history.models.sides_of`.
+    Parameters, errors and shape are those of `dynamics.history.nonlinear_tables.sides_of`.
     """
-    sides = sides_of(block, model, tolerance)
+    sides = sides_of(block, model)
     sides[:, LEAN] *= block.uplift_acceleration
     sides[:, RATE] *= block.p
     return sides
@@ -132,8 +133,7 @@ def rectangles_in_si(
     p: Floats,
     restitution: Restitution,
     gravity: float,
-    model: ModelName,
-    tolerance: float,
+    model: Model,
 ) -> Floats:
     """Return the sides of homogeneous rectangles, as `sides_in_si` has them.
 
@@ -143,10 +143,10 @@ def rectangles_in_si(
         Slenderness [rad] and frequency parameter [rad/s], shape (cells,).
     restitution
         A number, or "housner" for that of each slenderness.
-    gravity, model, tolerance
+    gravity, model
         As for `sides_in_si`, of a block whose gravity this is.
     """
-    pattern = sides_in_si(Block.from_p(alpha=0.1, p=1.0, gravity=gravity), model, tolerance)
+    pattern = sides_in_si(Block.from_p(alpha=0.1, p=1.0, gravity=gravity), model)
     sides = np.repeat(pattern[np.newaxis], len(alpha), axis=0)
     sides[:, :, LEAN] = (alpha * gravity)[:, np.newaxis]
     sides[:, :, RATE] = p[:, np.newaxis]
@@ -160,15 +160,9 @@ def rectangles_in_si(
     return sides
 
 
-def load_kernel(model: ModelName, tolerance: float) -> None:
-    """Load the kernel, or compile it, so that what is timed afterwards is computation alone.
-
-    Raises
-    ------
-    InputError
-        If the nonlinear model cannot have the tolerance.
-    """
-    pattern = sides_in_si(Block.from_p(alpha=0.1, p=1.0), model, tolerance)
+def load_kernel(model: Model) -> None:
+    """Load the kernel, or compile it, so that what is timed afterwards is computation alone."""
+    pattern = sides_in_si(Block.from_p(alpha=0.1, p=1.0), model)
     nobody = np.empty((0, *pattern.shape))
     still = Record(acceleration_m_s2=np.array([1.0, 0.0]), dt_s=1.0)
     none = np.empty(0, dtype=np.int64)

@@ -3,6 +3,7 @@
 import functools
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,12 +11,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history.lowering import segment_table
-from rocksteady.dynamics.history.models import TOLERANCE, ModelName, model_name, refuse_vertical
+from rocksteady.dynamics.history.nonlinear_tables import refuse_vertical
 from rocksteady.errors import InputError, Status, Words
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.sides import Restitution, alpha_value, p_value, restitution_value
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, in_range
+from rocksteady.model.equations import Linear, Model, chosen_model
+from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.seismic.spectra._batch import (
     GroundShaking,
@@ -49,18 +52,16 @@ OUTPUTS = (
 
 @checked
 def rocking_spectrum(
-    records: Record | Sequence[Record],
+    records: Record | BaseMotion | Sequence[Record | BaseMotion],
     *,
     alpha: ArrayLike,
     periods_s: ArrayLike | None = None,
     p: ArrayLike | None = None,
     restitution: Restitution = "housner",
-    model: ModelName = "linear",
-    vertical: Record | Sequence[Record | None] | None = None,
+    model: Model | None = None,
     scale: ArrayLike = 1.0,
     reverse: bool = False,
     gravity: float = STANDARD_GRAVITY,
-    tolerance: float = TOLERANCE,
     run: Run | None = None,
 ) -> "xarray.Dataset":
     """Return peak rotation and velocity of homogeneous blocks under recorded ground motion.
@@ -72,7 +73,8 @@ def rocking_spectrum(
     Parameters
     ----------
     records
-        The ground motion, or a suite of them.
+        The ground motion, or a suite of them: records, or a `BaseMotion` of a horizontal and a
+        vertical record.
     alpha
         Slenderness [rad], a number or several.
     periods_s, p
@@ -80,10 +82,7 @@ def rocking_spectrum(
     restitution
         A number in (0, 1], or "housner" (default) for that of each slenderness.
     model
-        "linear" (default) or "nonlinear", the full equations.
-    vertical
-        Nonlinear model: the vertical motion beside the record, upwards positive; of a suite one for
-        each, None where there is none.
+        `Linear()` or `Nonlinear()` (default), the full equations.
     scale
         What all accelerations are multiplied by, above 0, a number or several.
     reverse
@@ -91,8 +90,6 @@ def rocking_spectrum(
         rotation.
     gravity
         Acceleration of gravity [m/s^2].
-    tolerance
-        Nonlinear model: as for `simulate`.
     run
         As for `rocksteady.sweep.evaluate.evaluate`.
 
@@ -128,17 +125,15 @@ def rocking_spectrum(
     >>> shock = Record(acceleration_m_s2=4.0 * np.sin(2.0 * np.pi * time), dt_s=0.01)
     >>> found = rocking_spectrum(shock, alpha=0.2, periods_s=[2.0, 4.0, 8.0])
     >>> found.peak_angle.values.round(4)
-    array([1.    , 1.    , 0.1836])
+    array([1.    , 1.    , 0.1789])
     >>> found.status.values
     array([2, 2, 1], dtype=int8)
     """
-    equations = model_name(model)
-    suite, verticals = _suite(records), _verticals(records, vertical)
-    if equations == "linear":
-        for one in verticals:
-            refuse_vertical(one)
+    grounds = _grounds(records)
     if reverse:
-        suite = [record.reversed() for record in suite]
+        grounds = [replace(ground, record=ground.record.reversed()) for ground in grounds]
+    suite = [ground.record for ground in grounds]
+    verticals = [ground.vertical for ground in grounds if ground.vertical is not None]
     slenderness = [alpha_value(value) for value in _values("alpha", alpha)]
     periods = _periods(periods_s, p)
     factors = [
@@ -163,25 +158,24 @@ def rocking_spectrum(
         for value in (min(slenderness), max(slenderness))
     ]
     corner = shapes[0]
-    for motion in (*suite, *(one for one in verticals if one is not None)):
+    equations = chosen_model(model, corner, suite[0])
+    if isinstance(equations, Linear):
+        for one in verticals:
+            refuse_vertical(one)
+    for motion in (*suite, *verticals):
         segment_table(motion.scaled(max(factors)), corner)
-    grounds = [
-        GroundShaking(record=record, vertical=beside)
-        for record, beside in zip(suite, verticals, strict=True)
-    ]
     axes = (
         Axis(name="record", values=_names(suite), long_name="ground motion", items=grounds),
         Axis(name="scale", values=factors, long_name="factor of all accelerations"),
         Axis(name="alpha", values=slenderness, units="rad", long_name="slenderness of the block"),
         Axis(name="period", values=periods, units="s", long_name="2 pi/p"),
     )
-    load_kernel(equations, tolerance)
+    load_kernel(equations)
     cases = functools.partial(
         _peaks,
         restitution=ratio,
         gravity=corner.gravity,
         model=equations,
-        tolerance=tolerance,
     )
     found = evaluate(
         cases,
@@ -189,11 +183,11 @@ def rocking_spectrum(
         OUTPUTS,
         run=run,
         attributes={
-            "model": equations,
+            "model": equations.name,
             "restitution": ratio,
             "gravity": corner.gravity,
             "direction": "reversed" if reverse else "as recorded",
-            "vertical": ", ".join(_names([one for one in verticals if one is not None])) or "none",
+            "vertical": ", ".join(_names(verticals)) or "none",
         },
     )
     single = [
@@ -215,8 +209,7 @@ def _peaks(
     *,
     restitution: Restitution,
     gravity: float,
-    model: ModelName,
-    tolerance: float,
+    model: Model,
 ) -> dict[str, NDArray[Any]]:
     """Return how the blocks of some cells fare."""
     sides = rectangles_in_si(
@@ -225,7 +218,6 @@ def _peaks(
         restitution=restitution,
         gravity=gravity,
         model=model,
-        tolerance=tolerance,
     )
     fared = shaken_fates(shaking=record, scale=scale, sides=sides, gravity=gravity)
     return {
@@ -237,49 +229,33 @@ def _peaks(
 
 
 def _is_single(value: object) -> bool:
-    """Return whether something is one record or one number, and no axis."""
-    return isinstance(value, Record) or np.ndim(value) == 0  # type: ignore[arg-type]
+    """Return whether something is one motion or one number, and no axis."""
+    return isinstance(value, Record | BaseMotion) or np.ndim(value) == 0  # type: ignore[arg-type]
 
 
-def _suite(records: Record | Sequence[Record]) -> list[Record]:
-    """Return one or more records."""
+def _grounds(
+    records: Record | BaseMotion | Sequence[Record | BaseMotion],
+) -> list[GroundShaking]:
+    """Return one or more ground motions."""
     given: object = records
-    found = [given] if isinstance(given, Record) else given
-    if (
-        not isinstance(found, list | tuple)
-        or not found
-        or not all(isinstance(record, Record) for record in found)
-    ):
+    several = [given] if isinstance(given, Record | BaseMotion) else given
+    grounds: list[GroundShaking] = []
+    for each in several if isinstance(several, list | tuple) else ():
+        across, up = (
+            (each.horizontal, each.vertical) if isinstance(each, BaseMotion) else (each, None)
+        )
+        if not isinstance(across, Record) or not isinstance(up, Record | None):
+            grounds = []
+            break
+        grounds.append(GroundShaking(record=across, vertical=up))
+    if not grounds:
         raise InputError(
             "records",
             given,
-            "it must be a record or a list of them",
+            "it must be a record, a BaseMotion of records, or a list of them",
             "give records, as [read_record('one.AT2'), read_record('two.AT2')]",
         )
-    return list(found)
-
-
-def _verticals(
-    records: Record | Sequence[Record], vertical: Record | Sequence[Record | None] | None
-) -> list[Record | None]:
-    """Return the vertical motion beside each record."""
-    count = 1 if isinstance(records, Record) else len(records)
-    if vertical is None:
-        return [None] * count
-    given: object = vertical
-    found = [given] if isinstance(given, Record) else given
-    if (
-        not isinstance(found, list | tuple)
-        or len(found) != count
-        or not all(one is None or isinstance(one, Record) for one in found)
-    ):
-        raise InputError(
-            "vertical",
-            given,
-            f"it must be a record for each of {count}, or None",
-            "give the vertical records in the order of the horizontal ones",
-        )
-    return list(found)
+    return grounds
 
 
 def _names(suite: Sequence[Record]) -> list[str]:

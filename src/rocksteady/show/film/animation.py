@@ -7,6 +7,7 @@ import numpy as np
 
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.equations import Nonlinear
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Harmonic, Still
@@ -170,7 +171,7 @@ def title(scene: BlockScene) -> str:
 
 def uplift_words(scene: BlockScene) -> str:
     """Return which base accelerations lift the block from rest."""
-    nonlinear = scene.trajectory.model == "nonlinear"
+    nonlinear = isinstance(scene.trajectory.model, Nonlinear)
     if scene.symbol == "α":
         return "a = ±g tan α: uplift" if nonlinear else "a = ±αg: uplift"
     return "a = g tan α₊, −g tan α₋: uplift" if nonlinear else "a = α₊g, −α₋g: uplift"

@@ -14,6 +14,7 @@ from rocksteady.dynamics.overturning.thresholds import THRESHOLDS, overturning_t
 from rocksteady.dynamics.overturning.windows import OverturningWindow, OverturningWindows
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.equations import Linear
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
@@ -128,9 +129,9 @@ def plot_overturning(
             overturning_threshold(windows.pulse.shape, fine),
             color=inks.ink,
             lw=1.4,
-            ls="-" if windows.model == "linear" else palette.DASHES[1],
+            ls="-" if isinstance(windows.model, Linear) else palette.DASHES[1],
             zorder=3.0,
-            label=CLOSED_FORM[windows.model],
+            label=CLOSED_FORM[windows.model.name],
         )
         handles.insert(1 if parts[0] else 0, line)
     if by_ratio:

@@ -28,7 +28,7 @@ def shaking(a: float, w: float, phase: float = 0.0) -> Harmonic:
 
 
 def settled(a: float, w: float, *, side: int = -1, **start: Any) -> Fate:
-    return settle(0.8, shaking(a, w), Steady(**start), side=side)
+    return settle(0.8, shaking(a, w), Steady(side=side, **start))
 
 
 # ------------------------------------------------------------------------------ known attractors
@@ -89,7 +89,7 @@ def test_a_stable_closed_form_is_its_own_fate(a: float, w: float, order: int, na
 
 def test_a_block_that_falls_and_one_that_stays() -> None:
     fallen = settled(2.0, 1.7)
-    run = simulate(BLOCK, shaking(2.0, 1.7), start=Steady(), side=-1, cycles=100)
+    run = simulate(BLOCK, shaking(2.0, 1.7), start=Steady(side=-1), cycles=100)
     assert fallen.kind is Kind.OVERTURNED
     assert run.overturn_tau is not None
     assert fallen.overturned_after == pytest.approx(run.overturn_tau / (2.0 * math.pi))
@@ -225,8 +225,8 @@ def test_fates_over_distances_are_those_of_each_distance(
     a: float, w: float, order: int, branch: int, side: int, kinds: set[Kind]
 ) -> None:
     kicks = np.geomspace(1e-6, 1e-2, 9)
-    start = Steady(branch=branch, order=order, kick=0.1)
-    fates = fates_over_kicks(0.8, shaking(a, w), start, side=side, kicks=kicks)
+    start = Steady(branch=branch, order=order, kick=0.1, side=side)
+    fates = fates_over_kicks(0.8, shaking(a, w), start, kicks=kicks)
     assert {fate.kind for fate in fates} == kinds
     for kick, fate in zip(kicks.tolist(), fates, strict=True):
         alone = settled(a, w, branch=branch, order=order, kick=kick, side=side)

@@ -121,9 +121,8 @@ def test_a_distance_grows_by_the_multiplier_each_half_cycle(name: str) -> None:
             simulate(
                 DimensionlessBlock(restitution=0.8),
                 case.shaking,
-                start=Steady(branch=case.case.branch, order=order, kick=1e-8),
+                start=Steady(branch=case.case.branch, order=order, kick=1e-8, side=side),
                 cycles=case.case.periods,
-                side=side,
             ).impacts.velocity_after
         )
         for side in (1, -1)

@@ -3,6 +3,7 @@
 import numpy as np
 
 from rocksteady import Block, Harmonic, Steady, simulate, steady_states
+from rocksteady.model.equations import Nonlinear
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
 
@@ -52,5 +53,5 @@ def peak_by_full_equations(alpha: float) -> float:
     amplitude, ratio, restitution = POINT
     block = Block.from_p(alpha=alpha, p=2.0, restitution=restitution)
     motion = Harmonic(amplitude=amplitude, frequency_ratio=ratio)
-    run = simulate(block, motion, start=Steady(), cycles=CYCLES, model="nonlinear")
+    run = simulate(block, motion, start=Steady(), cycles=CYCLES, model=Nonlinear())
     return run.peak

@@ -101,8 +101,7 @@ def asymmetry_grows(_: Evidence) -> Finding:
     fates = attractor_map(
         DimensionlessBlock(restitution=RESTITUTION),
         axes={"amplitude": [AMPLITUDE], "frequency_ratio": ratios},
-        start=Steady(kick=1e-4),
-        side=-1,
+        start=Steady(kick=1e-4, side=-1),
     )
     highest, lowest = fates["highest"].values[0], fates["lowest"].values[0]
     offsets = (0.5 * np.abs(highest + lowest)).tolist()

@@ -95,9 +95,7 @@ class Fate:
         return 1 if self.highest > -self.lowest else -1
 
 
-def settle(
-    restitution: float, shaking: Harmonic, start: Rest | State | Steady, *, side: int = 1
-) -> Fate:
+def settle(restitution: float, shaking: Harmonic, start: Rest | State | Steady) -> Fate:
     """Return what a block settles to from a start.
 
     Parameters
@@ -108,11 +106,9 @@ def settle(
         The base motion; a `Steady` start decides on its phase.
     start
         Where the block begins.
-    side
-        +1 or -1, on which an unstable steady state is left.
     """
     block = DimensionlessBlock(restitution=restitution)
-    found = attractor(block, shaking, start=start, side=side)
+    found = attractor(block, shaking, start=start)
     orbit = found.orbit
     if orbit is not None:
         return Fate(
@@ -126,16 +122,16 @@ def settle(
     kind = _kind(found.kind, 0)
     if kind is not Kind.OVERTURNED:
         return Fate(kind=kind)
-    after = _falls_after(block, shaking, start, side, found.after + FALLING)
+    after = _falls_after(block, shaking, start, found.after + FALLING)
     return Fate(kind=kind, overturned_after=after)
 
 
 def fates_over_kicks(
-    restitution: float, shaking: Harmonic, start: Steady, *, side: int, kicks: Floats
+    restitution: float, shaking: Harmonic, start: Steady, *, kicks: Floats
 ) -> list[Fate]:
     """Return what a block settles to for each distance at which it leaves a steady state."""
     block = DimensionlessBlock(restitution=restitution)
-    found = attractor_map(block, shaking, axes={"kick": kicks}, start=start, side=side)
+    found = attractor_map(block, shaking, axes={"kick": kicks}, start=start)
     attractors, kinds = _attractors_in(found), list(kinds_in(found))
     fallen = np.array([kind is Kind.OVERTURNED for kind in kinds])
     after = np.full(len(kicks), math.nan)
@@ -145,7 +141,6 @@ def fates_over_kicks(
             block=block,
             shaking=shaking,
             start=start,
-            side=side,
             cycles=int(found["after"].values[fallen].max()) + FALLING,
         )
         grid = Grid(axes=(Axis(name="kick", values=kicks[fallen]),))
@@ -196,11 +191,10 @@ def _falls_after(
     block: DimensionlessBlock,
     shaking: Harmonic,
     start: Rest | State | Steady,
-    side: int,
     cycles: int,
 ) -> float:
     """Return after how many excitation periods a block that overturns does so."""
-    run = simulate(block, shaking, start=start, side=side, cycles=cycles)
+    run = simulate(block, shaking, start=start, cycles=cycles)
     assert run.overturn_tau is not None
     return run.overturn_tau / (2.0 * math.pi)
 
@@ -211,12 +205,11 @@ def _falls(
     block: DimensionlessBlock,
     shaking: Harmonic,
     start: Steady,
-    side: int,
     cycles: int,
 ) -> dict[str, Floats]:
     """Return when blocks overturn that leave a steady state at some distances."""
     times = [
-        _falls_after(block, shaking, replace(start, kick=distance), side, cycles)
+        _falls_after(block, shaking, replace(start, kick=distance), cycles)
         for distance in kick.tolist()
     ]
     return {"overturned_after": np.array(times)}

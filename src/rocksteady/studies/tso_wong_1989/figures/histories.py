@@ -3,7 +3,7 @@
 import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -93,7 +93,7 @@ class History:
         block = DimensionlessBlock(restitution=RESTITUTION)
         return {
             side: simulate(
-                block, self.shaking, start=self.start, cycles=self.case.periods, side=side
+                block, self.shaking, start=replace(self.start, side=side), cycles=self.case.periods
             )
             for side in self.sides
         }
@@ -102,7 +102,8 @@ class History:
     def fates(self) -> dict[int, Fate]:
         """What the drawn runs settle to, for each side."""
         return {
-            side: settle(RESTITUTION, self.shaking, self.start, side=side) for side in self.sides
+            side: settle(RESTITUTION, self.shaking, replace(self.start, side=side))
+            for side in self.sides
         }
 
     @cached_property
@@ -111,7 +112,9 @@ class History:
         if self.stable:
             return {}
         return {
-            side: fates_over_kicks(RESTITUTION, self.shaking, self.start, side=side, kicks=KICKS)
+            side: fates_over_kicks(
+                RESTITUTION, self.shaking, replace(self.start, side=side), kicks=KICKS
+            )
             for side in SIDES
         }
 

@@ -5,7 +5,6 @@ sample to sample, bends; so both are in closed form on every segment.
 """
 
 import math
-from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,88 +16,42 @@ from rocksteady.dynamics.history.lowering import (
     side_attributes,
     side_table,
 )
-from rocksteady.errors import InputError, ModelError
+from rocksteady.errors import ModelError
 from rocksteady.kernels.core import tables as columns
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.checks.validation import in_range
+from rocksteady.model.equations import Linear, Model, Nonlinear, slender_block
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion
 
 Floats = NDArray[np.float64]
 
-ModelName = Literal["linear", "nonlinear"]
-"""Which equations of motion hold."""
-
-TOLERANCE = 1e-10
-"""Default relative error that a motion may have."""
-
 SHARE_OF_TOLERANCE = 1e-5
 """What a step may leave out, over the tolerance: that of ten thousand steps stays below it."""
-
-LEAST_TOLERANCE = 1e-11
-LARGEST_TOLERANCE = 1e-3
 
 SAME_TIME = 1e-9
 """Part of a segment by which a bend of the vertical motion may miss its ends and still be there."""
 
 
-def model_name(model: object) -> ModelName:
-    """Return which equations of motion hold.
-
-    Raises
-    ------
-    InputError
-        If there are none of that name.
-    """
-    if not isinstance(model, str) or model not in get_args(ModelName):
-        raise InputError(
-            "model", model, "there are two equations of motion", 'give "linear" or "nonlinear"'
-        )
-    return "linear" if model == "linear" else "nonlinear"
-
-
-def sides_of(
-    block: Block | DimensionlessBlock, model: ModelName, tolerance: float = TOLERANCE
-) -> Floats:
+def sides_of(block: Block | DimensionlessBlock, model: Model) -> Floats:
     """Return the block's sides for a model, shape (2, 3) or (2, 5).
 
     Raises
     ------
     ModelError
         If the nonlinear model meets a block without slenderness.
-    InputError
-        If the tolerance is not in [1e-11, 1e-3].
     """
-    if model == "linear":
+    if isinstance(model, Linear):
         return side_table(block.dimensionless())
-    return nonlinear_side_table(block, tolerance)
+    return nonlinear_side_table(block, model.tolerance)
 
 
-def attributes_of(block: Block | DimensionlessBlock, model: ModelName) -> dict[str, float | str]:
+def attributes_of(block: Block | DimensionlessBlock, model: Model) -> dict[str, float | str]:
     """Return what a dataset says of its block, and of its model where it is not the linear one."""
     found: dict[str, float | str] = {**side_attributes(block)}
-    if model == "nonlinear":
-        found |= {"model": model, "alpha": slender_block(block).positive.alpha}
+    if isinstance(model, Nonlinear):
+        found |= {"model": model.name, "alpha": slender_block(block).positive.alpha}
     return found
-
-
-def slender_block(block: Block | DimensionlessBlock) -> Block:
-    """Return a block that has a slenderness.
-
-    Raises
-    ------
-    ModelError
-        If it has none.
-    """
-    if not isinstance(block, Block):
-        raise ModelError(
-            "block",
-            type(block).__name__,
-            "the nonlinear model needs the block's slenderness alpha",
-            "give a Block, as Block.from_p(alpha=..., p=...), in place of a DimensionlessBlock",
-        )
-    return block
 
 
 def nonlinear_side_table(block: Block | DimensionlessBlock, tolerance: float) -> Floats:
@@ -115,22 +68,12 @@ def nonlinear_side_table(block: Block | DimensionlessBlock, tolerance: float) ->
     ------
     ModelError
         If the block has no slenderness.
-    InputError
-        If the tolerance is not in [1e-11, 1e-3].
     """
     body = slender_block(block)
-    allowed = in_range(
-        "tolerance",
-        tolerance,
-        LEAST_TOLERANCE,
-        LARGEST_TOLERANCE,
-        "[]",
-        hint="give the error of the motion that you accept, as 1e-10",
-    )
     sides = np.zeros((2, columns.NONLINEAR_SIDE_COLUMNS))
     sides[:, : columns.ALPHA] = side_table(body.dimensionless())
     sides[:, columns.ALPHA] = body.positive.alpha, body.negative.alpha
-    sides[:, columns.LEFT_OUT] = SHARE_OF_TOLERANCE * allowed
+    sides[:, columns.LEFT_OUT] = SHARE_OF_TOLERANCE * tolerance
     return sides
 
 
@@ -167,13 +110,6 @@ def nonlinear_segment_table(
     flat = segment_table(motion, body)
     if vertical is None:
         return lifted_table(flat)
-    if not (isinstance(vertical, Record) or hasattr(vertical, "segments")):
-        raise InputError(
-            "vertical",
-            vertical,
-            "it must be a base motion",
-            "give a Record, or leave it out for none",
-        )
     lifted = segment_table(vertical, body)
     last = lifted[-1]
     if lifted[:, columns.AMPLITUDE].any() or lifted[:, columns.JUMP].any() or last[2:4].any():
@@ -254,5 +190,5 @@ def refuse_vertical(vertical: Motion | Record | None) -> None:
             "vertical",
             vertical,
             "the linear equations of motion have no term for it",
-            'take model="nonlinear", or leave it out',
+            "take Nonlinear(), or leave it out",
         )

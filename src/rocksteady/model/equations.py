@@ -1,0 +1,133 @@
+"""Equations of motion of a block: linear for slender blocks, or the full ones."""
+
+from dataclasses import dataclass
+
+from rocksteady.errors import InputError, ModelError
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import in_range
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.model.motions.segments import Harmonic
+
+TOLERANCE = 1e-10
+"""Default relative error that a motion may have."""
+
+LEAST_TOLERANCE = 1e-11
+LARGEST_TOLERANCE = 1e-3
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class Linear:
+    """Linear equations of motion, of slender blocks (eqs 4, 5): flights in closed form."""
+
+    @property
+    def name(self) -> str:
+        """The name, "linear"."""
+        return "linear"
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class Nonlinear:
+    """Full equations of motion (eqs 1, 2), which need a `Block` for its slenderness.
+
+    Parameters
+    ----------
+    tolerance
+        The error that the motion may have, as a part of it, from 1e-11 to 1e-3.  Each step leaves
+        out 1e-5 of that at most.  Errors grow as the motion itself spreads.
+
+    Raises
+    ------
+    InputError
+        If the tolerance is outside its range.
+
+    Examples
+    --------
+    >>> Nonlinear(tolerance=1e-8)
+    Nonlinear(tolerance=1e-08)
+    """
+
+    tolerance: float = TOLERANCE
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        allowed = in_range(
+            "tolerance",
+            self.tolerance,
+            LEAST_TOLERANCE,
+            LARGEST_TOLERANCE,
+            "[]",
+            hint="give the error of the motion that you accept, as 1e-10",
+        )
+        object.__setattr__(self, "tolerance", allowed)
+
+    @property
+    def name(self) -> str:
+        """The name, "nonlinear"."""
+        return "nonlinear"
+
+
+Model = Linear | Nonlinear
+
+
+def chosen_model(model: object, block: Block | DimensionlessBlock, motion: object = None) -> Model:
+    """Return the equations of motion that hold, chosen where none are given.
+
+    Nonlinear for a `Block`, linear for a `DimensionlessBlock` and for harmonic shaking without a
+    vertical component, whose closed forms are linear.
+
+    Parameters
+    ----------
+    model
+        What was given: `Linear`, `Nonlinear` or None.
+    block
+        The block.
+    motion
+        The base motion; None for harmonic shaking of whatever size.
+
+    Raises
+    ------
+    InputError
+        If it is no model.
+    ModelError
+        If the nonlinear model meets a block without slenderness.
+    """
+    if model is None:
+        if isinstance(motion, BaseMotion) and motion.vertical is None:
+            motion = motion.horizontal
+        harmonic = motion is None or isinstance(motion, Harmonic)
+        return Linear() if harmonic or not isinstance(block, Block) else Nonlinear()
+    if isinstance(model, Linear):
+        return model
+    if not isinstance(model, Nonlinear):
+        names = {"linear": "Linear()", "nonlinear": "Nonlinear()"}
+        hint = names.get(model) if isinstance(model, str) else None
+        raise InputError(
+            "model",
+            model,
+            "it must be a Linear or a Nonlinear",
+            f"give {hint or 'Linear() or Nonlinear()'}",
+        )
+    slender_block(block)
+    return model
+
+
+def slender_block(block: Block | DimensionlessBlock) -> Block:
+    """Return a block that has a slenderness.
+
+    Raises
+    ------
+    ModelError
+        If it has none.
+    """
+    if not isinstance(block, Block):
+        raise ModelError(
+            "block",
+            type(block).__name__,
+            "the nonlinear model needs the block's slenderness alpha",
+            "give a Block, as Block.from_p(alpha=..., p=...), in place of a DimensionlessBlock",
+        )
+    return block

@@ -1,0 +1,94 @@
+"""Equations of motion: which hold where none are given, and what is refused."""
+
+import numpy as np
+import pytest
+
+from rocksteady import (
+    Block,
+    DimensionlessBlock,
+    Harmonic,
+    Impulses,
+    InputError,
+    Linear,
+    ModelError,
+    Nonlinear,
+    Piecewise,
+    Pulse,
+    Record,
+    ReturnMap,
+    Segment,
+    State,
+    Still,
+    attractor,
+    orbits,
+    overturning_impulse,
+    overturning_windows,
+    rocking_spectrum,
+    simulate,
+)
+from rocksteady.model.equations import chosen_model
+
+BLOCK = Block.from_p(alpha=0.3, p=2.0, restitution=0.8)
+BARE = DimensionlessBlock(restitution=0.8)
+SHAKING = Harmonic(amplitude=2.0, frequency_ratio=4.0)
+RECORD = Record(acceleration_m_s2=5.0 * np.sin(0.25 * np.arange(60)), dt_s=0.05)
+ENDING = [
+    Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=4.0),
+    Impulses(velocities=(0.5,), times=(0.0,)),
+    Piecewise(pieces=(Segment(duration=1.0, constant=1.5),)),
+    Still(),
+    RECORD,
+]
+
+
+@pytest.mark.parametrize("motion", ENDING, ids=lambda motion: type(motion).__name__)
+def test_the_full_equations_are_the_default_of_a_block_under_what_ends(motion: object) -> None:
+    start = State(angle=0.4, velocity=0.0)
+    run = simulate(BLOCK, motion, start=start)  # type: ignore[arg-type]
+    given = simulate(BLOCK, motion, start=start, model=Nonlinear())  # type: ignore[arg-type]
+    slender = simulate(BLOCK, motion, start=start, model=Linear())  # type: ignore[arg-type]
+    assert (run.model, slender.model) == (Nonlinear(), Linear())
+    assert run(0.5).angle == given(0.5).angle != slender(0.5).angle
+    if not isinstance(motion, Record):
+        assert simulate(BARE, motion, start=start)(0.5).angle == slender(0.5).angle  # type: ignore[arg-type]
+
+
+def test_the_linear_ones_are_the_default_of_harmonic_shaking() -> None:
+    run = simulate(BLOCK, SHAKING, cycles=5)
+    assert run.model == Linear()
+    assert run.peak == simulate(BARE, SHAKING, cycles=5).peak
+    assert attractor(BLOCK, SHAKING).model == ReturnMap(BLOCK, SHAKING).model == Linear()
+    assert {found.model for found in orbits(BLOCK, SHAKING, max_period=1, seeds=3)} == {Linear()}
+
+
+def test_windows_spectra_and_impulses_choose_by_the_block() -> None:
+    reach = {"amplitudes": (3.0, 4.0), "resolution": 0.1}
+    for block, model in ((BLOCK, Nonlinear()), (BARE, Linear())):
+        found = overturning_windows(block, "half-sine", [3.0], **reach)  # type: ignore[arg-type]
+        assert found.model == model
+        assert found.to_dataset().attrs["model"] == model.name
+    data = rocking_spectrum(RECORD, alpha=0.2, p=2.0)
+    assert data.attrs["model"] == "nonlinear"
+    assert overturning_impulse(BLOCK) == overturning_impulse(BLOCK, model=Nonlinear())
+    assert overturning_impulse(BLOCK) > overturning_impulse(BLOCK, model=Linear())
+
+
+def test_what_is_no_model_is_refused_with_what_to_give() -> None:
+    for text, hint in (
+        ("nonlinear", "give Nonlinear()"),
+        ("linear", "give Linear()"),
+        ("cubic", "give Linear() or Nonlinear()"),
+    ):
+        with pytest.raises(InputError) as caught:
+            simulate(BLOCK, SHAKING, model=text)  # type: ignore[arg-type]
+        assert caught.value.hint == hint
+    with pytest.raises(InputError, match="it must be a Linear or a Nonlinear"):
+        attractor(BLOCK, SHAKING, model=Nonlinear)  # type: ignore[arg-type]
+    with pytest.raises(ModelError, match="needs the block's slenderness"):
+        chosen_model(Nonlinear(), BARE)
+
+
+@pytest.mark.parametrize("tolerance", [0.0, 1e-12, 0.1, float("nan"), "fine"])
+def test_a_tolerance_has_limits(tolerance: float) -> None:
+    with pytest.raises(InputError, match="tolerance"):
+        Nonlinear(tolerance=tolerance)

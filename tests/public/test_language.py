@@ -1,0 +1,136 @@
+"""One language: the rules of docs/interface.md, walked over the whole namespace."""
+
+import inspect
+import pydoc
+import re
+from collections import defaultdict
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import rocksteady as rs
+
+INTERFACE = (Path(__file__).parents[2] / "docs" / "interface.md").read_text(encoding="utf-8")
+MOST_PARAMETERS = 8
+SCREEN = 66
+"""Lines of a tall terminal."""
+FIRST_SENTENCE = 16
+"""Words; 15, and an article."""
+DEFAULTS = {
+    "cycles": "what is long enough depends on the question",
+    "max_cycles": "likewise",
+    "order": "an array where a formula takes arrays",
+    "tolerance": "of a drop, of a sampled pulse and of the equations of motion",
+    "phase": "a pulse's own where none is given",
+    "restitution": "a block's own where none is given; a formula has none",
+    "legend": "where it stands depends on the picture",
+    "key": "likewise",
+    "damping": "of a soil, and of an oscillator",
+}
+"""Arguments with more than one default, each with the reason."""
+PATTERNS = (
+    r"\bis said\b|\bare said\b|\bsays nothing\b|\bnobody says\b",
+    r"\btold\b|\basked for\b|\bis asked\b",
+    r"\bunlike\b|\bleaning\b|\bone-sided\b",
+    r"\bcrew\b|\bdeal\b|\bparcel\b|\bshelf\b|\bkeeper\b",
+    r"\btrail\b|\bbeginnings\b",
+    r"\bthose that\b",
+)
+"""Words that `docs/interface.md` replaces, in the docstrings of public names."""
+
+NAMES = [name for name in dir(rs) if not name.startswith("_")]
+FUNCTIONS = [name for name in NAMES if inspect.isfunction(getattr(rs, name))]
+CLASSES = [name for name in NAMES if inspect.isclass(getattr(rs, name))]
+
+
+def calls() -> Iterator[tuple[str, Any]]:
+    """Yield every public function, constructor by class method, and method."""
+    for name in FUNCTIONS:
+        yield name, getattr(rs, name)
+    for name in CLASSES:
+        for own, member in vars(getattr(rs, name)).items():
+            plain = getattr(member, "__func__", member)
+            if not own.startswith("_") and inspect.isfunction(plain):
+                yield f"{name}.{own}", plain
+
+
+CALLS = dict(calls())
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_no_function_has_more_than_eight_parameters(name: str) -> None:
+    parameters = [p for p in inspect.signature(CALLS[name]).parameters if p not in ("self", "cls")]
+    assert len(parameters) <= MOST_PARAMETERS, parameters
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_every_parameter_has_a_type_and_a_description(name: str) -> None:
+    function = getattr(rs, name)
+    documented = pydoc.getdoc(function)
+    for parameter in inspect.signature(function).parameters.values():
+        assert parameter.annotation is not parameter.empty, parameter
+        assert re.search(rf"(^|\W)\*?{parameter.name}(\W|$)", documented), parameter
+
+
+def test_one_argument_has_one_default() -> None:
+    defaults: dict[str, dict[str, list[str]]] = defaultdict(lambda: defaultdict(list))
+    for name in FUNCTIONS:
+        if name.startswith("plot_"):
+            continue
+        for parameter in inspect.signature(getattr(rs, name)).parameters.values():
+            if parameter.default is not parameter.empty:
+                defaults[parameter.name][repr(parameter.default)].append(name)
+    several = {key: dict(found) for key, found in defaults.items() if len(found) > 1}
+    assert {key: found for key, found in several.items() if key not in DEFAULTS} == {}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_name_is_documented_in_one_short_first_sentence(name: str) -> None:
+    text = pydoc.getdoc(getattr(rs, name))
+    sentence = re.split(r"[.:;](?:\s|$)", text, maxsplit=1)[0]
+    assert sentence
+    assert len(sentence.split()) <= FIRST_SENTENCE, sentence
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_help_of_a_function_fits_a_screen(name: str) -> None:
+    assert len(pydoc.getdoc(getattr(rs, name)).splitlines()) <= SCREEN
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_every_function_has_an_example(name: str) -> None:
+    documented = inspect.getdoc(getattr(rs, name)) or ""
+    assert ">>> " in documented or name.startswith("plot_")
+
+
+@pytest.mark.parametrize("pattern", PATTERNS)
+def test_public_docstrings_use_the_usual_words(pattern: str) -> None:
+    found = {
+        name: match[0]
+        for name, thing in {**{name: getattr(rs, name) for name in NAMES}, **CALLS}.items()
+        if (match := re.search(pattern, inspect.getdoc(thing) or ""))
+    }
+    assert found == {}
+
+
+def test_a_suffix_is_a_unit() -> None:
+    for name in CLASSES:
+        for field in getattr(getattr(rs, name), "__dataclass_fields__", {}):
+            assert not re.fullmatch(r"(end|rest|overturn|start)_s", field), (name, field)
+    for name in FUNCTIONS:
+        for parameter in inspect.signature(getattr(rs, name)).parameters:
+            assert parameter != "s", name
+
+
+@pytest.mark.parametrize("name", [name for name in FUNCTIONS if not name.startswith("plot_")])
+def test_the_interface_lists_every_verb_and_formula(name: str) -> None:
+    assert f"`{name}`" in INTERFACE
+
+
+def test_the_interface_lists_nothing_else() -> None:
+    listed = set(re.findall(r"^\| `.*", INTERFACE, flags=re.MULTILINE))
+    words = {word for line in listed for word in re.findall(r"`([a-z_]+)`", line)}
+    functions = {word for word in words if "_" in word and not word.endswith("_")}
+    assert {word for word in functions if not hasattr(rs, word)} == set()
