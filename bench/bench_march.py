@@ -18,12 +18,12 @@ from numpy.typing import NDArray
 
 from bench.sampling_march import SAMPLES, sampled_fates
 from rocksteady.dynamics.history.lowering import record_table
-from rocksteady.errors import Status
 from rocksteady.kernels.batch.records import record_fates
 from rocksteady.kernels.core.tables import ALIKE, ROW_COLUMNS, March
 from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.march.march import march
 from rocksteady.model.motions.record import Record
+from rocksteady.outcomes import Status
 from tests.kernels.fates import NO_LIMIT, harmonic_fates
 from tests.records import synthetic
 

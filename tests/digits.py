@@ -102,7 +102,7 @@ def recordings() -> Numbers:
 def courses() -> Numbers:
     """Through the kernels: closed forms, time histories of both models, returns, spectra."""
     states = rs.steady_states(np.linspace(0.5, 6.0, 40)[:, np.newaxis], RATIOS, 0.8)
-    for grid in (states.phase, states.velocity, states.trace, states.multipliers.real):
+    for grid in (states.phase, states.velocity_tau, states.trace, states.multipliers.real):
         yield from np.asarray(grid, dtype=np.float64).ravel()
     block = rs.Block.rectangle(width=0.5, height=2.0)
     pulse = rs.Pulse(shape="one-sine", amplitude=2.5, frequency_ratio=3.0)
@@ -112,9 +112,9 @@ def courses() -> Numbers:
     for motion, model in itertools.product(motions, models):
         start = rs.State(angle=0.1, velocity=0.0)
         run = rs.simulate(block, motion, start=start, model=model)
-        course = run(np.linspace(0.0, min(run.shown_to_s, 30.0), 200))
+        course = run(np.linspace(0.0, min(run.shown_to_pt, 30.0), 200))
         yield from np.concatenate([course.angle, course.velocity, course.energy])
-        yield from run.impacts.s
+        yield from run.impacts.pt
     for orbit in rs.orbits(rs.DimensionlessBlock(restitution=0.8), shaking, seeds=24):
         yield from (orbit.highest, orbit.lowest, orbit.largest_multiplier)
 

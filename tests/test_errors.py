@@ -1,4 +1,4 @@
-"""The error tree and the status codes."""
+"""The error tree."""
 
 import pickle
 from pathlib import Path
@@ -14,7 +14,6 @@ from rocksteady.errors import (
     ModelError,
     OutputError,
     RocksteadyError,
-    Status,
     Words,
 )
 
@@ -119,37 +118,6 @@ def test_a_long_value_keeps_its_beginning_and_its_end() -> None:
     message = str(restitution_error(path))
     assert message.startswith("restitution = 'results")
     assert "steady.png' is not valid" in message
-
-
-def test_status_codes_never_change() -> None:
-    assert {status.label: int(status) for status in Status} == {
-        "rocking": 0,
-        "at-rest": 1,
-        "overturned": 2,
-        "lost-contact": 3,
-        "undecided": 4,
-    }
-
-
-@pytest.mark.parametrize("status", Status)
-def test_a_status_is_named_as_its_label_says(status: Status) -> None:
-    assert status.name == status.label.upper().replace("-", "_")
-    assert Status(int(status)) is status
-
-
-@pytest.mark.parametrize("status", Status)
-def test_advice_is_one_sentence_that_also_says_what_to_try(status: Status) -> None:
-    assert status.advice.endswith(".")
-    assert status.advice.count(".") == 1
-    assert ";" in status.advice, "what it means; what to try"
-
-
-def test_each_status_has_its_own_advice() -> None:
-    assert len({status.advice for status in Status}) == len(Status)
-
-
-def test_a_status_survives_pickle_as_itself() -> None:
-    assert all(pickle.loads(pickle.dumps(status)) is status for status in Status)
 
 
 def test_what_is_no_value_is_stated_without_a_verdict_on_it() -> None:

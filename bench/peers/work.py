@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.errors import Status
+from rocksteady.outcomes import Status
 
 SIDE = 100  # cells along either axis of the whole map
 CYCLES = 200

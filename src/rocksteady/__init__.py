@@ -17,15 +17,15 @@ if TYPE_CHECKING:
     from rocksteady.dynamics.continuation.loci import bifurcation_curve
     from rocksteady.dynamics.continuation.points import Branch, BranchPoint, PointType
     from rocksteady.dynamics.continuation.stability import Stretch, stretches
-    from rocksteady.dynamics.history.samples import Flights, Impacts, Motions
+    from rocksteady.dynamics.history.samples import Flights, Impacts, Samples
     from rocksteady.dynamics.history.simulate import simulate
     from rocksteady.dynamics.history.start import ImpactState, Rest, State, Steady
     from rocksteady.dynamics.history.trajectory import Trajectory
     from rocksteady.dynamics.maps.attractor_map import attractor_map
     from rocksteady.dynamics.maps.fate_map import fate_map
-    from rocksteady.dynamics.orbits.attractor import Attractor, AttractorKind, attractor
+    from rocksteady.dynamics.orbits.attractor import Attractor, attractor
     from rocksteady.dynamics.orbits.orbit import Orbit
-    from rocksteady.dynamics.orbits.return_map import Passage, PassageKind, ReturnMap
+    from rocksteady.dynamics.orbits.return_map import Passage, ReturnMap
     from rocksteady.dynamics.orbits.search import orbits
     from rocksteady.dynamics.orbits.trail import AttractorTrail, attractor_trail
     from rocksteady.dynamics.overturning.free_rocking import (
@@ -66,7 +66,6 @@ if TYPE_CHECKING:
         OutputError,
         RecordFileError,
         RocksteadyError,
-        Status,
         UnfinishedError,
     )
     from rocksteady.installation.check import Installation, KernelCheck, check_installation
@@ -82,6 +81,7 @@ if TYPE_CHECKING:
     from rocksteady.model.motions.record import Record
     from rocksteady.model.motions.segments import Harmonic, Piecewise, Segment, Still
     from rocksteady.model.motions.synthetic import SyntheticMotion
+    from rocksteady.outcomes import AttractorKind, Event, Status
     from rocksteady.records.core.recording import Recording
     from rocksteady.records.pairing import RecordSet, pair_records
     from rocksteady.records.processing import baseline_corrected, resampled
@@ -152,6 +152,7 @@ __all__ = [
     "DoublingCascade",
     "Drop",
     "Erosion",
+    "Event",
     "Flights",
     "Fraction",
     "Grid",
@@ -167,7 +168,6 @@ __all__ = [
     "Linear",
     "MissingKernelsError",
     "ModelError",
-    "Motions",
     "Nonlinear",
     "Orbit",
     "Output",
@@ -175,7 +175,6 @@ __all__ = [
     "OverturningWindow",
     "OverturningWindows",
     "Passage",
-    "PassageKind",
     "Peak",
     "Piecewise",
     "PointType",
@@ -191,6 +190,7 @@ __all__ = [
     "ReturnMap",
     "RocksteadyError",
     "Run",
+    "Samples",
     "Segment",
     "Side",
     "State",
@@ -284,7 +284,7 @@ __all__ = [
 
 _DEFINED_IN = {
     "Attractor": "rocksteady.dynamics.orbits.attractor",
-    "AttractorKind": "rocksteady.dynamics.orbits.attractor",
+    "AttractorKind": "rocksteady.outcomes",
     "AttractorTrail": "rocksteady.dynamics.orbits.trail",
     "Axis": "rocksteady.sweep.cases.axes",
     "BaseMotion": "rocksteady.model.motions.base_motion",
@@ -298,6 +298,7 @@ _DEFINED_IN = {
     "DoublingCascade": "rocksteady.dynamics.continuation.cascade",
     "Drop": "rocksteady.dynamics.basins.erosion",
     "Erosion": "rocksteady.dynamics.basins.erosion",
+    "Event": "rocksteady.outcomes",
     "Flights": "rocksteady.dynamics.history.samples",
     "Fraction": "rocksteady.dynamics.basins.basins",
     "Grid": "rocksteady.sweep.cases.grid",
@@ -313,7 +314,6 @@ _DEFINED_IN = {
     "Linear": "rocksteady.model.equations",
     "MissingKernelsError": "rocksteady.errors",
     "ModelError": "rocksteady.errors",
-    "Motions": "rocksteady.dynamics.history.samples",
     "Nonlinear": "rocksteady.model.equations",
     "Orbit": "rocksteady.dynamics.orbits.orbit",
     "Output": "rocksteady.sweep.cases.outputs",
@@ -321,7 +321,6 @@ _DEFINED_IN = {
     "OverturningWindow": "rocksteady.dynamics.overturning.windows",
     "OverturningWindows": "rocksteady.dynamics.overturning.windows",
     "Passage": "rocksteady.dynamics.orbits.return_map",
-    "PassageKind": "rocksteady.dynamics.orbits.return_map",
     "Peak": "rocksteady.seismic.measures.time_course",
     "Piecewise": "rocksteady.model.motions.segments",
     "PointType": "rocksteady.dynamics.continuation.points",
@@ -337,10 +336,11 @@ _DEFINED_IN = {
     "ReturnMap": "rocksteady.dynamics.orbits.return_map",
     "RocksteadyError": "rocksteady.errors",
     "Run": "rocksteady.sweep.run",
+    "Samples": "rocksteady.dynamics.history.samples",
     "Segment": "rocksteady.model.motions.segments",
     "Side": "rocksteady.model.blocks.sides",
     "State": "rocksteady.dynamics.history.start",
-    "Status": "rocksteady.errors",
+    "Status": "rocksteady.outcomes",
     "Steady": "rocksteady.dynamics.history.start",
     "SteadyOrbit": "rocksteady.dynamics.steady.states",
     "SteadyStates": "rocksteady.dynamics.steady.states",

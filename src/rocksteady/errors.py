@@ -1,7 +1,7 @@
-"""The errors the package raises and the status codes its computations end with.
+"""The errors that the package raises.
 
 A single call that cannot be answered raises one of the exceptions below; a batch of many cases
-never raises for one of them and returns a `Status` for each instead. Both say what to do next.
+never raises for one of them and returns a `rocksteady.outcomes.Status` for each instead.
 
 The tree::
 
@@ -13,10 +13,9 @@ The tree::
     ├── MissingKernelsError nothing that runs compiled code is installed
     └── UnfinishedError a long computation was stopped; what is finished is kept, and can be resumed
 
-This module is the lowest layer: it imports nothing from the package, and nothing heavy.
+This module is in the lowest layer: it imports nothing from the package, and nothing heavy.
 """
 
-from enum import IntEnum
 from numbers import Number
 from os import PathLike, fspath
 
@@ -196,54 +195,6 @@ class UnfinishedError(RocksteadyError):
     """
 
     _verdict = "is not finished"
-
-
-class Status(IntEnum):
-    """Outcome of a computation: an integer for kernels, a label for files, a sentence for people.
-
-    The codes are part of every stored result: a code never changes its meaning, and a new status
-    takes the next free integer.
-    """
-
-    ROCKING = 0
-    AT_REST = 1
-    OVERTURNED = 2
-    LOST_CONTACT = 3
-    UNDECIDED = 4
-
-    @property
-    def label(self) -> str:
-        """The word that stands in JSON output and in tables (``at-rest``)."""
-        return self.name.lower().replace("_", "-")
-
-    @property
-    def advice(self) -> str:
-        """One sentence: what the status means and what to try next."""
-        return _ADVICE[self]
-
-
-_ADVICE = {
-    Status.ROCKING: (
-        "The block was still rocking when the run ended; where the shaking goes on, a longer run "
-        "shows whether it settles, comes to rest or falls."
-    ),
-    Status.AT_REST: (
-        "The block stands still on its base at the end; it lifts only where the base acceleration "
-        "exceeds the uplift limit."
-    ),
-    Status.OVERTURNED: (
-        "The block falls: it is proved that it cannot come back to its base; a larger or stockier "
-        "block, weaker or faster shaking, or a smaller tilt at the start keeps it standing."
-    ),
-    Status.LOST_CONTACT: (
-        "The base dropped away at g or faster, so the block left it and the rocking model ends "
-        "there; scale the vertical motion down or leave it out."
-    ),
-    Status.UNDECIDED: (
-        "The limit on the number of steps was reached before the outcome was certain; raise the "
-        "limit or ask for a shorter time."
-    ),
-}
 
 
 def _shown(value: object) -> str:

@@ -11,7 +11,7 @@ from rocksteady import DimensionlessBlock, State, Steady, fate_map, open_store
 from rocksteady.cli.flags.parsing import axis
 from tests.cli.program import refused, rocksteady
 
-MAP = "map -A 0.5:5:7 -W 1:8:9 -r 0.8 --start 0,w=0.3 --fate"
+MAP = "map -A 0.5:5:7 -W 1:8:9 -r 0.8 --start 0,0.3 --fate"
 GRID = {"amplitude": axis("", "0.5:5:7"), "frequency_ratio": axis("", "1:8:9")}
 BLOCK = DimensionlessBlock(restitution=0.8)
 START = State(angle=0.0, velocity=0.3)

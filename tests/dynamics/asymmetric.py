@@ -12,7 +12,7 @@ from rocksteady import (
 
 BLOCK = Block.asymmetric(left=0.15, right=0.25, height=1.2)
 BARE = BLOCK.dimensionless()
-UNLIKE = DimensionlessBlock(
+ASYMMETRY = DimensionlessBlock(
     restitution=0.85, negative_restitution=0.75, alpha_ratio=1.3, p_ratio=0.95
 )
 HARD = Harmonic(amplitude=2.0, frequency_ratio=4.0)

@@ -11,7 +11,7 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Printed:
-    """A solution as eqs 19, 21 and 22 print it; velocity is du/dtau after impact."""
+    """A solution as eqs 19, 21 and 22 print it; velocity is du/d(omega t) after impact."""
 
     sine: float
     cosine: float
@@ -60,7 +60,7 @@ def printed_trace(a: float, w: float, r: float, n: int, sine: float, velocity: f
 def half_cycle(
     a: float, w: float, n: int, phase: float, velocity: float, samples: int
 ) -> tuple[Floats, Floats]:
-    """Pivot time and angle over a half cycle that leaves the floor with a du/dtau (eq 7)."""
+    """Pivot time and angle over a half cycle that leaves the floor with a du/d(omega t) (eq 7)."""
     s = np.linspace(0.0, n * math.pi / w, samples)
     beta = a / (1.0 + w * w)
     sinh_part, cosh_part = (

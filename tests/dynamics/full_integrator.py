@@ -94,7 +94,7 @@ def same_impacts(run: Trajectory, expected: list[float]) -> None:
     assert run.block is not None
     assert len(expected) > 1 or run.status is Status.OVERTURNED
     assert len(run.impacts) >= len(expected) > 0
-    found = run.impacts.s[: len(expected)] / run.block.p
+    found = run.impacts.pt[: len(expected)] / run.block.p
     np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-9)
 
 

@@ -43,7 +43,7 @@ def seen_after(
         return Seen("overturned")
     unit = 2.0 * math.pi / shaking.frequency_ratio
     back = np.arange(2 * LONGEST * SAMPLES, -1, -1)
-    angle: Floats = run(np.maximum(run.end_s - back * (unit / SAMPLES), 0.0)).angle
+    angle: Floats = run(np.maximum(run.end_time_pt - back * (unit / SAMPLES), 0.0)).angle
     size = float(np.abs(angle).max())
     if size == 0.0:
         return Seen("rest")

@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 import rocksteady as rs
-from rocksteady.errors import Status
 from rocksteady.installation._recorded import Call, loaded
 from rocksteady.installation.check import RECORDED, replay
 from rocksteady.kernels.batch.attractors import RESTS
@@ -20,6 +19,7 @@ from rocksteady.kernels.entries import ENTRIES
 from rocksteady.kernels.machine_code.compilation import LIBRARY, runner
 from rocksteady.kernels.orbits.return_map import FALL, IMPACT, UPLIFT
 from rocksteady.kernels.orbits.settle import FALLS, PERIODIC
+from rocksteady.outcomes import Status
 from tests.strategies import PLAIN
 
 CALLS = loaded(RECORDED.read_bytes())

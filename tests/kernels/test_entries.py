@@ -212,10 +212,10 @@ def motions(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
 
 def followed(*arguments: Any, **options: Any) -> None:
     run = rs.simulate(*arguments, **options)
-    run(np.linspace(0.0, min(run.end_s, 3.0), 5))
+    run(np.linspace(0.0, min(run.end_time_pt, 3.0), 5))
     run.phase_path(5)
     run.base_displacement([0.1])
-    _ = run.peak, run.peak_velocity, run.impacts, run.overturn_s, run.growth
+    _ = run.peak, run.peak_velocity, run.impacts, run.overturn_time_pt, run.growth
 
 
 def orbits(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:

@@ -33,7 +33,7 @@ LONGEST = 20.0
 """Seconds that a call may take: those of valid arguments take a tenth of one."""
 
 HOLD_NAN = {
-    "SteadyStates", "ResponseCurve", "RegionMap", "Boundaries", "Attractor", "Motions", "Fraction",
+    "SteadyStates", "ResponseCurve", "RegionMap", "Boundaries", "Attractor", "Samples", "Fraction",
     "Passage", "IntensityMeasures", "ResponseSpectrum", "Drop", "BranchPoint", "BasinAttractor",
     "Flights", "Impacts", "Stretch", "Orbit", "Erosion", "Basins", "OverturningWindows", "Peak",
     "OverturningWindow", "GroundCourse", "SteadyOrbit", "Trajectory", "AttractorTrail",
@@ -234,10 +234,10 @@ def test_results_are_compared_by_identity_and_can_be_kept_in_sets() -> None:
         ("plot_section of a trajectory", {"since": 10**400}, "it must be a finite number"),
         ("plot_section of a trajectory", {"since": junk.Vast()}, "it must be a finite number"),
         ("plot_section of a trajectory", {"since": math.nan}, "since = nan is not valid"),
-        ("Trajectory.base_acceleration", {"s": 1e308}, "it must lie in [0, 1e+50]"),
-        ("Trajectory.base_displacement", {"s": [0.0, 1e308]}, "it must lie in [0, 1e+50]"),
-        ("Trajectory.at_time", {"t_s": 1e308}, "s = inf is not valid: the trajectory reaches"),
-        ("Trajectory.at_time", {"t_s": -1e308}, "s = -inf is not valid: the trajectory reaches"),
+        ("Trajectory.base_acceleration", {"pt": 1e308}, "it must lie in [0, 1e+50]"),
+        ("Trajectory.base_displacement", {"pt": [0.0, 1e308]}, "it must lie in [0, 1e+50]"),
+        ("Trajectory.at_time", {"t_s": 1e308}, "pt = inf is not valid: the trajectory reaches"),
+        ("Trajectory.at_time", {"t_s": -1e308}, "pt = -inf is not valid: the trajectory reaches"),
         ("average_spectral_acceleration", {"period_s": 1e308}, "period_s = 1e+308 is not valid"),
         ("animate", {"speed": 5e-324}, "speed = 5e-324 is not valid"),
         ("plot_response", {"curves": ()}, "curves = () is not valid: there must be one or more"),

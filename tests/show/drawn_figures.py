@@ -104,7 +104,7 @@ def makers() -> dict[str, Callable[[Page], Figure]]:
         2.0,
         np.linspace(0.0, 1.4, 8),
         angles=np.linspace(-1.2, 1.2, 41),
-        velocities=np.linspace(-0.6, 0.6, 41),
+        velocities=np.linspace(-1.2, 1.2, 41),
         cycles=20,
     )
     drop = eroded.drop(tolerance=0.05)

@@ -164,7 +164,7 @@ def test_the_time_history_is_the_trajectory_with_all_its_impacts() -> None:
     np.testing.assert_array_equal(drawn[len(times)].get_ydata(), run(times).angle)
     impacts = drawn[len(run.impacts)]
     np.testing.assert_allclose(
-        np.asarray(impacts.get_xdata(), dtype=float), run.impacts.s * 4.0 / (2.0 * math.pi)
+        np.asarray(impacts.get_xdata(), dtype=float), run.impacts.pt * 4.0 / (2.0 * math.pi)
     )
     assert f"{len(run.impacts)} impacts" in legend_of(axes)
 

@@ -14,7 +14,7 @@ PARAMETERS = ("amplitude", "frequency_ratio", "restitution")
 """What orbits are followed in and motions are carried along."""
 SIZES = ("width", "height", "alpha", "radius", "p")
 """Of a homogeneous rectangle."""
-UNLIKE = ("negative_restitution", "alpha_ratio", "p_ratio")
+ASYMMETRY = ("negative_restitution", "alpha_ratio", "p_ratio")
 """By what the sides of a dimensionless block differ."""
 
 

@@ -78,7 +78,7 @@ def test_the_doubled_orbit_at_1_78_is_an_attractor() -> None:
     listed = rocksteady("orbits -A 2 -W 1.78 -r 0.8 --max-period 2 --json").json["orbits"]
     (stable,) = (orbit for orbit in listed if orbit["stable"])
     state = stable["states"][0]
-    start = f"--start=0,w={state['side'] * state['speed'] * 1.001} --phase {state['phase']}"
+    start = f"--start=0,{state['side'] * state['speed'] * 1.001} --phase {state['phase']}"
     values = rocksteady(f"attractor -A 2 -W 1.78 -r 0.8 {start} --json").json
     assert (values["kind"], values["period"], values["impacts_per_period"]) == ("unsymmetric", 2, 4)
     assert values["peaks"] == pytest.approx(stable["peaks"], abs=1e-9)
@@ -115,7 +115,7 @@ def test_an_orbit_that_comes_to_rest_has_infinitely_many_impacts() -> None:
 
 def test_what_cannot_be_decided_says_why_and_ends_with_3(tmp_path: Path) -> None:
     file = tmp_path / "motion.png"
-    command = "attractor -A 0.5 -W 4 -r 1 --start 0.1,w=0 --cycles 200"
+    command = "attractor -A 0.5 -W 4 -r 1 --start 0.1,0 --cycles 200"
     ran = rocksteady(f"{command} --json --plot", file)
     assert ran.code == 3
     assert ran.json["kind"] == "undecided"

@@ -13,10 +13,10 @@ from rocksteady.dynamics.batch import fates
 from rocksteady.kernels.machine_code import compilation
 from tests.cli.program import refused, rocksteady
 
-WINDOW = "--angles=-1:1:30 --velocities=-0.6:0.6:30"
+WINDOW = "--angles=-1:1:30 --velocities=-1.2:1.2:30"
 POINT = f"basins -A 0.5 -W 2 -r 0.95 {WINDOW}"
 AXIS = f"basins -A 0.2:1:3 -W 2 -r 0.9 {WINDOW}"
-AXES: dict[str, Any] = {"angles": axis("", "-1:1:30"), "velocities": axis("", "-0.6:0.6:30")}
+AXES: dict[str, Any] = {"angles": axis("", "-1:1:30"), "velocities": axis("", "-1.2:1.2:30")}
 FRACTION_KEYS = {
     "label",
     "name",
@@ -127,7 +127,7 @@ def test_what_does_not_settle_is_said_and_has_its_code() -> None:
 def test_a_state_that_balances_for_ever_is_said_and_is_no_failure() -> None:
     # At phase 0 those with u + du/ds = 1 - beta Omega lie on the stable manifold of the saddle.
     ran = rocksteady(
-        "basins -A 0.5 -W 2 -r 0.95 --angles=-1.2:1.2:400 --velocities=-0.6:0.6:400 --json"
+        "basins -A 0.5 -W 2 -r 0.95 --angles=-1.2:1.2:400 --velocities=-1.2:1.2:400 --json"
     )
     (part,) = (part for part in ran.json["fractions"] if part["kind"] == "undecided")
     assert 0 < part["states"] < 10
@@ -216,7 +216,7 @@ def test_what_an_erosion_compiles_first_is_what_it_calls(
 
         monkeypatch.setattr(fates, name, noted)
     monkeypatch.setattr(compilation, "must_compile", asked.append)
-    window = "--angles=-1:1:5 --velocities=-0.6:0.6:5 --cycles 5"
+    window = "--angles=-1:1:5 --velocities=-1.2:1.2:5 --cycles 5"
     assert rocksteady(f"basins -A 0.5:1:2 -W 2 {window} {shape}").code == 0
     assert asked == [kernel]
     assert set(called) == {kernel.partition(".")[2]}

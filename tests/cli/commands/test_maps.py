@@ -89,7 +89,7 @@ SHAKEN = Harmonic.from_si(RECTANGLE, **GROUND)
             {"axes": {"phase": "-1:1:4", "amplitude": "log:1:4:3"}},
         ),
         (
-            "-r 0.8 -A 1.5 -W 4 --start=-1:1:5,w=-0.5:0.5:4",
+            "-r 0.8 -A 1.5 -W 4 --start=-1:1:5,-0.5:0.5:4",
             BLOCK,
             Harmonic(amplitude=1.5, frequency_ratio=4.0),
             {
@@ -98,7 +98,7 @@ SHAKEN = Harmonic.from_si(RECTANGLE, **GROUND)
             },
         ),
         (
-            "-r 0.8 -A 1:2:3 -W 4 --start=0.25,-0.5:0.5:3",
+            "-r 0.8 -A 1:2:3 -W 4 --start=0.25,tau=-0.5:0.5:3",
             BLOCK,
             Harmonic(amplitude=1.0, frequency_ratio=4.0),
             {
@@ -207,7 +207,7 @@ def test_a_cell_of_any_size_is_what_the_command_attractor_says_to_the_bit(
     number: int, tmp_path: Path
 ) -> None:
     given = drawn_flags(number)
-    start = ["--start", ("rest", "0.2,w=-0.1")[number % 2], "--cycles", "100"]
+    start = ["--start", ("rest", "0.2,-0.1")[number % 2], "--cycles", "100"]
     ran = rocksteady(
         "map", *start, *(f"{name}={text}" for name, text in given.items()), "--out", tmp_path / "a"
     )
@@ -318,7 +318,7 @@ def test_a_refined_map_says_how_much_was_computed() -> None:
         (f"{MAP} --chunk 10", "without --out there is no store"),
         (f"{MAP} --executor cloud", "--executor = 'cloud' is not valid"),
         (f"{MAP} --workers 0", "--workers = 0 is not valid"),
-        (f"{MAP} --start 0.1,0.2", "du/dtau is another velocity in each cell"),
+        (f"{MAP} --start 0.1,tau=0.2", "is another velocity in each cell"),
         (f"{MAP} --start steady --phase 0:1:3", "a steady state decides its phase"),
         (f"{MAP} --kick 1e-3:1e-2:3", "only a steady start has a kick"),
         ("map -A 0.5:5:7 -W 1:8:9", "without a block it is needed"),
@@ -329,12 +329,12 @@ def test_a_refined_map_says_how_much_was_computed() -> None:
         ("map --width-m a:b:4 --height-m 1 --accel-g 0.4 --freq-hz 2", "--width-m = 'a'"),
         (f"{MAP} --start 0,abc", "--start = '0,abc' is not valid: it is not two numbers; write"),
         (f"{MAP} --start 0:1:3,", "--start = '0:1:3,' is not valid: it must be a number"),
-        (f"{MAP} --start=0:1:3,w=w=1", "--start = '0:1:3,w=w=1' is not valid"),
+        (f"{MAP} --start=0:1:3,w=1", "--start = '0:1:3,w=1' is not valid"),
         (f"{MAP} --start 0:1:3,nan", "--start = '0:1:3,nan' is not valid: its numbers must be"),
         (f"{MAP} --start 0:1:3", "--start = '0:1:3' is not valid: it is no known start"),
         (f"{MAP} --start steady --phase 0:1:3", "--phase = '0:1:3' is not accepted"),
         (f"{MAP} --kick 1e-3:1e-2:3", "--kick = '1e-3:1e-2:3' is not accepted"),
-        (f"{MAP} --start 0,0.1:0.2:3", "--start = '0,0.1:0.2:3' is not accepted"),
+        (f"{MAP} --start 0,tau=0.1:0.2:3", "--start = '0,tau=0.1:0.2:3' is not accepted"),
         ("map --accel-g 0.3:0.6:3 -W 2 -r 0.8", "--accel-g = '0.3:0.6:3' is not accepted"),
         ("map --block tso-wong-1989 --accel-g 1:-0.4:5 -W 2", "--accel-g = -0.4 is not valid"),
         ("map -A 1:5:7 -W 1 -r 0.8:1.3:6", "--restitution/-r = 1.3 is not valid"),

@@ -35,7 +35,7 @@ def test_the_json_of_an_overturning_block_keeps_the_contract() -> None:
     values = rocksteady("simulate -A 2 -W 1.7 -r 0.8 --start steady --cycles 40 --json").json
     run = simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=1.7), start=Steady(), cycles=40)
     assert values["status"] == "overturned"
-    assert values["overturn_time_tau"] == run.overturn_tau
+    assert values["overturn_time_tau"] == run.overturn_time_tau
     assert values["impacts"] == len(run.impacts)
 
 
@@ -55,13 +55,13 @@ def test_the_json_of_a_real_block_is_in_seconds() -> None:
 
 
 def test_free_rocking_comes_to_rest() -> None:
-    values = rocksteady("simulate --block zhang-makris-2001 --start 0.6,w=0 --json").json
+    values = rocksteady("simulate --block zhang-makris-2001 --start 0.6,0 --json").json
     block = Block.from_p(alpha=0.25, p=2.14, restitution=0.9)
     run = simulate(block, Still(), start=State(angle=0.6, velocity=0.0))
     assert values["status"] == "at-rest"
     assert values["peak"] == 0.6
-    assert run.rest_s is not None
-    assert values["rest_time_s"] == run.rest_s / 2.14
+    assert run.rest_time_pt is not None
+    assert values["rest_time_s"] == run.rest_time_pt / 2.14
     assert values["overturn_time_s"] is None
     assert "amplitude" not in values
 
@@ -74,11 +74,11 @@ def test_free_rocking_comes_to_rest() -> None:
     [
         ("--start rest", State(angle=0.0, velocity=0.0), 0.0),
         ("--start 0.4,0", State(angle=0.4, velocity=0.0), 0.0),
-        ("--start 0.1,0.2", State(angle=0.1, velocity=0.8), 0.0),
-        ("--start 0.1,w=0.2", State(angle=0.1, velocity=0.2), 0.0),
-        ("--start -0.1,-2e-1", State(angle=-0.1, velocity=-0.8), 0.0),
-        ("--start=-0.1,w=-0.2 --phase 1.5", State(angle=-0.1, velocity=-0.2), 1.5),
-        ("--start 0,w=0.3 --phase -1", State(angle=0.0, velocity=0.3), -1.0),
+        ("--start 0.1,tau=0.2", State(angle=0.1, velocity=0.8), 0.0),
+        ("--start 0.1,0.2", State(angle=0.1, velocity=0.2), 0.0),
+        ("--start -0.1,tau=-2e-1", State(angle=-0.1, velocity=-0.8), 0.0),
+        ("--start=-0.1,-0.2 --phase 1.5", State(angle=-0.1, velocity=-0.2), 1.5),
+        ("--start 0,0.3 --phase -1", State(angle=0.0, velocity=0.3), -1.0),
     ],
 )
 def test_every_form_of_a_start(flags: str, start: State, phase: float) -> None:
@@ -116,10 +116,10 @@ def test_the_side_decides_the_fate_of_an_unstable_start() -> None:  # E6
         ("--start 1", "'1'"),
         ("--start 1,2,3", "'1,2,3'"),
         ("--start a,0", "'a,0'"),
-        ("--start 0,w=b", "'0,w=b'"),
+        ("--start 0,tau=b", "'0,tau=b'"),
         ("--start 0,v=1", "'0,v=1'"),
         ("--start nan,0", "'nan,0'"),
-        ("--start 0,w=inf", "'0,w=inf'"),
+        ("--start 0,inf", "'0,inf'"),
         ("--start 1e60,0", "1e+60"),
         ("--side 1", "'1'"),
         ("--side left", "'left'"),
@@ -158,9 +158,9 @@ def test_a_steady_start_that_is_none_says_what_was_typed_and_what_to_do() -> Non
     [
         ("", "'rest'"),
         ("--start steady", "needs shaking"),
-        ("--start 0.5,0", "U,w=V"),
-        ("--start 0.5,w=0 --phase 1", "--phase = 1.0"),
-        ("--start 0.5,w=0 --cycles 10", "--cycles = 10.0"),
+        ("--start 0.5,tau=0", "U,V"),
+        ("--start 0.5,0 --phase 1", "--phase = 1.0"),
+        ("--start 0.5,0 --cycles 10", "--cycles = 10.0"),
     ],
 )
 def test_what_has_no_meaning_without_shaking_is_refused(flags: str, needle: str) -> None:
@@ -217,18 +217,18 @@ def test_the_csv_holds_the_motion_and_every_impact(tmp_path: Path) -> None:
     block = Block.from_p(alpha=0.2, p=3.0, restitution=0.8)
     run = simulate(block, MOTION, cycles=5)
     motion = run(run.times(10))
-    np.testing.assert_array_equal(table["pivot_time"], motion.s)
+    np.testing.assert_array_equal(table["pivot_time"], motion.pt)
     np.testing.assert_array_equal(table["angle_per_alpha"], motion.angle)
     np.testing.assert_array_equal(table["velocity_per_pivot_time"], motion.velocity)
     np.testing.assert_array_equal(table["acceleration_per_pivot_time2"], motion.acceleration)
     np.testing.assert_array_equal(table["energy"], motion.energy)
-    np.testing.assert_allclose(table["tau"], 4.0 * motion.s)
-    np.testing.assert_allclose(table["time_s"], motion.s / 3.0)
+    np.testing.assert_allclose(table["tau"], 4.0 * motion.pt)
+    np.testing.assert_allclose(table["time_s"], motion.pt / 3.0)
     np.testing.assert_allclose(table["angle_rad"], 0.2 * motion.angle)
     np.testing.assert_allclose(
-        table["base_acceleration_m_s2"], 2.0 * 0.2 * 9.80665 * np.sin(4.0 * motion.s), atol=1e-12
+        table["base_acceleration_m_s2"], 2.0 * 0.2 * 9.80665 * np.sin(4.0 * motion.pt), atol=1e-12
     )
-    assert np.isin(run.impacts.s, table["pivot_time"]).all()
+    assert np.isin(run.impacts.pt, table["pivot_time"]).all()
     assert len(rows) > 50
 
 
@@ -238,9 +238,9 @@ def test_the_csv_holds_the_motion_and_every_impact(tmp_path: Path) -> None:
         SHAKEN,
         "simulate -A 2 -W 1.7 -r 0.8 --start steady",
         "simulate -A 0.5 -W 4 -r 0.8",
-        "simulate --block zhang-makris-2001 --start 0.6,w=0",
-        "simulate -r 0.8 --start 1,w=0",
-        "simulate -r 0.8 --start 1.5,w=0",
+        "simulate --block zhang-makris-2001 --start 0.6,0",
+        "simulate -r 0.8 --start 1,0",
+        "simulate -r 0.8 --start 1.5,0",
         "simulate -A 2 -W 4 -r 0.8 --cycles 1e-9",
     ],
 )
@@ -325,7 +325,7 @@ def test_an_existing_film_is_left_alone_without_force(tmp_path: Path) -> None:
     [
         (f"{SHAKEN} --cycles 60", "--cycles"),
         ("simulate -A 0.5 -W 4 -r 0.8 --cycles 1e5 --start rest", "--cycles"),
-        ("simulate -r 1 --start 0.5,w=0", "--speed"),
+        ("simulate -r 1 --start 0.5,0", "--speed"),
         (f"{SHAKEN} --speed 1000", "--speed = 1000.0 "),
     ],
 )

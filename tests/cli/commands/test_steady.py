@@ -50,6 +50,7 @@ def test_the_json_of_a_point_keeps_the_contract() -> None:
     for which, solution in enumerate(values["solutions"]):
         assert solution["phase"] == states.phase[which]
         assert solution["velocity"] == states.velocity[which]
+        assert solution["velocity_tau"] == states.velocity_tau[which]
         assert solution["peak"] == states.peak[which]
         assert solution["half_cycle_multipliers"] == [
             [m.real, m.imag] for m in states.multipliers[which]
@@ -235,7 +236,7 @@ def test_the_csv_holds_every_solution_to_the_last_digit(tmp_path: Path) -> None:
     ):
         assert float(row["amplitude"]) == states.amplitude[i, j]
         assert float(row["phase_rad"]) == states.phase[which, i, j]
-        assert float(row["velocity_per_tau"]) == states.velocity[which, i, j]
+        assert float(row["velocity"]) == states.velocity[which, i, j]
         assert int(row["branch"]) == which + 1
         assert row["admissible"] == str(bool(states.admissible[which, i, j]))  # type: ignore[index]
         stable = str(bool(states.stable[which, i, j])) if row["admissible"] == "True" else ""

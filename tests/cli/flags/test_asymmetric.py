@@ -41,20 +41,20 @@ def test_simulate_echoes_both_sides() -> None:
 
 
 def test_the_peak_in_radians_is_the_largest_angle() -> None:
-    values = rocksteady(f"simulate {FLAGS} --start=-1.4,w=0 --json").json
+    values = rocksteady(f"simulate {FLAGS} --start=-1.4,0 --json").json
     assert values["side_peaks"][1] < 1.0
     assert values["peak_rad"] == pytest.approx(1.4 * BLOCK.alpha)
 
 
 def test_a_gyration_and_a_pair_of_restitutions() -> None:
-    values = rocksteady(f"simulate {FLAGS} --gyration-m 0.5 -r 0.8,0.9 --start 0.5,w=0 --json").json
+    values = rocksteady(f"simulate {FLAGS} --gyration-m 0.5 -r 0.8,0.9 --start 0.5,0 --json").json
     block = Block.asymmetric(
         left=0.15, right=0.25, height=1.2, gyration=0.5, restitution=(0.8, 0.9)
     )
     run = simulate(block, Still(), start=State(angle=0.5, velocity=0.0))
     assert values["peak"] == run.peak
     assert values["block"]["p_rad_s"] == block.p
-    bare = rocksteady("simulate -r 0.8,0.9 --start 0.5,w=0 --json").json
+    bare = rocksteady("simulate -r 0.8,0.9 --start 0.5,0 --json").json
     same = simulate(
         DimensionlessBlock(restitution=0.8, negative_restitution=0.9),
         Still(),

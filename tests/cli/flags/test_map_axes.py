@@ -18,7 +18,7 @@ def shaken(amplitude: str = "2", ratio: str = "3") -> ShakingFlags:
 
 
 def test_axes_come_in_one_order_however_they_are_given() -> None:
-    start = MapStartFlags(phase="0:3:4", start="-1:1:5,w=0:0.5:6")
+    start = MapStartFlags(phase="0:3:4", start="-1:1:5,0:0.5:6")
     case = map_case(shaken("3:1:3", "2:4:2"), BlockFlags(restitution="0.7:0.9:7"), start)
     assert list(case.axes) == [name for name in AXES if name in case.axes]
     sizes = {name: len(values) for name, values in case.axes.items()}
@@ -59,10 +59,10 @@ def test_the_sizes_of_a_block_are_axes_and_bring_housners_restitution() -> None:
 
 
 def test_a_velocity_by_tau_is_one_by_pivot_time_where_the_frequency_stays() -> None:
-    case = map_case(shaken("1:2:3", "4"), BARE, MapStartFlags(start="0.25,-0.5:0.5:3"))
+    case = map_case(shaken("1:2:3", "4"), BARE, MapStartFlags(start="0.25,tau=-0.5:0.5:3"))
     assert case.axes["velocity"] == [-2.0, 0.0, 2.0]
     assert case.fixed["angle"] == 0.25
-    upright = map_case(shaken("1", "2:4:3"), BARE, MapStartFlags(start="0.25,0"))
+    upright = map_case(shaken("1", "2:4:3"), BARE, MapStartFlags(start="0.25,tau=0"))
     assert upright.fixed["velocity"] == 0.0, "no velocity is none in any unit"
 
 
@@ -70,16 +70,16 @@ def test_a_velocity_by_tau_is_one_by_pivot_time_where_the_frequency_stays() -> N
     ("shaking", "block", "start", "words"),
     [
         (shaken(), BARE, {}, "none of -A, -W, -r and the other flags of the case is an axis"),
-        (shaken("1", "2:4:3"), BARE, {"start": "0.25,0.5"}, "du/dtau is another velocity in each"),
+        (shaken("1", "2:4:3"), BARE, {"start": "0.25,tau=0.5"}, "is another velocity in each"),
         (
             ShakingFlags(amplitude="2", freq_hz="2"),
             BlockFlags(width_m="0.3:0.6:4", height_m="1.2"),
-            {"start": "0.25,0.5"},
-            "du/dtau is another velocity in each",
+            {"start": "0.25,tau=0.5"},
+            "is another velocity in each",
         ),
         (shaken(), BARE, {"start": "-1:1:5,"}, "it must be a number"),
         (shaken(), BARE, {"start": "one,two"}, "it is not two numbers"),
-        (shaken(), BARE, {"start": "nan,w=0"}, "its numbers must be finite"),
+        (shaken(), BARE, {"start": "nan,0"}, "its numbers must be finite"),
         (shaken(), BARE, {"phase": "0:1"}, "it must be a number or an axis"),
         (shaken(), BARE, {"start": "steady", "phase": "0:1:3"}, "decides its phase"),
     ],

@@ -28,7 +28,7 @@ def test_the_json_of_every_pulse(name: str) -> None:
     assert values["status"] == run.status.label
     assert values["peak"] == run.peak
     assert values["impacts"] == len(run.impacts)
-    assert values["overturn_time_pt"] == run.overturn_s
+    assert values["overturn_time_pt"] == run.overturn_time_pt
     assert (values["amplitude"], values["frequency_ratio"]) == (3.0, 4.0)
     assert values["duration_pt"] == pulse.duration
     assert values["overturn_time_tau"] is None
@@ -69,7 +69,7 @@ def test_m1_at_its_printed_digits() -> None:
 
 def test_a_start_before_a_pulse() -> None:
     at_rest = rocksteady(f"{ONE_SINE} --json").json
-    let_go = rocksteady(f"{ONE_SINE} --start=-0.3,w=0 --json").json
+    let_go = rocksteady(f"{ONE_SINE} --start=-0.3,0 --json").json
     assert at_rest["status"] == let_go["status"] == "at-rest"
     assert at_rest["peak"] != let_go["peak"]
 
@@ -117,7 +117,7 @@ def test_the_help_names_every_pulse() -> None:
             ["--oscillations = 1", "(1, 50]"],
         ),
         ("-A 2 -W 5 -r 0.9 --pulse one-sine --start steady", ["--start = 'steady'", "harmonic"]),
-        ("-A 2 -W 5 -r 0.9 --pulse one-sine --start 0.1,0", ["--start", "du/d(pt) as U,w=V"]),
+        ("-A 2 -W 5 -r 0.9 --pulse one-sine --start 0.1,tau=0", ["--start", "du/d(pt) as U,V"]),
     ],
 )
 def test_what_is_refused(flags: str, words: list[Any]) -> None:

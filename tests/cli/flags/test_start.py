@@ -29,7 +29,7 @@ def test_the_flag_is_the_librarys_argument(kick: str, side: str) -> None:
         start=Steady(kick=float(kick), side=1 if side == "+" else -1),
         cycles=40,
     )
-    assert overturned_at("--kick", kick, "--side", side) == run.overturn_tau
+    assert overturned_at("--kick", kick, "--side", side) == run.overturn_time_tau
 
 
 def test_a_block_set_off_further_out_falls_sooner() -> None:
@@ -51,7 +51,7 @@ def test_a_kick_out_of_range_is_refused(kick: str) -> None:
     assert "0.1" in line
 
 
-@pytest.mark.parametrize("start", ["rest", "0.1,0", "0,w=0.2"])
+@pytest.mark.parametrize("start", ["rest", "0.1,0", "0,0.2"])
 def test_a_kick_without_a_steady_state_is_refused(start: str) -> None:
     line = refused(f"simulate -A 2 -W 1.7 -r 0.8 --kick 1e-4 --start {start}")
     assert "--kick = 0.0001" in line
@@ -75,8 +75,8 @@ def test_the_help_names_the_default() -> None:
     ("flags", "start"),
     [
         (StartFlags(), Rest()),
-        (StartFlags(start="0.4,w=-0.1"), State(angle=0.4, velocity=-0.1)),
-        (StartFlags(start="0.4,-0.5"), State(angle=0.4, velocity=-1.5)),
+        (StartFlags(start="0.4,-0.1"), State(angle=0.4, velocity=-0.1)),
+        (StartFlags(start="0.4,tau=-0.5"), State(angle=0.4, velocity=-1.5)),
         (StartFlags(start="-1e-3,0"), State(angle=-1e-3, velocity=0.0)),
         (StartFlags(start="steady"), Steady()),
         (StartFlags(start="steady:1"), Steady()),
@@ -88,9 +88,9 @@ def test_every_text_is_its_start(flags: StartFlags, start: Rest | State | Steady
 
 
 def test_the_velocity_by_tau_needs_a_frequency_and_that_by_pivot_time_none() -> None:
-    assert StartFlags(start="0.4,w=0.1").of(None) == State(angle=0.4, velocity=0.1)
-    with pytest.raises(InputError, match="du/dtau needs harmonic shaking; give du/d"):
-        StartFlags(start="0.4,0.1").of(None)
+    assert StartFlags(start="0.4,0.1").of(None) == State(angle=0.4, velocity=0.1)
+    with pytest.raises(InputError, match=r"du/d\(omega t\) needs harmonic shaking; give du/d"):
+        StartFlags(start="0.4,tau=0.1").of(None)
 
 
 @pytest.mark.parametrize(
@@ -100,11 +100,12 @@ def test_the_velocity_by_tau_needs_a_frequency_and_that_by_pivot_time_none() -> 
         ("steady:3", "it is no known start"),
         ("0.4", "it is no known start"),
         ("0.4,", "it is not two numbers"),
-        ("0.4,w=", "it is not two numbers"),
+        ("0.4,tau=", "it is not two numbers"),
+        ("0.4,w=0.1", "it is not two numbers"),
         ("0.4,0.1,0.2", "it is not two numbers"),
         ("\N{ARABIC-INDIC DIGIT TWO},0", "it is not two numbers"),
         ("nan,0", "its numbers must be finite"),
-        ("0,w=inf", "its numbers must be finite"),
+        ("0,inf", "its numbers must be finite"),
     ],
 )
 def test_what_is_no_start_is_refused_with_all_that_are(text: str, words: str) -> None:
@@ -121,7 +122,7 @@ def test_what_is_no_start_is_refused_with_all_that_are(text: str, words: str) ->
         (StartFlags(start="steady", phase=1.0), True, "a steady state decides its phase"),
         (StartFlags(start="steady:2"), False, "a steady state needs shaking"),
         (StartFlags(), False, "a block at rest stays there"),
-        (StartFlags(start="0.5,w=0", phase=1.0), False, "without shaking it has no meaning"),
+        (StartFlags(start="0.5,0", phase=1.0), False, "without shaking it has no meaning"),
     ],
 )
 def test_flags_that_contradict_each_other_are_refused(
@@ -133,7 +134,7 @@ def test_flags_that_contradict_each_other_are_refused(
 
 def test_flags_that_go_together_pass() -> None:
     StartFlags(start="steady:2", side="-").check(shaken=True)
-    StartFlags(start="0.5,w=0").check(shaken=False)
+    StartFlags(start="0.5,0").check(shaken=False)
     refuse_without_shaking("--phase", None)
     with pytest.raises(FlagError, match="only a steady start has an order"):
         StartFlags(order=3).of(2.0)

@@ -111,9 +111,9 @@ def test_an_end_says_what_is_kept_and_how_it_goes_on(
 
 
 def test_the_command_that_goes_on_is_quoted_and_resumes_once() -> None:
-    arguments = ["map", "--start=-1:1:5,w=0", "--resume", "--force", "--out", "my map"]
+    arguments = ["map", "--start=-1:1:5,0", "--resume", "--force", "--out", "my map"]
     line = resuming(arguments)
     assert shlex.split(line) == [
-        *("rocksteady", "map", "--start=-1:1:5,w=0", "--out", "my map", "--resume")
+        *("rocksteady", "map", "--start=-1:1:5,0", "--out", "my map", "--resume")
     ]
     assert resuming(shlex.split(line)[1:]) == line

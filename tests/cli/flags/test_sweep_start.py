@@ -28,8 +28,8 @@ SPAN = Range(
         ({"phase": 1.0}, 2.0, ("rest", Rest(), 1.0)),
         ({"start": "rest", "order": 3}, 2.0, ("rest", Rest(), 0.0)),
         ({"start": "steady:1", "kick": 1e-3}, 2.0, ("steady:1", Steady(kick=1e-3), 0.0)),
-        ({"start": "0.2,w=0.1"}, 2.0, ("0.2,w=0.1", State(angle=0.2, velocity=0.1), 0.0)),
-        ({"start": "0.2,0.5"}, 2.0, ("0.2,0.5", State(angle=0.2, velocity=2.0), 0.0)),
+        ({"start": "0.2,0.1"}, 2.0, ("0.2,0.1", State(angle=0.2, velocity=0.1), 0.0)),
+        ({"start": "0.2,tau=0.5"}, 2.0, ("0.2,tau=0.5", State(angle=0.2, velocity=2.0), 0.0)),
     ],
 )
 def test_a_sweep_begins_where_it_is_told_or_on_a_steady_state(
@@ -54,10 +54,10 @@ def test_without_sweeps_what_only_they_have_is_refused(flags: dict[str, Any]) ->
 
 @pytest.mark.parametrize("upwards", [True, False])
 def test_a_sweep_goes_along_the_axis_from_its_first_value(upwards: bool) -> None:
-    start = SweepStart(start="0.2,w=0.1", phase=0.5)
+    start = SweepStart(start="0.2,0.1", phase=0.5)
     found = _sweep(SPAN, start, 300, upwards=upwards)
     values = SPAN.values if upwards else SPAN.values[::-1]
-    assert found.start == "0.2,w=0.1"
+    assert found.start == "0.2,0.1"
     assert found.trail.values.tolist() == list(values)
     bare, shaking = SPAN.at(values[0])
     begun = State(angle=0.2, velocity=0.1)

@@ -142,7 +142,7 @@ def test_what_moves_with_an_axis_has_no_one_value() -> None:
 
 def test_a_start_that_moves_is_no_one_start() -> None:
     shaking = ShakingFlags(amplitude="2", frequency_ratio="3")
-    case = map_case(shaking, BARE, MapStartFlags(start="-1:1:5,w=0.2"))
+    case = map_case(shaking, BARE, MapStartFlags(start="-1:1:5,0.2"))
     assert case_values(case)["start"] is None
     assert title_of(case, None, "linear") == (
         "What the block settles to: A = 2, Ω = 3, restitution 0.8"

@@ -76,7 +76,7 @@ def test_the_values_keep_the_contract(name: str) -> None:
     assert bool(fell) == (values["status"] == "overturned")
     if isinstance(block, Block):
         # The largest angle of the motion itself, sampled finely.
-        until = run.shown_to_s if run.overturn_s is None else run.overturn_s
+        until = run.shown_to_pt if run.overturn_time_pt is None else run.overturn_time_pt
         angles = run(np.linspace(0.0, until, 20_001)).angle * block.alpha
         assert values["peak_rad"] == pytest.approx(np.abs(angles).max(), rel=1e-4)
 
@@ -103,8 +103,8 @@ def test_the_summary_says_how_it_ended(name: str) -> None:
     assert fits(text)
     assert advice == run.status.advice
     assert run.status.label in text
-    assert ("overturns at" in text) == (run.overturn_s is not None)
-    assert ("at rest from" in text) == (run.rest_s is not None)
+    assert ("overturns at" in text) == (run.overturn_time_pt is not None)
+    assert ("at rest from" in text) == (run.rest_time_pt is not None)
     assert ("left edge" in text) == ("right edge" in text) == (not block.symmetric)
     assert "mean, -1.5 m/s^2, taken off" in text
 

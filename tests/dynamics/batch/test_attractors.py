@@ -128,7 +128,7 @@ def test_the_codes_of_the_kinds_are_kept_for_ever() -> None:
         3: "overturned",
         4: "aperiodic",
         5: "undecided",
-        6: "no-start",
+        -1: "no-start",
     }
 
 

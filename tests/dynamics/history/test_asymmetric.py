@@ -22,7 +22,7 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.model.equations import Linear
-from tests.dynamics.asymmetric import BLOCK, HARD, UNLIKE, random_block
+from tests.dynamics.asymmetric import ASYMMETRY, BLOCK, HARD, random_block
 from tests.dynamics.integrator import integrate_sides
 from tests.strategies import sample_size
 
@@ -53,14 +53,14 @@ def test_impacts_are_those_of_an_integrator(seed: int) -> None:
     for time, before, after in zip(truth.impacts, truth.before, truth.after, strict=True):
         if abs(after) < 1e-3 * block.alpha * block.p:  # the integrator loses short bounces
             break
-        at = run.impacts.s[count] / block.p
+        at = run.impacts.pt[count] / block.p
         assert at == pytest.approx(time, abs=1e-9)
         unit = block.alpha * block.p
         assert run.impacts.velocity_before[count] * unit == pytest.approx(before, abs=1e-8)
         assert run.impacts.velocity_after[count] * unit == pytest.approx(after, abs=1e-8)
         count += 1
     assert count > 0 or run.status is Status.OVERTURNED
-    inside = truth.times <= run.end_s / block.p
+    inside = truth.times <= run.end_time_pt / block.p
     angles = run.at_time(truth.times[inside]).angle * block.alpha
     near = np.abs(truth.angles[inside]) < 1.5 * block.alpha
     apart = np.abs(angles - truth.angles[inside])[near]
@@ -86,7 +86,7 @@ def test_an_impulse_of_the_base_turns_each_side_by_its_own_p() -> None:
             pieces.append(Segment(duration=duration - (short if area else 0.0)))
     pushed = simulate(BLOCK, Piecewise(pieces=tuple(pieces)), model=Linear())
     assert len(run.impacts) > 3
-    assert run.impacts.s[:3] == pytest.approx(pushed.impacts.s[:3], abs=1e-5)
+    assert run.impacts.pt[:3] == pytest.approx(pushed.impacts.pt[:3], abs=1e-5)
     assert run.side_peaks == pytest.approx(pushed.side_peaks, abs=1e-5)
 
 
@@ -103,7 +103,7 @@ def test_a_record_moves_it_as_its_samples_do() -> None:
         velocity=-0.3 * BLOCK.alpha * BLOCK.p,
         longest_step=0.002,
     )
-    found = run.impacts.s[: len(truth.impacts)] / BLOCK.p
+    found = run.impacts.pt[: len(truth.impacts)] / BLOCK.p
     assert len(truth.impacts) > 1
     assert found[:2] == pytest.approx(truth.impacts[:2], abs=1e-6)
 
@@ -181,11 +181,11 @@ def test_the_mirrored_block_on_the_reversed_ground_moves_mirrored(
     assert len(image.impacts) == len(run.impacts)
     assert np.array_equal(image.flights.side, -run.flights.side)
     if isinstance(motion, Harmonic):
-        assert image.impacts.s == pytest.approx(0.5 * run.impacts.s, rel=1e-9, abs=1e-12)
+        assert image.impacts.pt == pytest.approx(0.5 * run.impacts.pt, rel=1e-9, abs=1e-12)
         return
-    assert np.array_equal(image.impacts.s, 0.5 * run.impacts.s)
+    assert np.array_equal(image.impacts.pt, 0.5 * run.impacts.pt)
     assert np.array_equal(image.impacts.velocity_after, -run.impacts.velocity_after)
-    assert image.rest_s == (None if run.rest_s is None else 0.5 * run.rest_s)
+    assert image.rest_time_pt == (None if run.rest_time_pt is None else 0.5 * run.rest_time_pt)
 
 
 def test_the_mirror_image_under_harmonic_shaking_is_exact_too() -> None:
@@ -213,7 +213,7 @@ def test_with_equal_sides_it_is_the_symmetric_block_to_the_last_bit(
     ]
     for run in runs[1:]:
         assert np.array_equal(run.rows, runs[0].rows, equal_nan=True)
-        assert (run.peak, run.rest_s) == (runs[0].peak, runs[0].rest_s)
+        assert (run.peak, run.rest_time_pt) == (runs[0].peak, runs[0].rest_time_pt)
 
 
 def test_sides_that_hardly_differ_move_as_if_they_did_not() -> None:
@@ -221,7 +221,7 @@ def test_sides_that_hardly_differ_move_as_if_they_did_not() -> None:
     like = DimensionlessBlock(restitution=0.8)
     shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
     one, other = (simulate(block, shaking, cycles=20) for block in (near, like))
-    assert one.impacts.s == pytest.approx(other.impacts.s, abs=1e-9)
+    assert one.impacts.pt == pytest.approx(other.impacts.pt, abs=1e-9)
     assert attractor(like, shaking).kind == "symmetric"
     found = attractor(near, shaking)
     assert found.kind == "unsymmetric"
@@ -238,10 +238,10 @@ def test_without_loss_the_energy_stays_what_it_was() -> None:
     run = simulate(
         block, Still(), start=State(angle=0.6, velocity=0.0), max_flights=1002, model=Linear()
     )
-    energy = run(run.impacts.s[:-1]).energy
+    energy = run(run.impacts.pt[:-1]).energy
     assert len(energy) >= 1000
     assert np.ptp(energy) < 1e-10 * energy[0]
-    between = run(np.linspace(0.0, float(run.impacts.s[20]), 500)).energy
+    between = run(np.linspace(0.0, float(run.impacts.pt[20]), 500)).energy
     assert between == pytest.approx(energy[0], rel=1e-12)
     assert run.side_peaks[0] == pytest.approx(0.6, rel=1e-12)
     # On the other side it rises to p2^2 (alpha2 theta - theta^2/2) = p1^2 (...).
@@ -252,8 +252,8 @@ def test_without_loss_the_energy_stays_what_it_was() -> None:
 
 
 def test_peaks_of_each_side_are_those_of_dense_samples() -> None:
-    run = simulate(UNLIKE, HARD, start=State(angle=0.2, velocity=0.3), cycles=10)
-    angle = run(np.linspace(0.0, run.end_s, 40_001)).angle
+    run = simulate(ASYMMETRY, HARD, start=State(angle=0.2, velocity=0.3), cycles=10)
+    angle = run(np.linspace(0.0, run.end_time_pt, 40_001)).angle
     assert run.side_peaks[0] == pytest.approx(angle.max(), rel=1e-5)
     assert run.side_peaks[1] == pytest.approx(-angle.min() / 1.3, rel=1e-5)
     assert run.peak == max(run.side_peaks)
@@ -263,32 +263,32 @@ def test_peaks_of_each_side_are_those_of_dense_samples() -> None:
 @pytest.mark.parametrize("side", [-1, 1])
 def test_it_overturns_past_the_balance_of_the_side_to_which_it_falls(side: int) -> None:
     lean = 1.3 if side < 0 else 1.0
-    run = simulate(UNLIKE, Still(), start=State(angle=0.0, velocity=1.5 * side))
+    run = simulate(ASYMMETRY, Still(), start=State(angle=0.0, velocity=1.5 * side))
     assert run.status is Status.OVERTURNED
-    assert run.overturn_s is not None
-    assert float(run(run.overturn_s).angle) == pytest.approx(side * lean, rel=1e-12)
+    assert run.overturn_time_pt is not None
+    assert float(run(run.overturn_time_pt).angle) == pytest.approx(side * lean, rel=1e-12)
     assert run.side_peaks[0 if side > 0 else 1] == pytest.approx(1.0, rel=1e-12)
-    assert float(run(run.end_s).angle) == pytest.approx(2.0 * lean * side, rel=1e-12)
+    assert float(run(run.end_time_pt).angle) == pytest.approx(2.0 * lean * side, rel=1e-12)
 
 
 @pytest.mark.parametrize("side", [-1, 1])
 def test_it_comes_to_rest_when_all_its_bounces_are_over(side: int) -> None:
-    run = simulate(UNLIKE, Still(), start=State(angle=0.0, velocity=0.3 * side))
+    run = simulate(ASYMMETRY, Still(), start=State(angle=0.0, velocity=0.3 * side))
     assert run.status is Status.AT_REST
-    assert run.rest_s is not None
+    assert run.rest_time_pt is not None
     # Free bounces in closed form: each lasts 2 artanh(v) in its own units and loses its part.
     velocity, here, total = 0.3, 0 if side > 0 else 1, 0.0
     for _ in range(400):
-        restitution, lean, rate = UNLIKE.sides[here]
+        restitution, lean, rate = ASYMMETRY.sides[here]
         total += 2.0 * math.atanh(velocity / (lean * rate)) / rate
         velocity, here = velocity * restitution, 1 - here
-    assert run.rest_s == pytest.approx(total, rel=1e-13)
+    assert run.rest_time_pt == pytest.approx(total, rel=1e-13)
 
 
 def test_a_block_at_rest_is_lifted_to_either_side_by_its_own_acceleration() -> None:
     for sign, least in ((1.0, 1.0), (-1.0, 1.3)):
         for share, status in ((0.999, Status.AT_REST), (1.001, Status.AT_REST)):
             push = Piecewise(pieces=(Segment(duration=0.01, constant=sign * share * least),))
-            run = simulate(UNLIKE, push)
+            run = simulate(ASYMMETRY, push)
             assert run.status is status
             assert (len(run.impacts) > 0) == (share > 1.0)

@@ -47,7 +47,7 @@ def shift(run: Trajectory, a: float, w: float, n: int, branch: int) -> tuple[flo
     """How far a run starts from the orbit: phase, and velocity over that of the orbit."""
     states = steady_states(a, w, 0.8, order=n)
     assert isinstance(run.motion, Harmonic)
-    velocity = w * float(states.velocity[branch - 1])
+    velocity = float(states.velocity[branch - 1])
     return (
         run.motion.phase - float(states.phase[branch - 1]),
         float(run.flights.velocity[0]) / velocity - 1.0,
@@ -87,7 +87,7 @@ def test_it_is_the_direction_that_the_half_cycle_turns_into_its_multiple(
     # from the trace, the direction from the Jacobian.
     states = steady_states(a, w, 0.8, order=n)
     multiplier = float(states.multipliers[branch - 1, 0].real)
-    phase, velocity = float(states.phase[branch - 1]), w * float(states.velocity[branch - 1])
+    phase, velocity = float(states.phase[branch - 1]), float(states.velocity[branch - 1])
 
     def landed(d_phase: float, d_velocity: float) -> tuple[float, float]:
         run = simulate(
@@ -96,7 +96,7 @@ def test_it_is_the_direction_that_the_half_cycle_turns_into_its_multiple(
             start=State(angle=0.0, velocity=velocity * (1.0 + d_velocity)),
             cycles=n,
         )
-        first = float(run.impacts.s[0])
+        first = float(run.impacts.pt[0])
         return (
             w * first + d_phase - n * math.pi,
             abs(float(run.impacts.velocity_after[0])) / velocity - 1.0,
@@ -125,8 +125,8 @@ def test_where_the_multiplier_is_negative_one_side_is_the_others_mirror_image_la
     assume(multiplier < -1.0)
     # after a half cycle the distance is |multiplier| times as large, to first order
     one = started(2.0, w, 1, 1, kick=kick, side=1)
-    velocity = w * float(states.velocity[0])
-    x, y = (float(one.impacts.s[0]), float(abs(one.impacts.velocity_after[0])) / velocity - 1.0)
+    velocity = float(states.velocity[0])
+    x, y = (float(one.impacts.pt[0]), float(abs(one.impacts.velocity_after[0])) / velocity - 1.0)
     assert isinstance(one.motion, Harmonic)
     turned = (one.motion.phase + w * x - math.pi - float(states.phase[0]), y)
     # to second order in the distance, with a curvature that is moderate here

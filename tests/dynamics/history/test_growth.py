@@ -9,8 +9,8 @@ from rocksteady import (
     Block,
     DimensionlessBlock,
     Harmonic,
-    Motions,
     Piecewise,
+    Samples,
     Segment,
     State,
     Steady,
@@ -22,7 +22,7 @@ from rocksteady.model.equations import Nonlinear
 from rocksteady.model.motions.segments import Motion
 
 BARE = DimensionlessBlock(restitution=0.8)
-UNLIKE = DimensionlessBlock(restitution=0.8, alpha_ratio=1.4, p_ratio=0.9)
+ASYMMETRY = DimensionlessBlock(restitution=0.8, alpha_ratio=1.4, p_ratio=0.9)
 PIECES = (
     Segment(duration=1.0, constant=0.5),
     Segment(duration=0.7, constant=-1.2, slope=0.3),
@@ -30,13 +30,13 @@ PIECES = (
 )
 MOTIONS: dict[str, tuple[DimensionlessBlock, Motion]] = {
     "harmonic": (BARE, Harmonic(amplitude=2.0, frequency_ratio=4.0, phase=0.3)),
-    "asymmetric": (UNLIKE, Harmonic(amplitude=2.0, frequency_ratio=4.0, phase=0.3)),
+    "asymmetric": (ASYMMETRY, Harmonic(amplitude=2.0, frequency_ratio=4.0, phase=0.3)),
     "piecewise": (BARE, Piecewise(pieces=PIECES)),
     "still": (BARE, Still()),
 }
 
 
-def states(motions: Motions) -> np.ndarray:
+def states(motions: Samples) -> np.ndarray:
     return np.array([motions.angle, motions.velocity])
 
 
@@ -46,7 +46,7 @@ def test_growth_is_that_of_runs_that_begin_a_little_apart(name: str) -> None:
     start, h = (0.1, 0.2), 1e-8
     begun = State(angle=0.1, velocity=0.2)
     run = simulate(block, motion, start=begun, cycles=5.3, max_flights=12)
-    at = run.impacts.s + 1e-4
+    at = run.impacts.pt + 1e-4
     columns = []
     for shift in ((h, 0.0), (0.0, h)):
         ends = [

@@ -34,9 +34,9 @@ def test_a_long_quiet_segment_is_free_rocking(duration: float) -> None:
     long = simulate(BLOCK, Piecewise(pieces=(Segment(duration=duration),)), start=start)
     assert long.status is Status.AT_REST
     assert long.peak == free.peak == 0.5
-    assert long.impacts.s[0] == pytest.approx(math.acosh(2.0), rel=1e-15)
-    np.testing.assert_allclose(long.impacts.s, free.impacts.s, rtol=1e-13)
-    assert long.rest_s == pytest.approx(free.rest_s, rel=1e-13)
+    assert long.impacts.pt[0] == pytest.approx(math.acosh(2.0), rel=1e-15)
+    np.testing.assert_allclose(long.impacts.pt, free.impacts.pt, rtol=1e-13)
+    assert long.rest_time_pt == pytest.approx(free.rest_time_pt, rel=1e-13)
 
 
 @pytest.mark.parametrize("ratio", [0.01, 0.015, 0.02, 0.022])
@@ -59,8 +59,8 @@ def test_slow_shaking_is_followed_as_closely_as_fast(ratio: float) -> None:
             for number in range(12)
         )
         cut = simulate(BLOCK, Piecewise(pieces=pieces), start=start)
-        early = whole.impacts.s[(whole.impacts.s < 100.0)][:8]
-        np.testing.assert_allclose(cut.impacts.s[: len(early)], early, rtol=1e-11)
+        early = whole.impacts.pt[(whole.impacts.pt < 100.0)][:8]
+        np.testing.assert_allclose(cut.impacts.pt[: len(early)], early, rtol=1e-11)
         assert whole.peak <= 1.0 or whole.status is Status.OVERTURNED
 
 
@@ -75,12 +75,12 @@ def test_rest_comes_after_the_whole_series_of_bounces(restitution: float) -> Non
     while energy > 1e-34:
         energy *= restitution**2
         total += 2.0 * math.atanh(math.sqrt(energy))
-    assert run.rest_s == pytest.approx(total, rel=1e-12)
+    assert run.rest_time_pt == pytest.approx(total, rel=1e-12)
 
 
 def test_a_block_that_never_moves_rests_from_the_start() -> None:
     run = simulate(BLOCK, Piecewise(pieces=(Segment(duration=5.0, constant=1.0),)))
-    assert run.rest_s == 0.0
+    assert run.rest_time_pt == 0.0
     assert run.peak == 0.0
 
 
@@ -90,8 +90,8 @@ def test_hardly_any_loss_still_ends_at_rest_and_none_at_all_goes_on_rocking() ->
     assert little.status is Status.AT_REST
     none = simulate(DimensionlessBlock(restitution=1.0), Still(), start=start)
     assert none.status is Status.ROCKING
-    assert none.end_s == pytest.approx(1e4)
-    np.testing.assert_allclose(np.diff(none.impacts.s), 2.0 * none.impacts.s[0], rtol=1e-9)
+    assert none.end_time_pt == pytest.approx(1e4)
+    np.testing.assert_allclose(np.diff(none.impacts.pt), 2.0 * none.impacts.pt[0], rtol=1e-9)
 
 
 @pytest.mark.parametrize("velocity", [1e-300, 1e-30, 1e-22, 1e-14])
@@ -128,7 +128,7 @@ def never_backwards(restitution: float, exponents: Iterable[int]) -> None:
                 start=State(angle=0.0, velocity=side * 10.0**exponent),
                 cycles=3,
             )
-            assert (np.diff(run.flights.s) >= 0.0).all()
+            assert (np.diff(run.flights.pt) >= 0.0).all()
             assert np.isfinite(run(run.times(5)).angle).all()
 
 
@@ -194,4 +194,4 @@ def test_cycles_count_from_the_start_of_an_endless_last_segment() -> None:
         )
     )
     run = simulate(BLOCK, shaken, cycles=7)
-    assert run.end_s == pytest.approx(2.0 + 7.0 * 2.0 * math.pi / 4.0, rel=1e-14)
+    assert run.end_time_pt == pytest.approx(2.0 + 7.0 * 2.0 * math.pi / 4.0, rel=1e-14)

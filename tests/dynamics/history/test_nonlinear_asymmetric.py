@@ -108,7 +108,7 @@ def test_without_loss_the_energy_stays_what_it_was(angle: float) -> None:
     block = BLOCK.with_restitution(1.0)
     run = full(block, Still(), start=State(angle=angle, velocity=0.0), max_flights=1002)
     assert len(run.impacts) >= 1000
-    energy = run(run.times(2, span=(0.0, float(run.impacts.s[999])))).energy
+    energy = run(run.times(2, span=(0.0, float(run.impacts.pt[999])))).energy
     assert np.ptp(energy) <= 1e-10 * energy[0]
     # Each side rises to where its own potential energy is that of the start.
     for side, peak in zip((block.positive, block.negative), run.side_peaks, strict=True):
@@ -131,13 +131,13 @@ def test_slender_blocks_move_as_in_the_linear_model() -> None:
             assert here.status is there.status
             count = min(6, len(there.impacts) - 1)
             assert count > 1
-            assert here.impacts.s[:count] == pytest.approx(there.impacts.s[:count], abs=1e-9)
+            assert here.impacts.pt[:count] == pytest.approx(there.impacts.pt[:count], abs=1e-9)
             assert here.side_peaks == pytest.approx(there.side_peaks, rel=1e-9)
-            if there.rest_s is not None:
-                assert here.rest_s == pytest.approx(there.rest_s, rel=1e-8)
+            if there.rest_time_pt is not None:
+                assert here.rest_time_pt == pytest.approx(there.rest_time_pt, rel=1e-8)
             assert here.uplifts == pytest.approx(there.uplifts, rel=1e-11)
             assert here.balances == there.balances
-            s = np.linspace(0.0, 0.999 * float(here.impacts.s[count]), 50)
+            s = np.linspace(0.0, 0.999 * float(here.impacts.pt[count]), 50)
             assert here(s).energy == pytest.approx(there(s).energy, abs=1e-9)
 
 
@@ -174,10 +174,10 @@ def test_it_falls_from_the_velocity_that_carries_it_over_its_balance(side: int) 
         run = full(BLOCK, Still(), start=State(angle=0.0, velocity=side * share * border))
         assert (run.status is Status.OVERTURNED and len(run.impacts) == 0) is falls
     run = full(BLOCK, Still(), start=State(angle=0.0, velocity=1.2 * side * border))
-    assert run.overturn_s is not None
-    assert float(run(run.overturn_s).angle) == pytest.approx(side * lean, rel=1e-12)
+    assert run.overturn_time_pt is not None
+    assert float(run(run.overturn_time_pt).angle) == pytest.approx(side * lean, rel=1e-12)
     assert run.side_peaks[0 if side > 0 else 1] == pytest.approx(1.0, rel=1e-12)
-    assert float(run(run.end_s).angle) == pytest.approx(2.0 * side * lean, rel=1e-12)
+    assert float(run(run.end_time_pt).angle) == pytest.approx(2.0 * side * lean, rel=1e-12)
 
 
 @pytest.mark.parametrize("side", [-1, 1])
@@ -188,25 +188,25 @@ def test_a_stocky_block_is_followed_until_it_lies_on_the_side_to_which_it_falls(
     run = full(block, Still(), start=State(angle=1.02 * side * lean, velocity=0.0))
     assert run.status is Status.OVERTURNED
     lying = side * lean * min(2.02, 0.5 * math.pi / own.alpha)
-    assert float(run(run.end_s).angle) == pytest.approx(lying, rel=1e-12)
+    assert float(run(run.end_time_pt).angle) == pytest.approx(lying, rel=1e-12)
 
 
 def rests_when_its_bounces_are_over(run: Trajectory) -> None:
-    """Check `rest_s` against the impacts before it and the accelerations just after them."""
+    """Check `rest_time_pt` against the impacts before it and the accelerations just after them."""
     assert run.status is Status.AT_REST
-    assert run.rest_s is not None
+    assert run.rest_time_pt is not None
     # Small bounces are a geometric series: its limit, from three impacts of one side (Aitken).
-    first, second, third = run.impacts.s[-13:-7:2].tolist()
+    first, second, third = run.impacts.pt[-13:-7:2].tolist()
     limit = third - (third - second) ** 2 / ((third - second) - (second - first))
-    assert run.rest_s == pytest.approx(limit, abs=1e-8)
+    assert run.rest_time_pt == pytest.approx(limit, abs=1e-8)
     # What is not recorded any more is that series with the pulls that each side has.
-    near, far = np.abs(run(run.impacts.s[[-3, -2]]).acceleration).tolist()
+    near, far = np.abs(run(run.impacts.pt[[-3, -2]]).acceleration).tolist()
     restitution = {1: run.sides[0, 0], -1: run.sides[1, 0]}
     there = int(run.impacts.side[-1])  # from which it fell last
     velocity = abs(run.impacts.velocity_after[-1])
     once = 2.0 * velocity * (1.0 / near + restitution[-there] / far)
     left = once / (1.0 - restitution[1] * restitution[-1])
-    assert run.rest_s - run.impacts.s[-1] == pytest.approx(left, rel=1e-4)
+    assert run.rest_time_pt - run.impacts.pt[-1] == pytest.approx(left, rel=1e-4)
 
 
 @pytest.mark.parametrize("side", [-1, 1])
@@ -222,13 +222,13 @@ def test_at_rest_on_a_base_that_pushes_it_the_bounces_last_as_the_pull_of_each_s
         start = State(angle=angle, velocity=0.0)
         block = BLOCK.with_restitution((0.5, 0.55))
         run = full(block, BaseMotion(pushed, lifted), start=start)
-        assert run.impacts.s[-1] < 2.0 * block.p
+        assert run.impacts.pt[-1] < 2.0 * block.p
         rests_when_its_bounces_are_over(run)
 
 
 def test_peaks_of_each_side_are_those_of_dense_samples() -> None:
     run = full(BLOCK, Harmonic(amplitude=1.8, frequency_ratio=4.0), cycles=10)
-    angle = run(np.linspace(0.0, run.end_s, 40_001)).angle
+    angle = run(np.linspace(0.0, run.end_time_pt, 40_001)).angle
     assert run.side_peaks[0] == pytest.approx(angle.max(), rel=1e-5)
     lean = BLOCK.negative.alpha / BLOCK.alpha
     assert run.side_peaks[1] == pytest.approx(-angle.min() / lean, rel=1e-5)
@@ -245,7 +245,7 @@ def test_an_attractor_is_where_a_long_run_ends() -> None:
     assert found.orbit is not None
     assert not found.orbit.symmetric
     run = full(BLOCK, shaking, cycles=200)
-    last = run(np.linspace(run.end_s - 2.0 * math.pi / 6.0, run.end_s, 20_001)).angle
+    last = run(np.linspace(run.end_time_pt - 2.0 * math.pi / 6.0, run.end_time_pt, 20_001)).angle
     assert found.orbit.highest == pytest.approx(last.max(), abs=1e-7)
     assert found.orbit.lowest == pytest.approx(last.min(), abs=1e-7)
     assert found.orbit.impacts == 2

@@ -80,7 +80,7 @@ def test_energy_is_constant_over_a_thousand_impacts_without_loss(alpha: float) -
     block = Block.from_p(alpha=alpha, p=2.0, restitution=1.0)
     run = full(block, Still(), start=State(angle=0.7, velocity=0.0), max_flights=1002)
     assert len(run.impacts) >= 1000
-    energy = run(run.times(2, span=(0.0, float(run.impacts.s[999])))).energy
+    energy = run(run.times(2, span=(0.0, float(run.impacts.pt[999])))).energy
     assert np.ptp(energy) <= 1e-10 * energy[0]
 
 
@@ -92,7 +92,7 @@ def test_small_slenderness_is_the_linear_model() -> None:
     for alpha in (1e-6, 1e-2, 2e-2):
         run = full(Block.from_p(alpha=alpha, p=1.0, restitution=0.8), motion, start=start, cycles=4)
         assert len(run.impacts) == len(bare.impacts)
-        errors.append(np.abs(run.impacts.s - bare.impacts.s).max())
+        errors.append(np.abs(run.impacts.pt - bare.impacts.pt).max())
     assert errors[0] < 1e-10
     assert errors[2] / errors[1] == pytest.approx(4.0, rel=0.05)
 
@@ -105,7 +105,7 @@ def test_turned_round_everything_is_a_mirror_image_to_the_last_bit() -> None:
     here = full(block, BaseMotion(record, up), start=state)
     mirrored = State(angle=-state.angle, velocity=-state.velocity)
     there = full(block, BaseMotion(record.reversed(), up), start=mirrored)
-    assert np.array_equal(here.impacts.s, there.impacts.s)
+    assert np.array_equal(here.impacts.pt, there.impacts.pt)
     assert np.array_equal(here.impacts.velocity_after, -there.impacts.velocity_after)
     assert here.peak == there.peak
 
@@ -113,7 +113,7 @@ def test_turned_round_everything_is_a_mirror_image_to_the_last_bit() -> None:
 def test_the_motion_is_continuous_and_obeys_the_equation() -> None:
     block = Block.from_p(alpha=0.4, p=2.0, restitution=0.8)
     run = full(block, Harmonic(amplitude=2.0, frequency_ratio=3.0), cycles=5)
-    s = np.linspace(0.0, run.end_s, 4001)
+    s = np.linspace(0.0, run.end_time_pt, 4001)
     motion = run(s)
     backwards = run(s[::-1])
     np.testing.assert_allclose(backwards.angle[::-1], motion.angle, rtol=0.0, atol=1e-14)
@@ -144,7 +144,7 @@ def test_the_base_falls_away_under_the_block() -> None:
     for start in (None, State(angle=0.5, velocity=0.0)):
         run = full(block, BaseMotion(flat, up), start=start)
         assert run.status is Status.LOST_CONTACT
-        assert run.end_s / block.p == pytest.approx(0.15, abs=1e-14)
+        assert run.end_time_pt / block.p == pytest.approx(0.15, abs=1e-14)
 
 
 @pytest.mark.parametrize("down", [(0.0, -1.0, 0.0, 0.0), (0.0, -1.0, -1.0, 0.0)])
@@ -158,7 +158,7 @@ def test_a_sample_of_exactly_minus_g_is_lost_contact_whatever_the_slenderness(
         for start in (None, State(angle=0.5, velocity=0.0)):
             run = full(block, BaseMotion(flat, up), start=start)
             assert run.status is Status.LOST_CONTACT
-            assert run.end_s / block.p == pytest.approx(0.1, abs=1e-14)
+            assert run.end_time_pt / block.p == pytest.approx(0.1, abs=1e-14)
 
 
 def test_a_heavier_base_holds_the_block_longer() -> None:
@@ -167,7 +167,7 @@ def test_a_heavier_base_holds_the_block_longer() -> None:
     up = Record(acceleration_m_s2=np.array([0.5 * G] * 3 + [0.0]), dt_s=0.1)
     lifted = full(block, BaseMotion(flat, up)).flights
     expected = 0.1 + 0.1 * 1.5 * math.tan(0.3) * G / 6.0
-    assert lifted.s[np.flatnonzero(lifted.side)[0]] / block.p == pytest.approx(expected, rel=1e-12)
+    assert lifted.pt[np.flatnonzero(lifted.side)[0]] / block.p == pytest.approx(expected, rel=1e-12)
 
 
 def test_vertical_samples_need_not_lie_where_the_horizontal_ones_do() -> None:
@@ -182,25 +182,25 @@ def test_vertical_samples_need_not_lie_where_the_horizontal_ones_do() -> None:
     one = full(block, BaseMotion(flat, coarse), start=start)
     same = full(block, BaseMotion(flat, Record(acceleration_m_s2=whole, dt_s=0.01)), start=start)
     other = full(block, BaseMotion(flat, Record(acceleration_m_s2=fine, dt_s=0.016)), start=start)
-    np.testing.assert_allclose(same.impacts.s[:5], one.impacts.s[:5], rtol=1e-12)
-    assert np.abs(other.impacts.s[:5] - one.impacts.s[:5]).max() < 0.02
+    np.testing.assert_allclose(same.impacts.pt[:5], one.impacts.pt[:5], rtol=1e-12)
+    assert np.abs(other.impacts.pt[:5] - one.impacts.pt[:5]).max() < 0.02
 
 
 def test_overturning_is_proved_and_timed() -> None:
     block = Block.from_p(alpha=0.3, p=2.0)
     run = full(block, Impulses(velocities=(2.0,)))
     assert run.status is Status.OVERTURNED
-    assert run.overturn_s is not None
-    assert run(run.overturn_s).angle == pytest.approx(1.0, abs=1e-12)
+    assert run.overturn_time_pt is not None
+    assert run(run.overturn_time_pt).angle == pytest.approx(1.0, abs=1e-12)
     assert run.peak == pytest.approx(1.0, abs=1e-12)
-    assert run(run.end_s).angle == pytest.approx(2.0, abs=1e-12)
+    assert run(run.end_time_pt).angle == pytest.approx(2.0, abs=1e-12)
 
 
 def test_a_stocky_block_is_followed_until_it_lies_on_its_side() -> None:
     block = Block.from_p(alpha=1.2, p=2.0, restitution=0.5)
     run = full(block, Still(), start=State(angle=1.05, velocity=0.0))
     assert run.status is Status.OVERTURNED
-    assert run(run.end_s).angle == pytest.approx(0.5 * math.pi / 1.2, abs=1e-12)
+    assert run(run.end_time_pt).angle == pytest.approx(0.5 * math.pi / 1.2, abs=1e-12)
 
 
 def test_a_push_during_a_strong_motion_may_lay_the_block_down() -> None:
@@ -208,7 +208,7 @@ def test_a_push_during_a_strong_motion_may_lay_the_block_down() -> None:
     push = Piecewise(pieces=(Segment(duration=20.0, constant=3.0),))
     run = full(block, push)
     assert run.status is Status.OVERTURNED
-    assert run(run.end_s).angle == pytest.approx(2.0, abs=1e-10) or run.end_s < 20.0
+    assert run(run.end_time_pt).angle == pytest.approx(2.0, abs=1e-10) or run.end_time_pt < 20.0
 
 
 def test_looser_tolerances_give_larger_errors_within_them() -> None:
@@ -218,7 +218,7 @@ def test_looser_tolerances_give_larger_errors_within_them() -> None:
     exact = full(block, motion, start=start, cycles=20, model=Nonlinear(tolerance=1e-11))
     for tolerance in (1e-3, 1e-6, 1e-9):
         run = full(block, motion, start=start, cycles=20, model=Nonlinear(tolerance=tolerance))
-        error = np.abs(run.impacts.s - exact.impacts.s).max()
+        error = np.abs(run.impacts.pt - exact.impacts.pt).max()
         assert error <= tolerance
 
 
@@ -301,7 +301,7 @@ def test_grazes_are_neither_missed_nor_made_up(
         for sign, lands in ((-1.0, True), (1.0, False)):
             start = State(angle=angle, velocity=touching + sign * off)
             run = simulate(block, shaking, start=start, cycles=2, model=Nonlinear())
-            early = run.impacts.s[run.impacts.s < span]
+            early = run.impacts.pt[run.impacts.pt < span]
             first = float(early[0]) if len(early) else math.inf
             assert (first <= when) is lands
             if lands:

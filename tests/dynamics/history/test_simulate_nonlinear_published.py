@@ -46,7 +46,7 @@ def border(falls: Callable[[float], bool], low: float, high: float) -> float:
 def test_h1_quarter_period_of_free_rocking(angle: float, expected: float) -> None:
     block = Block.from_radius(alpha=0.2, radius=1.0, gravity=G)
     run = simulate(block, Still(), start=State(angle=angle, velocity=0.0), model=Nonlinear())
-    assert run.impacts.s[0] / block.p == pytest.approx(expected, abs=5.1e-10)
+    assert run.impacts.pt[0] / block.p == pytest.approx(expected, abs=5.1e-10)
     assert run.status is Status.AT_REST
 
 
@@ -142,7 +142,7 @@ def test_h3_amplitudes_of_free_rocking_by_energy(alpha: float, angle: float) -> 
     height = math.cos(alpha * (1.0 - angle)) - math.cos(alpha)
     for n in range(1, 12):
         expected = 1.0 - math.acos(delta ** (2 * n) * height + math.cos(alpha)) / alpha
-        swing = run(np.linspace(run.impacts.s[n - 1], run.impacts.s[n], 4001)).angle
+        swing = run(np.linspace(run.impacts.pt[n - 1], run.impacts.pt[n], 4001)).angle
         assert np.abs(swing).max() == pytest.approx(expected, rel=1e-6)
         speed = math.sqrt(2.0 * delta ** (2 * n) * height) / alpha
         assert abs(run.impacts.velocity_after[n - 1]) == pytest.approx(speed, rel=1e-9)

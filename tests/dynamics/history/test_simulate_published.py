@@ -38,13 +38,13 @@ from tests.dynamics.runs import (
 )
 def test_h1_quarter_period_of_free_rocking(angle: float, expected: float) -> None:
     run = simulate(HOUSNER, Still(), start=State(angle=angle, velocity=0.0), model=Linear())
-    assert run.impacts.s[0] / HOUSNER.p == pytest.approx(expected, abs=5.1e-11)
+    assert run.impacts.pt[0] / HOUSNER.p == pytest.approx(expected, abs=5.1e-11)
     assert run.status is Status.AT_REST
 
 
 def test_h3_amplitudes_and_half_periods_of_the_housner_block() -> None:
     run = simulate(HOUSNER, Still(), start=State(angle=0.8, velocity=0.0), model=Linear())
-    impacts = run.impacts.s
+    impacts = run.impacts.pt
     half_periods = np.diff(impacts) / HOUSNER.p
     np.testing.assert_allclose(half_periods[:3], (1.180321, 0.974559, 0.843764), atol=5.1e-7)
     for i, expected in enumerate((0.612305, 0.502064, 0.421766)):
@@ -60,7 +60,7 @@ def test_h3_amplitudes_with_a_ratio_of_energies_of_seven_tenths() -> None:
     run = simulate(block, Still(), start=State(angle=1.0 - 1e-12, velocity=0.0))
     peaks = [
         np.abs(run(np.linspace(first, last, 4001)).angle).max()
-        for first, last in zip(run.impacts.s[:5], run.impacts.s[1:6], strict=True)
+        for first, last in zip(run.impacts.pt[:5], run.impacts.pt[1:6], strict=True)
     ]
     np.testing.assert_allclose(peaks, (0.4523, 0.2859, 0.1894, 0.1283, 0.0879), atol=5.1e-5)
 
@@ -72,11 +72,11 @@ def test_h3_free_rocking_by_its_formulae(angle: float, r: float) -> None:
         DimensionlessBlock(restitution=r), Still(), start=State(angle=angle, velocity=0.0)
     )
     first = math.acosh(1.0 / (1.0 - angle))
-    assert run.impacts.s[0] == pytest.approx(first, rel=1e-12)
+    assert run.impacts.pt[0] == pytest.approx(first, rel=1e-12)
     energy = 1.0 - (1.0 - angle) ** 2
     for i in range(1, 6):
         left = math.sqrt(r ** (2 * i) * energy)
-        assert np.diff(run.impacts.s)[i - 1] == pytest.approx(2.0 * math.atanh(left), rel=1e-11)
+        assert np.diff(run.impacts.pt)[i - 1] == pytest.approx(2.0 * math.atanh(left), rel=1e-11)
         assert abs(run.impacts.velocity_after[i - 1]) == pytest.approx(left, rel=1e-12)
 
 

@@ -312,7 +312,7 @@ def test_a_run_is_what_an_integrator_finds(name: str) -> None:
     assert run.status is Status.AT_REST
     times, speeds, angle = integrated(base, edges, 0.85, 5)
     assert run.peak > 0.05, "the block does move"
-    np.testing.assert_allclose(run.impacts.s[:5], times, rtol=0.0, atol=accuracy)
+    np.testing.assert_allclose(run.impacts.pt[:5], times, rtol=0.0, atol=accuracy)
     np.testing.assert_allclose(run.impacts.velocity_before[:5], speeds, rtol=0.0, atol=accuracy)
     at = np.linspace(0.0, times[-1], 500)[:-1]
     np.testing.assert_allclose(run(at).angle, angle(at), rtol=0.0, atol=accuracy)
@@ -331,7 +331,7 @@ def mirrored(run: Trajectory, image: Trajectory, *, exact: bool) -> None:
             getattr(run.flights, column), -getattr(image.flights, column), rtol=0.0, atol=limit
         )
     np.testing.assert_array_equal(run.flights.side, -image.flights.side)
-    np.testing.assert_allclose(run.flights.s, image.flights.s, rtol=0.0, atol=10.0 * limit)
+    np.testing.assert_allclose(run.flights.pt, image.flights.pt, rtol=0.0, atol=10.0 * limit)
     assert run.peak == image.peak if exact else run.peak == pytest.approx(image.peak, rel=1e-12)
 
 
@@ -369,7 +369,7 @@ def test_a_delayed_pulse_does_the_same_later() -> None:
     block = DimensionlessBlock(restitution=0.9)
     pulse = Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=5.0)
     run, later = simulate(block, pulse), simulate(block, delayed(pulse, 2.0))
-    np.testing.assert_allclose(later.impacts.s, run.impacts.s + 2.0, atol=1e-13)
+    np.testing.assert_allclose(later.impacts.pt, run.impacts.pt + 2.0, atol=1e-13)
     np.testing.assert_array_equal(later.impacts.velocity_after, run.impacts.velocity_after)
 
 
@@ -380,8 +380,8 @@ def test_a_run_goes_on_to_rest_or_to_a_proof(name: str) -> None:
         run = simulate(DimensionlessBlock(restitution=0.9), pulse)
         assert run.status in (Status.AT_REST, Status.OVERTURNED)
         if run.status is Status.AT_REST:
-            assert run.shown_to_s >= pulse.duration
-            assert run.rest_s is not None
+            assert run.shown_to_pt >= pulse.duration
+            assert run.rest_time_pt is not None
         if a < 1.0:
             assert run.peak == 0.0
             assert len(run.impacts) == 0
@@ -402,7 +402,7 @@ def test_a_short_rectangle_is_an_impulse() -> None:
     hit = simulate(block, Impulses(velocities=(0.5,)))
     short = simulate(block, Pulse.lasting(1e-3, shape="rectangle", amplitude=0.5e3))
     assert short.peak == pytest.approx(hit.peak, rel=5e-3)
-    assert short.impacts.s[0] == pytest.approx(hit.impacts.s[0], rel=5e-3)
+    assert short.impacts.pt[0] == pytest.approx(hit.impacts.pt[0], rel=5e-3)
 
 
 def test_a_pulse_before_endless_shaking() -> None:
@@ -411,9 +411,11 @@ def test_a_pulse_before_endless_shaking() -> None:
     shaking = Harmonic(amplitude=1.2, frequency_ratio=3.0)
     run = simulate(block, joined(pulse, shaking), cycles=10)
     end = pulse.duration + 10 * 2.0 * math.pi / 3.0
-    assert run.end_s == pytest.approx(end, rel=1e-14)
+    assert run.end_time_pt == pytest.approx(end, rel=1e-14)
     before = run(pulse.duration)
     start = State(angle=float(before.angle), velocity=float(before.velocity))
     after = simulate(block, shaking, start=start, cycles=10)
     assert after.peak == pytest.approx(run.peak, rel=1e-9) or after.peak < run.peak
-    assert float(after(after.end_s).angle) == pytest.approx(float(run(run.end_s).angle), abs=1e-9)
+    assert float(after(after.end_time_pt).angle) == pytest.approx(
+        float(run(run.end_time_pt).angle), abs=1e-9
+    )

@@ -41,7 +41,11 @@ def test_a_record_and_its_segments_give_one_trajectory() -> None:
     assert len(run.impacts) > 10
     assert run.motion is shaking
     np.testing.assert_array_equal(run.rows, other.rows)
-    assert (run.peak, run.end_s, run.rest_s) == (other.peak, other.end_s, other.rest_s)
+    assert (run.peak, run.end_time_pt, run.rest_time_pt) == (
+        other.peak,
+        other.end_time_pt,
+        other.rest_time_pt,
+    )
 
 
 def test_impacts_and_angles_are_those_of_an_adaptive_integrator() -> None:
@@ -61,7 +65,7 @@ def test_impacts_and_angles_are_those_of_an_adaptive_integrator() -> None:
         longest_step=0.002,
     )
     assert len(truth.impacts) > 1
-    found = run.impacts.s[: len(truth.impacts)] / BLOCK.p
+    found = run.impacts.pt[: len(truth.impacts)] / BLOCK.p
     np.testing.assert_allclose(found, truth.impacts, rtol=0.0, atol=1e-6)
     np.testing.assert_allclose(
         run.at_time(truth.times).angle, truth.angles / alpha, rtol=0.0, atol=1e-5
@@ -72,7 +76,7 @@ def test_the_base_moves_as_recorded_and_then_stands_still() -> None:
     shaking = record()
     run = simulate(BLOCK, shaking, model=Linear())
     times = 0.02 * np.arange(500)
-    inside = times[times * BLOCK.p <= run.end_s][:-1]
+    inside = times[times * BLOCK.p <= run.end_time_pt][:-1]
     middle = inside + 0.005
     for at in (inside, middle):
         expected = np.interp(at, times, shaking.acceleration_m_s2) / BLOCK.uplift_acceleration
@@ -104,7 +108,7 @@ def test_a_reversed_record_mirrors_and_a_scaled_one_overturns() -> None:
     shaking = record()
     run, mirror = simulate(BLOCK, shaking), simulate(BLOCK, shaking.reversed(), model=Linear())
     assert run.status is Status.AT_REST
-    np.testing.assert_array_equal(run.impacts.s, mirror.impacts.s)
+    np.testing.assert_array_equal(run.impacts.pt, mirror.impacts.pt)
     np.testing.assert_array_equal(run.impacts.side, -mirror.impacts.side)
     fallen = simulate(BLOCK, shaking.scaled(8.0), model=Linear())
     assert fallen.status is Status.OVERTURNED
@@ -114,7 +118,12 @@ def test_a_reversed_record_mirrors_and_a_scaled_one_overturns() -> None:
 
 def test_a_record_below_uplift_leaves_the_block_at_rest() -> None:
     run = simulate(BLOCK, record(peak=0.999 * BLOCK.uplift_acceleration), model=Linear())
-    assert (run.status, run.peak, run.rest_s, len(run.impacts)) == (Status.AT_REST, 0.0, 0.0, 0)
+    assert (run.status, run.peak, run.rest_time_pt, len(run.impacts)) == (
+        Status.AT_REST,
+        0.0,
+        0.0,
+        0,
+    )
 
 
 def test_el_centro_rocks_a_block() -> None:

@@ -22,7 +22,7 @@ from rocksteady import (
     open_store,
     simulate,
 )
-from rocksteady.dynamics.maps.fate_map import NO_START
+from rocksteady.outcomes import NO_START
 from tests.dynamics.maps.drawn import drawn_case
 
 BLOCK = DimensionlessBlock(restitution=0.8)

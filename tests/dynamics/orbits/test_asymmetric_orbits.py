@@ -29,13 +29,13 @@ from rocksteady import (
     simulate,
 )
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
-from tests.dynamics.asymmetric import BARE, BLOCK, HARD, UNLIKE
+from tests.dynamics.asymmetric import ASYMMETRY, BARE, BLOCK, HARD
 
 # ------------------------------------------------------------------ orbits, attractors, maps
 
 
 def test_the_return_map_has_the_derivative_of_its_differences() -> None:
-    step = ReturnMap(UNLIKE, HARD)
+    step = ReturnMap(ASYMMETRY, HARD)
     for side in (1, -1):
         state = ImpactState(side=side, phase=2.8, speed=0.7)
         jacobian = step(state).jacobian
@@ -52,10 +52,10 @@ def test_the_return_map_has_the_derivative_of_its_differences() -> None:
 
 
 def test_an_attractor_is_what_a_long_run_settles_to() -> None:
-    found = attractor(UNLIKE, HARD)
+    found = attractor(ASYMMETRY, HARD)
     assert found.kind == "unsymmetric"
     assert found.orbit is not None
-    late = simulate(UNLIKE, HARD, cycles=400).impacts
+    late = simulate(ASYMMETRY, HARD, cycles=400).impacts
     assert np.abs(late.velocity_after[-2:]) == pytest.approx(
         [state.speed for state in found.orbit.states][-2:], rel=1e-9
     ) or np.abs(late.velocity_after[-2:]) == pytest.approx(
@@ -80,7 +80,7 @@ def test_orbits_close_and_those_of_the_mirrored_block_mirror_them() -> None:
         assert orbit.branch is None
         assert orbit.residual < 1e-12
         run = simulate(block, orbit.shaking, start=orbit.start, cycles=1)
-        assert float(run(run.end_s).angle) == pytest.approx(0.0, abs=1e-6)
+        assert float(run(run.end_time_pt).angle) == pytest.approx(0.0, abs=1e-6)
         assert any(
             one.highest == pytest.approx(-orbit.lowest / 1.25, rel=1e-9)
             and one.lowest == pytest.approx(-orbit.highest / 1.25, rel=1e-9)
@@ -94,7 +94,7 @@ def test_every_cell_of_a_map_is_the_single_answer() -> None:
     amplitudes, ratios = [0.9, 1.5, 2.5], [1.0, 2.0, 4.0]
     axes = {"amplitude": amplitudes, "frequency_ratio": ratios}
     start = State(angle=0.0, velocity=0.3)
-    for block in (UNLIKE, BLOCK):
+    for block in (ASYMMETRY, BLOCK):
         kinds = attractor_map(block, axes=axes, start=start)
         fates = fate_map(block, axes=axes, start=start, cycles=50)
         for amplitude in amplitudes:
@@ -114,14 +114,14 @@ def test_every_cell_of_a_map_is_the_single_answer() -> None:
 
 def test_the_asymmetry_of_a_dimensionless_block_may_be_an_axis() -> None:
     axes = {"alpha_ratio": [0.8, 1.0, 1.3], "restitution": [0.7, 0.85]}
-    fates = fate_map(UNLIKE, HARD, axes=axes, start=State(angle=0.0, velocity=0.6), cycles=30)
+    fates = fate_map(ASYMMETRY, HARD, axes=axes, start=State(angle=0.0, velocity=0.6), cycles=30)
     found = attractor_map(
         DimensionlessBlock(restitution=0.8), HARD, axes={**axes, "p_ratio": [0.9, 1.0]}
     )
     kinds = found.kind.attrs["flag_meanings"].split()
     for ratio in axes["alpha_ratio"]:
         for restitution in axes["restitution"]:
-            block = replace(UNLIKE.with_restitution(restitution), alpha_ratio=ratio)
+            block = replace(ASYMMETRY.with_restitution(restitution), alpha_ratio=ratio)
             run = simulate(block, HARD, start=State(angle=0.0, velocity=0.6), cycles=30)
             assert int(fates.fate.sel(alpha_ratio=ratio, restitution=restitution)) == int(
                 run.status
@@ -141,28 +141,28 @@ def test_the_asymmetry_of_a_dimensionless_block_may_be_an_axis() -> None:
 def test_basins_go_where_single_motions_go() -> None:
     shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
     window = np.linspace(-0.6, 0.6, 7)
-    found = basins(UNLIKE, shaking, angles=window, velocities=window / 2.0)
+    found = basins(ASYMMETRY, shaking, angles=window, velocities=window / 2.0)
     for i, velocity in enumerate(found.velocity.tolist()):
         for j, angle in enumerate(found.angle.tolist()):
             start = State(angle=angle, velocity=velocity * 2.0)
-            one = attractor(UNLIKE, found.shaking, start=start, cycles=500)
+            one = attractor(ASYMMETRY, found.shaking, start=start, cycles=500)
             where = found.attractors[int(found.label[i, j])]
             assert where.kind == one.kind
             if one.orbit is not None:
                 assert where.orbit is not None
                 assert where.orbit.highest == pytest.approx(one.orbit.highest, abs=1e-9)
-    wide = basins(UNLIKE, shaking, cycles=20, velocities=window)
+    wide = basins(ASYMMETRY, shaking, cycles=20, velocities=window)
     assert wide.angle[-1] > 1.3
     assert found.to_dataset().attrs["alpha_ratio"] == 1.3
 
 
 def test_erosion_counts_the_states_that_single_runs_leave_standing() -> None:
     window = np.linspace(-1.435, 1.435, 15)
-    found = erosion(UNLIKE, 2.0, [0.0, 1.0], angles=window, velocities=window, cycles=20)
+    found = erosion(ASYMMETRY, 2.0, [0.0, 1.0], angles=window, velocities=window, cycles=20)
     for k, amplitude in enumerate((0.0, 1.0)):
         for i, j in ((7, 7), (3, 9), (10, 2), (7, 1), (7, 13), (1, 7)):
             run = simulate(
-                UNLIKE,
+                ASYMMETRY,
                 Harmonic(amplitude=amplitude, frequency_ratio=2.0),
                 start=State(angle=float(window[j]), velocity=2.0 * float(window[i])),
                 cycles=20,
@@ -213,8 +213,8 @@ def test_of_a_symmetric_block_it_is_the_known_tangency() -> None:
 
 
 def test_a_trail_moves_the_restitution_of_both_impacts() -> None:
-    trail = attractor_trail(UNLIKE, HARD, "restitution", [0.8, 0.7])
-    assert trail.attractors[0].block == UNLIKE.with_restitution(0.8)
+    trail = attractor_trail(ASYMMETRY, HARD, "restitution", [0.8, 0.7])
+    assert trail.attractors[0].block == ASYMMETRY.with_restitution(0.8)
     assert set(trail.kinds) == {"unsymmetric"}
 
 
@@ -237,7 +237,7 @@ def test_what_knows_symmetric_motions_alone_says_so_and_where_to_go() -> None:
         )
     with pytest.raises(ModelError, match="`orbits`"):
         response_curve(BLOCK, 2.0, frequency_ratio=[2.0, 3.0])
-    orbit = attractor(UNLIKE, HARD).orbit
+    orbit = attractor(ASYMMETRY, HARD).orbit
     assert orbit is not None
     with pytest.raises(ModelError, match="attractor_trail"):
         next(iter(continuation(orbit, "amplitude", (1.0, 3.0))))

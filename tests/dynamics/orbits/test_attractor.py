@@ -154,7 +154,7 @@ def test_where_the_paper_is_corrected() -> None:
     # E2: in-phase orbits attract.
     for a, w, r, n in ((0.75, 4.0, 0.5, 1), (1.7, 6.0, 0.8, 3)):
         states = steady_states(a, w, r, order=n)
-        start = State(angle=0.0, velocity=1.002 * w * float(states.velocity[0]))
+        start = State(angle=0.0, velocity=1.002 * float(states.velocity[0]))
         found = settled(a, w, r, phase=float(states.phase[0]), start=start)
         assert (found.kind, found.period) == (AttractorKind.SYMMETRIC, n)
         assert found.peaks is not None
@@ -233,7 +233,7 @@ def test_an_unstable_start_is_left_and_never_returned(
     assert found.kind is not AttractorKind.UNDECIDED
     if found.orbit is not None:
         is_an_orbit_that_attracts(found)
-        unstable = w * float(states.velocity[branch - 1])
+        unstable = float(states.velocity[branch - 1])
         for state in found.orbit.states:
             assert abs(state.speed - unstable) > 1e-3 or found.period != n
 
@@ -257,7 +257,7 @@ def test_next_to_symmetry_breaking_the_right_orbit_is_told(frequency: float, bel
     # Multipliers of .91 to .9999: before it the symmetric orbit attracts, after it two others.
     amplitude = symmetry_breaking(frequency, 0.8, 1) * (1.0 - below)
     states = steady_states(amplitude, frequency, 0.8)
-    start = State(angle=0.0, velocity=1.01 * frequency * float(states.velocity[0]))
+    start = State(angle=0.0, velocity=1.01 * float(states.velocity[0]))
     found = settled(amplitude, frequency, 0.8, phase=float(states.phase[0]), start=start)
     is_an_orbit_that_attracts(found)
     expected = AttractorKind.SYMMETRIC if below > 0.0 else AttractorKind.UNSYMMETRIC
@@ -271,7 +271,7 @@ def test_next_to_symmetry_breaking_the_right_orbit_is_told(frequency: float, bel
 def test_next_to_the_fold_the_stable_branch_is_told(above: float) -> None:
     amplitude = float(steady_states(2.0, 4.0, 0.8).existence) * (1.0 + above)
     states = steady_states(amplitude, 4.0, 0.8)
-    start = State(angle=0.0, velocity=(1.0 + 1e-7) * 4.0 * float(states.velocity[0]))
+    start = State(angle=0.0, velocity=(1.0 + 1e-7) * float(states.velocity[0]))
     found = settled(amplitude, 4.0, 0.8, phase=float(states.phase[0]), start=start)
     assert found.kind is AttractorKind.SYMMETRIC
     assert found.orbit is not None

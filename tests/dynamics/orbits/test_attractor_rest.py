@@ -314,8 +314,8 @@ def test_an_orbit_with_rest_draws_itself_as_it_is(point: tuple[float, float, flo
     assert orbit.rest_phases
     run = orbit.trajectory()
     unit = 2.0 * math.pi / orbit.shaking.frequency_ratio
-    assert run.end_s == pytest.approx(orbit.period * unit, rel=1e-9)
+    assert run.end_time_pt == pytest.approx(orbit.period * unit, rel=1e-9)
     angle = run(run.times(400)).angle
     assert angle.max() == pytest.approx(orbit.highest, rel=1e-3)
     assert angle.min() == pytest.approx(orbit.lowest, rel=1e-3)
-    assert (np.diff(run.flights.s) >= -1e-12).all()
+    assert (np.diff(run.flights.pt) >= -1e-12).all()

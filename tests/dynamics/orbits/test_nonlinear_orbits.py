@@ -36,7 +36,7 @@ def test_an_attractor_is_where_a_long_run_ends() -> None:
     assert (found.orbit.model, found.orbit.symmetric, found.orbit.impacts) == (Nonlinear(), True, 2)
     assert found.orbit.residual < 1e-12
     run = simulate(block, shaking, cycles=100, model=Nonlinear())
-    last = np.abs(run(np.linspace(run.end_s - 1.6, run.end_s, 20_001)).angle).max()
+    last = np.abs(run(np.linspace(run.end_time_pt - 1.6, run.end_time_pt, 20_001)).angle).max()
     assert found.orbit.highest == pytest.approx(last, abs=1e-8)
     assert np.prod(found.orbit.multipliers).real == pytest.approx(0.8**4, rel=1e-12)
     drawn = found.orbit.trajectory()
@@ -92,7 +92,7 @@ def test_a_block_without_slenderness_is_refused() -> None:
 
 # --------------------------------------------------------------------- all orbits at a point
 
-UNLIKE = Block.asymmetric(left=0.3, right=0.5, height=1.6, restitution=(0.8, 0.9))
+ASYMMETRY = Block.asymmetric(left=0.3, right=0.5, height=1.6, restitution=(0.8, 0.9))
 SLENDER = Block.from_p(alpha=0.2, p=1.4, restitution=0.8)
 CASES = [
     # block, amplitude, frequency ratio, longest period
@@ -100,8 +100,8 @@ CASES = [
     (Block.from_p(alpha=0.3, p=2.0, restitution=0.25), 6.0, 6.0, 2),
     (Block.from_p(alpha=0.5, p=1.0, restitution=0.9), 2.0, 4.0, 3),
     (Block.from_p(alpha=0.3, p=1.0, restitution=0.4), 1.15, 1.0, 2),
-    (UNLIKE, 3.0, 6.0, 2),
-    (UNLIKE, 2.0, 3.0, 2),
+    (ASYMMETRY, 3.0, 6.0, 2),
+    (ASYMMETRY, 2.0, 3.0, 2),
 ]
 cases = pytest.mark.parametrize(("block", "a", "w", "longest"), CASES)
 
@@ -146,13 +146,13 @@ def test_each_orbit_is_back_after_its_period(
         assert len(run.impacts) == orbit.impacts
         after = [*orbit.states[1:], orbit.states[0]]
         for k, state in enumerate(after):
-            turned = orbit.shaking.phase + w * run.impacts.s[k] - state.phase
+            turned = orbit.shaking.phase + w * run.impacts.pt[k] - state.phase
             assert abs(np.angle(np.exp(1j * turned))) < 1e3 * off[k] + 1e-11
             velocity = run.impacts.velocity_after[k]
             assert velocity == pytest.approx(
                 state.side * state.speed, rel=1e3 * off[k] + 1e-11, abs=0.0
             )
-        assert run.impacts.s[-1] * w == pytest.approx(2.0 * math.pi * orbit.period, abs=1e-6)
+        assert run.impacts.pt[-1] * w == pytest.approx(2.0 * math.pi * orbit.period, abs=1e-6)
 
 
 def growth(orbit: Orbit, k: int) -> float:
@@ -184,7 +184,7 @@ def test_the_flow_contracts_by_the_restitutions_alone(
         assert sizes[0] >= sizes[1]
 
 
-@pytest.mark.parametrize("block", [SLENDER, UNLIKE])
+@pytest.mark.parametrize("block", [SLENDER, ASYMMETRY])
 def test_an_adaptive_integrator_lands_where_the_orbits_do(block: Block) -> None:
     for orbit in listed(*next(case for case in CASES if case[0] is block)):
         w, a = orbit.shaking.frequency_ratio, orbit.shaking.amplitude

@@ -28,15 +28,15 @@ def test_a_run_from_any_impact_of_an_orbit_is_the_orbit(model: Model) -> None:
     found = attractor(block, shaking, start=Steady(), model=model)
     assert found.orbit is not None
     course = found.orbit.trajectory()
-    times = np.linspace(0.0, 0.999 * course.end_s, 50)
+    times = np.linspace(0.0, 0.999 * course.end_time_pt, 50)
     for state in found.orbit.states:
         run = simulate(block, shaking, start=state, cycles=found.orbit.period, model=model)
         assert isinstance(run.motion, Harmonic)
         assert run.motion.phase == state.phase
         since = 0.0
         if state is not found.orbit.states[0]:
-            since = float(course.impacts.s[found.orbit.states.index(state) - 1])
-        early = times[times < 0.999 * course.end_s - since]
+            since = float(course.impacts.pt[found.orbit.states.index(state) - 1])
+        early = times[times < 0.999 * course.end_time_pt - since]
         assert run(early).angle == pytest.approx(course(early + since).angle, abs=1e-9)
         again = attractor(block, shaking, start=state, model=model)
         assert again.orbit is not None

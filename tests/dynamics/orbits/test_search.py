@@ -96,8 +96,8 @@ def test_its_peaks_are_those_of_its_time_history(point: tuple[float, float, floa
             continue
         checked += 1
         run = orbit.trajectory()
-        angle = run(np.linspace(0.0, run.end_s, 20_001)).angle
-        gap = run.end_s / 20_000
+        angle = run(np.linspace(0.0, run.end_time_pt, 20_001)).angle
+        gap = run.end_time_pt / 20_000
         between = (1.0 + point[0] + np.abs(angle).max()) * gap * gap / 8.0
         slack = 1e-9 * max(1.0, orbit.largest_multiplier)
         assert -slack <= orbit.highest - angle.max() <= between + slack

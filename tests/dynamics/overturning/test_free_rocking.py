@@ -47,7 +47,7 @@ def test_the_period_is_that_of_a_time_history(phi: float) -> None:
     run = simulate(
         DimensionlessBlock(restitution=1.0), Still(), start=State(angle=phi, velocity=0.0)
     )
-    times = run.impacts.s[:5]
+    times = run.impacts.pt[:5]
     period = float(free_rocking_period(phi))
     assert 4.0 * times[0] == pytest.approx(period, rel=1e-12)
     np.testing.assert_allclose(np.diff(times), 0.5 * period, rtol=1e-12)
@@ -61,9 +61,9 @@ def test_the_peaks_are_those_of_a_time_history(restitution: float) -> None:
     peaks = free_rocking_peaks(0.8, restitution, 6)
     # y = 1 - cosh t + v sinh t is highest at tanh t = v, where it is 1 - sqrt(1 - v^2)
     speed = np.abs(run.impacts.velocity_after[:6])
-    tops = np.abs(run(run.impacts.s[:6] + np.arctanh(speed)).angle)
+    tops = np.abs(run(run.impacts.pt[:6] + np.arctanh(speed)).angle)
     np.testing.assert_allclose(peaks[1:], tops, rtol=1e-12)
-    halves = np.diff(run.impacts.s[:7])
+    halves = np.diff(run.impacts.pt[:7])
     np.testing.assert_allclose(halves, 0.5 * free_rocking_period(peaks[1:]), rtol=1e-12)
 
 
@@ -74,14 +74,14 @@ def test_the_tilting_block_is_that_of_a_time_history(alpha: float, phi: float) -
     block = Block.from_p(alpha=alpha, p=1.0, restitution=1.0)
     run = simulate(block, Still(), start=start, model=Nonlinear(), max_flights=8)
     period = float(free_rocking_period(phi, alpha=alpha))
-    assert 4.0 * run.impacts.s[0] == pytest.approx(period, rel=1e-11)
-    np.testing.assert_allclose(np.diff(run.impacts.s), 0.5 * period, rtol=1e-11)
+    assert 4.0 * run.impacts.pt[0] == pytest.approx(period, rel=1e-11)
+    np.testing.assert_allclose(np.diff(run.impacts.pt), 0.5 * period, rtol=1e-11)
     block = Block.from_p(alpha=alpha, p=1.0, restitution=0.8)
     run = simulate(block, Still(), start=start, model=Nonlinear())
     peaks = free_rocking_peaks(phi, 0.8, 6, alpha=alpha)
-    halves = np.diff(run.impacts.s[:7])
+    halves = np.diff(run.impacts.pt[:7])
     np.testing.assert_allclose(halves, 0.5 * free_rocking_period(peaks[1:], alpha=alpha), rtol=2e-9)
-    times = run.impacts.s[:6] + 0.5 * halves[:6]
+    times = run.impacts.pt[:6] + 0.5 * halves[:6]
     np.testing.assert_allclose(peaks[1:], np.abs(run(times).angle), rtol=2e-9)
 
 

@@ -111,7 +111,7 @@ def test_a_dense_scan_of_time_histories_finds_no_other_window(
         assert (run.status is Status.OVERTURNED) == bool(inside), a
         if inside and inside[0].impacts < 10:
             assert len(run.impacts) == inside[0].impacts
-            assert np.sign(run(run.end_s).angle) == inside[0].side
+            assert np.sign(run(run.end_time_pt).angle) == inside[0].side
 
 
 @pytest.mark.parametrize(("shape", "w"), [("one-sine", 0.5), ("one-cosine", 0.7), ("type-c1", 1.0)])

@@ -30,7 +30,7 @@ def test_tw1_phase_velocity_and_peak(
 ) -> None:
     states = states_at(point)
     assert states.phase[0] == pytest.approx(phase, abs=5.1e-11)
-    assert states.velocity[0] == pytest.approx(velocity, abs=5.1e-11)
+    assert states.velocity_tau[0] == pytest.approx(velocity, abs=5.1e-11)
     assert checked(states.peak)[0] == pytest.approx(peak, abs=5.1e-11)
     assert states.stable[0]
 
@@ -153,7 +153,9 @@ def test_region_and_solutions_are_those_of_the_printed_formulae(
     assert (states.existence, states.sign, states.kind) == pytest.approx(boundaries, rel=1e-13)
     assert states.region == printed_region(a, w, r, n)
     if states.region == 4:
-        assert np.isnan([states.phase, states.velocity, states.trace, checked(states.peak)]).all()
+        assert np.isnan(
+            [states.phase, states.velocity_tau, states.trace, checked(states.peak)]
+        ).all()
         assert np.isnan(states.multipliers.real).all()
         assert not (checked(states.admissible) | states.stable | states.neutral).any()
         return
@@ -162,7 +164,7 @@ def test_region_and_solutions_are_those_of_the_printed_formulae(
     lost = 1e-15 * (1.0 + p * p) / min(1.0, 1.0 + p * p - q * q)
     for branch in (1, 2):
         expected = printed(a, w, r, n, branch)
-        phase, velocity = states.phase[branch - 1], states.velocity[branch - 1]
+        phase, velocity = states.phase[branch - 1], states.velocity_tau[branch - 1]
         assert math.sin(phase) == pytest.approx(expected.sine, abs=1e-14 + 10.0 * lost)
         assert math.cos(phase) == pytest.approx(expected.cosine, abs=1e-14 + 10.0 * lost)
         scale = h / w + beta * (1.0 + 1.0 / (h * w))
@@ -188,9 +190,11 @@ def test_residuals_of_equations_12_and_13_at_a_hundred_thousand_points() -> None
     end, shrunk = np.tanh(n * math.pi / w), 1.0 / np.cosh(np.minimum(n * math.pi / w, 700.0))
     beta = a / (1.0 + w * w)
     sine, cosine = np.sin(states.phase), np.cos(states.phase)
-    sinh_part, cosh_part = w * (states.velocity + beta * cosine), beta * sine - 1.0
+    sinh_part, cosh_part = w * (states.velocity_tau + beta * cosine), beta * sine - 1.0
     landing = sinh_part * end + cosh_part + (1.0 + beta * sine) * shrunk
-    bounce = r * (sinh_part + cosh_part * end) + (r * beta * cosine + states.velocity) * w * shrunk
+    bounce = (
+        r * (sinh_part + cosh_part * end) + (r * beta * cosine + states.velocity_tau) * w * shrunk
+    )
     scale = 1.0 + beta * np.maximum(1.0, w)  # of the terms; 1e-13 of 1 at moderate amplitudes
     assert np.abs(landing / scale).max() < 1e-13
     assert np.abs(bounce / scale).max() < 1e-13
@@ -206,7 +210,7 @@ def test_peak_and_admissibility_are_those_of_the_sampled_half_cycle(
     states = states_at(point)
     assume(states.region != 4)
     for which in (0, 1):
-        phase, velocity = states.phase[which], states.velocity[which]
+        phase, velocity = states.phase[which], states.velocity_tau[which]
         s, angle = half_cycle(a, w, n, phase, velocity, 20_001)
         inside = angle[1:-1]
         lowest = inside[100:-100].min()
@@ -230,7 +234,7 @@ def test_the_number_of_extrema_is_that_of_the_changes_of_direction(
     for which in (0, 1):
         if not checked(states.admissible)[which]:
             continue
-        _, angle = half_cycle(a, w, n, states.phase[which], states.velocity[which], 20_001)
+        _, angle = half_cycle(a, w, n, states.phase[which], states.velocity_tau[which], 20_001)
         slope = np.diff(angle)
         if np.abs(slope[1:] - slope[:-1])[np.sign(slope[1:]) != np.sign(slope[:-1])].min() < 1e-11:
             continue  # nearly an inflection: sampling cannot tell
@@ -248,7 +252,7 @@ def test_e1_in_regions_2_and_5_branch_2_falls_through_the_floor(
         amplitudes.append(max(sign, existence) + share * (kind - max(sign, existence)))
     states = steady_states(amplitudes, w, r, order=n)
     assert set(states.region.tolist()) <= {2, 5}
-    assert (states.velocity[1] < 0.0).all()
+    assert (states.velocity_tau[1] < 0.0).all()
     assert not checked(states.admissible)[1].any()
     assert (states.phase[1] < 0.0).all()
 
@@ -262,6 +266,6 @@ def test_e7_in_regions_1_and_3_both_phases_are_positive(
     states = steady_states(existence + share * (sign - existence), w, r, order=n)
     assert states.region in (1, 3)
     assert (states.phase > 0.0).all()
-    assert (states.velocity > 0.0).all()
+    assert (states.velocity_tau > 0.0).all()
     assert bool(states.in_phase[0]) is bool(states.region == 3)
     assert kind > existence  # E8: region 3 never vanishes

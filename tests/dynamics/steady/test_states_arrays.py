@@ -133,7 +133,7 @@ def test_shapes_that_do_not_broadcast_are_refused_with_the_shapes() -> None:
 def test_no_nan_is_silent_whatever_the_magnitudes(a: float, w: float, r: float, n: int) -> None:
     states = steady_states(a, w, r, order=n)
     assert np.isfinite([states.existence, states.sign, states.kind]).all()
-    missing = np.isnan([states.phase, states.velocity, states.trace, checked(states.peak)])
+    missing = np.isnan([states.phase, states.velocity_tau, states.trace, checked(states.peak)])
     assert missing.all() if states.region == 4 else not missing.any()
 
 

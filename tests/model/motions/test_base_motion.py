@@ -51,10 +51,10 @@ def test_a_constant_upward_acceleration_is_more_gravity() -> None:
     assert (strong.horizontal, strong.vertical) == (across.scaled(2.0), lift.scaled(2.0))
     one = simulate(BLOCK, BaseMotion(across.scaled(2.0), lift))
     other = simulate(heavy, across.scaled(2.0))
-    count = int((one.impacts.s < 1.0 * BLOCK.p).sum())
-    seconds = one.impacts.s[:count] / BLOCK.p
+    count = int((one.impacts.pt < 1.0 * BLOCK.p).sum())
+    seconds = one.impacts.pt[:count] / BLOCK.p
     assert one(0.9 * BLOCK.p).angle == pytest.approx(other(0.9 * heavy.p).angle, rel=1e-8)
-    assert seconds == pytest.approx(other.impacts.s[:count] / heavy.p, rel=1e-8)
+    assert seconds == pytest.approx(other.impacts.pt[:count] / heavy.p, rel=1e-8)
     assert (
         BaseMotion(push).scaled(0.5).horizontal
         == BaseMotion(
@@ -67,7 +67,7 @@ def test_the_horizontal_component_alone_is_reversed() -> None:
     turned = BaseMotion(ACROSS, UP).reversed()
     assert (turned.horizontal, turned.vertical) == (ACROSS.reversed(), UP)
     here, there = simulate(BLOCK, BaseMotion(ACROSS, UP)), simulate(BLOCK, turned)
-    assert len(here.impacts.s) > 0
+    assert len(here.impacts.pt) > 0
     assert np.array_equal(here.impacts.velocity_after, -there.impacts.velocity_after)
 
 

@@ -116,9 +116,9 @@ def test_the_peak_velocity_is_that_of_the_sampled_time_history() -> None:
     models: tuple[Model, ...] = (Linear(), Nonlinear())
     for block, model in product(BLOCKS, models):
         run = simulate(block, ground(), model=model)
-        end = run.end_s if run.overturn_s is None else run.overturn_s
+        end = run.end_time_pt if run.overturn_time_pt is None else run.overturn_time_pt
         sampled = float(np.abs(run(np.linspace(0.0, min(end, 40.0), 20_000)).velocity).max())
-        before = np.abs(run.impacts.velocity_before[run.impacts.s <= end])
+        before = np.abs(run.impacts.velocity_before[run.impacts.pt <= end])
         top = max(sampled, float(before.max(initial=0.0)))
         assert top <= run.peak_velocity * (1.0 + 1e-12)
         assert math.isclose(top, run.peak_velocity, rel_tol=1e-3)

@@ -77,7 +77,7 @@ def test_a_block_plays_in_real_time_and_a_dimensionless_one_a_period_a_second() 
     assert "drawn with α = 0.2 rad" in texts(film)
     for film in (film_of(run), film_of(bare)):
         assert film.reel.times[0] == 0.0
-        assert film.reel.times[-1] == film.trajectory.end_s
+        assert film.reel.times[-1] == film.trajectory.end_time_pt
         assert film.frames == len(film.reel.times) + 25, "the last picture is held for a second"
 
 
@@ -105,7 +105,7 @@ def test_the_usual_fifty_periods_can_be_shown_and_more_not() -> None:
 
 def test_a_part_of_a_long_run_can_be_shown() -> None:
     run = shaken(cycles=2000.0, bare=True)
-    span = (run.end_s - 10.0, run.end_s)
+    span = (run.end_time_pt - 10.0, run.end_time_pt)
     film = film_of(run, span=span)
     assert (film.reel.times[0], film.reel.times[-1]) == span
     assert film.history.get_xlim() == pytest.approx([t * 1.7 / (2.0 * math.pi) for t in span])

@@ -111,7 +111,7 @@ def test_corners_are_a_rotation_about_the_pivot_in_the_complex_plane(
 def test_the_drawn_block_keeps_its_size_and_stands_on_its_pivot() -> None:
     run = falling()
     b = BLOCK.radius * math.sin(BLOCK.alpha)
-    for s in np.linspace(0.0, run.end_s, 60):
+    for s in np.linspace(0.0, run.end_time_pt, 60):
         corners = drawn_corners(plot_block(run, float(s), new_axes()))
         for one, other in ((0, 2), (1, 3)):
             diagonal = np.linalg.norm(corners[one] - corners[other])
@@ -152,7 +152,7 @@ def test_a_block_is_drawn_in_metres_and_a_dimensionless_one_in_radii() -> None:
 def test_lengths_are_equal_in_both_directions_and_everything_is_in_the_picture() -> None:
     run = falling()
     for size in ((6.0, 2.0), (2.5, 6.0)):
-        axes = plot_block(run, run.end_s, Figure(figsize=size).add_subplot())
+        axes = plot_block(run, run.end_time_pt, Figure(figsize=size).add_subplot())
         axes.figure.canvas.draw()
         assert axes.get_aspect() == 1.0
         (x0, x1), (y0, y1) = axes.get_xlim(), axes.get_ylim()
@@ -164,7 +164,7 @@ def test_lengths_are_equal_in_both_directions_and_everything_is_in_the_picture()
 def test_a_block_beyond_a_right_angle_lies_on_the_ground() -> None:
     stocky = Block.rectangle(width=1.0, height=0.9, restitution=0.5)
     run = simulate(stocky, Still(), start=State(angle=1.01, velocity=0.0), model=Linear())
-    corners = drawn_corners(plot_block(run, run.end_s, new_axes()))
+    corners = drawn_corners(plot_block(run, run.end_time_pt, new_axes()))
     assert corners[0] == pytest.approx(corners[0] * [1.0, 0.0], abs=1e-12)
     assert sorted(corners[:, 1]) == pytest.approx([0.0, 0.0, 1.0, 1.0], abs=1e-9)
 
@@ -230,7 +230,7 @@ def test_the_pivot_is_the_corner_on_the_ground_and_both_at_rest() -> None:
     run = simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=4.0), cycles=10)
     b = math.sin(0.2)
     assert sorted(np.asarray(scene_at(run, 0.0).pivots.get_xdata())) == pytest.approx([-b, b])
-    for s in np.linspace(0.5, run.end_s, 23):
+    for s in np.linspace(0.5, run.end_time_pt, 23):
         if abs(float(run(s).angle)) > 1e-6:
             corner = -b if run(s).angle > 0.0 else b
             assert scene_at(run, float(s)).pivots.get_xdata() == pytest.approx([corner])
@@ -238,7 +238,7 @@ def test_the_pivot_is_the_corner_on_the_ground_and_both_at_rest() -> None:
 
 def test_an_impact_is_seen_at_the_corner_that_was_in_the_air_and_fades() -> None:
     run = simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=4.0), cycles=10)
-    for impact, side in zip(run.impacts.s[:8], run.impacts.side[:8], strict=True):
+    for impact, side in zip(run.impacts.pt[:8], run.impacts.side[:8], strict=True):
         before = float(run(impact - 1e-3).angle)
         raised = 1 if before > 0.0 else -1  # positive rotation lifts the right corner
         assert side == raised
@@ -272,17 +272,17 @@ def test_the_arrow_points_where_the_base_accelerates() -> None:
 
 def test_the_fallen_block_is_black_and_named() -> None:
     run = falling()
-    assert run.overturn_s is not None
+    assert run.overturn_time_pt is not None
     words = {}
-    for s in (0.0, run.overturn_s * (1.0 - 1e-9), run.overturn_s, run.end_s):
+    for s in (0.0, run.overturn_time_pt * (1.0 - 1e-9), run.overturn_time_pt, run.end_time_pt):
         scene = scene_at(run, s)
         words[s] = scene.verdict.get_text()
         black = to_hex(scene.body.get_facecolor()) == palette.OVERTURNED
-        assert black == (s >= run.overturn_s)
+        assert black == (s >= run.overturn_time_pt)
     assert list(words.values()) == ["", "", "overturned", "overturned"]
     rest = simulate(BLOCK, Still(), start=State(angle=0.5, velocity=0.0), model=Linear())
-    assert rest.rest_s is not None
-    assert scene_at(rest, rest.rest_s).verdict.get_text() == "at rest"
+    assert rest.rest_time_pt is not None
+    assert scene_at(rest, rest.rest_time_pt).verdict.get_text() == "at rest"
     assert scene_at(rest, 0.0).verdict.get_text() == ""
 
 
@@ -300,7 +300,7 @@ def test_the_numbers_in_the_picture() -> None:
 
 def test_ground_that_travels_far_is_followed_past_lines_that_stand_still() -> None:
     slow = simulate(BARE, Harmonic(amplitude=0.9, frequency_ratio=0.25), cycles=1)
-    times = np.linspace(0.0, slow.end_s, 200)
+    times = np.linspace(0.0, slow.end_time_pt, 200)
     scene = BlockScene(new_axes(), slow, times)
     assert scene.camera == "following"
     ticks = scene.axes.get_xticks()
@@ -325,8 +325,8 @@ def test_ground_that_travels_far_is_followed_past_lines_that_stand_still() -> No
 
 def test_what_cannot_be_drawn_is_refused() -> None:
     run = falling()
-    for s in (-1.0, run.end_s + 1.0, math.nan, math.inf):
-        with pytest.raises(InputError, match="s = "):
+    for s in (-1.0, run.end_time_pt + 1.0, math.nan, math.inf):
+        with pytest.raises(InputError, match="pt = "):
             plot_block(run, s, new_axes())
     with pytest.raises(ModelError, match=r"alpha = 0\.3 .* 0\.2 rad"):
         plot_block(run, 0.0, new_axes(), alpha=0.3)
@@ -352,7 +352,7 @@ def test_extreme_runs_are_drawn(motion: Harmonic | Still | Piecewise, start: Sta
     run = simulate(BARE, motion, start=start, cycles=2)
     figure = Figure(figsize=(4.0, 3.0))
     axes = plot_block(run, 0.0, figure.add_subplot())
-    plot_block(run, min(run.end_s, 1.0), figure.add_subplot())
+    plot_block(run, min(run.end_time_pt, 1.0), figure.add_subplot())
     figure.canvas.draw()
     assert np.isfinite([*axes.get_xlim(), *axes.get_ylim()]).all()
 

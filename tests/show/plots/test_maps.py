@@ -167,7 +167,7 @@ def test_the_legend_has_each_class_that_occurs_with_its_share(data: xarray.Datas
 
 
 def test_what_has_no_answer_has_a_pattern_and_a_legend_entry_with_it() -> None:
-    kind = np.repeat([2, 5, 6, BLANK], 3)[:, np.newaxis]
+    kind = np.repeat([2, 5, -1, BLANK], 3)[:, np.newaxis]
     data = drawn_up(
         {"amplitude": np.arange(1.0, 13.0), "frequency_ratio": np.arange(1.0, 6.0)}, kind
     )

@@ -182,12 +182,12 @@ def test_the_numbers_do_not_lie_on_one_another() -> None:
 
 def test_a_section_of_a_trajectory_is_its_impacts_from_a_time_on() -> None:
     run = simulate(*CHAOTIC, cycles=300)
-    since = 0.5 * run.end_s
+    since = 0.5 * run.end_time_pt
     axes = plot_section(run, Figure().add_subplot(), since=since)
     impacts = run.impacts
-    late = impacts.s >= since
+    late = impacts.pt >= since
     after = impacts.velocity_after[late]
-    expected = (run.motion.phase + 6.0 * impacts.s[late]) % (2.0 * math.pi)  # type: ignore[union-attr]
+    expected = (run.motion.phase + 6.0 * impacts.pt[late]) % (2.0 * math.pi)  # type: ignore[union-attr]
     positive, negative = marks(axes)
     for line, there in ((positive, after > 0.0), (negative, after < 0.0)):
         np.testing.assert_array_equal(line.get_ydata(), np.abs(after[there]))
@@ -259,16 +259,16 @@ def test_the_course_of_any_orbit_closes_and_has_its_peaks(amplitude: float, rati
     listed = [orbit for orbit in found(ratio, amplitude) if orbit.admissible]
     for orbit in [*listed, *(orbit.mirrored for orbit in listed)]:
         course = orbit.trajectory()
-        assert course.end_s == pytest.approx(orbit.period * 2.0 * math.pi / ratio, rel=1e-14)
+        assert course.end_time_pt == pytest.approx(orbit.period * 2.0 * math.pi / ratio, rel=1e-14)
         assert len(course.impacts) == len(orbit.states)
         assert course.peak == pytest.approx(max(orbit.highest, -orbit.lowest), abs=1e-9)
         first = orbit.states[0]
-        last = course(course.end_s)
+        last = course(course.end_time_pt)
         assert last.angle == 0.0
         assert last.velocity == pytest.approx(first.side * first.speed, rel=1e-12)
         # Each flight ends where and as the next begins.
-        ends = course.flights.s[:-1] + course.flights.duration[:-1]
-        np.testing.assert_allclose(ends, course.flights.s[1:], atol=1e-7)
+        ends = course.flights.pt[:-1] + course.flights.duration[:-1]
+        np.testing.assert_allclose(ends, course.flights.pt[1:], atol=1e-7)
         np.testing.assert_allclose(
             course.impacts.velocity_after, course.flights.velocity[1:], atol=1e-7
         )
@@ -277,9 +277,9 @@ def test_the_course_of_any_orbit_closes_and_has_its_peaks(amplitude: float, rati
 def test_the_course_of_an_orbit_that_rests_shows_its_bounces() -> None:
     orbit = resting()
     course = orbit.trajectory()
-    assert course.end_s == pytest.approx(2.0 * math.pi / 0.6)
+    assert course.end_time_pt == pytest.approx(2.0 * math.pi / 0.6)
     assert len(course.impacts) > 2 * orbit.rest_phases
-    assert course.rest_s is None, "it lifts again"
+    assert course.rest_time_pt is None, "it lifts again"
     assert course.peak == pytest.approx(orbit.highest)
 
 
@@ -313,7 +313,7 @@ def whole_figures() -> dict[str, Figure]:
         "orbit": orbit_figure(orbit, orbit.trajectory(), "title"),
         "orbits": orbits_figure(found(), "title"),
         "none": orbits_figure([], "title"),
-        "cloud": cloud_figure(run, run, since=0.5 * run.end_s, title="title"),
+        "cloud": cloud_figure(run, run, since=0.5 * run.end_time_pt, title="title"),
     }
 
 

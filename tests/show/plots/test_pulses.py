@@ -72,7 +72,7 @@ def test_a_pulse_is_drawn_smooth_however_quick(w: float) -> None:
 
 def test_times_ask_for_no_more_points_than_before_where_a_pulse_is_slow() -> None:
     run = under("one-sine", 2.0, 2.0)
-    even = math.ceil(100 * run.shown_to_s) + 1
+    even = math.ceil(100 * run.shown_to_pt) + 1
     assert len(run.times()) <= even + len(run.rows)
 
 
@@ -93,9 +93,9 @@ def test_impulses_are_arrows_where_and_whither_they_strike() -> None:
 def test_a_picture_shows_the_base_to_its_end() -> None:
     motion = SyntheticMotion(rms=0.5, frequency_ratio=6.0, duration=30.0, seed=1)
     run = simulate(DimensionlessBlock(restitution=0.5), motion)
-    assert run.rest_s is not None
-    assert run.rest_s < 25.0
-    assert 30.0 <= run.shown_to_s < 31.0
+    assert run.rest_time_pt is not None
+    assert run.rest_time_pt < 25.0
+    assert 30.0 <= run.shown_to_pt < 31.0
     axes = plot_trajectory(run, Figure().add_subplot())
     assert axes.get_xlim()[1] >= 30.0
 

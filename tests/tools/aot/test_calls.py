@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from rocksteady.errors import Status
 from rocksteady.installation._recorded import dumped, loaded
 from rocksteady.installation.check import RECORDED, replay
 from rocksteady.kernels.entries import ENTRIES
+from rocksteady.outcomes import Status
 from tests.strategies import PLAIN
 from tools.aot.calls.__main__ import large_calls, small_calls
 from tools.aot.calls.drawn import MOTIONS, Drawn

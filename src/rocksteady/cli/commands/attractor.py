@@ -95,8 +95,8 @@ def attractor(
     start.check(shaken=True)
 
     announce_compilation("settle.settle")
-    from rocksteady.dynamics.orbits.attractor import AttractorKind
     from rocksteady.dynamics.orbits.attractor import attractor as settle
+    from rocksteady.outcomes import AttractorKind
 
     begin = start.of(motion.frequency_ratio)
     with start.as_typed():
@@ -180,9 +180,9 @@ def last_periods(run: "Trajectory", body: Block | DimensionlessBlock) -> "Trajec
 
     assert isinstance(run.motion, Harmonic)
     span = SHOWN_PERIODS * 2.0 * math.pi / run.frequency_ratio
-    if run.end_s <= span:
+    if run.end_time_pt <= span:
         return run
-    since = run.end_s - span
+    since = run.end_time_pt - span
     here = run(since)
     turned = math.fmod(run.motion.phase + run.frequency_ratio * since, 2.0 * math.pi)
     return simulate(
@@ -213,7 +213,7 @@ def figure_of(
     if found.peaks is not None or found.kind == "overturned":
         return simulation_figure(run, title, page)
     part = last_periods(run, body)
-    return cloud_figure(run, part, since=0.5 * run.end_s, title=title, page=page)
+    return cloud_figure(run, part, since=0.5 * run.end_time_pt, title=title, page=page)
 
 
 def csv_header(body: Block | DimensionlessBlock) -> list[str]:
@@ -231,7 +231,7 @@ def csv_rows(
         states = [(state.side, state.phase, state.speed) for state in found.orbit.states]
     elif run is not None and found.peaks is None and found.kind != "overturned":
         impacts = run.impacts
-        late = impacts.s >= 0.5 * run.end_s
+        late = impacts.pt >= 0.5 * run.end_time_pt
         phase = (impacts.half_cycles[late] % 2) * math.pi + impacts.phase[late]
         after = impacts.velocity_after[late]
         states = [

@@ -38,10 +38,10 @@ HELP = (
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady basins -A 0.5 -W 2 -r 0.95 --plot basins.png\n\n"
-    "rocksteady basins -A 1.5 -W 4 -r 0.9 --angles=-1:1:400 --velocities=-0.3:0.3:400 --json\n\n"
+    "rocksteady basins -A 1.5 -W 4 -r 0.9 --angles=-1:1:400 --velocities=-1.2:1.2:400 --json\n\n"
     "rocksteady basins -A 0:1.6:33 -W 2 -r 0.9 --plot erosion.png\n\n"
     "rocksteady basins --alpha-rad 0.3 --radius-m 1 -r 0.9 -A 1.5 -W 4 --model nonlinear "
-    "--angles=-1.4:1.4:60 --velocities=-0.4:0.4:60"
+    "--angles=-1.4:1.4:60 --velocities=-1.6:1.6:60"
 )
 
 WINDOW = "Window"
@@ -72,8 +72,7 @@ VelocitiesFlag = Annotated[
     typer.Option(
         "--velocities",
         metavar="AXIS",
-        help="du/dtau = d(theta/alpha)/d(omega t), start:stop:count; by default 200 up to the same "
-        "bound over W.",
+        help="du/d(pt), start:stop:count; by default 200 up to the same bound.",
         rich_help_panel=WINDOW,
     ),
 ]
@@ -158,7 +157,7 @@ def _basins(
         found = computed(body, shaking, **chosen, run=Run(progress=meter))
     values = basins_values(found, body)
     if output.csv is not None:
-        write_csv(output.csv, ("angle", "velocity_tau", "label", "attractor"), state_rows(found))
+        write_csv(output.csv, ("angle", "velocity", "label", "attractor"), state_rows(found))
     if output.plot is not None:
         from rocksteady.show.figures.single import basins_figure
 

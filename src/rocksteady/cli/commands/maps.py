@@ -35,7 +35,7 @@ EXAMPLES = (
     "Examples:\n\n"
     "rocksteady map -A 0.1:6:150 -W 0.2:8:200 -r 0.8 --plot map.png\n\n"
     "rocksteady map -A 0.1:6:150 -W 0.2:8:200 -r 0.8 --out map.zarr --resume\n\n"
-    "rocksteady map -A 1:6:1000 -W 1:12:1000 -r 0.8 --start 0,w=0.3 --fate --plot fates.png\n\n"
+    "rocksteady map -A 1:6:1000 -W 1:12:1000 -r 0.8 --start 0,0.3 --fate --plot fates.png\n\n"
     "rocksteady map --width-m 0.3:0.9:50 --height-m 1:3:50 --accel-g 0.4 --freq-hz 2 --json\n\n"
     "rocksteady map -A 2 -W 1.5:4:500 -r 0.8 --plot diagram.png"
 )

@@ -20,6 +20,7 @@ from rocksteady.cli.present.shared import (
 )
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.outcomes import INFINITELY_MANY
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.orbits.orbit import Orbit
@@ -155,17 +156,18 @@ def listed_values(orbit: "Orbit", body: Block | DimensionlessBlock) -> dict[str,
 
 
 def csv_rows(listed: Sequence[dict[str, Any]]) -> list[list[object]]:
-    """Return one row an orbit; cells of what it has not are empty."""
+    """Return one row an orbit; cells of what it has not are empty, infinitely many impacts -1."""
     rows: list[list[object]] = []
     for number, orbit in enumerate(listed, start=1):
         first, second = orbit["multipliers"]
         begin = orbit["states"][0]
         names = ("period", "impacts_per_period", "rest_phases", "kind", "branch")
+        counts = {} if orbit["impacts_per_period"] else {"impacts_per_period": INFINITELY_MANY}
         verdicts = ("admissible", "stable", "neutral")
         rows.append(
             [
                 number,
-                *(orbit[name] for name in (*names, *verdicts)),
+                *(counts.get(name, orbit[name]) for name in (*names, *verdicts)),
                 *(orbit["peaks"] or ("", "")),
                 *(first.real, first.imag, second.real, second.imag),
                 orbit["residual"],

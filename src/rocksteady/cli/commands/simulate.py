@@ -32,10 +32,11 @@ from rocksteady.cli.present.simulate_values import (
     print_summary,
     trajectory_values,
 )
-from rocksteady.errors import InputError, Status
+from rocksteady.errors import InputError
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.segments import Harmonic, Motion, Still
+from rocksteady.outcomes import Status
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.history.trajectory import Trajectory
@@ -54,7 +55,7 @@ EXAMPLES = (
     "rocksteady simulate -A 2 -W 1.9 -r 0.8 --start steady --cycles 40 --plot run.png\n\n"
     "rocksteady simulate --width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 1 --csv run.csv\n\n"
     "rocksteady simulate --block zhang-makris-2001 --pulse one-sine --accel-g 2 --freq-hz 1.7\n\n"
-    "rocksteady simulate --block zhang-makris-2001 --start 0.6,w=0 --json\n\n"
+    "rocksteady simulate --block zhang-makris-2001 --start 0.6,0 --json\n\n"
     "rocksteady simulate --width-m 0.4 --height-m 0.8 -A 2 -W 4 --model nonlinear\n\n"
     "rocksteady simulate --width-m 0.5 --height-m 2 --record RSN77_PUL164.AT2 --scale 0.5\n\n"
     "rocksteady simulate --block tso-wong-1989 -A 4 -W 1.5 --animate fall.gif"

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 HELP = "Studies that take minutes: pictures, data and a page to read, in one folder."
 ATLAS_HELP = (
     "The plane of frequency and amplitude for one restitution.\n\n"
-    "Every stable symmetric, leaning and doubled region of the families n = 1, 3, 5 with exact "
+    "Every stable symmetric, unsymmetric and doubled region of the families n = 1, 3, 5 with exact "
     "borders, how many motions stand side by side, and what a block at rest comes to. Writes "
     "pictures as PNG, SVG and PDF, their data as CSV, atlas.json, and the page atlas.html.\n\n"
     "Takes about 2.5 minutes on two cores. What is finished is kept in the folder, and --resume "

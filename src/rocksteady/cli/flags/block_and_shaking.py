@@ -204,7 +204,7 @@ class BlockFlags:
             If the flags describe a block in two ways, or half of one.
         """
         gravity = STANDARD_GRAVITY if self.gravity_m_s2 is None else self.gravity_m_s2
-        given = [FLAG_OF_ARGUMENT[name] for name in (*self.sizes, *self.unlike)]
+        given = [FLAG_OF_ARGUMENT[name] for name in (*self.sizes, *self.asymmetric)]
         if not given and self.block is None:
             if self.gravity_m_s2 is not None:
                 raise FlagError(
@@ -234,31 +234,31 @@ class BlockFlags:
         sizes = {name: single(FLAG_OF_ARGUMENT[name], self.sizes[name]) for name in self.sizes}
         if self.block is not None:
             own = None if self.restitution is None else ratio
-            named = not sizes and not self.unlike
+            named = not sizes and not self.asymmetric
             return example_block(self.block, restitution=own, gravity=gravity) if named else None
-        whole = {"left", "right", *self.unlike} == self.unlike.keys()
+        whole = {"left", "right", *self.asymmetric} == self.asymmetric.keys()
         makers: dict[tuple[str, ...], Callable[..., Block]] = {
             ("width", "height"): Block.rectangle,
             ("alpha", "radius"): Block.from_radius,
             ("alpha", "p"): Block.from_p,
         }
-        if self.unlike:
+        if self.asymmetric:
             makers = {("height",): Block.asymmetric} if whole else {}
-        for name, value in self.unlike.items():  # the width that follows has no flag
+        for name, value in self.asymmetric.items():  # the width that follows has no flag
             in_range(name, value, 0.0, LARGEST, hint="give a distance in metres, as 0.3")
         make = makers.get(tuple(sizes))
         rest: dict[str, Any] = {"restitution": ratio, "gravity": gravity}
-        return None if make is None else make(**sizes, **self.unlike, **rest)
+        return None if make is None else make(**sizes, **self.asymmetric, **rest)
 
     def refuse_sides(self, valid: str, hint: str) -> FlagError:
         """Return the error of a block whose sides differ, with the flags that make them differ."""
-        flags_given = "--left-m and --right-m" if self.unlike else "--restitution/-r"
+        flags_given = "--left-m and --right-m" if self.asymmetric else "--restitution/-r"
         return FlagError(
             finding=f"{flags_given} make a block whose sides differ", valid=valid, hint=hint
         )
 
     @property
-    def unlike(self) -> dict[str, float]:
+    def asymmetric(self) -> dict[str, float]:
         """The measures that are given of a block whose sides differ."""
         values = {"left": self.left_m, "right": self.right_m, "gyration": self.gyration_m}
         return {name: value for name, value in values.items() if value is not None}

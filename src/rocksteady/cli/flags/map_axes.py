@@ -13,7 +13,7 @@ from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
 from rocksteady.cli.flags.parsing import axis
-from rocksteady.cli.flags.start import HINT, StartFlags
+from rocksteady.cli.flags.start import HINT, TAU, StartFlags
 from rocksteady.dynamics.parameters import AXES, shaking_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
@@ -28,8 +28,8 @@ StartAxes = Annotated[
     typer.Option(
         "--start",
         metavar="START",
-        help="rest; steady or steady:2 (on branch 1 or 2 of order -n); U,DU (u and du/dtau); or "
-        "U,w=V (V = du/d(pt)). U and V may be axes, as --start=-1:1:200,w=0.",
+        help="rest; steady or steady:2 (on branch 1 or 2 of order -n); U,V (u and du/d(pt)); or "
+        "U,tau=DU (DU = du/d(omega t)). Both may be axes, as --start=-1:1:200,0.",
         rich_help_panel=options.START,
     ),
 ]
@@ -81,11 +81,11 @@ class MapStartFlags:
         return found | self._state()
 
     def _state(self) -> dict[str, list[float]]:
-        """Return the two halves of --start U,DU or U,w=V; nothing of another start."""
+        """Return the two halves of --start U,V or U,tau=DU; nothing of another start."""
         angle, comma, velocity = self.start.partition(",")
         if not comma:
             return {}
-        halves = {"angle": angle, "velocity": velocity.removeprefix("w=")}
+        halves = {"angle": angle, "velocity": velocity.removeprefix(TAU)}
         try:
             state = {name: axis("start", text) for name, text in halves.items()}
         except InputError as error:
@@ -101,7 +101,7 @@ class MapStartFlags:
         first = {name: values[0] for name, values in self.parameters.items()}
         start = self.start
         if "angle" in first and ":" in start:
-            equals = "w=" if self._per_pivot_time else ""
+            equals = TAU if self._per_tau else ""
             start = f"{first['angle']!r},{equals}{first['velocity']!r}"
         return StartFlags(
             start=start,
@@ -124,9 +124,9 @@ class MapStartFlags:
             raise FlagError(error.name, text, error.valid, error.hint) from error
 
     @property
-    def _per_pivot_time(self) -> bool:
-        """Whether the velocity is du/d(pt)."""
-        return ",w=" in self.start
+    def _per_tau(self) -> bool:
+        """Whether the velocity is du/d(omega t)."""
+        return "," + TAU in self.start
 
     def velocities(self, shaking: Harmonic, *, one_for_all: bool) -> list[float]:
         """Return the velocities du/d(pt) of the start; none where it is no state.
@@ -141,17 +141,17 @@ class MapStartFlags:
         Raises
         ------
         ModelError
-            If du/dtau would be another du/d(pt) in each cell.
+            If du/d(omega t) would be another du/d(pt) in each cell.
         """
         found = self.parameters.get("velocity", [])
-        if self._per_pivot_time or not any(found):
+        if not self._per_tau or not any(found):
             return found
         if not one_for_all:
             raise FlagError(
                 "start",
                 self.start,
-                "where omega/p moves, du/dtau is another velocity in each cell",
-                "give du/d(pt), as 0.4,w=0.1",
+                "where omega/p moves, du/d(omega t) is another velocity in each cell",
+                "give du/d(pt), as 0.4,0.1",
             )
         return [velocity * shaking.frequency_ratio for velocity in found]
 

@@ -189,8 +189,8 @@ Start = Annotated[
     typer.Option(
         "--start",
         metavar="START",
-        help="rest; steady or steady:2 (on branch 1 or 2 of order -n); U,DU (u and du/dtau); or "
-        "U,w=V (V = du/d(pt)).",
+        help="rest; steady or steady:2 (on branch 1 or 2 of order -n); U,V (u and du/d(pt)); or "
+        "U,tau=DU (DU = du/d(omega t)).",
         rich_help_panel=START,
     ),
 ]
@@ -201,7 +201,7 @@ SweepStart = Annotated[
         metavar="START",
         help="Where a sweep begins, and begins again after a fall: auto (steady where its first "
         "value has that, else rest), rest, steady or steady:2 (on branch 1 or 2 of order -n), U,DU "
-        "(u and du/dtau), or U,w=V (V = du/d(pt)). After a rest it goes on from rest.",
+        "(u and du/d(pt)), or U,tau=DU (DU = du/d(omega t)). After a rest it goes on from rest.",
         rich_help_panel=START,
     ),
 ]

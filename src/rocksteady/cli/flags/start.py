@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     from rocksteady.dynamics.history.start import Start, State
 
 STEADY = ("steady", "steady:1", "steady:2")
-HINT = "write rest, steady, steady:2, U,DU (du/dtau) or U,w=V (du/d(pt)), as 0.4,0 or 0.4,w=0"
+TAU = "tau="
+HINT = "write rest, steady, steady:2, U,V (V = du/d(pt)) or U,tau=DU (du/d(omega t)), as 0.4,0"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,14 +76,14 @@ class StartFlags:
                 "--start",
                 self.start,
                 "a steady state needs shaking",
-                "give shaking with -A and -W, or another start as 0.5,w=0",
+                "give shaking with -A and -W, or another start as 0.5,0",
             )
         if self.start == "rest":
             raise FlagError(
                 "--start",
                 self.start,
                 "on a still base a block at rest stays there",
-                "give shaking with -A and -W, or let the block go: --start 0.5,w=0",
+                "give shaking with -A and -W, or let the block go: --start 0.5,0",
             )
         refuse_without_shaking("--phase", self.phase)
 
@@ -145,7 +146,7 @@ def refuse_without_shaking(flag: str, value: object) -> None:
 
 
 def state_from(text: str, frequency_ratio: float | None) -> "State":
-    """Return the state that ``U,DU`` or ``U,w=V`` names.
+    """Return the state that ``U,V`` or ``U,tau=DU`` names.
 
     Raises
     ------
@@ -155,16 +156,17 @@ def state_from(text: str, frequency_ratio: float | None) -> "State":
     from rocksteady.dynamics.history.start import State
 
     first, comma, second = text.partition(",")
-    with_rate = second.startswith("w=")
+    per_tau = second.startswith(TAU)
     try:
-        angle, velocity = decimal(first), decimal(second.removeprefix("w="))
+        angle, velocity = decimal(first), decimal(second.removeprefix(TAU))
     except ValueError:
         valid = "it is no known start" if not comma else "it is not two numbers"
         raise InputError("start", text, valid, HINT) from None
     if not (math.isfinite(angle) and math.isfinite(velocity)):
         raise InputError("start", text, "its numbers must be finite", HINT)
-    if with_rate:
+    if not per_tau:
         return State(angle=angle, velocity=velocity)
     if frequency_ratio is None:
-        raise InputError("start", text, "du/dtau needs harmonic shaking", "give du/d(pt) as U,w=V")
-    return State.per_tau(angle=angle, velocity=velocity, frequency_ratio=frequency_ratio)
+        valid = "du/d(omega t) needs harmonic shaking"
+        raise InputError("start", text, valid, "give du/d(pt) as U,V")
+    return State.per_tau(angle=angle, velocity_tau=velocity, frequency_ratio=frequency_ratio)

@@ -38,7 +38,7 @@ def print_fractions(values: dict[str, Any]) -> None:
     console.print(table)
     angles, velocities = values["angles"], values["velocities"]
     console.print(
-        f"u = theta/alpha from {angles['start']:.4g} to {angles['stop']:.4g}, du/dtau from "
+        f"u = theta/alpha from {angles['start']:.4g} to {angles['stop']:.4g}, du/d(pt) from "
         f"{velocities['start']:.4g} to {velocities['stop']:.4g}.",
         style="dim",
     )

@@ -107,7 +107,7 @@ def print_windows(values: dict[str, Any]) -> None:
                 *head,
                 f"{first:.8g}",
                 "the end" if mode["endless"] else f"{last:.8g}",
-                "10 or more" if mode["impacts"] == 10 else str(mode["impacts"]),
+                str(mode["impacts"]),
                 "+" if mode["side"] > 0 else "-",
             )
             head = [""] * len(head)

@@ -44,12 +44,12 @@ def trajectory_values(trajectory: "Trajectory", body: Block | DimensionlessBlock
             values |= ground_values(motion, trajectory.vertical)
         values["block"] = block_values(body)
     if block is None:
-        values["overturn_time_tau"] = trajectory.overturn_tau
-        values["overturn_time_pt"] = trajectory.overturn_s
-        values["rest_time_pt"] = trajectory.rest_s
+        values["overturn_time_tau"] = trajectory.overturn_time_tau
+        values["overturn_time_pt"] = trajectory.overturn_time_pt
+        values["rest_time_pt"] = trajectory.rest_time_pt
     else:
         values["overturn_time_s"] = trajectory.overturn_time_s
-        values["rest_time_s"] = None if trajectory.rest_s is None else trajectory.rest_s / block.p
+        values["rest_time_s"] = trajectory.rest_time_s
         sides = zip(trajectory.side_peaks, (block.positive, block.negative), strict=True)
         # The larger angle may be the smaller part of its alpha.
         values["peak_rad"] = max(peak * side.alpha for peak, side in sides)
@@ -89,14 +89,14 @@ def print_summary(values: dict[str, Any], trajectory: "Trajectory") -> None:
         peak = f"{values['peak']:.10g} alpha of its side"
     if "peak_rad" in values and "side_peaks" not in values:
         peak += f" = {values['peak_rad']:.6g} rad"
-    if trajectory.overturn_s is not None:
+    if trajectory.overturn_time_pt is not None:
         peak += ", up to overturning"
     table.add_row("peak", peak)
     table.add_row("impacts", str(values["impacts"]))
-    if trajectory.overturn_s is not None:
-        table.add_row("overturns at", time_text(trajectory, trajectory.overturn_s))
-    if trajectory.rest_s is not None:
-        table.add_row("at rest from", time_text(trajectory, trajectory.rest_s))
+    if trajectory.overturn_time_pt is not None:
+        table.add_row("overturns at", time_text(trajectory, trajectory.overturn_time_pt))
+    if trajectory.rest_time_pt is not None:
+        table.add_row("at rest from", time_text(trajectory, trajectory.rest_time_pt))
     for key in ("record_processing", "vertical_processing"):
         for note in values.get(key, ()):
             table.add_row(key.partition("_")[0], note)
@@ -134,7 +134,7 @@ def csv_rows(trajectory: "Trajectory", samples: int) -> Iterator[list[float]]:
     from rocksteady.dynamics.history.base_motion import lift
 
     motion = trajectory(trajectory.times(samples))
-    columns = [motion.s]
+    columns = [motion.pt]
     if motion.tau is not None:
         columns.append(motion.tau)
     columns += [motion.angle, motion.velocity, motion.acceleration]
@@ -144,6 +144,6 @@ def csv_rows(trajectory: "Trajectory", samples: int) -> Iterator[list[float]]:
         columns += [motion.t_s, motion.angle * block.alpha]
         columns.append(motion.base_acceleration * block.uplift_acceleration)
         if trajectory.vertical is not None:
-            columns.append(lift(trajectory.segments, motion.s) * block.gravity)
+            columns.append(lift(trajectory.segments, motion.pt) * block.gravity)
     for row in zip(*columns, strict=True):
         yield [float(value) for value in row]

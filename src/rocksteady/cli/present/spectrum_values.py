@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console import terminal
 from rocksteady.cli.present.shared import plural
-from rocksteady.errors import Status
+from rocksteady.outcomes import Status
 from rocksteady.show.style.palette import shortened
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.batch.fates import batch_size, ends_of
-from rocksteady.errors import Status
+from rocksteady.outcomes import Status
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
@@ -40,7 +40,7 @@ def safe_states(
     frequency_ratio, phase, cycles
         One number each; the phase is that of the shaking at the start [rad].
     amplitudes, angles, velocities
-        The axes: A, u = theta/alpha and du/dtau.
+        The axes: A, u = theta/alpha and du/d(pt).
     run
         As for `rocksteady.sweep.evaluate.evaluate`.
     """
@@ -79,7 +79,7 @@ def _safe(
         frequency_ratio=np.full(count, frequency_ratio),
         sides=np.broadcast_to(sides, (count, *sides.shape)),
         angle=angles,
-        velocity=velocities * frequency_ratio,
+        velocity=velocities,
         phase=np.full(count, phase),
         cycles=cycles,
     )

@@ -14,7 +14,7 @@ from rocksteady.dynamics.basins.window import centred, moment, spacing, window_a
 from rocksteady.dynamics.batch.attractors import Beginnings, batch_size, settled_cells
 from rocksteady.dynamics.history.lowering import side_table
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
-from rocksteady.dynamics.orbits.attractor import AttractorKind, cycles_value
+from rocksteady.dynamics.orbits.attractor import cycles_value
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -22,6 +22,7 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, whole_number
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.outcomes import INFINITELY_MANY, AttractorKind
 from rocksteady.sweep.cases.draws import uniform
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
@@ -79,7 +80,7 @@ class Basins:
     angle
         u = theta/alpha, shape (n,).
     velocity
-        du/dtau, shape (m,).
+        du/d(pt), shape (m,).
     label
         Where each state goes: index of `attractors`, shape (m, n).
     attractors
@@ -113,7 +114,7 @@ class Basins:
 
     @cached_property
     def stroboscopic(self) -> tuple[Floats, ...]:
-        """Where each attractor is at the phase of the shaking: (u, du/dtau), shape (points, 2).
+        """Where each attractor is at the phase of the shaking: (u, du/d(pt)), shape (points, 2).
 
         An orbit of n forcing periods is at n points, a block at rest at one; others at none.
         """
@@ -169,7 +170,7 @@ class Basins:
         Returns
         -------
         xarray.Dataset
-            ``label`` with flags over velocity (du/dtau) and angle; ``start_angle`` and
+            ``label`` with flags over velocity (du/d(pt)) and angle; ``start_angle`` and
             ``start_velocity``; kind, period, impacts (0 without an orbit, -1 for infinitely many),
             states and share over attractor.
 
@@ -189,6 +190,8 @@ class Basins:
         flags = {"flag_values": list(range(len(names))), "flag_meanings": " ".join(names)}
         plane, along = ("velocity", "angle"), ("attractor",)
         fractions = self.fractions()
+        counts = (attractor.impacts for attractor in self.attractors)
+        impacts = [INFINITELY_MANY if count is None else count for count in counts]
         return xarray.Dataset(
             {
                 "label": (plane, self.label, {"long_name": "attractor", "units": "1", **flags}),
@@ -196,7 +199,7 @@ class Basins:
                 "start_velocity": (plane, self.start_velocity, {"units": "1"}),
                 "kind": (along, [str(attractor.kind.value) for attractor in self.attractors]),
                 "period": (along, [attractor.period or 0 for attractor in self.attractors]),
-                "impacts": (along, [attractor.impacts for attractor in self.attractors]),
+                "impacts": (along, impacts, {"infinitely_many": INFINITELY_MANY}),
                 "states": (along, self.states),
                 "share": (along, [fraction.share for fraction in fractions], {"units": "1"}),
             },
@@ -205,7 +208,7 @@ class Basins:
                 "velocity": (
                     "velocity",
                     self.velocity,
-                    {"long_name": "d(theta/alpha)/d(omega t)", "units": "1"},
+                    {"long_name": "d(theta/alpha)/d(p t)", "units": "1"},
                 ),
                 "attractor": ("attractor", names),
             },
@@ -254,7 +257,7 @@ def basins(
     Parameters
     ----------
     block
-        Its restitution counts, and how unlike its sides are; in the nonlinear model also how
+        Its restitution counts, and how its sides differ; in the nonlinear model also how
         slender.
     shaking
         Its phase is that of all initial states.  It is taken modulo a period and to 12 decimals, so
@@ -265,8 +268,8 @@ def basins(
         model grows for ever.
         Of a block whose sides differ the larger of their bounds.
     velocities
-        du/dtau, tau = omega t, shape (m,), evenly spaced.  By default the middles of 200 cells up
-        to the same bound, divided by Omega.
+        du/d(pt), shape (m,), evenly spaced.  By default the middles of 200 cells up to the same
+        bound: the states |u| + |v| <= 1, which stand on a still base, lie inside.
     cycles
         Forcing periods after which a motion counts as aperiodic or undecided.
     seed
@@ -299,7 +302,7 @@ def basins(
     ...     DimensionlessBlock(restitution=0.8),
     ...     shaking,
     ...     angles=np.linspace(-1.0, 1.0, 20),
-    ...     velocities=np.linspace(-0.5, 0.5, 20),
+    ...     velocities=np.linspace(-0.95, 0.95, 20),
     ... )
     >>> for attractor, part in zip(found.attractors, found.fractions()):
     ...     print(attractor.name, f"{part.share:.4f}", f"{part.low:.3f} to {part.high:.3f}")
@@ -311,13 +314,12 @@ def basins(
     equations = chosen_model(model, block)
     sides = sides_of(block, equations)
     half, rest = moment(shaken)
-    ratio = shaken.frequency_ratio
-    widest, fastest = window_of(side_table(bare), shaken.amplitude, ratio)
+    widest, fastest = window_of(side_table(bare), shaken.amplitude, shaken.frequency_ratio)
     angle = window_axis("angles", centred(widest) if angles is None else angles, "theta/alpha")
     velocity = window_axis(
         "velocities",
-        centred(fastest / ratio) if velocities is None else velocities,
-        "d(theta/alpha)/d(omega t)",
+        centred(fastest) if velocities is None else velocities,
+        "d(theta/alpha)/d(p t)",
     )
     start = replace(shaken, phase=half * math.pi + rest)
     cases = functools.partial(
@@ -362,8 +364,8 @@ def _at_phase(one: BasinAttractor, shaking: Harmonic) -> Floats:
     run, ratio = one.orbit.trajectory(), shaking.frequency_ratio
     turn = 2.0 * math.pi
     since = (shaking.phase - one.orbit.shaking.phase) % turn + turn * np.arange(one.orbit.period)
-    here = run(np.minimum(since / ratio, run.end_s))
-    points: Floats = np.column_stack([here.angle, here.velocity / ratio])
+    here = run(np.minimum(since / ratio, run.end_time_pt))
+    points: Floats = np.column_stack([here.angle, here.velocity])
     return points
 
 
@@ -397,7 +399,7 @@ def _settled(
         np.full(count, shaking.amplitude),
         np.full(count, shaking.frequency_ratio),
         sides,
-        Beginnings.of(angle, velocity * shaking.frequency_ratio, half_cycles, phase),
+        Beginnings.of(angle, velocity, half_cycles, phase),
         cycles,
     )
     return {

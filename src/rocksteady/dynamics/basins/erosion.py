@@ -77,7 +77,7 @@ class Erosion:
     amplitude
         A = a_max/(alpha g), ascending, shape (amplitudes,).
     angle, velocity
-        The window: u = theta/alpha, shape (n,), and du/dtau, shape (m,).
+        The window: u = theta/alpha, shape (n,), and du/d(pt), shape (m,).
     cycles
         Forcing periods that a safe state stands.
     safe
@@ -215,7 +215,7 @@ class Erosion:
             cycles=self.cycles,
             run=run,
         )
-        share, radius = measured(safe[0], self.angle, self.frequency_ratio * self.velocity)
+        share, radius = measured(safe[0], self.angle, self.velocity)
         return radius / self.still_radius if measure == MEASURES[0] else share / self.still_share
 
     def to_dataset(self) -> "xarray.Dataset":
@@ -225,7 +225,7 @@ class Erosion:
         -------
         xarray.Dataset
             ``global_integrity`` and ``integrity_factor`` over amplitude, ``safe`` over amplitude,
-            velocity (du/dtau) and angle; the heteroclinic amplitude, where there is a closed form
+            velocity (du/d(pt)) and angle; the heteroclinic amplitude, where there is a closed form
             of it, among the attributes.
         """
         import xarray
@@ -240,7 +240,7 @@ class Erosion:
             },
             coords={
                 "amplitude": (along, self.amplitude, {"long_name": "a_max/(alpha g)"}),
-                "velocity": ("velocity", self.velocity, {"long_name": "d(theta/alpha)/d(omega t)"}),
+                "velocity": ("velocity", self.velocity, {"long_name": "d(theta/alpha)/d(p t)"}),
                 "angle": ("angle", self.angle, {"long_name": "theta/alpha"}),
             },
             attrs={
@@ -304,7 +304,7 @@ def erosion(
     Parameters
     ----------
     block
-        Its restitution counts, and how unlike its sides are; in the nonlinear model also how
+        Its restitution counts, and how its sides differ; in the nonlinear model also how
         slender.
     frequency_ratio
         Omega = omega/p.
@@ -313,9 +313,9 @@ def erosion(
     phase
         Of the shaking when the states are taken [rad]; modulo a period and to 12 decimals.
     angles, velocities
-        The window: u = theta/alpha, shape (n,), and du/dtau, shape (m,), both evenly spaced.  By
-        default the middles of 200 cells on either side up to 1.5 in u and in du/d(p t) (in units of
-        the larger side, where they differ), or further
+        The window: u = theta/alpha, shape (n,), and du/d(pt), shape (m,), both evenly spaced.  By
+        default the middles of 200 cells up to 1.5 in each (in units of the larger side, where they
+        differ), so that |u| + |v| <= 1, which is safe on a still base, lies inside; or further
         where the edge of that window would cut the largest circle on a still base, as it does with
         a restitution below .6.
     cycles
@@ -376,8 +376,8 @@ def erosion(
     angle = window_axis("angles", centred(reach) if angles is None else angles, "theta/alpha")
     velocity = window_axis(
         "velocities",
-        centred(reach / ratio) if velocities is None else velocities,
-        "d(theta/alpha)/d(omega t)",
+        centred(reach) if velocities is None else velocities,
+        "d(theta/alpha)/d(p t)",
     )
     # The still base is one more amplitude, unless it is among those given.
     given = axis.points
@@ -393,15 +393,13 @@ def erosion(
         cycles=count,
         run=how,
     )
-    shares, radii = np.array(
-        [measured(one, angle.points, ratio * velocity.points) for one in safe]
-    ).T
+    shares, radii = np.array([measured(one, angle.points, velocity.points) for one in safe]).T
     if shares[0] == 0.0:
         raise ModelError(
             "angles",
             angles,
             "no state of this window stands on a still base",
-            "give a window around u = 0, du/dtau = 0",
+            "give a window around u = 0, du/d(pt) = 0",
         )
     shaken = slice(len(safe) - len(given), None)
     return Erosion(

@@ -10,9 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.batch.attractors import ENDLESS
 from rocksteady.dynamics.history.start import ImpactState
-from rocksteady.dynamics.orbits.attractor import KINDS, AttractorKind
+from rocksteady.dynamics.orbits.attractor import KINDS
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
 from rocksteady.dynamics.orbits.return_map import make_system, section_of
 from rocksteady.dynamics.orbits.search import SAME
@@ -22,6 +21,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.outcomes import AttractorKind
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -69,11 +69,9 @@ class BasinAttractor:
         return None if self.orbit is None else self.orbit.period
 
     @property
-    def impacts(self) -> int:
-        """Impacts in a period of the orbit; 0 without one, -1 for infinitely many."""
-        if self.orbit is None:
-            return 0
-        return ENDLESS if self.orbit.impacts is None else self.orbit.impacts
+    def impacts(self) -> int | None:
+        """Impacts in a period of the orbit; 0 without one, None for infinitely many."""
+        return 0 if self.orbit is None else self.orbit.impacts
 
     @property
     def description(self) -> str:

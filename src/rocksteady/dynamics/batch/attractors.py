@@ -6,22 +6,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.orbits.attractor import KINDS, AttractorKind, kind_codes
+from rocksteady.dynamics.orbits.attractor import KINDS, kind_codes
 from rocksteady.kernels.batch import attractors as column
 from rocksteady.kernels.core.tables import RESTITUTION
+from rocksteady.outcomes import INFINITELY_MANY, NO_START, NO_START_LABEL, AttractorKind
 from rocksteady.sweep.cases.outputs import Output
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
-NO_START = len(KINDS)
-"""Code of a cell whose start does not exist: a steady state where there is none."""
 KIND_FLAGS = {
     **{code: str(kind.value) for code, kind in enumerate(KINDS)},
-    NO_START: "no-start",
+    NO_START: NO_START_LABEL,
 }
-ENDLESS = -1
-"""Number of impacts of an orbit that comes to rest: infinitely many."""
 
 BATCH = 1024
 """The most motions that the kernel follows in one call,"""
@@ -69,7 +66,7 @@ class SettledCells:
     @property
     def impacts(self) -> Integers:
         """Impacts in a period of the orbit; 0 without one, -1 for infinitely many."""
-        return np.where(self.rests > 0, ENDLESS, self.passages)
+        return np.where(self.rests > 0, INFINITELY_MANY, self.passages)
 
 
 def settled_cells(

@@ -4,10 +4,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.lowering import alike
-from rocksteady.errors import Status
 from rocksteady.kernels.batch.harmonic import fates_of_sides
 from rocksteady.kernels.core.tables import RESTITUTION, SIDE_COLUMNS
 from rocksteady.kernels.lanes.driver import lane_fates
+from rocksteady.outcomes import Status
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]

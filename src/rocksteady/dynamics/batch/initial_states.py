@@ -83,7 +83,7 @@ def on_orbits(
     which = start.branch - 1
     there = states.admissible[which].copy()
     phase = np.where(there, states.phase[which], 0.0)
-    velocity = np.where(there, states.velocity[which], 0.0) * frequency_ratio
+    velocity = np.where(there, states.velocity[which], 0.0)
     unstable = there & ~(states.stable[which] | states.neutral[which])
     # All others of the linear model are known already.
     left = there if sides.shape[2] > SIDE_COLUMNS else unstable

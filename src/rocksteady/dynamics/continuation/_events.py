@@ -154,7 +154,7 @@ def _dipping(
 
 
 def _events(family: Family, curve: ChainCurve, low: ChainSpot, high: ChainSpot) -> Iterator[Event]:
-    """Yield the bifurcations whose tests have unlike signs at two points."""
+    """Yield the bifurcations whose tests have opposite signs at two points."""
     changed = _changed(low, high)
     halving = [*_halving(family, curve, low, high)]
     yield from halving

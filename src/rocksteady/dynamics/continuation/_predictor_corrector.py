@@ -166,7 +166,7 @@ class Curve(Generic[SolutionT]):
     def locate(
         self, before: Spot[SolutionT], after: Spot[SolutionT], test: "Test[SolutionT]"
     ) -> Spot[SolutionT]:
-        """Return the event between two neighbouring points at which a test has unlike signs.
+        """Return the event between two neighbouring points at which a test has opposite signs.
 
         Points between the two are corrected in planes across the chord.
 

@@ -12,12 +12,12 @@ Floats = NDArray[np.float64]
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Motions:
+class Samples:
     """Motion of the block at given times, as arrays of the shape of the times.
 
     Attributes
     ----------
-    s
+    pt
         Pivot time p t since the start.
     tau
         omega t of harmonic shaking; None for other motions.
@@ -26,7 +26,7 @@ class Motions:
     angle
         u = theta/alpha, with alpha of the positive side on either side.
     velocity, acceleration
-        du/ds and d2u/ds2; at an impact the value just after it.
+        du/d(pt) and d2u/d(pt)2; at an impact the value just after it.
     base_acceleration
         In units of alpha g.
     energy
@@ -39,7 +39,7 @@ class Motions:
         is ``(lambda rho)^2`` times the same of y and of that side's alpha.
     """
 
-    s: Floats
+    pt: Floats
     tau: Floats | None
     t_s: Floats | None
     angle: Floats
@@ -58,20 +58,20 @@ class Flights:
 
     Attributes
     ----------
-    s
+    pt
         Pivot time at the start.
     duration
         In pivot time; infinite for the last flight of a block that overturns.
     side
         +1, -1, or 0 at rest.
     angle, velocity
-        u and du/ds at the start.
+        u and du/d(pt) at the start.
     ended_by
         0 the end of the segment or of the run, 1 an impact, 2 proof that the block never comes
         back, 3 uplift from rest.
     """
 
-    s: Floats
+    pt: Floats
     duration: Floats
     side: NDArray[np.int64]
     angle: Floats
@@ -80,7 +80,7 @@ class Flights:
 
     def __len__(self) -> int:
         """Return the number of flights and rests."""
-        return len(self.s)
+        return len(self.pt)
 
 
 @checked_result
@@ -90,7 +90,7 @@ class Impacts:
 
     Attributes
     ----------
-    s
+    pt
         Pivot time since the start.
     half_cycles, phase
         Harmonic motion: whole half periods of the shaking and the phase within the next [rad],
@@ -98,10 +98,10 @@ class Impacts:
     side
         The side the block falls from, +1 or -1.
     velocity_before, velocity_after
-        du/ds.
+        du/d(pt).
     """
 
-    s: Floats
+    pt: Floats
     half_cycles: NDArray[np.int64]
     phase: Floats
     side: NDArray[np.int64]
@@ -110,4 +110,4 @@ class Impacts:
 
     def __len__(self) -> int:
         """Return the number of impacts."""
-        return len(self.s)
+        return len(self.pt)

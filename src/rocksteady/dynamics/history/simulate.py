@@ -12,7 +12,6 @@ from rocksteady.dynamics.history.nonlinear_tables import (
 )
 from rocksteady.dynamics.history.start import Rest, Start, initial_march
 from rocksteady.dynamics.history.trajectory import Trajectory
-from rocksteady.errors import Status
 from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.core.tables import FREQUENCY, ROW_COLUMNS
 from rocksteady.kernels.march.march import march
@@ -24,6 +23,7 @@ from rocksteady.model.equations import Model, Nonlinear, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion
+from rocksteady.outcomes import Status
 
 SMALLEST_BOUNCE = 1e-8
 """Chatter slower than this (du/ds) may come to rest: its bounces are below 1e-16 of alpha."""

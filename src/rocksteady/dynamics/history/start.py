@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.history.departure import set_off
 from rocksteady.dynamics.history.lowering import side_table
 from rocksteady.dynamics.steady.states import (
-    refuse_unlike_sides,
+    refuse_asymmetric,
     steady_states,
     validated_branch,
 )
@@ -54,7 +54,7 @@ class State:
     angle
         u = theta/alpha, with alpha of the positive side whichever way it leans.
     velocity
-        du/ds, per pivot time s = p t.  `per_tau` takes du/dtau, the paper's.
+        du/d(pt).  `per_tau` takes du/d(omega t), the paper's.
 
     Raises
     ------
@@ -75,11 +75,10 @@ class State:
         object.__setattr__(self, "velocity", velocity)
 
     @classmethod
-    def per_tau(cls, *, angle: float, velocity: float, frequency_ratio: float) -> "State":
-        """Return the state whose velocity is given as du/dtau, tau = omega t."""
-        rate = in_range(
-            "velocity", velocity, -LARGEST, LARGEST, "[]", hint="give d(theta/alpha)/d(omega t)"
-        )
+    def per_tau(cls, *, angle: float, velocity_tau: float, frequency_ratio: float) -> "State":
+        """Return the state whose velocity is given as du/d(omega t)."""
+        hint = "give d(theta/alpha)/d(omega t)"
+        rate = in_range("velocity_tau", velocity_tau, -LARGEST, LARGEST, "[]", hint=hint)
         ratio = positive("frequency_ratio", frequency_ratio, hint="give omega/p")
         return cls(angle=angle, velocity=rate * ratio)
 
@@ -271,7 +270,7 @@ def _steady_state(
             "a steady state needs harmonic shaking",
             "give a Harmonic motion, or start from a State",
         )
-    refuse_unlike_sides(block, "start", "a steady state to start on")
+    refuse_asymmetric(block, "start", "a steady state to start on")
     a, w, r = motion.amplitude, motion.frequency_ratio, block.restitution
     states = steady_states(a, w, r, order=start.order)
     which = start.branch - 1
@@ -297,7 +296,7 @@ def _steady_state(
         order=start.order,
         branch=start.branch,
         phase=float(states.phase[which]),
-        velocity=float(states.velocity[which]) * w,
+        velocity=float(states.velocity[which]),
         unstable=not (states.stable[which] or states.neutral[which]),
         away=start.side * start.kick,
     )

@@ -9,9 +9,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history import base_motion
+from rocksteady.dynamics.history._end_times import EndTimes
 from rocksteady.dynamics.history._growth import growth_of
-from rocksteady.dynamics.history.samples import Flights, Impacts, Motions
-from rocksteady.errors import InputError, ModelError, Status
+from rocksteady.dynamics.history.samples import Flights, Impacts, Samples
+from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.core.tables import is_nonlinear
@@ -28,6 +29,7 @@ from rocksteady.model.checks.validation import LARGEST, span_value, whole_number
 from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Harmonic, Motion
+from rocksteady.outcomes import Status
 
 Floats = NDArray[np.float64]
 
@@ -37,10 +39,10 @@ OVERTURNED_SHOWN_TO = 2.0
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Trajectory:
+class Trajectory(EndTimes):
     """Time history of a block: flights, impacts, and the motion at any time.
 
-    Call it with pivot times, ``trajectory(s)``; `at_time` takes seconds and `at_tau` the paper's
+    Call it with pivot times, ``trajectory(pt)``; `at_time` takes seconds and `at_tau` the paper's
     tau = omega t.
 
     Attributes
@@ -86,7 +88,7 @@ class Trajectory:
         turned = (halves * math.pi + local) / np.where(frequency > 0.0, frequency, 1.0)
         return Flights(
             # A flight shorter than a clock's last digit may not seem to begin before the last.
-            s=np.maximum.accumulate(
+            pt=np.maximum.accumulate(
                 segment_starts[index] + np.where(frequency > 0.0, turned, local)
             ),
             duration=self.rows[:, columns.ROW_DURATION],
@@ -111,17 +113,17 @@ class Trajectory:
         return since if row == len(self.rows) - 1 else 0.0
 
     @cached_property
-    def end_s(self) -> float:
+    def end_time_pt(self) -> float:
         """Pivot time up to which the trajectory reaches.
 
         Of a block that overturns it is when it passes twice its slenderness (or, if its last flight
         began further out, one slenderness more than that); where the proof came at the end of a
         segment of the base motion, it is that end.
         """
-        return float(self.flights.s[-1]) + self._last_duration
+        return float(self.flights.pt[-1]) + self._last_duration
 
     @cached_property
-    def rest_s(self) -> float | None:
+    def rest_time_pt(self) -> float | None:
         """Pivot time at which the block came to rest where it stayed; None if it did not.
 
         The recorded bounces end when they are proved to die out and rise below 1e-16 of alpha.
@@ -136,7 +138,7 @@ class Trajectory:
             return None
         resting = self.flights.side == 0
         first = int(np.flatnonzero(~resting)[-1]) + 1 if (~resting).any() else 0
-        start = float(self.flights.s[first])
+        start = float(self.flights.pt[first])
         if first == 0 or self.flights.ended_by[first - 1] != columns.ENDED_BY_IMPACT:
             return start
         velocity = abs(float(self.impacts.velocity_after[-1]))
@@ -166,7 +168,7 @@ class Trajectory:
         return last_crossing(self.segments, self.sides, self.rows, 1.0)
 
     @cached_property
-    def overturn_s(self) -> float | None:
+    def overturn_time_pt(self) -> float | None:
         """Pivot time at which the block passes |theta| = alpha for the last time, if it overturns.
 
         The alpha is that of the side to which it falls.  A block that is tilted further from its
@@ -175,25 +177,11 @@ class Trajectory:
         if self._overturning is None:
             return None
         row, since = self._overturning
-        return float(self.flights.s[row]) + since
-
-    @property
-    def overturn_time_s(self) -> float | None:
-        """Time of overturning [s]; None without a block, or if it does not overturn."""
-        if self.block is None or self.overturn_s is None:
-            return None
-        return self.overturn_s / self.block.p
-
-    @property
-    def overturn_tau(self) -> float | None:
-        """Time of overturning in tau = omega t; None unless the shaking is harmonic."""
-        if self.overturn_s is None or not isinstance(self.motion, Harmonic):
-            return None
-        return self.overturn_s * self.motion.frequency_ratio
+        return float(self.flights.pt[row]) + since
 
     @property
     def peak(self) -> float:
-        """Largest |theta|/alpha, exact, up to the end; of a block that falls, up to `overturn_s`.
+        """Largest |theta|/alpha, exact, up to the end or to `overturn_time_pt`.
 
         Each side counts in its own alpha, so that 1 is where the block balances.
         """
@@ -259,9 +247,9 @@ class Trajectory:
         # flight limit does none follow.
         after = np.minimum(index + 1, len(self.rows) - 1)
         lone = after == index
-        s = np.where(lone, self.flights.s[index] + durations, self.flights.s[after])
+        pt = np.where(lone, self.flights.pt[index] + durations, self.flights.pt[after])
         return Impacts(
-            s=s,
+            pt=pt,
             half_cycles=self.rows[after, columns.ROW_HALF_CYCLES].astype(np.int64),
             phase=self.rows[after, columns.ROW_PHASE],
             side=side,
@@ -286,22 +274,22 @@ class Trajectory:
             sign = np.where(self.impacts.half_cycles % 2 == 0, 1.0, -1.0)
             base = self.motion.amplitude * sign * sin(self.impacts.phase)
         else:
-            base = self.base_acceleration(self.impacts.s)
+            base = self.base_acceleration(self.impacts.pt)
         return growth_of(self.rows, self.sides, durations, self.impacts, base)
 
     @cached_property
-    def shown_to_s(self) -> float:
+    def shown_to_pt(self) -> float:
         """Pivot time up to which pictures follow the run: a little into a rest, not for ever.
 
         A base that still moves when the block has come to rest is followed to its end.
         """
         if not isinstance(self.motion, Harmonic):
-            if self.rest_s is not None:
+            if self.rest_time_pt is not None:
                 moving = float(base_motion.segment_starts(self.segments)[-1])
-                return min(self.end_s, max(1.05 * self.rest_s, moving) + 0.1)
+                return min(self.end_time_pt, max(1.05 * self.rest_time_pt, moving) + 0.1)
             if self.status is Status.ROCKING:  # without loss, or balanced for ever
-                return min(self.end_s, float(self.flights.s[-1]) + 10.0)
-        return self.end_s
+                return min(self.end_time_pt, float(self.flights.pt[-1]) + 10.0)
+        return self.end_time_pt
 
     def times(self, per_unit: int = 100, *, span: tuple[float, float] | None = None) -> Floats:
         """Return pivot times that draw the motion well: evenly spaced, and every impact.
@@ -312,7 +300,7 @@ class Trajectory:
             Samples per unit of time: per forcing period of harmonic shaking, else per p t = 1, and
             per period of a pulse while it lasts.
         span
-            Pivot times between which they lie; from 0 to `shown_to_s` without.
+            Pivot times between which they lie; from 0 to `shown_to_pt` without.
 
         Raises
         ------
@@ -324,52 +312,52 @@ class Trajectory:
         unit = 1.0
         if isinstance(self.motion, Harmonic):
             unit = 2.0 * math.pi / self.motion.frequency_ratio
-        start, end = (0.0, self.shown_to_s) if span is None else self._span(span)
+        start, end = (0.0, self.shown_to_pt) if span is None else self._span(span)
         wanted = count * ((end - start) / unit + base_motion.pulse_turns(self.segments))
         within_memory("per_unit", per_unit, wanted, hint="take fewer, or a shorter span")
         even = np.linspace(start, end, max(2, math.ceil(count * (end - start) / unit) + 1))
         points = np.concatenate(
-            [even, self.flights.s, *base_motion.pulse_times(self.segments, count)]
+            [even, self.flights.pt, *base_motion.pulse_times(self.segments, count)]
         )
         return np.unique(points[(points >= start) & (points <= end)])
 
     def _span(self, span: tuple[float, float]) -> tuple[float, float]:
         """Return pivot times of the run, the first before the second."""
-        return span_value("span", span, 0.0, self.end_s, hint="give pivot times of the run")
+        return span_value("span", span, 0.0, self.end_time_pt, hint="give pivot times of the run")
 
-    def _times(self, s: ArrayLike) -> Floats:
+    def _times(self, pt: ArrayLike) -> Floats:
         """Return finite times from 0 on."""
-        times = real_array("s", s)
+        times = real_array("pt", pt)
         if not ((times >= 0.0) & (times <= LARGEST)).all():
-            raise InputError("s", s, f"it must lie in [0, {LARGEST:g}]", "give pivot times p t")
+            raise InputError("pt", pt, f"it must lie in [0, {LARGEST:g}]", "give pivot times p t")
         return times
 
-    def __call__(self, s: ArrayLike) -> Motions:
-        """Return the motion at pivot times `s`, from 0 to `end_s`.
+    def __call__(self, pt: ArrayLike) -> Samples:
+        """Return the motion at pivot times `pt`, from 0 to `end_time_pt`.
 
         Raises
         ------
         InputError
             If a time is outside the trajectory.
         """
-        times = real_array("s", s)
+        times = real_array("pt", pt)
         flat = np.atleast_1d(times).ravel()
-        outside = ~((flat >= 0.0) & (flat <= self.end_s * (1.0 + 1e-15)))
+        outside = ~((flat >= 0.0) & (flat <= self.end_time_pt * (1.0 + 1e-15)))
         if outside.any():
             raise InputError(
-                "s",
+                "pt",
                 flat[outside][0].item(),
-                f"the trajectory reaches from 0 to {self.end_s:.10g}",
+                f"the trajectory reaches from 0 to {self.end_time_pt:.10g}",
                 "ask within it, or simulate more cycles",
             )
-        index = np.searchsorted(self.flights.s, flat, side="right") - 1
-        since = np.maximum(flat - self.flights.s[index], 0.0)
+        index = np.searchsorted(self.flights.pt, flat, side="right") - 1
+        since = np.maximum(flat - self.flights.pt[index], 0.0)
         states = np.empty((3, len(flat)))
         fill_states(self.segments, self.sides, self.rows, index, since, states)
         angle, velocity, acceleration = states.reshape(3, *times.shape)
         harmonic = isinstance(self.motion, Harmonic)
-        return Motions(
-            s=times,
+        return Samples(
+            pt=times,
             tau=times * self.frequency_ratio if harmonic else None,
             t_s=None if self.block is None else times / self.block.p,
             angle=angle,
@@ -401,13 +389,13 @@ class Trajectory:
             As for `times`.
         """
         motion, impacts = self(self.times(per_unit)), self.impacts
-        kept = impacts.s <= motion.s[-1]
-        before = np.searchsorted(motion.s, impacts.s[kept], side="left")
+        kept = impacts.pt <= motion.pt[-1]
+        before = np.searchsorted(motion.pt, impacts.pt[kept], side="left")
         angle = np.insert(motion.angle, before, 0.0)
         velocity = np.insert(motion.velocity, before, impacts.velocity_before[kept])
         return angle, velocity
 
-    def at_time(self, t_s: ArrayLike) -> Motions:
+    def at_time(self, t_s: ArrayLike) -> Samples:
         """Return the motion at times in seconds.
 
         Raises
@@ -420,13 +408,13 @@ class Trajectory:
                 "block",
                 None,
                 "seconds need a block with a frequency parameter p",
-                "simulate a Block, or ask in pivot time: trajectory(s)",
+                "simulate a Block, or ask in pivot time: trajectory(pt)",
             )
         with np.errstate(over="ignore"):  # infinite, it is outside the trajectory
-            s = real_array("t_s", t_s) * self.block.p
-        return self(s)
+            pt = real_array("t_s", t_s) * self.block.p
+        return self(pt)
 
-    def at_tau(self, tau: ArrayLike) -> Motions:
+    def at_tau(self, tau: ArrayLike) -> Samples:
         """Return the motion at tau = omega t of harmonic shaking.
 
         Raises
@@ -435,8 +423,8 @@ class Trajectory:
             If the shaking is not harmonic.
         """
         with np.errstate(over="ignore"):  # infinite, it is outside the trajectory
-            s = real_array("tau", tau) / self.frequency_ratio
-        return self(s)
+            pt = real_array("tau", tau) / self.frequency_ratio
+        return self(pt)
 
     @property
     def frequency_ratio(self) -> float:
@@ -452,28 +440,29 @@ class Trajectory:
                 "motion",
                 self.motion,
                 "tau = omega t needs harmonic shaking",
-                "ask in pivot time: trajectory(s)",
+                "ask in pivot time: trajectory(pt)",
             )
         return self.motion.frequency_ratio
 
-    def base_acceleration(self, s: ArrayLike) -> Floats:
+    def base_acceleration(self, pt: ArrayLike) -> Floats:
         """Return the base acceleration at pivot times, in units of alpha g."""
-        return base_motion.base_acceleration(self.segments, self._times(s))
+        return base_motion.base_acceleration(self.segments, self._times(pt))
 
-    def base_displacement(self, s: ArrayLike) -> Floats:
+    def base_displacement(self, pt: ArrayLike) -> Floats:
         """Return where the base is at pivot times, in units of alpha g/p^2.
 
         Harmonic shaking goes to and fro about 0; any other motion starts from rest at 0.
         """
         if isinstance(self.motion, Harmonic):
-            return base_motion.swinging_displacement(self.segments, self._times(s))
-        return base_motion.displacement_from_rest(self.segments, self._times(s))
+            return base_motion.swinging_displacement(self.segments, self._times(pt))
+        return base_motion.displacement_from_rest(self.segments, self._times(pt))
 
     def __repr__(self) -> str:
         """Return how it went, not its tables."""
         return (
             f"Trajectory(model={self.model.name!r}, status={self.status.label!r}, "
-            f"peak={self.peak:.6g}, impacts={len(self.impacts)}, end_s={self.end_s:.6g})"
+            f"peak={self.peak:.6g}, impacts={len(self.impacts)}, "
+            f"end_time_pt={self.end_time_pt:.6g})"
         )
 
     def _repr_html_(self) -> str:
@@ -483,9 +472,9 @@ class Trajectory:
             ("status", self.status.label),
             ("peak", f"{self.peak:.6g} alpha"),
             ("impacts", str(len(self.impacts))),
-            ("followed to", f"pt = {self.end_s:.6g}"),
+            ("followed to", f"pt = {self.end_time_pt:.6g}"),
         ]
-        if self.overturn_s is not None:
-            rows.append(("overturns at", f"pt = {self.overturn_s:.6g}"))
+        if self.overturn_time_pt is not None:
+            rows.append(("overturns at", f"pt = {self.overturn_time_pt:.6g}"))
         cells = "".join(f"<tr><th>{name}</th><td>{value}</td></tr>" for name, value in rows)
         return f"<table><caption>Trajectory</caption>{cells}</table>"

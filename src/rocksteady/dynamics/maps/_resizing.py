@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.parameters import SIZES, UNLIKE
+from rocksteady.dynamics.parameters import ASYMMETRY, SIZES
 from rocksteady.errors import ModelError
 from rocksteady.kernels.elementary.arrays import atan2, hypot, sin
 from rocksteady.model.blocks.block import Block
@@ -53,7 +53,7 @@ def check_sizes(block: Block | DimensionlessBlock, names: Sequence[str]) -> None
         size, whose sides follow from its shape.
     """
     for name in names:
-        if name in UNLIKE and isinstance(block, Block):
+        if name in ASYMMETRY and isinstance(block, Block):
             raise ModelError(
                 "axes",
                 name,
@@ -114,7 +114,7 @@ def block_of(
         return resized(block, sizes, given, "housner" if restitution is None else restitution)
     moved = block if restitution is None else block.with_restitution(float(restitution))
     if isinstance(moved, DimensionlessBlock):
-        return replace(moved, **{name: given[name] for name in UNLIKE if name in given})
+        return replace(moved, **{name: given[name] for name in ASYMMETRY if name in given})
     return moved
 
 

@@ -23,8 +23,8 @@ from rocksteady.dynamics.history.start import (
 )
 from rocksteady.dynamics.maps._resizing import block_of, check_sizes, measures_of, sizes_with
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
-from rocksteady.dynamics.parameters import UNLIKE, shaking_of, validated_axes
-from rocksteady.dynamics.steady.states import refuse_unlike_sides
+from rocksteady.dynamics.parameters import ASYMMETRY, shaking_of, validated_axes
+from rocksteady.dynamics.steady.states import refuse_asymmetric
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.core.tables import ALPHA, LEAN, RATE, RESTITUTION
 from rocksteady.model.blocks.block import Block
@@ -291,7 +291,7 @@ class Scenario:
         sides[:] = own
         if "restitution" in given:
             sides[:, :, RESTITUTION] = given["restitution"][:, np.newaxis]
-        for name, column in zip(UNLIKE, (RESTITUTION, LEAN, RATE), strict=True):
+        for name, column in zip(ASYMMETRY, (RESTITUTION, LEAN, RATE), strict=True):
             if name in given:
                 sides[:, 1, column] = given[name]
         if isinstance(self.model, Nonlinear) and "alpha" in given:
@@ -344,9 +344,9 @@ class Scenario:
             )
         steady = isinstance(self.start, Steady)
         if steady:
-            refuse_unlike_sides(self.block, "start", "a steady state to start on")
+            refuse_asymmetric(self.block, "start", "a steady state to start on")
         for name in self.given:
-            if steady and name in UNLIKE:
+            if steady and name in ASYMMETRY:
                 raise ModelError(
                     "axes",
                     name,

@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.batch.attractors import (
-    NO_START,
     batch_size,
     load_kernel,
     outputs_of_orbits,
@@ -21,6 +20,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Model, chosen_model
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.outcomes import NO_START
 from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
@@ -95,9 +95,9 @@ def attractor_map(
     Returns
     -------
     xarray.Dataset
-        The axes are its dimensions.  ``kind`` has flags; it is ``no-start`` where a steady state to
-        start from does not exist or is no motion.  ``period`` [forcing periods], ``impacts`` in a
-        period (-1 for infinitely many), ``highest`` and ``lowest`` theta/alpha, ``lyapunov`` per
+        The axes are its dimensions.  ``kind`` has flags; it is no-start (-1) where a steady state
+        to start from does not exist or is no motion.  ``period`` [forcing periods], ``impacts`` in
+        a period (-1 for infinitely many), ``highest`` and ``lowest`` theta/alpha, ``lyapunov`` per
         forcing period, and ``after`` how many of them that was known.  What is no axis stands in
         its attributes.  Of a refined map ``met`` says which cells were computed; the others have
         kind, period and impacts alone.

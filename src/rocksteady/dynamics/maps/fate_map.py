@@ -15,6 +15,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Model, chosen_model
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.outcomes import NO_START, NO_START_LABEL
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.run import Run
 
@@ -22,9 +23,6 @@ if TYPE_CHECKING:
     import xarray
 
 Floats = NDArray[np.float64]
-
-NO_START = -1
-"""Code of a cell whose start does not exist: no status will ever have it."""
 
 
 @checked
@@ -141,7 +139,7 @@ FATES = Question(
             name="fate",
             dtype=np.int8,
             long_name="what becomes of the block",
-            flags={**{int(status): status.label for status in ENDS}, NO_START: "no-start"},
+            flags={**{int(status): status.label for status in ENDS}, NO_START: NO_START_LABEL},
         ),
         Output(name="impacts", dtype=np.int64, long_name="impacts until then"),
     ),

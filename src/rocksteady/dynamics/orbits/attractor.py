@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import dataclass, field
-from enum import StrEnum
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,6 +19,7 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.outcomes import AttractorKind
 
 CHAOTIC = 0.01
 """Lyapunov exponent per forcing period from which a motion without repetition counts as aperiodic,
@@ -28,18 +28,6 @@ over each of the two last quarters of its run."""
 
 MOST_CYCLES = 1_000_000
 """Some seconds."""
-
-
-class AttractorKind(StrEnum):
-    """Kind of attractor, or undecided."""
-
-    SYMMETRIC = "symmetric"
-    UNSYMMETRIC = "unsymmetric"
-    REST = "rest"
-    OVERTURNED = "overturned"
-    APERIODIC = "aperiodic"
-    UNDECIDED = "undecided"
-
 
 KINDS = tuple(AttractorKind)
 """The kinds by their codes in grids; stored results hold them, so that none changes its place."""
@@ -157,7 +145,7 @@ def attractor(
     Parameters
     ----------
     block
-        Its restitution counts, and how unlike its sides are: no motion of an asymmetric block is
+        Its restitution counts, and how its sides differ: no motion of an asymmetric block is
         symmetric, whatever it looks like.
     shaking
         Its phase is that at the start, unless a `Steady` or `ImpactState` start decides on it.

@@ -14,7 +14,7 @@ from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.history.start import ImpactState, State
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.dynamics.orbits.return_map import make_system, section_of, state_of
-from rocksteady.errors import ModelError, Status, Words
+from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.elementary.arrays import hypot, log
 from rocksteady.kernels.orbits import periodic
@@ -24,6 +24,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.outcomes import Status
 
 Floats = NDArray[np.float64]
 

@@ -3,7 +3,6 @@
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from enum import IntEnum
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,33 +18,12 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.equations import Model, chosen_model
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.outcomes import Event
 
 Floats = NDArray[np.float64]
 
 MOST_STEPS = 100_000
 """Of one call of the map: some ten seconds."""
-
-
-class PassageKind(IntEnum):
-    """Kind of a step of the return map."""
-
-    IMPACT = return_map.IMPACT
-    """An impact follows; the map has a derivative there."""
-    UPLIFT = return_map.UPLIFT
-    """Chatter comes to rest and the block lifts again, at a phase that forgets what was before."""
-    GRAZE = return_map.GRAZE
-    """The block touches its base with next to no speed; the map has no derivative there."""
-    OVERTURNED = return_map.FALL
-    """No impact follows."""
-    AT_REST = return_map.STAY
-    """Chatter comes to rest, and the shaking never lifts the block again."""
-    UNDECIDED = return_map.STUCK
-    """The search for the next impact did not end."""
-
-    @property
-    def label(self) -> str:
-        """The kind in words."""
-        return self.name.lower().replace("_", "-")
 
 
 @checked_result
@@ -72,7 +50,7 @@ class Passage:
         nan where there is none.
     """
 
-    kind: PassageKind
+    kind: Event
     state: ImpactState | None
     impacts: int
     uplifts: int
@@ -106,7 +84,7 @@ class ReturnMap:
     >>> from rocksteady import DimensionlessBlock, Harmonic, steady_states
     >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
     >>> states = steady_states(2.0, 4.0, 0.8)
-    >>> state = ImpactState(side=1, phase=states.phase[0], speed=4.0 * states.velocity[0])
+    >>> state = ImpactState(side=1, phase=states.phase[0], speed=states.velocity[0])
     >>> passage = ReturnMap(DimensionlessBlock(restitution=0.8), shaking)(state)
     >>> print(passage.kind.label, f"{passage.phase:.6f}", f"{passage.state.speed:.6f}")
     impact 3.141593 0.732389
@@ -167,7 +145,7 @@ class ReturnMap:
             here = step.state
         ended = kind in (return_map.FALL, return_map.STAY, return_map.STUCK)
         return Passage(
-            kind=PassageKind(kind),
+            kind=Event(kind),
             state=None if ended else state_of(here),
             impacts=impacts,
             uplifts=uplifts,

@@ -175,7 +175,7 @@ def _symmetric_orbits(
             admissible = bool(states.admissible[which])
             peak = float(states.peak[which]) if admissible else math.nan
             pair = [squared(half) for half in states.multipliers[which].tolist()]
-            first = ImpactState(side=1, phase=phase, speed=abs(velocity) * w)
+            first = ImpactState(side=1, phase=phase, speed=abs(velocity))
             residual = math.nan
             if admissible:
                 table = np.zeros((2, periodic.ORBIT_COLUMNS))
@@ -223,7 +223,7 @@ def _nonlinear_symmetric_orbits(
                 order=order,
                 branch=which + 1,
                 phase=float(states.phase[which]),
-                velocity=float(states.velocity[which]) * w,
+                velocity=float(states.velocity[which]),
             )
             if not half.found:
                 continue

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history.start import ImpactState, Rest, Start
-from rocksteady.dynamics.orbits.attractor import Attractor, AttractorKind, attractor, cycles_value
+from rocksteady.dynamics.orbits.attractor import Attractor, attractor, cycles_value
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic, make_system, section_of
 from rocksteady.dynamics.parameters import PARAMETERS, moved_to
@@ -21,6 +21,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.equations import Linear, Model, chosen_model, slender_block
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.outcomes import AttractorKind
 
 Floats = NDArray[np.float64]
 

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
-from rocksteady.dynamics.overturning._scan import MANY, Fates, Found, scan
-from rocksteady.errors import Status
+from rocksteady.dynamics.overturning._scan import Fates, Found, scan
 from rocksteady.kernels.batch.pulses import pulse_fates
 from rocksteady.kernels.core.tables import ALPHA, CEILING, LEAN, is_nonlinear
 from rocksteady.kernels.elementary.arrays import tan
@@ -20,6 +19,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.model.motions.pulses import Pulse
+from rocksteady.outcomes import Status
 from rocksteady.sweep.cases.outputs import Output
 
 Floats = NDArray[np.float64]
@@ -55,7 +55,7 @@ OUTPUTS = (
     *(Output(name=f"low_{k}", long_name=f"lower end of window {k}") for k in range(MOST_WINDOWS)),
     *(Output(name=f"high_{k}", long_name=f"upper end of window {k}") for k in range(MOST_WINDOWS)),
     *(
-        Output(name=f"way_{k}", dtype=np.int8, long_name=f"side (1 + impacts) of window {k}")
+        Output(name=f"way_{k}", dtype=np.int64, long_name=f"side (1 + impacts) of window {k}")
         for k in range(MOST_WINDOWS)
     ),
 )
@@ -158,7 +158,7 @@ def _follow(amplitude: Floats, *, ratio: float, table: Floats, sides: Floats) ->
     return Fates(
         status == Status.OVERTURNED,
         status != Status.UNDECIDED,
-        np.minimum(impacts, MANY),
+        impacts,
         side,
         during,
         np.minimum(margin, 1e200),  # so that differences and slopes stay finite

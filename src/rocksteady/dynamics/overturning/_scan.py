@@ -207,7 +207,7 @@ def _many(fates: Fates) -> NDArray[np.bool_]:
 
 def _differ(fates: Fates, *, during: bool) -> NDArray[np.bool_]:
     """Return between which neighbours the way of overturning changes, or what leads to it."""
-    columns = [fates.overturns, fates.impacts * fates.overturns, fates.side]
+    columns = [fates.overturns, np.minimum(fates.impacts, MANY) * fates.overturns, fates.side]
     if during:
         columns.append(np.minimum(fates.during, 3 * MANY + 3))
     found = np.zeros(len(fates.overturns) - 1, dtype=np.bool_)

@@ -51,7 +51,7 @@ class OverturningWindow(NamedTuple):
     high: float
     """In units of alpha g; where `endless` is true, the end of the range of amplitudes."""
     impacts: int
-    """Before it overturns; 10 stands for ten or more."""
+    """Before it overturns; where they are ten or more, they vary, and these are those at `low`."""
     side: int
     """On which it falls, +1 or -1."""
     endless: bool
@@ -79,8 +79,9 @@ class OverturningWindows:
         Ends of the windows, shape (frequencies, windows); nan beyond the last of a frequency.
         Windows that touch differ in their impacts or their side.
     impacts
-        Before the block overturns, the same shape; -1 beyond the last.  10 stands for ten or more;
-        of the infinitely many before a rest those count that came before it was proved.
+        Before the block overturns, the same shape; -1 beyond the last.  Ten or more vary in a
+        window, and those at its lower end stand here; of the infinitely many before a rest
+        those count that came before it was proved.
     side
         On which it falls, +1 or -1; 0 beyond the last.
     first
@@ -143,7 +144,11 @@ class OverturningWindows:
             {
                 "low": (both, self.low, amplitude),
                 "high": (both, self.high, amplitude),
-                "impacts": (both, self.impacts, {"units": "1"}),
+                "impacts": (
+                    both,
+                    self.impacts,
+                    {"units": "1", "long_name": "impacts; -1: no window"},
+                ),
                 "side": (both, self.side, {"units": "1"}),
                 "first": (along, self.first, amplitude),
                 "left_out": (along, self.left_out, {"units": "1"}),

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.steady.states import (
     SteadyStates,
-    refuse_unlike_sides,
+    refuse_asymmetric,
     steady_states,
     validated_branch,
 )
@@ -120,7 +120,7 @@ def response_curve(
     else:
         assert frequency_ratio is not None
         ratios = np.atleast_1d(real_array("frequency_ratio", frequency_ratio))
-    refuse_unlike_sides(block, "block", "a response curve")
+    refuse_asymmetric(block, "block", "a response curve")
     states = steady_states(amplitude, ratios, block.dimensionless().restitution, order=order)
     assert states.peak is not None
     assert states.admissible is not None

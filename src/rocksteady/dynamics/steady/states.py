@@ -64,7 +64,7 @@ def validated_branch(branch: object) -> Literal[1, 2]:
     return 1 if number == 1 else 2
 
 
-def refuse_unlike_sides(block: Block | DimensionlessBlock, name: str, what: str) -> None:
+def refuse_asymmetric(block: Block | DimensionlessBlock, name: str, what: str) -> None:
     """Refuse a block whose sides differ for what only the closed forms know.
 
     Parameters
@@ -110,8 +110,8 @@ class SteadyStates:
     phase
         Phase of the shaking at the impact that begins a positive half cycle, in (-pi, pi] [rad]
         (eqs 21, 22).
-    velocity
-        du/dtau just after that impact (eq 19), u = theta/alpha.
+    velocity_tau
+        du/d(omega t) just after that impact (eq 19), u = theta/alpha.
     trace
         Trace of the half-cycle map of (phase, velocity); its determinant is restitution^2.
     peak, extrema
@@ -130,11 +130,17 @@ class SteadyStates:
     sign: Floats
     kind: Floats
     phase: Floats
-    velocity: Floats
+    velocity_tau: Floats
     trace: Floats
     peak: Floats | None
     extrema: NDArray[np.int64] | None
     admissible: Bools | None
+
+    @cached_property
+    def velocity(self) -> Floats:
+        """du/d(pt) just after that impact, as a `State` takes it."""
+        result: Floats = self.frequency_ratio * self.velocity_tau
+        return result
 
     @cached_property
     def in_phase(self) -> Bools:
@@ -217,7 +223,7 @@ class SteadyStates:
         variables["region"] = (dims, self.region, {**flags, "description": descriptions})
         for name in ("existence", "sign", "kind"):
             variables[f"{name}_amplitude"] = (dims, getattr(self, name), {"units": "1"})
-        names = ["phase", "velocity", "trace", "in_phase"]
+        names = ["phase", "velocity", "velocity_tau", "trace", "in_phase"]
         if self.admissible is not None:
             names += ["peak", "extrema", "admissible", "stable", "neutral"]
         for name in names:
@@ -272,7 +278,7 @@ def steady_states(
     --------
     >>> states = steady_states(2.0, 4.0, 0.8)
     >>> print(states.region, states.phase.round(6), states.velocity.round(6))
-    2 [ 2.846543 -0.03411 ] [ 0.183097 -0.021473]
+    2 [ 2.846543 -0.03411 ] [ 0.732389 -0.085893]
     >>> print(states.admissible, states.stable, states.peak[0].round(6))
     [ True False] [ True False] 0.185499
     """
@@ -313,7 +319,7 @@ def steady_states(
         sign=boundaries[1].reshape(shape),
         kind=boundaries[2].reshape(shape),
         phase=phase.reshape(grid),
-        velocity=velocity.reshape(grid),
+        velocity_tau=velocity.reshape(grid),
         trace=trace.reshape(grid),
         peak=peak.reshape(grid) if shapes else None,
         extrema=extrema.reshape(grid) if shapes else None,
@@ -330,8 +336,8 @@ class SteadyOrbit:
     ----------
     tau
         omega t from the impact that begins the positive half, 0 to 2 n pi.
-    angle, velocity
-        u = theta/alpha and du/dtau; the second half is the first one mirrored.
+    angle, velocity, velocity_tau
+        u = theta/alpha, du/d(pt) and du/d(omega t); the second half is the first one mirrored.
     excitation
         Base acceleration in units of alpha g.
     """
@@ -339,6 +345,7 @@ class SteadyOrbit:
     tau: Floats
     angle: Floats
     velocity: Floats
+    velocity_tau: Floats
     excitation: Floats
 
 
@@ -414,8 +421,12 @@ def steady_orbit(
     motion = np.empty((2, half))
     fill_half_cycle(float(a), float(w), int(n), orbit, tau / float(w), motion)
     angle = np.concatenate([motion[0], -motion[0, 1:]])
-    velocity = np.concatenate([motion[1], -motion[1, 1:]]) / float(w)
+    velocity = np.concatenate([motion[1], -motion[1, 1:]])
     tau = np.concatenate([tau, length + tau[1:]])
     return SteadyOrbit(
-        tau=tau, angle=angle, velocity=velocity, excitation=float(a) * sin(tau + orbit.phase)
+        tau=tau,
+        angle=angle,
+        velocity=velocity,
+        velocity_tau=velocity / float(w),
+        excitation=float(a) * sin(tau + orbit.phase),
     )

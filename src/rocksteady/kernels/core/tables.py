@@ -13,10 +13,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.errors import Status
 from rocksteady.kernels.core.typed import whole
 from rocksteady.kernels.machine_code.compilation import inlined
 from rocksteady.kernels.machine_code.types import Floats2
+from rocksteady.outcomes import Status
 
 Floats = NDArray[np.float64]
 

@@ -4,7 +4,7 @@ import hashlib
 from functools import cache
 from pathlib import Path
 
-from rocksteady.errors import Status
+from rocksteady.outcomes import Status
 
 
 def sources() -> list[Path]:

@@ -93,7 +93,7 @@ def check_one_body(one: Side, other: Side, gravity: float) -> None:
     Raises
     ------
     ModelError
-        If their mass centres have unlike heights, or their moments of inertia about it differ.
+        If their mass centres have different heights, or their moments of inertia about it differ.
     """
     if one == other:
         return

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import refuse_vertical
-from rocksteady.errors import InputError, Status, Words
+from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.sides import Restitution, alpha_value, p_value, restitution_value
 from rocksteady.model.checks.arguments import checked
@@ -20,6 +20,7 @@ from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
+from rocksteady.outcomes import Status
 from rocksteady.seismic.spectra._batch import (
     GroundShaking,
     load_kernel,

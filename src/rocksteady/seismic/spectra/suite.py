@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.errors import InputError, Status
+from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
+from rocksteady.outcomes import Status
 
 if TYPE_CHECKING:
     import xarray

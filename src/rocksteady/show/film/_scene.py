@@ -94,7 +94,7 @@ class BlockScene:
     def side(self, s: ArrayLike) -> Floats:
         """Return 1 where the block stands on its left corner, -1 on its right one, 0 on both."""
         flights = self.trajectory.flights
-        index = np.searchsorted(flights.s, np.asarray(s, dtype=np.float64), side="right") - 1
+        index = np.searchsorted(flights.pt, np.asarray(s, dtype=np.float64), side="right") - 1
         return flights.side[index].astype(np.float64)
 
     def ground(self, s: ArrayLike) -> Floats:
@@ -310,7 +310,7 @@ class BlockScene:
         if self.camera == "following":
             self.axes.set_xlim(ground - self.half, ground + self.half)
         self._turn.clear().rotate_around(-b if side > 0 else b, 0.0, theta)
-        over = self.trajectory.overturn_s
+        over = self.trajectory.overturn_time_pt
         fallen = over is not None and s >= over
         self.body.set_facecolor(palette.OVERTURNED if fallen else palette.BLOCK)
         self.lever.set_color("white" if fallen else palette.INK)
@@ -336,8 +336,8 @@ class BlockScene:
     def _flash(self, s: float) -> None:
         """Draw a ring at each corner that has struck, wider and fainter the longer ago."""
         impacts = self.trajectory.impacts
-        first, last = np.searchsorted(impacts.s, [s - self.glow, s], side="right")
-        age = (s - impacts.s[first:last]) / self.glow
+        first, last = np.searchsorted(impacts.pt, [s - self.glow, s], side="right")
+        age = (s - impacts.pt[first:last]) / self.glow
         strength = np.sqrt(np.abs(impacts.velocity_before[first:last]) / self.strongest)
         for side, ring in self.rings.items():
             # A block that falls from its positive side stood on the left corner: the right strikes.

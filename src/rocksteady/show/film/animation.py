@@ -84,7 +84,7 @@ class Film:
         """Draw the angle over the span of the film, and the mark that moves along it."""
         start, end = float(self.reel.times[0]), float(self.reel.times[-1])
         self.scale, _ = time_axis(self.trajectory)
-        impacts = self.trajectory.impacts.s
+        impacts = self.trajectory.impacts.pt
         self.shown_impacts = impacts[(impacts >= start) & (impacts <= end)]
         plot_trajectory(self.trajectory, axes, span=(start, end), legend="none")
         self.line = axes.axvline(start * self.scale, color=palette.INK, lw=0.9)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 @checked
 def plot_block(
     trajectory: Trajectory,
-    s: float,
+    pt: float,
     ax: "Axes | None" = None,
     *,
     alpha: float | None = None,
@@ -38,8 +38,8 @@ def plot_block(
     ----------
     trajectory
         From `rocksteady.simulate`.
-    s
-        Pivot time p t, from 0 to ``trajectory.end_s``.
+    pt
+        Pivot time p t, from 0 to ``trajectory.end_time_pt``.
     ax
         Axes to draw on, whose limits are set; those of a new figure without.
     alpha
@@ -70,7 +70,7 @@ def plot_block(
     >>> print(axes.get_xlabel(), axes.texts[1].get_text(), sep=", ")
     position [m], θ = +0.80 α = +11.2°
     """
-    time = finite("s", s, hint="give a pivot time p t")
+    time = finite("pt", pt, hint="give a pivot time p t")
     lasts = positive("glow", glow, hint="give the pivot time for which an impact is seen")
     trajectory(time)  # refuses a time outside it
     axes = axes_or_new(ax)

@@ -50,7 +50,7 @@ def plot_basins(
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: u = theta/alpha and d(theta/alpha)/d(omega t).
+        The axes: u = theta/alpha and d(theta/alpha)/d(pt).
 
     Examples
     --------
@@ -79,7 +79,7 @@ def plot_basins(
         interpolation="nearest",
     )
     axes.grid(visible=False)
-    axes.set(xlabel=palette.LABELS["angle"], ylabel=palette.LABELS["velocity_tau"])
+    axes.set(xlabel=palette.LABELS["angle"], ylabel=palette.LABELS["velocity"])
     handles, marked = [], 0
     parts = zip(basins.attractors, fills, basins.stroboscopic, basins.fractions(), strict=True)
     for attractor, fill, points, fraction in parts:
@@ -234,7 +234,7 @@ def plot_safe_basin(erosion: Erosion, index: int, ax: "Axes | None" = None) -> "
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: u = theta/alpha and d(theta/alpha)/d(omega t).
+        The axes: u = theta/alpha and d(theta/alpha)/d(pt).
     """
     from matplotlib.colors import ListedColormap
 
@@ -253,7 +253,7 @@ def plot_safe_basin(erosion: Erosion, index: int, ax: "Axes | None" = None) -> "
     axes.grid(visible=False)
     axes.set(
         xlabel=palette.LABELS["angle"],
-        ylabel=palette.LABELS["velocity_tau"],
+        ylabel=palette.LABELS["velocity"],
         title=f"A = {erosion.amplitude[index]:.4g}",
     )
     return axes

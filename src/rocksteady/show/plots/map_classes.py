@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.batch.attractors import KIND_FLAGS, NO_START
-from rocksteady.dynamics.orbits.attractor import AttractorKind
-from rocksteady.errors import InputError, Status
+from rocksteady.errors import InputError
+from rocksteady.outcomes import NO_START_LABEL, AttractorKind, Status
 from rocksteady.show.style import palette
 
 if TYPE_CHECKING:
@@ -114,7 +113,7 @@ MEANINGS = {
     AttractorKind.APERIODIC.value: CellClass.APERIODIC,
     AttractorKind.OVERTURNED.value: CellClass.OVERTURNED,
     AttractorKind.UNDECIDED.value: CellClass.UNDECIDED,
-    KIND_FLAGS[NO_START]: CellClass.NO_START,
+    NO_START_LABEL: CellClass.NO_START,
     Status.ROCKING.label: CellClass.ROCKING,
     Status.AT_REST.label: CellClass.REST,
     Status.OVERTURNED.label: CellClass.OVERTURNED,

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.history import base_motion
 from rocksteady.dynamics.history.trajectory import Trajectory
-from rocksteady.errors import Status
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.outcomes import Status
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new, emptiest_corner, extent
 from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
@@ -90,12 +90,12 @@ def plot_trajectory(
     inks, place = inks_of(axes), place_of(axes, legend, "inside" if key else "none")
     scale, label = time_axis(trajectory)
     motion = trajectory(trajectory.times(span=span))
-    start, end = float(motion.s[0]), float(motion.s[-1])
+    start, end = float(motion.pt[0]), float(motion.pt[-1])
     axes.axhspan(*trajectory.balances, color=palette.SYMMETRIC, alpha=0.12, lw=0)
     for level in trajectory.balances:
         axes.axhline(level, color=inks.faint, lw=0.8, ls=(0, (4, 3)))
-    axes.plot(motion.s * scale, motion.angle, color=inks.lines[0])
-    impacts = trajectory.impacts.s
+    axes.plot(motion.pt * scale, motion.angle, color=inks.lines[0])
+    impacts = trajectory.impacts.pt
     impacts = impacts[(impacts >= start) & (impacts <= end)]
     if len(impacts) > 0:
         axes.plot(
@@ -107,7 +107,7 @@ def plot_trajectory(
             color=inks.impact,
             label="1 impact" if len(impacts) == 1 else f"{len(impacts)} impacts",
         )
-    overturn, rest = trajectory.overturn_s, trajectory.rest_s
+    overturn, rest = trajectory.overturn_time_pt, trajectory.rest_time_pt
     if overturn is not None and start <= overturn <= end:
         axes.plot(
             overturn * scale,
@@ -133,7 +133,7 @@ def plot_trajectory(
     corner = "upper left"
     if trajectory.status is Status.OVERTURNED:
         size = extent(axes, width=160.0, height=22.0)
-        corner = emptiest_corner(axes, (motion.s * scale, motion.angle), size)
+        corner = emptiest_corner(axes, (motion.pt * scale, motion.angle), size)
     drawn = draw_legend(axes, place, corner=corner, columns=2)
     for entry in drawn.get_lines() if drawn is not None else ():
         if entry.get_marker() == "o":
@@ -161,7 +161,7 @@ def time_limits(trajectory: Trajectory, start: float, end: float) -> tuple[float
     """Return the ends of the time axis; a fall from the start on keeps clear of the left end."""
     if start == end:
         return start - 0.5, end + 0.5
-    return (-0.02 * end if start == 0.0 and trajectory.overturn_s == 0.0 else start), end
+    return (-0.02 * end if start == 0.0 and trajectory.overturn_time_pt == 0.0 else start), end
 
 
 @checked

@@ -309,7 +309,7 @@ def _draw_impacts(
     _ = trajectory.frequency_ratio  # refuses every other base motion
     inks = inks_of(axes)
     impacts = trajectory.impacts
-    late = impacts.s >= since
+    late = impacts.pt >= since
     phase = (impacts.half_cycles[late] % 2) * math.pi + impacts.phase[late]
     after = impacts.velocity_after[late]
     size = 3.0 if len(after) < 300 else 1.6

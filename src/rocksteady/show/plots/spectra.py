@@ -5,8 +5,9 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.errors import InputError, Status, Words
+from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
+from rocksteady.outcomes import Status
 from rocksteady.show.style import palette
 from rocksteady.show.style.axes import Spacing, prepare_axis, runs, spacing_of
 from rocksteady.show.style.layout import axes_or_new

@@ -68,7 +68,6 @@ LABELS = {
     "negative_restitution": r"restitution, negative side  $\delta_-$",
     "angle": r"angle  $\theta/\alpha$",
     "velocity": r"velocity  d$(\theta/\alpha)$/d$(pt)$",
-    "velocity_tau": r"velocity  d$(\theta/\alpha)$/d$(\omega t)$",
     "peak": r"peak  $|\theta|_{\max}/\alpha$",
     "flight_peak": r"peak of each flight  $|\theta|_{\max}/\alpha$",
     "flight_extreme": r"extreme of each flight  $\theta/\alpha$",

@@ -70,7 +70,7 @@ def test_a_thin_band_is_followed_whatever_the_height_of_the_plane() -> None:
     assert low.limit == pytest.approx(0.35404018, abs=3e-7)
 
 
-def test_a_graze_ends_the_leaning_motions_of_the_third_at_high_frequency() -> None:
+def test_a_graze_ends_the_unsymmetric_motions_of_the_third_at_high_frequency() -> None:
     bands = column(0.8, 7.0, 8.0, 3)
     assert bands.ends[-1] is PointType.GRAZING
     assert bands.borders[-1] == pytest.approx(5.17067, abs=1e-5)
@@ -78,7 +78,7 @@ def test_a_graze_ends_the_leaning_motions_of_the_third_at_high_frequency() -> No
 
 
 def test_no_border_lies_above_the_plane() -> None:
-    # Here the leaning band ends within 2 % above the top.
+    # Here the unsymmetric band ends within 2 % above the top.
     bands = column(0.8, 3.245, 8.04, 1)
     assert bands.borders[0] < bands.borders[1] == 8.04
     assert len(bands.borders) == 2
@@ -88,7 +88,7 @@ def test_no_border_lies_above_the_plane() -> None:
 def test_bands_agree_with_the_search_for_orbits_at_random_points() -> None:
     # The search knows nothing of continuation; it is told apart by impacts and period.
     rng = np.random.default_rng(20)
-    seen = {"symmetric": 0, "leaning": 0, "doubled": 0, "nothing": 0}
+    seen = {"symmetric": 0, "unsymmetric": 0, "doubled": 0, "nothing": 0}
     for _ in range(110):
         order = int(rng.choice([1, 1, 3]))
         ratio = float(rng.uniform(1.5, 3.2) if order == 1 else rng.uniform(2.5, 5.4))

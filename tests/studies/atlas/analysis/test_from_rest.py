@@ -30,7 +30,7 @@ def test_fates_are_those_of_single_calls() -> None:
         elif single.orbit.rest_phases:
             assert fate == "period 1 with rests"
         else:
-            shape = "symmetric" if single.orbit.symmetric else "leaning"
+            shape = "symmetric" if single.orbit.symmetric else "unsymmetric"
             assert fate == f"{shape}, period 1"
 
 

@@ -19,7 +19,7 @@ def test_a_band_too_thin_to_follow_is_said_not_to_be_followed() -> None:
     found = bands_at(bands, 3)
     assert found.ends_with == "not-followed"
     assert found.symmetric_until == bands.borders[0]
-    assert np.isnan(found.leaning_until)
+    assert np.isnan(found.unsymmetric_until)
 
 
 def test_every_sentence_ends_and_holds_a_number() -> None:
@@ -46,7 +46,7 @@ def test_the_most_motions_are_all_named() -> None:
         named = text.partition(": ")[2]
         assert (
             named.count("a symmetric")
-            + named.count("a leaning")
+            + named.count("an unsymmetric")
             + named.count("rest")
             + (named.count("a motion that does not repeat itself"))
             == most

@@ -47,7 +47,7 @@ def mirrored_for_all_orders(monkeypatch: pytest.MonkeyPatch) -> Evidence:
 
     def run(_block: object, _motion: object, *, cycles: int, **_: object) -> Any:
         return SimpleNamespace(
-            end_s=math.inf,
+            end_time_pt=math.inf,
             at_tau=lambda tau: SimpleNamespace(angle=np.sin(np.asarray(tau) / cycles)),
         )
 
@@ -73,7 +73,7 @@ FALSE: dict[str, Tamper] = {
     "E4": mirrored_for_all_orders,
     "eq-10-13": lambda _: sampled(phase=states().phase + 1e-6),
     "eq-14-17": lambda _: sampled(phase=states().phase + 1e-6),
-    "eq-18-19": lambda _: sampled(velocity=states().velocity * (1.0 + 1e-6)),
+    "eq-18-19": lambda _: sampled(velocity_tau=states().velocity_tau * (1.0 + 1e-6)),
     "eq-20-22": lambda _: sampled(phase=states().phase + 1e-5),
     "eq-23": lambda _: sampled(existence=states().existence * 1.001),
     "eq-6-26-27": heavier_is_slower,

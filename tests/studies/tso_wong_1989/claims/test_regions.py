@@ -31,7 +31,7 @@ Tamper = Callable[[pytest.MonkeyPatch], Evidence]
 
 def all_admissible(_: object) -> Evidence:
     s = states()
-    return sampled(velocity=np.abs(s.velocity), admissible=~np.isnan(s.phase))
+    return sampled(velocity_tau=np.abs(s.velocity_tau), admissible=~np.isnan(s.phase))
 
 
 def opposite_signs(_: object) -> Evidence:

@@ -117,7 +117,7 @@ def test_stability_is_not_taken_from_a_run_alone() -> None:
     assert states_.peak is not None
     for run in history.runs.values():
         periods = run.times(60)
-        early = np.abs(run(periods[periods < 0.5 * run.end_s]).angle).max()
+        early = np.abs(run(periods[periods < 0.5 * run.end_time_pt]).angle).max()
         assert early == pytest.approx(float(states_.peak[0]), abs=5e-3)
     assert not stable_finding(history).holds
     for name in STABLE:

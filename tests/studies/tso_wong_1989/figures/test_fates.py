@@ -91,8 +91,8 @@ def test_a_block_that_falls_and_one_that_stays() -> None:
     fallen = settled(2.0, 1.7)
     run = simulate(BLOCK, shaking(2.0, 1.7), start=Steady(side=-1), cycles=100)
     assert fallen.kind is Kind.OVERTURNED
-    assert run.overturn_tau is not None
-    assert fallen.overturned_after == pytest.approx(run.overturn_tau / (2.0 * math.pi))
+    assert run.overturn_time_tau is not None
+    assert fallen.overturned_after == pytest.approx(run.overturn_time_tau / (2.0 * math.pi))
     assert fallen.label == f"overturns after {fallen.overturned_after:.1f} periods"
     assert (fallen.period, fallen.bias) == (0, 0)
     rest = settle(0.8, shaking(0.5, 4.0), State(angle=0.0, velocity=0.1))
@@ -118,7 +118,7 @@ def compared(run: Trajectory) -> tuple[str, int, bool]:
         return run.status.label, 0, False
     unit = 2.0 * math.pi / run.frequency_ratio
     back = np.arange(2 * LONGEST * SAMPLES, -1, -1)
-    angle = run(run.end_s - back * (unit / SAMPLES)).angle
+    angle = run(run.end_time_pt - back * (unit / SAMPLES)).angle
     last = angle[LONGEST * SAMPLES :]
 
     def earlier(samples: int) -> Any:
@@ -147,7 +147,7 @@ def test_period_and_symmetry_are_those_of_the_sampled_angle(seed: int) -> None:
         assert (fate.period, fate.symmetric) == (period, mirrored)
         if period:
             unit = 2.0 * math.pi / w
-            angle = run(run.end_s - np.linspace(0.0, period * unit, 400)).angle
+            angle = run(run.end_time_pt - np.linspace(0.0, period * unit, 400)).angle
             assert angle.max() <= fate.highest + 1e-7
             assert angle.min() >= fate.lowest - 1e-7
             assert angle.max() > fate.highest - 0.02

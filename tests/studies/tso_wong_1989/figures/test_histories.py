@@ -92,7 +92,7 @@ def test_a_run_starts_off_its_orbit_by_the_distance_said(name: str) -> None:
     case = history(name)
     branch = case.case.branch - 1
     phase = float(case.states.phase[branch])
-    velocity = float(case.states.velocity[branch]) * case.case.frequency_ratio
+    velocity = float(case.states.velocity[branch])
     shifts = []
     for side, run in case.runs.items():
         first = run.flights
@@ -142,7 +142,7 @@ def test_the_drawn_runs_are_those_of_an_integrator(name: str, side: int) -> None
     a, w = case.case.amplitude, case.case.frequency_ratio
     phase = shaking_of(run).phase
     unit = 2.0 * math.pi / w
-    until = min(9.0 * unit, run.end_s)
+    until = min(9.0 * unit, run.end_time_pt)
     other = integrate(
         lambda s: a * math.sin(w * s + phase),
         until,
@@ -153,13 +153,13 @@ def test_the_drawn_runs_are_those_of_an_integrator(name: str, side: int) -> None
         velocity=float(run.flights.velocity[0]),
         longest_step=0.05 * unit,
     )
-    inside = other.times <= run.end_s
+    inside = other.times <= run.end_time_pt
     np.testing.assert_allclose(
         run(other.times[inside]).angle, other.angles[inside], rtol=0.0, atol=1e-4
     )
     count = len(other.impacts)
     assert count >= 5
-    np.testing.assert_allclose(run.impacts.s[:count], other.impacts, atol=1e-4)
+    np.testing.assert_allclose(run.impacts.pt[:count], other.impacts, atol=1e-4)
 
 
 def test_the_fates_of_the_drawn_runs_are_the_papers_on_one_side_at_least() -> None:
@@ -254,7 +254,7 @@ def test_the_table_is_the_run(name: str) -> None:
             mine[:, columns["excitation_periods"]], w * s / (2.0 * math.pi), rtol=1e-9, atol=1e-9
         )
         assert (np.diff(s) >= 0.0).all()
-        for impact in run.impacts.s:
+        for impact in run.impacts.pt:
             assert np.abs(s - impact).min() < 1e-9
         if run.status is Status.ROCKING:
             assert mine[-1, columns["excitation_periods"]] == pytest.approx(case.case.periods)

@@ -16,6 +16,7 @@ from rocksteady.dynamics.batch.attractors import Beginnings, SettledCells, settl
 from rocksteady.dynamics.history.lowering import symmetric_sides
 from rocksteady.dynamics.orbits.attractor import KINDS
 from rocksteady.kernels.elementary.arrays import cos, sin
+from rocksteady.outcomes import INFINITELY_MANY
 from rocksteady.studies.atlas.analysis.plane import Plane
 
 Floats = NDArray[np.float64]
@@ -38,11 +39,11 @@ MOST = 10
 """Orbits that a cell has room for."""
 SAME = 1e-6
 """Difference of extrema of theta/alpha, relative to the larger, below which orbits are one."""
-RESTS = 0
-"""Stands for the impacts of an orbit that comes to rest: infinitely many."""
+ROOM = 1_000_000
+"""Of the numbers of impacts in a code."""
 
 
-@dataclass(frozen=True, order=True)
+@dataclass(frozen=True)
 class OrbitClass:
     """What orbits have in common that are drawn and counted together.
 
@@ -51,38 +52,44 @@ class OrbitClass:
     period
         Forcing periods.
     impacts
-        In a period of the orbit; 0 for infinitely many, where it comes to rest.
-    leaning
+        In a period of the orbit; None for infinitely many, where it comes to rest.
+    unsymmetric
         Whether it differs from its mirror image, with which it is counted once.
     """
 
     period: int
-    impacts: int
-    leaning: bool
+    impacts: int | None
+    unsymmetric: bool
+
+    def __lt__(self, other: "OrbitClass") -> bool:
+        return self.code < other.code
 
     @property
     def code(self) -> int:
         """All three in one number, above 0."""
-        return 2 * (1000 * self.period + min(self.impacts, 999)) + self.leaning
+        impacts = INFINITELY_MANY if self.impacts is None else self.impacts
+        return 2 * (ROOM * self.period + 1 + impacts) + self.unsymmetric
 
     @classmethod
     def of(cls, code: int) -> "OrbitClass":
         """Return the class of a code."""
-        rest, leaning = divmod(code, 2)
-        return cls(rest // 1000, rest % 1000, bool(leaning))
+        rest, unsymmetric = divmod(code, 2)
+        period, after = divmod(rest, ROOM)
+        return cls(period, after - 1 if after else None, bool(unsymmetric))
 
     @property
     def text(self) -> str:
-        """As tables have it: "3x6", "3x6-leaning", "1xrests"."""
-        impacts = str(self.impacts) if self.impacts != RESTS else "rests"
-        return f"{self.period}x{impacts}" + ("-leaning" if self.leaning else "")
+        """As tables have it: "3x6", "3x6-unsymmetric", "1xrests"."""
+        impacts = "rests" if self.impacts is None else str(self.impacts)
+        return f"{self.period}x{impacts}" + ("-unsymmetric" if self.unsymmetric else "")
 
     @property
     def words(self) -> str:
-        """As sentences have it: "a leaning motion of 3 periods and 6 impacts"."""
+        """As sentences have it: "an unsymmetric motion of 3 periods and 6 impacts"."""
         periods = "1 period" if self.period == 1 else f"{self.period} periods"
-        impacts = f"and {self.impacts} impacts" if self.impacts != RESTS else "with rests"
-        return f"a {'leaning' if self.leaning else 'symmetric'} motion of {periods} {impacts}"
+        impacts = "with rests" if self.impacts is None else f"and {self.impacts} impacts"
+        kind = "an unsymmetric" if self.unsymmetric else "a symmetric"
+        return f"{kind} motion of {periods} {impacts}"
 
 
 OUTPUTS = (
@@ -90,7 +97,7 @@ OUTPUTS = (
     Output(name="aperiodic", dtype=np.bool_),
     Output(name="undecided", dtype=np.int32),
     Output(name="orbits", dtype=np.int32),
-    *(Output(name=f"code_{place}", dtype=np.int32) for place in range(MOST)),
+    *(Output(name=f"code_{place}", dtype=np.int64) for place in range(MOST)),
 )
 
 
@@ -196,7 +203,7 @@ def starts(amplitude: Floats, ratio: Floats, restitution: float) -> Iterator[Beg
         assert states.admissible is not None
         there = states.admissible[branch - 1]
         phase = np.where(there, states.phase[branch - 1], 0.0)
-        velocity = np.where(there, states.velocity[branch - 1] * ratio, 0.0)
+        velocity = np.where(there, states.velocity[branch - 1], 0.0)
         for aside in (1.0 - ASIDE, 1.0 + ASIDE):  # at rest where there is no such state
             yield _after_impact(phase, aside * velocity)
     beta = amplitude / (1.0 + ratio * ratio)
@@ -246,14 +253,14 @@ def _found(
         "orbits": np.array([len(found) for found in codes], dtype=np.int32),
         **{
             f"code_{place}": np.array(
-                [found[place] if place < len(found) else 0 for found in codes], dtype=np.int32
+                [found[place] if place < len(found) else 0 for found in codes], dtype=np.int64
             )
             for place in range(MOST)
         },
     }
 
 
-def _codes(settled: list[SettledCells], leaning: NDArray[np.bool_]) -> list[list[int]]:
+def _codes(settled: list[SettledCells], unsymmetric: NDArray[np.bool_]) -> list[list[int]]:
     """Return, for each cell, the classes of the different orbits that its motions settle to.
 
     Orbits are one where class and extrema agree; of mirror images the extrema change sides.
@@ -262,8 +269,8 @@ def _codes(settled: list[SettledCells], leaning: NDArray[np.bool_]) -> list[list
         np.array([getattr(each, name) for each in settled])
         for name in ("period", "passages", "rests", "highest", "lowest")
     )
-    impacts = np.where(rests > 0, RESTS, np.minimum(passages, 999))
-    codes = np.where(period > 0, 2 * (1000 * period + impacts) + leaning, 0)
+    impacts = np.where(rests > 0, INFINITELY_MANY, passages)
+    codes = np.where(period > 0, 2 * (ROOM * period + 1 + impacts) + unsymmetric, 0)
     larger, smaller = np.maximum(highest, -lowest), np.minimum(highest, -lowest)
     found = []
     for cell in range(codes.shape[1]):

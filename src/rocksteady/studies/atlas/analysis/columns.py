@@ -39,7 +39,7 @@ from rocksteady.studies.atlas.analysis.plane import Plane
 Floats = NDArray[np.float64]
 
 LEVELS = 4
-"""Symmetric, leaning, doubled once and twice: three doublings say where infinitely many end."""
+"""Symmetric, unsymmetric, doubled once and twice: three doublings say where infinitely many end."""
 SCANNED = 48
 """Amplitudes at which a column is looked at for a stable symmetric motion to begin from."""
 THIN = 1e-6

@@ -34,7 +34,7 @@ class FamilyMap:
 
     @cached_property
     def edges(self) -> Floats:
-        """Ends of the bands, shape (4, columns): begin, symmetric, leaning, cascade.
+        """Ends of the bands, shape (4, columns): begin, symmetric, unsymmetric, cascade.
 
         nan where there is no stable symmetric motion.
         """
@@ -44,7 +44,7 @@ class FamilyMap:
         return edges
 
     def area(self, band: int) -> float:
-        """Return the part of the plane that a band takes: 0 symmetric, 1 leaning, 2 doubled."""
+        """Return the part of the plane that a band takes: 0 symmetric, 1 unsymmetric, 2 doubled."""
         left, right, low, high = self.plane.window
         heights = np.nan_to_num(self.edges[band + 1] - np.maximum(self.edges[band], low))
         ratios = self.plane.ratios

@@ -38,7 +38,7 @@ PARTS = 8
 FATES = (
     "rest",
     "symmetric, period 1",
-    "leaning, period 1",
+    "unsymmetric, period 1",
     "period 1 with rests",
     "subharmonic",
     "aperiodic",
@@ -193,7 +193,7 @@ def _fates(found: "xarray.Dataset") -> NDArray[np.int8]:
     fates: NDArray[np.int8] = np.select(
         list(chosen.values()),
         [np.int8(FATES.index(name)) for name in chosen],
-        default=np.int8(FATES.index("leaning, period 1")),
+        default=np.int8(FATES.index("unsymmetric, period 1")),
     )
     return fates
 

@@ -75,7 +75,10 @@ def windows(found: Coexistence) -> tuple[Window, ...]:
     wanted = [
         (count, kind)
         for kind, count in found.classes.items()
-        if kind.impacts > 2 and not kind.leaning and kind.period % 2 == 1 and count >= FEWEST
+        if (kind.impacts or 0) > 2
+        and not kind.unsymmetric
+        and kind.period % 2 == 1
+        and count >= FEWEST
     ]
     several = (_window(found, kind, count) for count, kind in sorted(wanted, reverse=True)[:MOST])
     return tuple(window for window in several if window is not None)
@@ -103,6 +106,7 @@ def _window(found: Coexistence, kind: OrbitClass, count: int) -> Window | None:
     left, right, low, _ = plane.window
     ranges = ((max(low, 0.01 * plane.top), plane.top), (max(left, 1.0), right))
     lines = (traced(point, name, ranges) for name, point in borders)
+    assert kind.impacts is not None
     return Window(
         orbits=kind,
         cells=count,

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from rocksteady import PointType
-from rocksteady.studies.atlas.analysis.coexistence import RESTS, Coexistence, OrbitClass
+from rocksteady.studies.atlas.analysis.coexistence import Coexistence, OrbitClass
 from rocksteady.studies.atlas.analysis.columns import Column
 from rocksteady.studies.atlas.analysis.families import FamilyMap
 from rocksteady.studies.atlas.analysis.from_rest import FATES, FromRest
@@ -15,7 +15,7 @@ from rocksteady.studies.atlas.analysis.lines import Line
 from rocksteady.studies.atlas.analysis.windows import Window
 from rocksteady.studies.atlas.pages._words import amplitude_text, listed, percent
 
-BANDS = ("symmetric", "leaning", "doubled")
+BANDS = ("symmetric", "unsymmetric", "doubled")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,7 +26,7 @@ class BandsAt:
     ----------
     order, frequency_ratio
         Of the family, and where.
-    begins, symmetric_until, leaning_until, cascade_until
+    begins, symmetric_until, unsymmetric_until, cascade_until
         Amplitudes.
     ends_with
         Where the last band ends: "cascade", "graze", "fold", or "beyond" for above the plane;
@@ -37,7 +37,7 @@ class BandsAt:
     frequency_ratio: float
     begins: float
     symmetric_until: float
-    leaning_until: float
+    unsymmetric_until: float
     cascade_until: float
     ends_with: str
 
@@ -60,7 +60,7 @@ def bands_at(column: Column, order: int) -> BandsAt:
         frequency_ratio=column.frequency_ratio,
         begins=column.lowest,
         symmetric_until=reached[0],
-        leaning_until=reached[1],
+        unsymmetric_until=reached[1],
         cascade_until=column.limit if last is not None else float("nan"),
         ends_with=ends,
     )
@@ -111,8 +111,8 @@ def coexistence_values(found: Coexistence) -> dict[str, Any]:
         "classes": [
             {
                 "period": kind.period,
-                "impacts": None if kind.impacts == RESTS else kind.impacts,
-                "leaning": kind.leaning,
+                "impacts": kind.impacts,
+                "unsymmetric": kind.unsymmetric,
                 "cells": count,
             }
             for kind, count in found.classes.items()
@@ -173,8 +173,8 @@ def family_sentences(
         if met is not None:
             text += (
                 f" The first doubling ends at Ω = {met['frequency_ratio']:.4f}, "
-                f"A = {met['amplitude']:.4f}: at higher frequencies the leaning motion touches the "
-                "base between two impacts before it can double, and its stability ends there."
+                f"A = {met['amplitude']:.4f}: at higher frequencies the unsymmetric motion touches "
+                "the base between two impacts before it can double, and its stability ends there."
             )
         texts.append(text)
     texts += [_window_sentence(window) for window in strips]
@@ -189,7 +189,10 @@ def _window_sentence(window: Window) -> str:
         f"{orbits.period} periods with {orbits.impacts} impacts instead of 2. Their strip reaches, "
         f"at Ω = {amplitude_text(window.frequency_ratio)}, from A = {window.low:.4f} to "
         f"{window.high:.4f}"
-        + (f", and with the leaning and doubled ones above it to {window.last:.4f}." * more or ".")
+        + (
+            f", and with the unsymmetric and doubled ones above it to {window.last:.4f}." * more
+            or "."
+        )
     )
 
 
@@ -217,7 +220,7 @@ def coexistence_sentences(found: Coexistence) -> list[str]:
         )
     cells = found.motions.size
     others = found.having(lambda kind: kind.period not in (1, 3, 5)).sum() / cells
-    rests = found.having(lambda kind: kind.impacts == RESTS).sum() / cells
+    rests = found.having(lambda kind: kind.impacts is None).sum() / cells
     texts.append(
         f"Motions of 3 periods were found in {percent(_share(found, 3))} of the cells, of 5 in "
         f"{percent(_share(found, 5))}, of 2, 4, 6, 7 or more in {percent(others)}; motions that "
@@ -255,7 +258,7 @@ def rest_sentences(found: FromRest, harmonic: FamilyMap | None) -> list[str]:
         texts.append(
             "A stable harmonic motion does not mean that a block reaches it: in "
             f"{percent(float(fallen.sum() / max(int(safe.sum()), 1)))} of the cells that have one "
-            "of n = 1, leaning and doubled ones included, it overturns from rest at some phase."
+            "of n = 1, unsymmetric and doubled ones included, it overturns from rest at some phase."
         )
     above = [fall for fall in found.falls if fall.amplitude == fall.amplitude]
     if above:

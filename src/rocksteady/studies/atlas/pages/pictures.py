@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rocksteady.show.style import palette
-from rocksteady.studies.atlas.analysis.coexistence import RESTS, Coexistence
+from rocksteady.studies.atlas.analysis.coexistence import Coexistence
 from rocksteady.studies.atlas.analysis.families import FamilyMap
 from rocksteady.studies.atlas.analysis.from_rest import FATES, FromRest
 from rocksteady.studies.atlas.analysis.lines import Line
@@ -38,7 +38,7 @@ OVERTURNING = (palette.REST, palette.OVERTURNED)
 """From few to many: each a ramp of lightness, which grey shows too."""
 BANDS = (
     ("symmetric", palette.SYMMETRIC, ""),
-    ("leaning to one side", palette.UNSYMMETRIC, ""),
+    ("unsymmetric", palette.UNSYMMETRIC, ""),
     ("doubled, and doubled again", palette.SUBHARMONIC, ""),
 )
 RARE = ("2, 4, 6, 7 periods\nor more", palette.APERIODIC, "", palette.INK)
@@ -49,7 +49,7 @@ AWAY = 0.01
 FATE_LOOKS = {
     "rest": (palette.REST, "", palette.INK),
     "symmetric, period 1": (palette.SYMMETRIC, "", palette.INK),
-    "leaning, period 1": (palette.UNSYMMETRIC, "", palette.INK),
+    "unsymmetric, period 1": (palette.UNSYMMETRIC, "", palette.INK),
     "period 1 with rests": (palette.REGION_FILLS[1], "||||", palette.LINES[0]),
     "subharmonic": (palette.SUBHARMONIC, "....", "white"),
     "aperiodic": (palette.APERIODIC, "......", "white"),
@@ -128,7 +128,7 @@ def draw_coexistence(
         five = found.having(lambda kind: kind.period == 5)
         both = np.where(three | five, three + 2.0 * five - 1.0, np.nan)
         draw_cells(lower, plane, both, [fill for _, fill in PERIODS])
-        rests = found.having(lambda kind: kind.impacts == RESTS)
+        rests = found.having(lambda kind: kind.impacts is None)
         draw_pattern(lower, plane, rests, WITH_RESTS[2], WITH_RESTS[3])
         draw_edge(lower, plane, found.rest, **REST_EDGE)
         # Rare ones above the fills and beneath the pattern, so that both are seen.

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from rocksteady.studies.atlas.analysis.coexistence import RESTS, Coexistence
+from rocksteady.studies.atlas.analysis.coexistence import Coexistence
 from rocksteady.studies.atlas.analysis.families import FamilyMap
 from rocksteady.studies.atlas.analysis.from_rest import FATES, FromRest
 from rocksteady.studies.atlas.analysis.lines import Line
@@ -13,7 +13,8 @@ Table = tuple[tuple[str, ...], list[tuple[object, ...]]]
 def bands_table(families: Sequence[FamilyMap]) -> Table:
     """Return where each band of each family begins and ends, column by column."""
     header = (
-        "order", "frequency_ratio", "begins", "symmetric_until", "leaning_until", "cascade_until",
+        "order", "frequency_ratio", "begins",
+        "symmetric_until", "unsymmetric_until", "cascade_until",
     )  # fmt: skip
     rows: list[tuple[object, ...]] = []
     for family in families:
@@ -56,7 +57,7 @@ def _coexistence_rows(found: Coexistence) -> Iterator[tuple[object, ...]]:
                 int(found.undecided[row, column]),
                 *(periods.count(period) for period in (1, 3, 5)),
                 sum(period not in (1, 3, 5) for period in periods),
-                sum(kind.impacts == RESTS for kind in here),
+                sum(kind.impacts is None for kind in here),
                 found.text_at(row, column),
             )
 

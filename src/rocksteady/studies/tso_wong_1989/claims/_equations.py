@@ -71,7 +71,7 @@ def linear_equations(_: Evidence) -> Finding:
     step = 1e-4
     flights = run.flights
     long = flights.duration > 0.1
-    s = (flights.s + 0.5 * flights.duration)[long]
+    s = (flights.pt + 0.5 * flights.duration)[long]
     side = flights.side[long]
     ahead, here, behind = run(s + step), run(s), run(s - step)
     velocity = (ahead.angle - behind.angle) / (2.0 * step)
@@ -105,7 +105,7 @@ def impact_law(_: Evidence) -> Finding:
         cycles=40,
     )
     instant = 1e-9
-    s = run.impacts.s[1:-1]
+    s = run.impacts.pt[1:-1]
     ratio = run(s + instant).velocity / run(s - instant).velocity
     worst = float(np.abs(ratio - restitution).max())
     return Finding(
@@ -126,15 +126,15 @@ def odd_orders(_: Evidence) -> Finding:
     a, w, r = 2.0, 4.0, 0.8
     defects = {}
     for n in (1, 2, 3, 4):
-        phase, velocity = _algebra(a, w, r, n)
+        phase, velocity_tau = _algebra(a, w, r, n)
         run = simulate(
             DimensionlessBlock(restitution=r),
             Harmonic(amplitude=a, frequency_ratio=w, phase=phase),
-            start=State(angle=0.0, velocity=velocity * w),
+            start=State.per_tau(angle=0.0, velocity_tau=velocity_tau, frequency_ratio=w),
             cycles=n,
         )
         tau = np.linspace(0.0, n * math.pi, 400)
-        later = np.minimum(tau + n * math.pi, run.end_s * w)
+        later = np.minimum(tau + n * math.pi, run.end_time_pt * w)
         defects[n] = float(np.abs(run.at_tau(later).angle + run.at_tau(tau).angle).max())
     mirrored = [n for n, defect in defects.items() if defect < 1e-6]
     refused = []
@@ -155,7 +155,7 @@ def odd_orders(_: Evidence) -> Finding:
 
 
 def _algebra(a: float, w: float, r: float, n: int) -> tuple[float, float]:
-    """Return phase and du/dtau of branch 1 by (19), (21), (22) as printed, for any n."""
+    """Return phase and du/d(omega t) of branch 1 by (19), (21), (22) as printed, for any n."""
     h = tanh(0.5 * n * math.pi / w)
     d = (1.0 - r) / (1.0 + r)
     beta = a / (1.0 + w * w)
@@ -235,7 +235,7 @@ def two_velocities(evidence: Evidence) -> Finding:
     by_19 = -(ratio - sample.tanh) / w - sample.beta * cosine
     scale = sample.beta + sample.tanh / w
     apart = float((np.abs(by_18 - by_19) / scale)[:, there].max())
-    package = float((np.abs(states.velocity - by_19) / scale)[:, there].max())
+    package = float((np.abs(states.velocity_tau - by_19) / scale)[:, there].max())
     return Finding(
         holds=apart < ROUNDING and package < ROUNDING,
         detail=f"At {int(there.sum())} random points, both branches, (18) and (19) differ by at "

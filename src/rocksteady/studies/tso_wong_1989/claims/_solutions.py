@@ -34,8 +34,8 @@ class Solution:
         The point.
     branch
         1 or 2.
-    phase, velocity
-        Of the state: du/dtau after the impact.
+    phase, velocity_tau
+        Of the state: du/d(omega t) after the impact.
     """
 
     amplitude: float
@@ -44,7 +44,7 @@ class Solution:
     order: int
     branch: int
     phase: float
-    velocity: float
+    velocity_tau: float
 
 
 def followable(states: SteadyStates) -> Axis:
@@ -61,7 +61,7 @@ def followable(states: SteadyStates) -> Axis:
             order=int(states.order[point]),
             branch=which + 1,
             phase=float(states.phase[which, point]),
-            velocity=float(states.velocity[which, point]),
+            velocity_tau=float(states.velocity_tau[which, point]),
         )
         for which, point in some
     ]
@@ -89,14 +89,14 @@ def landed(solution: NDArray[Any]) -> dict[str, Floats]:
         run = simulate(
             DimensionlessBlock(restitution=one.restitution),
             Harmonic(amplitude=one.amplitude, frequency_ratio=w, phase=one.phase),
-            start=State(angle=0.0, velocity=one.velocity * w),
+            start=State.per_tau(angle=0.0, velocity_tau=one.velocity_tau, frequency_ratio=w),
             cycles=one.order,
         )
         # Velocities next to 0 lose digits to rounding, as those of all impacts that graze do.
-        scale = max(one.velocity, 1e-3)
-        late[cell] = abs(float(run.impacts.s[0]) * w - one.order * math.pi) * min(1.0, scale)
+        scale = max(one.velocity_tau, 1e-3)
+        late[cell] = abs(float(run.impacts.pt[0]) * w - one.order * math.pi) * min(1.0, scale)
         before = float(run.impacts.velocity_before[0]) / w
-        fast[cell] = abs(before + one.velocity / one.restitution) / scale
+        fast[cell] = abs(before + one.velocity_tau / one.restitution) / scale
     return {"late": late, "fast": fast}
 
 
@@ -119,7 +119,7 @@ def differing(solution: NDArray[Any]) -> dict[str, Floats]:
         orbit = steady_orbit(a, w, one.restitution, order=one.order, branch=one.branch, samples=201)
         tau = orbit.tau[:101]
         beta = a / (1.0 + w * w)
-        sinh_part = w * (one.velocity + beta * cos(one.phase))  # (14)
+        sinh_part = w * (one.velocity_tau + beta * cos(one.phase))  # (14)
         cosh_part = beta * sin(one.phase) - 1.0  # (15)
         angle = (
             sinh_part * sinh(tau / w)

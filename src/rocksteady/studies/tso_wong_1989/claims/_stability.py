@@ -40,7 +40,7 @@ def in_phase_stable(evidence: Evidence) -> Finding:
         fate = settle(
             r,
             Harmonic(amplitude=a, frequency_ratio=w, phase=phase + 1e-3),
-            State(angle=0.0, velocity=float(point.velocity[0]) * w),
+            State(angle=0.0, velocity=float(point.velocity[0])),
         )
         stays = bool(abs(fate.highest - float(point.peak[0])) < 1e-5)
         named.append((point, phase, stays))
@@ -294,7 +294,7 @@ def kicked_and_back(evidence: Evidence) -> Finding:
             frequency_ratio=history.case.frequency_ratio,
             phase=float(states.phase[0]) + 0.02,
         )
-        velocity = float(states.velocity[0]) * history.case.frequency_ratio * 1.02
+        velocity = float(states.velocity[0]) * 1.02
         fate = settle(RESTITUTION, shaking, State(angle=0.0, velocity=velocity))
         apart = abs(fate.highest - float(states.peak[0]))
         holds = holds and fate.symmetric and apart < 1e-5

@@ -195,8 +195,8 @@ def _falls_after(
 ) -> float:
     """Return after how many excitation periods a block that overturns does so."""
     run = simulate(block, shaking, start=start, cycles=cycles)
-    assert run.overturn_tau is not None
-    return run.overturn_tau / (2.0 * math.pi)
+    assert run.overturn_time_tau is not None
+    return run.overturn_time_tau / (2.0 * math.pi)
 
 
 def _falls(

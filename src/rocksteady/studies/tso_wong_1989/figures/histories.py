@@ -203,7 +203,7 @@ class History:
             motion = run(run.times(ROWS_PER_PERIOD))
             assert motion.tau is not None
             columns = (
-                motion.s, motion.tau, motion.tau / (2.0 * math.pi), motion.angle, motion.velocity,
+                motion.pt, motion.tau, motion.tau / (2.0 * math.pi), motion.angle, motion.velocity,
                 motion.base_acceleration,
             )  # fmt: skip
             for row in zip(*(column.tolist() for column in columns), strict=True):
@@ -264,12 +264,12 @@ def histories() -> dict[str, History]:
 def counted(fates: Sequence[Fate]) -> str:
     """Return how many fates there are of each kind, the most frequent first."""
     names = Counter(
-        "overturned" if math.isfinite(fate.overturned_after) else _leaning(fate) for fate in fates
+        "overturned" if math.isfinite(fate.overturned_after) else _towards(fate) for fate in fates
     )
     return ", ".join(f"{count} {name}" for name, count in names.most_common())
 
 
-def _leaning(fate: Fate) -> str:
+def _towards(fate: Fate) -> str:
     if fate.bias == 0:
         return fate.label
-    return f"{fate.label} leaning to {sign(fate.bias)}"
+    return f"{fate.label} towards {sign(fate.bias)}"
