@@ -12,9 +12,9 @@ from rocksteady import (
     DimensionlessBlock,
     Harmonic,
     PointType,
-    continuation,
-    doubling_cascade,
-    orbits,
+    find_cascade,
+    find_orbits,
+    follow_branch,
 )
 
 SHAKING = Harmonic(amplitude=2.0, frequency_ratio=2.0)
@@ -23,7 +23,7 @@ POINTS = 500
 
 
 def start() -> Any:
-    return orbits(DimensionlessBlock(restitution=0.8), SHAKING, max_period=1)[0]
+    return find_orbits(DimensionlessBlock(restitution=0.8), SHAKING, max_period=1)[0]
 
 
 @pytest.mark.benchmark(group="continuation", timer=time.process_time)
@@ -32,7 +32,7 @@ def test_a_branch_of_500_points(benchmark: Any) -> None:
     orbit = start()
 
     def run() -> Branch:
-        followed = continuation(orbit, "frequency_ratio", RANGE, largest_step=0.001)
+        followed = follow_branch(orbit, "frequency_ratio", RANGE, largest_step=0.001)
         branch = Branch(parameter="frequency_ratio", points=tuple(islice(followed, POINTS)))
         assert len(branch.points) == len(branch.stable) == POINTS
         return branch
@@ -46,7 +46,7 @@ def test_a_cascade_of_six_doublings(benchmark: Any) -> None:
     orbit = start()
 
     def run() -> tuple[BranchPoint, ...]:
-        return doubling_cascade(orbit, "frequency_ratio", (1.7, 2.0), direction=-1).points
+        return find_cascade(orbit, "frequency_ratio", (1.7, 2.0), direction=-1).points
 
     found = benchmark.pedantic(run, rounds=5, warmup_rounds=1)
     assert all(point.type is PointType.PERIOD_DOUBLING for point in found)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import DimensionlessBlock, Harmonic, attractor_map, basins, erosion
+from rocksteady import DimensionlessBlock, Harmonic, compute_basins, compute_erosion, map_attractors
 
 PERIODIC = (1.0, 2.0, 0.8)
 CHAOTIC = (6.0, 6.0, 0.25)
@@ -24,7 +24,7 @@ def test_basins(benchmark: Any, point: tuple[float, float, float]) -> None:
     block = DimensionlessBlock(restitution=restitution)
     shaking = Harmonic(amplitude=amplitude, frequency_ratio=frequency)
     found = benchmark.pedantic(
-        basins, args=(block, shaking), kwargs={"cycles": 200}, rounds=3, warmup_rounds=1
+        compute_basins, args=(block, shaking), kwargs={"cycles": 200}, rounds=3, warmup_rounds=1
     )
     benchmark.extra_info["cells"] = found.label.size
     benchmark.extra_info["shares"] = {
@@ -36,7 +36,9 @@ def test_basins(benchmark: Any, point: tuple[float, float, float]) -> None:
 def test_erosion(benchmark: Any) -> None:
     amplitudes = np.linspace(0.0, 1.6, 17)
     block = DimensionlessBlock(restitution=0.9)
-    found = benchmark.pedantic(erosion, args=(block, 2.0, amplitudes), rounds=3, warmup_rounds=1)
+    found = benchmark.pedantic(
+        compute_erosion, args=(block, 2.0, amplitudes), rounds=3, warmup_rounds=1
+    )
     benchmark.extra_info["cells"] = found.safe.size
 
 
@@ -45,6 +47,6 @@ def test_attractor_map(benchmark: Any) -> None:
     axes = {"amplitude": np.linspace(0.5, 6.0, 100), "frequency_ratio": np.linspace(0.5, 10.0, 100)}
     block = DimensionlessBlock(restitution=0.8)
     found = benchmark.pedantic(
-        attractor_map, args=(block,), kwargs={"axes": axes}, rounds=5, warmup_rounds=1
+        map_attractors, args=(block,), kwargs={"axes": axes}, rounds=5, warmup_rounds=1
     )
     benchmark.extra_info["cells"] = found.kind.size

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import DimensionlessBlock, Harmonic, attractor, orbits
+from rocksteady import DimensionlessBlock, Harmonic, find_attractor, find_orbits
 
 BLOCK = DimensionlessBlock(restitution=0.8)
 SIDE = 50
@@ -22,7 +22,7 @@ def test_attractors(benchmark: Any) -> None:
     ]
 
     def run() -> Counter[str]:
-        return Counter(attractor(BLOCK, shaking).kind.value for shaking in points)
+        return Counter(find_attractor(BLOCK, shaking).kind.value for shaking in points)
 
     kinds = benchmark.pedantic(run, rounds=5, warmup_rounds=1)
     benchmark.extra_info["points"] = len(points)
@@ -32,6 +32,6 @@ def test_attractors(benchmark: Any) -> None:
 @pytest.mark.benchmark(group="orbits", timer=time.process_time)
 def test_orbits_at_a_point(benchmark: Any) -> None:
     shaking = Harmonic(amplitude=1.0, frequency_ratio=2.0)
-    found = benchmark.pedantic(orbits, args=(BLOCK, shaking), rounds=5, warmup_rounds=1)
+    found = benchmark.pedantic(find_orbits, args=(BLOCK, shaking), rounds=5, warmup_rounds=1)
     benchmark.extra_info["points"] = 1
     benchmark.extra_info["orbits"] = len(found)

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import Record, Status, rocking_spectrum
+from rocksteady import Record, Status, compute_rocking_spectrum
 from rocksteady.model.equations import Linear, Nonlinear
 from tests.records import synthetic
 
@@ -24,7 +24,7 @@ def test_spectrum(benchmark: Any, model: Any, vertical: bool) -> None:
         Record(acceleration_m_s2=synthetic(rng, 5400, 0.01, peak), dt_s=0.01) for peak in (3.4, 2.0)
     )
     found = benchmark.pedantic(
-        rocking_spectrum,
+        compute_rocking_spectrum,
         args=(record,),
         kwargs={
             "alpha": np.linspace(0.1, 0.3, 5),

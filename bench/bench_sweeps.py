@@ -22,9 +22,9 @@ from rocksteady import (
     Run,
     State,
     Store,
-    attractor_map,
     evaluate,
-    fate_map,
+    map_attractors,
+    map_fates,
 )
 
 Floats = NDArray[np.float64]
@@ -56,7 +56,7 @@ def test_map(benchmark: Any, way: str, scheduler: str, tmp_path: Path) -> None:
     if "store" in way:
         how = replace(how, store=Store(tmp_path / "map.zarr", overwrite=True))
     found = benchmark.pedantic(
-        attractor_map,
+        map_attractors,
         args=(DimensionlessBlock(restitution=0.8),),
         kwargs={"axes": AXES, "run": how},
         rounds=3,
@@ -71,7 +71,7 @@ def test_fates(benchmark: Any, where: str, tmp_path: Path) -> None:
     axes = {"amplitude": np.linspace(1.0, 6.0, 400), "frequency_ratio": np.linspace(1.0, 12.0, 400)}
     store = Store(tmp_path / "fates.zarr", overwrite=True) if where == "store" else None
     found = benchmark.pedantic(
-        fate_map,
+        map_fates,
         args=(DimensionlessBlock(restitution=0.8),),
         kwargs={"axes": axes, "start": State(angle=0.0, velocity=0.3), "run": Run(store=store)},
         rounds=3,

@@ -22,7 +22,7 @@ PERIOD = 2.0 * math.pi  # of every pulse: p t is then omega t
 
 def draw(axes: Axes, title: str, motion: Motion, end: float) -> None:
     """Draw one motion over time in periods, with some of the still base around it."""
-    later = rs.delayed(motion, 0.1 * end)
+    later = rs.delay_motion(motion, 0.1 * end)
     table = segment_table(later)
     even = np.linspace(0.0, 1.25 * end, 2001)
     velocity = np.gradient(base_motion.displacement_from_rest(table, even), even)
@@ -50,7 +50,7 @@ def main() -> None:
     panels.append(("impulses", hits, 7.0))
     slow = rs.Pulse(shape="one-sine", amplitude=0.7, frequency_ratio=1.0)
     fast = rs.Pulse(shape="type-c2", amplitude=0.3, frequency_ratio=4.0)
-    both = rs.added(slow, rs.delayed(fast, 1.0), tolerance=1e-4)
+    both = rs.add_motions(slow, rs.delay_motion(fast, 1.0), tolerance=1e-4)
     panels.append(("a sum: one-sine and a later type-c2", both, PERIOD))
     noise = rs.SyntheticMotion(rms=0.35, frequency_ratio=1.0, duration=20 * PERIOD, seed=2)
     panels.append(("a synthetic motion", noise, noise.duration))

@@ -38,21 +38,21 @@ def main() -> None:
     with palette.style():
         figure = Figure(figsize=(10.4, 4.2))
         left, right = figure.subplots(1, 2)
-        curves = rs.rocking_spectrum(
+        curves = rs.compute_rocking_spectrum(
             record, alpha=np.radians([10.0, 15.0, 20.0]), periods_s=periods
         )
         rs.plot_rocking_spectrum(curves, left)
-        plane = rs.rocking_spectrum(
+        plane = rs.compute_rocking_spectrum(
             record, alpha=np.linspace(0.08, 0.45, 240), periods_s=periods[::2]
         )
         rs.plot_spectrum_map(plane, right)
         figure.savefig(Path("docs/images/spectrum.png"), dpi=150)
-    suite = rs.rocking_spectrum(
+    suite = rs.compute_rocking_spectrum(
         [near_fault(seed) for seed in range(1, 41)],
         alpha=np.radians([10.0, 15.0, 20.0]),
         periods_s=np.linspace(0.5, 8.0, 200),
     )
-    figure = suite_figure(rs.suite_spectrum(suite))
+    figure = suite_figure(rs.summarise_spectra(suite))
     figure.savefig(Path("docs/images/spectrum-suite.png"), dpi=150)
 
 

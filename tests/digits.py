@@ -60,10 +60,10 @@ def segments() -> Numbers:
         for shape in ("type-c1", "ricker", "ricker-antisymmetric", "mavroeidis-papageorgiou")
     ]
     sums = [
-        rs.added(one, other, tolerance=1e-3)
+        rs.add_motions(one, other, tolerance=1e-3)
         for one, other in zip(waves[::2], waves[1::2], strict=True)
     ]
-    again = [rs.added(one, rs.delayed(one, 0.3)) for one in waves]
+    again = [rs.add_motions(one, rs.delay_motion(one, 0.3)) for one in waves]
     motions: list[rs.Pulse | rs.Piecewise] = [*pulses, *sums, *again]
     for motion in motions:
         for piece in motion.segments():
@@ -83,11 +83,11 @@ def closed_forms() -> Numbers:
 
 
 def measures() -> Numbers:
-    found = rs.response_spectrum(record(), in_equal_ratios(0.02, 8.0, 40))
+    found = rs.compute_response_spectrum(record(), in_equal_ratios(0.02, 8.0, 40))
     yield from found.displacement_m
     yield from found.pseudo_acceleration_m_s2
     yield rs.average_spectral_acceleration(record(), 0.5)
-    for name, value in vars(rs.intensity_measures(record(), blocks()[0])).items():
+    for name, value in vars(rs.measure_intensity(record(), blocks()[0])).items():
         if isinstance(value, float) and name != "mean_period_s":
             yield value
 
@@ -95,13 +95,13 @@ def measures() -> Numbers:
 def recordings() -> Numbers:
     given = Recording(record=record(), format="table", path=Path("none"), units_in_file="m/s^2")
     for baseline in ("mean", "linear", "polynomial:5"):
-        yield from rs.baseline_corrected(given, baseline).record.acceleration_m_s2
-    yield from rs.resampled(given, 0.0037).record.acceleration_m_s2
+        yield from rs.correct_baseline(given, baseline).record.acceleration_m_s2
+    yield from rs.resample(given, 0.0037).record.acceleration_m_s2
 
 
 def courses() -> Numbers:
     """Through the kernels: closed forms, time histories of both models, returns, spectra."""
-    states = rs.steady_states(np.linspace(0.5, 6.0, 40)[:, np.newaxis], RATIOS, 0.8)
+    states = rs.find_steady_states(np.linspace(0.5, 6.0, 40)[:, np.newaxis], RATIOS, 0.8)
     for grid in (states.phase, states.velocity_tau, states.trace, states.multipliers.real):
         yield from np.asarray(grid, dtype=np.float64).ravel()
     block = rs.Block.rectangle(width=0.5, height=2.0)
@@ -115,7 +115,7 @@ def courses() -> Numbers:
         course = run(np.linspace(0.0, min(run.shown_to_pt, 30.0), 200))
         yield from np.concatenate([course.angle, course.velocity, course.energy])
         yield from run.impacts.pt
-    for orbit in rs.orbits(rs.DimensionlessBlock(restitution=0.8), shaking, seeds=24):
+    for orbit in rs.find_orbits(rs.DimensionlessBlock(restitution=0.8), shaking, seeds=24):
         yield from (orbit.highest, orbit.lowest, orbit.largest_multiplier)
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import DimensionlessBlock, State, Steady, fate_map, open_store
+from rocksteady import DimensionlessBlock, State, Steady, map_fates, open_store
 from rocksteady.cli.flags.parsing import axis
 from tests.cli.program import refused, rocksteady
 
@@ -23,7 +23,7 @@ def test_the_json_keeps_the_contract(flags: str, cycles: int) -> None:
     assert (ran.code, ran.err) == (0, "")
     values = ran.json
     assert values["schema"] == "rocksteady/map/1"
-    fate = fate_map(BLOCK, axes=GRID, start=START, cycles=cycles).fate
+    fate = map_fates(BLOCK, axes=GRID, start=START, cycles=cycles).fate
     words = ("rocking", "at-rest", "overturned", "undecided", "no-start")
     counts = [int((fate == code).sum()) for code in (0, 1, 2, 4, -1)]
     assert values["counts"] == dict(zip(words, counts, strict=True))
@@ -56,7 +56,7 @@ def test_what_is_written_is_what_was_found(tmp_path: Path) -> None:
     )
     assert ran.code == 0
     assert files["png"].read_bytes().startswith(b"\x89PNG")
-    found = fate_map(BLOCK, axes=GRID, start=START)
+    found = map_fates(BLOCK, axes=GRID, start=START)
     stored = open_store(files["zarr"])
     assert stored.equals(found)
     with files["csv"].open(encoding="utf-8", newline="") as stream:
@@ -73,7 +73,7 @@ def test_what_is_written_is_what_was_found(tmp_path: Path) -> None:
 def test_a_steady_start_that_is_none_is_counted() -> None:
     values = rocksteady("map -A 0.5:4:5 -W 1:8:5 -r 0.8 --start steady:2 --fate --json").json
     axes = {"amplitude": np.linspace(0.5, 4.0, 5), "frequency_ratio": np.linspace(1.0, 8.0, 5)}
-    found = fate_map(BLOCK, axes=axes, start=Steady(branch=2))
+    found = map_fates(BLOCK, axes=axes, start=Steady(branch=2))
     assert values["counts"]["no-start"] == int((found.fate == -1).sum()) > 0
 
 

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from rocksteady import Attractor, DimensionlessBlock, Harmonic, Rest, State, Steady, attractor
+from rocksteady import Attractor, DimensionlessBlock, Harmonic, Rest, State, Steady, find_attractor
 from tests.dynamics.kicks import apart, around
 
 Start = Rest | State | Steady
@@ -13,7 +13,7 @@ Start = Rest | State | Steady
 def settled(
     amplitude: float, frequency: float, restitution: float, *, phase: float = 0.0, **more: object
 ) -> Attractor:
-    return attractor(
+    return find_attractor(
         DimensionlessBlock(restitution=restitution),
         Harmonic(amplitude=amplitude, frequency_ratio=frequency, phase=phase),
         **more,  # type: ignore[arg-type]

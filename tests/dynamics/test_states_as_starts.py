@@ -10,12 +10,12 @@ from rocksteady import (
     Harmonic,
     State,
     Status,
-    attractor,
-    basins,
-    erosion,
+    compute_basins,
+    compute_erosion,
+    compute_steady_orbit,
+    find_attractor,
+    find_steady_states,
     simulate,
-    steady_orbit,
-    steady_states,
 )
 
 BLOCK = DimensionlessBlock(restitution=0.8)
@@ -24,7 +24,7 @@ A, W = 2.0, 4.0
 
 
 def test_a_steady_state_repeats_itself_from_either_velocity() -> None:
-    states = steady_states(A, W, 0.8)
+    states = find_steady_states(A, W, 0.8)
     shaking = Harmonic(amplitude=A, frequency_ratio=W, phase=float(states.phase[0]))
     velocity, velocity_tau = float(states.velocity[0]), float(states.velocity_tau[0])
     for start in (
@@ -37,8 +37,8 @@ def test_a_steady_state_repeats_itself_from_either_velocity() -> None:
 
 
 def test_any_point_of_a_steady_orbit_is_a_start() -> None:
-    orbit = steady_orbit(A, W, 0.8, samples=801)
-    phase = float(steady_states(A, W, 0.8).phase[0])
+    orbit = compute_steady_orbit(A, W, 0.8, samples=801)
+    phase = float(find_steady_states(A, W, 0.8).phase[0])
     assert np.allclose(orbit.velocity, W * orbit.velocity_tau, rtol=1e-15)
     for first in (100, 555):
         late = 120
@@ -56,13 +56,13 @@ def test_any_point_of_a_steady_orbit_is_a_start() -> None:
 def test_a_cell_of_basins_and_a_state_of_its_attractor_are_starts() -> None:
     window = np.linspace(-0.9, 0.9, 7)
     shaking = Harmonic(amplitude=A, frequency_ratio=W, phase=0.4)
-    found = basins(BLOCK, shaking, angles=window, velocities=window)
+    found = compute_basins(BLOCK, shaking, angles=window, velocities=window)
     seen = set()
     for row, velocity in enumerate(found.velocity.tolist()):
         for column, angle in enumerate(found.angle.tolist()):
             start = State(angle=angle, velocity=velocity)
             here = found.attractors[found.label[row, column]]
-            assert attractor(BLOCK, shaking, start=start).kind is here.kind
+            assert find_attractor(BLOCK, shaking, start=start).kind is here.kind
             fell = simulate(BLOCK, shaking, start=start, cycles=100).status is Status.OVERTURNED
             assert fell is (here.kind.value == "overturned")
             seen.add(fell)
@@ -75,7 +75,7 @@ def test_a_cell_of_basins_and_a_state_of_its_attractor_are_starts() -> None:
 
 def test_a_cell_of_an_erosion_is_a_start() -> None:
     window = np.linspace(-1.1, 1.1, 8)
-    found = erosion(BLOCK, W, [1.5], phase=0.4, angles=window, velocities=window, cycles=10)
+    found = compute_erosion(BLOCK, W, [1.5], phase=0.4, angles=window, velocities=window, cycles=10)
     shaking = Harmonic(amplitude=1.5, frequency_ratio=W, phase=0.4)
     for row, column in np.ndindex(8, 8):
         start = State(angle=float(found.angle[column]), velocity=float(found.velocity[row]))
@@ -85,7 +85,7 @@ def test_a_cell_of_an_erosion_is_a_start() -> None:
 
 
 def test_a_state_of_an_orbit_and_of_a_trajectory_are_starts() -> None:
-    orbit = attractor(BLOCK, Harmonic(amplitude=A, frequency_ratio=W)).orbit
+    orbit = find_attractor(BLOCK, Harmonic(amplitude=A, frequency_ratio=W)).orbit
     assert orbit is not None
     for first in orbit.states:
         start = State(angle=0.0, velocity=first.side * first.speed)

@@ -222,13 +222,15 @@ def orbits(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
     """Yield attractors, orbits and the return map, with orbits that rest and such that do not."""
     for amplitude, ratio in ((2.0, 4.0), (1.2, 1.0)):
         shaking = rs.Harmonic(amplitude=amplitude, frequency_ratio=ratio)
-        yield partial(rs.attractor, block, shaking, cycles=60, model=model)
-        yield partial(rs.orbits, block, shaking, max_period=1, max_impacts=2, seeds=3, model=model)
+        yield partial(rs.find_attractor, block, shaking, cycles=60, model=model)
+        yield partial(
+            rs.find_orbits, block, shaking, max_period=1, max_impacts=2, seeds=3, model=model
+        )
     shaking = rs.Harmonic(amplitude=2.0, frequency_ratio=4.0)
     state = rs.ImpactState(side=1, phase=0.5, speed=0.3)
     yield partial(rs.ReturnMap(block, shaking, model=model), state)
     if isinstance(model, rs.Linear):
-        yield partial(rs.attractor_trail, block, shaking, "amplitude", [1.9, 2.0], cycles=20)
+        yield partial(rs.sweep_attractor, block, shaking, "amplitude", [1.9, 2.0], cycles=20)
 
 
 def grids(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
@@ -237,12 +239,12 @@ def grids(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
     axes = {"amplitude": [1.0, 2.0], "frequency_ratio": [3.0, 4.0]}
     window = {"angles": few, "velocities": few, "model": model}
     shaking = rs.Harmonic(amplitude=2.0, frequency_ratio=4.0)
-    yield partial(rs.attractor_map, block, axes=axes, cycles=20, model=model)
-    yield partial(rs.fate_map, block, axes=axes, cycles=10, model=model)
-    yield partial(rs.basins, block, shaking, cycles=10, **window)
-    yield partial(rs.erosion, block, 4.0, [0.5, 3.0], cycles=5, **window)
+    yield partial(rs.map_attractors, block, axes=axes, cycles=20, model=model)
+    yield partial(rs.map_fates, block, axes=axes, cycles=10, model=model)
+    yield partial(rs.compute_basins, block, shaking, cycles=10, **window)
+    yield partial(rs.compute_erosion, block, 4.0, [0.5, 3.0], cycles=5, **window)
     reach = {"amplitudes": (3.0, 4.0), "resolution": 0.1, "model": model}
-    yield partial(rs.overturning_windows, block, "half-sine", [3.0], **reach)
+    yield partial(rs.find_overturning_windows, block, "half-sine", [3.0], **reach)
 
 
 def layouts(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
@@ -254,11 +256,11 @@ def layouts(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
     run = rs.simulate(block, shaking, cycles=3, model=model)
     for given in (frozen, values[::2], values.astype(np.float32), values.reshape(2, 4).T):
         yield partial(run, given)
-        yield partial(rs.steady_states, given, 4.0, 0.8)
-        yield partial(rs.steady_states, 2.0, given, 0.5 * given)
-        yield partial(rs.boundaries, given, 0.8, order=3)
+        yield partial(rs.find_steady_states, given, 4.0, 0.8)
+        yield partial(rs.find_steady_states, 2.0, given, 0.5 * given)
+        yield partial(rs.region_boundaries, given, 0.8, order=3)
         yield partial(
-            rs.fate_map, block, shaking, axes={"amplitude": given.ravel()}, cycles=5, model=model
+            rs.map_fates, block, shaking, axes={"amplitude": given.ravel()}, cycles=5, model=model
         )
 
 
@@ -267,13 +269,13 @@ def of_symmetric_blocks(block: rs.Block, model: Any) -> Iterator[Callable[[], ob
     record = rs.Record(acceleration_m_s2=4.0 * np.sin(0.25 * np.arange(60)), dt_s=0.05)
     shaking = rs.Harmonic(amplitude=1.0, frequency_ratio=2.0)
     sizes = {"alpha": [0.2, 0.3], "periods_s": [1.0, 2.0], "model": model}
-    yield partial(rs.rocking_spectrum, record, **sizes)
-    yield partial(rs.rocking_spectrum, [record, record.scaled(2.0)], **sizes)
+    yield partial(rs.compute_rocking_spectrum, record, **sizes)
+    yield partial(rs.compute_rocking_spectrum, [record, record.scaled(2.0)], **sizes)
     if isinstance(model, rs.Nonlinear):
-        yield partial(rs.rocking_spectrum, [rs.BaseMotion(record, record)], **sizes)
+        yield partial(rs.compute_rocking_spectrum, [rs.BaseMotion(record, record)], **sizes)
     axes = {"amplitude": [1.0, 2.0], "frequency_ratio": [3.0, 4.0]}
     for branch in (1, 2):
         start = rs.Steady(branch=branch)
         yield partial(rs.simulate, block, shaking, cycles=3, start=start, model=model)
-        yield partial(rs.attractor_map, block, axes=axes, cycles=20, start=start, model=model)
-        yield partial(rs.fate_map, block, axes=axes, cycles=10, start=start, model=model)
+        yield partial(rs.map_attractors, block, axes=axes, cycles=20, start=start, model=model)
+        yield partial(rs.map_fates, block, axes=axes, cycles=10, start=start, model=model)

@@ -19,11 +19,11 @@ from rocksteady import (
     Segment,
     State,
     Still,
-    attractor,
-    orbits,
+    compute_rocking_spectrum,
+    find_attractor,
+    find_orbits,
+    find_overturning_windows,
     overturning_impulse,
-    overturning_windows,
-    rocking_spectrum,
     simulate,
 )
 from rocksteady.model.equations import chosen_model
@@ -57,17 +57,19 @@ def test_the_linear_ones_are_the_default_of_harmonic_shaking() -> None:
     run = simulate(BLOCK, SHAKING, cycles=5)
     assert run.model == Linear()
     assert run.peak == simulate(BARE, SHAKING, cycles=5).peak
-    assert attractor(BLOCK, SHAKING).model == ReturnMap(BLOCK, SHAKING).model == Linear()
-    assert {found.model for found in orbits(BLOCK, SHAKING, max_period=1, seeds=3)} == {Linear()}
+    assert find_attractor(BLOCK, SHAKING).model == ReturnMap(BLOCK, SHAKING).model == Linear()
+    assert {found.model for found in find_orbits(BLOCK, SHAKING, max_period=1, seeds=3)} == {
+        Linear()
+    }
 
 
 def test_windows_spectra_and_impulses_choose_by_the_block() -> None:
     reach = {"amplitudes": (3.0, 4.0), "resolution": 0.1}
     for block, model in ((BLOCK, Nonlinear()), (BARE, Linear())):
-        found = overturning_windows(block, "half-sine", [3.0], **reach)  # type: ignore[arg-type]
+        found = find_overturning_windows(block, "half-sine", [3.0], **reach)  # type: ignore[arg-type]
         assert found.model == model
         assert found.to_dataset().attrs["model"] == model.name
-    data = rocking_spectrum(RECORD, alpha=0.2, p=2.0)
+    data = compute_rocking_spectrum(RECORD, alpha=0.2, p=2.0)
     assert data.attrs["model"] == "nonlinear"
     assert overturning_impulse(BLOCK) == overturning_impulse(BLOCK, model=Nonlinear())
     assert overturning_impulse(BLOCK) > overturning_impulse(BLOCK, model=Linear())
@@ -83,7 +85,7 @@ def test_what_is_no_model_is_refused_with_what_to_give() -> None:
             simulate(BLOCK, SHAKING, model=text)  # type: ignore[arg-type]
         assert caught.value.hint == hint
     with pytest.raises(InputError, match="it must be a Linear or a Nonlinear"):
-        attractor(BLOCK, SHAKING, model=Nonlinear)  # type: ignore[arg-type]
+        find_attractor(BLOCK, SHAKING, model=Nonlinear)  # type: ignore[arg-type]
     with pytest.raises(ModelError, match="needs the block's slenderness"):
         chosen_model(Nonlinear(), BARE)
 

@@ -48,25 +48,23 @@ def things() -> dict[str, Any]:
     record = rs.Record(acceleration_m_s2=4.0 * np.sin(5.0 * t), dt_s=0.05, name="made")
     run = rs.simulate(block, shaking, cycles=3)
     pulse = rs.Pulse(shape="half-sine", amplitude=2.0, frequency_ratio=4.0)
-    orbit = rs.attractor(bare, shaking, start=rs.Steady()).orbit
+    orbit = rs.find_attractor(bare, shaking, start=rs.Steady()).orbit
     assert orbit is not None
-    (branch,) = rs.bifurcation_branches(
-        [orbit], "amplitude", (1.9, 2.1), largest_step=0.1, max_branches=1
-    )
+    (branch,) = rs.find_branches([orbit], "amplitude", (1.9, 2.1), largest_step=0.1, max_branches=1)
     point = branch.points[0]
     fold = rs.BranchPoint(type=rs.PointType.FOLD, arclength=0.0, chain=point.chain)
     recording = rs.Recording(
         record=record, format="peer", path=Path("made.AT2"), units_in_file="g", component="000"
     )
-    spectrum = rs.rocking_spectrum(record, alpha=[0.2, 0.3], periods_s=[1.0, 2.0])
+    spectrum = rs.compute_rocking_spectrum(record, alpha=[0.2, 0.3], periods_s=[1.0, 2.0])
     other = rs.Record(acceleration_m_s2=np.array([0.0, 3.0, -3.0]), dt_s=0.2, name="other")
-    suite = rs.rocking_spectrum([record, other], alpha=0.2, periods_s=[1.0, 2.0])
+    suite = rs.compute_rocking_spectrum([record, other], alpha=0.2, periods_s=[1.0, 2.0])
     grid = rs.Grid(axes=(rs.Axis(name="amplitude", values=[1.0, 2.0]),))
-    maps = rs.attractor_map(
+    maps = rs.map_attractors(
         bare, axes={"amplitude": [1.0, 2.0], "frequency_ratio": [3.0, 4.0]}, cycles=50
     )
     few = [-0.5, 0.0, 0.5]
-    states = rs.steady_states(2.0, 4.0, 0.8)
+    states = rs.find_steady_states(2.0, 4.0, 0.8)
     for path in ("kept.zarr", "made.csv"):
         if path.endswith("csv"):
             Path(path).write_text("t (s),acc (m/s2)\n0,0\n0.1,1\n0.2,-1\n", encoding="utf-8")
@@ -80,9 +78,9 @@ def things() -> dict[str, Any]:
         "run": run,
         "pulse": pulse,
         "orbit": orbit,
-        "doubling": rs.orbits(bare, rs.Harmonic(amplitude=2.0, frequency_ratio=2.0), max_period=1)[
-            0
-        ],
+        "doubling": rs.find_orbits(
+            bare, rs.Harmonic(amplitude=2.0, frequency_ratio=2.0), max_period=1
+        )[0],
         "branch": branch,
         "point": point,
         "fold": fold,
@@ -90,28 +88,28 @@ def things() -> dict[str, Any]:
         "set": rs.RecordSet(name="made", horizontal=(recording,)),
         "spectrum": spectrum,
         "suite": suite,
-        "summary": rs.suite_spectrum(suite),
+        "summary": rs.summarise_spectra(suite),
         "grid": grid,
         "output": rs.Output(name="value"),
         "map": maps,
-        "basins": rs.basins(bare, shaking, angles=few, velocities=few, cycles=20),
-        "erosion": rs.erosion(bare, 4.0, [0.5, 3.0], angles=few, velocities=few, cycles=5),
-        "trail": rs.attractor_trail(bare, shaking, "amplitude", [1.9, 2.0], cycles=50),
+        "basins": rs.compute_basins(bare, shaking, angles=few, velocities=few, cycles=20),
+        "erosion": rs.compute_erosion(bare, 4.0, [0.5, 3.0], angles=few, velocities=few, cycles=5),
+        "trail": rs.sweep_attractor(bare, shaking, "amplitude", [1.9, 2.0], cycles=50),
         "cascade": rs.DoublingCascade(parameter="amplitude", points=branch.points),
-        "course": rs.ground_course(record),
-        "response": rs.response_spectrum(record, [0.5, 1.0]),
-        "curve": rs.response_curve(bare, 2.0, frequency_ratio=[3.0, 4.0]),
+        "course": rs.integrate_record(record),
+        "response": rs.compute_response_spectrum(record, [0.5, 1.0]),
+        "curve": rs.compute_response_curve(bare, 2.0, frequency_ratio=[3.0, 4.0]),
         "states": states,
-        "steady": rs.steady_orbit(2.0, 4.0, 0.8, samples=11),
-        "regions": rs.region_map([3.0, 4.0], 0.8),
-        "windows": rs.overturning_windows(
+        "steady": rs.compute_steady_orbit(2.0, 4.0, 0.8, samples=11),
+        "regions": rs.compute_region_map([3.0, 4.0], 0.8),
+        "windows": rs.find_overturning_windows(
             bare, "half-sine", [3.0, 3.5], amplitudes=(3.0, 4.0), resolution=0.1
         ),
-        "attractor": rs.attractor(bare, shaking, cycles=50),
+        "attractor": rs.find_attractor(bare, shaking, cycles=50),
         "state": rs.ImpactState(side=1, phase=0.5, speed=0.3),
         "map_of_return": rs.ReturnMap(bare, shaking),
         "store": rs.Store("new.zarr"),
-        "boundaries": rs.boundaries(4.0, 0.8),
+        "boundaries": rs.region_boundaries(4.0, 0.8),
         "installation": rs.check_installation(),
     }
 
@@ -225,11 +223,11 @@ def calls() -> dict[str, Call]:
         t["trail"].runs: {},
         t["orbit"].trajectory: {},
         t["point"].orbit: {},
-        rs.added: {"motions": [t["pulse"], rs.Still()]},
+        rs.add_motions: {"motions": [t["pulse"], rs.Still()]},
         rs.animate: {"trajectory": run, "span": (0.0, 0.2), "fps": 5.0},
-        rs.attractor: {"block": bare, "shaking": shaking, "cycles": 20},
-        rs.attractor_map: {"block": bare, "axes": axes, "cycles": 20},
-        rs.attractor_trail: {
+        rs.find_attractor: {"block": bare, "shaking": shaking, "cycles": 20},
+        rs.map_attractors: {"block": bare, "axes": axes, "cycles": 20},
+        rs.sweep_attractor: {
             "block": bare,
             "shaking": shaking,
             "parameter": "amplitude",
@@ -237,25 +235,25 @@ def calls() -> dict[str, Call]:
             "cycles": 20,
         },
         rs.average_spectral_acceleration: {"record": record, "period_s": 0.5},
-        rs.baseline_corrected: {"recording": t["recording"], "baseline": "mean"},
-        rs.basins: {
+        rs.correct_baseline: {"recording": t["recording"], "baseline": "mean"},
+        rs.compute_basins: {
             "block": bare,
             "shaking": shaking,
             "angles": few,
             "velocities": few,
             "cycles": 10,
         },
-        rs.bifurcation_branches: {"starts": [t["orbit"]], **near, "max_branches": 1},
-        rs.bifurcation_curve: {
+        rs.find_branches: {"starts": [t["orbit"]], **near, "max_branches": 1},
+        rs.follow_bifurcation: {
             "start": t["fold"],
             "parameters": ("frequency_ratio", "amplitude"),
             "within": ((3.9, 4.1), (1.9, 2.1)),
             "most_points": 3,
         },
-        rs.boundaries: {"frequency_ratio": [3.0, 4.0], "restitution": 0.8},
-        rs.continuation: {"start": t["orbit"], **near, "most_points": 5},
-        rs.delayed: {"motion": t["pulse"], "by": 0.5},
-        rs.doubling_cascade: {
+        rs.region_boundaries: {"frequency_ratio": [3.0, 4.0], "restitution": 0.8},
+        rs.follow_branch: {"start": t["orbit"], **near, "most_points": 5},
+        rs.delay_motion: {"motion": t["pulse"], "by": 0.5},
+        rs.find_cascade: {
             "start": t["doubling"],
             "parameter": "frequency_ratio",
             "within": (1.7, 2.0),
@@ -263,7 +261,7 @@ def calls() -> dict[str, Call]:
             "doublings": 3,
         },
         rs.equivalent_damping: {"restitution": [0.7, 0.8]},
-        rs.erosion: {
+        rs.compute_erosion: {
             "block": bare,
             "frequency_ratio": 4.0,
             "amplitudes": [0.5, 3.0],
@@ -272,20 +270,20 @@ def calls() -> dict[str, Call]:
             "cycles": 5,
         },
         rs.evaluate: {"cases": square, "grid": t["grid"], "outputs": (t["output"],)},
-        rs.example_block: {"name": "fema-p58-cabinet"},
+        rs.named_block: {"name": "fema-p58-cabinet"},
         rs.export: {"dataset": t["map"], "file": "map.nc"},
-        rs.fate_map: {"block": bare, "axes": axes, "cycles": 10},
+        rs.map_fates: {"block": bare, "axes": axes, "cycles": 10},
         rs.free_rocking_peaks: {"amplitude_ratio": 0.5, "restitution": 0.8, "impacts": 3},
         rs.free_rocking_period: {"amplitude_ratio": [0.2, 0.5]},
-        rs.ground_course: {"record": record},
+        rs.integrate_record: {"record": record},
         rs.heteroclinic_amplitude: {"frequency_ratio": 4.0, "restitution": 0.8},
         rs.housner_restitution: {"alpha": 0.2},
         rs.impact_restitution: {"alphas": (0.2, 0.3), "radii": (1.0, 1.1), "gyration": 0.5},
-        rs.intensity_measures: {"record": record},
-        rs.joined: {"motions": [t["pulse"], shaking]},
+        rs.measure_intensity: {"record": record},
+        rs.join_motions: {"motions": [t["pulse"], shaking]},
         rs.melnikov_amplitude: {"frequency_ratio": 4.0, "restitution": 0.8},
         rs.open_store: {"path": "kept.zarr"},
-        rs.orbits: {
+        rs.find_orbits: {
             "block": bare,
             "shaking": shaking,
             "max_period": 1,
@@ -294,7 +292,7 @@ def calls() -> dict[str, Call]:
         },
         rs.overturning_impulse: {"block": block},
         rs.overturning_threshold: {"shape": "half-sine", "frequency_ratio": 4.0},
-        rs.overturning_windows: {
+        rs.find_overturning_windows: {
             "block": bare,
             "pulse": "half-sine",
             "frequency_ratios": [3.0],
@@ -309,7 +307,7 @@ def calls() -> dict[str, Call]:
         rs.plot_block: {"trajectory": run, "pt": 0.1},
         rs.plot_erosion: {"erosion": t["erosion"]},
         rs.plot_free_rocking: {"restitutions": [0.8], "impacts": 3},
-        rs.plot_ground_course: {"course": t["course"]},
+        rs.plot_integrated_record: {"course": t["course"]},
         rs.plot_husid: {"course": t["course"]},
         rs.plot_map: {"found": t["map"]},
         rs.plot_multipliers: {"orbits": [t["orbit"]]},
@@ -328,45 +326,45 @@ def calls() -> dict[str, Call]:
         rs.plot_trajectory: {"trajectory": run},
         rs.read_record: {"path": "made.csv"},
         rs.read_recordings: {"path": "made.csv"},
-        rs.region_map: {"frequency_ratio": [3.0, 4.0], "restitution": 0.8},
-        rs.resampled: {"recording": t["recording"], "dt_s": 0.025},
-        rs.response_curve: {"block": bare, "amplitude": 2.0, "frequency_ratio": [3.0, 4.0]},
-        rs.response_spectrum: {"record": record, "periods_s": [0.5, 1.0]},
-        rs.rocking_spectrum: {"records": record, "alpha": [0.2], "periods_s": [1.0, 2.0]},
-        rs.scaled: {"motion": t["pulse"], "factor": -1.0},
+        rs.compute_region_map: {"frequency_ratio": [3.0, 4.0], "restitution": 0.8},
+        rs.resample: {"recording": t["recording"], "dt_s": 0.025},
+        rs.compute_response_curve: {"block": bare, "amplitude": 2.0, "frequency_ratio": [3.0, 4.0]},
+        rs.compute_response_spectrum: {"record": record, "periods_s": [0.5, 1.0]},
+        rs.compute_rocking_spectrum: {"records": record, "alpha": [0.2], "periods_s": [1.0, 2.0]},
+        rs.scale_motion: {"motion": t["pulse"], "factor": -1.0},
         rs.simulate: {"block": block, "motion": shaking, "cycles": 2.0},
-        rs.steady_orbit: {
+        rs.compute_steady_orbit: {
             "amplitude": 2.0,
             "frequency_ratio": 4.0,
             "restitution": 0.8,
             "samples": 11,
         },
-        rs.steady_states: {"amplitude": 2.0, "frequency_ratio": 4.0, "restitution": 0.8},
+        rs.find_steady_states: {"amplitude": 2.0, "frequency_ratio": 4.0, "restitution": 0.8},
         rs.stretches: {"branch": t["branch"]},
-        rs.suite_spectrum: {"found": t["suite"]},
+        rs.summarise_spectra: {"found": t["suite"]},
         rs.symmetry_breaking_amplitude: {"frequency_ratio": 4.0, "restitution": 0.8},
         rs.symmetry_breaking_frequency: {"amplitude": 2.0, "restitution": 0.8},
         rs.BasinAttractor: fields(t["basins"].attractors[0]),
         rs.OverturningWindow: {"low": 1.0, "high": 2.0, "impacts": 1, "side": 1, "endless": False},
-        rs.Drop: {
+        rs.IntegrityDrop: {
             "measure": "radius", "level": 0.5, "low": 1.0, "high": 2.0, "above": 0.6, "below": 0.4,
         },
-        rs.Fraction: {"label": 1, "states": 2, "share": 0.5, "low": 0.4, "high": 0.6},
+        rs.BasinFraction: {"label": 1, "states": 2, "share": 0.5, "low": 0.4, "high": 0.6},
         rs.Peak: {"value": 1.0, "t_s": 0.5},
         rs.Stretch: {"first": 0, "last": 1, "stable": True, "admissible": True},
         rs.Passage: fields(t["map_of_return"](t["state"])),
-        rs.IntensityMeasures: fields(rs.intensity_measures(record, block)),
-        rs.intensity_measures(record, block).rows: {},
-        rs.intensity_measures(record, block).values: {},
+        rs.IntensityMeasures: fields(rs.measure_intensity(record, block)),
+        rs.measure_intensity(record, block).rows: {},
+        rs.measure_intensity(record, block).values: {},
         rs.Samples: fields(run([0.1, 0.2])),
         rs.check_installation: {},
         rs.Installation: fields(t["installation"]),
         rs.KernelCheck: fields(t["installation"].checks[0]),
     }  # fmt: skip
     results = {
-        rs.Attractor: "attractor", rs.AttractorTrail: "trail", rs.Basins: "basins",
-        rs.Boundaries: "boundaries", rs.Branch: "branch", rs.BranchPoint: "point",
-        rs.DoublingCascade: "cascade", rs.Erosion: "erosion", rs.GroundCourse: "course",
+        rs.Attractor: "attractor", rs.AttractorSweep: "trail", rs.Basins: "basins",
+        rs.RegionBoundaries: "boundaries", rs.Branch: "branch", rs.BranchPoint: "point",
+        rs.DoublingCascade: "cascade", rs.Erosion: "erosion", rs.IntegratedRecord: "course",
         rs.Orbit: "orbit", rs.OverturningWindows: "windows", rs.RegionMap: "regions",
         rs.ResponseCurve: "curve", rs.ResponseSpectrum: "response", rs.SteadyOrbit: "steady",
         rs.SteadyStates: "states", rs.Trajectory: "run",

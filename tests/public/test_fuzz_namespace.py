@@ -36,7 +36,7 @@ HOLD_NAN = {
     "SteadyStates", "ResponseCurve", "RegionMap", "Boundaries", "Attractor", "Samples", "Fraction",
     "Passage", "IntensityMeasures", "ResponseSpectrum", "Drop", "BranchPoint", "BasinAttractor",
     "Flights", "Impacts", "Stretch", "Orbit", "Erosion", "Basins", "OverturningWindows", "Peak",
-    "OverturningWindow", "GroundCourse", "SteadyOrbit", "Trajectory", "AttractorTrail",
+    "OverturningWindow", "IntegratedRecord", "SteadyOrbit", "Trajectory", "AttractorSweep",
 }  # fmt: skip
 """Results: NaN in one says that there is no such value, and their constructors let it pass."""
 
@@ -265,7 +265,7 @@ def test_names_of_ten_thousand_characters_make_a_short_line() -> None:
     for make in (
         lambda: rs.Axis(name=name, values=[1.0]),
         lambda: rs.Output(name=name),
-        lambda: rs.attractor_map(things()["bare"], axes={name: [1.0]}),
+        lambda: rs.map_attractors(things()["bare"], axes={name: [1.0]}),
     ):
         with pytest.raises(rs.InputError) as refusal:
             make()

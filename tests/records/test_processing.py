@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady import InputError, baseline_corrected, read_record, resampled
+from rocksteady import InputError, correct_baseline, read_record, resample
 from tests.records import recording
 from tests.records.writers import at2, samples
 
@@ -22,7 +22,7 @@ def test_a_polynomial_is_taken_off_and_noted(baseline: str, order: int) -> None:
     # NumPy's other fit, in powers of the time itself.
     expected = values - np.polyval(np.polyfit(time, values, order), time)
     drifting = values + sum(0.3 * (time - 1.0) ** power for power in range(order + 1))
-    found = baseline_corrected(recording(drifting), baseline)
+    found = correct_baseline(recording(drifting), baseline)
     np.testing.assert_allclose(found.record.acceleration_m_s2, expected, atol=1e-9)
     assert len(found.processing) == 1
     assert "fitted by least squares, taken off" in found.processing[0]
@@ -30,10 +30,10 @@ def test_a_polynomial_is_taken_off_and_noted(baseline: str, order: int) -> None:
 
 def test_none_is_none_and_nothing_else_is_known() -> None:
     one = recording(samples(100))
-    assert baseline_corrected(one, "none") is one
+    assert correct_baseline(one, "none") is one
     for wrong in ("", "mean:1", "polynomial", "polynomial:11", "polynomial:-1", "cubic"):
         with pytest.raises(InputError, match=r"baseline = .*use none, mean, linear or polynomial"):
-            baseline_corrected(one, wrong)
+            correct_baseline(one, wrong)
 
 
 def test_read_record_leaves_the_baseline_as_it_is_unless_asked(tmp_path: Path) -> None:
@@ -46,7 +46,7 @@ def test_read_record_leaves_the_baseline_as_it_is_unless_asked(tmp_path: Path) -
 @pytest.mark.parametrize("divisor", [1, 2, 3, 7])
 def test_a_finer_interval_leaves_the_motion_as_it_is(divisor: int) -> None:
     one = recording(samples(300))
-    finer = resampled(one, 0.01 / divisor)
+    finer = resample(one, 0.01 / divisor)
     np.testing.assert_allclose(
         finer.record.acceleration_m_s2[::divisor], one.record.acceleration_m_s2, atol=1e-12
     )
@@ -61,7 +61,7 @@ def test_what_the_new_interval_cannot_show_is_filtered(dt: float) -> None:
     time = 0.01 * np.arange(4000)
     window = np.sin(np.pi * time / time[-1]) ** 2
     slow, fast = (np.sin(2.0 * np.pi * hertz * time) * window for hertz in (1.3, 43.0))
-    found = resampled(recording(slow + fast), dt, method="filtered").record.acceleration_m_s2
+    found = resample(recording(slow + fast), dt, method="filtered").record.acceleration_m_s2
     new = dt * np.arange(len(found))
     if dt > 0.01:
         np.testing.assert_allclose(found, np.interp(new, time, slow), atol=5e-3)
@@ -72,11 +72,11 @@ def test_what_the_new_interval_cannot_show_is_filtered(dt: float) -> None:
 @pytest.mark.parametrize("dt", [0.0, -1.0, float("nan"), 1e-9, 10.0])
 def test_intervals_that_leave_no_record(dt: float) -> None:
     with pytest.raises(InputError, match="dt_s"):
-        resampled(recording(samples(100)), dt)
+        resample(recording(samples(100)), dt)
 
 
 def test_methods_and_ratios_that_are_not_known() -> None:
     with pytest.raises(InputError, match="use linear or filtered"):
-        resampled(recording(samples(100)), 0.02, method="cubic")  # type: ignore[arg-type]
+        resample(recording(samples(100)), 0.02, method="cubic")  # type: ignore[arg-type]
     with pytest.raises(InputError, match="whole numbers"):
-        resampled(recording(samples(100)), 0.01 * np.pi, method="filtered")
+        resample(recording(samples(100)), 0.01 * np.pi, method="filtered")

@@ -16,22 +16,22 @@ from rocksteady import (
     Steady,
     Still,
     Trajectory,
-    attractor,
-    attractor_map,
-    attractor_trail,
-    basins,
-    bifurcation_branches,
-    erosion,
-    ground_course,
-    orbits,
-    overturning_windows,
-    region_map,
-    response_curve,
-    response_spectrum,
-    rocking_spectrum,
+    compute_basins,
+    compute_erosion,
+    compute_region_map,
+    compute_response_curve,
+    compute_response_spectrum,
+    compute_rocking_spectrum,
+    compute_steady_orbit,
+    find_attractor,
+    find_branches,
+    find_orbits,
+    find_overturning_windows,
+    integrate_record,
+    map_attractors,
     simulate,
-    steady_orbit,
-    suite_spectrum,
+    summarise_spectra,
+    sweep_attractor,
 )
 from rocksteady.model.equations import Linear, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
@@ -84,13 +84,13 @@ def resting() -> Trajectory:
 def makers() -> dict[str, Callable[[Page], Figure]]:
     """Return what draws each kind of figure for a page."""
     fine = np.linspace(1.0, 8.0, 120)
-    orbit = attractor(BARE, SHAKING).orbit
+    orbit = find_attractor(BARE, SHAKING).orbit
     assert orbit is not None
-    starts = orbits(BARE, Harmonic(amplitude=2.0, frequency_ratio=2.2), max_period=1, seeds=2)
-    branches = bifurcation_branches(starts[:1], "frequency_ratio", (1.6, 2.4), max_period=2)
+    starts = find_orbits(BARE, Harmonic(amplitude=2.0, frequency_ratio=2.2), max_period=1, seeds=2)
+    branches = find_branches(starts[:1], "frequency_ratio", (1.6, 2.4), max_period=2)
     ways = (np.linspace(1.6, 2.4, 41), np.linspace(2.4, 1.6, 41))
     trails = [
-        attractor_trail(
+        sweep_attractor(
             BARE,
             Harmonic(amplitude=2.0, frequency_ratio=2.0),
             "frequency_ratio",
@@ -99,7 +99,7 @@ def makers() -> dict[str, Callable[[Page], Figure]]:
         )
         for way in ways
     ]
-    eroded = erosion(
+    eroded = compute_erosion(
         BARE,
         2.0,
         np.linspace(0.0, 1.4, 8),
@@ -108,29 +108,35 @@ def makers() -> dict[str, Callable[[Page], Figure]]:
         cycles=20,
     )
     drop = eroded.drop(tolerance=0.05)
-    windows = overturning_windows(
+    windows = find_overturning_windows(
         DimensionlessBlock(restitution=0.9), "one-sine", np.linspace(1.0, 6.0, 21)
     )
     plane = {"amplitude": np.linspace(0.2, 6.0, 20), "frequency_ratio": np.linspace(0.5, 8.0, 24)}
-    flat = attractor_map(BARE, axes=plane)
-    panels = attractor_map(BARE, axes={"restitution": [0.6, 0.7, 0.8, 0.9], **plane})
-    line = attractor_map(BARE, axes={"amplitude": plane["amplitude"], "frequency_ratio": [4.0]})
+    flat = map_attractors(BARE, axes=plane)
+    panels = map_attractors(BARE, axes={"restitution": [0.6, 0.7, 0.8, 0.9], **plane})
+    line = map_attractors(BARE, axes={"amplitude": plane["amplitude"], "frequency_ratio": [4.0]})
     suite = [shock("one"), shock("two", 0.7), shock("three", 1.3)]
-    courses = [ground_course(each) for each in suite]
-    spectra = [response_spectrum(each, np.geomspace(0.05, 4.0, 40)) for each in suite]
-    spectrum = rocking_spectrum(
+    courses = [integrate_record(each) for each in suite]
+    spectra = [compute_response_spectrum(each, np.geomspace(0.05, 4.0, 40)) for each in suite]
+    spectrum = compute_rocking_spectrum(
         suite, alpha=[0.1, 0.2, 0.3], periods_s=np.linspace(1.0, 6.0, 30), model=Linear()
     )
-    many = rocking_spectrum(
+    many = compute_rocking_spectrum(
         suite[0],
         alpha=np.linspace(0.05, 0.4, 9),
         periods_s=np.linspace(1.0, 6.0, 30),
         model=Linear(),
     )
-    curves = [response_curve(BARE, a, frequency_ratio=fine) for a in (1.0, 2.0, 3.0, 4.0, 5.0)]
-    around = region_map(np.linspace(0.1, 14.0, 300), 0.8)
-    steady = [(f"branch {n}: some words on it", steady_orbit(2, 4, 0.8, branch=n)) for n in (1, 2)]
-    cells = basins(BARE, SHAKING, angles=np.linspace(-1, 1, 40), velocities=np.linspace(-1, 1, 40))
+    curves = [
+        compute_response_curve(BARE, a, frequency_ratio=fine) for a in (1.0, 2.0, 3.0, 4.0, 5.0)
+    ]
+    around = compute_region_map(np.linspace(0.1, 14.0, 300), 0.8)
+    steady = [
+        (f"branch {n}: some words on it", compute_steady_orbit(2, 4, 0.8, branch=n)) for n in (1, 2)
+    ]
+    cells = compute_basins(
+        BARE, SHAKING, angles=np.linspace(-1, 1, 40), velocities=np.linspace(-1, 1, 40)
+    )
     free = simulate(BLOCK, Still(), start=State(angle=0.8, velocity=0.0), model=Linear())
     return {
         "simulation": lambda page: simulation_figure(rocking(), TITLE, page),
@@ -157,7 +163,7 @@ def makers() -> dict[str, Callable[[Page], Figure]]:
         "line": lambda page: map_figure(line, TITLE, page),
         "spectrum": lambda page: spectrum_figure(spectrum.isel(record=0), TITLE, page),
         "spectrum-map": lambda page: spectrum_figure(many, TITLE, page),
-        "suite": lambda page: suite_figure(suite_spectrum(spectrum), TITLE, page),
+        "suite": lambda page: suite_figure(summarise_spectra(spectrum), TITLE, page),
     }
 
 

@@ -10,7 +10,7 @@ from matplotlib.collections import QuadMesh
 from matplotlib.colors import to_hex
 from numpy.typing import ArrayLike
 
-from rocksteady import DimensionlessBlock, attractor_map
+from rocksteady import DimensionlessBlock, map_attractors
 from rocksteady.dynamics.batch.attractors import KIND_FLAGS
 from rocksteady.show.plots.map_classes import BLANK, LOOKS
 from rocksteady.show.style import palette
@@ -36,7 +36,7 @@ AXES = (
 def found() -> xarray.Dataset:
     """A map of 24 x 30 cells with five classes."""
     amplitude, frequency_ratio = np.linspace(0.2, 6.0, 24), np.linspace(0.5, 8.0, 30)
-    return attractor_map(BLOCK, axes={"amplitude": amplitude, "frequency_ratio": frequency_ratio})
+    return map_attractors(BLOCK, axes={"amplitude": amplitude, "frequency_ratio": frequency_ratio})
 
 
 def drawn_up(

@@ -19,16 +19,16 @@ from rocksteady import (
     Harmonic,
     OverturningWindows,
     Record,
-    bifurcation_branches,
-    orbits,
-    overturning_windows,
+    compute_response_curve,
+    compute_response_spectrum,
+    find_branches,
+    find_orbits,
+    find_overturning_windows,
     plot_bifurcations,
     plot_overturning,
     plot_phase_portrait,
     plot_response,
     plot_response_spectra,
-    response_curve,
-    response_spectrum,
     simulate,
 )
 from rocksteady.show.export.files import figure_bytes
@@ -66,9 +66,11 @@ def marks_of(axes: Axes) -> np.ndarray:
 
 def crowded() -> Axes:
     """Branches of which nearly all are born in a corner of the picture."""
-    starts = orbits(BARE, Harmonic(amplitude=1.05, frequency_ratio=2.0), max_period=2, seeds=16)
+    starts = find_orbits(
+        BARE, Harmonic(amplitude=1.05, frequency_ratio=2.0), max_period=2, seeds=16
+    )
     smooth = [orbit for orbit in starts if not orbit.rest_phases]
-    branches = bifurcation_branches(smooth, "amplitude", (0.1, 3.0), max_period=2)
+    branches = find_branches(smooth, "amplitude", (0.1, 3.0), max_period=2)
     figure = Figure(figsize=(8.8, 4.8), layout="constrained")
     return plot_bifurcations(branches, ax=figure.add_subplot())
 
@@ -108,8 +110,8 @@ def test_a_crowd_is_the_largest_one_and_small() -> None:
 
 
 def test_bifurcations_low_on_a_wide_axis_have_a_logarithmic_one() -> None:
-    starts = orbits(BARE, Harmonic(amplitude=2.0, frequency_ratio=2.2), max_period=1)
-    branches = bifurcation_branches(starts, "frequency_ratio", (0.5, 12.0), max_period=4)
+    starts = find_orbits(BARE, Harmonic(amplitude=2.0, frequency_ratio=2.2), max_period=1)
+    branches = find_branches(starts, "frequency_ratio", (0.5, 12.0), max_period=4)
     axes = plot_bifurcations(branches, ax=Figure(figsize=(8.8, 4.8)).add_subplot())
     assert axes.get_xscale() == "log"
 
@@ -138,7 +140,7 @@ def ways_at(axes: Axes, x: float, y: float) -> int:
 
 
 def leaning(count: int) -> OverturningWindows:
-    return overturning_windows(
+    return find_overturning_windows(
         DimensionlessBlock(restitution=0.9),
         "ricker",
         np.linspace(0.8, 1.8, count),
@@ -191,7 +193,7 @@ def test_the_key_of_a_film_is_clear_of_the_block_at_every_moment(amplitude: floa
 
 def test_more_curves_than_colours_differ_by_marks() -> None:
     curves = [
-        response_curve(BARE, a, frequency_ratio=np.linspace(1.0, 8.0, 60))
+        compute_response_curve(BARE, a, frequency_ratio=np.linspace(1.0, 8.0, 60))
         for a in np.linspace(1.0, 4.0, 14)
     ]
     axes = plot_response(curves, Figure().add_subplot())
@@ -205,7 +207,7 @@ def test_more_curves_than_colours_differ_by_marks() -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_name_from_outside_is_shown_as_it_is(name: str) -> None:
-    spectra = [response_spectrum(shock(each), [0.1, 0.3, 1.0]) for each in (name, "other")]
+    spectra = [compute_response_spectrum(shock(each), [0.1, 0.3, 1.0]) for each in (name, "other")]
     axes = plot_response_spectra(spectra, Figure().add_subplot())
     legend = axes.get_legend()
     assert legend is not None

@@ -31,17 +31,17 @@ from rocksteady import (
     SteadyOrbit,
     Still,
     Trajectory,
+    compute_region_map,
+    compute_response_curve,
+    compute_steady_orbit,
+    find_steady_states,
     plot_base,
     plot_orbit,
     plot_phase_portrait,
     plot_regions,
     plot_response,
     plot_trajectory,
-    region_map,
-    response_curve,
     simulate,
-    steady_orbit,
-    steady_states,
 )
 from rocksteady.show.figures.single import response_figure, simulation_figure, steady_figure
 from rocksteady.show.style import palette
@@ -64,16 +64,16 @@ def coming_to_rest() -> Trajectory:
 
 
 def curves() -> RegionMap:
-    return region_map(np.linspace(0.1, 14.0, 200), 0.5, order=3)
+    return compute_region_map(np.linspace(0.1, 14.0, 200), 0.5, order=3)
 
 
 def responses() -> list[ResponseCurve]:
     hertz = np.linspace(1.0, 8.0, 60)
-    return [response_curve(BLOCK, a, frequency_hz=hertz) for a in (1.0, 2.0, 3.0)]
+    return [compute_response_curve(BLOCK, a, frequency_hz=hertz) for a in (1.0, 2.0, 3.0)]
 
 
 def orbit() -> SteadyOrbit:
-    return steady_orbit(2.0, 6.0, 0.8, order=3)
+    return compute_steady_orbit(2.0, 6.0, 0.8, order=3)
 
 
 PLOTS: dict[str, Callable[[Axes | None], Axes]] = {
@@ -250,7 +250,7 @@ def test_small_rocking_fills_the_picture() -> None:
 
 
 def test_stable_parts_are_solid_and_unstable_ones_dashed() -> None:
-    curve = response_curve(BARE, 2.0, frequency_ratio=np.linspace(1.0, 8.0, 141))
+    curve = compute_response_curve(BARE, 2.0, frequency_ratio=np.linspace(1.0, 8.0, 141))
     axes = plot_response([curve], Figure().add_subplot())
     solid, dashed, _upright = axes.lines
     finite = [np.isfinite(np.asarray(line.get_ydata(), dtype=float)) for line in (solid, dashed)]
@@ -270,7 +270,7 @@ def test_stable_parts_are_solid_and_unstable_ones_dashed() -> None:
 def test_peaks_of_very_different_size_are_drawn_over_a_logarithmic_axis() -> None:
     wide, narrow = (
         plot_response(
-            [response_curve(BARE, 2.0, frequency_ratio=np.linspace(low, high, 80))],
+            [compute_response_curve(BARE, 2.0, frequency_ratio=np.linspace(low, high, 80))],
             Figure().add_subplot(),
         )
         for low, high in ((0.5, 12.0), (5.0, 8.0))
@@ -282,17 +282,19 @@ def test_peaks_of_very_different_size_are_drawn_over_a_logarithmic_axis() -> Non
 
 def test_frequencies_spaced_by_ratio_are_drawn_so() -> None:
     for w, scale in ((np.linspace(0.1, 14.0, 90), "linear"), (np.geomspace(0.1, 14.0, 90), "log")):
-        assert plot_regions(region_map(w, 0.8), Figure().add_subplot()).get_xscale() == scale
-        curve = response_curve(BARE, 2.0, frequency_ratio=w)
+        assert (
+            plot_regions(compute_region_map(w, 0.8), Figure().add_subplot()).get_xscale() == scale
+        )
+        curve = compute_response_curve(BARE, 2.0, frequency_ratio=w)
         assert plot_response([curve], Figure().add_subplot()).get_xscale() == scale
 
 
 def test_curves_of_several_orders_and_branches_are_told_apart() -> None:
     w = np.linspace(3.0, 8.0, 20)
     mixed = [
-        response_curve(BARE, 2.0, frequency_ratio=w),
-        response_curve(BARE, 2.0, frequency_ratio=w, branch=2),
-        response_curve(BARE, 2.0, frequency_ratio=w, order=3),
+        compute_response_curve(BARE, 2.0, frequency_ratio=w),
+        compute_response_curve(BARE, 2.0, frequency_ratio=w, branch=2),
+        compute_response_curve(BARE, 2.0, frequency_ratio=w, order=3),
     ]
     labels = legend_of(plot_response(mixed, Figure().add_subplot()))
     assert len(set(labels)) == 3
@@ -312,7 +314,7 @@ def test_curves_are_labelled_as_the_caller_says() -> None:
 
 @pytest.mark.parametrize(("top", "balance"), [(0.4, False), (1.0, False), (1.5, True)])
 def test_the_peak_axis_ends_where_the_caller_says(top: float, balance: bool) -> None:
-    curve = response_curve(BARE, 2.0, frequency_ratio=np.linspace(0.5, 12.0, 80))
+    curve = compute_response_curve(BARE, 2.0, frequency_ratio=np.linspace(0.5, 12.0, 80))
     axes = plot_response([curve], Figure().add_subplot(), top=top)
     assert axes.get_yscale() == "linear", "however much the peaks span"
     assert axes.get_ylim() == (0.0, top)
@@ -324,7 +326,7 @@ def test_the_numbers_of_the_regions_stand_in_their_regions() -> None:
     centres = region_centres(drawn, 12.0)
     assert set(centres) == {1, 2, 3, 4, 5}
     for region, (w, a) in centres.items():
-        assert steady_states(a, w, 0.5, order=3).region == region
+        assert find_steady_states(a, w, 0.5, order=3).region == region
 
 
 @figures

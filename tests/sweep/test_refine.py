@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from rocksteady import DimensionlessBlock, Run, attractor_map
+from rocksteady import DimensionlessBlock, Run, map_attractors
 from rocksteady.errors import InputError, ModelError
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
@@ -111,8 +111,8 @@ def test_a_map_differs_from_the_full_one_in_few_cells() -> None:
     """Measured: 0.13 % of 300 x 400 cells from 20 % of the work."""
     axes = {"amplitude": np.linspace(0.05, 6.0, 150), "frequency_ratio": np.linspace(0.2, 8.0, 200)}
     block = DimensionlessBlock(restitution=0.8)
-    whole = attractor_map(block, axes=axes, cycles=500)
-    found = attractor_map(block, axes=axes, cycles=500, refine=8)
+    whole = map_attractors(block, axes=axes, cycles=500)
+    found = map_attractors(block, axes=axes, cycles=500, refine=8)
     met = found.met.values
     assert 0.1 < met.mean() < 0.45
     for name in whole.data_vars:
@@ -139,6 +139,6 @@ def test_a_class_is_made_of_integers(classes: Any) -> None:
 def test_a_store_holds_every_cell() -> None:
     axes = {"amplitude": [1.0, 2.0], "frequency_ratio": [1.0, 2.0]}
     with pytest.raises(ModelError, match="every cell"):
-        attractor_map(
+        map_attractors(
             DimensionlessBlock(restitution=0.8), axes=axes, refine=8, run=Run(store="a.zarr")
         )

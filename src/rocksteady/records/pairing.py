@@ -94,7 +94,7 @@ class RecordSet:
                 "dt_s",
                 intervals,
                 f"the channels of {self.name} have different intervals between samples",
-                "bring them to one first (rocksteady.resampled)",
+                "bring them to one first (rocksteady.resample)",
             )
         shifts = _shifts(channels)
         ends = [

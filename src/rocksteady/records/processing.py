@@ -24,7 +24,7 @@ ResamplingMethod = Literal["linear", "filtered"]
 
 
 @checked
-def baseline_corrected(recording: Recording, baseline: str) -> Recording:
+def correct_baseline(recording: Recording, baseline: str) -> Recording:
     """Return a recording with its least-squares baseline removed.
 
     Parameters
@@ -60,7 +60,7 @@ def baseline_corrected(recording: Recording, baseline: str) -> Recording:
 
 
 @checked
-def resampled(
+def resample(
     recording: Recording, dt_s: float, *, method: ResamplingMethod = "linear"
 ) -> Recording:
     """Return a recording with another sampling interval.

@@ -16,7 +16,7 @@ from rocksteady.records.core.recording import Recording
 from rocksteady.records.core.text import RecordText, as_text, file_bytes
 from rocksteady.records.formats import columns, cosmos, csmip, esm, knet, peer, smc, waveforms
 from rocksteady.records.formats.unrecognised import network_of
-from rocksteady.records.processing import baseline_corrected
+from rocksteady.records.processing import correct_baseline
 
 Reader = Callable[[RecordText, Given], tuple[Recording, ...]]
 Recogniser = Callable[[RecordText], bool]
@@ -147,7 +147,7 @@ def read_record(
     recordings = read_recordings(
         path, format=format, units=units, dt_s=dt_s, column=column, resample=resample
     )
-    return baseline_corrected(chosen(recordings, channel), baseline).record
+    return correct_baseline(chosen(recordings, channel), baseline).record
 
 
 def _found(

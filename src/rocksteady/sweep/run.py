@@ -46,9 +46,9 @@ class Run:
 
     Examples
     --------
-    >>> from rocksteady import DimensionlessBlock, Run, attractor_map
+    >>> from rocksteady import DimensionlessBlock, Run, map_attractors
     >>> cells = []
-    >>> found = attractor_map(
+    >>> found = map_attractors(
     ...     DimensionlessBlock(restitution=0.8),
     ...     axes={"amplitude": [0.5, 2.0], "frequency_ratio": [1.0, 4.0, 8.0]},
     ...     run=Run(executor="serial", progress=cells.append),

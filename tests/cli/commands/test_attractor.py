@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, Steady, attractor
+from rocksteady import Block, DimensionlessBlock, Harmonic, Steady, find_attractor
 from tests.cli.program import refused, rocksteady
 
 POINT = "attractor -A 2 -W 1.9 -r 0.8 --start steady --side -"
@@ -30,7 +30,7 @@ def test_the_json_of_an_orbit_keeps_the_contract() -> None:
     assert next(iter(values)) == "schema"
     assert values["schema"] == "rocksteady/attractor/1"
     assert set(values) >= CONTRACT
-    found = attractor(
+    found = find_attractor(
         DimensionlessBlock(restitution=0.8),
         Harmonic(amplitude=2.0, frequency_ratio=1.9),
         start=Steady(side=-1),

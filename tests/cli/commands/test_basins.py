@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import DimensionlessBlock, Harmonic, basins, erosion
+from rocksteady import DimensionlessBlock, Harmonic, compute_basins, compute_erosion
 from rocksteady.cli.flags.parsing import axis
 from rocksteady.dynamics.batch import fates
 from rocksteady.kernels.machine_code import compilation
@@ -38,7 +38,7 @@ def test_the_json_keeps_the_contract() -> None:
     assert next(iter(values)) == "schema"
     assert values["schema"] == "rocksteady/basins/1"
     assert (values["erosion"], values["drop"], values["seed"]) == (None, None, None)
-    found = basins(
+    found = compute_basins(
         DimensionlessBlock(restitution=0.95), Harmonic(amplitude=0.5, frequency_ratio=2.0), **AXES
     )
     fractions = values["fractions"]
@@ -76,7 +76,7 @@ def test_an_axis_of_amplitudes_is_an_erosion() -> None:
     values = ran.json
     assert values["fractions"] is None
     amplitudes = axis("", "0.2:1:3")
-    found = erosion(DimensionlessBlock(restitution=0.9), 2.0, amplitudes, **AXES)
+    found = compute_erosion(DimensionlessBlock(restitution=0.9), 2.0, amplitudes, **AXES)
     assert [row["amplitude"] for row in values["erosion"]] == amplitudes
     for name in ("global_integrity", "integrity_factor"):
         assert [row[name] for row in values["erosion"]] == found.measure(name).tolist()

@@ -10,11 +10,11 @@ import pytest
 from rocksteady import (
     DimensionlessBlock,
     Harmonic,
-    attractor,
-    bifurcation_branches,
-    boundaries,
-    doubling_cascade,
-    orbits,
+    find_attractor,
+    find_branches,
+    find_cascade,
+    find_orbits,
+    region_boundaries,
     symmetry_breaking_amplitude,
     symmetry_breaking_frequency,
 )
@@ -93,8 +93,8 @@ def test_the_json_keeps_the_contract() -> None:
 def test_the_branches_are_those_of_the_library() -> None:
     values = values_of(f"{ALONG_W} --no-sweeps")
     shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
-    starts = orbits(BARE, shaking, max_period=1, max_impacts=2)[:1]
-    branches = bifurcation_branches(starts, "frequency_ratio", (1.6, 2.4))
+    starts = find_orbits(BARE, shaking, max_period=1, max_impacts=2)[:1]
+    branches = find_branches(starts, "frequency_ratio", (1.6, 2.4))
     assert values["sweeps"] == []
     assert len(values["branches"]) == len(branches)
     for listed, branch in zip(values["branches"], branches, strict=True):
@@ -128,7 +128,9 @@ def test_the_symmetry_breaks_where_the_closed_form_says() -> None:  # TW6
 def test_along_the_amplitude_folds_and_breakings_are_the_boundaries() -> None:
     values = values_of(ALONG_A)
     (fold,) = of_type(values, "fold", impacts=2)
-    assert fold["amplitude"] == pytest.approx(float(boundaries(2.0, 0.8).existence), abs=1e-12)
+    assert fold["amplitude"] == pytest.approx(
+        float(region_boundaries(2.0, 0.8).existence), abs=1e-12
+    )
     (breaking,) = of_type(values, "symmetry-breaking", impacts=2)
     exact = float(symmetry_breaking_amplitude(2.0, 0.8))
     assert breaking["amplitude"] == pytest.approx(exact, abs=1e-11)
@@ -147,7 +149,7 @@ def test_the_tiny_windows_of_six_impacts_begin_and_end_at_bifurcations() -> None
     assert (low, high) == (fold["amplitude"], breaking["amplitude"])
     block = DimensionlessBlock(restitution=0.8)
     middle = Harmonic(amplitude=0.5 * (low + high), frequency_ratio=2.0)
-    stable = [orbit for orbit in orbits(block, middle, max_period=1) if orbit.stable]
+    stable = [orbit for orbit in find_orbits(block, middle, max_period=1) if orbit.stable]
     assert 6 in {orbit.impacts for orbit in stable}
 
 
@@ -181,7 +183,7 @@ def test_a_sweep_says_what_it_met() -> None:
 
 def test_sweeps_show_hysteresis() -> None:
     up, down = values_of("bifurcate -A 0.1:1.9:19 -W 2 -r 0.8")["sweeps"]
-    fold = float(boundaries(2.0, 0.8).existence)
+    fold = float(region_boundaries(2.0, 0.8).existence)
     assert (up["runs"][0]["kind"], up["start"]) == ("rest", "rest")
     assert up["runs"][0]["to"] > 0.9, "a block at rest is not lifted below 1"
     rests = [run for run in down["runs"] if run["kind"] == "rest"]
@@ -243,9 +245,9 @@ def test_the_attractors_lie_on_the_stable_branches() -> None:
 def test_the_cascade_is_the_librarys() -> None:
     values = values_of(f"{ALONG_W} --cascade --doublings 5")
     shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
-    start = orbits(BARE, shaking, max_period=1, max_impacts=2)[0]
+    start = find_orbits(BARE, shaking, max_period=1, max_impacts=2)[0]
     within = (1.6, 2.4)
-    found = doubling_cascade(start, "frequency_ratio", within, direction=-1, doublings=5)
+    found = find_cascade(start, "frequency_ratio", within, direction=-1, doublings=5)
     cascade = values["cascade"]
     assert cascade["values"] == pytest.approx(found.values.tolist(), abs=1e-11)
     assert cascade["periods"] == [1, 2, 4, 8, 16]
@@ -395,8 +397,8 @@ def test_the_csv_is_every_point_of_every_branch(tmp_path: Path) -> None:
     branches = ran.json["branches"]
     assert len(rows) == sum(branch["points"] for branch in branches)
     shaking = Harmonic(amplitude=2.0, frequency_ratio=1.6)
-    start = orbits(BARE, shaking, max_period=1, max_impacts=2)[0]
-    library = bifurcation_branches([start], "frequency_ratio", (1.6, 2.4))
+    start = find_orbits(BARE, shaking, max_period=1, max_impacts=2)[0]
+    library = find_branches([start], "frequency_ratio", (1.6, 2.4))
     for branch in branches:
         mine = [row for row in rows if int(row["branch"]) == branch["branch"]]
         points = library[branch["branch"] - 1].points
@@ -423,7 +425,7 @@ def test_points_of_the_csv_are_what_settles(tmp_path: Path) -> None:
     from rocksteady import Steady
 
     shaking = Harmonic(amplitude=2.0, frequency_ratio=float(row["frequency_ratio"]))
-    found = attractor(BARE, shaking, start=Steady(side=-1))
+    found = find_attractor(BARE, shaking, start=Steady(side=-1))
     assert found.kind == "unsymmetric"
     assert found.peaks is not None
     sizes = sorted(map(abs, found.peaks))

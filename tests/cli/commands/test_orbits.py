@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from rocksteady import DimensionlessBlock, Harmonic, orbits
+from rocksteady import DimensionlessBlock, Harmonic, find_orbits
 from tests.cli.program import refused, rocksteady
 
 POINT = "orbits -A 2 -W 1.9 -r 0.8"
@@ -35,7 +35,7 @@ def test_the_json_keeps_the_contract() -> None:
     assert next(iter(values)) == "schema"
     assert values["schema"] == "rocksteady/orbits/1"
     assert (values["max_period"], values["max_impacts"], values["seeds"]) == (3, 6, 96)
-    found = orbits(BARE, SHAKING)
+    found = find_orbits(BARE, SHAKING)
     assert len(values["orbits"]) == len(found)
     for listed, orbit in zip(values["orbits"], found, strict=True):
         assert set(listed) == KEYS

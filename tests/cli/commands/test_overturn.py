@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 import xarray
 
-from rocksteady import Block, DimensionlessBlock, overturning_windows
+from rocksteady import Block, DimensionlessBlock, find_overturning_windows
 from rocksteady.cli.commands import overturn
 from tests.cli.program import refused, rocksteady
 
@@ -20,7 +20,9 @@ def test_the_json_keeps_the_contract() -> None:
     values = ran.json
     assert next(iter(values)) == "schema"
     assert values["schema"] == "rocksteady/overturn/1"
-    found = overturning_windows(DimensionlessBlock(restitution=0.9), "one-sine", [2.0, 4.0, 6.0])
+    found = find_overturning_windows(
+        DimensionlessBlock(restitution=0.9), "one-sine", [2.0, 4.0, 6.0]
+    )
     assert [row["frequency_ratio"] for row in values["windows"]] == [2.0, 4.0, 6.0]
     for index, row in enumerate(values["windows"]):
         assert row["intervals"] == [list(ends) for ends in found.intervals(index)]

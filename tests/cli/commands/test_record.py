@@ -11,7 +11,7 @@ import pytest
 from PIL import Image
 from scipy.integrate import cumulative_trapezoid
 
-from rocksteady import Block, Record, intensity_measures, response_spectrum
+from rocksteady import Block, Record, compute_response_spectrum, measure_intensity
 from rocksteady.cli.commands import record as command
 from tests.cli.motion_files import at2, real, samples
 from tests.cli.program import refused, rocksteady
@@ -34,7 +34,7 @@ def test_one_file_is_one_object_with_the_keys_of_the_contract(file: Path) -> Non
     assert values["format"] == "peer-at2"
     assert (values["npts"], values["dt_s"], values["units_in_file"]) == (601, 0.02, "g")
     assert values["warnings"] == []
-    truth = intensity_measures(record_of(samples()))
+    truth = measure_intensity(record_of(samples()))
     assert values["pga_g"] == pytest.approx(np.abs(samples()).max())
     assert values["pgv_m_s"] == pytest.approx(truth.pgv_m_s)
     assert values["significant_5_95_s"] == pytest.approx(truth.significant_5_95_s)
@@ -56,10 +56,10 @@ def test_a_block_adds_what_it_feels_and_periods_add_a_spectrum(file: Path) -> No
     command = "record --json --width-m 0.4 --height-m 1.6 --periods-s 0.5:2:4 --damping 0.02"
     values = rocksteady(command, file).json
     block = Block.rectangle(width=0.4, height=1.6)
-    truth = intensity_measures(record_of(samples()), block, damping=0.02)
+    truth = measure_intensity(record_of(samples()), block, damping=0.02)
     for name in ("pga_per_uplift", "p_pgv_per_uplift", "p_pgv_per_pga", "housner_intensity_m"):
         assert values[name] == pytest.approx(getattr(truth, name)), name
-    spectrum = response_spectrum(record_of(samples()), [0.5, 1.0, 1.5, 2.0], damping=0.02)
+    spectrum = compute_response_spectrum(record_of(samples()), [0.5, 1.0, 1.5, 2.0], damping=0.02)
     assert values["damping"] == 0.02
     for name, found in values["spectrum"].items():
         np.testing.assert_allclose(found, getattr(spectrum, name), err_msg=name)
@@ -76,7 +76,7 @@ def test_the_text_says_what_the_file_and_the_record_are(file: Path) -> None:
 
 def test_a_spectrum_is_printed_where_periods_are_given(file: Path) -> None:
     lines = rocksteady("record --periods-s 0.5:1:2", file).out.splitlines()
-    spectrum = response_spectrum(record_of(samples()), [0.5, 1.0])
+    spectrum = compute_response_spectrum(record_of(samples()), [0.5, 1.0])
     at = next(k for k, line in enumerate(lines) if line.startswith("T s"))
     for line, period, psa in zip(
         lines[at + 1 : at + 3], (0.5, 1.0), spectrum.pseudo_acceleration_m_s2 / 9.80665, strict=True

@@ -5,7 +5,15 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
-from rocksteady import Block, Harmonic, attractor, basins, erosion, orbits, simulate
+from rocksteady import (
+    Block,
+    Harmonic,
+    compute_basins,
+    compute_erosion,
+    find_attractor,
+    find_orbits,
+    simulate,
+)
 from rocksteady.cli.flags.parsing import axis
 from rocksteady.model.equations import Nonlinear
 from tests.cli.program import refused, rocksteady
@@ -53,7 +61,7 @@ def test_attractor_and_map_take_the_model(tmp_path: Path) -> None:
     plot = tmp_path / "orbit.png"
     found = rocksteady(f"attractor {BLOCK} -A 2 -W 4 --plot {plot} --json").json
     block = Block.from_p(alpha=0.4, p=2.0, restitution=0.8)
-    single = attractor(block, Harmonic(amplitude=2.0, frequency_ratio=4.0), model=Nonlinear())
+    single = find_attractor(block, Harmonic(amplitude=2.0, frequency_ratio=4.0), model=Nonlinear())
     assert (found["model"], found["kind"]) == ("nonlinear", single.kind.value)
     assert found["peaks"] == list(single.peaks or ())
     assert plot.is_file()
@@ -83,7 +91,7 @@ def test_orbits_take_the_model(tmp_path: Path) -> None:
     case = f"orbits {BLOCK} -A 2 -W 4 --max-period 1 --seeds 12"
     values = rocksteady(f"{case} --json --csv {table} --plot {plot}").json
     shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
-    found = orbits(BODY, shaking, max_period=1, seeds=12, model=Nonlinear())
+    found = find_orbits(BODY, shaking, max_period=1, seeds=12, model=Nonlinear())
     assert values["model"] == "nonlinear"
     assert [orbit["peaks"] for orbit in values["orbits"]] == [
         [orbit.highest, orbit.lowest] for orbit in found
@@ -102,7 +110,7 @@ WINDOW = "--angles=-1:1:12 --velocities=-0.4:0.4:12"
 def test_basins_take_the_model(tmp_path: Path) -> None:
     plot = tmp_path / "basins.png"
     values = rocksteady(f"basins {BLOCK} -A 2 -W 4 {WINDOW} --json --plot {plot}").json
-    found = basins(
+    found = compute_basins(
         BODY,
         Harmonic(amplitude=2.0, frequency_ratio=4.0),
         angles=axis("", "-1:1:12"),
@@ -121,7 +129,7 @@ def test_erosion_leaves_out_what_the_model_has_no_closed_form_of(tmp_path: Path)
     plot = tmp_path / "erosion.png"
     case = f"basins {BLOCK} -A 0.2:0.8:3 -W 2 {WINDOW} --cycles 20"
     values = rocksteady(f"{case} --json --plot {plot}").json
-    found = erosion(
+    found = compute_erosion(
         BODY,
         2.0,
         axis("", "0.2:0.8:3"),

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import xarray
 
-from rocksteady import Record, read_record, rocking_spectrum, suite_spectrum
+from rocksteady import Record, compute_rocking_spectrum, read_record, summarise_spectra
 from rocksteady.model.equations import Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from tests.cli.program import refused, rocksteady
@@ -42,7 +42,7 @@ def test_the_json_keeps_the_contract(files: list[Path]) -> None:
     assert next(iter(values)) == "schema"
     assert values["schema"] == "rocksteady/spectrum/1"
     alpha, periods = [0.15, 0.3], [1.0, 2.0, 3.0, 4.0]
-    found = rocking_spectrum(read_record(files[0]), alpha=alpha, periods_s=periods)
+    found = compute_rocking_spectrum(read_record(files[0]), alpha=alpha, periods_s=periods)
     assert len(values["values"]) == values["cells"] == 8
     for row in values["values"]:
         cell = found.sel(alpha=row["alpha_rad"], period=row["period_s"])
@@ -64,8 +64,8 @@ def test_a_suite_has_quantiles_and_shares(files: list[Path]) -> None:
     records = [part for file in files for part in ("--record", file)]
     values = rocksteady(f"spectrum {GRID} --json", *records).json
     suite = [read_record(file) for file in files]
-    found = rocking_spectrum(suite, alpha=[0.15, 0.3], periods_s=[1.0, 2.0, 3.0, 4.0])
-    summary = suite_spectrum(found)
+    found = compute_rocking_spectrum(suite, alpha=[0.15, 0.3], periods_s=[1.0, 2.0, 3.0, 4.0])
+    summary = summarise_spectra(found)
     assert values["quantiles"] == [0.16, 0.5, 0.84]
     assert [one["name"] for one in values["records"]] == ["ground-1", "ground-2", "ground-3"]
     for row in values["suite"]:
@@ -81,7 +81,7 @@ def test_every_flag_reaches_the_blocks(files: list[Path], tmp_path: Path) -> Non
     command = "spectrum --alpha-deg 12 --p-rad-s 2 --model nonlinear -r 0.8 --gravity-m-s2 9.7"
     command += " --scale 1.2 --reverse --tolerance 1e-8 --json"
     values = rocksteady(command, "--record", files[1], "--vertical", up).json
-    found = rocking_spectrum(
+    found = compute_rocking_spectrum(
         BaseMotion(read_record(files[1]), read_record(up)),
         alpha=math.radians(12.0),
         p=2.0,
@@ -111,7 +111,9 @@ def test_the_table_has_a_row_a_size(files: list[Path]) -> None:
     assert ran.code == 0
     lines = [" ".join(line.split()) for line in ran.out.splitlines()]
     assert "2 pi/p [s] 0.15 rad 0.3 rad" in lines
-    found = rocking_spectrum(read_record(files[2]), alpha=[0.15, 0.3], periods_s=[1, 2, 3, 4])
+    found = compute_rocking_spectrum(
+        read_record(files[2]), alpha=[0.15, 0.3], periods_s=[1, 2, 3, 4]
+    )
     for period in (1.0, 2.0, 3.0, 4.0):
         cells = [
             "falls" if int(one.status) == 2 else f"{float(one.peak_angle):.6g}"

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import Block, steady_states
+from rocksteady import Block, find_steady_states
 from rocksteady.dynamics.steady.regions import REGIONS
 from tests.cli.program import refused, rocksteady
 
@@ -38,7 +38,7 @@ def test_the_json_of_a_point_keeps_the_contract() -> None:
     values = ran.json
     assert next(iter(values)) == "schema"
     assert values["schema"] == "rocksteady/steady/1"
-    states = steady_states(2.0, 4.0, 0.8)
+    states = find_steady_states(2.0, 4.0, 0.8)
     assert values["region"] == 2
     assert values["boundaries"] == {
         "existence": float(states.existence),
@@ -228,7 +228,7 @@ def test_the_csv_holds_every_solution_to_the_last_digit(tmp_path: Path) -> None:
     assert f"wrote {file}" in ran.err
     assert str(file) not in ran.out
     rows = list(csv.DictReader(file.read_text(encoding="utf-8").splitlines()))
-    states = steady_states(np.array([0.1, 1.05, 2.0])[:, np.newaxis], [4.0, 8.0], 0.8)
+    states = find_steady_states(np.array([0.1, 1.05, 2.0])[:, np.newaxis], [4.0, 8.0], 0.8)
     index = np.argwhere(states.region != 4)
     assert len(rows) == 2 * len(index)
     for row, (i, j, which) in zip(

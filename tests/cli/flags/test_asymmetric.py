@@ -11,8 +11,8 @@ from rocksteady import (
     Harmonic,
     State,
     Still,
-    attractor,
-    orbits,
+    find_attractor,
+    find_orbits,
     simulate,
 )
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
@@ -89,13 +89,13 @@ def test_a_summary_names_the_edges(tmp_path: Path) -> None:
 def test_attractors_and_orbits_are_those_of_the_library(tmp_path: Path) -> None:
     shaking = Harmonic(amplitude=1.5, frequency_ratio=6.0)
     values = rocksteady(f"attractor {FLAGS} -A 1.5 -W 6 --json").json
-    found = attractor(BLOCK, shaking)
+    found = find_attractor(BLOCK, shaking)
     assert (values["kind"], values["period"]) == (found.kind.value, found.period)
     assert values["negative_restitution"] == BLOCK.negative.restitution
     words = rocksteady(f"attractor {FLAGS} -A 3.5 -W 8", "--plot", tmp_path / "a.png").out
     assert "none is symmetric" in words
     listed = rocksteady(f"orbits {FLAGS} -A 1.5 -W 6 --max-period 1 --seeds 16 --json").json
-    assert len(listed["orbits"]) == len(orbits(BLOCK, shaking, max_period=1, seeds=16))
+    assert len(listed["orbits"]) == len(find_orbits(BLOCK, shaking, max_period=1, seeds=16))
     text = rocksteady(f"orbits {FLAGS} -A 1.5 -W 6 --max-period 1 --seeds 16").out
     assert "mirror" not in text
 
@@ -132,8 +132,8 @@ def test_maps_and_basins_of_it(tmp_path: Path) -> None:
         (f"steady {FLAGS} -A 2 -W 4", "rocksteady orbits"),
         ("steady -r 0.8,0.9 -A 2 -W 4", "rocksteady orbits"),
         (f"bifurcate {FLAGS} -A 2 -W 2:4:9", "rocksteady map"),
-        (f"simulate {FLAGS} -A 2 -W 4 --start steady", "`orbits`"),
-        (f"map {FLAGS} -A 2 -W 2:4:9 --start steady", "`orbits`"),
+        (f"simulate {FLAGS} -A 2 -W 4 --start steady", "`find_orbits`"),
+        (f"map {FLAGS} -A 2 -W 2:4:9 --start steady", "`find_orbits`"),
         ("map --left-m 0.15 --right-m 0.25 --height-m 1:2:3 -A 2 -W 4", "sides of this block"),
         ("simulate --left-m 0.15 --height-m 1.2 -A 2 -W 4", "--left-m and --right-m with"),
         ("simulate --left-m 0.1 --right-m 0.2 --width-m 1 -A 2 -W 4", "--left-m and --right-m"),

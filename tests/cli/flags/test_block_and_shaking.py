@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, InputError, Pulse, Still, example_block
+from rocksteady import Block, DimensionlessBlock, Harmonic, InputError, Pulse, Still, named_block
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.block_and_shaking import (
     BlockFlags,
@@ -52,10 +52,10 @@ LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
                 left=0.15, right=0.25, height=1.2, gyration=0.5, restitution=(0.8, 0.9)
             ),
         ),
-        ({"block": "tso-wong-1989"}, example_block("tso-wong-1989")),
+        ({"block": "tso-wong-1989"}, named_block("tso-wong-1989")),
         (
             {"block": "tso-wong-1989", "restitution": "0.9"},
-            example_block("tso-wong-1989", restitution=0.9),
+            named_block("tso-wong-1989", restitution=0.9),
         ),
     ],
 )

@@ -14,7 +14,7 @@ from rocksteady import (
     Run,
     Store,
     UnfinishedError,
-    attractor_map,
+    map_attractors,
 )
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.groups import OutputFlags
@@ -25,7 +25,7 @@ def filled(path: Path) -> Path:
     """Write a store of four cells."""
     axes: dict[str, Any] = {"amplitude": np.array([0.5, 1.5]), "frequency_ratio": [2.0, 3.0]}
     block = DimensionlessBlock(restitution=0.8)
-    attractor_map(block, axes=axes, cycles=20, run=Run(store=Store(path)))
+    map_attractors(block, axes=axes, cycles=20, run=Run(store=Store(path)))
     return path
 
 

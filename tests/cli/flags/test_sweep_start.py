@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from rocksteady import DimensionlessBlock, ModelError, Rest, State, Steady, attractor
+from rocksteady import DimensionlessBlock, ModelError, Rest, State, Steady, find_attractor
 from rocksteady.cli.commands.bifurcate import _sweep
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.range import Range
@@ -61,7 +61,7 @@ def test_a_sweep_goes_along_the_axis_from_its_first_value(upwards: bool) -> None
     assert found.trail.values.tolist() == list(values)
     bare, shaking = SPAN.at(values[0])
     begun = State(angle=0.2, velocity=0.1)
-    alone = attractor(
+    alone = find_attractor(
         bare,
         type(shaking)(amplitude=values[0], frequency_ratio=4.0, phase=0.5),
         start=begun,

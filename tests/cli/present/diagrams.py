@@ -2,7 +2,7 @@
 
 from functools import cache
 
-from rocksteady import Block, Branch, DimensionlessBlock, Harmonic, bifurcation_branches, orbits
+from rocksteady import Block, Branch, DimensionlessBlock, Harmonic, find_branches, find_orbits
 from rocksteady.cli.flags.range import Range
 
 BARE = DimensionlessBlock(restitution=0.8)
@@ -31,5 +31,5 @@ def branches_of(parameter: str = "frequency_ratio") -> tuple[Branch, ...]:
     span = span_of(BARE, parameter)
     bare, shaking = span.at(span.values[-1])
     assert isinstance(shaking, Harmonic)
-    starts = orbits(bare, shaking, max_period=1, max_impacts=2)[:1]
-    return tuple(bifurcation_branches(starts, parameter, span.within, max_period=1, max_impacts=2))
+    starts = find_orbits(bare, shaking, max_period=1, max_impacts=2)[:1]
+    return tuple(find_branches(starts, parameter, span.within, max_period=1, max_impacts=2))

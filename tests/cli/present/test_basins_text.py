@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, basins, erosion
+from rocksteady import Block, DimensionlessBlock, Harmonic, compute_basins, compute_erosion
 from rocksteady.cli.present.basins_text import case_of, print_erosion, print_fractions
 from rocksteady.cli.present.basins_values import basins_values, erosion_values
 from rocksteady.dynamics.basins.erosion import MEASURES
@@ -18,11 +18,11 @@ WINDOW: dict[str, Any] = {"angles": [-0.9, -0.3, 0.3, 0.9], "velocities": [-0.4,
 
 def fractions_of(block: Block | DimensionlessBlock, **more: Any) -> dict[str, Any]:
     shaking = Harmonic(amplitude=0.5, frequency_ratio=2.0)
-    return basins_values(basins(block, shaking, **WINDOW, cycles=200, **more), block)
+    return basins_values(compute_basins(block, shaking, **WINDOW, cycles=200, **more), block)
 
 
 def erosion_of(block: Block | DimensionlessBlock, **more: Any) -> dict[str, Any]:
-    found = erosion(block, 2.0, [0.0, 0.5, 3.0], **WINDOW, cycles=20, **more)
+    found = compute_erosion(block, 2.0, [0.0, 0.5, 3.0], **WINDOW, cycles=20, **more)
     return erosion_values(found, {one: found.drop(one) for one in MEASURES}, block)
 
 

@@ -5,7 +5,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import Basins, Block, DimensionlessBlock, Erosion, Harmonic, basins, erosion
+from rocksteady import (
+    Basins,
+    Block,
+    DimensionlessBlock,
+    Erosion,
+    Harmonic,
+    compute_basins,
+    compute_erosion,
+)
 from rocksteady.cli.present.basins_values import (
     basins_values,
     erosion_values,
@@ -27,11 +35,11 @@ WINDOW: dict[str, Any] = {
 
 
 def basins_of(block: Block | DimensionlessBlock, **more: Any) -> Basins:
-    return basins(block, SHAKING, **{**WINDOW, **more})
+    return compute_basins(block, SHAKING, **{**WINDOW, **more})
 
 
 def erosion_of(block: Block | DimensionlessBlock, **more: Any) -> Erosion:
-    return erosion(block, 2.0, [0.0, 0.5, 1.0], **{**WINDOW, "cycles": 20, **more})
+    return compute_erosion(block, 2.0, [0.0, 0.5, 1.0], **{**WINDOW, "cycles": 20, **more})
 
 
 def values_of(found: Erosion, block: Block | DimensionlessBlock) -> dict[str, Any]:
@@ -65,7 +73,7 @@ def test_the_share_of_undecided_states_is_zero_where_there_are_none() -> None:
     assert undecided(settled) == 0.0
     lossless = DimensionlessBlock(restitution=1.0)
     weak = Harmonic(amplitude=0.1, frequency_ratio=2.0)
-    found = basins(lossless, weak, **{**WINDOW, "angles": [-0.9, 0.1]})
+    found = compute_basins(lossless, weak, **{**WINDOW, "angles": [-0.9, 0.1]})
     values = basins_values(found, lossless)
     left = {one.label for one in found.attractors if one.kind.value == "undecided"}
     assert undecided(values) == np.isin(found.label, list(left)).mean()

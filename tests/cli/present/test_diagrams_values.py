@@ -5,9 +5,9 @@ import pytest
 
 from rocksteady import (
     Harmonic,
-    attractor_trail,
-    doubling_cascade,
-    orbits,
+    find_cascade,
+    find_orbits,
+    sweep_attractor,
     symmetry_breaking_frequency,
 )
 from rocksteady.cli.flags.sweep_start import Sweep
@@ -117,7 +117,7 @@ def test_there_is_a_row_a_point(block: object) -> None:
 def test_a_sweep_is_told_in_runs() -> None:
     values = np.linspace(1.9, 2.0, 6)
     shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9, phase=0.5)
-    trail = attractor_trail(BARE, shaking, "frequency_ratio", values)
+    trail = sweep_attractor(BARE, shaking, "frequency_ratio", values)
     found = as_json(sweep_values(Sweep(start="rest", trail=trail)))
     assert (found["direction"], found["start"], found["values"]) == ("up", "rest", 6)
     assert sum(run["values"] for run in found["runs"]) == 6 == sum(found["counts"].values())
@@ -134,10 +134,10 @@ def test_a_sweep_is_told_in_runs() -> None:
 def test_a_cascade_has_a_ratio_from_three_doublings_on() -> None:
     assert cascade_values(None) is None
     shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
-    start = orbits(BARE, shaking, max_period=1, max_impacts=2)[0]
+    start = find_orbits(BARE, shaking, max_period=1, max_impacts=2)[0]
     two, three = (
         cascade_values(
-            doubling_cascade(start, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=many)
+            find_cascade(start, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=many)
         )
         for many in (2, 3)
     )

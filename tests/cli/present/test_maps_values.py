@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from rocksteady import DimensionlessBlock, attractor_map, fate_map
+from rocksteady import DimensionlessBlock, map_attractors, map_fates
 from rocksteady.cli.console.progress import Meter
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
 from rocksteady.cli.flags.map_axes import MapCase, MapStartFlags, map_case
@@ -33,8 +33,8 @@ def grid_of(case: MapCase, *, fates: bool = False) -> xr.Dataset:
     block = DimensionlessBlock(restitution=0.8)
     axes: dict[str, Any] = dict(case.axes)
     if fates:
-        return fate_map(block, axes=axes, cycles=30)
-    return attractor_map(block, axes=axes, cycles=200)
+        return map_fates(block, axes=axes, cycles=30)
+    return map_attractors(block, axes=axes, cycles=200)
 
 
 def values_of(case: MapCase, found: xr.Dataset) -> dict[str, Any]:

@@ -11,9 +11,9 @@ import pytest
 from rocksteady import (
     Block,
     Recording,
-    ground_course,
-    intensity_measures,
-    response_spectrum,
+    compute_response_spectrum,
+    integrate_record,
+    measure_intensity,
 )
 from rocksteady.cli.present.record_values import (
     Description,
@@ -37,9 +37,9 @@ STATION = "Castaic - Old Ridge Route above the very long name of a dam in the mo
 def described(one: Recording, block: Block | None = None, *, spectrum: bool = False) -> Description:
     return Description(
         recording=one,
-        course=ground_course(one.record),
-        measures=intensity_measures(one.record, block),
-        spectrum=response_spectrum(one.record, PERIODS) if spectrum else None,
+        course=integrate_record(one.record),
+        measures=measure_intensity(one.record, block),
+        spectrum=compute_response_spectrum(one.record, PERIODS) if spectrum else None,
     )
 
 
@@ -96,7 +96,7 @@ def test_a_drift_is_warned_about() -> None:
 
 
 def test_the_rows_are_the_course_in_the_unit_of_the_file() -> None:
-    course = ground_course(hut().record)
+    course = integrate_record(hut().record)
     assert course_header("m/s^2")[1] == "acceleration_m_s2"
     assert course_header("g")[1] == "acceleration_g"
     in_m = np.array(list(course_rows(course, "m/s^2")))

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, Pulse, orbits
+from rocksteady import Block, DimensionlessBlock, Harmonic, Pulse, find_orbits
 from rocksteady.cli.present.shared import (
     angle_text,
     block_text,
@@ -74,7 +74,9 @@ def test_shaking_in_si_makes_the_same_motion_again(block: Block) -> None:
 def test_an_orbit_keeps_the_contract_and_becomes_json() -> None:
     shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
     found = [
-        orbit for orbit in orbits(EVEN, shaking, max_period=1, max_impacts=4) if orbit.admissible
+        orbit
+        for orbit in find_orbits(EVEN, shaking, max_period=1, max_impacts=4)
+        if orbit.admissible
     ]
     assert found
     for orbit in found:
@@ -92,7 +94,7 @@ def test_an_orbit_keeps_the_contract_and_becomes_json() -> None:
 def test_an_inadmissible_orbit_has_no_peaks() -> None:
     # Of both branches of order 3 one passes through the floor.
     shaking = Harmonic(amplitude=4.0, frequency_ratio=2.0)
-    found = orbits(EVEN, shaking, max_period=3, max_impacts=2)
+    found = find_orbits(EVEN, shaking, max_period=3, max_impacts=2)
     wrong = next(orbit for orbit in found if not orbit.admissible)
     assert math.isnan(wrong.highest)
     values = as_json(orbit_values(wrong, EVEN))

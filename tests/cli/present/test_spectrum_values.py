@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from rocksteady import Status, rocking_spectrum, suite_spectrum
+from rocksteady import Status, compute_rocking_spectrum, summarise_spectra
 from rocksteady.cli.present.spectrum_values import (
     COLUMNS,
     ROWS,
@@ -27,12 +27,12 @@ FILES = [Path("a.AT2"), Path("b.AT2")]
 @cache
 def spectrum_of(records: int) -> xr.Dataset:
     suite = [ground(seed, 3.0 * (1 + seed), name=f"hut-{seed}") for seed in range(records)]
-    return rocking_spectrum(suite, alpha=ALPHA, periods_s=PERIODS)
+    return compute_rocking_spectrum(suite, alpha=ALPHA, periods_s=PERIODS)
 
 
 def values_of(records: int) -> dict[str, Any]:
     found = spectrum_of(records)
-    summary = suite_spectrum(found) if records > 1 else None
+    summary = summarise_spectra(found) if records > 1 else None
     values = spectrum_values(found, summary, FILES[:records])
     return {**values, "seconds": 0.5, "store": None}
 
@@ -95,7 +95,7 @@ def test_the_table_has_a_row_a_size_and_a_column_a_slenderness(degrees: bool) ->
 
 def test_the_table_of_a_suite_has_medians_and_shares() -> None:
     found = spectrum_of(2)
-    summary = suite_spectrum(found)
+    summary = summarise_spectra(found)
     text = printed(print_spectrum, values_of(2), found, summary, degrees=False)
     assert fits(text)
     assert "median of the largest" in text
@@ -105,7 +105,7 @@ def test_the_table_of_a_suite_has_medians_and_shares() -> None:
 
 def test_of_many_blocks_some_are_shown_the_first_and_the_last_included() -> None:
     alpha, periods = np.linspace(0.1, 0.3, 11), np.linspace(1.0, 4.0, 50)
-    found = rocking_spectrum([ground(1, 2.0)], alpha=alpha, periods_s=periods)
+    found = compute_rocking_spectrum([ground(1, 2.0)], alpha=alpha, periods_s=periods)
     values = {**spectrum_values(found, None, FILES[:1]), "seconds": 0.0, "store": "here"}
     text = printed(print_spectrum, values, found, None, degrees=False)
     assert fits(text)

@@ -21,8 +21,8 @@ from rocksteady import (
     Run,
     State,
     Still,
-    attractor,
-    basins,
+    compute_basins,
+    find_attractor,
 )
 from tests.dynamics.kicks import apart
 
@@ -48,7 +48,7 @@ def at(
     **more: Any,
 ) -> Basins:
     axes = {"angles": window(1.2, count), "velocities": window(1.2, count)}
-    return basins(
+    return compute_basins(
         DimensionlessBlock(restitution=restitution),
         Harmonic(amplitude=amplitude, frequency_ratio=frequency, phase=phase),
         **{**axes, **more},
@@ -74,7 +74,7 @@ def test_each_state_goes_where_it_goes_alone(
             angle=float(found.start_angle[row, column]),
             velocity=float(found.start_velocity[row, column]),
         )
-        alone = attractor(found.block, found.shaking, start=state, cycles=400)
+        alone = find_attractor(found.block, found.shaking, start=state, cycles=400)
         here = found.attractors[found.label[row, column]]
         assert here.kind is alone.kind
         assert same_orbit(here.orbit, alone.orbit)
@@ -184,7 +184,7 @@ def test_on_a_still_base_every_state_is_known_in_closed_form(
 
 def test_by_default_the_window_reaches_as_far_as_anything_stands() -> None:
     block = DimensionlessBlock(restitution=0.8)
-    found = basins(block, Harmonic(amplitude=1.0, frequency_ratio=2.0, phase=1.0))
+    found = compute_basins(block, Harmonic(amplitude=1.0, frequency_ratio=2.0, phase=1.0))
     assert found.label.shape == (200, 200)
     assert np.array_equal(found.angle, -found.angle[::-1])
     bound = 1.0 + 1.0 / math.sqrt(5.0)
@@ -277,4 +277,4 @@ def test_what_makes_no_window_is_refused(arguments: dict[str, Any], valid: str) 
 
 def test_only_harmonic_shaking_has_basins() -> None:
     with pytest.raises(ModelError, match="periodic motions are those of harmonic shaking"):
-        basins(DimensionlessBlock(restitution=0.8), Still())  # type: ignore[arg-type]
+        compute_basins(DimensionlessBlock(restitution=0.8), Still())  # type: ignore[arg-type]

@@ -18,7 +18,7 @@ from rocksteady import (
     State,
     Status,
     Store,
-    erosion,
+    compute_erosion,
     heteroclinic_amplitude,
     simulate,
 )
@@ -28,7 +28,9 @@ Floats = NDArray[np.float64]
 
 
 def eroded(restitution: float, frequency: float, amplitudes: Any, **more: Any) -> Erosion:
-    return erosion(DimensionlessBlock(restitution=restitution), frequency, amplitudes, **more)
+    return compute_erosion(
+        DimensionlessBlock(restitution=restitution), frequency, amplitudes, **more
+    )
 
 
 def coarse(count: int, half_width: float = 1.5) -> dict[str, Floats]:
@@ -176,7 +178,7 @@ def test_a_dataset_and_a_table_hold_it() -> None:
 def test_bad_arguments_are_refused(amplitudes: Any, more: dict[str, Any], valid: str) -> None:
     arguments = {"frequency_ratio": 2.0, "amplitudes": amplitudes, **more}
     with pytest.raises(InputError, match=valid):
-        erosion(DimensionlessBlock(restitution=0.9), **arguments)
+        compute_erosion(DimensionlessBlock(restitution=0.9), **arguments)
 
 
 def test_a_window_without_a_safe_state_measures_nothing() -> None:

@@ -14,9 +14,9 @@ from rocksteady import (
     ModelError,
     State,
     Status,
-    attractor,
-    basins,
-    erosion,
+    compute_basins,
+    compute_erosion,
+    find_attractor,
     simulate,
 )
 from rocksteady.model.equations import Linear, Nonlinear
@@ -35,7 +35,7 @@ def window(half_width: float, count: int) -> Floats:
 
 
 def at(block: Block, a: float, w: float, count: int = 12, **more: int) -> Basins:
-    return basins(
+    return compute_basins(
         block,
         Harmonic(amplitude=a, frequency_ratio=w, phase=0.4),
         angles=window(1.2, count),
@@ -66,7 +66,7 @@ def test_each_state_goes_where_it_goes_alone(
             angle=float(found.start_angle[row, column]),
             velocity=float(found.start_velocity[row, column]),
         )
-        alone = attractor(block, found.shaking, start=state, cycles=300, model=Nonlinear())
+        alone = find_attractor(block, found.shaking, start=state, cycles=300, model=Nonlinear())
         here = found.attractors[found.label[row, column]]
         assert here.kind is alone.kind
         assert (here.orbit is None) == (alone.orbit is None)
@@ -92,7 +92,7 @@ def test_states_on_an_attractor_at_the_phase_stay_there() -> None:
 
 def test_half_a_period_later_the_basins_are_turned_round() -> None:
     one = at(STOCKY, 2.0, 1.9)
-    other = basins(
+    other = compute_basins(
         STOCKY,
         Harmonic(amplitude=2.0, frequency_ratio=1.9, phase=0.4 + math.pi),
         angles=one.angle,
@@ -107,7 +107,7 @@ def test_half_a_period_later_the_basins_are_turned_round() -> None:
 def test_slender_blocks_have_the_basins_of_the_linear_model() -> None:
     slender = Block.from_radius(alpha=1e-7, radius=1.0, restitution=0.8)
     full = at(slender, 2.0, 4.0, count=20)
-    plain = basins(
+    plain = compute_basins(
         slender, full.shaking, angles=full.angle, velocities=full.velocity, model=Linear()
     )
     np.testing.assert_array_equal(full.label, plain.label)
@@ -118,7 +118,7 @@ def test_a_dataset_says_of_which_model_it_is() -> None:
     full, unlike = at(STOCKY, 2.0, 4.0).to_dataset(), at(ASYMMETRY, 2.0, 4.0).to_dataset()
     assert (full.attrs["model"], full.attrs["alpha"]) == ("nonlinear", 0.5)
     assert unlike.attrs["alpha"] == ASYMMETRY.positive.alpha
-    plain = basins(
+    plain = compute_basins(
         STOCKY, Harmonic(amplitude=2.0, frequency_ratio=4.0), angles=[0, 1], velocities=[0, 1]
     ).to_dataset()
     assert "model" not in plain.attrs
@@ -130,7 +130,7 @@ def test_a_dataset_says_of_which_model_it_is() -> None:
 @pytest.mark.parametrize("block", [STOCKY, ASYMMETRY])
 def test_each_state_is_as_safe_as_it_is_alone(block: Block) -> None:
     axis = window(1.3, 10)
-    found = erosion(
+    found = compute_erosion(
         block,
         2.0,
         [0.3, 0.8],
@@ -154,7 +154,7 @@ def test_each_state_is_as_safe_as_it_is_alone(block: Block) -> None:
 def test_the_safe_basin_of_a_still_base_is_one_of_energy(block: Block) -> None:
     # Over the balance neither on its own side nor, with what impacts leave, on the other or back.
     axis = window(1.6, 41)
-    found = erosion(block, 3.0, [0.0], angles=axis, velocities=axis, model=Nonlinear())
+    found = compute_erosion(block, 3.0, [0.0], angles=axis, velocities=axis, model=Nonlinear())
     assert found.global_integrity[0] == found.integrity_factor[0] == 1.0
     sides = {1: block.positive, -1: block.negative}
     unit = block.positive.alpha * block.positive.p
@@ -180,7 +180,7 @@ def test_slender_blocks_erode_as_in_the_linear_model() -> None:
     slender = Block.from_radius(alpha=1e-7, radius=1.0, restitution=0.9)
     axis = window(1.47, 24)  # on which no state would balance
     full, plain = (
-        erosion(slender, 2.0, [0.3, 0.8], angles=axis, velocities=axis, model=model)
+        compute_erosion(slender, 2.0, [0.3, 0.8], angles=axis, velocities=axis, model=model)
         for model in (Nonlinear(), Linear())
     )
     np.testing.assert_array_equal(full.safe, plain.safe)
@@ -191,7 +191,7 @@ def test_slender_blocks_erode_as_in_the_linear_model() -> None:
 
 def test_what_is_closed_in_the_linear_model_alone_is_left_out() -> None:
     axis = window(1.5, 16)
-    found = erosion(
+    found = compute_erosion(
         STOCKY, 2.0, [0.3, 0.8], angles=axis, velocities=axis, cycles=10, model=Nonlinear()
     )
     assert found.heteroclinic is None
@@ -204,6 +204,6 @@ def test_what_is_closed_in_the_linear_model_alone_is_left_out() -> None:
 def test_a_block_without_slenderness_is_refused() -> None:
     bare = DimensionlessBlock(restitution=0.8)
     with pytest.raises(ModelError, match="slenderness"):
-        basins(bare, Harmonic(amplitude=2.0, frequency_ratio=4.0), model=Nonlinear())
+        compute_basins(bare, Harmonic(amplitude=2.0, frequency_ratio=4.0), model=Nonlinear())
     with pytest.raises(ModelError, match="slenderness"):
-        erosion(bare, 2.0, [0.5], model=Nonlinear())
+        compute_erosion(bare, 2.0, [0.5], model=Nonlinear())

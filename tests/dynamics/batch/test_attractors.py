@@ -1,4 +1,4 @@
-"""What arrays of motions settle to: each what `attractor` finds of it alone, to the last bit."""
+"""Attractors of arrays of motions: each as `find_attractor` finds it alone, to the last bit."""
 
 import math
 from dataclasses import replace
@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rocksteady import attractor
+from rocksteady import find_attractor
 from rocksteady.dynamics.batch.attractors import (
     KIND_FLAGS,
     Beginnings,
@@ -41,7 +41,7 @@ def test_each_cell_is_the_attractor_of_its_motion_alone(model: Model) -> None:
     for at, (block, shaking, start) in enumerate(
         zip(cells.blocks, cells.shakings, cells.starts, strict=True)
     ):
-        alone = attractor(block, shaking, start=start, cycles=CYCLES, model=model)
+        alone = find_attractor(block, shaking, start=start, cycles=CYCLES, model=model)
         assert KINDS[found.kind[at]] == alone.kind
         assert found.after[at] == alone.after
         np.testing.assert_array_equal(found.lyapunov[at], alone.lyapunov)

@@ -15,8 +15,8 @@ from rocksteady import (
     Orbit,
     PointType,
     ReturnMap,
-    continuation,
-    orbits,
+    find_orbits,
+    follow_branch,
 )
 
 Floats = NDArray[np.float64]
@@ -42,7 +42,7 @@ def symmetric_start(
     amplitude: float, frequency: float, restitution: float, *, order: int = 1, branch: int = 1
 ) -> Orbit:
     """Return a symmetric orbit with two impacts, in closed form."""
-    found = orbits(
+    found = find_orbits(
         *setting((amplitude, frequency, restitution)), max_period=order, max_impacts=1, seeds=1
     )
     (orbit,) = (each for each in found if each.period == order and each.branch == branch)
@@ -53,7 +53,7 @@ def random_start(rng: np.random.Generator) -> Orbit | None:
     """Return an orbit of a random shaken block, or None where none was found."""
     values = rng.uniform(0.3, 5.0), rng.uniform(1.0, 8.0), rng.uniform(0.3, 0.95)
     longest = int(rng.choice([1, 3, 5]))
-    found = orbits(*setting(values), max_period=longest, max_impacts=4, seeds=16)
+    found = find_orbits(*setting(values), max_period=longest, max_impacts=4, seeds=16)
     fit = [each for each in found if each.admissible and not each.rest_phases]
     return fit[rng.integers(len(fit))] if fit else None
 
@@ -87,11 +87,11 @@ def same_events(one: list[Event], other: list[Event], *, within: float) -> bool:
 
 def unsymmetric_branch() -> list[BranchPoint]:
     """Return the branch of harmonic orbits that lean, A = 2, restitution 0.8."""
-    branch = continuation(
+    branch = follow_branch(
         symmetric_start(2.0, 2.0, 0.8), "frequency_ratio", (1.6, 2.1), direction=-1
     )
     breaking = first(branch, "symmetry-breaking")
-    return list(continuation(breaking, "frequency_ratio", (1.6, 2.1), switch=True))
+    return list(follow_branch(breaking, "frequency_ratio", (1.6, 2.1), switch=True))
 
 
 def closed_error(values: Floats, state: Floats, steps: int, turn: float) -> tuple[Floats, Floats]:

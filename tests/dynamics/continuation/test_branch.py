@@ -8,11 +8,11 @@ import pytest
 
 from rocksteady import (
     BranchPoint,
-    attractor,
-    boundaries,
-    continuation,
-    orbits,
-    steady_states,
+    find_attractor,
+    find_orbits,
+    find_steady_states,
+    follow_branch,
+    region_boundaries,
     symmetry_breaking_amplitude,
     symmetry_breaking_frequency,
 )
@@ -47,20 +47,20 @@ def test_folds_are_the_existence_boundary(order: int) -> None:
     rng = np.random.default_rng(order)
     for _ in range(6):
         frequency, restitution = rng.uniform(0.8, 3.0) * order, rng.uniform(0.3, 0.95)
-        edge = float(boundaries(frequency, restitution, order=order).existence)
+        edge = float(region_boundaries(frequency, restitution, order=order).existence)
         start = symmetric_start(1.05 * edge, frequency, restitution, order=order)
         if not start.admissible:
             continue
         within = (0.5 * edge, 2.0 * edge)
-        branch = list(continuation(start, "amplitude", within, direction=-1, inadmissible=True))
+        branch = list(follow_branch(start, "amplitude", within, direction=-1, inadmissible=True))
         fold = first(branch, "fold")
         assert fold.amplitude == pytest.approx(edge, rel=1e-12)  # eq 23
         assert fold.multipliers[0] == pytest.approx(1.0, abs=1e-6)
         assert not fold.stable
         # In frequency the same boundary, as a root.
-        here = list(continuation(start, "frequency_ratio", (0.3, 40.0), inadmissible=True))
+        here = list(follow_branch(start, "frequency_ratio", (0.3, 40.0), inadmissible=True))
         for other in (point for point in here if point.type == "fold"):
-            found = boundaries(other.frequency_ratio, restitution, order=order)
+            found = region_boundaries(other.frequency_ratio, restitution, order=order)
             assert other.amplitude == pytest.approx(float(found.existence), rel=1e-11)
 
 
@@ -71,14 +71,14 @@ def test_a_branch_turns_from_branch_1_into_branch_2(
     frequency: float, order: int, printed: float | None
 ) -> None:
     start = symmetric_start(1.9, frequency, 0.8, order=order)
-    points = list(continuation(start, "amplitude", (0.1, 2.0), direction=-1))
+    points = list(follow_branch(start, "amplitude", (0.1, 2.0), direction=-1))
     turn = next(k for k, point in enumerate(points) if point.type == "fold")
     if printed is not None:
         assert points[turn].amplitude == pytest.approx(printed, abs=1e-5)  # TW2
     for k, point in enumerate(points):
         if abs(k - turn) < 2:
             continue
-        states = steady_states(point.amplitude, frequency, 0.8, order=order)
+        states = find_steady_states(point.amplitude, frequency, 0.8, order=order)
         which = 0 if k < turn else 1
         here = point.chain.phases[0] + point.chain.turns[0] * math.pi
         assert math.cos(here - states.phase[which]) == pytest.approx(1.0, abs=1e-12)
@@ -98,7 +98,7 @@ def test_a_branch_turns_from_branch_1_into_branch_2(
 )  # fmt: skip
 def test_symmetry_breaks_where_it_is_printed(amplitude: float, order: int, printed: float) -> None:
     start = symmetric_start(amplitude, printed * 1.08, 0.8, order=order)
-    branch = continuation(
+    branch = follow_branch(
         start, "frequency_ratio", (0.8 * printed, 1.2 * printed), direction=-1, inadmissible=True
     )
     breaking = first(branch, "symmetry-breaking")
@@ -114,13 +114,13 @@ def test_symmetry_breaks_on_the_closed_curve_in_any_parameter(parameter: str) ->
         order = int(rng.choice([1, 3, 5]))
         values = [0.0, rng.uniform(1.2, 3.0) * order, rng.uniform(0.3, 0.95)]
         values[0] = 0.97 * float(symmetry_breaking_amplitude(values[1], values[2], order=order))
-        states = steady_states(*values, order=order)
+        states = find_steady_states(*values, order=order)
         assert states.admissible is not None
         if not states.admissible[0]:
             continue
         start = symmetric_start(*values, order=order)
         for direction in (1, -1):
-            points = continuation(start, parameter, RANGES[parameter], direction=direction)
+            points = follow_branch(start, parameter, RANGES[parameter], direction=direction)
             for point in points:
                 if point.type != "symmetry-breaking":
                     continue
@@ -138,11 +138,11 @@ def test_a_symmetric_branch_ends_where_the_closed_form_meets_the_floor() -> None
     for _ in range(40):
         order = int(rng.choice([3, 5]))
         frequency, restitution = rng.uniform(1.2, 3.0) * order, rng.uniform(0.3, 0.95)
-        edge = float(boundaries(frequency, restitution, order=order).existence)
+        edge = float(region_boundaries(frequency, restitution, order=order).existence)
         start = symmetric_start(1.1 * edge, frequency, restitution, order=order)
         if not start.admissible:
             continue
-        *_, last = continuation(start, "amplitude", (0.5 * edge, 6.0 * edge))
+        *_, last = follow_branch(start, "amplitude", (0.5 * edge, 6.0 * edge))
         if last.type != "grazing":
             continue
         found += 1
@@ -154,7 +154,7 @@ def test_a_symmetric_branch_ends_where_the_closed_form_meets_the_floor() -> None
             restitution: float = restitution,
             order: int = order,
         ) -> bool:
-            states = steady_states(amplitude, frequency, restitution, order=order)
+            states = find_steady_states(amplitude, frequency, restitution, order=order)
             return bool(np.asarray(states.admissible)[0])
 
         low, high = 0.999 * last.amplitude, 1.001 * last.amplitude
@@ -179,7 +179,7 @@ def test_every_point_of_a_random_branch_is_an_orbit_of_the_map(seed: int) -> Non
     parameter = PARAMETERS[seed % 3]
     direction = int(rng.choice([1, -1]))
     points = list(
-        continuation(start, parameter, RANGES[parameter], direction=direction, most_points=150)
+        follow_branch(start, parameter, RANGES[parameter], direction=direction, most_points=150)
     )
     lengths = np.diff([point.arclength for point in points])
     assert (lengths >= -1e-12).all()
@@ -212,7 +212,7 @@ def test_bifurcations_of_random_branches_are_where_the_map_has_them(seed: int) -
     if start is None:
         return
     for parameter in PARAMETERS:
-        points = list(continuation(start, parameter, RANGES[parameter], most_points=150))
+        points = list(follow_branch(start, parameter, RANGES[parameter], most_points=150))
         for point in special(points):
             if point.type not in ("fold", "symmetry-breaking", "period-doubling"):
                 continue
@@ -234,7 +234,7 @@ def test_the_cascade_of_the_paper(leaning: list[BranchPoint]) -> None:
     for frequency in at:
         near = min(leaning, key=lambda point: abs(point.frequency_ratio - frequency))
         within = sorted((near.frequency_ratio, frequency))
-        (*_, there) = continuation(
+        (*_, there) = follow_branch(
             near,
             "frequency_ratio",
             (within[0] - (near.frequency_ratio > frequency) * 0.0, within[1] + 1e-12),
@@ -264,7 +264,7 @@ def test_stable_points_attract(leaning: list[BranchPoint]) -> None:
     stable = [point for point in leaning if point.stable and abs(point.multipliers[0]) < 0.9]
     for point in stable[::3]:
         orbit = point.orbit()
-        found = attractor(orbit.block, orbit.shaking, start=orbit.start)
+        found = find_attractor(orbit.block, orbit.shaking, start=orbit.start)
         assert found.orbit is not None
         assert found.period == point.period
         assert found.orbit.highest == pytest.approx(orbit.highest, abs=1e-7)
@@ -283,7 +283,7 @@ def steps_disagree(seed: int) -> str:
     inadmissible = bool(rng.random() < 0.3)
 
     def followed(step: float) -> list[tuple[str, float, int]]:
-        points = continuation(
+        points = follow_branch(
             start,
             parameter,
             RANGES[parameter],
@@ -318,7 +318,7 @@ def test_a_mirror_image_has_the_same_branch(leaning: list[BranchPoint]) -> None:
     orbit = begin.orbit()
     for parameter in PARAMETERS:
         one, other = (
-            list(continuation(each, parameter, RANGES[parameter], direction=-1, most_points=60))
+            list(follow_branch(each, parameter, RANGES[parameter], direction=-1, most_points=60))
             for each in (orbit, orbit.mirrored)
         )
         assert same_events(events(one, parameter), events(other, parameter), within=1e-11)
@@ -330,9 +330,9 @@ def test_a_mirror_image_has_the_same_branch(leaning: list[BranchPoint]) -> None:
 
 def test_a_branch_followed_back_is_the_same() -> None:
     start = symmetric_start(2.0, 6.0, 0.8, order=3)
-    there = list(continuation(start, "amplitude", (1.0, 3.5), direction=-1))
+    there = list(follow_branch(start, "amplitude", (1.0, 3.5), direction=-1))
     assert [point.type.value for point in special(there)] == ["fold", "end-of-range"]
-    back = list(continuation(there[-1], "amplitude", (1.0, 3.5), direction=-1))
+    back = list(follow_branch(there[-1], "amplitude", (1.0, 3.5), direction=-1))
     assert [point.type.value for point in special(back)] == [
         "end-of-range", "fold", "end-of-range"
     ]  # fmt: skip
@@ -342,18 +342,18 @@ def test_a_branch_followed_back_is_the_same() -> None:
 
 
 def test_the_course_does_not_depend_on_the_impact_at_which_an_orbit_begins() -> None:
-    found = orbits(*setting((1.0, 2.0, 0.8)), max_impacts=4, seeds=24)
+    found = find_orbits(*setting((1.0, 2.0, 0.8)), max_impacts=4, seeds=24)
     orbit = next(each for each in found if len(each.states) == 4 and each.admissible)
-    points = list(continuation(orbit, "amplitude", (0.3, 3.0), most_points=40))
+    points = list(follow_branch(orbit, "amplitude", (0.3, 3.0), most_points=40))
     for begin in (1, 2, 3):
         states = orbit.states[begin:] + orbit.states[:begin]
-        same = list(continuation(replace(orbit, states=states), "amplitude", (0.3, 3.0)))
+        same = list(follow_branch(replace(orbit, states=states), "amplitude", (0.3, 3.0)))
         assert same_events(events(points, "amplitude"), events(same, "amplitude"), within=1e-11)
 
 
 def test_an_orbit_of_long_flights_is_followed_where_no_march_stays_on_it() -> None:
     start = symmetric_start(1.0, 1.0, 0.8)
-    *_, last = continuation(start, "frequency_ratio", (0.1, 1.0), direction=-1)
+    *_, last = follow_branch(start, "frequency_ratio", (0.1, 1.0), direction=-1)
     assert (last.type, last.frequency_ratio) == ("end-of-range", 0.1)
     orbit, exact = last.orbit(), symmetric_start(1.0, 0.1, 0.8)
     assert math.isnan(orbit.residual)

@@ -13,9 +13,9 @@ from rocksteady import (
     InputError,
     ModelError,
     PointType,
-    continuation,
-    orbits,
-    steady_states,
+    find_orbits,
+    find_steady_states,
+    follow_branch,
     symmetry_breaking_amplitude,
 )
 from rocksteady.dynamics.continuation.points import Branch
@@ -45,23 +45,23 @@ def test_a_branch_ends_at_the_end_of_its_range_exactly() -> None:
         ("restitution", (0.7, 1.0)),
     ):
         for direction, end in ((1, within[1]), (-1, within[0])):
-            *_, last = continuation(start, parameter, within, direction=direction)
+            *_, last = follow_branch(start, parameter, within, direction=direction)
             assert last.type == "end-of-range"
             assert getattr(last, parameter) == end
-            states = steady_states(last.amplitude, last.frequency_ratio, last.restitution)
+            states = find_steady_states(last.amplitude, last.frequency_ratio, last.restitution)
             here = last.chain.phases[0] + last.chain.turns[0] * math.pi
             assert math.cos(here - states.phase[0]) == pytest.approx(1.0, abs=1e-12)
 
 
 def test_from_the_end_of_the_range_outwards_there_is_nothing() -> None:
     start = symmetric_start(1.0, 2.0, 0.8)
-    points = list(continuation(start, "amplitude", (1.0, 2.0), direction=-1))
+    points = list(follow_branch(start, "amplitude", (1.0, 2.0), direction=-1))
     assert [point.type.value for point in points] == ["regular", "end-of-range"]
     assert points[1].amplitude == 1.0
 
 
 def test_without_loss_nothing_is_stable() -> None:
-    *_, last = continuation(symmetric_start(1.0, 2.0, 0.8), "restitution", (0.7, 1.0))
+    *_, last = follow_branch(symmetric_start(1.0, 2.0, 0.8), "restitution", (0.7, 1.0))
     assert last.restitution == 1.0
     assert not last.stable
     assert abs(last.multipliers) == pytest.approx(1.0, abs=1e-12)
@@ -69,11 +69,11 @@ def test_without_loss_nothing_is_stable() -> None:
 
 def test_inadmissible_solutions_are_followed_if_they_are_asked_for() -> None:
     start = symmetric_start(1.1 * 1.61999, 6.0, 0.8, order=3)
-    short = list(continuation(start, "amplitude", (1.0, 6.0)))
-    long = list(continuation(start, "amplitude", (1.0, 6.0), inadmissible=True))
+    short = list(follow_branch(start, "amplitude", (1.0, 6.0)))
+    long = list(follow_branch(start, "amplitude", (1.0, 6.0), inadmissible=True))
     assert short[-1].type == "symmetry-breaking" or short[-1].type in ("grazing", "end-of-range")
-    through = list(continuation(start, "amplitude", (1.0, 6.0), direction=-1, inadmissible=True))
-    stops = list(continuation(start, "amplitude", (1.0, 6.0), direction=-1))
+    through = list(follow_branch(start, "amplitude", (1.0, 6.0), direction=-1, inadmissible=True))
+    stops = list(follow_branch(start, "amplitude", (1.0, 6.0), direction=-1))
     assert stops[-1].type == "grazing"
     assert through[-1].type == "end-of-range"
     assert len(long) >= len(short)
@@ -89,37 +89,37 @@ def test_inadmissible_solutions_are_followed_if_they_are_asked_for() -> None:
 
 def test_from_a_graze_a_branch_goes_where_there_are_motions_or_ends() -> None:
     start = symmetric_start(2.0, 6.0, 0.8, order=3)
-    *_, graze = continuation(start, "amplitude", (1.0, 6.0), direction=-1)
+    *_, graze = follow_branch(start, "amplitude", (1.0, 6.0), direction=-1)
     assert graze.type == "grazing"
-    into = list(continuation(graze, "amplitude", (1.0, 6.0), direction=1))
-    back = list(continuation(graze, "amplitude", (1.0, 6.0), direction=-1))
+    into = list(follow_branch(graze, "amplitude", (1.0, 6.0), direction=1))
+    back = list(follow_branch(graze, "amplitude", (1.0, 6.0), direction=-1))
     assert [point.type.value for point in into] == ["grazing"]
     assert all(point.admissible for point in back)
     assert [point.type.value for point in special(back)][:2] == ["grazing", "fold"]
-    asked = list(continuation(graze, "amplitude", (1.0, 6.0), inadmissible=True))
+    asked = list(follow_branch(graze, "amplitude", (1.0, 6.0), inadmissible=True))
     assert not any(point.admissible for point in asked[1:])
 
 
 def test_from_a_fold_both_sides_can_be_followed() -> None:
     start = symmetric_start(2.0, 6.0, 0.8, order=3)
-    fold = first(continuation(start, "amplitude", (1.0, 3.0), direction=-1), "fold")
+    fold = first(follow_branch(start, "amplitude", (1.0, 3.0), direction=-1), "fold")
     ends = []
     for direction in (1, -1):
-        points = list(continuation(fold, "amplitude", (1.0, 3.0), direction=direction))
+        points = list(follow_branch(fold, "amplitude", (1.0, 3.0), direction=direction))
         assert [point.type.value for point in special(points)] == ["fold", "end-of-range"]
         amplitudes = [point.amplitude for point in points]
         assert all(b > a for a, b in pairwise(amplitudes))
         ends.append(points[-1])
-    states = steady_states(3.0, 6.0, 0.8, order=3)
+    states = find_steady_states(3.0, 6.0, 0.8, order=3)
     phases = sorted(end.chain.phases[0] for end in ends)
     assert phases == pytest.approx(sorted(states.phase), abs=1e-12)
 
 
 def test_a_branch_of_so_many_points_ends_there() -> None:
     start = symmetric_start(1.0, 2.0, 0.8)
-    points = list(continuation(start, "amplitude", (0.1, 3.0), most_points=5))
+    points = list(follow_branch(start, "amplitude", (0.1, 3.0), most_points=5))
     assert [point.type.value for point in points] == ["regular"] * 5 + ["limit"]
-    on = list(continuation(points[-1], "amplitude", (0.1, 3.0)))
+    on = list(follow_branch(points[-1], "amplitude", (0.1, 3.0)))
     assert first(on, "symmetry-breaking").amplitude == pytest.approx(
         float(symmetry_breaking_amplitude(2.0, 0.8)), rel=1e-12
     )
@@ -146,7 +146,7 @@ def test_a_branch_as_arrays(leaning: list[BranchPoint]) -> None:
 
 def test_what_a_point_says_of_itself() -> None:
     start = symmetric_start(2.0, 6.0, 0.8, order=3)
-    point = next(continuation(start, "amplitude", (1.0, 3.0)))
+    point = next(follow_branch(start, "amplitude", (1.0, 3.0)))
     assert point.type is PointType.REGULAR
     assert (point.kind, point.symmetric, point.period, point.impacts) == ("symmetric", True, 3, 2)
     assert values_of(point) == pytest.approx([2.0, 6.0, 0.8])
@@ -190,7 +190,7 @@ def test_what_is_out_of_range_is_refused_at_once_and_in_one_line(
     }
     start, parameter, within = given.pop("start"), given.pop("parameter"), given.pop("within")
     with pytest.raises(InputError) as raised:
-        continuation(start, parameter, within, **given)  # type: ignore[arg-type]
+        follow_branch(start, parameter, within, **given)  # type: ignore[arg-type]
     assert said in str(raised.value)
     assert "\n" not in str(raised.value)
 
@@ -199,18 +199,18 @@ def test_what_is_no_motion_or_comes_to_rest_is_refused() -> None:
     floor = symmetric_start(3.0, 4.0, 0.8, branch=2)
     assert not floor.admissible
     with pytest.raises(ModelError, match="passes through the floor"):
-        continuation(floor, "amplitude", (1.0, 4.0))
-    assert list(continuation(floor, "amplitude", (2.9, 3.1), inadmissible=True))
+        follow_branch(floor, "amplitude", (1.0, 4.0))
+    assert list(follow_branch(floor, "amplitude", (2.9, 3.1), inadmissible=True))
     block, shaking = (
         DimensionlessBlock(restitution=0.5),
         Harmonic(amplitude=1.1, frequency_ratio=2.0),
     )
-    rests = [each for each in orbits(block, shaking, seeds=4) if each.rest_phases]
+    rests = [each for each in find_orbits(block, shaking, seeds=4) if each.rest_phases]
     with pytest.raises(ModelError, match="comes to rest"):
-        continuation(rests[0], "amplitude", (0.5, 2.0))
+        follow_branch(rests[0], "amplitude", (0.5, 2.0))
 
 
 def test_a_regular_point_has_nothing_to_switch_to() -> None:
     start = symmetric_start(1.0, 2.0, 0.8)
     with pytest.raises(ModelError, match="no other branch"):
-        continuation(start, "amplitude", (0.5, 2.0), switch=True)
+        follow_branch(start, "amplitude", (0.5, 2.0), switch=True)

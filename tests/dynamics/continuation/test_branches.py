@@ -13,9 +13,9 @@ from rocksteady import (
     InputError,
     ModelError,
     Orbit,
-    bifurcation_branches,
-    continuation,
-    orbits,
+    find_branches,
+    find_orbits,
+    follow_branch,
 )
 from rocksteady.dynamics.continuation._chain import Chain
 from rocksteady.dynamics.continuation._from_orbit import chain_of
@@ -27,13 +27,13 @@ WITHIN = (1.6, 4.5)
 
 @pytest.fixture(scope="module")
 def starts() -> list[Orbit]:
-    found = orbits(*setting((2.0, 2.2, 0.8)), max_period=3, max_impacts=6, seeds=40)
+    found = find_orbits(*setting((2.0, 2.2, 0.8)), max_period=3, max_impacts=6, seeds=40)
     return [each for each in found if not each.rest_phases]
 
 
 @pytest.fixture(scope="module")
 def branches(starts: list[Orbit]) -> tuple[Branch, ...]:
-    return bifurcation_branches(starts, "frequency_ratio", WITHIN, max_period=3, max_impacts=8)
+    return find_branches(starts, "frequency_ratio", WITHIN, max_period=3, max_impacts=8)
 
 
 def chains_at(branch: Branch, value: float) -> list[Chain]:
@@ -51,7 +51,7 @@ def chains_at(branch: Branch, value: float) -> list[Chain]:
         within = (low, value) if direction > 0 else (value, high)
         if within[0] == within[1]:
             continue
-        *_, end = continuation(
+        *_, end = follow_branch(
             ends[0], branch.parameter, within, direction=direction, inadmissible=True
         )
         if getattr(end, branch.parameter) == value:
@@ -81,7 +81,7 @@ def test_every_start_lies_on_a_branch(branches: tuple[Branch, ...], starts: list
 def test_stable_orbits_elsewhere_lie_on_a_branch(
     branches: tuple[Branch, ...], frequency: float
 ) -> None:
-    found = orbits(*setting((2.0, frequency, 0.8)), max_period=3, max_impacts=6, seeds=40)
+    found = find_orbits(*setting((2.0, frequency, 0.8)), max_period=3, max_impacts=6, seeds=40)
     chains = [chain for branch in branches for chain in chains_at(branch, frequency)]
     stable = [each for each in found if each.stable and not each.rest_phases]
     assert stable
@@ -119,7 +119,7 @@ def test_branches_hang_together_and_keep_their_limits(branches: tuple[Branch, ..
 def test_shorter_steps_find_the_same_branches(
     branches: tuple[Branch, ...], starts: list[Orbit]
 ) -> None:
-    again = bifurcation_branches(
+    again = find_branches(
         starts, "frequency_ratio", WITHIN, max_period=3, max_impacts=8, largest_step=0.008
     )
     assert len(again) == len(branches)
@@ -132,7 +132,7 @@ def test_shorter_steps_find_the_same_branches(
 def test_a_cascade_is_gone_through_up_to_the_period_asked_for() -> None:
     start = symmetric_start(2.0, 2.0, 0.8)
     for longest in (1, 2, 4, 8):
-        found = bifurcation_branches(
+        found = find_branches(
             [start], "frequency_ratio", (1.7, 2.1), max_period=longest, max_impacts=2 * longest
         )
         periods = [branch.period for branch in found]
@@ -166,16 +166,16 @@ def test_where_a_symmetric_orbit_grazes_orbits_that_lean_begin_too(
 
 def test_limits_and_order() -> None:
     start = symmetric_start(2.0, 2.0, 0.8)
-    few = bifurcation_branches([start], "frequency_ratio", (1.7, 2.1), max_branches=2)
+    few = find_branches([start], "frequency_ratio", (1.7, 2.1), max_branches=2)
     assert [branch.symmetric for branch in few] == [True, False]
-    twice = bifurcation_branches(
+    twice = find_branches(
         [start, start], "frequency_ratio", (1.7, 2.1), max_period=1, max_impacts=2
     )
-    once = bifurcation_branches([start], "frequency_ratio", (1.7, 2.1), max_period=1, max_impacts=2)
+    once = find_branches([start], "frequency_ratio", (1.7, 2.1), max_period=1, max_impacts=2)
     assert len(twice) == len(once)
-    assert bifurcation_branches([], "frequency_ratio", (1.7, 2.1)) == ()
+    assert find_branches([], "frequency_ratio", (1.7, 2.1)) == ()
     point = once[1].points[5]
-    from_a_point = bifurcation_branches(
+    from_a_point = find_branches(
         [point], "frequency_ratio", (1.7, 2.1), max_period=1, max_impacts=2
     )
     assert len(from_a_point) >= 1
@@ -185,7 +185,7 @@ def test_limits_and_order() -> None:
 def test_any_parameter(parameter: str) -> None:
     within = {"amplitude": (1.0, 3.0), "frequency_ratio": (1.7, 3.0), "restitution": (0.6, 0.95)}
     start = symmetric_start(2.0, 2.0, 0.8)
-    found = bifurcation_branches([start], parameter, within[parameter], max_period=2)
+    found = find_branches([start], parameter, within[parameter], max_period=2)
     assert found[0].symmetric
     assert {branch.parameter for branch in found} == {parameter}
 
@@ -211,7 +211,7 @@ def test_what_is_out_of_range_is_refused(change: dict[str, object], said: str) -
         **change,
     }
     with pytest.raises(InputError) as raised:
-        bifurcation_branches(**given)  # type: ignore[arg-type]
+        find_branches(**given)  # type: ignore[arg-type]
     assert said in str(raised.value)
     assert "\n" not in str(raised.value)
 
@@ -221,9 +221,9 @@ def test_an_orbit_with_rests_is_refused() -> None:
         DimensionlessBlock(restitution=0.5),
         Harmonic(amplitude=1.1, frequency_ratio=2.0),
     )
-    found = [each for each in orbits(block, shaking, seeds=4) if each.rest_phases]
+    found = [each for each in find_orbits(block, shaking, seeds=4) if each.rest_phases]
     with pytest.raises(ModelError, match="comes to rest"):
-        bifurcation_branches(found, "amplitude", (0.5, 2.0))
+        find_branches(found, "amplitude", (0.5, 2.0))
 
 
 @pytest.mark.parametrize("within", [(2.0, 3.0), (1.0, 2.0)])
@@ -231,7 +231,7 @@ def test_a_start_at_an_end_of_the_range_is_that_end_and_stands_once(
     within: tuple[float, float],
 ) -> None:
     start = symmetric_start(2.0, 2.0, 0.8)
-    first, *_ = bifurcation_branches([start], "frequency_ratio", within, max_period=1)
+    first, *_ = find_branches([start], "frequency_ratio", within, max_period=1)
     at_start = [point for point in first.points if point.frequency_ratio == 2.0]
     assert [point.type.value for point in at_start] == ["end-of-range"]
     assert {first.points[0].type, first.points[-1].type} == {at_start[0].type}

@@ -9,10 +9,10 @@ from rocksteady import (
     DoublingCascade,
     InputError,
     ModelError,
-    attractor,
-    continuation,
-    doubling_cascade,
-    orbits,
+    find_attractor,
+    find_cascade,
+    find_orbits,
+    follow_branch,
     symmetry_breaking_amplitude,
 )
 from tests.dynamics.continuation.branches import first, located, setting, special, symmetric_start
@@ -23,7 +23,7 @@ FEIGENBAUM = 4.669201609102990
 @pytest.fixture(scope="module")
 def found() -> DoublingCascade:
     start = symmetric_start(2.0, 2.0, 0.8)
-    return doubling_cascade(start, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=6)
+    return find_cascade(start, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=6)
 
 
 def test_each_doubling_is_one_by_the_return_map(found: DoublingCascade) -> None:
@@ -60,7 +60,7 @@ def test_between_two_doublings_the_doubled_orbit_attracts(found: DoublingCascade
         middle = 0.5 * (found.values[k] + found.values[k + 1])
         block, shaking = setting((2.0, middle, 0.8))
         orbit = found.points[k].orbit()
-        settled = attractor(block, shaking, start=orbit.start, cycles=20_000)
+        settled = find_attractor(block, shaking, start=orbit.start, cycles=20_000)
         # The start lies at a doubling nearby: what it settles to has the next period.
         if settled.orbit is not None:
             assert settled.period == 2 ** (k + 1)
@@ -69,7 +69,7 @@ def test_between_two_doublings_the_doubled_orbit_attracts(found: DoublingCascade
 def test_shorter_steps_find_the_same() -> None:
     start = symmetric_start(2.0, 2.0, 0.8)
     one, other = (
-        doubling_cascade(
+        find_cascade(
             start, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=4, largest_step=step
         )
         for step in (0.02, 0.003)
@@ -78,11 +78,11 @@ def test_shorter_steps_find_the_same() -> None:
 
 
 def test_from_an_orbit_that_leans_it_is_the_same(found: DoublingCascade) -> None:
-    leaning = [o for o in orbits(*setting((2.0, 1.9, 0.8)), max_period=1) if not o.symmetric]
-    one = doubling_cascade(leaning[0], "frequency_ratio", (1.7, 2.0), direction=-1, doublings=2)
+    leaning = [o for o in find_orbits(*setting((2.0, 1.9, 0.8)), max_period=1) if not o.symmetric]
+    one = find_cascade(leaning[0], "frequency_ratio", (1.7, 2.0), direction=-1, doublings=2)
     assert one.values == pytest.approx(found.values[:2], rel=1e-12)
     breaking = first(
-        continuation(symmetric_start(2.0, 2.0, 0.8), "frequency_ratio", (1.7, 2.0), direction=-1),
+        follow_branch(symmetric_start(2.0, 2.0, 0.8), "frequency_ratio", (1.7, 2.0), direction=-1),
         "symmetry-breaking",
     )
     assert breaking.frequency_ratio > found.values[0]
@@ -90,7 +90,7 @@ def test_from_an_orbit_that_leans_it_is_the_same(found: DoublingCascade) -> None
 
 def test_a_few_doublings_have_no_limit_yet() -> None:
     start = symmetric_start(2.0, 2.0, 0.8)
-    few = doubling_cascade(start, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=2)
+    few = find_cascade(start, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=2)
     assert len(few.points) == 2
     assert few.ratios.shape == (0,)
     assert math.isnan(few.limit)
@@ -102,21 +102,21 @@ def test_a_bubble_ends_a_cascade_instead_of_running_to_and_fro(
 ) -> None:
     # The symmetry breaks and is whole again, with no doubling between.
     start = symmetric_start(*point, order=3)
-    branch = continuation(start, "restitution", (0.05, 0.999), direction=-1)
+    branch = follow_branch(start, "restitution", (0.05, 0.999), direction=-1)
     breaking = first(branch, "symmetry-breaking")
-    bubble = special(continuation(breaking, "restitution", (0.05, 0.999), switch=True))
+    bubble = special(follow_branch(breaking, "restitution", (0.05, 0.999), switch=True))
     assert [each.type.value for each in bubble] == ["symmetry-breaking"] * 2
     for end in bubble:
         exact = symmetry_breaking_amplitude(point[1], end.restitution, order=3)
         assert end.amplitude == pytest.approx(float(exact), rel=1e-11)
     with pytest.raises(ModelError, match="comes to no period doubling"):
-        doubling_cascade(start, "restitution", (0.05, 0.999), direction=-1)
+        find_cascade(start, "restitution", (0.05, 0.999), direction=-1)
 
 
 def test_where_there_is_no_doubling_that_is_said() -> None:
     start = symmetric_start(1.0, 4.0, 0.8)
     with pytest.raises(ModelError, match="comes to no period doubling") as raised:
-        doubling_cascade(start, "frequency_ratio", (3.0, 6.0))
+        find_cascade(start, "frequency_ratio", (3.0, 6.0))
     assert "\n" not in str(raised.value)
 
 
@@ -124,7 +124,7 @@ def test_where_there_is_no_doubling_that_is_said() -> None:
 def test_the_number_of_doublings_is_validated(doublings: object) -> None:
     start = symmetric_start(2.0, 2.0, 0.8)
     with pytest.raises(InputError, match="doublings"):
-        doubling_cascade(
+        find_cascade(
             start,
             "frequency_ratio",
             (1.7, 2.0),

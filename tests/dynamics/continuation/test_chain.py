@@ -5,7 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rocksteady import DimensionlessBlock, Harmonic, ModelError, Orbit, orbits, steady_states
+from rocksteady import (
+    DimensionlessBlock,
+    Harmonic,
+    ModelError,
+    Orbit,
+    find_orbits,
+    find_steady_states,
+)
 from rocksteady.dynamics.continuation._chain import Chain
 from rocksteady.dynamics.continuation._from_orbit import chain_of
 from tests.dynamics.continuation.branches import setting, symmetric_start
@@ -14,7 +21,7 @@ from tests.dynamics.continuation.branches import setting, symmetric_start
 @pytest.fixture(scope="module")
 def many() -> list[Orbit]:
     points = [(1.0, 2.0, 0.8), (2.0, 1.9, 0.8), (4.0, 6.0, 0.8), (2.0, 1.78, 0.8)]
-    found = [each for point in points for each in orbits(*setting(point), seeds=24)]
+    found = [each for point in points for each in find_orbits(*setting(point), seeds=24)]
     return [each for each in found if each.admissible and not each.rest_phases]
 
 
@@ -76,7 +83,7 @@ def test_an_orbit_begun_elsewhere_is_the_same(many: list[Orbit]) -> None:
 
 
 def test_orbits_at_one_point_are_told_apart() -> None:
-    found = [o for o in orbits(*setting((4.0, 6.0, 0.8)), seeds=24) if o.admissible]
+    found = [o for o in find_orbits(*setting((4.0, 6.0, 0.8)), seeds=24) if o.admissible]
     chains = [chain_of(each) for each in found if not each.rest_phases]
     for i, one in enumerate(chains):
         for other in chains[:i]:
@@ -123,7 +130,7 @@ def test_half_of_a_chain_that_leans_is_the_mean_of_its_halves() -> None:
 def test_determinants_vanish_at_the_closed_forms() -> None:
     # TW5: the trace of half a cycle is 1 + restitution^2 at a fold, and less that where it breaks.
     for frequency in (1.5, 2.0, 4.0):
-        states = steady_states(2.0, frequency, 0.8)
+        states = find_steady_states(2.0, frequency, 0.8)
         chain = chain_of(symmetric_start(2.0, frequency, 0.8))
         trace, loss = float(states.trace[0]), 0.8**2
         for closing in (1.0, -1.0):
@@ -142,7 +149,7 @@ def test_the_null_direction_is_what_the_matrix_forgets() -> None:
 
 
 def test_an_orbit_that_comes_to_rest_is_no_chain() -> None:
-    found = orbits(
+    found = find_orbits(
         DimensionlessBlock(restitution=0.5), Harmonic(amplitude=1.1, frequency_ratio=2.0), seeds=4
     )
     (rest,) = (each for each in found if each.rest_phases)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from rocksteady import BranchPoint, continuation, orbits
+from rocksteady import BranchPoint, find_orbits, follow_branch
 from tests.dynamics.continuation.branches import (
     PARAMETERS,
     RANGES,
@@ -24,9 +24,9 @@ def branch_to(
 ) -> list[BranchPoint]:
     """Return the branch of orbits of so many periods and impacts that comes to a graze."""
     period, impacts = shape
-    for orbit in orbits(*setting(point), max_period=period, max_impacts=impacts, seeds=24):
+    for orbit in find_orbits(*setting(point), max_period=period, max_impacts=impacts, seeds=24):
         if (orbit.period, orbit.impacts) == shape and orbit.admissible:
-            points = list(continuation(orbit, parameter, RANGES[parameter]))
+            points = list(follow_branch(orbit, parameter, RANGES[parameter]))
             if any(abs(getattr(each, parameter) - graze) < 1e-9 for each in points):
                 return points
     pytest.fail("no branch comes there")
@@ -43,13 +43,13 @@ def test_a_fold_there_and_back_within_one_step_is_found() -> None:
     branch = branch_to(point, (3, 4), "amplitude", 2.7349773743200805)
     for kind in ("grazing", "period-doubling"):
         branch = list(
-            continuation(next_of(branch, kind), "amplitude", within, switch=True, most_points=300)
+            follow_branch(next_of(branch, kind), "amplitude", within, switch=True, most_points=300)
         )
     graze = next_of(branch, "grazing")
     assert graze.amplitude == pytest.approx(2.7543367390249, abs=1e-10)
 
     def followed(step: float) -> list[tuple[str, float, int]]:
-        points = continuation(
+        points = follow_branch(
             graze, "amplitude", within, switch=True, largest_step=step, most_points=3000
         )
         return events(points, "amplitude")
@@ -70,7 +70,7 @@ def branches_disagree(seed: int, most: int = 6) -> list[str]:
         return []
     parameter, direction = PARAMETERS[seed % 3], int(rng.choice([1, -1]))
     within = RANGES[parameter]
-    points = continuation(start, parameter, within, direction=direction, most_points=300)
+    points = follow_branch(start, parameter, within, direction=direction, most_points=300)
     waiting = [point for point in points if point.type in GOES_ON]
     found = []
     for _ in range(most):
@@ -83,7 +83,7 @@ def branches_disagree(seed: int, most: int = 6) -> list[str]:
             continue
         long, short = (
             list(
-                continuation(
+                follow_branch(
                     here,
                     parameter,
                     within,
@@ -127,7 +127,7 @@ def test_two_branches_that_all_but_meet_are_told_apart() -> None:
     within = RANGES["frequency_ratio"]
 
     def followed(step: float) -> list[tuple[str, float, int]]:
-        points = continuation(
+        points = follow_branch(
             graze, "frequency_ratio", within, switch=True, largest_step=step, most_points=3000
         )
         return events(points, "frequency_ratio")
@@ -142,10 +142,10 @@ def test_two_branches_that_all_but_meet_are_told_apart() -> None:
 
 def test_impacts_that_merge_end_a_branch_at_no_duration() -> None:
     start = symmetric_start(2.0, 6.0, 0.8, order=3)
-    *_, graze = continuation(start, "amplitude", (1.0, 6.0), direction=-1)
-    points = list(continuation(graze, "amplitude", (1.0, 6.0), switch=True))
-    back = list(continuation(points[8], "amplitude", (1.0, 6.0), direction=1))
-    there = list(continuation(points[8], "amplitude", (1.0, 6.0), direction=-1))
+    *_, graze = follow_branch(start, "amplitude", (1.0, 6.0), direction=-1)
+    points = list(follow_branch(graze, "amplitude", (1.0, 6.0), switch=True))
+    back = list(follow_branch(points[8], "amplitude", (1.0, 6.0), direction=1))
+    there = list(follow_branch(points[8], "amplitude", (1.0, 6.0), direction=-1))
     ends = [branch[-1] for branch in (back, there) if branch[-1].type == "grazing"]
     nearest = min(ends, key=lambda end: abs(end.amplitude - graze.amplitude))
     assert nearest.amplitude == pytest.approx(graze.amplitude, abs=1e-10)
@@ -157,21 +157,21 @@ def test_impacts_that_merge_end_a_branch_at_no_duration() -> None:
 
 def test_a_quiet_branch_has_no_events() -> None:
     start = symmetric_start(1.0, 4.0, 0.8)
-    points = list(continuation(start, "frequency_ratio", (3.0, 9.0)))
+    points = list(follow_branch(start, "frequency_ratio", (3.0, 9.0)))
     assert [point.type.value for point in special(points)] == ["end-of-range"]
     assert all(point.stable for point in points)
 
 
 def test_a_closed_branch_ends_where_it_began() -> None:
     point = (3.987251776375143, 7.178139998457121, 0.45068500333975936)
-    found = orbits(*setting(point), max_period=3, max_impacts=4, seeds=24)
+    found = find_orbits(*setting(point), max_period=3, max_impacts=4, seeds=24)
     closed = []
     for orbit in found:
         if (orbit.period, orbit.impacts, orbit.symmetric) != (3, 4, False):
             continue
         for direction in (1, -1):
             points = list(
-                continuation(orbit, "restitution", RANGES["restitution"], direction=direction)
+                follow_branch(orbit, "restitution", RANGES["restitution"], direction=direction)
             )
             if points[-1].type == "closed":
                 closed.append(points)
@@ -198,14 +198,14 @@ def test_a_closed_branch_is_run_through_once_from_its_fold(direction: int) -> No
     within = RANGES["restitution"]
     leaning = next(
         orbit
-        for orbit in orbits(*setting(point), max_period=3, max_impacts=4, seeds=24)
+        for orbit in find_orbits(*setting(point), max_period=3, max_impacts=4, seeds=24)
         if (orbit.period, orbit.impacts, orbit.symmetric) == (3, 4, False)
-        and list(continuation(orbit, "restitution", within))[-1].type == "closed"
+        and list(follow_branch(orbit, "restitution", within))[-1].type == "closed"
     )
     fold = next(
-        each for each in continuation(leaning, "restitution", within) if each.type == "fold"
+        each for each in follow_branch(leaning, "restitution", within) if each.type == "fold"
     )
-    around = special(list(continuation(fold, "restitution", within, direction=direction)))
+    around = special(list(follow_branch(fold, "restitution", within, direction=direction)))
     kinds = sorted(each.type.value for each in around)
     assert kinds == ["closed", "fold", "fold", "period-doubling", "period-doubling"]
     assert around[-1].type == "closed"

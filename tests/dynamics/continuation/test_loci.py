@@ -9,10 +9,10 @@ from rocksteady import (
     BranchPoint,
     InputError,
     ModelError,
-    bifurcation_curve,
-    boundaries,
-    continuation,
-    steady_states,
+    find_steady_states,
+    follow_bifurcation,
+    follow_branch,
+    region_boundaries,
     symmetry_breaking_amplitude,
 )
 from tests.dynamics.continuation.branches import (
@@ -40,7 +40,7 @@ def ranges(plane: tuple[str, str]) -> tuple[tuple[float, float], tuple[float, fl
 
 def both_ways(start: BranchPoint, plane: tuple[str, str]) -> list[BranchPoint]:
     one, other = (
-        list(bifurcation_curve(start, plane, ranges(plane), direction=direction, most_points=400))
+        list(follow_bifurcation(start, plane, ranges(plane), direction=direction, most_points=400))
         for direction in (1, -1)
     )
     return [*reversed(other[1:]), *one]
@@ -51,10 +51,10 @@ def found_again(point: BranchPoint, parameter: str, kind: str) -> float | None:
     value = getattr(point, parameter)
     for side in (1, -1):
         near = (value * 0.97, value * 1.03)
-        back = continuation(point, parameter, near, direction=side, inadmissible=True)
+        back = follow_branch(point, parameter, near, direction=side, inadmissible=True)
         *_, end = back
         for direction in (1, -1):
-            branch = continuation(end, parameter, near, direction=direction, inadmissible=True)
+            branch = follow_branch(end, parameter, near, direction=direction, inadmissible=True)
             for each in branch:
                 if each.type == kind and each.arclength > 0.0:
                     found = float(getattr(each, parameter))
@@ -69,7 +69,7 @@ def test_symmetry_breaks_on_the_closed_form_all_along(plane: tuple[str, str], or
     frequency = 2.2 if order == 1 else 5.0
     edge = float(symmetry_breaking_amplitude(frequency, 0.8, order=order))
     start = symmetric_start(0.97 * edge, frequency, 0.8, order=order)
-    breaking = first(continuation(start, "amplitude", (0.1, 6.0)), "symmetry-breaking")
+    breaking = first(follow_branch(start, "amplitude", (0.1, 6.0)), "symmetry-breaking")
     points = both_ways(breaking, plane)
     assert len(points) > 20
     for point in points:
@@ -85,13 +85,13 @@ def test_symmetry_breaks_on_the_closed_form_all_along(plane: tuple[str, str], or
 @pytest.mark.parametrize("order", [1, 3])
 def test_folds_run_along_the_existence_boundary(plane: tuple[str, str], order: int) -> None:
     frequency = 4.0 if order == 1 else 6.0
-    edge = float(boundaries(frequency, 0.8, order=order).existence)
+    edge = float(region_boundaries(frequency, 0.8, order=order).existence)
     start = symmetric_start(1.05 * edge, frequency, 0.8, order=order)
-    branch = continuation(start, "amplitude", (0.1, 6.0), direction=-1)
+    branch = follow_branch(start, "amplitude", (0.1, 6.0), direction=-1)
     points = both_ways(first(branch, "fold"), plane)
     assert len(points) > 20
     for point in points:
-        exact = boundaries(point.frequency_ratio, point.restitution, order=order)
+        exact = region_boundaries(point.frequency_ratio, point.restitution, order=order)
         assert point.amplitude == pytest.approx(float(exact.existence), rel=1e-10)  # eq 23
 
 
@@ -100,17 +100,17 @@ def test_folds_of_long_half_cycles_run_along_the_existence_boundary_too(
     restitution: float, order: int
 ) -> None:
     # Near a fold all terms of the derivative by the one phase vanish like e^-T together.
-    edge = float(boundaries(4.5, restitution, order=order).existence)
+    edge = float(region_boundaries(4.5, restitution, order=order).existence)
     start = symmetric_start(1.1 * edge, 4.5, restitution, order=order)
-    fold = first(continuation(start, "amplitude", (1e-4, 8.0), direction=-1), "fold")
+    fold = first(follow_branch(start, "amplitude", (1e-4, 8.0), direction=-1), "fold")
     lowest = 0.3 if order < 5 else 0.6  # half cycles of 31 and of 26 pivot times
     within = ((1e-4, 9.0), (lowest, 9.0))
-    points = list(bifurcation_curve(fold, PLANES[0], within, direction=-1))
+    points = list(follow_bifurcation(fold, PLANES[0], within, direction=-1))
     assert points[-1].type == "end-of-range"
     assert points[-1].frequency_ratio == lowest
     assert len(points) < 200
     for point in points:
-        exact = boundaries(point.frequency_ratio, restitution, order=order)
+        exact = region_boundaries(point.frequency_ratio, restitution, order=order)
         assert point.amplitude == pytest.approx(float(exact.existence), rel=1e-10)  # eq 23
 
 
@@ -131,7 +131,7 @@ def test_doublings_are_doublings_by_the_map(plane: tuple[str, str]) -> None:
 @pytest.mark.parametrize("plane", PLANES[:3])
 def test_grazes_are_grazes_of_the_closed_form(plane: tuple[str, str]) -> None:
     start = symmetric_start(2.0, 6.0, 0.8, order=3)
-    *_, graze = continuation(start, "amplitude", (1.0, 6.0), direction=-1)
+    *_, graze = follow_branch(start, "amplitude", (1.0, 6.0), direction=-1)
     assert graze.type == "grazing"
     points = both_ways(graze, plane)
     assert len(points) > 10
@@ -140,7 +140,7 @@ def test_grazes_are_grazes_of_the_closed_form(plane: tuple[str, str]) -> None:
         # A little weaker shaking keeps it off the floor, a little stronger does not.
         here = []
         for share in (1.0 - 1e-7, 1.0 + 1e-7):
-            states = steady_states(
+            states = find_steady_states(
                 share * point.amplitude, point.frequency_ratio, point.restitution, order=3
             )
             which = int(np.argmin(np.abs(np.sin(0.5 * (states.phase - graze_phase(point))))))
@@ -159,7 +159,7 @@ def test_each_point_is_that_bifurcation_in_one_parameter_alone(kind: str) -> Non
     else:
         begin = symmetric_start(2.0, 6.0, 0.8, order=3)
         direction = -1 if kind == "fold" else 1
-        branch = continuation(
+        branch = follow_branch(
             begin, "amplitude", (0.5, 6.0), direction=direction, inadmissible=True
         )
         start = first(branch, kind)
@@ -177,11 +177,11 @@ def test_each_point_is_that_bifurcation_in_one_parameter_alone(kind: str) -> Non
 
 def test_a_curve_ends_at_its_range_and_can_be_followed_back() -> None:
     start = symmetric_start(1.0, 2.0, 0.8)
-    breaking = first(continuation(start, "amplitude", (0.1, 3.0)), "symmetry-breaking")
+    breaking = first(follow_branch(start, "amplitude", (0.1, 3.0)), "symmetry-breaking")
     plane = ("amplitude", "frequency_ratio")
     within = ((0.5, 4.0), (1.0, 3.0))
-    *_, up = bifurcation_curve(breaking, plane, within)
-    *_, down = bifurcation_curve(breaking, plane, within, direction=-1)
+    *_, up = follow_bifurcation(breaking, plane, within)
+    *_, down = follow_bifurcation(breaking, plane, within, direction=-1)
     assert up.type == down.type == "end-of-range"
     for end in (up, down):
         assert end.amplitude in within[0] or end.frequency_ratio in within[1]
@@ -194,12 +194,12 @@ def test_steps_do_not_matter_and_points_are_counted() -> None:
     doubling = first(unsymmetric_branch(), "period-doubling")
     plane, within = ("amplitude", "frequency_ratio"), ((1.5, 3.0), (1.5, 2.3))
     ends = [
-        list(bifurcation_curve(doubling, plane, within, largest_step=step))[-1]
+        list(follow_bifurcation(doubling, plane, within, largest_step=step))[-1]
         for step in (0.02, 0.004)
     ]
     assert ends[0].type == ends[1].type
     assert values_of(ends[0]) == pytest.approx(values_of(ends[1]), rel=1e-10)
-    points = list(bifurcation_curve(doubling, plane, within, most_points=3))
+    points = list(follow_bifurcation(doubling, plane, within, most_points=3))
     assert [point.type.value for point in points] == ["period-doubling"] * 3 + ["limit"]
 
 
@@ -220,18 +220,18 @@ def test_steps_do_not_matter_and_points_are_counted() -> None:
 )
 def test_what_are_no_two_parameters_is_refused(parameters: object, within: object) -> None:
     start = symmetric_start(1.0, 2.0, 0.8)
-    breaking = first(continuation(start, "amplitude", (0.1, 3.0)), "symmetry-breaking")
+    breaking = first(follow_branch(start, "amplitude", (0.1, 3.0)), "symmetry-breaking")
     with pytest.raises(InputError) as raised:
-        bifurcation_curve(breaking, parameters, within)  # type: ignore[arg-type]
+        follow_bifurcation(breaking, parameters, within)  # type: ignore[arg-type]
     assert "\n" not in str(raised.value)
 
 
 def test_what_is_no_bifurcation_is_refused() -> None:
     orbit = symmetric_start(1.0, 2.0, 0.8)
-    point = next(continuation(orbit, "amplitude", (0.1, 3.0)))
+    point = next(follow_branch(orbit, "amplitude", (0.1, 3.0)))
     for start in (orbit, point, None):
         with pytest.raises(ModelError, match="a curve begins at") as raised:
-            bifurcation_curve(
+            follow_bifurcation(
                 start,  # type: ignore[arg-type]
                 ("amplitude", "restitution"),
                 ((0.1, 3.0), (0.1, 1.0)),

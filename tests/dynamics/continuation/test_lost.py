@@ -9,13 +9,13 @@ from rocksteady import (
     Harmonic,
     PointType,
     Steady,
-    attractor,
-    bifurcation_branches,
-    bifurcation_curve,
-    boundaries,
-    continuation,
-    doubling_cascade,
-    orbits,
+    find_attractor,
+    find_branches,
+    find_cascade,
+    find_orbits,
+    follow_bifurcation,
+    follow_branch,
+    region_boundaries,
     symmetry_breaking_amplitude,
 )
 from rocksteady.dynamics.continuation._chain import Chain
@@ -27,10 +27,10 @@ PLANE = ("amplitude", "frequency_ratio")
 @pytest.fixture(scope="module")
 def doublings() -> tuple[BranchPoint, ...]:
     shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
-    orbit = attractor(BLOCK, shaking, start=Steady()).orbit
+    orbit = find_attractor(BLOCK, shaking, start=Steady()).orbit
     assert orbit is not None
     within = (1.5, 2.1)
-    return doubling_cascade(orbit, "frequency_ratio", within, direction=-1, doublings=2).points
+    return find_cascade(orbit, "frequency_ratio", within, direction=-1, doublings=2).points
 
 
 @pytest.mark.parametrize("lowest", [0.2, 0.3])
@@ -40,7 +40,7 @@ def test_a_curve_that_runs_into_endless_half_cycles_ends_there(
 ) -> None:
     # At Omega = 0.2 a difference grows by e^(5 pi) in half a cycle, in two of them by 4e13.
     within = ((0.02, 8.0), (lowest, 14.0))
-    curve = list(bifurcation_curve(doublings[which], PLANE, within, direction=-1))
+    curve = list(follow_bifurcation(doublings[which], PLANE, within, direction=-1))
     assert curve[-1].type in (PointType.LOST, PointType.RANGE_END, PointType.GRAZING)
     assert curve[-1].frequency_ratio < 0.5
     assert all(point.type is PointType.PERIOD_DOUBLING for point in curve[:-1])
@@ -49,13 +49,13 @@ def test_a_curve_that_runs_into_endless_half_cycles_ends_there(
 @pytest.mark.parametrize("ratio", [6.0, 12.0])
 def test_branches_with_a_graze_beside_a_merging_end_without_an_error(ratio: float) -> None:
     # Brent's method halves its bracket here so seldom that it takes more than 100 steps.
-    low = float(boundaries(ratio, 0.8, order=3).existence)
+    low = float(region_boundaries(ratio, 0.8, order=3).existence)
     high = float(symmetry_breaking_amplitude(ratio, 0.8, order=3))
     shaking = Harmonic(amplitude=0.7 * low + 0.3 * high, frequency_ratio=ratio)
-    found = orbits(BLOCK, shaking, max_period=3, max_impacts=1, seeds=1)
+    found = find_orbits(BLOCK, shaking, max_period=3, max_impacts=1, seeds=1)
     starts = [orbit for orbit in found if orbit.period == 3 and orbit.branch == 1]
     within = (0.9 * low, 2.0 * high)
-    branches = bifurcation_branches(
+    branches = find_branches(
         starts, "amplitude", within, max_period=6, max_impacts=16, max_branches=12
     )
     assert branches[0].symmetric
@@ -74,13 +74,13 @@ def test_what_gets_nowhere_is_stalled_and_says_where_and_why(
         ),
     )
     block = DimensionlessBlock(restitution=0.87)
-    edge = float(boundaries(4.5, 0.87, order=3).existence)
+    edge = float(region_boundaries(4.5, 0.87, order=3).existence)
     shaking = Harmonic(amplitude=1.1 * edge, frequency_ratio=4.5)
-    found = orbits(block, shaking, max_period=3, max_impacts=2, seeds=1)
+    found = find_orbits(block, shaking, max_period=3, max_impacts=2, seeds=1)
     start = next(orbit for orbit in found if orbit.period == 3 and orbit.symmetric)
-    branch = continuation(start, "amplitude", (0.02, 8.0), direction=-1)
+    branch = follow_branch(start, "amplitude", (0.02, 8.0), direction=-1)
     fold = next(point for point in branch if point.type is PointType.FOLD)
-    curve = list(bifurcation_curve(fold, PLANE, ((0.02, 8.0), (0.5, 8.0)), direction=-1))
+    curve = list(follow_bifurcation(fold, PLANE, ((0.02, 8.0), (0.5, 8.0)), direction=-1))
     assert len(curve) < 1500
     end = curve[-1]
     assert end.type is PointType.STALLED

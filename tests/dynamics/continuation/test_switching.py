@@ -1,4 +1,4 @@
-"""Branches that begin at bifurcations: how they leave, and that they meet what `orbits` finds."""
+"""Branches that begin at bifurcations: how they leave, and that they meet known orbits."""
 
 import math
 from dataclasses import replace
@@ -6,7 +6,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rocksteady import BranchPoint, ModelError, PointType, attractor, continuation, orbits
+from rocksteady import (
+    BranchPoint,
+    ModelError,
+    PointType,
+    find_attractor,
+    find_orbits,
+    follow_branch,
+)
 from rocksteady.dynamics.continuation._from_orbit import chain_of
 from rocksteady.dynamics.continuation._switching import switched
 from rocksteady.dynamics.orbits.return_map import make_system, section_of
@@ -32,7 +39,7 @@ def leaning() -> list[BranchPoint]:
 @pytest.fixture(scope="module")
 def doubled(leaning: list[BranchPoint]) -> list[BranchPoint]:
     doubling = first(leaning, "period-doubling")
-    return list(continuation(doubling, "frequency_ratio", FREQUENCIES, switch=True))
+    return list(follow_branch(doubling, "frequency_ratio", FREQUENCIES, switch=True))
 
 
 def leaves_like_a_root(points: list[BranchPoint], parent: BranchPoint) -> None:
@@ -72,7 +79,7 @@ def test_at_a_doubling_orbits_of_twice_the_period_leave_like_a_root(
         orbit = point.orbit()
         assert orbit.period == 2
         assert orbit.residual < 1e-11
-        found = attractor(orbit.block, orbit.shaking, start=orbit.start)
+        found = find_attractor(orbit.block, orbit.shaking, start=orbit.start)
         assert found.period == 2
 
 
@@ -80,19 +87,19 @@ def test_the_printed_doubled_attractor_lies_on_the_doubled_branch(
     doubled: list[BranchPoint],
 ) -> None:
     # TW7: period-doubled at Omega = 1.78.
-    found = [each for each in orbits(*setting((2.0, 1.78, 0.8)), seeds=48) if each.period == 2]
+    found = [each for each in find_orbits(*setting((2.0, 1.78, 0.8)), seeds=48) if each.period == 2]
     (orbit,) = (each for each in found if each.impacts == 4 and each.stable)
     near = min(doubled, key=lambda point: abs(point.frequency_ratio - 1.78))
     direction = 1 if near.frequency_ratio < 1.78 else -1
     within = (min(near.frequency_ratio, 1.78), max(near.frequency_ratio, 1.78))
-    *_, there = continuation(near, "frequency_ratio", within, direction=direction)
+    *_, there = follow_branch(near, "frequency_ratio", within, direction=direction)
     assert there.frequency_ratio == 1.78
     assert there.chain.repeats(chain_of(orbit), 1e-9, mirrors=True)
 
 
 def test_a_bubble_of_doubled_orbits_ends_at_its_other_doubling() -> None:
     # A branch of period 2 that begins and ends on one branch of period 1.
-    found = orbits(
+    found = find_orbits(
         *setting((2.324497483803872, 1.6585167782306718, 0.6684959452715873)),
         max_period=2,
         max_impacts=4,
@@ -101,7 +108,7 @@ def test_a_bubble_of_doubled_orbits_ends_at_its_other_doubling() -> None:
     start = next(each for each in found if each.period == 2 and each.impacts == 4)
 
     def both_ends(step: float) -> list[BranchPoint]:
-        branch = continuation(start, "frequency_ratio", (0.3, 12.0), largest_step=step)
+        branch = follow_branch(start, "frequency_ratio", (0.3, 12.0), largest_step=step)
         return special(branch)
 
     for ends in (both_ends(0.05), both_ends(0.02), both_ends(0.002)):
@@ -110,7 +117,7 @@ def test_a_bubble_of_doubled_orbits_ends_at_its_other_doubling() -> None:
         assert ends[0].frequency_ratio == pytest.approx(1.9069885905930, abs=1e-12)
         assert ends[1].frequency_ratio == pytest.approx(1.9290959595324, abs=1e-12)
     # The orbit that is doubled there has that doubling on its own branch.
-    back = list(continuation(both_ends(0.02)[1], "frequency_ratio", (1.8, 2.0), direction=-1))
+    back = list(follow_branch(both_ends(0.02)[1], "frequency_ratio", (1.8, 2.0), direction=-1))
     assert back[0].type == "period-doubling"
     assert back[0].multipliers[0] == pytest.approx(-1.0, abs=1e-6)
 
@@ -121,13 +128,13 @@ def test_a_bubble_of_doubled_orbits_ends_at_its_other_doubling() -> None:
 @pytest.fixture(scope="module")
 def graze() -> BranchPoint:
     start = symmetric_start(2.0, 6.0, 0.8, order=3)
-    *_, last = continuation(start, "amplitude", (1.0, 6.0), direction=-1)
+    *_, last = follow_branch(start, "amplitude", (1.0, 6.0), direction=-1)
     assert last.type == "grazing"
     return last
 
 
 def test_at_a_graze_orbits_with_two_impacts_more_begin(graze: BranchPoint) -> None:
-    points = list(continuation(graze, "amplitude", (1.0, 6.0), switch=True))
+    points = list(follow_branch(graze, "amplitude", (1.0, 6.0), switch=True))
     assert len(points) > 5
     assert points[0].amplitude == graze.amplitude
     assert points[0].chain.impacts == graze.chain.impacts + 2
@@ -150,10 +157,10 @@ def test_at_a_graze_orbits_with_two_impacts_more_begin(graze: BranchPoint) -> No
 
 
 def test_where_two_impacts_merge_orbits_with_two_fewer_begin(graze: BranchPoint) -> None:
-    points = list(continuation(graze, "amplitude", (1.0, 6.0), switch=True))
+    points = list(follow_branch(graze, "amplitude", (1.0, 6.0), switch=True))
     here = points[0]
     assert here.type == "grazing"
-    back = list(continuation(here, "amplitude", (1.0, 6.0), switch=True))
+    back = list(follow_branch(here, "amplitude", (1.0, 6.0), switch=True))
     assert back[0].chain.impacts == graze.chain.impacts
     assert back[0].chain.distance(graze.chain) < 1e-9
     assert all(point.admissible for point in back)
@@ -165,19 +172,19 @@ def test_of_an_orbit_that_leans_a_merging_may_leave_a_symmetric_one() -> None:
     block_and_shaking = setting((2.0, 2.2, 0.8))
     leaning = [
         each
-        for each in orbits(*block_and_shaking, max_period=3, max_impacts=6, seeds=40)
+        for each in find_orbits(*block_and_shaking, max_period=3, max_impacts=6, seeds=40)
         if each.admissible and not each.rest_phases and each.impacts == 6
     ]
     seen = 0
     for start in leaning:
         for direction in (1, -1):
-            *_, last = continuation(start, "frequency_ratio", (1.6, 4.5), direction=direction)
+            *_, last = follow_branch(start, "frequency_ratio", (1.6, 4.5), direction=direction)
             if last.type != "grazing":
                 continue
             chain, along = switched(last.type, last.chain)
             assert along is None
             assert chain.primitive(1e-6) is chain
-            on = list(continuation(last, "frequency_ratio", (1.6, 4.5), switch=True))
+            on = list(follow_branch(last, "frequency_ratio", (1.6, 4.5), switch=True))
             for point in on[1:-1:3]:
                 if max(point.chain.durations) < 8.0:
                     assert point.orbit().kind == point.kind
@@ -186,7 +193,7 @@ def test_of_an_orbit_that_leans_a_merging_may_leave_a_symmetric_one() -> None:
 
 
 def test_two_arcs_that_merge_across_the_end_of_the_chain_are_left_out(graze: BranchPoint) -> None:
-    points = list(continuation(graze, "amplitude", (1.0, 6.0), switch=True))
+    points = list(follow_branch(graze, "amplitude", (1.0, 6.0), switch=True))
     chain = points[0].chain
     (merged,) = np.flatnonzero(np.abs(chain.durations) < 1e-9)
     # Begun at each of its impacts, half of a symmetric orbit: the other half follows mirrored.
@@ -218,11 +225,11 @@ def test_elsewhere_nothing_begins(kind: PointType) -> None:
 
 def test_of_two_impacts_that_merge_nothing_is_left(leaning: list[BranchPoint]) -> None:
     # The branch that leans, followed to slow shaking of a stronger block: one flight takes all.
-    *_, last = continuation(
+    *_, last = follow_branch(
         leaning[5], "frequency_ratio", (0.3, 12.0), direction=-1, largest_step=0.02
     )
     if last.type == "grazing" and last.impacts == 2:
         with pytest.raises(ModelError):
-            continuation(last, "frequency_ratio", (0.3, 12.0), switch=True)
+            follow_branch(last, "frequency_ratio", (0.3, 12.0), switch=True)
     assert np.isfinite(last.peaks).all()
     assert math.isfinite(values_of(last).sum())

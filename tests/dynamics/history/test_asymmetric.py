@@ -16,9 +16,9 @@ from rocksteady import (
     State,
     Status,
     Still,
-    attractor,
-    attractor_map,
-    orbits,
+    find_attractor,
+    find_orbits,
+    map_attractors,
     simulate,
 )
 from rocksteady.model.equations import Linear
@@ -222,11 +222,11 @@ def test_sides_that_hardly_differ_move_as_if_they_did_not() -> None:
     shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
     one, other = (simulate(block, shaking, cycles=20) for block in (near, like))
     assert one.impacts.pt == pytest.approx(other.impacts.pt, abs=1e-9)
-    assert attractor(like, shaking).kind == "symmetric"
-    found = attractor(near, shaking)
+    assert find_attractor(like, shaking).kind == "symmetric"
+    found = find_attractor(near, shaking)
     assert found.kind == "unsymmetric"
-    assert not any(orbit.symmetric for orbit in orbits(near, shaking, max_period=1, seeds=24))
-    cells = attractor_map(near, shaking, axes={"phase": [0.0, 1.0]})
+    assert not any(orbit.symmetric for orbit in find_orbits(near, shaking, max_period=1, seeds=24))
+    cells = map_attractors(near, shaking, axes={"phase": [0.0, 1.0]})
     assert set(cells.kind.values.tolist()) == {1}
 
 

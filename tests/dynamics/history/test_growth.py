@@ -15,8 +15,8 @@ from rocksteady import (
     State,
     Steady,
     Still,
+    find_steady_states,
     simulate,
-    steady_states,
 )
 from rocksteady.model.equations import Nonlinear
 from rocksteady.model.motions.segments import Motion
@@ -64,7 +64,7 @@ def test_growth_is_that_of_runs_that_begin_a_little_apart(name: str) -> None:
 
 
 def test_from_an_unstable_orbit_it_is_the_power_of_its_multiplier() -> None:
-    point = steady_states(1.0, 2.0, 0.8)
+    point = find_steady_states(1.0, 2.0, 0.8)
     branch = next(b for b in (0, 1) if point.admissible[b] and not point.stable[b])  # type: ignore[index]
     trace = abs(float(point.trace[branch]))
     multiplier = 0.5 * (trace + math.sqrt(trace**2 - 4.0 * 0.8**2))

@@ -17,9 +17,9 @@ from rocksteady import (
     Status,
     Still,
     Trajectory,
-    attractor,
-    attractor_map,
-    fate_map,
+    find_attractor,
+    map_attractors,
+    map_fates,
     simulate,
 )
 from rocksteady.dynamics.orbits.return_map import ReturnMap
@@ -240,7 +240,7 @@ def test_peaks_of_each_side_are_those_of_dense_samples() -> None:
 
 def test_an_attractor_is_where_a_long_run_ends() -> None:
     shaking = Harmonic(amplitude=3.0, frequency_ratio=6.0)
-    found = attractor(BLOCK, shaking, model=Nonlinear())
+    found = find_attractor(BLOCK, shaking, model=Nonlinear())
     assert found.kind == "unsymmetric"
     assert found.orbit is not None
     assert not found.orbit.symmetric
@@ -261,14 +261,14 @@ def test_cells_of_maps_are_single_answers() -> None:
     start = State(angle=0.0, velocity=0.3)
     shaking = Harmonic(amplitude=2.0, frequency_ratio=3.0)
     axes = {"restitution": [0.7, 0.9], "amplitude": [0.6, 2.0, 6.0]}
-    settled = attractor_map(BLOCK, shaking, axes=axes, start=start, model=Nonlinear())
-    fates = fate_map(BLOCK, shaking, axes=axes, start=start, cycles=30, model=Nonlinear())
+    settled = map_attractors(BLOCK, shaking, axes=axes, start=start, model=Nonlinear())
+    fates = map_fates(BLOCK, shaking, axes=axes, start=start, cycles=30, model=Nonlinear())
     meanings = settled.kind.attrs["flag_meanings"].split()
     for i, restitution in enumerate(axes["restitution"]):
         for j, amplitude in enumerate(axes["amplitude"]):
             body = BLOCK.with_restitution(restitution)
             base = Harmonic(amplitude=amplitude, frequency_ratio=3.0)
-            single = attractor(body, base, start=start, model=Nonlinear())
+            single = find_attractor(body, base, start=start, model=Nonlinear())
             assert meanings[int(settled.kind[i, j])] == single.kind.value
             if single.orbit is not None:
                 assert float(settled.highest[i, j]) == single.orbit.highest
@@ -277,5 +277,5 @@ def test_cells_of_maps_are_single_answers() -> None:
             assert Status(int(fates.fate[i, j])) is run.status
             if run.status is Status.ROCKING:  # before a rest there are infinitely many
                 assert int(fates.impacts[i, j]) == len(run.impacts)
-    own = attractor_map(BLOCK, shaking, axes={"phase": [0.0, 1.0]}, model=Nonlinear())
+    own = map_attractors(BLOCK, shaking, axes={"phase": [0.0, 1.0]}, model=Nonlinear())
     assert own.attrs["negative_restitution"] == 0.9

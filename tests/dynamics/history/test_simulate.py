@@ -20,8 +20,8 @@ from rocksteady import (
     Status,
     Steady,
     Still,
+    find_steady_states,
     simulate,
-    steady_states,
 )
 from tests.dynamics.integrator import integrate
 from tests.dynamics.runs import BARE, half_sine, pulse, rocked
@@ -294,7 +294,7 @@ def test_the_same_motion_as_one_segment_or_several() -> None:
 
 
 def test_a_million_cycles_do_not_drift() -> None:
-    states = steady_states(2.0, 4.0, 0.8)
+    states = find_steady_states(2.0, 4.0, 0.8)
     run = simulate(
         BARE, Harmonic(amplitude=2.0, frequency_ratio=4.0), start=Steady(), cycles=1_000_000.25
     )

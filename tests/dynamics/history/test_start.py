@@ -19,8 +19,8 @@ from rocksteady import (
     State,
     Steady,
     Still,
-    boundaries,
-    steady_states,
+    find_steady_states,
+    region_boundaries,
 )
 from rocksteady.dynamics.history.start import (
     LARGEST_KICK,
@@ -81,7 +81,7 @@ def test_a_velocity_by_tau_is_one_by_pivot_time_over_the_frequency_ratio() -> No
 
 def test_a_stable_steady_state_decides_on_the_phase() -> None:
     motion, state = initial_march(Steady(), BLOCK, SHAKING)
-    found = steady_states(2.0, 4.0, 0.8)
+    found = find_steady_states(2.0, 4.0, 0.8)
     assert isinstance(motion, Harmonic)
     assert motion.phase == float(found.phase[0])
     assert (state.angle, state.velocity) == (0.0, float(found.velocity[0]))
@@ -104,7 +104,7 @@ def test_a_steady_state_that_does_not_fit_is_refused(
 
 
 def test_where_there_is_none_the_least_amplitude_is_named() -> None:
-    least = float(boundaries(4.0, 0.8).existence)
+    least = float(region_boundaries(4.0, 0.8).existence)
     with pytest.raises(ModelError, match=f"raise the amplitude to {least:.6g} or above"):
         begun(Steady(), BLOCK, Harmonic(amplitude=0.9 * least, frequency_ratio=4.0))
     begun(Steady(), BLOCK, Harmonic(amplitude=1.01 * least, frequency_ratio=4.0))

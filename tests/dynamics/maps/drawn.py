@@ -15,7 +15,7 @@ from rocksteady import (
     Rest,
     State,
     Steady,
-    attractor,
+    find_attractor,
     housner_restitution,
 )
 from rocksteady.dynamics.batch.attractors import KIND_FLAGS
@@ -193,10 +193,10 @@ def same_as_alone(
     start: Any,
     cycles: int,
 ) -> None:
-    """Assert that a cell of a map is what `attractor` finds, to the last bit."""
+    """Assert that a cell of a map is what `find_attractor` finds, to the last bit."""
     kind = KIND_FLAGS[int(cell.kind)]
     try:
-        alone = attractor(block, shaking, start=start, cycles=cycles)
+        alone = find_attractor(block, shaking, start=start, cycles=cycles)
     except ModelError:
         assert kind == "no-start"
         assert math.isnan(cell.highest)

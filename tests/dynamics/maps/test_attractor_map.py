@@ -18,9 +18,9 @@ from rocksteady import (
     Run,
     State,
     Steady,
-    attractor,
-    attractor_map,
+    find_attractor,
     housner_restitution,
+    map_attractors,
 )
 from rocksteady.dynamics.batch.attractors import KIND_FLAGS
 from rocksteady.dynamics.parameters import AXES as PARAMETERS_OF_MAPS
@@ -49,7 +49,7 @@ CASES = 120
 )
 def test_every_cell_is_the_attractor_at_that_point(start: Any, phase: float) -> None:
     shaking = replace(SHAKING, phase=phase)
-    found = attractor_map(BLOCK, shaking, axes=AXES, start=start, cycles=300)
+    found = map_attractors(BLOCK, shaking, axes=AXES, start=start, cycles=300)
     assert found.kind.dims == ("amplitude", "frequency_ratio")
     for a in AMPLITUDES:
         for w in RATIOS:
@@ -63,7 +63,7 @@ def test_a_row_along_which_chatter_ends_at_uplift_is_as_fast_as_any_other() -> N
     ratios = np.linspace(0.2, 8.0, 1000)[::25]
     block = DimensionlessBlock(restitution=0.87)
     axes: dict[str, Any] = {"amplitude": [1.0565565565565567], "frequency_ratio": ratios}
-    found = attractor_map(block, axes=axes)
+    found = map_attractors(block, axes=axes)
     words = [KIND_FLAGS[kind] for kind in found.kind.values[0].tolist()]
     assert {"symmetric", "unsymmetric", "overturned"} <= set(words)
     assert found.after.values.max() < 200  # as if each had gone on for 2000
@@ -71,24 +71,24 @@ def test_a_row_along_which_chatter_ends_at_uplift_is_as_fast_as_any_other() -> N
 
 def test_executors_agree_to_the_bit_and_progress_is_told() -> None:
     told: list[int] = []
-    one = attractor_map(BLOCK, axes=AXES, cycles=300, run=Run(progress=told.append))
-    other = attractor_map(BLOCK, axes=AXES, cycles=300, run=Run(executor="serial"))
+    one = map_attractors(BLOCK, axes=AXES, cycles=300, run=Run(progress=told.append))
+    other = map_attractors(BLOCK, axes=AXES, cycles=300, run=Run(executor="serial"))
     assert one.identical(other)
     assert sum(told) == 12 * 11
 
 
 def test_the_phase_is_an_axis_as_any_other() -> None:
     phases = [-7.0, 0.0, 2.5]
-    found = attractor_map(BLOCK, axes={"phase": phases, **AXES}, cycles=100)
+    found = map_attractors(BLOCK, axes={"phase": phases, **AXES}, cycles=100)
     for phase in phases:
         shaking = replace(SHAKING, phase=phase)
-        alone = attractor_map(BLOCK, shaking, axes=AXES, cycles=100)
+        alone = map_attractors(BLOCK, shaking, axes=AXES, cycles=100)
         assert found.sel(phase=phase).drop_vars("phase").equals(alone)
 
 
 def test_a_map_says_what_it_was_computed_from() -> None:
     block = Block.rectangle(width=0.4, height=1.2, restitution=0.9, gravity=9.8)
-    found = attractor_map(block, SHAKING, axes={"height": [1.2, 2.4], "phase": [0.0]}, cycles=7)
+    found = map_attractors(block, SHAKING, axes={"height": [1.2, 2.4], "phase": [0.0]}, cycles=7)
     attributes = dict(found.attrs)
     for name in ("rocksteady_version", "source", "inputs"):
         assert attributes.pop(name)
@@ -112,7 +112,7 @@ def test_a_number_among_the_axes_is_fixed_and_no_dimension() -> None:
         "frequency_hz": np.array(0.7),
         "phase": 1.0,
     }
-    found = attractor_map(RECTANGLE, axes=given, cycles=50)
+    found = map_attractors(RECTANGLE, axes=given, cycles=50)
     assert found.kind.dims == ("width",)
     for name in ("height", "acceleration_m_s2", "frequency_hz", "phase"):
         assert found.attrs[name] == given[name]
@@ -124,8 +124,8 @@ def test_what_is_fixed_overrides_block_shaking_and_start() -> None:
     block = Block.rectangle(width=0.4, height=1.2, restitution=0.7)
     start = State(angle=0.1, velocity=0.2)
     fixed = {"restitution": 0.9, "amplitude": 3.0, "velocity": -0.1, "height": 1.5}
-    found = attractor_map(block, SHAKING, axes={"phase": [0.0, 1.0], **fixed}, start=start)
-    other = attractor_map(
+    found = map_attractors(block, SHAKING, axes={"phase": [0.0, 1.0], **fixed}, start=start)
+    other = map_attractors(
         Block.rectangle(width=block.width, height=1.5, restitution=0.9),
         replace(SHAKING, amplitude=3.0),
         axes={"phase": [0.0, 1.0]},
@@ -137,7 +137,7 @@ def test_what_is_fixed_overrides_block_shaking_and_start() -> None:
 @pytest.mark.parametrize("widths", [[0.3, 0.6, 0.9], [0.9, 0.6, 0.3]])
 def test_a_harmonic_keeps_its_ratios_where_sizes_move(widths: list[float]) -> None:
     for block in (RECTANGLE, Block.rectangle(width=0.7, height=1.2, restitution=0.9)):
-        found = attractor_map(block, SHAKING, axes={"width": widths, "height": 2.0}, cycles=100)
+        found = map_attractors(block, SHAKING, axes={"width": widths, "height": 2.0}, cycles=100)
         for width in widths:
             there = Block.rectangle(width=width, height=2.0, restitution=0.9)
             cell = found.sel(width=width)
@@ -149,7 +149,7 @@ def test_every_cell_of_any_map_is_the_attractor_of_its_block_shaking_and_start(
     number: int,
 ) -> None:
     case = drawn_case(number)
-    found = attractor_map(
+    found = map_attractors(
         case.block,
         case.shaking,
         axes={**case.axes, **case.fixed},
@@ -222,7 +222,7 @@ def test_the_drawn_maps_hold_every_axis_every_start_and_one_to_four_dimensions()
 def test_bad_values_are_refused(axes: Any, more: dict[str, Any], valid: str) -> None:
     given = {"block": BLOCK, "shaking": SHAKING, **more}
     with pytest.raises(InputError, match=valid):
-        attractor_map(axes=axes, **given)
+        map_attractors(axes=axes, **given)
 
 
 @pytest.mark.parametrize(
@@ -251,13 +251,13 @@ def test_what_does_not_go_together_is_refused(
     fixed: dict[str, Any] = {first: [0.05], axes[-1]: 0.05}
     for named in (whole, fixed):
         with pytest.raises(ModelError, match=valid) as caught:
-            attractor_map(axes=named, **given)
+            map_attractors(axes=named, **given)
         assert "\n" not in str(caught.value)
 
 
 def test_only_its_sizes_are_refused_to_a_block_that_is_no_homogeneous_rectangle() -> None:
     axes = {"acceleration_m_s2": [4.0], "frequency_hz": [0.7], "phase": [0.0, 1.0]}
-    found = attractor_map(RING, axes=axes, housner=True, cycles=100)
+    found = map_attractors(RING, axes=axes, housner=True, cycles=100)
     ratio = housner_restitution(RING.alpha, p=RING.p, radius=RING.radius, gravity=RING.gravity)
     assert found.attrs["restitution"] == ratio
     bare = DimensionlessBlock(restitution=ratio)
@@ -269,8 +269,8 @@ def test_only_its_sizes_are_refused_to_a_block_that_is_no_homogeneous_rectangle(
 
 def test_a_fixed_acceleration_and_frequency_take_the_place_of_the_shaking() -> None:
     ground = {"acceleration_m_s2": 4.0, "frequency_hz": 1.5}
-    found = attractor_map(RECTANGLE, axes={"width": [0.3, 0.8], "height": 1.2, **ground})
-    other = attractor_map(RECTANGLE, SHAKING, axes={"width": [0.3, 0.8], "height": 1.2, **ground})
+    found = map_attractors(RECTANGLE, axes={"width": [0.3, 0.8], "height": 1.2, **ground})
+    other = map_attractors(RECTANGLE, SHAKING, axes={"width": [0.3, 0.8], "height": 1.2, **ground})
     assert found.equals(other)
     for width in (0.3, 0.8):
         block = Block.rectangle(width=width, height=1.2, restitution=0.9)
@@ -281,10 +281,10 @@ def test_a_fixed_acceleration_and_frequency_take_the_place_of_the_shaking() -> N
 def test_where_no_number_says_how_an_unstable_state_is_left_there_is_no_start() -> None:
     start = Steady(order=3)
     axes = {"amplitude": [0.5, 5.0], "frequency_ratio": [0.01, 2.0]}
-    found = attractor_map(BLOCK, axes=axes, start=start, cycles=20)
+    found = map_attractors(BLOCK, axes=axes, start=start, cycles=20)
     shaking = Harmonic(amplitude=0.5, frequency_ratio=0.01)
     with pytest.raises(ModelError, match="no number says how it is left"):
-        attractor(BLOCK, shaking, start=start)
+        find_attractor(BLOCK, shaking, start=start)
     for a, w in product(*axes.values()):
         cell = found.sel(amplitude=a, frequency_ratio=w)
         shaking = Harmonic(amplitude=a, frequency_ratio=w)

@@ -18,7 +18,7 @@ from rocksteady import (
     Status,
     Steady,
     Store,
-    fate_map,
+    map_fates,
     open_store,
     simulate,
 )
@@ -36,7 +36,7 @@ CYCLES = 30
 @pytest.mark.parametrize("number", range(CASES))
 def test_every_cell_of_any_map_is_how_a_time_history_ends(number: int) -> None:
     case = drawn_case(number)
-    found = fate_map(
+    found = map_fates(
         case.block,
         case.shaking,
         axes={**case.axes, **case.fixed},
@@ -67,7 +67,7 @@ def test_every_cell_of_any_map_is_how_a_time_history_ends(number: int) -> None:
 
 def test_the_codes_of_the_fates_are_kept_for_ever() -> None:
     # Stored maps hold them.
-    found = fate_map(BLOCK, axes={"amplitude": [1.0], "frequency_ratio": [2.0]}, cycles=1)
+    found = map_fates(BLOCK, axes={"amplitude": [1.0], "frequency_ratio": [2.0]}, cycles=1)
     assert found.fate.attrs["flag_values"].tolist() == [0, 1, 2, 4, -1]
     assert found.fate.attrs["flag_meanings"] == "rocking at-rest overturned undecided no-start"
     assert NO_START not in set(Status)
@@ -75,20 +75,20 @@ def test_the_codes_of_the_fates_are_kept_for_ever() -> None:
 
 
 def test_a_map_says_what_it_was_computed_from_and_follows_200_periods() -> None:
-    found = fate_map(BLOCK, axes=AXES, start=START)
+    found = map_fates(BLOCK, axes=AXES, start=START)
     assert {name: found.attrs[name] for name in ("start", "velocity", "cycles")} == {
         "start": "state",
         "velocity": 0.3,
         "cycles": 200,
     }
     assert set(np.unique(found.fate)) == {Status.ROCKING, Status.AT_REST, Status.OVERTURNED}
-    assert found.identical(fate_map(BLOCK, axes=AXES, start=START, run=Run(executor="serial")))
+    assert found.identical(map_fates(BLOCK, axes=AXES, start=START, run=Run(executor="serial")))
 
 
 def test_a_block_that_a_mirrored_motion_moves_ends_as_its_mirror_image() -> None:
-    one = fate_map(BLOCK, axes={"phase": [0.5], **AXES}, start=START)
+    one = map_fates(BLOCK, axes={"phase": [0.5], **AXES}, start=START)
     phase, other = 0.5 - math.pi, State(angle=0.0, velocity=-0.3)
-    mirrored = fate_map(BLOCK, axes={"phase": [phase], **AXES}, start=other)
+    mirrored = map_fates(BLOCK, axes={"phase": [phase], **AXES}, start=other)
     # A sine of a phase that is half a period away is not the same to the last bit.
     assert (one.fate.values == mirrored.fate.values).mean() > 0.98
 
@@ -107,27 +107,29 @@ def test_a_store_holds_what_memory_does_and_is_continued(tmp_path: Path) -> None
 
     path = tmp_path / "a.zarr"
     with pytest.raises(EnoughError):
-        fate_map(BLOCK, axes=AXES, start=START, run=Run(store=Store(path, chunk=19), progress=stop))
+        map_fates(
+            BLOCK, axes=AXES, start=START, run=Run(store=Store(path, chunk=19), progress=stop)
+        )
     there = int(open_store(path, partial=True).computed.sum())
     assert 0 < there < 23 * 19
     told: list[int] = []
-    found = fate_map(
+    found = map_fates(
         BLOCK, axes=AXES, start=START, run=Run(store=Store(path, resume=True), progress=told.append)
     )
     assert told[0] == there
-    assert found.load().identical(fate_map(BLOCK, axes=AXES, start=START))
+    assert found.load().identical(map_fates(BLOCK, axes=AXES, start=START))
 
 
 def test_a_refined_map_has_the_fates_near_their_borders() -> None:
     axes = {name: np.linspace(values[0], values[-1], 65) for name, values in AXES.items()}
-    whole = fate_map(BLOCK, axes=axes, start=START)
-    found = fate_map(BLOCK, axes=axes, start=START, refine=4)
+    whole = map_fates(BLOCK, axes=axes, start=START)
+    found = map_fates(BLOCK, axes=axes, start=START, refine=4)
     met = found.met.values
     assert 0.05 < met.mean() < 0.8
     assert (found.fate == whole.fate).mean() > 0.99
     assert (found.impacts == whole.impacts).values[met].all()
     with pytest.raises(ModelError, match="a store holds every cell"):
-        fate_map(BLOCK, axes=axes, refine=4, run=Run(store="a.zarr"))
+        map_fates(BLOCK, axes=axes, refine=4, run=Run(store="a.zarr"))
 
 
 @pytest.mark.parametrize(
@@ -145,4 +147,4 @@ def test_a_refined_map_has_the_fates_near_their_borders() -> None:
 def test_bad_values_are_refused(axes: Any, more: dict[str, Any], valid: str) -> None:
     shaking = Harmonic(amplitude=2.0, frequency_ratio=3.0)
     with pytest.raises((InputError, ModelError), match=valid):
-        fate_map(BLOCK, shaking, axes=axes, **more)
+        map_fates(BLOCK, shaking, axes=axes, **more)

@@ -15,18 +15,18 @@ from rocksteady import (
     State,
     Status,
     Steady,
-    attractor,
-    attractor_map,
-    attractor_trail,
-    basins,
-    bifurcation_branches,
-    continuation,
-    erosion,
-    fate_map,
+    compute_basins,
+    compute_erosion,
+    compute_response_curve,
+    find_attractor,
+    find_branches,
+    find_orbits,
+    follow_branch,
     heteroclinic_amplitude,
-    orbits,
-    response_curve,
+    map_attractors,
+    map_fates,
     simulate,
+    sweep_attractor,
 )
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
 from tests.dynamics.asymmetric import ASYMMETRY, BARE, BLOCK, HARD
@@ -52,7 +52,7 @@ def test_the_return_map_has_the_derivative_of_its_differences() -> None:
 
 
 def test_an_attractor_is_what_a_long_run_settles_to() -> None:
-    found = attractor(ASYMMETRY, HARD)
+    found = find_attractor(ASYMMETRY, HARD)
     assert found.kind == "unsymmetric"
     assert found.orbit is not None
     late = simulate(ASYMMETRY, HARD, cycles=400).impacts
@@ -72,8 +72,10 @@ def test_orbits_close_and_those_of_the_mirrored_block_mirror_them() -> None:
     shaking = Harmonic(amplitude=2.0, frequency_ratio=2.5)
     block = DimensionlessBlock(restitution=0.85, negative_restitution=0.75, alpha_ratio=1.25)
     image = DimensionlessBlock(restitution=0.75, negative_restitution=0.85, alpha_ratio=0.8)
-    found = orbits(block, shaking, max_period=1, max_impacts=2, seeds=32)
-    other = orbits(image, replace(shaking, amplitude=1.6), max_period=1, max_impacts=2, seeds=32)
+    found = find_orbits(block, shaking, max_period=1, max_impacts=2, seeds=32)
+    other = find_orbits(
+        image, replace(shaking, amplitude=1.6), max_period=1, max_impacts=2, seeds=32
+    )
     assert len(found) == len(other) > 0
     for orbit in found:
         assert not orbit.symmetric
@@ -95,13 +97,13 @@ def test_every_cell_of_a_map_is_the_single_answer() -> None:
     axes = {"amplitude": amplitudes, "frequency_ratio": ratios}
     start = State(angle=0.0, velocity=0.3)
     for block in (ASYMMETRY, BLOCK):
-        kinds = attractor_map(block, axes=axes, start=start)
-        fates = fate_map(block, axes=axes, start=start, cycles=50)
+        kinds = map_attractors(block, axes=axes, start=start)
+        fates = map_fates(block, axes=axes, start=start, cycles=50)
         for amplitude in amplitudes:
             for ratio in ratios:
                 shaking = Harmonic(amplitude=amplitude, frequency_ratio=ratio)
                 here = {"amplitude": amplitude, "frequency_ratio": ratio}
-                one = attractor(block, shaking, start=start)
+                one = find_attractor(block, shaking, start=start)
                 cell = kinds.sel(here)
                 assert kinds.kind.attrs["flag_meanings"].split()[int(cell.kind)] == one.kind
                 if one.peaks is not None:
@@ -114,8 +116,8 @@ def test_every_cell_of_a_map_is_the_single_answer() -> None:
 
 def test_the_asymmetry_of_a_dimensionless_block_may_be_an_axis() -> None:
     axes = {"alpha_ratio": [0.8, 1.0, 1.3], "restitution": [0.7, 0.85]}
-    fates = fate_map(ASYMMETRY, HARD, axes=axes, start=State(angle=0.0, velocity=0.6), cycles=30)
-    found = attractor_map(
+    fates = map_fates(ASYMMETRY, HARD, axes=axes, start=State(angle=0.0, velocity=0.6), cycles=30)
+    found = map_attractors(
         DimensionlessBlock(restitution=0.8), HARD, axes={**axes, "p_ratio": [0.9, 1.0]}
     )
     kinds = found.kind.attrs["flag_meanings"].split()
@@ -131,8 +133,8 @@ def test_the_asymmetry_of_a_dimensionless_block_may_be_an_axis() -> None:
                     restitution=restitution, alpha_ratio=ratio, p_ratio=p_ratio
                 )
                 cell = found.sel(alpha_ratio=ratio, restitution=restitution, p_ratio=p_ratio)
-                assert kinds[int(cell.kind)] == attractor(body, HARD).kind
-    other = attractor_map(
+                assert kinds[int(cell.kind)] == find_attractor(body, HARD).kind
+    other = map_attractors(
         DimensionlessBlock(restitution=0.8), HARD, axes={"negative_restitution": [0.7, 0.8]}
     )
     assert [kinds[kind] for kind in other.kind.values.tolist()] == ["unsymmetric", "symmetric"]
@@ -141,24 +143,24 @@ def test_the_asymmetry_of_a_dimensionless_block_may_be_an_axis() -> None:
 def test_basins_go_where_single_motions_go() -> None:
     shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
     window = np.linspace(-0.6, 0.6, 7)
-    found = basins(ASYMMETRY, shaking, angles=window, velocities=window / 2.0)
+    found = compute_basins(ASYMMETRY, shaking, angles=window, velocities=window / 2.0)
     for i, velocity in enumerate(found.velocity.tolist()):
         for j, angle in enumerate(found.angle.tolist()):
             start = State(angle=angle, velocity=velocity * 2.0)
-            one = attractor(ASYMMETRY, found.shaking, start=start, cycles=500)
+            one = find_attractor(ASYMMETRY, found.shaking, start=start, cycles=500)
             where = found.attractors[int(found.label[i, j])]
             assert where.kind == one.kind
             if one.orbit is not None:
                 assert where.orbit is not None
                 assert where.orbit.highest == pytest.approx(one.orbit.highest, abs=1e-9)
-    wide = basins(ASYMMETRY, shaking, cycles=20, velocities=window)
+    wide = compute_basins(ASYMMETRY, shaking, cycles=20, velocities=window)
     assert wide.angle[-1] > 1.3
     assert found.to_dataset().attrs["alpha_ratio"] == 1.3
 
 
 def test_erosion_counts_the_states_that_single_runs_leave_standing() -> None:
     window = np.linspace(-1.435, 1.435, 15)
-    found = erosion(ASYMMETRY, 2.0, [0.0, 1.0], angles=window, velocities=window, cycles=20)
+    found = compute_erosion(ASYMMETRY, 2.0, [0.0, 1.0], angles=window, velocities=window, cycles=20)
     for k, amplitude in enumerate((0.0, 1.0)):
         for i, j in ((7, 7), (3, 9), (10, 2), (7, 1), (7, 13), (1, 7)):
             run = simulate(
@@ -213,7 +215,7 @@ def test_of_a_symmetric_block_it_is_the_known_tangency() -> None:
 
 
 def test_a_trail_moves_the_restitution_of_both_impacts() -> None:
-    trail = attractor_trail(ASYMMETRY, HARD, "restitution", [0.8, 0.7])
+    trail = sweep_attractor(ASYMMETRY, HARD, "restitution", [0.8, 0.7])
     assert trail.attractors[0].block == ASYMMETRY.with_restitution(0.8)
     assert set(trail.kinds) == {"unsymmetric"}
 
@@ -222,33 +224,33 @@ def test_a_trail_moves_the_restitution_of_both_impacts() -> None:
 
 
 def test_what_knows_symmetric_motions_alone_says_so_and_where_to_go() -> None:
-    with pytest.raises(ModelError, match=r"mirrors the first.*`orbits`"):
+    with pytest.raises(ModelError, match=r"mirrors the first.*`find_orbits`"):
         simulate(BLOCK, HARD, start=Steady())
-    with pytest.raises(ModelError, match="`orbits`"):
-        attractor(BARE, HARD, start=Steady())
-    with pytest.raises(ModelError, match="`orbits`"):
-        attractor_map(BARE, HARD, axes={"amplitude": [1.0, 2.0]}, start=Steady())
+    with pytest.raises(ModelError, match="`find_orbits`"):
+        find_attractor(BARE, HARD, start=Steady())
+    with pytest.raises(ModelError, match="`find_orbits`"):
+        map_attractors(BARE, HARD, axes={"amplitude": [1.0, 2.0]}, start=Steady())
     with pytest.raises(ModelError, match="differ"):
-        attractor_map(
+        map_attractors(
             DimensionlessBlock(restitution=0.8),
             HARD,
             axes={"alpha_ratio": [1.0, 2.0]},
             start=Steady(),
         )
-    with pytest.raises(ModelError, match="`orbits`"):
-        response_curve(BLOCK, 2.0, frequency_ratio=[2.0, 3.0])
-    orbit = attractor(ASYMMETRY, HARD).orbit
+    with pytest.raises(ModelError, match="`find_orbits`"):
+        compute_response_curve(BLOCK, 2.0, frequency_ratio=[2.0, 3.0])
+    orbit = find_attractor(ASYMMETRY, HARD).orbit
     assert orbit is not None
-    with pytest.raises(ModelError, match="attractor_trail"):
-        next(iter(continuation(orbit, "amplitude", (1.0, 3.0))))
-    with pytest.raises(ModelError, match="attractor_trail"):
-        bifurcation_branches([orbit], "amplitude", (1.0, 3.0))
+    with pytest.raises(ModelError, match="sweep_attractor"):
+        next(iter(follow_branch(orbit, "amplitude", (1.0, 3.0))))
+    with pytest.raises(ModelError, match="sweep_attractor"):
+        find_branches([orbit], "amplitude", (1.0, 3.0))
 
 
 def test_sizes_and_housners_value_move_with_symmetric_blocks_alone() -> None:
     with pytest.raises(ModelError, match="sides of this block differ"):
-        attractor_map(BLOCK, HARD, axes={"width": [0.3, 0.4]})
+        map_attractors(BLOCK, HARD, axes={"width": [0.3, 0.4]})
     with pytest.raises(ModelError, match="differ"):
-        attractor_map(BLOCK, HARD, axes={"amplitude": [1.0, 2.0]}, housner=True)
+        map_attractors(BLOCK, HARD, axes={"amplitude": [1.0, 2.0]}, housner=True)
     with pytest.raises(ModelError, match=r"follow from its shape; take block.dimensionless"):
-        attractor_map(BLOCK, HARD, axes={"alpha_ratio": [1.0, 2.0]})
+        map_attractors(BLOCK, HARD, axes={"alpha_ratio": [1.0, 2.0]})

@@ -15,9 +15,9 @@ from rocksteady import (
     Rest,
     State,
     Steady,
-    attractor,
+    find_attractor,
+    find_steady_states,
     simulate,
-    steady_states,
 )
 from rocksteady.kernels.orbits.closed_form import symmetry_breaking
 from tests.dynamics.kicks import apart
@@ -48,7 +48,7 @@ def compared(seed: int, points: int) -> tuple[dict[str, int], int, list[object]]
         brute = seen(block, shaking, start)
         if brute.kind == "unsettled":
             continue
-        found = attractor(block, shaking, start=start)
+        found = find_attractor(block, shaking, start=start)
         kinds[brute.kind] = kinds.get(brute.kind, 0) + 1
         agree = (found.kind.value, found.period or 0) == (brute.kind, brute.period)
         if found.orbit is not None:
@@ -153,7 +153,7 @@ def test_the_period_of_the_subharmonic_doubles_too() -> None:
 def test_where_the_paper_is_corrected() -> None:
     # E2: in-phase orbits attract.
     for a, w, r, n in ((0.75, 4.0, 0.5, 1), (1.7, 6.0, 0.8, 3)):
-        states = steady_states(a, w, r, order=n)
+        states = find_steady_states(a, w, r, order=n)
         start = State(angle=0.0, velocity=1.002 * float(states.velocity[0]))
         found = settled(a, w, r, phase=float(states.phase[0]), start=start)
         assert (found.kind, found.period) == (AttractorKind.SYMMETRIC, n)
@@ -229,7 +229,7 @@ def test_an_unstable_start_is_left_and_never_returned(
 ) -> None:
     a, w, n = point
     found = settled(a, w, 0.8, start=Steady(branch=branch, order=n), side=side)
-    states = steady_states(a, w, 0.8, order=n)
+    states = find_steady_states(a, w, 0.8, order=n)
     assert found.kind is not AttractorKind.UNDECIDED
     if found.orbit is not None:
         is_an_orbit_that_attracts(found)
@@ -240,7 +240,7 @@ def test_an_unstable_start_is_left_and_never_returned(
 
 def test_a_stable_start_is_returned() -> None:
     for a, w, r, n in ((2.0, 4.0, 0.8, 1), (3.0, 8.0, 0.95, 3), (1.7, 6.0, 0.8, 3)):
-        states = steady_states(a, w, r, order=n)
+        states = find_steady_states(a, w, r, order=n)
         found = settled(a, w, r, start=Steady(order=n))
         assert (found.kind, found.period) == (AttractorKind.SYMMETRIC, n)
         assert found.orbit is not None
@@ -256,7 +256,7 @@ def test_a_stable_start_is_returned() -> None:
 def test_next_to_symmetry_breaking_the_right_orbit_is_told(frequency: float, below: float) -> None:
     # Multipliers of .91 to .9999: before it the symmetric orbit attracts, after it two others.
     amplitude = symmetry_breaking(frequency, 0.8, 1) * (1.0 - below)
-    states = steady_states(amplitude, frequency, 0.8)
+    states = find_steady_states(amplitude, frequency, 0.8)
     start = State(angle=0.0, velocity=1.01 * float(states.velocity[0]))
     found = settled(amplitude, frequency, 0.8, phase=float(states.phase[0]), start=start)
     is_an_orbit_that_attracts(found)
@@ -269,8 +269,8 @@ def test_next_to_symmetry_breaking_the_right_orbit_is_told(frequency: float, bel
 
 @pytest.mark.parametrize("above", [1e-2, 1e-4, 1e-6, 1e-8])
 def test_next_to_the_fold_the_stable_branch_is_told(above: float) -> None:
-    amplitude = float(steady_states(2.0, 4.0, 0.8).existence) * (1.0 + above)
-    states = steady_states(amplitude, 4.0, 0.8)
+    amplitude = float(find_steady_states(2.0, 4.0, 0.8).existence) * (1.0 + above)
+    states = find_steady_states(amplitude, 4.0, 0.8)
     start = State(angle=0.0, velocity=(1.0 + 1e-7) * float(states.velocity[0]))
     found = settled(amplitude, 4.0, 0.8, phase=float(states.phase[0]), start=start)
     assert found.kind is AttractorKind.SYMMETRIC

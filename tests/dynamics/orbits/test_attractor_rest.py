@@ -17,9 +17,9 @@ from rocksteady import (
     State,
     Steady,
     Still,
-    attractor,
-    orbits,
-    steady_states,
+    find_attractor,
+    find_orbits,
+    find_steady_states,
 )
 from rocksteady.kernels.orbits.settle import LONGEST_ORBIT
 from tests.dynamics.recurrence import seen
@@ -117,7 +117,7 @@ def test_too_few_cycles_are_a_reason_to_be_undecided(cycles: int) -> None:
 
 def test_a_physical_block_settles_like_its_restitution() -> None:
     block = Block.from_radius(alpha=0.2, radius=1.0, restitution=0.8)
-    found = attractor(block, Harmonic(amplitude=2.0, frequency_ratio=4.0))
+    found = find_attractor(block, Harmonic(amplitude=2.0, frequency_ratio=4.0))
     assert found.peaks == settled(2.0, 4.0, 0.8).peaks
 
 
@@ -146,9 +146,9 @@ def test_what_is_no_number_no_side_and_no_start_is_refused(
 
 def test_what_is_no_block_what_is_not_harmonic_and_where_no_orbit_is_is_refused() -> None:
     with pytest.raises(InputError, match=r"^block = 0\.8 "):
-        attractor(0.8, Harmonic(amplitude=1.0, frequency_ratio=1.0))  # type: ignore[arg-type]
+        find_attractor(0.8, Harmonic(amplitude=1.0, frequency_ratio=1.0))  # type: ignore[arg-type]
     with pytest.raises(ModelError, match=r"^shaking = Still"):
-        attractor(DimensionlessBlock(restitution=0.8), Still())  # type: ignore[arg-type]
+        find_attractor(DimensionlessBlock(restitution=0.8), Still())  # type: ignore[arg-type]
     with pytest.raises(ModelError, match=r"^start = Steady"):
         settled(0.1, 4.0, 0.8, start=Steady())
 
@@ -156,7 +156,7 @@ def test_what_is_no_block_what_is_not_harmonic_and_where_no_orbit_is_is_refused(
 def test_without_loss_no_steady_start_is_an_attractor() -> None:
     for amplitude in np.linspace(0.5, 6.0, 12).tolist():
         for frequency in np.linspace(1.0, 12.0, 12).tolist():
-            states = steady_states(amplitude, frequency, 1.0)
+            states = find_steady_states(amplitude, frequency, 1.0)
             if states.neutral[0]:
                 found = settled(amplitude, frequency, 1.0, start=Steady(), cycles=40)
                 assert found.orbit is None, (amplitude, frequency)
@@ -251,7 +251,7 @@ def test_where_rounding_decides_what_follows_a_rest_there_is_no_orbit() -> None:
     assert "rounding decides" in found.reason
     block = DimensionlessBlock(restitution=0.51)
     shaking = Harmonic(amplitude=1.15, frequency_ratio=5.4)
-    assert not [o for o in orbits(block, shaking, max_period=30, seeds=2) if o.rest_phases]
+    assert not [o for o in find_orbits(block, shaking, max_period=30, seeds=2) if o.rest_phases]
 
 
 def test_an_orbit_that_is_too_long_to_hold_ends_the_run_with_that_reason() -> None:
@@ -277,7 +277,7 @@ def test_the_peaks_of_an_orbit_with_rest_count_its_largest_bounce() -> None:
     # A large swing to one side, a small bounce to the other, and rest.
     block = DimensionlessBlock(restitution=0.06852906483237249)
     shaking = Harmonic(amplitude=1.1675980811909625, frequency_ratio=0.6036093403906745)
-    brute, found = seen(block, shaking, Rest()), attractor(block, shaking)
+    brute, found = seen(block, shaking, Rest()), find_attractor(block, shaking)
     assert (found.kind.value, found.period) == (brute.kind, brute.period) == ("unsymmetric", 1)
     assert found.peaks is not None
     larger, smaller = sorted(map(abs, found.peaks), reverse=True)

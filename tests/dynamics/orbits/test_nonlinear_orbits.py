@@ -15,13 +15,13 @@ from rocksteady import (
     State,
     Status,
     Steady,
-    attractor,
-    attractor_map,
-    attractor_trail,
-    continuation,
-    fate_map,
-    orbits,
+    find_attractor,
+    find_orbits,
+    follow_branch,
+    map_attractors,
+    map_fates,
     simulate,
+    sweep_attractor,
 )
 from rocksteady.dynamics.orbits.return_map import ReturnMap
 from rocksteady.model.equations import Nonlinear
@@ -31,7 +31,7 @@ from tests.dynamics.full_integrator import impacts_by_integrator
 def test_an_attractor_is_where_a_long_run_ends() -> None:
     block = Block.from_p(alpha=0.3, p=1.0, restitution=0.8)
     shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
-    found = attractor(block, shaking, model=Nonlinear())
+    found = find_attractor(block, shaking, model=Nonlinear())
     assert found.orbit is not None
     assert (found.orbit.model, found.orbit.symmetric, found.orbit.impacts) == (Nonlinear(), True, 2)
     assert found.orbit.residual < 1e-12
@@ -48,8 +48,8 @@ def test_slender_blocks_settle_as_in_the_linear_model() -> None:
     block = Block.from_p(alpha=1e-6, p=1.0, restitution=0.8)
     for ratio, side in ((1.9, -1), (4.0, 1)):
         shaking = Harmonic(amplitude=2.0, frequency_ratio=ratio)
-        full = attractor(block, shaking, start=Steady(side=side), model=Nonlinear())
-        plain = attractor(block, shaking, start=Steady(side=side))
+        full = find_attractor(block, shaking, start=Steady(side=side), model=Nonlinear())
+        plain = find_attractor(block, shaking, start=Steady(side=side))
         assert full.kind is plain.kind
         assert full.peaks == pytest.approx(plain.peaks, rel=1e-9)
 
@@ -59,14 +59,14 @@ def test_cells_of_maps_are_single_answers() -> None:
     start = State(angle=0.0, velocity=0.3)
     axes = {"alpha": [0.1, 0.3, 0.6], "amplitude": [0.8, 2.0, 5.0]}
     block = Block.from_radius(alpha=0.2, radius=1.0, restitution=0.8)
-    settled = attractor_map(block, shaking, axes=axes, start=start, model=Nonlinear())
-    fates = fate_map(block, shaking, axes=axes, start=start, cycles=30, model=Nonlinear())
+    settled = map_attractors(block, shaking, axes=axes, start=start, model=Nonlinear())
+    fates = map_fates(block, shaking, axes=axes, start=start, cycles=30, model=Nonlinear())
     assert settled.attrs["model"] == "nonlinear"
     for i, alpha in enumerate(axes["alpha"]):
         for j, amplitude in enumerate(axes["amplitude"]):
             body = Block.from_radius(alpha=alpha, radius=1.0, restitution=0.8)
             base = Harmonic(amplitude=amplitude, frequency_ratio=3.0)
-            single = attractor(body, base, start=start, model=Nonlinear())
+            single = find_attractor(body, base, start=start, model=Nonlinear())
             meanings = settled.kind.attrs["flag_meanings"].split()
             assert meanings[int(settled.kind[i, j])] == single.kind.value
             if single.orbit is not None:
@@ -81,13 +81,13 @@ def test_a_block_without_slenderness_is_refused() -> None:
     with pytest.raises(ModelError, match="slenderness"):
         ReturnMap(bare, shaking, model=Nonlinear())
     with pytest.raises(ModelError, match="slenderness"):
-        attractor(bare, shaking, model=Nonlinear())
+        find_attractor(bare, shaking, model=Nonlinear())
     with pytest.raises(ModelError, match="slenderness"):
-        fate_map(bare, shaking, axes={"amplitude": [1.0, 2.0]}, model=Nonlinear())
+        map_fates(bare, shaking, axes={"amplitude": [1.0, 2.0]}, model=Nonlinear())
     with pytest.raises(ModelError, match="slenderness"):
-        orbits(bare, shaking, model=Nonlinear())
+        find_orbits(bare, shaking, model=Nonlinear())
     with pytest.raises(ModelError, match="slenderness"):
-        attractor_trail(bare, shaking, "amplitude", [1.0, 2.0], model=Nonlinear())
+        sweep_attractor(bare, shaking, "amplitude", [1.0, 2.0], model=Nonlinear())
 
 
 # --------------------------------------------------------------------- all orbits at a point
@@ -109,7 +109,9 @@ cases = pytest.mark.parametrize(("block", "a", "w", "longest"), CASES)
 @cache
 def listed(block: Block, a: float, w: float, longest: int) -> tuple[Orbit, ...]:
     shaking = Harmonic(amplitude=a, frequency_ratio=w)
-    return orbits(block, shaking, max_period=longest, max_impacts=4, seeds=20, model=Nonlinear())
+    return find_orbits(
+        block, shaking, max_period=longest, max_impacts=4, seeds=20, model=Nonlinear()
+    )
 
 
 def images(orbit: Orbit) -> list[Orbit]:
@@ -207,11 +209,13 @@ def test_an_adaptive_integrator_lands_where_the_orbits_do(block: Block) -> None:
 def test_orbits_go_to_those_of_the_linear_model_with_the_square_of_the_slenderness() -> None:
     shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
     bare = DimensionlessBlock(restitution=0.8)
-    limits = [orbit for orbit in orbits(bare, shaking, seeds=20, max_period=1) if orbit.admissible]
+    limits = [
+        orbit for orbit in find_orbits(bare, shaking, seeds=20, max_period=1) if orbit.admissible
+    ]
     errors = []
     for alpha in (0.01, 0.02):
         block = Block.from_p(alpha=alpha, p=1.0, restitution=0.8)
-        found = orbits(block, shaking, seeds=20, max_period=1, model=Nonlinear())
+        found = find_orbits(block, shaking, seeds=20, max_period=1, model=Nonlinear())
         assert [(orbit.kind, orbit.branch) for orbit in found] == [
             (orbit.kind, orbit.branch) for orbit in limits
         ]
@@ -225,7 +229,7 @@ def test_orbits_go_to_those_of_the_linear_model_with_the_square_of_the_slenderne
 def test_the_attractor_from_rest_is_among_them(
     block: Block, a: float, w: float, longest: int
 ) -> None:
-    found = attractor(block, Harmonic(amplitude=a, frequency_ratio=w), model=Nonlinear())
+    found = find_attractor(block, Harmonic(amplitude=a, frequency_ratio=w), model=Nonlinear())
     if found.orbit is None or found.orbit.period > longest:
         return
     stable = [orbit for orbit in listed(block, a, w, longest) if orbit.stable]
@@ -237,21 +241,23 @@ def test_the_attractor_from_rest_is_among_them(
 
 def test_branches_refuse_orbits_of_the_nonlinear_model() -> None:
     with pytest.raises(ModelError, match="linear model alone"):
-        continuation(listed(SLENDER, 2.0, 1.9, 3)[0], "amplitude", (1.0, 3.0))
+        follow_branch(listed(SLENDER, 2.0, 1.9, 3)[0], "amplitude", (1.0, 3.0))
 
 
 def test_without_shaking_there_are_none() -> None:
-    assert orbits(SLENDER, Harmonic(amplitude=0.0, frequency_ratio=2.0), model=Nonlinear()) == ()
+    assert (
+        find_orbits(SLENDER, Harmonic(amplitude=0.0, frequency_ratio=2.0), model=Nonlinear()) == ()
+    )
 
 
 def test_a_trail_settles_at_each_value_as_the_attractor_does() -> None:
     shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
     values = [2.1, 1.9, 1.8]
-    trail = attractor_trail(
+    trail = sweep_attractor(
         SLENDER, shaking, "frequency_ratio", values, start=Steady(), model=Nonlinear()
     )
     for value, found, peaks in zip(values, trail.attractors, trail.peaks, strict=True):
-        alone = attractor(
+        alone = find_attractor(
             SLENDER,
             Harmonic(amplitude=2.0, frequency_ratio=value),
             start=Steady(),

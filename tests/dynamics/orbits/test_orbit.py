@@ -13,10 +13,10 @@ from rocksteady import (
     Nonlinear,
     Steady,
     Still,
-    attractor,
-    attractor_trail,
-    fate_map,
+    find_attractor,
+    map_fates,
     simulate,
+    sweep_attractor,
 )
 from rocksteady.model.equations import Model
 
@@ -25,7 +25,7 @@ from rocksteady.model.equations import Model
 def test_a_run_from_any_impact_of_an_orbit_is_the_orbit(model: Model) -> None:
     block = Block.from_p(alpha=0.2, p=2.0, restitution=0.8)
     shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0, phase=1.0)
-    found = attractor(block, shaking, start=Steady(), model=model)
+    found = find_attractor(block, shaking, start=Steady(), model=model)
     assert found.orbit is not None
     course = found.orbit.trajectory()
     times = np.linspace(0.0, 0.999 * course.end_time_pt, 50)
@@ -38,11 +38,11 @@ def test_a_run_from_any_impact_of_an_orbit_is_the_orbit(model: Model) -> None:
             since = float(course.impacts.pt[found.orbit.states.index(state) - 1])
         early = times[times < 0.999 * course.end_time_pt - since]
         assert run(early).angle == pytest.approx(course(early + since).angle, abs=1e-9)
-        again = attractor(block, shaking, start=state, model=model)
+        again = find_attractor(block, shaking, start=state, model=model)
         assert again.orbit is not None
         assert (again.kind, again.after) == (found.kind, again.after)
         assert again.orbit.highest == pytest.approx(found.orbit.highest, abs=1e-12)
-    trail = attractor_trail(
+    trail = sweep_attractor(
         block, shaking, "amplitude", [2.0], start=found.orbit.states[0], model=model
     )
     assert trail.attractors[0].kind is found.kind
@@ -53,7 +53,7 @@ def test_an_impact_state_needs_harmonic_shaking_and_one_cell() -> None:
     with pytest.raises(ModelError, match="needs harmonic shaking"):
         simulate(block, Still(), start=state)
     with pytest.raises(ModelError, match="one cell"):
-        fate_map(
+        map_fates(
             block,
             Harmonic(amplitude=2.0, frequency_ratio=4.0),
             axes={"amplitude": [1.0]},

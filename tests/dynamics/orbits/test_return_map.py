@@ -19,8 +19,8 @@ from rocksteady import (
     ReturnMap,
     State,
     Still,
+    find_steady_states,
     simulate,
-    steady_states,
 )
 from tests.dynamics.kicks import apart
 from tests.strategies import logarithmic
@@ -76,7 +76,7 @@ def test_it_meets_the_impacts_of_a_simulation(
 
 def test_a_symmetric_orbit_is_half_a_period_of_it() -> None:
     for a, w, r, n in [(2.0, 4.0, 0.8, 1), (2.0, 6.0, 0.8, 3), (1.0, 2.0, 0.5, 1)]:
-        states = steady_states(a, w, r, order=n)
+        states = find_steady_states(a, w, r, order=n)
         first = ImpactState(side=1, phase=float(states.phase[0]), speed=float(states.velocity[0]))
         passage = returns(a, w, r)(first)
         assert passage.state is not None

@@ -18,9 +18,9 @@ from rocksteady import (
     Rest,
     State,
     Still,
-    attractor,
-    orbits,
-    steady_states,
+    find_attractor,
+    find_orbits,
+    find_steady_states,
 )
 from tests.dynamics.kicks import apart, around, clearance, departures, follow, keeps, loses
 
@@ -28,7 +28,7 @@ HOUSNER = Block.from_radius(alpha=0.2, radius=1.0, gravity=9.81)
 
 
 def at(amplitude: float, frequency: float, restitution: float, **more: Any) -> tuple[Orbit, ...]:
-    return orbits(
+    return find_orbits(
         DimensionlessBlock(restitution=restitution),
         Harmonic(amplitude=amplitude, frequency_ratio=frequency),
         **more,
@@ -142,7 +142,7 @@ def test_symmetric_ones_are_the_closed_forms() -> None:
     for a, w, r in POINTS:
         found = at(a, w, r, max_period=5, max_impacts=1, seeds=2)
         for order in (1, 3, 5):
-            states = steady_states(a, w, r, order=order)
+            states = find_steady_states(a, w, r, order=order)
             closed = [orbit for orbit in found if orbit.period == order]
             if states.region == 4:
                 assert not closed
@@ -284,7 +284,7 @@ def settled_orbits(seed: int, count: int) -> list[tuple[tuple[float, float, floa
         r = rng.uniform(0.2, 0.98)
         start = Rest() if rng.random() < 0.5 else State(angle=rng.uniform(-0.5, 0.5), velocity=0.0)
         shaking = Harmonic(amplitude=a, frequency_ratio=w, phase=rng.uniform(0.0, 6.28))
-        orbit = attractor(DimensionlessBlock(restitution=r), shaking, start=start).orbit
+        orbit = find_attractor(DimensionlessBlock(restitution=r), shaking, start=start).orbit
         if orbit and orbit.period <= 3 and len(orbit.states) <= 6 and not orbit.rest_phases:
             found.append(((a, w, r), orbit))
     return found
@@ -403,7 +403,7 @@ def test_on_a_still_base_there_is_none_that_a_search_could_find(restitution: flo
 
 def test_a_physical_block_has_the_orbits_of_its_restitution() -> None:
     shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0, phase=1.0)
-    found = orbits(HOUSNER, shaking, max_period=1, seeds=10)
+    found = find_orbits(HOUSNER, shaking, max_period=1, seeds=10)
     plain = at(2.0, 4.0, HOUSNER.dimensionless().restitution, max_period=1, seeds=10)
     assert [o.states for o in found] == [o.states for o in plain]
     assert found[0].shaking.phase == found[0].states[0].phase
@@ -432,9 +432,9 @@ def test_what_is_no_number_of_anything_is_refused(values: dict[str, int], name: 
 
 def test_what_is_no_block_and_what_is_not_harmonic_is_refused() -> None:
     with pytest.raises(InputError, match=r"^block = 0\.8 "):
-        orbits(0.8, Harmonic(amplitude=1.0, frequency_ratio=1.0))  # type: ignore[arg-type]
+        find_orbits(0.8, Harmonic(amplitude=1.0, frequency_ratio=1.0))  # type: ignore[arg-type]
     with pytest.raises(ModelError, match=r"^shaking = Still"):
-        orbits(DimensionlessBlock(restitution=0.8), Still())  # type: ignore[arg-type]
+        find_orbits(DimensionlessBlock(restitution=0.8), Still())  # type: ignore[arg-type]
 
 
 def test_a_state_of_an_orbit_can_be_taken_on_by_hand(many: tuple[Orbit, ...]) -> None:
@@ -447,7 +447,7 @@ def test_a_state_of_an_orbit_can_be_taken_on_by_hand(many: tuple[Orbit, ...]) ->
 @pytest.mark.parametrize("point", [(1.01, 2.0, 0.8), (1.05, 1.0, 0.3)])
 def test_an_orbit_that_comes_to_rest_is_among_them(point: tuple[float, float, float]) -> None:
     a, w, r = point
-    found = attractor(
+    found = find_attractor(
         DimensionlessBlock(restitution=r), Harmonic(amplitude=a, frequency_ratio=w)
     ).orbit
     assert found is not None

@@ -8,7 +8,7 @@ import pytest
 
 from rocksteady import (
     AttractorKind,
-    AttractorTrail,
+    AttractorSweep,
     DimensionlessBlock,
     Harmonic,
     InputError,
@@ -17,11 +17,11 @@ from rocksteady import (
     State,
     Steady,
     Still,
-    attractor,
-    attractor_trail,
-    continuation,
-    orbits,
-    steady_states,
+    find_attractor,
+    find_orbits,
+    find_steady_states,
+    follow_branch,
+    sweep_attractor,
 )
 from rocksteady.dynamics.orbits.trail import SHOWN_FLIGHTS, flight_peaks
 from tests.dynamics.settling import is_an_orbit_that_attracts
@@ -30,16 +30,16 @@ BLOCK = DimensionlessBlock(restitution=0.8)
 SHAKING = Harmonic(amplitude=2.0, frequency_ratio=2.0)
 
 
-def trail(parameter: str, values: object, **more: object) -> AttractorTrail:
-    return attractor_trail(BLOCK, SHAKING, parameter, values, **more)  # type: ignore[arg-type]
+def trail(parameter: str, values: object, **more: object) -> AttractorSweep:
+    return sweep_attractor(BLOCK, SHAKING, parameter, values, **more)  # type: ignore[arg-type]
 
 
 @pytest.fixture(scope="module")
-def down() -> AttractorTrail:
+def down() -> AttractorSweep:
     return trail("frequency_ratio", np.linspace(2.0, 1.74, 27), start=Steady())
 
 
-def test_each_value_has_an_attractor_that_attracts(down: AttractorTrail) -> None:
+def test_each_value_has_an_attractor_that_attracts(down: AttractorSweep) -> None:
     assert down.parameter == "frequency_ratio"
     assert len(down.attractors) == len(down.peaks) == len(down.kinds) == len(down.periods) == 27
     for value, found in zip(down.values, down.attractors, strict=True):
@@ -49,7 +49,7 @@ def test_each_value_has_an_attractor_that_attracts(down: AttractorTrail) -> None
             is_an_orbit_that_attracts(found)
 
 
-def test_downwards_it_goes_through_the_paper_s_sequence(down: AttractorTrail) -> None:
+def test_downwards_it_goes_through_the_paper_s_sequence(down: AttractorSweep) -> None:
     # Symmetric, leaning below 1.948378 (TW6), doubled at 1.78, gone by 1.77 (TW7).
     for value, kind, period in zip(down.values, down.kinds, down.periods, strict=True):
         if value > 1.9484:
@@ -63,7 +63,7 @@ def test_downwards_it_goes_through_the_paper_s_sequence(down: AttractorTrail) ->
     assert min(down.values[k] for k in range(27) if down.kinds[k] != "overturned") < 1.781
 
 
-def test_its_orbits_lie_on_one_branch(down: AttractorTrail) -> None:
+def test_its_orbits_lie_on_one_branch(down: AttractorSweep) -> None:
     # Carried along it does not jump from one image to the other.
     leaning = [p for p, kind in zip(down.peaks, down.kinds, strict=True) if kind == "unsymmetric"]
     signs = {math.copysign(1.0, peaks.max() + peaks.min()) for peaks in leaning[1:]}
@@ -77,14 +77,14 @@ def test_up_and_down_it_shows_the_hysteresis_between_two_folds() -> None:
     block = DimensionlessBlock(restitution=0.8)
     shaking = Harmonic(amplitude=2.0, frequency_ratio=6.0)
     values = np.linspace(2.0, 1.5, 26)
-    falling = attractor_trail(block, shaking, "amplitude", values, start=Steady(order=3))
+    falling = sweep_attractor(block, shaking, "amplitude", values, start=Steady(order=3))
     fold = 1.6199920091  # eq 23
     for value, period in zip(values, falling.periods, strict=True):
         if value > fold + 1e-3:  # nearer to it the basin is smaller than the steps
             assert period == 3
         else:
             assert period != 3
-    rising = attractor_trail(block, shaking, "amplitude", values[::-1], start=Steady(order=1))
+    rising = sweep_attractor(block, shaking, "amplitude", values[::-1], start=Steady(order=1))
     assert 3 not in rising.periods[:6]
     both = dict(zip(values[::-1].tolist(), rising.periods, strict=True))
     assert any(both[v] != p for v, p in zip(values.tolist(), falling.periods, strict=True))
@@ -93,11 +93,11 @@ def test_up_and_down_it_shows_the_hysteresis_between_two_folds() -> None:
 def test_peaks_are_those_of_the_orbit() -> None:
     found = trail("amplitude", [1.0, 1.02, 1.04], start=Steady())
     for value, peaks in zip(found.values, found.peaks, strict=True):
-        exact = np.asarray(steady_states(value, 2.0, 0.8).peak)[0]
+        exact = np.asarray(find_steady_states(value, 2.0, 0.8).peak)[0]
         assert sorted(peaks) == pytest.approx([-exact, exact], abs=1e-9)
     orbit = found.attractors[1].orbit
     assert orbit is not None
-    (*_, last) = continuation(orbit, "amplitude", (1.0, 1.04))
+    (*_, last) = follow_branch(orbit, "amplitude", (1.0, 1.04))
     assert sorted(last.peaks) == pytest.approx(sorted(found.peaks[2]), abs=1e-9)
 
 
@@ -105,10 +105,10 @@ def test_one_value_is_what_attractor_says() -> None:
     for frequency in (1.85, 3.0, 6.0):
         for start in (Rest(), State(angle=0.3, velocity=0.1)):
             shaking = Harmonic(amplitude=1.5, frequency_ratio=frequency)
-            (found,) = attractor_trail(
+            (found,) = sweep_attractor(
                 BLOCK, SHAKING, "frequency_ratio", [frequency], start=start
             ).attractors
-            alone = attractor(
+            alone = find_attractor(
                 BLOCK, Harmonic(amplitude=2.0, frequency_ratio=frequency), start=start
             )
             assert found.kind is alone.kind
@@ -141,7 +141,7 @@ def test_chaos_goes_on_from_where_it_was_and_shows_many_peaks() -> None:
     block = DimensionlessBlock(restitution=0.5)
     shaking = Harmonic(amplitude=1.7347, frequency_ratio=1.0)
     values = [1.6633, 1.66331]
-    found = attractor_trail(block, shaking, "frequency_ratio", values, cycles=3000)
+    found = sweep_attractor(block, shaking, "frequency_ratio", values, cycles=3000)
     assert found.attractors[0].kind is AttractorKind.APERIODIC
     first = found.attractors[0].state
     assert first is not None
@@ -155,13 +155,13 @@ def test_chaos_goes_on_from_where_it_was_and_shows_many_peaks() -> None:
 def test_of_an_orbit_with_rests_the_first_bounces_stand_for_all() -> None:
     block = DimensionlessBlock(restitution=0.5)
     shaking = Harmonic(amplitude=1.1, frequency_ratio=2.0)
-    found = attractor(block, shaking)
+    found = find_attractor(block, shaking)
     assert found.orbit is not None
     assert found.orbit.rest_phases > 0
     peaks = flight_peaks(found)
     assert peaks.max() == pytest.approx(found.orbit.highest)
     assert peaks.min() == pytest.approx(found.orbit.lowest)
-    assert orbits(block, shaking, seeds=4)
+    assert find_orbits(block, shaking, seeds=4)
 
 
 @pytest.mark.parametrize(
@@ -193,11 +193,11 @@ def test_what_is_out_of_range_is_refused(change: dict[str, object], said: str) -
         given.pop(name) for name in ("block", "shaking", "parameter", "values")
     )
     with pytest.raises(InputError) as raised:
-        attractor_trail(block, shaking, parameter, values, **given)  # type: ignore[arg-type]
+        sweep_attractor(block, shaking, parameter, values, **given)  # type: ignore[arg-type]
     assert said in str(raised.value)
     assert "\n" not in str(raised.value)
 
 
 def test_only_harmonic_shaking_has_trails() -> None:
     with pytest.raises(ModelError, match="harmonic"):
-        attractor_trail(BLOCK, Still(), "amplitude", [1.0])  # type: ignore[arg-type]
+        sweep_attractor(BLOCK, Still(), "amplitude", [1.0])  # type: ignore[arg-type]

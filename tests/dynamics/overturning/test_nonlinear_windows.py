@@ -16,7 +16,7 @@ from rocksteady import (
     Pulse,
     Run,
     Status,
-    overturning_windows,
+    find_overturning_windows,
     simulate,
 )
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
@@ -33,7 +33,7 @@ CABINET = Block.from_p(alpha=0.25, p=2.14, restitution=0.9, gravity=G)
 
 
 def nonlinear(block: Block, shape: str, ratio: float, top: float = 20.0) -> OverturningWindows:
-    return overturning_windows(
+    return find_overturning_windows(
         block, shape, [ratio], model=Nonlinear(), amplitudes=(1.0, top), run=Run(executor="serial")
     )
 
@@ -186,7 +186,7 @@ def test_time_histories_agree_on_both_sides_of_every_border(shape: str) -> None:
 
 @pytest.mark.parametrize(("shape", "ratio"), [("one-sine", 4.0), ("one-cosine", 2.0)])
 def test_towards_slender_blocks_the_windows_are_the_linear_ones(shape: str, ratio: float) -> None:
-    linear = overturning_windows(DimensionlessBlock(restitution=0.9), shape, [ratio])
+    linear = find_overturning_windows(DimensionlessBlock(restitution=0.9), shape, [ratio])
     change = []
     for alpha in (0.02, 0.04):
         block = Block.from_p(alpha=alpha, p=2.0, restitution=0.9)
@@ -214,22 +214,22 @@ def test_where_a_block_lies_before_the_pulse_ends_no_window_is_lost() -> None:
 
 def test_a_block_without_slenderness_is_refused() -> None:
     with pytest.raises(ModelError, match="slenderness"):
-        overturning_windows(
+        find_overturning_windows(
             DimensionlessBlock(restitution=0.9), "one-sine", [2.0], model=Nonlinear()
         )
     with pytest.raises(InputError, match="it must be a Linear"):
-        overturning_windows(CABINET, "one-sine", [2.0], model="exact")  # type: ignore[arg-type]
+        find_overturning_windows(CABINET, "one-sine", [2.0], model="exact")  # type: ignore[arg-type]
 
 
 def test_where_nobody_says_the_search_goes_beyond_uplift() -> None:
     flat = Block.from_p(alpha=1.5, p=1.0, restitution=0.5)
     uplift = math.tan(1.5) / 1.5  # 9.4
-    one = overturning_windows(
+    one = find_overturning_windows(
         flat, "rectangle", [0.5], model=Nonlinear(), run=Run(executor="serial")
     )
     assert 2.0 * uplift < one.amplitudes[1] == 20.0
     flatter = Block.from_p(alpha=1.56, p=1.0, restitution=0.5)
-    other = overturning_windows(
+    other = find_overturning_windows(
         flatter, "rectangle", [0.5], model=Nonlinear(), run=Run(executor="serial")
     )
     assert other.amplitudes[1] == pytest.approx(

@@ -18,8 +18,8 @@ from rocksteady import (
     Run,
     Status,
     Store,
+    find_overturning_windows,
     overturning_threshold,
-    overturning_windows,
     simulate,
 )
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
@@ -47,13 +47,15 @@ def only(found: OverturningWindows) -> list[tuple[float, float, int]]:
     ],
 )
 def test_z2_z3_the_windows_of_one_sine(w: float, low: float, high: float, without: float) -> None:
-    first, second = only(overturning_windows(BLOCK, "one-sine", [w]))
+    first, second = only(find_overturning_windows(BLOCK, "one-sine", [w]))
     assert first == pytest.approx((low, high, 1), abs=5.1e-7)
     assert second == pytest.approx((without, 20.0, 0), abs=5.1e-7)
 
 
 def test_z3_the_window_after_one_impact_vanishes() -> None:
-    there, gone = (len(overturning_windows(BLOCK, "one-sine", [w]).at(0)) for w in (6.58, 6.59))
+    there, gone = (
+        len(find_overturning_windows(BLOCK, "one-sine", [w]).at(0)) for w in (6.58, 6.59)
+    )
     assert (there, gone) == (2, 1)
 
 
@@ -63,7 +65,7 @@ def test_z3_the_window_after_one_impact_vanishes() -> None:
 def test_m1_m2_the_smallest_accelerations_of_a_block(shape: str, accel_g: float) -> None:
     block = Block.rectangle(width=1, height=3, restitution=0.85, gravity=9.81)
     pulse = Pulse.from_si(block, shape=shape, acceleration_m_s2=1.0, frequency_hz=1.0)
-    found = overturning_windows(block, shape, [pulse.frequency_ratio], model=Linear())
+    found = find_overturning_windows(block, shape, [pulse.frequency_ratio], model=Linear())
     unit = block.uplift_acceleration / block.gravity
     assert found.first[0] * unit == pytest.approx(accel_g, abs=5.1e-7)
 
@@ -72,7 +74,7 @@ def test_m1_m2_the_smallest_accelerations_of_a_block(shape: str, accel_g: float)
 def test_the_window_without_an_impact_begins_at_the_closed_form(shape: str) -> None:
     ratios = np.geomspace(0.3, 12.0, 9)
     expected = overturning_threshold(shape, ratios)
-    found = overturning_windows(BLOCK, shape, ratios, amplitudes=(1.0, 400.0))
+    found = find_overturning_windows(BLOCK, shape, ratios, amplitudes=(1.0, 400.0))
     for index, a in enumerate(expected.tolist()):
         last = found.at(index)[-1]
         assert (last.impacts, last.side, last.endless) == (0, 1, True)
@@ -99,7 +101,7 @@ def test_a_dense_scan_of_time_histories_finds_no_other_window(
 ) -> None:
     block = DimensionlessBlock(restitution=restitution)
     like = Pulse(shape=shape, amplitude=1.0, frequency_ratio=1.0, tolerance=1e-4)
-    found = overturning_windows(block, like, [w], amplitudes=(1.0, 8.0))
+    found = find_overturning_windows(block, like, [w], amplitudes=(1.0, 8.0))
     borders = {a for ends in found.intervals(0) for a in ends}
     spread = 1.0 + np.geomspace(1e-3, 7.0, 50 if "m" in shape[:1] else 900)
     # And the two sides of every border.
@@ -117,7 +119,7 @@ def test_a_dense_scan_of_time_histories_finds_no_other_window(
 @pytest.mark.parametrize(("shape", "w"), [("one-sine", 0.5), ("one-cosine", 0.7), ("type-c1", 1.0)])
 def test_a_coarse_and_a_fine_grid_find_the_same(shape: str, w: float) -> None:
     coarse, fine = (
-        overturning_windows(BLOCK, shape, [w], resolution=step) for step in (0.01, 1e-4)
+        find_overturning_windows(BLOCK, shape, [w], resolution=step) for step in (0.01, 1e-4)
     )
     assert len(coarse.at(0)) == len(fine.at(0))
     np.testing.assert_allclose(coarse.low, fine.low, rtol=1e-12)
@@ -128,7 +130,7 @@ def test_a_coarse_and_a_fine_grid_find_the_same(shape: str, w: float) -> None:
 
 
 def test_windows_ascend_and_windows_that_touch_differ() -> None:
-    found = overturning_windows(BLOCK, "one-cosine", np.linspace(0.5, 3.0, 6))
+    found = find_overturning_windows(BLOCK, "one-cosine", np.linspace(0.5, 3.0, 6))
     for index in range(6):
         windows = found.at(index)
         assert all(window.low < window.high for window in windows)
@@ -143,38 +145,38 @@ def test_windows_ascend_and_windows_that_touch_differ() -> None:
 
 def test_without_a_rebound_only_what_happens_in_the_pulse_overturns() -> None:
     # An impact that leaves next to nothing: the block starts anew, as from rest.
-    found = overturning_windows(DimensionlessBlock(restitution=1e-9), "half-sine", [1.0, 4.0])
+    found = find_overturning_windows(DimensionlessBlock(restitution=1e-9), "half-sine", [1.0, 4.0])
     for index in range(2):
         assert [window.impacts for window in found.at(index)] == [0]
-    dead = overturning_windows(DimensionlessBlock(restitution=1e-9), "one-sine", [2.0])
-    lively = overturning_windows(BLOCK, "one-sine", [2.0])
+    dead = find_overturning_windows(DimensionlessBlock(restitution=1e-9), "one-sine", [2.0])
+    lively = find_overturning_windows(BLOCK, "one-sine", [2.0])
     assert dead.at(0)[-1].low == pytest.approx(lively.at(0)[-1].low, rel=1e-12)
     assert dead.first[0] > lively.first[0]
 
 
 def test_the_range_cuts_windows_and_changes_nothing_else() -> None:
-    whole = overturning_windows(BLOCK, "one-sine", [5.0])
-    part = overturning_windows(BLOCK, "one-sine", [5.0], amplitudes=(4.0, 7.0))
+    whole = find_overturning_windows(BLOCK, "one-sine", [5.0])
+    part = find_overturning_windows(BLOCK, "one-sine", [5.0], amplitudes=(4.0, 7.0))
     ((low, high, impacts),) = only(part)
     assert (low, impacts, part.at(0)[0].endless) == (4.0, 1, False)
     assert high == pytest.approx(whole.at(0)[0].high, rel=1e-14)
-    below = overturning_windows(BLOCK, "one-sine", [5.0], amplitudes=(0.0, 0.9))
+    below = find_overturning_windows(BLOCK, "one-sine", [5.0], amplitudes=(0.0, 0.9))
     assert below.at(0) == ()
     assert np.isnan(below.first[0])
 
 
 def test_the_shape_alone_of_a_pulse_counts() -> None:
-    named = overturning_windows(BLOCK, "one-sine", [2.0, 5.0])
+    named = find_overturning_windows(BLOCK, "one-sine", [2.0, 5.0])
     given = Pulse(shape="one-sine", amplitude=7.0, frequency_ratio=3.0)
-    np.testing.assert_array_equal(overturning_windows(BLOCK, given, [2.0, 5.0]).low, named.low)
+    np.testing.assert_array_equal(find_overturning_windows(BLOCK, given, [2.0, 5.0]).low, named.low)
     block = Block.from_p(alpha=0.2, p=3.0, restitution=0.9)
     np.testing.assert_array_equal(
-        overturning_windows(block, "one-sine", [2.0, 5.0], model=Linear()).low, named.low
+        find_overturning_windows(block, "one-sine", [2.0, 5.0], model=Linear()).low, named.low
     )
 
 
 def test_of_very_many_windows_the_widest_are_kept_and_the_others_counted() -> None:
-    found = overturning_windows(BLOCK, "type-c2", [0.7], resolution=0.01)
+    found = find_overturning_windows(BLOCK, "type-c2", [0.7], resolution=0.01)
     assert len(found.at(0)) == 32
     assert found.left_out[0] > 0
     assert 0.0 < found.left_out_width[0] < 0.1
@@ -184,9 +186,9 @@ def test_of_very_many_windows_the_widest_are_kept_and_the_others_counted() -> No
 @pytest.mark.parametrize("shape", ["one-sine", "one-cosine", "triangle"])
 def test_without_loss_every_amplitude_is_decided(shape: str, w: float) -> None:
     # A block that has barely lifted bounces without end.
-    found = overturning_windows(DimensionlessBlock(restitution=1.0), shape, [w])
+    found = find_overturning_windows(DimensionlessBlock(restitution=1.0), shape, [w])
     assert not found.undecided.any()
-    nearly = overturning_windows(DimensionlessBlock(restitution=1.0 - 1e-9), shape, [w])
+    nearly = find_overturning_windows(DimensionlessBlock(restitution=1.0 - 1e-9), shape, [w])
     wide = np.flatnonzero(found.high[0] - found.low[0] > 1e-3)
     assert wide.size
     np.testing.assert_allclose(
@@ -196,7 +198,7 @@ def test_without_loss_every_amplitude_is_decided(shape: str, w: float) -> None:
 
 def test_a_side_that_lifts_sooner_sets_the_range() -> None:
     block = DimensionlessBlock(restitution=0.9, alpha_ratio=0.5)
-    found = overturning_windows(block, "one-sine", [1.0])
+    found = find_overturning_windows(block, "one-sine", [1.0])
     assert found.amplitudes == (0.5, 20.0)
     assert 0.5 < found.first[0] < 1.0
     for a, status in (
@@ -213,10 +215,10 @@ def test_a_side_that_lifts_sooner_sets_the_range() -> None:
 @pytest.mark.parametrize("how", [Run(workers=1), Run(executor="serial"), Run(workers=2)])
 def test_every_executor_gives_the_same_bits(how: Run, tmp_path: Path) -> None:
     ratios = np.linspace(1.0, 6.0, 7)
-    expected = overturning_windows(BLOCK, "one-cosine", ratios).to_dataset()
-    found = overturning_windows(BLOCK, "one-cosine", ratios, run=how).to_dataset()
+    expected = find_overturning_windows(BLOCK, "one-cosine", ratios).to_dataset()
+    found = find_overturning_windows(BLOCK, "one-cosine", ratios, run=how).to_dataset()
     assert found.identical(expected)
-    kept = overturning_windows(
+    kept = find_overturning_windows(
         BLOCK, "one-cosine", ratios, run=replace(how, store=tmp_path / "windows.zarr")
     )
     assert kept.to_dataset().identical(expected)
@@ -224,13 +226,13 @@ def test_every_executor_gives_the_same_bits(how: Run, tmp_path: Path) -> None:
 
 def test_progress_is_told_by_frequency() -> None:
     told: list[int] = []
-    overturning_windows(BLOCK, "half-sine", [1.0, 2.0, 3.0], run=Run(progress=told.append))
+    find_overturning_windows(BLOCK, "half-sine", [1.0, 2.0, 3.0], run=Run(progress=told.append))
     assert told[0] == 0
     assert sum(told) == 3
 
 
 def test_the_dataset_and_the_table_say_what_was_found() -> None:
-    found = overturning_windows(BLOCK, "one-sine", [5.0, 8.0])
+    found = find_overturning_windows(BLOCK, "one-sine", [5.0, 8.0])
     data = found.to_dataset()
     assert data.sizes == {"frequency_ratio": 2, "window": 2}
     assert data.low.sel(frequency_ratio=8.0, window=0) == found.first[1]
@@ -264,7 +266,7 @@ def test_the_dataset_and_the_table_say_what_was_found() -> None:
 def test_bad_input_is_refused(arguments: dict[str, Any], words: str) -> None:
     given: dict[str, Any] = {"block": BLOCK, "pulse": "one-sine", "frequency_ratios": [1.0]}
     with pytest.raises(InputError, match=words):
-        overturning_windows(**(given | arguments))
+        find_overturning_windows(**(given | arguments))
 
 
 def test_oscillations_belong_to_one_pulse_alone() -> None:
@@ -284,7 +286,7 @@ def test_an_interrupted_search_keeps_most_of_its_frequencies(tmp_path: Path) -> 
 
     path = tmp_path / "windows.zarr"
     with pytest.raises(KeyboardInterrupt):
-        overturning_windows(
+        find_overturning_windows(
             BLOCK,
             "one-sine",
             ratios,
@@ -293,10 +295,10 @@ def test_an_interrupted_search_keeps_most_of_its_frequencies(tmp_path: Path) -> 
         )
     told: list[int] = []
     store = Store(path, resume=True)
-    found = overturning_windows(
+    found = find_overturning_windows(
         BLOCK, "one-sine", ratios, run=Run(store=store, progress=told.append), **how
     )
     assert told[0] >= 8  # of chunks that are finished
     assert sum(told) == 20
-    whole = overturning_windows(BLOCK, "one-sine", ratios, **how)
+    whole = find_overturning_windows(BLOCK, "one-sine", ratios, **how)
     assert np.array_equal(found.low, whole.low, equal_nan=True)

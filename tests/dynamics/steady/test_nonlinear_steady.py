@@ -11,11 +11,11 @@ from rocksteady import (
     Harmonic,
     ModelError,
     Steady,
-    attractor,
-    attractor_map,
-    orbits,
+    find_attractor,
+    find_orbits,
+    find_steady_states,
+    map_attractors,
     simulate,
-    steady_states,
 )
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import initial_march
@@ -76,7 +76,7 @@ def test_it_goes_to_the_linear_one_with_the_square_of_the_slenderness(
     alpha: float, a: float, w: float, delta: float, order: int, branch: int
 ) -> None:
     shaking = Harmonic(amplitude=a, frequency_ratio=w)
-    states = steady_states(a, w, delta, order=order)
+    states = find_steady_states(a, w, delta, order=order)
     linear = float(states.phase[branch - 1]), float(states.velocity[branch - 1])
     errors = []
     for slender in (0.02 * alpha, 0.04 * alpha):
@@ -116,7 +116,7 @@ def test_an_unstable_one_is_left_along_its_own_direction(
     np.testing.assert_allclose(later, rate * away, rtol=0.0, atol=2e-3 * np.hypot(*later))
     listed = [
         orbit
-        for orbit in orbits(block, shaking, max_period=order, seeds=1, model=Nonlinear())
+        for orbit in find_orbits(block, shaking, max_period=order, seeds=1, model=Nonlinear())
         if (orbit.branch, orbit.period) == (branch, order)
     ]
     assert rate**2 == pytest.approx(listed[0].multipliers[0].real, rel=1e-3)
@@ -124,7 +124,7 @@ def test_an_unstable_one_is_left_along_its_own_direction(
 
 def test_the_attractor_from_it_is_the_steady_state_itself() -> None:
     block, shaking = body(0.3, 0.8), Harmonic(amplitude=2.0, frequency_ratio=4.0)
-    found = attractor(block, shaking, start=Steady(), model=Nonlinear())
+    found = find_attractor(block, shaking, start=Steady(), model=Nonlinear())
     assert found.orbit is not None
     assert found.orbit.highest == pytest.approx(0.181107, abs=1.2e-6)
     assert found.after <= 17  # known at the first look
@@ -136,14 +136,14 @@ def test_cells_of_a_map_begin_where_a_single_motion_does() -> None:
     for branch in (1, 2):
         start = Steady(branch=branch)
         axes = {"amplitude": [0.05, 0.6, 1.0, 2.0], "frequency_ratio": [1.9, 3.0]}
-        found = attractor_map(block, axes=axes, start=start, model=Nonlinear())
+        found = map_attractors(block, axes=axes, start=start, model=Nonlinear())
         meanings = found.kind.attrs["flag_meanings"].split()
         for i, a in enumerate(axes["amplitude"]):
             for j, w in enumerate(axes["frequency_ratio"]):
                 shaking = Harmonic(amplitude=a, frequency_ratio=w)
                 kind = meanings[int(found.kind[i, j])]
                 try:
-                    alone = attractor(block, shaking, start=start, model=Nonlinear())
+                    alone = find_attractor(block, shaking, start=start, model=Nonlinear())
                 except ModelError:
                     assert kind == "no-start"
                     continue
@@ -155,7 +155,7 @@ def test_cells_of_a_map_begin_where_a_single_motion_does() -> None:
 @pytest.mark.parametrize("w", [0.7, 2.0, 8.0])
 def test_both_branches_end_together_in_a_fold(w: float) -> None:
     # The fold of a stocky block lies at a higher amplitude than that of the linear model.
-    block, fold = body(0.5, 0.8), float(steady_states(1.0, w, 0.8).existence)
+    block, fold = body(0.5, 0.8), float(find_steady_states(1.0, w, 0.8).existence)
     there = []
     for share in (1.00001, 1.01, 1.03, 1.05, 1.07, 1.1, 1.2):
         pair = []

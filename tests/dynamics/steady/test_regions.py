@@ -10,11 +10,11 @@ from hypothesis import strategies as st
 
 from rocksteady import (
     InputError,
-    boundaries,
+    compute_region_map,
+    find_steady_states,
     heteroclinic_amplitude,
     melnikov_amplitude,
-    region_map,
-    steady_states,
+    region_boundaries,
     symmetry_breaking_amplitude,
     symmetry_breaking_frequency,
 )
@@ -34,7 +34,7 @@ TABLE = [
 def test_tw2_boundaries(
     r: float, n: int, w: float, existence: float, kind: float, sign: float
 ) -> None:
-    curves = boundaries(w, r, order=n)
+    curves = region_boundaries(w, r, order=n)
     assert curves.existence == pytest.approx(existence, abs=5.1e-6)
     assert curves.kind == pytest.approx(kind, abs=5.1e-6)
     assert curves.sign == pytest.approx(sign, abs=5.1e-6)
@@ -56,11 +56,11 @@ def test_tw2_regions_between_the_boundaries(
         (100.0, 2),
     ]
     amplitudes, regions = zip(*placed, strict=True)
-    assert steady_states(amplitudes, w, r, order=n).region.tolist() == list(regions)
+    assert find_steady_states(amplitudes, w, r, order=n).region.tolist() == list(regions)
 
 
 def test_every_region_occurs_in_figure_4a() -> None:
-    found = steady_states(
+    found = find_steady_states(
         np.linspace(0.0, 12.0, 61)[:, np.newaxis], np.linspace(0.5, 14.0, 28), 0.5, order=3
     ).region
     assert set(np.unique(found).tolist()) == {1, 2, 3, 4, 5}
@@ -68,7 +68,7 @@ def test_every_region_occurs_in_figure_4a() -> None:
 
 @given(logarithmic(0.1, 100.0), st.floats(0.05, 0.999), orders)
 def test_boundaries_are_the_printed_formulae(w: float, r: float, n: int) -> None:
-    curves = boundaries(w, r, order=n)
+    curves = region_boundaries(w, r, order=n)
     assert (curves.existence, curves.sign, curves.kind) == pytest.approx(
         printed_boundaries(w, r, n), rel=1e-13
     )
@@ -76,7 +76,7 @@ def test_boundaries_are_the_printed_formulae(w: float, r: float, n: int) -> None
 
 @given(logarithmic(0.1, 100.0), st.floats(0.05, 0.999), orders)
 def test_e8_region_3_never_disappears(w: float, r: float, n: int) -> None:
-    curves = boundaries(w, r, order=n)
+    curves = region_boundaries(w, r, order=n)
     p = (1.0 - r) / (1.0 + r) * math.tanh(n * math.pi / (2.0 * w)) * w
     assert curves.existence / curves.kind == pytest.approx(1.0 / math.sqrt(1.0 + p * p))
     assert curves.existence < curves.kind
@@ -89,7 +89,7 @@ def test_b1_heteroclinic_amplitude(w: float, amplitude: float) -> None:
 
 def test_the_heteroclinic_curve_is_the_existence_curve_of_long_half_cycles() -> None:
     w = np.geomspace(0.1, 20.0, 15)
-    long = boundaries(w, 0.8, order=999).existence
+    long = region_boundaries(w, 0.8, order=999).existence
     np.testing.assert_allclose(heteroclinic_amplitude(w, 0.8), long, rtol=1e-14)
 
 
@@ -123,7 +123,7 @@ def test_tw6_symmetry_breaking(order: int, amplitude: float, expected: float) ->
     assert np.abs(found - expected).min() < 5.1e-7
     for ratio in found:
         assert symmetry_breaking_amplitude(ratio, 0.8, order=order) == pytest.approx(amplitude)
-        states = steady_states(amplitude, ratio, 0.8, order=order)
+        states = find_steady_states(amplitude, ratio, 0.8, order=order)
         assert states.multipliers[0, 0] == pytest.approx(-1.0, abs=1e-9)
 
 
@@ -146,7 +146,7 @@ def test_branch_1_is_stable_just_below_symmetry_breaking_and_not_above(
     if math.isnan(amplitude):
         return
     limit = -(1.0 + r * r)
-    below, at, above = steady_states(
+    below, at, above = find_steady_states(
         [amplitude * (1.0 - 1e-4), amplitude, amplitude * (1.0 + 1e-4)], w, r, order=n
     ).trace[0]
     if math.isnan(below):  # the curve is that close to the existence boundary
@@ -158,8 +158,8 @@ def test_branch_1_is_stable_just_below_symmetry_breaking_and_not_above(
 @pytest.mark.parametrize(
     ("function", "arguments"),
     [
-        (boundaries, (0.0, 0.8)),
-        (boundaries, (4.0, 1.2)),
+        (region_boundaries, (0.0, 0.8)),
+        (region_boundaries, (4.0, 1.2)),
         (heteroclinic_amplitude, (math.nan, 0.8)),
         (heteroclinic_amplitude, (1.0, 0.0)),
         (melnikov_amplitude, (-1.0, 0.8)),
@@ -173,7 +173,9 @@ def test_bad_arguments_are_refused(function: Any, arguments: tuple[Any, ...]) ->
         function(*arguments)
 
 
-@pytest.mark.parametrize("function", [boundaries, symmetry_breaking_amplitude, region_map])
+@pytest.mark.parametrize(
+    "function", [region_boundaries, symmetry_breaking_amplitude, compute_region_map]
+)
 def test_an_even_order_is_refused_with_the_reason(function: Any) -> None:
     with pytest.raises(InputError, match="odd number of half periods"):
         function(4.0, 0.8, order=2)
@@ -183,9 +185,9 @@ def test_an_even_order_is_refused_with_the_reason(function: Any) -> None:
 
 def test_a_region_map_holds_every_curve() -> None:
     w = np.linspace(1.0, 10.0, 19)
-    curves = region_map(w, 0.8, order=3)
+    curves = compute_region_map(w, 0.8, order=3)
     assert (curves.restitution, curves.order) == (0.8, 3)
-    parts = boundaries(w, 0.8, order=3)
+    parts = region_boundaries(w, 0.8, order=3)
     np.testing.assert_array_equal(curves.frequency_ratio, w)
     np.testing.assert_array_equal(curves.existence, parts.existence)
     np.testing.assert_array_equal(curves.sign, parts.sign)

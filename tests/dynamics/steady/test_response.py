@@ -11,8 +11,8 @@ from rocksteady import (
     DimensionlessBlock,
     InputError,
     ModelError,
-    response_curve,
-    steady_states,
+    compute_response_curve,
+    find_steady_states,
 )
 
 BARE = DimensionlessBlock(restitution=0.8)
@@ -22,8 +22,8 @@ def test_a_curve_is_the_peak_of_the_admissible_solutions() -> None:
     w = np.linspace(1.0, 16.0, 151)
     branches: tuple[Literal[1], Literal[2]] = (1, 2)
     for branch in branches:
-        curve = response_curve(BARE, 2.0, frequency_ratio=w, order=3, branch=branch)
-        states = steady_states(2.0, w, 0.8, order=3)
+        curve = compute_response_curve(BARE, 2.0, frequency_ratio=w, order=3, branch=branch)
+        states = find_steady_states(2.0, w, 0.8, order=3)
         assert states.peak is not None
         assert states.admissible is not None
         admissible = states.admissible[branch - 1]
@@ -39,24 +39,24 @@ def test_a_curve_is_the_peak_of_the_admissible_solutions() -> None:
 def test_a_curve_in_hertz_is_that_in_frequency_ratios(p: float) -> None:  # eqs 26, 27
     block = Block.from_p(alpha=0.2, p=p, restitution=0.8)
     hertz = np.linspace(0.5, 16.0, 32)
-    curve = response_curve(block, 3.0, frequency_hz=hertz)
+    curve = compute_response_curve(block, 3.0, frequency_hz=hertz)
     ratios = 2.0 * math.pi * hertz / p
     np.testing.assert_allclose(curve.frequency_ratio, ratios, rtol=1e-15)
     assert curve.frequency_hz is not None
     np.testing.assert_allclose(curve.frequency_hz, hertz, rtol=1e-15)
-    same = response_curve(BARE, 3.0, frequency_ratio=curve.frequency_ratio)
+    same = compute_response_curve(BARE, 3.0, frequency_ratio=curve.frequency_ratio)
     np.testing.assert_array_equal(curve.peak, same.peak)
     assert np.isfinite(curve.peak).any()
 
 
 def test_peaks_fall_with_frequency_as_in_figure_5a() -> None:
     for amplitude in range(1, 7):
-        curve = response_curve(BARE, amplitude, frequency_ratio=np.linspace(4.0, 16.0, 49))
+        curve = compute_response_curve(BARE, amplitude, frequency_ratio=np.linspace(4.0, 16.0, 49))
         assert (np.diff(curve.peak) < 0.0).all()
 
 
 def test_one_frequency_is_a_curve_of_one() -> None:
-    assert response_curve(BARE, 3.0, frequency_ratio=4.0).peak.shape == (1,)
+    assert compute_response_curve(BARE, 3.0, frequency_ratio=4.0).peak.shape == (1,)
 
 
 @pytest.mark.parametrize(
@@ -76,17 +76,17 @@ def test_bad_arguments_are_refused(
     arguments: dict[str, Any], kind: type[Exception], name: str
 ) -> None:
     with pytest.raises(kind, match=f"^{name}"):
-        response_curve(BARE, 3.0, **arguments)
+        compute_response_curve(BARE, 3.0, **arguments)
 
 
 @pytest.mark.parametrize("value", [0.0, -1.0, math.nan])
 def test_a_bad_frequency_in_hertz_is_refused(value: float) -> None:
     block = Block.from_p(alpha=0.2, p=3.0)
     with pytest.raises(InputError, match=r"^frequency_hz = "):
-        response_curve(block, 3.0, frequency_hz=[1.0, value])
+        compute_response_curve(block, 3.0, frequency_hz=[1.0, value])
 
 
 def test_text_is_refused_as_a_frequency() -> None:
     text: Any = "4"
     with pytest.raises(InputError, match=r"^frequency_ratio = "):
-        response_curve(BARE, 3.0, frequency_ratio=text)
+        compute_response_curve(BARE, 3.0, frequency_ratio=text)

@@ -8,7 +8,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from rocksteady import (
-    steady_states,
+    find_steady_states,
 )
 from tests.dynamics.formulae import (
     half_cycle,
@@ -56,7 +56,7 @@ def test_tw1_phase_velocity_and_peak(
 def test_tw3_peaks_of_figure_5(
     order: int, amplitude: float, frequency_ratio: float, peak: float
 ) -> None:
-    states = steady_states(amplitude, frequency_ratio, 0.8, order=order)
+    states = find_steady_states(amplitude, frequency_ratio, 0.8, order=order)
     assert checked(states.peak)[0] == pytest.approx(peak, abs=5.1e-6)
     assert checked(states.admissible)[0]
 
@@ -67,7 +67,7 @@ def test_tw3_peaks_of_figure_5(
 def test_tw3_where_the_subharmonic_curves_have_ended(
     amplitude: float, frequency_ratio: float
 ) -> None:
-    states = steady_states(amplitude, frequency_ratio, 0.8, order=3)
+    states = find_steady_states(amplitude, frequency_ratio, 0.8, order=3)
     assert not checked(states.admissible).any()
     assert not states.stable.any()
 
@@ -82,7 +82,7 @@ def test_tw3_where_the_subharmonic_curves_have_ended(
 def test_tw4_peaks_against_restitution(
     order: int, frequency_ratio: float, peaks: tuple[float, ...]
 ) -> None:
-    states = steady_states(3.0, frequency_ratio, [0.7, 0.8, 0.9, 1.0], order=order)
+    states = find_steady_states(3.0, frequency_ratio, [0.7, 0.8, 0.9, 1.0], order=order)
     np.testing.assert_allclose(checked(states.peak)[0], peaks, rtol=0.0, atol=5.1e-7)
 
 
@@ -115,7 +115,7 @@ def test_tw5_traces(point: tuple[float, float, float, int], trace: float) -> Non
 def test_tw8_branch_2_is_unstable(
     order: int, amplitude: float, frequency_ratio: float, multiplier: float
 ) -> None:
-    states = steady_states(amplitude, frequency_ratio, 0.8, order=order)
+    states = find_steady_states(amplitude, frequency_ratio, 0.8, order=order)
     decimals = len(str(multiplier).partition(".")[2])
     assert abs(states.multipliers[1, 0]) == pytest.approx(multiplier, abs=0.51 * 10.0**-decimals)
     assert checked(states.admissible)[1]
@@ -133,7 +133,7 @@ def test_e2_an_in_phase_solution_of_region_3_is_stable(
 
 
 def test_e3_figure_11a_is_unstable_with_a_multiplier_of_minus_1_182() -> None:
-    states = steady_states(4.0, 6.0, 0.8, order=3)
+    states = find_steady_states(4.0, 6.0, 0.8, order=3)
     assert checked(states.admissible)[0]
     assert not states.stable[0]
     assert states.multipliers[0, 0] == pytest.approx(-1.182, abs=5.1e-4)
@@ -185,7 +185,7 @@ def test_residuals_of_equations_12_and_13_at_a_hundred_thousand_points() -> None
     a = existence * (1.0 + 10.0 ** rng.uniform(-6.0, 1.5, count))
     a = np.where(a > 0.0, a, 1.0)
     a = np.minimum(a, np.maximum(12.0, 1.01 * existence))
-    states = steady_states(a, w, r, order=n, shapes=False)
+    states = find_steady_states(a, w, r, order=n, shapes=False)
     assert (states.region != 4).all()
     end, shrunk = np.tanh(n * math.pi / w), 1.0 / np.cosh(np.minimum(n * math.pi / w, 700.0))
     beta = a / (1.0 + w * w)
@@ -250,7 +250,7 @@ def test_e1_in_regions_2_and_5_branch_2_falls_through_the_floor(
     amplitudes = [max(sign, kind) * (1.0 + 10.0 * share)]  # region 2
     if sign < kind * 0.999:
         amplitudes.append(max(sign, existence) + share * (kind - max(sign, existence)))
-    states = steady_states(amplitudes, w, r, order=n)
+    states = find_steady_states(amplitudes, w, r, order=n)
     assert set(states.region.tolist()) <= {2, 5}
     assert (states.velocity_tau[1] < 0.0).all()
     assert not checked(states.admissible)[1].any()
@@ -263,7 +263,7 @@ def test_e7_in_regions_1_and_3_both_phases_are_positive(
 ) -> None:
     existence, sign, kind = printed_boundaries(w, r, n)
     assume(existence < 0.999 * sign)
-    states = steady_states(existence + share * (sign - existence), w, r, order=n)
+    states = find_steady_states(existence + share * (sign - existence), w, r, order=n)
     assert states.region in (1, 3)
     assert (states.phase > 0.0).all()
     assert (states.velocity_tau > 0.0).all()

@@ -14,9 +14,9 @@ from rocksteady import (
     InputError,
     State,
     Steady,
+    compute_steady_orbit,
+    find_steady_states,
     simulate,
-    steady_orbit,
-    steady_states,
 )
 from tests.dynamics.formulae import (
     printed_trace,
@@ -112,7 +112,7 @@ def test_multipliers_solve_their_quadratic_and_decide_stability(
 def test_restitution_1_makes_neutral_orbits_and_never_stable_ones(
     a: float, w: float, n: int
 ) -> None:
-    states = steady_states(a, w, 1.0, order=n)
+    states = find_steady_states(a, w, 1.0, order=n)
     assert states.region in (1, 2)
     assert not states.stable.any()
     for which in (0, 1):
@@ -125,14 +125,14 @@ def test_restitution_1_makes_neutral_orbits_and_never_stable_ones(
 
 
 def test_a_stable_orbit_is_no_neutral_one() -> None:
-    states = steady_states(2.0, 4.0, 0.8)
+    states = find_steady_states(2.0, 4.0, 0.8)
     assert states.stable[0]
     assert not states.neutral.any()
 
 
 def test_at_the_existence_boundary_the_two_branches_meet_with_a_multiplier_of_1() -> None:
-    existence = float(steady_states(2.0, 4.0, 0.8).existence)
-    states = steady_states(existence * (1.0 + 1e-12), 4.0, 0.8)
+    existence = float(find_steady_states(2.0, 4.0, 0.8).existence)
+    states = find_steady_states(existence * (1.0 + 1e-12), 4.0, 0.8)
     assert states.phase[0] == pytest.approx(states.phase[1], abs=1e-5)
     np.testing.assert_allclose(states.trace, 1.64, atol=1e-4)
 
@@ -150,7 +150,7 @@ def test_an_orbit_closes_mirrors_itself_and_obeys_equation_4(
     states = states_at(point)
     assume(states.region != 4)
     samples = 4001
-    orbit = steady_orbit(a, w, r, order=n, branch=branch, samples=samples)
+    orbit = compute_steady_orbit(a, w, r, order=n, branch=branch, samples=samples)
     assert orbit.tau.shape == orbit.angle.shape == orbit.velocity.shape == (samples,)
     assert orbit.tau[[0, -1]] == pytest.approx([0.0, 2.0 * n * math.pi])
     half = samples // 2
@@ -183,19 +183,19 @@ def test_an_orbit_closes_mirrors_itself_and_obeys_equation_4(
 
 def test_an_orbit_where_none_exists_is_refused_with_the_least_amplitude() -> None:
     with pytest.raises(InputError, match=r"^amplitude = 0\.2 .*0\.260201"):
-        steady_orbit(0.2, 4.0, 0.8)
+        compute_steady_orbit(0.2, 4.0, 0.8)
 
 
 @pytest.mark.parametrize("branch", [0, 3, -1])
 def test_an_orbit_of_a_third_branch_is_refused(branch: int) -> None:
     with pytest.raises(InputError, match="two branches"):
-        steady_orbit(2.0, 4.0, 0.8, branch=branch)
+        compute_steady_orbit(2.0, 4.0, 0.8, branch=branch)
 
 
 @pytest.mark.parametrize("samples", [2, 4, 1, 0, -5])
 def test_samples_of_an_orbit_must_be_odd_and_three_at_least(samples: int) -> None:
     with pytest.raises(InputError, match=r"^samples = "):
-        steady_orbit(2.0, 4.0, 0.8, samples=samples)
+        compute_steady_orbit(2.0, 4.0, 0.8, samples=samples)
 
 
 # --------------------------------------------------------------------------- in a simulation
@@ -264,7 +264,7 @@ def test_an_unstable_steady_state_is_left_on_the_named_side(
 
 
 def test_leaving_along_the_unstable_direction_is_symmetric_to_first_order() -> None:
-    states = steady_states(1.0, 2.0, 0.8)
+    states = find_steady_states(1.0, 2.0, 0.8)
     velocity = states.velocity[1]
     departures = [
         np.abs(

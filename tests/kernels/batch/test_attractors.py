@@ -6,7 +6,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import DimensionlessBlock, Harmonic, State, attractor
+from rocksteady import DimensionlessBlock, Harmonic, State, find_attractor
 from rocksteady.kernels.batch.attractors import (
     AFTER,
     HIGHEST,
@@ -99,7 +99,7 @@ def test_peaks_are_those_of_the_orbit_alone_to_the_last_bit() -> None:
     compared = 0
     for i in range(COUNT):
         a, w, r, _, velocity, _ = real[:, i].tolist()
-        found = attractor(
+        found = find_attractor(
             DimensionlessBlock(restitution=r),
             Harmonic(amplitude=a, frequency_ratio=w),
             start=State(angle=0.0, velocity=velocity),

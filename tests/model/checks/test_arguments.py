@@ -20,13 +20,13 @@ from rocksteady import (
     InputError,
     Record,
     Rest,
-    added,
+    add_motions,
+    compute_response_spectrum,
+    compute_rocking_spectrum,
+    find_steady_states,
     housner_restitution,
     impact_restitution,
-    response_spectrum,
-    rocking_spectrum,
     simulate,
-    steady_states,
 )
 from rocksteady.model.checks.arguments import checked
 from tests.public.junk import Quantity
@@ -50,19 +50,19 @@ MASKED = np.ma.array([1.0, -99999.0, 2.0], mask=[False, True, False])
             lambda: simulate(SHAKING, BLOCK),  # type: ignore[arg-type]
             ["block = ", "a Block or a DimensionlessBlock; the block comes first"],
         ),
-        (lambda: steady_states(2.0, 4.0, 0.8, order="1"), ["order = '1'", "a whole number"]),
-        (lambda: steady_states(2.0, 4.0, 0.8, order=MASKED), ["order = ", "1 of its 3 elements"]),
+        (lambda: find_steady_states(2.0, 4.0, 0.8, order="1"), ["order = '1'", "a whole number"]),
+        (lambda: find_steady_states(2.0, 4.0, 0.8, order=MASKED), ["order = ", "1 of its 3 elem"]),
         (lambda: simulate(BLOCK, SHAKING, model="cubic"), ["model = 'cubic'"]),  # type: ignore[arg-type]
         (lambda: simulate(BLOCK, SHAKING, start=Rest), ["start = ", "a Rest or a State or a"]),  # type: ignore[arg-type]
         (lambda: simulate(BLOCK, SHAKING, max_flights=2**64), ["max_flights = 18446744073709"]),
-        (lambda: rocking_spectrum(RECORD, alpha=[], periods_s=[1.0]), ["alpha = ", "one value"]),
-        (lambda: added(SHAKING, 3.0), ["motions = 3.0", "it must be a Motion"]),  # type: ignore[arg-type]
+        (lambda: compute_rocking_spectrum(RECORD, alpha=[], p=1.0), ["alpha = ", "one value"]),
+        (lambda: add_motions(SHAKING, 3.0), ["motions = 3.0", "it must be a Motion"]),  # type: ignore[arg-type]
         (lambda: housner_restitution(0.2, p=math.nan), ["p = nan"]),
         (lambda: housner_restitution(0.2, radius=-1.0), ["radius = -1.0"]),
         (lambda: impact_restitution((0.2, 0.3), (1.0, 1.1), gyration=-0.5), ["gyration = -0.5"]),
         (lambda: impact_restitution((0.2, math.nan), (1.0, 1.1), gyration=0.5), ["alphas = "]),
-        (lambda: steady_states([[1.0, 2.0], [3.0]], 4.0, 0.8), ["amplitude = ", "one length"]),
-        (lambda: steady_states(np.broadcast_to(1.0, 10**12), 4.0, 0.8), ["at most 100000000"]),
+        (lambda: find_steady_states([[1.0, 2.0], [3.0]], 4.0, 0.8), ["amplitude = ", "one length"]),
+        (lambda: find_steady_states(np.broadcast_to(1.0, 10**12), 4.0, 0.8), ["at most 100000000"]),
         (lambda: Block.rectangle(width=1e308, height=1.0), ["width = 1e+308"]),
     ],
 )  # fmt: skip
@@ -79,9 +79,9 @@ def test_what_is_no_such_thing_is_refused_in_one_line(call: Any, words: list[str
     "call",
     [
         lambda x: Record(acceleration_m_s2=x, dt_s=0.01),
-        lambda x: steady_states(x, 4.0, 0.8),
+        lambda x: find_steady_states(x, 4.0, 0.8),
         lambda x: rocksteady.Axis(name="amplitude", values=x),
-        lambda x: response_spectrum(RECORD, x),
+        lambda x: compute_response_spectrum(RECORD, x),
         lambda x: simulate(BLOCK, SHAKING, cycles=1).at_time(x),
         lambda x: simulate(BLOCK, SHAKING, cycles=1).base_acceleration(x),
     ],
@@ -111,10 +111,10 @@ def test_scalars_keep_neither_a_mask_nor_a_unit() -> None:
 
 
 def test_an_array_in_si_and_a_mask_without_effect_are_taken() -> None:
-    plain = steady_states([1.0, 2.0], 4.0, 0.8).phase
+    plain = find_steady_states([1.0, 2.0], 4.0, 0.8).phase
     si = xarray.DataArray([1.0, 2.0], dims="x", attrs={"units": "1"})
     for given in (si, np.ma.array([1.0, 2.0]), np.array([1.0, 2.0], dtype=">f8")):
-        assert np.array_equal(steady_states(given, 4.0, 0.8).phase, plain, equal_nan=True)
+        assert np.array_equal(find_steady_states(given, 4.0, 0.8).phase, plain, equal_nan=True)
 
 
 def test_sizes_like_millimetres_are_questioned() -> None:
@@ -150,7 +150,7 @@ def test_every_public_function_is_checked() -> None:
         and not hasattr(getattr(rocksteady, name), "__wrapped__")
     }
     # The first takes no argument; the second's own validator lists the examples.
-    assert bare == {"check_installation", "example_block"}
+    assert bare == {"check_installation", "named_block"}
 
 
 def test_a_doctest_finder_sees_through_the_check() -> None:
@@ -190,8 +190,8 @@ def test_floats_of_other_types_are_plain_ones(kind: Any) -> None:
     [
         lambda number: Harmonic(amplitude=2.0, frequency_ratio=number),
         lambda number: DimensionlessBlock(restitution=number),
-        lambda number: steady_states(2.0, 4.0, number),
-        lambda number: steady_states(2.0, [4.0, number], 0.8),
+        lambda number: find_steady_states(2.0, 4.0, number),
+        lambda number: find_steady_states(2.0, [4.0, number], 0.8),
         lambda number: Record(acceleration_m_s2=np.array([0.0, number]), dt_s=0.01),
         lambda number: Axis(name="amplitude", values=[number]),
         lambda number: simulate(BLOCK, SHAKING, cycles=number),
@@ -206,4 +206,4 @@ def test_fractions_are_taken_and_decimals_are_refused_everywhere(call: Any) -> N
 def test_a_fraction_beyond_the_floats_is_infinite_and_refused() -> None:
     huge: Any = Fraction(-(10**400))
     with pytest.raises(InputError, match="frequency_ratio = -inf is not valid"):
-        steady_states(2.0, [4.0, huge], 0.8)
+        find_steady_states(2.0, [4.0, huge], 0.8)

@@ -17,10 +17,10 @@ from rocksteady import (
     Pulse,
     Segment,
     Still,
-    added,
-    delayed,
-    joined,
-    scaled,
+    add_motions,
+    delay_motion,
+    join_motions,
+    scale_motion,
 )
 from rocksteady.dynamics.history.base_motion import base_acceleration
 from rocksteady.dynamics.history.lowering import segment_table
@@ -53,30 +53,32 @@ def away_from_edges(s: Floats, *parts: Any) -> Floats:
 
 @given(motions, st.floats(-5.0, 5.0))
 def test_scaled(motion: Piecewise, factor: float) -> None:
-    found = acceleration(scaled(motion, factor), GRID)
+    found = acceleration(scale_motion(motion, factor), GRID)
     np.testing.assert_allclose(found, factor * acceleration(motion, GRID), rtol=0.0, atol=2e-13)
 
 
 @given(motions, st.floats(0.0, 3.0))
 def test_delayed(motion: Piecewise, by: float) -> None:
-    s = away_from_edges(GRID, delayed(motion, by))
+    s = away_from_edges(GRID, delay_motion(motion, by))
     before = np.where(s < by, 0.0, acceleration(motion, np.maximum(s - by, 0.0)))
-    np.testing.assert_allclose(acceleration(delayed(motion, by), s), before, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(
+        acceleration(delay_motion(motion, by), s), before, rtol=0, atol=1e-12
+    )
 
 
 def test_joined() -> None:
-    both = joined(SINE, Still(), TRIANGLE)
+    both = join_motions(SINE, Still(), TRIANGLE)
     assert both.segments() == SINE.segments() + TRIANGLE.segments()
-    endless = joined(SINE, Harmonic(amplitude=1.0, frequency_ratio=2.0))
+    endless = join_motions(SINE, Harmonic(amplitude=1.0, frequency_ratio=2.0))
     assert endless.segments()[-1].duration == math.inf
     with pytest.raises(ModelError, match="only the last segment may be endless"):
-        joined(Harmonic(amplitude=1.0, frequency_ratio=2.0), SINE)
+        join_motions(Harmonic(amplitude=1.0, frequency_ratio=2.0), SINE)
 
 
 @given(st.lists(motions, max_size=4))
 @settings(max_examples=60)
 def test_sums_of_one_frequency_are_exact(parts: list[Piecewise]) -> None:
-    total = added(*parts)
+    total = add_motions(*parts)
     s = away_from_edges(GRID, *parts)
     expected = sum((acceleration(part, s) for part in parts), np.zeros(len(s)))
     np.testing.assert_allclose(acceleration(total, s), expected, rtol=0.0, atol=1e-12)
@@ -85,8 +87,8 @@ def test_sums_of_one_frequency_are_exact(parts: list[Piecewise]) -> None:
 
 @pytest.mark.parametrize("tolerance", [1e-2, 1e-4, 1e-6])
 def test_sums_of_several_frequencies_keep_their_tolerance(tolerance: float) -> None:
-    later = delayed(Pulse(shape="type-c1", amplitude=1.0, frequency_ratio=7.0), 0.5)
-    total = added(SINE, later, TRIANGLE, tolerance=tolerance)
+    later = delay_motion(Pulse(shape="type-c1", amplitude=1.0, frequency_ratio=7.0), 0.5)
+    total = add_motions(SINE, later, TRIANGLE, tolerance=tolerance)
     s = away_from_edges(GRID, SINE, later, TRIANGLE)
     expected = acceleration(SINE, s) + acceleration(later, s) + acceleration(TRIANGLE, s)
     error = np.abs(acceleration(total, s) - expected)
@@ -99,27 +101,27 @@ def test_impulses_add_up_and_are_kept() -> None:
     hits = Impulses(velocities=(0.5, -0.25), times=(0.2, 0.5))
     once = Impulses(velocities=(0.125,), times=(0.2,))
     fast = Pulse(shape="one-sine", amplitude=1.0, frequency_ratio=9.0)
-    total = added(hits, once, SINE, fast)
+    total = add_motions(hits, once, SINE, fast)
     table = segment_table(total)
     struck = np.flatnonzero(table[:, 1])
     starts = np.concatenate([[0.0], np.cumsum(table[:-1, 0])])
     np.testing.assert_allclose(starts[struck], [0.2, 0.5], atol=1e-14)
     np.testing.assert_array_equal(table[struck, 1], [0.625, -0.25])
-    assert scaled(hits, -2.0).segments()[1].jump == -1.0
+    assert scale_motion(hits, -2.0).segments()[1].jump == -1.0
 
 
 def test_times_that_differ_by_rounding_are_one() -> None:
     third = Pulse.lasting(0.1, shape="rectangle", amplitude=1.0)
-    first = joined(third, third, third)  # 0.30000000000000004
+    first = join_motions(third, third, third)  # 0.30000000000000004
     second = Pulse.lasting(0.3, shape="rectangle", amplitude=1.0)
-    total = added(first, second)
+    total = add_motions(first, second)
     assert [piece.constant for piece in total.segments()] == [2.0, 2.0, 2.0]
 
 
 def test_wavelets_are_added_line_by_line() -> None:
     first = Pulse(shape="ricker", amplitude=2.0, frequency_ratio=3.0)
     second = Pulse(shape="mavroeidis-papageorgiou", amplitude=1.0, frequency_ratio=4.0)
-    total = added(first, delayed(second, 1.0))
+    total = add_motions(first, delay_motion(second, 1.0))
     s = np.linspace(0.0, 6.0, 5003)
     later = np.where(s < 1.0, 0.0, acceleration(second, np.maximum(s - 1.0, 0.0)))
     np.testing.assert_allclose(acceleration(total, s), acceleration(first, s) + later, atol=1e-11)
@@ -128,39 +130,39 @@ def test_wavelets_are_added_line_by_line() -> None:
 def test_the_jump_of_a_segment_too_short_to_last_is_kept() -> None:
     blink = Segment(duration=1e-14, jump=0.5)
     motion = Piecewise(pieces=(Segment(duration=1.0), blink, Segment(duration=1.0, jump=0.25)))
-    assert [piece.jump for piece in added(motion, SINE).segments() if piece.jump] == [0.75]
+    assert [piece.jump for piece in add_motions(motion, SINE).segments() if piece.jump] == [0.75]
 
 
 def test_two_harmonic_shakings_of_one_frequency_are_one() -> None:
     first = Harmonic(amplitude=3.0, frequency_ratio=2.0)
     second = Harmonic(amplitude=4.0, frequency_ratio=2.0, phase=0.5 * math.pi)
-    (total,) = added(first, second).segments()
+    (total,) = add_motions(first, second).segments()
     assert total.duration == math.inf
     assert total.amplitude == pytest.approx(5.0, rel=1e-15)
     assert total.phase == pytest.approx(math.atan2(4.0, 3.0), rel=1e-15)
 
 
 def test_what_opposes_itself_is_still() -> None:
-    total = added(SINE, scaled(SINE, -1.0))
+    total = add_motions(SINE, scale_motion(SINE, -1.0))
     assert np.abs(acceleration(total, GRID)).max() < 1e-15
 
 
 def test_the_sum_of_nothing_is_still() -> None:
-    assert added().segments() == ()
-    assert added(Still(), Still()).segments() == ()
+    assert add_motions().segments() == ()
+    assert add_motions(Still(), Still()).segments() == ()
 
 
 def test_what_cannot_be_made_is_refused() -> None:
     beats = Harmonic(amplitude=1.0, frequency_ratio=2.0), Harmonic(amplitude=1, frequency_ratio=3)
     with pytest.raises(ModelError, match=r"several frequencies may not act together for ever"):
-        added(*beats)
+        add_motions(*beats)
     with pytest.raises(InputError, match=r"^tolerance = 0"):
-        added(SINE, TRIANGLE, tolerance=0.0)
+        add_motions(SINE, TRIANGLE, tolerance=0.0)
     with pytest.raises(InputError, match=r"^by = -1"):
-        delayed(SINE, -1.0)
+        delay_motion(SINE, -1.0)
     with pytest.raises(InputError, match=r"^factor = nan"):
-        scaled(SINE, math.nan)
+        scale_motion(SINE, math.nan)
     # a sum that ends may hold one that does not
-    assert base_acceleration(segment_table(added(beats[0], TRIANGLE)), 100.0) == pytest.approx(
-        math.sin(200.0), abs=1e-12
-    )
+    assert base_acceleration(
+        segment_table(add_motions(beats[0], TRIANGLE)), 100.0
+    ) == pytest.approx(math.sin(200.0), abs=1e-12)

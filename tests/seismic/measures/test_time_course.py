@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
-from rocksteady import Record, ground_course
+from rocksteady import Record, integrate_record
 from tests.records import el_centro
 from tests.seismic.sines import noise, refined, sine
 
@@ -16,7 +16,7 @@ seeds = st.integers(0, 10_000)
 
 
 def test_a_period_of_a_sine_has_its_closed_forms() -> None:
-    course = ground_course(sine())
+    course = integrate_record(sine())
     # Chords of a sine of h = 1/4000 leave out 2e-7 of it.
     assert course.peak_acceleration.value == pytest.approx(2.0, rel=1e-12)
     assert course.peak_velocity.value == pytest.approx(2.0 / math.pi, rel=5e-7)
@@ -30,7 +30,7 @@ def test_a_period_of_a_sine_has_its_closed_forms() -> None:
 @given(seeds)
 def test_integrals_are_those_of_adaptive_quadrature(seed: int) -> None:
     record = noise(seed, samples=8, dt_s=0.5)
-    course = ground_course(record)
+    course = integrate_record(record)
 
     def a(t: float) -> float:
         return float(np.interp(t, course.t_s, record.acceleration_m_s2))
@@ -49,7 +49,7 @@ def test_integrals_are_those_of_adaptive_quadrature(seed: int) -> None:
 @given(seeds)
 def test_peaks_are_those_of_the_same_lines_sampled_a_thousand_times_as_finely(seed: int) -> None:
     record = noise(seed, samples=12, dt_s=0.1)
-    course, fine = ground_course(record), ground_course(refined(record, 1000))
+    course, fine = integrate_record(record), integrate_record(refined(record, 1000))
     # No time is further than half a fine step from a fine sample, and at a peak inside a line the
     # slope is 0: samples miss it by at most h^2/8 of the largest curvature, a' of v and a of d.
     missed = (record.dt_s / 1000) ** 2 / 8.0
@@ -70,7 +70,7 @@ def test_peaks_are_those_of_the_same_lines_sampled_a_thousand_times_as_finely(se
 @given(seeds, st.floats(0.01, 1.0))
 def test_parts_of_the_arias_intensity_are_reached_when_they_are(seed: int, part: float) -> None:
     record = noise(seed, samples=20)
-    course = ground_course(record)
+    course = integrate_record(record)
     t = course.time_of_arias(part)
     assert 0.0 <= t <= course.t_s[-1] * (1 + 1e-12)
     # The record up to then, by itself, has that part of the intensity.
@@ -85,7 +85,7 @@ def test_parts_of_the_arias_intensity_are_reached_when_they_are(seed: int, part:
 
 
 def test_a_constant_acceleration_reaches_its_intensity_evenly() -> None:
-    course = ground_course(Record(acceleration_m_s2=np.full(11, 3.0), dt_s=0.1))
+    course = integrate_record(Record(acceleration_m_s2=np.full(11, 3.0), dt_s=0.1))
     assert course.time_of_arias(0.05) == pytest.approx(0.05)
     assert course.time_of_arias(0.95) == pytest.approx(0.95)
     assert course.husid[-1] == 1.0
@@ -94,24 +94,24 @@ def test_a_constant_acceleration_reaches_its_intensity_evenly() -> None:
 def test_an_acceleration_that_is_not_zero_in_the_mean_drifts() -> None:
     record = sine()
     moved = Record(acceleration_m_s2=record.acceleration_m_s2 + 0.1, dt_s=record.dt_s)
-    assert ground_course(moved).drifts
-    assert not ground_course(record).drifts
+    assert integrate_record(moved).drifts
+    assert not integrate_record(record).drifts
 
 
 def test_a_drift_whose_mean_is_taken_off_is_still_one() -> None:
     time = np.linspace(0.0, 60.0, 6001)
     shaking = np.sin(2.0 * math.pi * time) * np.exp(-((time - 10.0) ** 2) / 8.0)
     tilted = shaking + np.where(time > 12.0, 0.01, 0.0)
-    course = ground_course(Record(acceleration_m_s2=tilted - tilted.mean(), dt_s=0.01))
+    course = integrate_record(Record(acceleration_m_s2=tilted - tilted.mean(), dt_s=0.01))
     assert abs(course.velocity_m_s[-1]) < 1e-4 < 0.05 * abs(course.peak_velocity.value)
     assert course.drifts
-    assert not ground_course(Record(acceleration_m_s2=shaking, dt_s=0.01)).drifts
+    assert not integrate_record(Record(acceleration_m_s2=shaking, dt_s=0.01)).drifts
 
 
 @given(seeds)
 def test_scaling_and_reversing_scales_and_reverses(seed: int) -> None:
     record = noise(seed)
-    course, other = ground_course(record), ground_course(record.scaled(-2.0))
+    course, other = integrate_record(record), integrate_record(record.scaled(-2.0))
     for one, two in (
         (course.peak_acceleration, other.peak_acceleration),
         (course.peak_velocity, other.peak_velocity),
@@ -124,6 +124,6 @@ def test_scaling_and_reversing_scales_and_reverses(seed: int) -> None:
 def test_el_centro_as_chopra_prints_it() -> None:
     """Dynamics of Structures, fig. 6.1.4: .319 g; 8.40 in, of the original digitisation."""
     values, step = el_centro()
-    course = ground_course(Record(acceleration_m_s2=values, dt_s=step))
+    course = integrate_record(Record(acceleration_m_s2=values, dt_s=step))
     assert abs(course.peak_acceleration.value) / 9.80665 == pytest.approx(0.319, abs=5e-4)
     assert abs(course.peak_displacement.value) / 0.0254 == pytest.approx(8.40, rel=0.01)

@@ -14,9 +14,9 @@ from rocksteady import (
     Record,
     Run,
     Status,
+    compute_rocking_spectrum,
     open_store,
     read_record,
-    rocking_spectrum,
     simulate,
 )
 from rocksteady.model.equations import Linear, Model, Nonlinear
@@ -39,7 +39,7 @@ def same(one: xarray.Dataset, other: xarray.Dataset) -> None:
 
 @pytest.mark.parametrize("model", [Linear(), Nonlinear()])
 def test_each_cell_is_a_time_history(model: Model) -> None:
-    found = rocking_spectrum(ground(), alpha=ALPHAS, periods_s=PERIODS, model=model)
+    found = compute_rocking_spectrum(ground(), alpha=ALPHAS, periods_s=PERIODS, model=model)
     assert found.peak_angle.dims == ("alpha", "period")
     for alpha in ALPHAS:
         for period in PERIODS:
@@ -53,7 +53,7 @@ def test_each_cell_is_a_time_history(model: Model) -> None:
 
 def test_suite_scale_vertical_gravity_and_restitution_reach_the_block() -> None:
     records, verticals = [ground(1), ground(2, name="other")], [None, lifting()]
-    found = rocking_spectrum(
+    found = compute_rocking_spectrum(
         [BaseMotion(*both) for both in zip(records, verticals, strict=True)],
         alpha=[0.2, 0.3],
         p=[2.0, 3.0],
@@ -88,7 +88,7 @@ def test_suite_scale_vertical_gravity_and_restitution_reach_the_block() -> None:
 def test_published_peaks_under_real_records(
     name: str, p: float, alpha: float, theta: float
 ) -> None:
-    found = rocking_spectrum(peer(name), alpha=alpha, p=p, model=Nonlinear())
+    found = compute_rocking_spectrum(peer(name), alpha=alpha, p=p, model=Nonlinear())
     assert int(found.status) == Status.AT_REST
     assert alpha * float(found.peak_angle) == pytest.approx(theta, rel=1e-5)
 
@@ -96,7 +96,9 @@ def test_published_peaks_under_real_records(
 @pytest.mark.parametrize(("degrees", "period", "falls"), AT_PACOIMA_DAM)
 def test_where_pacoima_dam_topples_blocks(degrees: float, period: float, falls: bool) -> None:
     alpha = math.radians(degrees)
-    found = rocking_spectrum(peer("PUL164"), alpha=alpha, periods_s=period, model=Nonlinear())
+    found = compute_rocking_spectrum(
+        peer("PUL164"), alpha=alpha, periods_s=period, model=Nonlinear()
+    )
     assert int(found.status) == (Status.OVERTURNED if falls else Status.AT_REST)
 
 
@@ -106,7 +108,9 @@ def test_where_pacoima_dam_topples_blocks(degrees: float, period: float, falls: 
 @pytest.mark.parametrize("model", [Linear(), Nonlinear()])
 def test_symmetric_blocks_do_not_feel_which_way_the_ground_is_reversed(model: Model) -> None:
     one, other = (
-        rocking_spectrum(ground(), alpha=ALPHAS, periods_s=PERIODS, model=model, reverse=reverse)
+        compute_rocking_spectrum(
+            ground(), alpha=ALPHAS, periods_s=PERIODS, model=model, reverse=reverse
+        )
         for reverse in (False, True)
     )
     same(one, other)
@@ -114,18 +118,18 @@ def test_symmetric_blocks_do_not_feel_which_way_the_ground_is_reversed(model: Mo
 
 
 def test_reversing_is_what_reversed_records_are() -> None:
-    tilted = rocking_spectrum(ground(), alpha=ALPHAS, p=3.0, reverse=True, model=Linear())
-    same(tilted, rocking_spectrum(ground().reversed(), alpha=ALPHAS, p=3.0, model=Linear()))
+    tilted = compute_rocking_spectrum(ground(), alpha=ALPHAS, p=3.0, reverse=True, model=Linear())
+    same(tilted, compute_rocking_spectrum(ground().reversed(), alpha=ALPHAS, p=3.0, model=Linear()))
 
 
 @pytest.mark.parametrize(("model", "up"), [(Linear(), None), (Nonlinear(), lifting())])
 def test_a_scale_is_a_scaled_record(model: Model, up: Record | None) -> None:
     factors = [0.5, 1.0, 1.7]
-    found = rocking_spectrum(
+    found = compute_rocking_spectrum(
         BaseMotion(ground(), up), alpha=0.2, periods_s=PERIODS, scale=factors, model=model
     )
     for factor in factors:
-        alone = rocking_spectrum(
+        alone = compute_rocking_spectrum(
             BaseMotion(ground().scaled(factor), None if up is None else up.scaled(factor)),
             alpha=0.2,
             periods_s=PERIODS,
@@ -137,10 +141,10 @@ def test_a_scale_is_a_scaled_record(model: Model, up: Record | None) -> None:
 
 
 def test_in_the_linear_model_a_stronger_record_is_a_more_slender_block() -> None:
-    strong = rocking_spectrum(
+    strong = compute_rocking_spectrum(
         ground(), alpha=0.3, periods_s=PERIODS, scale=1.5, restitution=0.8, model=Linear()
     )
-    slender = rocking_spectrum(
+    slender = compute_rocking_spectrum(
         ground(), alpha=0.2, periods_s=PERIODS, restitution=0.8, model=Linear()
     )
     np.testing.assert_array_equal(strong.status.values, slender.status.values)
@@ -149,8 +153,8 @@ def test_in_the_linear_model_a_stronger_record_is_a_more_slender_block() -> None
 
 def test_a_slower_record_is_a_larger_block() -> None:
     slow = Record(acceleration_m_s2=ground().acceleration_m_s2, dt_s=2.0 * ground().dt_s)
-    one = rocking_spectrum(ground(), alpha=ALPHAS, periods_s=PERIODS, model=Linear())
-    other = rocking_spectrum(
+    one = compute_rocking_spectrum(ground(), alpha=ALPHAS, periods_s=PERIODS, model=Linear())
+    other = compute_rocking_spectrum(
         slow, alpha=ALPHAS, periods_s=np.multiply(PERIODS, 2.0), model=Linear()
     )
     np.testing.assert_array_equal(one.status.values, other.status.values)
@@ -158,7 +162,7 @@ def test_a_slower_record_is_a_larger_block() -> None:
 
 
 def test_a_fall_reaches_the_slenderness_and_no_other_motion_rests_beyond_it() -> None:
-    found = rocking_spectrum(ground(), alpha=ALPHAS, periods_s=PERIODS, model=Linear())
+    found = compute_rocking_spectrum(ground(), alpha=ALPHAS, periods_s=PERIODS, model=Linear())
     fell = (found.status == Status.OVERTURNED).values
     assert (found.peak_angle.values[fell] >= 1.0).all()
     assert fell.any()
@@ -173,10 +177,10 @@ def test_who_computes_it_and_where_it_is_kept_change_nothing(tmp_path: Path) -> 
     grid = {"alpha": ALPHAS, "periods_s": PERIODS, "scale": [0.8, 1.0]}
     records = [BaseMotion(ground(1), lifting()), ground(2), ground(3)]
     given = {**grid, "model": Nonlinear()}
-    plain = rocking_spectrum(records, **given, run=Run(executor="serial"))  # type: ignore[arg-type]
-    same(plain, rocking_spectrum(records, **given, run=Run(workers=3)))  # type: ignore[arg-type]
+    plain = compute_rocking_spectrum(records, **given, run=Run(executor="serial"))  # type: ignore[arg-type]
+    same(plain, compute_rocking_spectrum(records, **given, run=Run(workers=3)))  # type: ignore[arg-type]
     path = tmp_path / "suite.zarr"
-    kept = rocking_spectrum(records, **given, run=Run(store=path))  # type: ignore[arg-type]
+    kept = compute_rocking_spectrum(records, **given, run=Run(store=path))  # type: ignore[arg-type]
     same(plain, kept)
     assert plain.equals(kept.load())
     same(plain, open_store(path))
@@ -184,15 +188,17 @@ def test_who_computes_it_and_where_it_is_kept_change_nothing(tmp_path: Path) -> 
 
 
 def test_a_part_of_a_grid_has_the_values_of_the_whole() -> None:
-    whole = rocking_spectrum(
+    whole = compute_rocking_spectrum(
         [ground(1), ground(2)], alpha=ALPHAS, periods_s=PERIODS, model=Linear()
     )
-    part = rocking_spectrum(ground(2), alpha=ALPHAS[1], periods_s=PERIODS[::2], model=Linear())
+    part = compute_rocking_spectrum(
+        ground(2), alpha=ALPHAS[1], periods_s=PERIODS[::2], model=Linear()
+    )
     same(whole.isel(record=1, alpha=1, period=slice(None, None, 2)), part)
 
 
 def test_single_values_are_no_dimensions_but_stay() -> None:
-    found = rocking_spectrum(ground(), alpha=0.2, p=2.0, model=Linear())
+    found = compute_rocking_spectrum(ground(), alpha=0.2, p=2.0, model=Linear())
     assert found.sizes == {}
     assert float(found.alpha) == 0.2
     assert float(found.p) == pytest.approx(2.0, rel=1e-15)
@@ -225,24 +231,24 @@ def test_single_values_are_no_dimensions_but_stay() -> None:
 )
 def test_what_is_not_valid_is_said_in_one_line(given: dict[str, object], words: str) -> None:
     with pytest.raises(InputError) as caught:
-        rocking_spectrum(ground(), **given)  # type: ignore[arg-type]
+        compute_rocking_spectrum(ground(), **given)  # type: ignore[arg-type]
     assert words in str(caught.value)
 
 
 def test_what_is_no_record_and_what_the_linear_model_has_no_term_for_is_refused() -> None:
     with pytest.raises(InputError, match="records"):
-        rocking_spectrum([], alpha=0.2, p=2.0)
+        compute_rocking_spectrum([], alpha=0.2, p=2.0)
     with pytest.raises(InputError, match="records"):
-        rocking_spectrum(np.ones(3), alpha=0.2, p=2.0)  # type: ignore[arg-type]
+        compute_rocking_spectrum(np.ones(3), alpha=0.2, p=2.0)  # type: ignore[arg-type]
     pulse = Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=4.0)
     for motion in (pulse, BaseMotion(pulse), BaseMotion(ground(), pulse)):
         with pytest.raises(InputError, match="records"):
-            rocking_spectrum([ground(), motion], alpha=0.2, p=2.0)  # type: ignore[list-item]
+            compute_rocking_spectrum([ground(), motion], alpha=0.2, p=2.0)  # type: ignore[list-item]
     with pytest.raises(ModelError, match="vertical"):
-        rocking_spectrum(BaseMotion(ground(), lifting()), alpha=0.2, p=2.0, model=Linear())
+        compute_rocking_spectrum(BaseMotion(ground(), lifting()), alpha=0.2, p=2.0, model=Linear())
     slow = Record(acceleration_m_s2=np.array([1.0, 2.0]), dt_s=1e20)
     with pytest.raises(InputError, match="dt_s"):
-        rocking_spectrum(slow, alpha=0.2, p=2.0)
+        compute_rocking_spectrum(slow, alpha=0.2, p=2.0)
 
 
 @pytest.mark.slow
@@ -252,7 +258,7 @@ def test_a_suite_of_real_records_is_what_its_time_histories_are() -> None:
         pytest.skip("there is no suite in ../shared/records")
     suite = [read_record(file) for file in files]
     for model in (Linear(), Nonlinear()):
-        found = rocking_spectrum(suite, alpha=[0.1, 0.2], p=[1.5, 3.0, 5.0], model=model)
+        found = compute_rocking_spectrum(suite, alpha=[0.1, 0.2], p=[1.5, 3.0, 5.0], model=model)
         for place, record in enumerate(suite):
             for row, alpha in enumerate((0.1, 0.2)):
                 for column, p in enumerate((1.5, 3.0, 5.0)):

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from xarray.backends import BackendArray
 from xarray.core import indexing
 
-from rocksteady import InputError, attractor_map, plot_map
+from rocksteady import InputError, map_attractors, plot_map
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.figures.maps import map_figure
 from rocksteady.show.plots import maps
@@ -40,7 +40,7 @@ from tests.show.drawn_maps import (
 def line() -> xarray.Dataset:
     """A map of one axis along which the block overturns, and rocks in three ways."""
     frequency_ratio = np.linspace(1.6, 3.2, 161)
-    return attractor_map(BLOCK, axes={"amplitude": [2.0], "frequency_ratio": frequency_ratio})
+    return map_attractors(BLOCK, axes={"amplitude": [2.0], "frequency_ratio": frequency_ratio})
 
 
 def test_over_one_axis_the_extrema_of_each_orbit_are_dots_of_its_class() -> None:

@@ -28,7 +28,7 @@ from rocksteady import (
     Still,
     Trajectory,
     animate,
-    example_block,
+    named_block,
     simulate,
 )
 from rocksteady.model.equations import Linear
@@ -36,7 +36,7 @@ from rocksteady.show.film.animation import Film, film_of
 from rocksteady.show.film.gif import save_gif
 
 BARE = DimensionlessBlock(restitution=0.8)
-BLOCK = example_block("tso-wong-1989")  # p = 2 pi rad/s: Omega is the frequency in Hz
+BLOCK = named_block("tso-wong-1989")  # p = 2 pi rad/s: Omega is the frequency in Hz
 
 
 def shaken(cycles: float = 10.0, ratio: float = 1.7, bare: bool = False) -> Trajectory:

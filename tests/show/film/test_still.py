@@ -31,7 +31,7 @@ from rocksteady import (
     Steady,
     Still,
     Trajectory,
-    example_block,
+    named_block,
     plot_block,
     simulate,
 )
@@ -41,7 +41,7 @@ from rocksteady.show.film._scene import BlockScene, signed
 from rocksteady.show.style import palette
 
 BARE = DimensionlessBlock(restitution=0.8)
-BLOCK = example_block("tso-wong-1989")
+BLOCK = named_block("tso-wong-1989")
 SHAKEN = Harmonic(amplitude=2.0, frequency_ratio=1.7)
 PIECES = Piecewise(
     pieces=(

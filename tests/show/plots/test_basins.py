@@ -21,8 +21,8 @@ from rocksteady import (
     DimensionlessBlock,
     Erosion,
     Harmonic,
-    basins,
-    erosion,
+    compute_basins,
+    compute_erosion,
     plot_basins,
     plot_erosion,
 )
@@ -36,7 +36,7 @@ WINDOW = np.linspace(-1.0, 1.0, 41)
 
 @cache
 def found(amplitude: float = 0.5, ratio: float = 2.0, restitution: float = 0.95) -> Basins:
-    return basins(
+    return compute_basins(
         DimensionlessBlock(restitution=restitution),
         Harmonic(amplitude=amplitude, frequency_ratio=ratio, phase=0.4),
         angles=WINDOW,
@@ -46,7 +46,7 @@ def found(amplitude: float = 0.5, ratio: float = 2.0, restitution: float = 0.95)
 
 @cache
 def eroded(top: float = 1.0) -> Erosion:
-    return erosion(
+    return compute_erosion(
         DimensionlessBlock(restitution=0.9),
         2.0,
         np.linspace(0.1, top, 4),
@@ -218,7 +218,7 @@ def test_amplitudes_spaced_by_ratio_get_a_logarithmic_axis() -> None:
     window = np.linspace(-1.4, 1.4, 15)
     block = DimensionlessBlock(restitution=0.9)
     for amplitudes, scale in (([0.01, 0.1, 1.0], "log"), ([0.1, 0.55, 1.0], "linear")):
-        found = erosion(block, 2.0, amplitudes, angles=window, velocities=window)
+        found = compute_erosion(block, 2.0, amplitudes, angles=window, velocities=window)
         axes = plot_erosion(found, Figure().add_subplot())
         assert axes.get_xscale() == scale
         assert axes.get_xlim() == (amplitudes[0] if scale == "log" else 0.0, 1.0)

@@ -18,22 +18,22 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from rocksteady import (
-    AttractorTrail,
+    AttractorSweep,
     Branch,
     BranchPoint,
     DimensionlessBlock,
     Harmonic,
     InputError,
     Steady,
-    attractor_trail,
-    bifurcation_branches,
-    bifurcation_curve,
-    boundaries,
-    continuation,
-    orbits,
+    find_branches,
+    find_orbits,
+    follow_bifurcation,
+    follow_branch,
     plot_bifurcation_curves,
     plot_bifurcations,
+    region_boundaries,
     stretches,
+    sweep_attractor,
     symmetry_breaking_amplitude,
 )
 from rocksteady.show.figures.single import bifurcation_figure
@@ -47,23 +47,23 @@ MARKS = {"s", "D", "^", "o"}
 @cache
 def over_amplitude() -> tuple[Branch, ...]:
     shaking = Harmonic(amplitude=1.0, frequency_ratio=2.0)
-    starts = orbits(BARE, shaking, max_period=1, max_impacts=2, seeds=1)
-    return bifurcation_branches(starts, "amplitude", (0.1, 3.0), max_period=2, max_impacts=6)
+    starts = find_orbits(BARE, shaking, max_period=1, max_impacts=2, seeds=1)
+    return find_branches(starts, "amplitude", (0.1, 3.0), max_period=2, max_impacts=6)
 
 
 @cache
 def over_frequency() -> tuple[Branch, ...]:
     shaking = Harmonic(amplitude=2.0, frequency_ratio=2.2)
-    starts = orbits(BARE, shaking, max_period=1, max_impacts=2, seeds=1)
-    return bifurcation_branches(starts[:1], "frequency_ratio", (1.6, 2.4), max_period=2)
+    starts = find_orbits(BARE, shaking, max_period=1, max_impacts=2, seeds=1)
+    return find_branches(starts[:1], "frequency_ratio", (1.6, 2.4), max_period=2)
 
 
 @cache
-def sweeps() -> tuple[AttractorTrail, ...]:
+def sweeps() -> tuple[AttractorSweep, ...]:
     shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
     ways = (np.linspace(1.6, 2.4, 41), np.linspace(2.4, 1.6, 41))
     return tuple(
-        attractor_trail(BARE, shaking, "frequency_ratio", way, start=Steady()) for way in ways
+        sweep_attractor(BARE, shaking, "frequency_ratio", way, start=Steady()) for way in ways
     )
 
 
@@ -73,7 +73,7 @@ def curves() -> tuple[tuple[BranchPoint, ...], ...]:
     points = over_amplitude()[0].points
     starts = [next(p for p in points if p.type == kind) for kind in ("fold", "symmetry-breaking")]
     return tuple(
-        tuple(bifurcation_curve(start, PLANE, ranges, direction=direction))
+        tuple(follow_bifurcation(start, PLANE, ranges, direction=direction))
         for start in starts
         for direction in (1, -1)
     )
@@ -167,8 +167,8 @@ def test_a_stretch_between_two_bifurcations_is_what_the_one_before_is_not() -> N
 
 def test_solutions_that_are_no_motion_are_dotted_and_faint() -> None:
     shaking = Harmonic(amplitude=1.0, frequency_ratio=2.0)
-    start = orbits(BARE, shaking, max_period=1, max_impacts=2, seeds=1)[1]
-    points = tuple(continuation(start, "amplitude", (0.1, 3.0), inadmissible=True))
+    start = find_orbits(BARE, shaking, max_period=1, max_impacts=2, seeds=1)[1]
+    points = tuple(follow_branch(start, "amplitude", (0.1, 3.0), inadmissible=True))
     branch = Branch(parameter="amplitude", points=points)
     assert not branch.admissible.all()
     axes = plot_bifurcations([branch], ax=Figure().add_subplot())
@@ -204,7 +204,7 @@ def test_bifurcations_are_marked_at_the_highest_and_lowest_angle_once() -> None:
     axes = plot_bifurcations(over_amplitude(), ax=Figure().add_subplot())
     marks = {line.get_marker(): data(line) for line in lines_of(axes, marked=True)}
     assert set(marks) == MARKS
-    fold = float(boundaries(2.0, 0.8).existence)
+    fold = float(region_boundaries(2.0, 0.8).existence)
     assert marks["s"][0].min() == pytest.approx(fold, abs=1e-8)
     breaking = float(symmetry_breaking_amplitude(2.0, 0.8))
     at = np.abs(marks["D"][0] - breaking) < 1e-8
@@ -275,7 +275,7 @@ def covered(values: Iterable[float], spans: list[tuple[float, float]]) -> list[b
 
 def test_the_bars_stand_where_a_sweep_overturned_or_came_to_rest() -> None:
     shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
-    trail = attractor_trail(BARE, shaking, "amplitude", np.linspace(0.1, 3.0, 59))
+    trail = sweep_attractor(BARE, shaking, "amplitude", np.linspace(0.1, 3.0, 59))
     assert {"rest", "overturned"} <= set(trail.kinds)
     axes = plot_bifurcations((), [trail], Figure().add_subplot())
     for kind, colour in (("overturned", palette.OVERTURNED), ("rest", palette.GROUND)):
@@ -324,7 +324,7 @@ def test_curves_of_bifurcations_lie_where_the_closed_forms_have_them() -> None:
     assert len(axes.lines) == 4
     for line in axes.lines[:2]:
         w, a = data(line)
-        np.testing.assert_allclose(a, boundaries(w, 0.8).existence, rtol=1e-7)
+        np.testing.assert_allclose(a, region_boundaries(w, 0.8).existence, rtol=1e-7)
         assert line.get_linestyle() == "-"
     for line in axes.lines[2:]:
         w, a = data(line)
@@ -352,7 +352,7 @@ def test_values_spaced_by_ratio_get_a_logarithmic_axis() -> None:
         (np.geomspace(2.0, 60.0, 9), "log"),
         (np.linspace(2.0, 8.0, 9), "linear"),
     ):
-        trail = attractor_trail(block, shaking, "frequency_ratio", values[::-1])
+        trail = sweep_attractor(block, shaking, "frequency_ratio", values[::-1])
         axes = plot_bifurcations((), [trail], Figure().add_subplot())
         assert axes.get_xscale() == scale
         assert axes.get_xlim() == (values[0], values[-1])

@@ -13,7 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
-from rocksteady import DimensionlessBlock, InputError, State, fate_map, plot_map
+from rocksteady import DimensionlessBlock, InputError, State, map_fates, plot_map
 from rocksteady.show.figures.maps import map_figure
 from rocksteady.show.plots.map_classes import BLANK, LOOKS, CellClass, map_cells
 
@@ -31,7 +31,7 @@ def found(**axes: Any) -> xarray.Dataset:
     """A map of fates over frequency and perhaps more."""
     ratios = np.linspace(1.0, 8.0, 40)
     given: dict[str, Any] = {"amplitude": 2.0, "frequency_ratio": ratios, **axes}
-    return fate_map(DimensionlessBlock(restitution=0.8), axes=given, start=START)
+    return map_fates(DimensionlessBlock(restitution=0.8), axes=given, start=START)
 
 
 def dots(axes: Axes) -> dict[str, set[tuple[float, float]]]:
@@ -73,7 +73,7 @@ def test_over_one_axis_the_dots_are_numbers_of_impacts() -> None:
 def test_a_class_that_was_taken_from_its_neighbours_has_no_dot() -> None:
     block, ratios = DimensionlessBlock(restitution=0.8), np.linspace(1.0, 8.0, 41)
     axes: dict[str, Any] = {"amplitude": 2.0, "frequency_ratio": ratios}
-    refined = fate_map(block, axes=axes, start=START, refine=8)
+    refined = map_fates(block, axes=axes, start=START, refine=8)
     assert not refined.met.all()
     drawn = plot_map(refined, Figure().add_subplot())
     assert sum(map(len, dots(drawn).values())) == int(refined.met.sum())

@@ -16,7 +16,7 @@ from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from rocksteady import Steady, attractor_map, plot_map
+from rocksteady import Steady, map_attractors, plot_map
 from rocksteady.show.plots import maps
 from rocksteady.show.plots.map_classes import BLANK, LOOKS, CellClass, map_cells
 from rocksteady.show.style import palette
@@ -195,7 +195,7 @@ def test_what_has_no_answer_has_a_pattern_and_a_legend_entry_with_it() -> None:
 
 def test_a_steady_start_that_does_not_exist_is_not_rest() -> None:
     axes = {"amplitude": [0.05, 1.0], "frequency_ratio": [1.0, 3.0]}
-    data = attractor_map(BLOCK, axes=axes, start=Steady())
+    data = map_attractors(BLOCK, axes=axes, start=Steady())
     legend = plot_map(data, Figure().add_subplot()).get_legend()
     assert legend is not None
     assert any(text.get_text().startswith("no such start") for text in legend.get_texts())

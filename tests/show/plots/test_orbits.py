@@ -22,8 +22,8 @@ from rocksteady import (
     Orbit,
     State,
     Still,
-    attractor,
-    orbits,
+    find_attractor,
+    find_orbits,
     plot_multipliers,
     plot_phase_portrait,
     plot_section,
@@ -39,11 +39,11 @@ RESTING = (DimensionlessBlock(restitution=0.05), Harmonic(amplitude=1.08, freque
 
 def found(ratio: float = 1.9, amplitude: float = 2.0, restitution: float = 0.8) -> list[Orbit]:
     shaking = Harmonic(amplitude=amplitude, frequency_ratio=ratio)
-    return [*orbits(DimensionlessBlock(restitution=restitution), shaking)]
+    return [*find_orbits(DimensionlessBlock(restitution=restitution), shaking)]
 
 
 def resting() -> Orbit:
-    orbit = attractor(*RESTING).orbit
+    orbit = find_attractor(*RESTING).orbit
     assert orbit is not None
     assert orbit.rest_phases == 2
     return orbit

@@ -21,9 +21,9 @@ from rocksteady import (
     DimensionlessBlock,
     InputError,
     OverturningWindows,
+    find_overturning_windows,
     free_rocking_period,
     overturning_threshold,
-    overturning_windows,
     plot_free_rocking,
     plot_overturning,
 )
@@ -36,7 +36,7 @@ from rocksteady.show.style import palette
 @cache
 def found(shape: str = "one-sine", top: float = 12.0) -> OverturningWindows:
     block, ratios = DimensionlessBlock(restitution=0.9), np.linspace(1.0, 8.0, 36)
-    return overturning_windows(block, shape, ratios, amplitudes=(1.0, top))
+    return find_overturning_windows(block, shape, ratios, amplitudes=(1.0, top))
 
 
 PLOTS: dict[str, Callable[[Axes | None], Axes]] = {
@@ -113,7 +113,7 @@ def test_the_closed_form_is_drawn_where_there_is_one() -> None:
 
 def test_of_the_full_equations_the_curve_is_that_of_the_linear_model() -> None:
     block = Block.from_p(alpha=0.25, p=2.14, restitution=0.9)
-    full = overturning_windows(block, "one-sine", [4.0, 5.0], model=Nonlinear())
+    full = find_overturning_windows(block, "one-sine", [4.0, 5.0], model=Nonlinear())
     axes = plot_overturning(full, Figure().add_subplot())
     (line,) = axes.lines
     assert line.get_label() == "without an impact, linear model"
@@ -143,7 +143,7 @@ def test_a_tall_range_is_logarithmic_and_a_short_one_is_not() -> None:
 
 
 def test_one_frequency_is_no_spectrum() -> None:
-    one = overturning_windows(DimensionlessBlock(restitution=0.9), "one-sine", [2.0])
+    one = find_overturning_windows(DimensionlessBlock(restitution=0.9), "one-sine", [2.0])
     with pytest.raises(InputError, match="two or more"):
         plot_overturning(one, Figure().add_subplot())
 

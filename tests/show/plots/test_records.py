@@ -12,12 +12,12 @@ from rocksteady import (
     Block,
     InputError,
     Record,
-    ground_course,
+    compute_response_spectrum,
+    integrate_record,
     plot_base,
-    plot_ground_course,
     plot_husid,
+    plot_integrated_record,
     plot_response_spectra,
-    response_spectrum,
     simulate,
 )
 from rocksteady.model.equations import Linear, Nonlinear
@@ -47,7 +47,7 @@ def test_the_course_has_its_peak_marked(
     size: float,
     sign: float,
 ) -> None:
-    drawn = plot_ground_course(ground_course(sine().scaled(sign)), axes(), quantity=quantity)
+    drawn = plot_integrated_record(integrate_record(sine().scaled(sign)), axes(), quantity=quantity)
     _, curve, mark = drawn.lines
     assert (drawn.get_xlabel(), drawn.get_ylabel()) == ("time [s]", label)
     marked = float(np.asarray(mark.get_ydata())[0])
@@ -60,7 +60,7 @@ def test_the_course_has_its_peak_marked(
 
 
 def test_husids_curve_rises_from_0_to_1_through_its_marks() -> None:
-    course = ground_course(noise(1, samples=200))
+    course = integrate_record(noise(1, samples=200))
     drawn = plot_husid(course, axes())
     curve, marks = drawn.lines
     values = np.asarray(curve.get_ydata())
@@ -72,7 +72,7 @@ def test_husids_curve_rises_from_0_to_1_through_its_marks() -> None:
 
 
 def test_spectra_and_their_geometric_mean() -> None:
-    spectra = [response_spectrum(noise(seed), PERIODS) for seed in (1, 2)]
+    spectra = [compute_response_spectrum(noise(seed), PERIODS) for seed in (1, 2)]
     drawn = plot_response_spectra(spectra, axes())
     one, other, mean = (np.asarray(line.get_ydata()) for line in drawn.lines)
     np.testing.assert_allclose(one, spectra[0].pseudo_acceleration_m_s2 / 9.80665)
@@ -89,21 +89,23 @@ def test_spectra_and_their_geometric_mean() -> None:
 
 
 def test_many_spectra_have_one_entry() -> None:
-    spectra = [response_spectrum(noise(seed), PERIODS) for seed in range(8)]
+    spectra = [compute_response_spectrum(noise(seed), PERIODS) for seed in range(8)]
     legend = plot_response_spectra(spectra, axes()).get_legend()
     assert legend is not None
     assert [text.get_text() for text in legend.get_texts()] == ["geometric mean"]
 
 
 def test_evenly_spaced_periods_have_even_axes() -> None:
-    drawn = plot_response_spectra([response_spectrum(noise(1), np.linspace(0.1, 4, 40))], axes())
+    drawn = plot_response_spectra(
+        [compute_response_spectrum(noise(1), np.linspace(0.1, 4, 40))], axes()
+    )
     assert (drawn.get_xscale(), drawn.get_ylim()[0]) == ("linear", 0.0)
     assert drawn.texts[0].get_text() == "5 % damping"
 
 
 def test_the_figure_of_one_and_of_several_records() -> None:
-    courses = [ground_course(noise(seed)) for seed in (1, 2)]
-    spectra = [response_spectrum(course.record, PERIODS) for course in courses]
+    courses = [integrate_record(noise(seed)) for seed in (1, 2)]
+    spectra = [compute_response_spectrum(course.record, PERIODS) for course in courses]
     assert len(record_figure(courses[:1], spectra[:1], "one").axes) == 5
     assert len(record_figure(courses, spectra, "two").axes) == 1
 
@@ -129,9 +131,9 @@ def test_a_vertical_motion_is_drawn_beside_the_horizontal_one() -> None:
 def test_what_is_refused() -> None:
     wrong: Any = "jerk"
     with pytest.raises(InputError, match="quantity = 'jerk'"):
-        plot_ground_course(ground_course(sine()), axes(), quantity=wrong)
+        plot_integrated_record(integrate_record(sine()), axes(), quantity=wrong)
     with pytest.raises(InputError, match="spectra are 0"):
         plot_response_spectra([], axes())
-    unlike = [response_spectrum(noise(1), [period]) for period in (1.0, 2.0)]
+    unlike = [compute_response_spectrum(noise(1), [period]) for period in (1.0, 2.0)]
     with pytest.raises(InputError, match="same periods"):
         plot_response_spectra(unlike, axes())

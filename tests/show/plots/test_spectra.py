@@ -19,12 +19,12 @@ from matplotlib.lines import Line2D
 from rocksteady import (
     InputError,
     Status,
+    compute_rocking_spectrum,
     plot_overturned_share,
     plot_rocking_spectrum,
     plot_spectrum_map,
     plot_suite_spectrum,
-    rocking_spectrum,
-    suite_spectrum,
+    summarise_spectra,
 )
 from rocksteady.model.equations import Linear
 from rocksteady.show.figures.spectra import spectrum_figure, suite_figure
@@ -39,7 +39,7 @@ PERIODS = np.linspace(0.6, 6.0, 28)
 def found(slendernesses: int = 3) -> xarray.Dataset:
     alpha = np.linspace(0.12, 0.4, slendernesses)
     # In descending order: pictures sort them.
-    return rocking_spectrum(
+    return compute_rocking_spectrum(
         ground(), alpha=alpha, periods_s=PERIODS[::-1], scale=1.5, model=Linear()
     )
 
@@ -47,8 +47,8 @@ def found(slendernesses: int = 3) -> xarray.Dataset:
 @cache
 def summary() -> xarray.Dataset:
     suite = [ground(seed, peak) for seed, peak in ((1, 3.0), (2, 4.0), (3, 6.0), (4, 9.0))]
-    return suite_spectrum(
-        rocking_spectrum(suite, alpha=[0.15, 0.25], periods_s=PERIODS, model=Linear())
+    return summarise_spectra(
+        compute_rocking_spectrum(suite, alpha=[0.15, 0.25], periods_s=PERIODS, model=Linear())
     )
 
 
@@ -118,7 +118,7 @@ def test_bars_stand_where_blocks_overturn_a_row_a_slenderness() -> None:
 
 
 def test_a_spectrum_without_a_fall_says_nothing_of_falls() -> None:
-    safe = rocking_spectrum(ground(), alpha=0.4, periods_s=PERIODS, model=Linear())
+    safe = compute_rocking_spectrum(ground(), alpha=0.4, periods_s=PERIODS, model=Linear())
     axes = plot_rocking_spectrum(safe, Figure().add_subplot())
     assert not axes.collections
     assert len(axes.get_legend().get_texts()) == 1  # type: ignore[union-attr]
@@ -167,16 +167,16 @@ def test_figures_have_both_peaks_or_a_column_a_slenderness() -> None:
 @pytest.mark.parametrize(
     ("draw", "words"),
     [
-        (lambda: plot_rocking_spectrum(summary()), "result of rocking_spectrum"),
+        (lambda: plot_rocking_spectrum(summary()), "result of compute_rocking_spectrum"),
         (lambda: plot_rocking_spectrum(found(MOST_CURVES + 1)), "drawn as curves"),
         (lambda: plot_rocking_spectrum(found().isel(period=0)), "two periods"),
         (lambda: plot_rocking_spectrum(found(), quantity="impacts"), "'peak_angle' or"),  # type: ignore[arg-type]
         (lambda: plot_spectrum_map(found().isel(alpha=0)), "two or more"),
         (lambda: plot_suite_spectrum(summary()), "one slenderness"),
-        (lambda: plot_suite_spectrum(found()), "result of suite_spectrum"),
+        (lambda: plot_suite_spectrum(found()), "result of summarise_spectra"),
         (
             lambda: plot_rocking_spectrum(
-                rocking_spectrum(
+                compute_rocking_spectrum(
                     [ground(1), ground(2)], alpha=0.2, periods_s=[1.0, 2.0], model=Linear()
                 )
             ),

@@ -18,13 +18,15 @@ from numpy.typing import NDArray
 from rocksteady import (
     DimensionlessBlock,
     Harmonic,
-    orbits,
+    compute_response_curve,
+    compute_response_spectrum,
+    find_orbits,
     plot_base,
     plot_bifurcations,
     plot_block,
     plot_free_rocking,
-    plot_ground_course,
     plot_husid,
+    plot_integrated_record,
     plot_map,
     plot_multipliers,
     plot_phase_portrait,
@@ -32,10 +34,8 @@ from rocksteady import (
     plot_response_spectra,
     plot_section,
     plot_trajectory,
-    response_curve,
-    response_spectrum,
 )
-from rocksteady.seismic.measures.time_course import ground_course
+from rocksteady.seismic.measures.time_course import integrate_record
 from rocksteady.show.style import palette
 from rocksteady.show.style.line_colours import DARK, LIGHT, Inks, inks_of, luminance
 from tests.show.drawn_figures import resting, rocking, shock, vertical_too
@@ -163,10 +163,12 @@ def plots() -> dict[str, object]:
     """Return what draws each kind of picture whose paper shows."""
     block = DimensionlessBlock(restitution=0.8)
     shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
-    some = orbits(block, shaking, seeds=8)
-    course = ground_course(shock("one"))
-    spectra = [response_spectrum(shock(name), [0.1, 0.3, 1.0]) for name in ("one", "two")]
-    curves = [response_curve(block, a, frequency_ratio=np.linspace(1, 8, 50)) for a in (1.0, 2.0)]
+    some = find_orbits(block, shaking, seeds=8)
+    course = integrate_record(shock("one"))
+    spectra = [compute_response_spectrum(shock(name), [0.1, 0.3, 1.0]) for name in ("one", "two")]
+    curves = [
+        compute_response_curve(block, a, frequency_ratio=np.linspace(1, 8, 50)) for a in (1.0, 2.0)
+    ]
     return {
         "trajectory": lambda axes: plot_trajectory(rocking(), axes),
         "base": lambda axes: plot_base(vertical_too(), axes),
@@ -178,7 +180,7 @@ def plots() -> dict[str, object]:
         "bifurcations": lambda axes: plot_bifurcations(over_frequency(), sweeps(), axes),
         "response": lambda axes: plot_response(curves, axes),
         "free": lambda axes: plot_free_rocking([0.9, 0.8], axes),
-        "course": lambda axes: plot_ground_course(course, axes),
+        "course": lambda axes: plot_integrated_record(course, axes),
         "husid": lambda axes: plot_husid(course, axes),
         "spectra": lambda axes: plot_response_spectra(spectra, axes),
         "map": lambda axes: plot_map(found(), axes),

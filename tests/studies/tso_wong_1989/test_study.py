@@ -13,7 +13,7 @@ import matplotlib as mpl
 import numpy as np
 import pytest
 
-from rocksteady import InputError, OutputError, boundaries, steady_states
+from rocksteady import InputError, OutputError, find_steady_states, region_boundaries
 from rocksteady.show.export.files import json_text, save_csv
 from rocksteady.studies.tso_wong_1989 import study as study_module
 from rocksteady.studies.tso_wong_1989.study import (
@@ -199,7 +199,7 @@ def test_tables_read_back_as_they_were_computed(saved: Path) -> None:
 def test_the_table_of_a_plane_is_the_boundaries(saved: Path) -> None:
     header, rows = table(saved / "figure-4a.csv")
     column = {name: np.array([float(row[i]) for row in rows]) for i, name in enumerate(header)}
-    expected = boundaries(column["frequency_ratio"], 0.5, order=3)
+    expected = region_boundaries(column["frequency_ratio"], 0.5, order=3)
     np.testing.assert_array_equal(column["existence_eq23"], expected.existence)
     np.testing.assert_array_equal(column["sign_eq24"], expected.sign)
     np.testing.assert_array_equal(column["kind_eq25"], expected.kind)
@@ -210,7 +210,7 @@ def test_the_table_of_peaks_is_the_closed_form(saved: Path) -> None:
     assert header == ["amplitude", "frequency_ratio", "peak", "stable"]
     chosen = rows[::211]
     a, w, peak = (np.array([float(row[i]) for row in chosen]) for i in range(3))
-    states = steady_states(a, w, 0.8, order=3)
+    states = find_steady_states(a, w, 0.8, order=3)
     assert states.peak is not None
     assert states.admissible is not None
     np.testing.assert_allclose(peak, np.where(states.admissible[0], states.peak[0], np.nan))

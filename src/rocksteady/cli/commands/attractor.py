@@ -95,7 +95,7 @@ def attractor(
     start.check(shaken=True)
 
     announce_compilation("settle.settle")
-    from rocksteady.dynamics.orbits.attractor import attractor as settle
+    from rocksteady.dynamics.orbits.attractor import find_attractor as settle
     from rocksteady.outcomes import AttractorKind
 
     begin = start.of(motion.frequency_ratio)

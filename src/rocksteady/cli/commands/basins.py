@@ -148,7 +148,7 @@ def _basins(
     output: OutputFlags,
 ) -> None:
     """Compute the basins at one amplitude, and leave behind what was asked for."""
-    from rocksteady.dynamics.basins.basins import basins as computed
+    from rocksteady.dynamics.basins.basins import compute_basins as computed
     from rocksteady.dynamics.basins.window import POINTS
     from rocksteady.sweep.run import Run
 
@@ -179,14 +179,14 @@ def _erosion(
     output: OutputFlags,
 ) -> None:
     """Compute the erosion over an axis of amplitudes, and leave behind what was asked for."""
-    from rocksteady.dynamics.basins.erosion import MEASURES, erosion
+    from rocksteady.dynamics.basins.erosion import MEASURES, compute_erosion
     from rocksteady.dynamics.basins.window import POINTS
     from rocksteady.sweep.run import Run
 
     window = len(chosen.get("angles", range(POINTS))) * len(chosen.get("velocities", range(POINTS)))
     states = window * (len(amplitudes) + (amplitudes[0] != 0.0))
     with sweeping("following states", states) as meter:
-        found = erosion(
+        found = compute_erosion(
             body,
             shaking.frequency_ratio,
             amplitudes,

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
 BRANCHES = "Branches"
 MOST = 1000
-"""Of periods and impacts, as `rocksteady.orbits` has it."""
+"""Of periods and impacts, as `rocksteady.find_orbits` has it."""
 LONGEST_AXIS = 20_000
 """Values of a sweep; each takes about a millisecond, a motion that does not settle several."""
 
@@ -189,7 +189,7 @@ def bifurcate(
     sweeping = check_sweeps(span, start, no_sweeps=no_sweeps)
 
     announce_compilation("chains.fill_chain")
-    from rocksteady.dynamics.continuation.branches import bifurcation_branches
+    from rocksteady.dynamics.continuation.branches import find_branches
     from rocksteady.dynamics.continuation.cascade import longest_cascade
     from rocksteady.dynamics.continuation.seeds import (
         searched_orbits,
@@ -208,7 +208,7 @@ def bifurcate(
         starts = [*symmetric_orbits(*place, order), *settled_orbits(trails, longest, max_impacts)]
         if search:
             starts += searched_orbits(*place, longest, max_impacts)
-        branches = bifurcation_branches(
+        branches = find_branches(
             starts,
             span.parameter,
             span.within,
@@ -314,12 +314,12 @@ def write_files(
 
 def _sweep(span: Range, start: SweepStart, cycles: int, *, upwards: bool) -> Sweep:
     """Carry a motion along the axis."""
-    from rocksteady.dynamics.orbits.trail import attractor_trail
+    from rocksteady.dynamics.orbits.trail import sweep_attractor
 
     values = span.values if upwards else span.values[::-1]
     word, begin, phase = start.begin(span, values[0])
     bare, shaking = span.at(values[0])
-    trail = attractor_trail(
+    trail = sweep_attractor(
         bare,
         replace(shaking, phase=phase),
         span.parameter,

@@ -103,8 +103,8 @@ def maps(
     run = sweep.run(force=output.force)
 
     announce_compilation("driver.lane_fates" if fate else "attractors.settle_cells")
-    from rocksteady.dynamics.maps.attractor_map import attractor_map
-    from rocksteady.dynamics.maps.fate_map import fate_map
+    from rocksteady.dynamics.maps.attractor_map import map_attractors
+    from rocksteady.dynamics.maps.fate_map import map_fates
 
     periods = (200 if fate else 2000) if cycles is None else cycles
     with (
@@ -112,7 +112,7 @@ def maps(
         start.as_typed(),
         sweeping("following motions", case.cells) as meter,
     ):
-        found = (fate_map if fate else attractor_map)(
+        found = (map_fates if fate else map_attractors)(
             case.body,
             axes={**case.axes, **case.fixed},
             start=case.start.of(case.shaking.frequency_ratio),

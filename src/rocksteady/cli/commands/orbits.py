@@ -110,7 +110,7 @@ def orbits(
     motion = shaking.at(body)
 
     announce_compilation("periodic.search")
-    from rocksteady.dynamics.orbits.search import orbits as search
+    from rocksteady.dynamics.orbits.search import find_orbits as search
 
     found = search(
         body,

@@ -156,13 +156,13 @@ def overturn(
     run = sweep.run(force=output.force)
 
     announce_compilation("pulses.pulse_fates")
-    from rocksteady.dynamics.overturning.windows import RESOLUTION, overturning_windows
+    from rocksteady.dynamics.overturning.windows import RESOLUTION, find_overturning_windows
 
     with (
         sweep.resumable(context.find_root().obj),
         sweeping("searching frequencies", len(ratios)) as meter,
     ):
-        found = overturning_windows(
+        found = find_overturning_windows(
             body,
             Pulse(
                 shape=shape.shape,

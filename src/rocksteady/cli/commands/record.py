@@ -94,9 +94,9 @@ def record(
     body = sized(block)
     unit = unit_of(units_out, output)
     periods = None if periods_s is None else axis("--periods-s", periods_s)
-    from rocksteady.seismic.measures.intensity import intensity_measures
-    from rocksteady.seismic.measures.response_spectrum import response_spectrum
-    from rocksteady.seismic.measures.time_course import ground_course
+    from rocksteady.seismic.measures.intensity import measure_intensity
+    from rocksteady.seismic.measures.response_spectrum import compute_response_spectrum
+    from rocksteady.seismic.measures.time_course import integrate_record
 
     wanted = periods
     if output.plot is not None and periods is None:
@@ -108,9 +108,11 @@ def record(
     for one in recordings:
         described = Description(
             recording=one,
-            course=ground_course(one.record),
-            measures=intensity_measures(one.record, body, damping=damping),
-            spectrum=response_spectrum(one.record, wanted, damping=damping) if wanted else None,
+            course=integrate_record(one.record),
+            measures=measure_intensity(one.record, body, damping=damping),
+            spectrum=compute_response_spectrum(one.record, wanted, damping=damping)
+            if wanted
+            else None,
         )
         if described.measures.drifts:
             warn(one.path, described.warnings[-1])

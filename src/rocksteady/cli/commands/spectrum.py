@@ -129,7 +129,7 @@ def spectrum(
             "--vertical",
             recorded.vertical,
             f"it belongs to one record, and there are {len(files)}",
-            "give one --record, or a list of each to rocking_spectrum in Python",
+            "give one --record, or a list of each to compute_rocking_spectrum in Python",
         )
     refuse_of_linear(model, "--vertical", recorded.vertical)
     slenderness = _slenderness(alpha_rad, alpha_deg)
@@ -147,14 +147,14 @@ def spectrum(
 
     announce_compilation("records.record_fates")
     from rocksteady.model.blocks.block import STANDARD_GRAVITY
-    from rocksteady.seismic.spectra.rocking import rocking_spectrum
-    from rocksteady.seismic.spectra.suite import suite_spectrum
+    from rocksteady.seismic.spectra.rocking import compute_rocking_spectrum
+    from rocksteady.seismic.spectra.suite import summarise_spectra
 
     with (
         sweep.resumable(context.find_root().obj),
         sweeping("following blocks", len(records) * len(slenderness) * count) as meter,
     ):
-        found = rocking_spectrum(
+        found = compute_rocking_spectrum(
             records,
             alpha=slenderness,
             **sizes,
@@ -166,7 +166,7 @@ def spectrum(
             run=replace(run, progress=meter),
         )
     found = found.load()
-    summary = suite_spectrum(found) if len(records) > 1 else None
+    summary = summarise_spectra(found) if len(records) > 1 else None
     values = spectrum_values(found, summary, files)
     values |= {"seconds": meter.seconds, "store": run.place and str(run.place.path)}
     if lifting is not None:

@@ -75,9 +75,9 @@ def steady(
     announce_compilation("closed_form.fill_steady")
     import numpy as np
 
-    from rocksteady.dynamics.steady.states import steady_states
+    from rocksteady.dynamics.steady.states import find_steady_states
 
-    states = steady_states(
+    states = find_steady_states(
         np.array(amplitudes)[:, np.newaxis], np.array(ratios), body.restitution, order=order
     )
     at_point = states.region.size == 1
@@ -257,8 +257,8 @@ def point_figure(point: dict[str, Any], page: "Page") -> Any:
     """Return the figure of the solutions at a point and of the map around it."""
     import numpy as np
 
-    from rocksteady.dynamics.steady.regions import region_map
-    from rocksteady.dynamics.steady.states import steady_orbit
+    from rocksteady.dynamics.steady.regions import compute_region_map
+    from rocksteady.dynamics.steady.states import compute_steady_orbit
     from rocksteady.show.figures.single import steady_figure
 
     a, w = point["amplitude"], point["frequency_ratio"]
@@ -266,7 +266,7 @@ def point_figure(point: dict[str, Any], page: "Page") -> Any:
     orbits = [
         (
             f"branch {s['branch']}: {s['kind']}, {verdict(s)}",
-            steady_orbit(a, w, r, order=n, branch=s["branch"]),
+            compute_steady_orbit(a, w, r, order=n, branch=s["branch"]),
         )
         for s in point["solutions"]
     ]
@@ -274,7 +274,7 @@ def point_figure(point: dict[str, Any], page: "Page") -> Any:
     if not 0.3 <= w <= 10.0:  # a logarithmic axis, wide enough for the point
         low, high = max(0.01, min(0.1, w / 10.0)), min(1e4, max(14.0, 3.0 * w))
         ratios = np.array(in_equal_ratios(low, high, 700))
-    curves = region_map(ratios, r, order=n)
+    curves = compute_region_map(ratios, r, order=n)
     title = f"Symmetric steady states: A = {a:g}, Ω = {w:g}, restitution {r:g}, n = {n}"
     return steady_figure(orbits, curves, point=(w, a), title=title, page=page)
 
@@ -287,9 +287,11 @@ def curves_figure(
     page: "Page",
 ) -> Any:
     """Return the figure of response curves, one for each amplitude."""
-    from rocksteady.dynamics.steady.response import response_curve
+    from rocksteady.dynamics.steady.response import compute_response_curve
     from rocksteady.show.figures.single import response_figure
 
-    curves = [response_curve(body, a, frequency_ratio=ratios, order=order) for a in amplitudes]
+    curves = [
+        compute_response_curve(body, a, frequency_ratio=ratios, order=order) for a in amplitudes
+    ]
     title = f"Symmetric steady states: restitution {body.restitution:g}, n = {order}, branch 1"
     return response_figure(curves, hertz=isinstance(body, Block), title=title, page=page)

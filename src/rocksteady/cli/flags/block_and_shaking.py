@@ -13,7 +13,7 @@ from rocksteady.dynamics.parameters import SIZES
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.blocks.examples import example_block
+from rocksteady.model.blocks.examples import named_block
 from rocksteady.model.blocks.sides import Restitution
 from rocksteady.model.checks.validation import LARGEST, in_range, non_negative
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
@@ -235,7 +235,7 @@ class BlockFlags:
         if self.block is not None:
             own = None if self.restitution is None else ratio
             named = not sizes and not self.asymmetric
-            return example_block(self.block, restitution=own, gravity=gravity) if named else None
+            return named_block(self.block, restitution=own, gravity=gravity) if named else None
         whole = {"left", "right", *self.asymmetric} == self.asymmetric.keys()
         makers: dict[tuple[str, ...], Callable[..., Block]] = {
             ("width", "height"): Block.rectangle,

@@ -165,7 +165,7 @@ class MapCase:
     body, shaking, start
         At the first value of each axis.
     axes
-        Values by the names of `rocksteady.attractor_map`, in the order of the dimensions.
+        Values by the names of `rocksteady.map_attractors`, in the order of the dimensions.
     fixed
         Parameters that were given one value, as it was given: what follows from it in a cell is
         then what follows from it at that point alone.

@@ -227,11 +227,11 @@ class ReadingFlags:
 
     def _ready(self, file: Path, found: "tuple[Recording, ...]") -> "list[Recording]":
         """Return channels without their baseline, and print their warnings."""
-        from rocksteady.records.processing import baseline_corrected
+        from rocksteady.records.processing import correct_baseline
 
         for words in dict.fromkeys(words for one in found for words in one.warnings):
             warn(file, _in_flags(words))
-        return [_named(baseline_corrected(one, self.baseline)) for one in found]
+        return [_named(correct_baseline(one, self.baseline)) for one in found]
 
 
 def _named(one: "Recording") -> "Recording":

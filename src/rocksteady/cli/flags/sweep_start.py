@@ -11,7 +11,7 @@ from rocksteady.errors import ModelError
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.history.start import Start
-    from rocksteady.dynamics.orbits.trail import AttractorTrail
+    from rocksteady.dynamics.orbits.trail import AttractorSweep
 
 AUTO = "auto"
 
@@ -68,4 +68,4 @@ class Sweep:
     """A sweep, and where it began."""
 
     start: str
-    trail: "AttractorTrail"
+    trail: "AttractorSweep"

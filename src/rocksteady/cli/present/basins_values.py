@@ -10,7 +10,7 @@ from rocksteady.model.motions.segments import Harmonic
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.basins.basins import Basins
-    from rocksteady.dynamics.basins.erosion import Drop, Erosion
+    from rocksteady.dynamics.basins.erosion import Erosion, IntegrityDrop
 
 CONFIDENCE = 0.95
 """Of the intervals."""
@@ -63,7 +63,7 @@ def basins_values(found: "Basins", body: Block | DimensionlessBlock) -> dict[str
 
 
 def erosion_values(
-    found: "Erosion", drops: "dict[str, Drop | None]", body: Block | DimensionlessBlock
+    found: "Erosion", drops: "dict[str, IntegrityDrop | None]", body: Block | DimensionlessBlock
 ) -> dict[str, Any]:
     """Return the measures of integrity and where they drop in plain values."""
     columns = {

@@ -59,7 +59,7 @@ def range_values(span: Range) -> dict[str, Any]:
 def lean(branch: "Branch") -> float:
     """Return -1 for a branch that leans to the negative side: its mirror image is listed, else 1.
 
-    `rocksteady.orbits` lists the one that leans to the positive side too.
+    `rocksteady.find_orbits` lists the one that leans to the positive side too.
     """
     import numpy as np
 

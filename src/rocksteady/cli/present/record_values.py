@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from rocksteady.records.core.recording import Recording
     from rocksteady.seismic.measures.intensity import IntensityMeasures
     from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
-    from rocksteady.seismic.measures.time_course import GroundCourse
+    from rocksteady.seismic.measures.time_course import IntegratedRecord
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -22,7 +22,7 @@ class Description:
     """A channel of a file with all that is computed of it."""
 
     recording: "Recording"
-    course: "GroundCourse"
+    course: "IntegratedRecord"
     measures: "IntensityMeasures"
     spectrum: "ResponseSpectrum | None"
 
@@ -110,7 +110,7 @@ def course_header(unit: str) -> list[str]:
     return ["time_s", f"acceleration_{name}", "velocity_m_s", "displacement_m"]
 
 
-def course_rows(course: "GroundCourse", unit: str) -> Iterator[list[float]]:
+def course_rows(course: "IntegratedRecord", unit: str) -> Iterator[list[float]]:
     """Yield a record sample by sample, its acceleration in a unit."""
     from rocksteady.records.core.units import UNITS
 

@@ -46,7 +46,7 @@ CELL_OUTPUTS = (
 
 @checked_result
 @dataclass(frozen=True, kw_only=True)
-class Fraction:
+class BasinFraction:
     """Share of a window that belongs to one basin.
 
     Attributes
@@ -120,7 +120,7 @@ class Basins:
         """
         return tuple(_at_phase(one, self.shaking) for one in self.attractors)
 
-    def fractions(self, confidence: float = 0.95) -> tuple[Fraction, ...]:
+    def fractions(self, confidence: float = 0.95) -> tuple[BasinFraction, ...]:
         """Return the share of each basin in the window, with Wilson's score interval.
 
         The interval is that of as many states drawn at random in the whole window.  One state drawn
@@ -154,7 +154,7 @@ class Basins:
         for label, states in enumerate(self.states.tolist()):
             interval = binomtest(states, self.label.size).proportion_ci(level, method="wilson")
             found.append(
-                Fraction(
+                BasinFraction(
                     label=label,
                     states=states,
                     share=states / self.label.size,
@@ -176,11 +176,11 @@ class Basins:
 
         Examples
         --------
-        >>> from rocksteady import DimensionlessBlock, Harmonic, basins
+        >>> from rocksteady import DimensionlessBlock, Harmonic, compute_basins
         >>> block = DimensionlessBlock(restitution=0.8)
         >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
         >>> window = [-0.5, 0.0, 0.5]
-        >>> data = basins(block, shaking, angles=window, velocities=window).to_dataset()
+        >>> data = compute_basins(block, shaking, angles=window, velocities=window).to_dataset()
         >>> print(data.label.dims, data.label.attrs["flag_meanings"])
         ('velocity', 'angle') overturned symmetric-1
         """
@@ -235,7 +235,7 @@ class Basins:
 
 
 @checked
-def basins(
+def compute_basins(
     block: Block | DimensionlessBlock,
     shaking: Harmonic,
     *,
@@ -248,7 +248,7 @@ def basins(
 ) -> Basins:
     """Return the basins of attraction in a window of initial states at one phase.
 
-    Each state is followed as by `attractor`, and motions that settle to one orbit, whatever their
+    Each state is followed as by `find_attractor`; motions that settle to one orbit, whatever their
     shift in time by whole periods, go to one attractor.  Mirror images are two.  All motions that
     have not repeated within `cycles` and from which neighbours part count as one attractor,
     aperiodic, and so do those undecided.  With little loss a long way to a periodic motion looks
@@ -277,7 +277,7 @@ def basins(
     run
         As for `rocksteady.sweep.evaluate.evaluate`.
     model
-        As for `attractor`.
+        As for `find_attractor`.
 
     Returns
     -------
@@ -298,7 +298,7 @@ def basins(
     >>> import numpy as np
     >>> from rocksteady import DimensionlessBlock, Harmonic
     >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
-    >>> found = basins(
+    >>> found = compute_basins(
     ...     DimensionlessBlock(restitution=0.8),
     ...     shaking,
     ...     angles=np.linspace(-1.0, 1.0, 20),

@@ -44,7 +44,7 @@ MEASURES = ("integrity_factor", "global_integrity")
 
 @checked_result
 @dataclass(frozen=True, kw_only=True)
-class Drop:
+class IntegrityDrop:
     """Two neighbouring amplitudes between which a measure of integrity first falls below a level.
 
     Attributes
@@ -155,7 +155,7 @@ class Erosion:
         level: float = LEVEL,
         tolerance: float = TOLERANCE,
         run: Run | None = None,
-    ) -> Drop | None:
+    ) -> IntegrityDrop | None:
         """Return where a measure first falls below a level, or None where it does not.
 
         The first of the amplitudes below the level and the one before it (or 0) are brought closer
@@ -171,7 +171,7 @@ class Erosion:
         tolerance
             How close the two amplitudes come, above 0.
         run
-            As for `erosion`, without a store; `progress` is called for one basin after another.
+            As for `compute_erosion`, without a store; `progress` counts one basin after another.
 
         Raises
         ------
@@ -201,7 +201,9 @@ class Erosion:
                 high, below = middle, value
             else:
                 low, above = middle, value
-        return Drop(measure=measure, level=bound, low=low, high=high, above=above, below=below)
+        return IntegrityDrop(
+            measure=measure, level=bound, low=low, high=high, above=above, below=below
+        )
 
     def _at(self, amplitude: float, measure: str, run: Run) -> float:
         """Return a measure at one more amplitude."""
@@ -273,7 +275,7 @@ class Erosion:
 
 
 @checked
-def erosion(
+def compute_erosion(
     block: Block | DimensionlessBlock,
     frequency_ratio: float,
     amplitudes: ArrayLike,
@@ -351,7 +353,7 @@ def erosion(
     Examples
     --------
     >>> from rocksteady import DimensionlessBlock
-    >>> found = erosion(DimensionlessBlock(restitution=0.9), 2.0, [0.2, 0.6, 1.0])
+    >>> found = compute_erosion(DimensionlessBlock(restitution=0.9), 2.0, [0.2, 0.6, 1.0])
     >>> print(found.global_integrity.round(2), found.integrity_factor.round(2))
     [0.99 0.79 0.46] [1.   0.62 0.42]
     """

@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.batch.attractors import Beginnings
 from rocksteady.dynamics.history.departure import set_off
 from rocksteady.dynamics.history.start import Steady
-from rocksteady.dynamics.steady.states import steady_states
+from rocksteady.dynamics.steady.states import find_steady_states
 from rocksteady.errors import ModelError
 from rocksteady.kernels.batch.attractors import fill_clocks
 from rocksteady.kernels.core.tables import RESTITUTION, SIDE_COLUMNS
@@ -78,7 +78,7 @@ def on_orbits(
     [False  True] [0.       0.732389] [0.       2.846543]
     """
     restitution = sides[:, 0, RESTITUTION]
-    states = steady_states(amplitude, frequency_ratio, restitution, order=start.order)
+    states = find_steady_states(amplitude, frequency_ratio, restitution, order=start.order)
     assert states.admissible is not None
     which = start.branch - 1
     there = states.admissible[which].copy()

@@ -29,7 +29,7 @@ def chain_at(start: object) -> Chain:
         "start",
         start,
         "it must be an orbit or a point of a branch",
-        "take one of `orbits`, or of another branch",
+        "take one of `find_orbits`, or of another branch",
     )
 
 
@@ -47,7 +47,7 @@ def chain_of(orbit: Orbit) -> Chain:
             "start",
             Words(f"is an orbit of the {orbit.model.name} model"),
             "branches are followed in the linear model alone, whose arcs are in closed form",
-            "ask for `orbits` at several values, or move the parameter with `attractor_map`",
+            "ask for `find_orbits` at several values, or move the parameter with `map_attractors`",
         )
     if not orbit.block.symmetric:
         raise ModelError(
@@ -55,14 +55,14 @@ def chain_of(orbit: Orbit) -> Chain:
             Words("is an orbit of an asymmetric block"),
             "branches are followed of symmetric blocks alone: the arcs of a chain have one "
             "restitution, alpha and p",
-            "move the parameter with `attractor_trail`, or ask for `orbits` at several values",
+            "move the parameter with `sweep_attractor`, or ask for `find_orbits` at several values",
         )
     if orbit.rest_phases:
         raise ModelError(
             "start",
             Words("is an orbit with rests"),
             "an orbit that comes to rest forgets its past and does not bifurcate smoothly",
-            "start from an orbit without rest, as one of steady_states",
+            "start from an orbit without rest, as one of find_steady_states",
         )
     bare = orbit.block.dimensionless()
     shaking = orbit.shaking

@@ -43,7 +43,7 @@ BESIDE = 1e-5
 
 
 @checked
-def continuation(
+def follow_branch(
     start: Orbit | BranchPoint,
     parameter: str,
     within: tuple[float, float],
@@ -97,10 +97,10 @@ def continuation(
 
     Examples
     --------
-    >>> from rocksteady import DimensionlessBlock, Harmonic, orbits
+    >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
     >>> block = DimensionlessBlock(restitution=0.8)
-    >>> start = orbits(block, Harmonic(amplitude=1.0, frequency_ratio=2.0), max_period=1)[0]
-    >>> for point in continuation(start, "amplitude", (0.1, 3.0)):
+    >>> start = find_orbits(block, Harmonic(amplitude=1.0, frequency_ratio=2.0), max_period=1)[0]
+    >>> for point in follow_branch(start, "amplitude", (0.1, 3.0)):
     ...     if point.type != "regular":
     ...         print(point.type, f"{point.amplitude:.6f}", point.stable)
     symmetry-breaking 2.120167 False
@@ -208,7 +208,7 @@ def _begun(
             "start",
             Words("is an orbit"),
             "it is none of this shaking, or a branch crosses another there",
-            "start from an orbit of `orbits`, or add switch=True at a bifurcation",
+            "start from an orbit of `find_orbits`, or add switch=True at a bifurcation",
         )
     if towards is not None:
         return Spot(place=place, tangent=towards, solution=solution, arclength=0.0)

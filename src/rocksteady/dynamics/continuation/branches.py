@@ -11,7 +11,7 @@ from rocksteady.dynamics.continuation._chain import MERGED, Chain
 from rocksteady.dynamics.continuation._family import LARGEST_STEP, checked_ranges
 from rocksteady.dynamics.continuation._from_orbit import chain_at
 from rocksteady.dynamics.continuation._switching import switched
-from rocksteady.dynamics.continuation.branch import continuation
+from rocksteady.dynamics.continuation.branch import follow_branch
 from rocksteady.dynamics.continuation.points import Branch, BranchPoint, PointType
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.parameters import PARAMETERS
@@ -29,7 +29,7 @@ DEPARTURES = (PointType.SYMMETRY_BREAKING, PointType.PERIOD_DOUBLING, PointType.
 
 
 @checked
-def bifurcation_branches(
+def find_branches(
     starts: Iterable[Orbit | BranchPoint],
     parameter: str,
     within: tuple[float, float],
@@ -48,7 +48,7 @@ def bifurcation_branches(
     Parameters
     ----------
     starts
-        Orbits without rest, as `rocksteady.orbits` finds them, or points of other branches;
+        Orbits without rest, as `rocksteady.find_orbits` finds them, or points of other branches;
         inadmissible ones and those that lie on a branch already followed are passed over.
     parameter
         "amplitude", "frequency_ratio" or "restitution".
@@ -60,7 +60,7 @@ def bifurcation_branches(
     max_branches
         After so many no further one is begun.
     largest_step
-        As for `continuation`.
+        As for `follow_branch`.
 
     Returns
     -------
@@ -74,10 +74,10 @@ def bifurcation_branches(
 
     Examples
     --------
-    >>> from rocksteady import DimensionlessBlock, Harmonic, orbits
+    >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
     >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=2.2)
-    >>> starts = orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)
-    >>> for branch in bifurcation_branches(starts[:1], "frequency_ratio", (1.6, 2.4), max_period=2):
+    >>> starts = find_orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)
+    >>> for branch in find_branches(starts[:1], "frequency_ratio", (1.6, 2.4), max_period=2):
     ...     special = [f"{p.type} {p.frequency_ratio:.6f}" for p in branch.bifurcations]
     ...     print(branch.period, branch.symmetric, ", ".join(special))
     1 True symmetry-breaking 1.948378
@@ -155,7 +155,7 @@ class _Found:
     def _points(
         self, start: Orbit | BranchPoint, *, direction: int = 1, switch: bool = False
     ) -> list[BranchPoint]:
-        points = continuation(
+        points = follow_branch(
             start,
             self.parameter,
             self.within,

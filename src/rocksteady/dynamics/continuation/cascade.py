@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.continuation._family import LARGEST_STEP
 from rocksteady.dynamics.continuation._from_orbit import chain_at
-from rocksteady.dynamics.continuation.branch import continuation
+from rocksteady.dynamics.continuation.branch import follow_branch
 from rocksteady.dynamics.continuation.points import Branch, BranchPoint, PointType
 from rocksteady.dynamics.continuation.stability import stretches
 from rocksteady.dynamics.orbits.orbit import Orbit
@@ -71,7 +71,7 @@ class DoublingCascade:
 
 
 @checked
-def doubling_cascade(
+def find_cascade(
     start: Orbit | BranchPoint,
     parameter: str,
     within: tuple[float, float],
@@ -87,7 +87,7 @@ def doubling_cascade(
     start
         An orbit whose branch comes to a doubling, or to a breaking of its symmetry first.
     parameter, within, direction
-        As for `continuation`.
+        As for `follow_branch`.
     doublings
         How many to look for, up to 8; fewer are returned where a branch comes to none.
     largest_step
@@ -101,7 +101,7 @@ def doubling_cascade(
     Raises
     ------
     InputError, ModelError
-        As `continuation`; also if there is no doubling.
+        As `follow_branch`; also if there is no doubling.
 
     References
     ----------
@@ -110,10 +110,10 @@ def doubling_cascade(
 
     Examples
     --------
-    >>> from rocksteady import DimensionlessBlock, Harmonic, orbits
+    >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
     >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
-    >>> start = orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)[0]
-    >>> found = doubling_cascade(start, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=4)
+    >>> start = find_orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)[0]
+    >>> found = find_cascade(start, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=4)
     >>> print([f"{value:.7f}" for value in found.values], [f"{r:.3f}" for r in found.ratios])
     ['1.7892720', '1.7746913', '1.7723039', '1.7718153'] ['6.107', '4.887']
     """
@@ -128,7 +128,7 @@ def doubling_cascade(
     here, switch, step = start, False, largest_step
     impacts = chain_at(start).impacts
     while len(found) < count:
-        followed = continuation(
+        followed = follow_branch(
             here, parameter, within, direction=direction, switch=switch, largest_step=step
         )
         next(followed)
@@ -166,11 +166,11 @@ def longest_cascade(
     Parameters
     ----------
     branches
-        Over one parameter, as from `bifurcation_branches`.
+        Over one parameter, as from `find_branches`.
     within
         Its range.
     doublings
-        As for `doubling_cascade`.
+        As for `find_cascade`.
 
     Returns
     -------
@@ -184,7 +184,7 @@ def longest_cascade(
             continue
         for direction in (1, -1):
             try:
-                found = doubling_cascade(
+                found = find_cascade(
                     middle, branch.parameter, within, direction=direction, doublings=doublings
                 )
             except ModelError:  # it comes to none

@@ -23,7 +23,7 @@ from rocksteady.model.checks.validation import is_pair
 
 
 @checked
-def bifurcation_curve(
+def follow_bifurcation(
     start: BranchPoint,
     parameters: tuple[str, str],
     within: tuple[tuple[float, float], tuple[float, float]],
@@ -39,7 +39,7 @@ def bifurcation_curve(
     Parameters
     ----------
     start
-        A bifurcation that `continuation` has found.
+        A bifurcation that `follow_branch` has found.
     parameters
         Two of "amplitude", "frequency_ratio" and "restitution".
     within
@@ -66,13 +66,13 @@ def bifurcation_curve(
 
     Examples
     --------
-    >>> from rocksteady import DimensionlessBlock, Harmonic, continuation, orbits
+    >>> from rocksteady import DimensionlessBlock, Harmonic, follow_branch, find_orbits
     >>> shaking = Harmonic(amplitude=1.0, frequency_ratio=2.0)
-    >>> start = orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)[0]
-    >>> branch = continuation(start, "amplitude", (0.1, 3.0))
+    >>> start = find_orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)[0]
+    >>> branch = follow_branch(start, "amplitude", (0.1, 3.0))
     >>> breaking = next(point for point in branch if point.type == "symmetry-breaking")
     >>> plane = ("amplitude", "frequency_ratio")
-    >>> curve = list(bifurcation_curve(breaking, plane, ((0.1, 6.0), (1.0, 4.0))))
+    >>> curve = list(follow_bifurcation(breaking, plane, ((0.1, 6.0), (1.0, 4.0))))
     >>> print(curve[-1].type, f"{curve[-1].amplitude:.9f} {curve[-1].frequency_ratio:.9f}")
     end-of-range 6.000000000 3.291247638
     """

@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Iterator
 
 from rocksteady.dynamics.orbits.orbit import Orbit
-from rocksteady.dynamics.orbits.search import orbits
-from rocksteady.dynamics.orbits.trail import AttractorTrail
+from rocksteady.dynamics.orbits.search import find_orbits
+from rocksteady.dynamics.orbits.trail import AttractorSweep
 from rocksteady.dynamics.parameters import moved_to
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.motions.segments import Harmonic
@@ -25,7 +25,7 @@ def symmetric_orbits(
     for place in range(PLACES):
         share = place / (PLACES - 1)
         here = moved_to(block, shaking, parameter, (1.0 - share) * low + share * high)
-        for orbit in orbits(*here, max_period=order, max_impacts=2, seeds=1):
+        for orbit in find_orbits(*here, max_period=order, max_impacts=2, seeds=1):
             if orbit.branch is not None and orbit.period == order and orbit.admissible:
                 yield orbit
 
@@ -42,13 +42,13 @@ def searched_orbits(
     low, high = within
     for value in (low, 0.5 * (low + high), high):
         here = moved_to(block, shaking, parameter, value)
-        for orbit in orbits(*here, max_period=max_period, max_impacts=max_impacts):
+        for orbit in find_orbits(*here, max_period=max_period, max_impacts=max_impacts):
             if orbit.admissible and not orbit.rest_phases:
                 yield orbit
 
 
 def settled_orbits(
-    trails: Iterable[AttractorTrail], max_period: int, max_impacts: int
+    trails: Iterable[AttractorSweep], max_period: int, max_impacts: int
 ) -> list[Orbit]:
     """Return an orbit in the middle of every run of one kind that trails met, short ones first.
 

@@ -38,7 +38,7 @@ def stretches(branch: Branch) -> tuple[Stretch, ...]:
     Parameters
     ----------
     branch
-        From `rocksteady.bifurcation_branches`.
+        From `rocksteady.find_branches`.
 
     Returns
     -------
@@ -47,10 +47,10 @@ def stretches(branch: Branch) -> tuple[Stretch, ...]:
 
     Examples
     --------
-    >>> from rocksteady import DimensionlessBlock, Harmonic, bifurcation_branches, orbits
+    >>> from rocksteady import DimensionlessBlock, Harmonic, find_branches, find_orbits
     >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=2.2)
-    >>> starts = orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)
-    >>> branch = bifurcation_branches(starts[:1], "frequency_ratio", (1.6, 2.4), max_period=1)[0]
+    >>> starts = find_orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)
+    >>> branch = find_branches(starts[:1], "frequency_ratio", (1.6, 2.4), max_period=1)[0]
     >>> for stretch in stretches(branch):
     ...     ends = branch.values[[stretch.first, stretch.last]]
     ...     print(f"{ends[0]:.3f} {ends[1]:.3f} {stretch.stable}")

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.history.departure import set_off
 from rocksteady.dynamics.history.lowering import side_table
 from rocksteady.dynamics.steady.states import (
+    find_steady_states,
     refuse_asymmetric,
-    steady_states,
     validated_branch,
 )
 from rocksteady.errors import InputError, ModelError
@@ -272,7 +272,7 @@ def _steady_state(
         )
     refuse_asymmetric(block, "start", "a steady state to start on")
     a, w, r = motion.amplitude, motion.frequency_ratio, block.restitution
-    states = steady_states(a, w, r, order=start.order)
+    states = find_steady_states(a, w, r, order=start.order)
     which = start.branch - 1
     if states.region == 4:
         raise ModelError(

@@ -69,7 +69,7 @@ def map_of(
 ) -> "xarray.Dataset":
     """Return the answers to a question over a grid of parameters.
 
-    Parameters and errors are those of `rocksteady.attractor_map`.
+    Parameters and errors are those of `rocksteady.map_attractors`.
     """
     grid, fixed = _grid(axes)
     scenario = Scenario(

@@ -30,7 +30,7 @@ Floats = NDArray[np.float64]
 
 
 @checked
-def attractor_map(
+def map_attractors(
     block: Block | DimensionlessBlock,
     shaking: Harmonic | None = None,
     *,
@@ -44,7 +44,7 @@ def attractor_map(
 ) -> "xarray.Dataset":
     """Return the attractor of a block over a grid of parameters.
 
-    Every cell is what `attractor` finds at that point, to the last bit.
+    Every cell is what `find_attractor` finds at that point, to the last bit.
 
     Parameters
     ----------
@@ -78,7 +78,7 @@ def attractor_map(
         otherwise under each block; name acceleration_m_s2 and frequency_hz to have all blocks
         stand on one ground.  An initial state stays in the measures of the block.
     cycles
-        As for `attractor`.
+        As for `find_attractor`.
     housner
         Whether the restitution follows from the slenderness, cell by cell; else the block's own
         stays.
@@ -114,7 +114,7 @@ def attractor_map(
     Examples
     --------
     >>> from rocksteady import DimensionlessBlock
-    >>> found = attractor_map(
+    >>> found = map_attractors(
     ...     DimensionlessBlock(restitution=0.8),
     ...     axes={"amplitude": [0.5, 2.0], "frequency_ratio": [1.0, 4.0, 8.0]},
     ... )
@@ -127,7 +127,7 @@ def attractor_map(
     Does a block stand up to this shaking, by its width and by the phase at which it begins?
 
     >>> block = Block.rectangle(width=0.4, height=2.0, restitution=0.9)
-    >>> found = attractor_map(
+    >>> found = map_attractors(
     ...     block,
     ...     axes={
     ...         "width": [0.4, 0.6, 0.9],

@@ -26,7 +26,7 @@ Floats = NDArray[np.float64]
 
 
 @checked
-def fate_map(
+def map_fates(
     block: Block | DimensionlessBlock,
     shaking: Harmonic | None = None,
     *,
@@ -43,21 +43,21 @@ def fate_map(
     Every cell is how `simulate` ends at that point, as long as no small difference grows more than
     some 1e12-fold on the way (`Trajectory.growth`).  Where it does, in chaotic cells, rounding
     decides, and the two compute in different ways: a cell is the end of a motion within rounding of
-    that one.  Where `attractor_map` follows a motion until
+    that one.  Where `map_attractors` follows a motion until
     it is known what it settles to, it is followed here for some periods and no longer.
 
     Parameters
     ----------
     block, shaking, axes, start, housner
-        As for `attractor_map`: any parameter of block, shaking and start may be an axis.
+        As for `map_attractors`: any parameter of block, shaking and start may be an axis.
     cycles
         Forcing periods that each motion is followed for, at most.
     run
         As for `rocksteady.sweep.evaluate.evaluate`.
     refine
-        As for `attractor_map`; a border is one of fates.
+        As for `map_attractors`; a border is one of fates.
     model
-        As for `attractor_map`.
+        As for `map_attractors`.
 
     Returns
     -------
@@ -72,12 +72,12 @@ def fate_map(
     Raises
     ------
     InputError, ModelError, OutputError, UnfinishedError
-        As for `attractor_map`.
+        As for `map_attractors`.
 
     Examples
     --------
-    >>> from rocksteady import DimensionlessBlock, State, fate_map
-    >>> found = fate_map(
+    >>> from rocksteady import DimensionlessBlock, State, map_fates
+    >>> found = map_fates(
     ...     DimensionlessBlock(restitution=0.8),
     ...     axes={"amplitude": [0.5, 2.0], "frequency_ratio": [1.0, 4.0, 8.0]},
     ...     start=State(angle=0.0, velocity=0.3),
@@ -94,7 +94,7 @@ def fate_map(
     of the shaking at that moment?
 
     >>> import numpy as np
-    >>> found = fate_map(
+    >>> found = map_fates(
     ...     DimensionlessBlock(restitution=0.8),
     ...     Harmonic(amplitude=1.5, frequency_ratio=3.0),
     ...     axes={"phase": np.linspace(0.0, 6.0, 4), "velocity": np.linspace(-1.0, 1.0, 201)},

@@ -127,7 +127,7 @@ class Attractor:
 
 
 @checked
-def attractor(
+def find_attractor(
     block: Block | DimensionlessBlock,
     shaking: Harmonic,
     *,
@@ -171,7 +171,7 @@ def attractor(
     >>> from rocksteady import DimensionlessBlock, Harmonic, Steady
     >>> block = DimensionlessBlock(restitution=0.8)
     >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
-    >>> found = attractor(block, shaking, start=Steady(side=-1))
+    >>> found = find_attractor(block, shaking, start=Steady(side=-1))
     >>> print(found.kind, found.period, [round(peak, 5) for peak in found.peaks])
     unsymmetric 1 [0.90035, -0.44427]
     """

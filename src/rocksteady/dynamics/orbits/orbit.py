@@ -168,9 +168,9 @@ class Orbit:
 
         Examples
         --------
-        >>> from rocksteady import DimensionlessBlock, Harmonic, orbits
+        >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
         >>> shaking = Harmonic(amplitude=1.2, frequency_ratio=0.7)
-        >>> orbit = orbits(DimensionlessBlock(restitution=0.8), shaking)[-1]
+        >>> orbit = find_orbits(DimensionlessBlock(restitution=0.8), shaking)[-1]
         >>> run = orbit.trajectory()
         >>> print(f"multiplier {orbit.largest_multiplier:.0e}, peak {run.peak:.6f}")
         multiplier 5e+11, peak 1.802986

@@ -12,7 +12,7 @@ from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from, ordered, squared
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic, make_system, section_of
-from rocksteady.dynamics.steady.states import steady_states
+from rocksteady.dynamics.steady.states import find_steady_states
 from rocksteady.kernels.elementary.arrays import hypot
 from rocksteady.kernels.orbits import periodic
 from rocksteady.kernels.orbits.periodic import mirror
@@ -46,7 +46,7 @@ SAME = 1e-6
 
 
 @checked
-def orbits(
+def find_orbits(
     block: Block | DimensionlessBlock,
     shaking: Harmonic,
     *,
@@ -103,7 +103,7 @@ def orbits(
     --------
     >>> from rocksteady import DimensionlessBlock, Harmonic
     >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
-    >>> for orbit in orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1):
+    >>> for orbit in find_orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1):
     ...     print(orbit.kind, orbit.stable, orbit.admissible, f"{orbit.highest:.5f}")
     symmetric False True 0.68676
     symmetric False False nan
@@ -165,7 +165,7 @@ def _symmetric_orbits(
         return
     a, w, r = shaking.amplitude, shaking.frequency_ratio, block.dimensionless().restitution
     for order in range(1, longest + 1, 2):
-        states = steady_states(a, w, r, order=order)
+        states = find_steady_states(a, w, r, order=order)
         assert states.peak is not None
         assert states.admissible is not None
         if states.region == 4:
@@ -213,7 +213,7 @@ def _nonlinear_symmetric_orbits(
     a, w, r = shaking.amplitude, shaking.frequency_ratio, block.dimensionless().restitution
     sides = sides_of(block, model)
     for order in range(1, longest + 1, 2):
-        states = steady_states(a, w, r, order=order)
+        states = find_steady_states(a, w, r, order=order)
         assert states.admissible is not None
         for which in np.flatnonzero(states.admissible).tolist():
             half = nonlinear_half(

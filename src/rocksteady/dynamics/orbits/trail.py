@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history.start import ImpactState, Rest, Start
-from rocksteady.dynamics.orbits.attractor import Attractor, attractor, cycles_value
+from rocksteady.dynamics.orbits.attractor import Attractor, cycles_value, find_attractor
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic, make_system, section_of
 from rocksteady.dynamics.parameters import PARAMETERS, moved_to
@@ -33,7 +33,7 @@ CARRIED = (AttractorKind.SYMMETRIC, AttractorKind.UNSYMMETRIC, AttractorKind.APE
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
-class AttractorTrail:
+class AttractorSweep:
     """Attractors met while a parameter changes in small steps.
 
     Attributes
@@ -83,7 +83,7 @@ def _kind_of(found: Attractor) -> tuple[str, int | None, int | None]:
 
 
 @checked
-def attractor_trail(
+def sweep_attractor(
     block: Block | DimensionlessBlock,
     shaking: Harmonic,
     parameter: str,
@@ -92,7 +92,7 @@ def attractor_trail(
     start: Start | None = None,
     cycles: int = 2000,
     model: Model | None = None,
-) -> AttractorTrail:
+) -> AttractorSweep:
     """Follow an attractor while a parameter changes in small steps.
 
     Run upwards and downwards it shows hysteresis: the attractor is kept for as long as there is
@@ -108,11 +108,11 @@ def attractor_trail(
     values
         To go through, in this order.
     start, cycles, model
-        As for `rocksteady.attractor`.
+        As for `rocksteady.find_attractor`.
 
     Returns
     -------
-    AttractorTrail
+    AttractorSweep
         One attractor a value.
 
     Raises
@@ -128,7 +128,7 @@ def attractor_trail(
     >>> block = DimensionlessBlock(restitution=0.8)
     >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
     >>> down = np.linspace(2.0, 1.75, 6)
-    >>> trail = attractor_trail(block, shaking, "frequency_ratio", down, start=Steady())
+    >>> trail = sweep_attractor(block, shaking, "frequency_ratio", down, start=Steady())
     >>> for value, kind, period in zip(trail.values, trail.kinds, trail.periods):
     ...     print(f"{value:.2f} {kind} {period}")
     2.00 symmetric 1
@@ -157,14 +157,14 @@ def attractor_trail(
         if carried is None:
             last = _from_start(body, shaken, begin, periods, equations)
         else:
-            last = attractor(body, shaken, start=carried, cycles=periods, model=equations)
+            last = find_attractor(body, shaken, start=carried, cycles=periods, model=equations)
         found.append(last)
         if last.kind is AttractorKind.REST:
             begin = Rest()
         carried = last.state if last.kind in CARRIED else None
         if last.orbit is not None:
             carried = last.orbit.states[0]
-    return AttractorTrail(
+    return AttractorSweep(
         parameter=parameter,
         values=steps,
         attractors=tuple(found),
@@ -181,9 +181,9 @@ def _from_start(
 ) -> Attractor:
     """Return what the block settles to from a start, or from rest where there is none such."""
     try:
-        return attractor(block, shaking, start=start, cycles=cycles, model=model)
+        return find_attractor(block, shaking, start=start, cycles=cycles, model=model)
     except ModelError:
-        return attractor(block, shaking, cycles=cycles, model=model)
+        return find_attractor(block, shaking, cycles=cycles, model=model)
 
 
 def flight_peaks(found: Attractor) -> Floats:

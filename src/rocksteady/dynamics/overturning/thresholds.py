@@ -45,7 +45,7 @@ def overturning_threshold(shape: str, frequency_ratio: ArrayLike) -> Floats:
 
     psi is the phase of the pulse at uplift.  The forms without a source follow from the same
     integral.  Under the last two pulses a block falls at smaller amplitudes too, after impacts: see
-    `rocksteady.overturning_windows`.
+    `rocksteady.find_overturning_windows`.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ def overturning_threshold(shape: str, frequency_ratio: ArrayLike) -> Floats:
             "shape",
             shape,
             "no closed form is known for it",
-            "choose one of " + ", ".join(THRESHOLDS) + ", or compute overturning_windows",
+            "choose one of " + ", ".join(THRESHOLDS) + ", or compute find_overturning_windows",
         )
     ratios = real_array("frequency_ratio", frequency_ratio)
     found = np.empty(ratios.shape)

@@ -183,7 +183,7 @@ class OverturningWindows:
 
 
 @checked
-def overturning_windows(
+def find_overturning_windows(
     block: Block | DimensionlessBlock,
     pulse: Pulse | str,
     frequency_ratios: ArrayLike,
@@ -245,8 +245,10 @@ def overturning_windows(
 
     Examples
     --------
-    >>> from rocksteady import DimensionlessBlock, overturning_windows
-    >>> found = overturning_windows(DimensionlessBlock(restitution=0.9), "one-sine", [2.0, 5.0])
+    >>> from rocksteady import DimensionlessBlock, find_overturning_windows
+    >>> found = find_overturning_windows(
+    ...     DimensionlessBlock(restitution=0.9), "one-sine", [2.0, 5.0]
+    ... )
     >>> for window in found.at(1):
     ...     print(f"{window.low:.6f} to {window.high:.6f}, {window.impacts} impacts")
     3.018600 to 6.318071, 1 impacts
@@ -256,7 +258,7 @@ def overturning_windows(
 
     >>> from rocksteady import Block
     >>> block = Block.from_p(alpha=0.25, p=2.14, restitution=0.9)
-    >>> found = overturning_windows(block, "one-sine", 5.0)
+    >>> found = find_overturning_windows(block, "one-sine", 5.0)
     >>> [(round(low, 6), round(high, 6)) for low, high in found.intervals(0)]
     [(3.032339, 6.743019), (7.493, 20.0)]
     """

@@ -31,7 +31,7 @@ REGIONS = {
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Boundaries:
+class RegionBoundaries:
     """Amplitudes that bound the regions, as arrays of the inputs' broadcast shape.
 
     Attributes
@@ -50,9 +50,9 @@ class Boundaries:
 
 
 @checked
-def boundaries(
+def region_boundaries(
     frequency_ratio: ArrayLike, restitution: ArrayLike, *, order: ArrayLike = 1
-) -> Boundaries:
+) -> RegionBoundaries:
     """Return the three boundary curves of the regions (eqs 23, 24, 25).
 
     Parameters
@@ -67,12 +67,12 @@ def boundaries(
 
     Examples
     --------
-    >>> curves = boundaries(4.0, 0.5)
+    >>> curves = region_boundaries(4.0, 0.5)
     >>> print(f"{curves.existence:.5f} {curves.kind:.5f} {curves.sign:.5f}")
     0.70825 0.79129 1.58816
     """
     existence, sign, kind, _, _ = _curves(frequency_ratio, restitution, order)
-    return Boundaries(existence=existence, sign=sign, kind=kind)
+    return RegionBoundaries(existence=existence, sign=sign, kind=kind)
 
 
 @checked_result
@@ -105,7 +105,9 @@ class RegionMap:
 
 
 @checked
-def region_map(frequency_ratio: ArrayLike, restitution: float, *, order: int = 1) -> RegionMap:
+def compute_region_map(
+    frequency_ratio: ArrayLike, restitution: float, *, order: int = 1
+) -> RegionMap:
     """Return all boundary curves at given frequency ratios (Figs 3 and 4, and more).
 
     Parameters
@@ -129,7 +131,7 @@ def region_map(frequency_ratio: ArrayLike, restitution: float, *, order: int = 1
 
     Examples
     --------
-    >>> curves = region_map([2.0, 4.0], 0.5)
+    >>> curves = compute_region_map([2.0, 4.0], 0.5)
     >>> print(curves.existence.round(5), curves.symmetry_breaking.round(5))
     [0.65675 0.70825] [1.82727 4.70266]
     """
@@ -159,7 +161,7 @@ def heteroclinic_amplitude(frequency_ratio: ArrayLike, restitution: ArrayLike) -
     Parameters
     ----------
     frequency_ratio, restitution
-        As for `steady_states`; arrays that broadcast against each other.
+        As for `find_steady_states`; arrays that broadcast against each other.
 
     Returns
     -------
@@ -188,7 +190,7 @@ def melnikov_amplitude(frequency_ratio: ArrayLike, restitution: ArrayLike) -> Fl
     Parameters
     ----------
     frequency_ratio, restitution
-        As for `steady_states`; arrays that broadcast against each other.
+        As for `find_steady_states`; arrays that broadcast against each other.
 
     Returns
     -------
@@ -222,7 +224,7 @@ def symmetry_breaking_amplitude(
     Parameters
     ----------
     frequency_ratio, restitution, order
-        As for `steady_states`; arrays that broadcast against each other.
+        As for `find_steady_states`; arrays that broadcast against each other.
 
     Returns
     -------

@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.steady.states import (
     SteadyStates,
+    find_steady_states,
     refuse_asymmetric,
-    steady_states,
     validated_branch,
 )
 from rocksteady.errors import ModelError, Words
@@ -53,7 +53,7 @@ class ResponseCurve:
 
 
 @checked
-def response_curve(
+def compute_response_curve(
     block: Block | DimensionlessBlock,
     amplitude: float,
     *,
@@ -93,7 +93,7 @@ def response_curve(
     Examples
     --------
     >>> block = Block.from_p(alpha=0.2, p=6.283185307179586, restitution=0.8)
-    >>> curve = response_curve(block, 3.0, frequency_hz=[3.0, 4.0, 8.0])
+    >>> curve = compute_response_curve(block, 3.0, frequency_hz=[3.0, 4.0, 8.0])
     >>> print(curve.frequency_ratio.round(12), curve.peak.round(5))
     [3. 4. 8.] [0.41518 0.24397 0.06373]
     """
@@ -121,7 +121,7 @@ def response_curve(
         assert frequency_ratio is not None
         ratios = np.atleast_1d(real_array("frequency_ratio", frequency_ratio))
     refuse_asymmetric(block, "block", "a response curve")
-    states = steady_states(amplitude, ratios, block.dimensionless().restitution, order=order)
+    states = find_steady_states(amplitude, ratios, block.dimensionless().restitution, order=order)
     assert states.peak is not None
     assert states.admissible is not None
     which = branch - 1

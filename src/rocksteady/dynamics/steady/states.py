@@ -85,7 +85,7 @@ def refuse_asymmetric(block: Block | DimensionlessBlock, name: str, what: str) -
             Words("is asymmetric" if name == "block" else "is a steady state"),
             f"{what} comes from the closed forms of symmetric motions, whose second half "
             "mirrors the first; a block whose sides differ has none",
-            "its periodic motions are found by `orbits`",
+            "its periodic motions are found by `find_orbits`",
         )
 
 
@@ -191,7 +191,7 @@ class SteadyStates:
     @property
     def _allowed(self) -> Bools:
         if self.admissible is None:
-            message = "stability needs admissibility: call steady_states(..., shapes=True)"
+            message = "stability needs admissibility: call find_steady_states(..., shapes=True)"
             raise AttributeError(message)
         return self.admissible
 
@@ -206,7 +206,7 @@ class SteadyStates:
 
         Examples
         --------
-        >>> data = steady_states([1.0, 2.0], 4.0, 0.8).to_dataset()
+        >>> data = find_steady_states([1.0, 2.0], 4.0, 0.8).to_dataset()
         >>> print(data.phase.dims, data.phase.attrs["units"])
         ('branch', 'grid_0') rad
         """
@@ -233,7 +233,7 @@ class SteadyStates:
 
 
 @checked
-def steady_states(
+def find_steady_states(
     amplitude: ArrayLike,
     frequency_ratio: ArrayLike,
     restitution: ArrayLike,
@@ -244,7 +244,7 @@ def steady_states(
     """Return both branches of symmetric steady states (eqs 12 to 25) over broadcast arrays.
 
     They are those of symmetric blocks, of which the restitution is all that counts; the periodic
-    motions of an asymmetric one are found by `rocksteady.orbits`.
+    motions of an asymmetric one are found by `rocksteady.find_orbits`.
 
     Parameters
     ----------
@@ -276,7 +276,7 @@ def steady_states(
 
     Examples
     --------
-    >>> states = steady_states(2.0, 4.0, 0.8)
+    >>> states = find_steady_states(2.0, 4.0, 0.8)
     >>> print(states.region, states.phase.round(6), states.velocity.round(6))
     2 [ 2.846543 -0.03411 ] [ 0.732389 -0.085893]
     >>> print(states.admissible, states.stable, states.peak[0].round(6))
@@ -350,7 +350,7 @@ class SteadyOrbit:
 
 
 @checked
-def steady_orbit(
+def compute_steady_orbit(
     amplitude: float,
     frequency_ratio: float,
     restitution: float,
@@ -364,7 +364,7 @@ def steady_orbit(
     Parameters
     ----------
     amplitude, frequency_ratio, restitution, order
-        As for `steady_states`, one number each.
+        As for `find_steady_states`, one number each.
     branch
         1 or 2.
     samples
@@ -383,7 +383,7 @@ def steady_orbit(
 
     Examples
     --------
-    >>> orbit = steady_orbit(2.0, 4.0, 0.8)
+    >>> orbit = compute_steady_orbit(2.0, 4.0, 0.8)
     >>> print(f"{orbit.angle.max():.5f} {orbit.angle.min():.5f}")
     0.18550 -0.18550
     """
@@ -406,7 +406,7 @@ def steady_orbit(
             "give an odd number, as 801",
         )
     a, w, r, n = validated_grid(amplitude, frequency_ratio, restitution, order)
-    states = steady_states(a, w, r, order=n, shapes=False)
+    states = find_steady_states(a, w, r, order=n, shapes=False)
     if states.region == 4:
         raise InputError(
             "amplitude",

@@ -31,7 +31,7 @@ SOURCES = {
 """What each named block is, and where it comes from."""
 
 
-def example_block(
+def named_block(
     name: str,
     *,
     restitution: Restitution | None = None,
@@ -55,7 +55,7 @@ def example_block(
 
     Examples
     --------
-    >>> example_block("zhang-makris-2001").restitution
+    >>> named_block("zhang-makris-2001").restitution
     0.9
     """
     given: object = name

@@ -40,14 +40,14 @@ CHECKED_INSIDE: Final = frozenset({"method"})
 CHECKED_INSIDE_OF: Final = frozenset(
     {
         ("Piecewise.__init__", "pieces"),
-        ("attractor_trail", "values"),
-        ("bifurcation_branches", "within"),
-        ("bifurcation_curve", "start"),
-        ("bifurcation_curve", "within"),
-        ("continuation", "within"),
+        ("sweep_attractor", "values"),
+        ("find_branches", "within"),
+        ("follow_bifurcation", "start"),
+        ("follow_bifurcation", "within"),
+        ("follow_branch", "within"),
         ("overturning_impulse", "block"),
-        ("overturning_windows", "amplitudes"),
-        ("steady_states", "order"),
+        ("find_overturning_windows", "amplitudes"),
+        ("find_steady_states", "order"),
     }
 )
 """Likewise of other types, each in one function."""

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.motions.combine import scaled
+from rocksteady.model.motions.combine import scale_motion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion
 
@@ -46,7 +46,7 @@ class BaseMotion:
         Raises
         ------
         InputError, ModelError
-            As for `Record.scaled`, or `rocksteady.scaled` of another motion.
+            As for `Record.scaled`, or `rocksteady.scale_motion` of another motion.
         """
         up = self.vertical
         return BaseMotion(
@@ -60,4 +60,4 @@ class BaseMotion:
 
 def _scaled(motion: Motion | Record, factor: float) -> Motion | Record:
     """Return a component multiplied by a factor."""
-    return motion.scaled(factor) if isinstance(motion, Record) else scaled(motion, factor)
+    return motion.scaled(factor) if isinstance(motion, Record) else scale_motion(motion, factor)

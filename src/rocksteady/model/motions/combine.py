@@ -26,7 +26,7 @@ _SAME_TIME = 1e-12
 
 
 @checked
-def scaled(motion: Motion, factor: float) -> Piecewise:
+def scale_motion(motion: Motion, factor: float) -> Piecewise:
     """Return a base motion times a factor; -1 reverses it.
 
     Parameters
@@ -43,9 +43,9 @@ def scaled(motion: Motion, factor: float) -> Piecewise:
 
     Examples
     --------
-    >>> from rocksteady import Pulse, scaled
+    >>> from rocksteady import Pulse, scale_motion
     >>> pulse = Pulse(shape="rectangle", amplitude=1.5, frequency_ratio=2.0)
-    >>> [piece.constant for piece in scaled(pulse, -1.0).segments()]
+    >>> [piece.constant for piece in scale_motion(pulse, -1.0).segments()]
     [-1.5]
     """
     by = in_range("factor", factor, -LARGEST, LARGEST, "[]", hint="give a number; -1 turns round")
@@ -64,7 +64,7 @@ def scaled(motion: Motion, factor: float) -> Piecewise:
 
 
 @checked
-def delayed(motion: Motion, by: float) -> Piecewise:
+def delay_motion(motion: Motion, by: float) -> Piecewise:
     """Return a base motion that begins later, after a still base.
 
     Parameters
@@ -81,9 +81,9 @@ def delayed(motion: Motion, by: float) -> Piecewise:
 
     Examples
     --------
-    >>> from rocksteady import Pulse, delayed
+    >>> from rocksteady import Pulse, delay_motion
     >>> pulse = Pulse(shape="rectangle", amplitude=1.5, frequency_ratio=2.0)
-    >>> [piece.duration for piece in delayed(pulse, 0.5).segments()]
+    >>> [piece.duration for piece in delay_motion(pulse, 0.5).segments()]
     [0.5, 1.5707963267948966]
     """
     wait = in_range("by", by, 0.0, LONGEST_DURATION, "[]", hint="give a pivot time p t")
@@ -92,7 +92,7 @@ def delayed(motion: Motion, by: float) -> Piecewise:
 
 
 @checked
-def joined(*motions: Motion) -> Piecewise:
+def join_motions(*motions: Motion) -> Piecewise:
     """Return base motions in sequence, each beginning where the previous one ends.
 
     Parameters
@@ -107,16 +107,16 @@ def joined(*motions: Motion) -> Piecewise:
 
     Examples
     --------
-    >>> from rocksteady import Pulse, joined, scaled
+    >>> from rocksteady import Pulse, join_motions, scale_motion
     >>> lobe = Pulse(shape="rectangle", amplitude=1.5, frequency_ratio=2.0)
-    >>> [piece.constant for piece in joined(lobe, scaled(lobe, -1.0)).segments()]
+    >>> [piece.constant for piece in join_motions(lobe, scale_motion(lobe, -1.0)).segments()]
     [1.5, -1.5]
     """
     return Piecewise(pieces=tuple(piece for motion in motions for piece in _segments(motion)))
 
 
 @checked
-def added(*motions: Motion, tolerance: float = SUM_TOLERANCE) -> Piecewise:
+def add_motions(*motions: Motion, tolerance: float = SUM_TOLERANCE) -> Piecewise:
     """Return the sum of base motions that begin together.
 
     Constants, slopes and sinusoids of one frequency add up in closed form.  While sinusoids of
@@ -140,9 +140,9 @@ def added(*motions: Motion, tolerance: float = SUM_TOLERANCE) -> Piecewise:
 
     Examples
     --------
-    >>> from rocksteady import Pulse, added, delayed
+    >>> from rocksteady import Pulse, add_motions, delay_motion
     >>> pulse = Pulse(shape="rectangle", amplitude=1.5, frequency_ratio=2.0)
-    >>> [piece.constant for piece in added(pulse, delayed(pulse, 0.5)).segments()]
+    >>> [piece.constant for piece in add_motions(pulse, delay_motion(pulse, 0.5)).segments()]
     [1.5, 3.0, 1.5]
     """
     error = positive("tolerance", tolerance, hint="give a small part of alpha g, as 1e-6")

@@ -35,8 +35,8 @@ class Pulse:
     """A single pulse of base acceleration, followed by a still base.
 
     Positive acceleration drives positive rotation, as everywhere in the package; in [1]_ the
-    rotation has the opposite sign.  `scaled` turns a pulse round; `delayed`, `joined` and `added`
-    put pulses together.
+    rotation has the opposite sign.  `scale_motion` turns a pulse round; `delay_motion`,
+    `join_motions` and `add_motions` put pulses together.
 
     Parameters
     ----------

@@ -14,8 +14,8 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import positive
 from rocksteady.model.motions.record import Record
 from rocksteady.seismic.measures._durations import absolute_velocity, strong_shaking
-from rocksteady.seismic.measures.response_spectrum import DAMPING, response_spectrum
-from rocksteady.seismic.measures.time_course import ground_course
+from rocksteady.seismic.measures.response_spectrum import DAMPING, compute_response_spectrum
+from rocksteady.seismic.measures.time_course import integrate_record
 
 Floats = NDArray[np.float64]
 
@@ -54,7 +54,7 @@ WORDS: Mapping[str, tuple[str, str]] = {
 @checked_result
 @dataclass(frozen=True, kw_only=True)
 class IntensityMeasures:
-    """Intensity measures of a record, from `rocksteady.intensity_measures`.
+    """Intensity measures of a record, from `rocksteady.measure_intensity`.
 
     All are exact for an acceleration that is linear between samples, from rest, but for
     `arias_of_samples_m_s`, `mean_period_s`, which is made of the samples' Fourier amplitudes, and
@@ -142,7 +142,7 @@ class IntensityMeasures:
 
 
 @checked
-def intensity_measures(
+def measure_intensity(
     record: Record,
     block: Block | None = None,
     *,
@@ -178,9 +178,9 @@ def intensity_measures(
     A period of a sine of 2 m/s^2 and 1 Hz, whose velocity grows to 2/pi and falls to 0 again:
 
     >>> import numpy as np
-    >>> from rocksteady import Block, Record, intensity_measures
+    >>> from rocksteady import Block, Record, measure_intensity
     >>> samples = 2.0 * np.sin(2.0 * np.pi * np.arange(1001) / 1000)
-    >>> found = intensity_measures(Record(acceleration_m_s2=samples, dt_s=0.001))
+    >>> found = measure_intensity(Record(acceleration_m_s2=samples, dt_s=0.001))
     >>> print(f"{found.pgv_m_s:.4f} {found.pgd_m:.4f} {found.cav_m_s:.4f}")
     0.6366 0.3183 1.2732
     """
@@ -193,13 +193,13 @@ def intensity_measures(
         )
     hint = "give an acceleration in m/s^2"
     threshold = positive("threshold_m_s2", threshold_m_s2, hint=hint)
-    course = ground_course(record)
+    course = integrate_record(record)
     pga, pgv = abs(course.peak_acceleration.value), abs(course.peak_velocity.value)
     begin, most, end = (course.time_of_arias(part) for part in (0.05, 0.75, 0.95))
     arias = float(course.arias_m_s[-1])
     squares = float(np.trapezoid(np.square(record.acceleration_m_s2), dx=record.dt_s))
     strong = strong_shaking(record, threshold)
-    spectrum = response_spectrum(record, HOUSNER_PERIODS_S, damping=damping)
+    spectrum = compute_response_spectrum(record, HOUSNER_PERIODS_S, damping=damping)
     return IntensityMeasures(
         pga_m_s2=pga,
         pga_g=pga / STANDARD_GRAVITY,

@@ -66,7 +66,7 @@ class ResponseSpectrum:
 
 
 @checked
-def response_spectrum(
+def compute_response_spectrum(
     record: Record, periods_s: ArrayLike, *, damping: float = DAMPING
 ) -> ResponseSpectrum:
     """Return the elastic response spectrum of a record.
@@ -188,5 +188,5 @@ def average_spectral_acceleration(
     if low >= high:
         raise InputError("span", span, "its ends must ascend", "give (0.2, 3.0)")
     periods = middle * np.linspace(low, high, count)
-    found = response_spectrum(record, periods, damping=damping)
+    found = compute_response_spectrum(record, periods, damping=damping)
     return exp(float(np.mean(log(found.pseudo_acceleration_m_s2))))

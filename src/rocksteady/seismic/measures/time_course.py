@@ -45,7 +45,7 @@ class Peak:
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
-class GroundCourse:
+class IntegratedRecord:
     """Ground motion at every sample of a record, starting from rest.
 
     Attributes
@@ -155,7 +155,7 @@ class GroundCourse:
 
 
 @checked
-def ground_course(record: Record) -> GroundCourse:
+def integrate_record(record: Record) -> IntegratedRecord:
     """Return acceleration, velocity and displacement of the ground, from rest.
 
     The acceleration is linear between its samples, and is integrated exactly.
@@ -167,7 +167,7 @@ def ground_course(record: Record) -> GroundCourse:
 
     Returns
     -------
-    GroundCourse
+    IntegratedRecord
         Velocity, displacement and Arias intensity at each sample, and exact peaks between them.
 
     Raises
@@ -177,8 +177,8 @@ def ground_course(record: Record) -> GroundCourse:
 
     Examples
     --------
-    >>> from rocksteady import Record, ground_course
-    >>> course = ground_course(Record(acceleration_m_s2=[1.0, 1.0, -1.0, -1.0], dt_s=1.0))
+    >>> from rocksteady import Record, integrate_record
+    >>> course = integrate_record(Record(acceleration_m_s2=[1.0, 1.0, -1.0, -1.0], dt_s=1.0))
     >>> course.velocity_m_s.tolist(), course.peak_velocity
     ([0.0, 1.0, 1.0, 0.0], Peak(value=1.25, t_s=1.5))
     """
@@ -188,7 +188,7 @@ def ground_course(record: Record) -> GroundCourse:
     velocity = _summed(0.5 * h * (a0 + a1))
     displacement = _summed(h * velocity[:-1] + h * h / 6.0 * (2.0 * a0 + a1))
     energy = _summed(h / 3.0 * (a0 * a0 + a0 * a1 + a1 * a1))
-    return GroundCourse(
+    return IntegratedRecord(
         record=record,
         t_s=h * np.arange(len(a), dtype=np.float64),
         velocity_m_s=velocity,

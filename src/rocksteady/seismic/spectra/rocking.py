@@ -52,7 +52,7 @@ OUTPUTS = (
 
 
 @checked
-def rocking_spectrum(
+def compute_rocking_spectrum(
     records: Record | BaseMotion | Sequence[Record | BaseMotion],
     *,
     alpha: ArrayLike,
@@ -121,10 +121,10 @@ def rocking_spectrum(
     Examples
     --------
     >>> import numpy as np
-    >>> from rocksteady import Record, rocking_spectrum
+    >>> from rocksteady import Record, compute_rocking_spectrum
     >>> time = np.arange(0.0, 1.0, 0.01)
     >>> shock = Record(acceleration_m_s2=4.0 * np.sin(2.0 * np.pi * time), dt_s=0.01)
-    >>> found = rocking_spectrum(shock, alpha=0.2, periods_s=[2.0, 4.0, 8.0])
+    >>> found = compute_rocking_spectrum(shock, alpha=0.2, periods_s=[2.0, 4.0, 8.0])
     >>> found.peak_angle.values.round(4)
     array([1.    , 1.    , 0.1789])
     >>> found.status.values

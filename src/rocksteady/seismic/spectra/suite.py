@@ -20,7 +20,7 @@ QUANTILES = (0.16, 0.5, 0.84)
 
 
 @checked
-def suite_spectrum(
+def summarise_spectra(
     found: "xarray.Dataset", quantiles: Sequence[float] = QUANTILES
 ) -> "xarray.Dataset":
     """Return quantiles of a suite's rocking spectra, and the share of records that overturn.
@@ -32,7 +32,7 @@ def suite_spectrum(
     Parameters
     ----------
     found
-        From `rocking_spectrum`, of several records.
+        From `compute_rocking_spectrum`, of several records.
     quantiles
         From 0 to 1.
 
@@ -51,11 +51,11 @@ def suite_spectrum(
 
     Examples
     --------
-    >>> from rocksteady import Record, rocking_spectrum, suite_spectrum
+    >>> from rocksteady import Record, compute_rocking_spectrum, summarise_spectra
     >>> shock = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.2)
     >>> suite = [shock.scaled(factor) for factor in (0.6, 0.8, 4.0)]
-    >>> found = rocking_spectrum(suite, alpha=0.2, periods_s=[4.0, 8.0])
-    >>> summary = suite_spectrum(found, quantiles=(0.5,))
+    >>> found = compute_rocking_spectrum(suite, alpha=0.2, periods_s=[4.0, 8.0])
+    >>> summary = summarise_spectra(found, quantiles=(0.5,))
     >>> summary.peak_angle.values.round(4)
     array([[0.0771, 0.0185]])
     >>> summary.overturned.values.round(3)
@@ -68,7 +68,7 @@ def suite_spectrum(
             "found",
             ", ".join(map(str, found.dims)),
             "it has no axis of records",
-            "give rocking_spectrum a list of records",
+            "give compute_rocking_spectrum a list of records",
         )
     hint = "give parts, as (0.16, 0.5, 0.84)"
     parts = [in_range("quantiles", part, 0.0, 1.0, "[]", hint=hint) for part in quantiles]

@@ -42,9 +42,9 @@ def export(dataset: "xarray.Dataset", file: Path | str) -> None:
     --------
     >>> from pathlib import Path
     >>> from tempfile import TemporaryDirectory
-    >>> from rocksteady import DimensionlessBlock, attractor_map, export
+    >>> from rocksteady import DimensionlessBlock, map_attractors, export
     >>> axes = {"amplitude": [0.5, 2.0], "frequency_ratio": [1.0, 4.0]}
-    >>> found = attractor_map(DimensionlessBlock(restitution=0.8), axes=axes)
+    >>> found = map_attractors(DimensionlessBlock(restitution=0.8), axes=axes)
     >>> with TemporaryDirectory() as folder:
     ...     file = Path(folder) / "map.csv"
     ...     export(found[["kind", "period"]], file)

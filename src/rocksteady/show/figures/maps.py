@@ -41,7 +41,7 @@ def map_figure(found: "xarray.Dataset", title: str = "", page: Page = SCREEN) ->
     Parameters
     ----------
     found
-        From `rocksteady.attractor_map` or `rocksteady.fate_map`.
+        From `rocksteady.map_attractors` or `rocksteady.map_fates`.
     title
         Above the panels.
     page
@@ -55,8 +55,8 @@ def map_figure(found: "xarray.Dataset", title: str = "", page: Page = SCREEN) ->
 
     Examples
     --------
-    >>> from rocksteady import DimensionlessBlock, attractor_map
-    >>> found = attractor_map(
+    >>> from rocksteady import DimensionlessBlock, map_attractors
+    >>> found = map_attractors(
     ...     DimensionlessBlock(restitution=0.8),
     ...     axes={
     ...         "restitution": [0.7, 0.9],

@@ -7,17 +7,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rocksteady.dynamics.basins.basins import Basins
-from rocksteady.dynamics.basins.erosion import Drop, Erosion
+from rocksteady.dynamics.basins.erosion import Erosion, IntegrityDrop
 from rocksteady.dynamics.continuation.points import Branch
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.dynamics.orbits.orbit import Orbit
-from rocksteady.dynamics.orbits.trail import AttractorTrail
+from rocksteady.dynamics.orbits.trail import AttractorSweep
 from rocksteady.dynamics.overturning.windows import OverturningWindows
 from rocksteady.dynamics.steady.regions import RegionMap
 from rocksteady.dynamics.steady.response import ResponseCurve
 from rocksteady.dynamics.steady.states import SteadyOrbit
 from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
-from rocksteady.seismic.measures.time_course import GroundCourse
+from rocksteady.seismic.measures.time_course import IntegratedRecord
 from rocksteady.show.plots.basins import plot_basins, plot_erosion, plot_safe_basin
 from rocksteady.show.plots.bifurcations import plot_bifurcations
 from rocksteady.show.plots.motion import plot_base, plot_phase_portrait, plot_trajectory
@@ -25,8 +25,8 @@ from rocksteady.show.plots.orbits import plot_multipliers, plot_section
 from rocksteady.show.plots.overturning import plot_overturning
 from rocksteady.show.plots.records import (
     Quantity,
-    plot_ground_course,
     plot_husid,
+    plot_integrated_record,
     plot_response_spectra,
 )
 from rocksteady.show.plots.steady import (
@@ -228,7 +228,7 @@ def basins_figure(basins: Basins, title: str = "", page: Page = SCREEN) -> "Figu
 
 
 def erosion_figure(
-    erosion: Erosion, drops: Sequence[Drop] = (), title: str = "", page: Page = SCREEN
+    erosion: Erosion, drops: Sequence[IntegrityDrop] = (), title: str = "", page: Page = SCREEN
 ) -> "Figure":
     """Return a figure of the measures of integrity, and of up to three safe basins below them.
 
@@ -263,7 +263,7 @@ def overturning_figure(
 
 def bifurcation_figure(
     branches: Sequence[Branch],
-    trails: Sequence[AttractorTrail],
+    trails: Sequence[AttractorSweep],
     parameter: str,
     *,
     top: float | None = None,
@@ -282,7 +282,7 @@ def bifurcation_figure(
 
 
 def record_figure(
-    courses: Sequence[GroundCourse],
+    courses: Sequence[IntegratedRecord],
     spectra: Sequence[ResponseSpectrum],
     title: str = "",
     page: Page = SCREEN,
@@ -313,7 +313,7 @@ def record_figure(
             rows = [figure.add_subplot(place) for place in places]
         quantities: tuple[Quantity, ...] = ("acceleration", "velocity", "displacement")
         for axes, quantity in zip(rows, quantities, strict=False):
-            plot_ground_course(courses[0], axes, quantity=quantity)
+            plot_integrated_record(courses[0], axes, quantity=quantity)
         for axes in rows[:2]:
             axes.set_xlabel("")
             axes.tick_params(labelbottom=False)

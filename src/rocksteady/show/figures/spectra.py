@@ -27,8 +27,8 @@ def spectrum_figure(found: "xarray.Dataset", title: str = "", page: Page = SCREE
     Parameters
     ----------
     found
-        From `rocksteady.rocking_spectrum`, as for `rocksteady.plot_rocking_spectrum`, but of any
-        number of slendernesses: more than six are a map.
+        From `rocksteady.compute_rocking_spectrum`, as for `rocksteady.plot_rocking_spectrum`, but
+        of any number of slendernesses: more than six are a map.
     title
         Above the panels.
     page
@@ -52,7 +52,7 @@ def suite_figure(summary: "xarray.Dataset", title: str = "", page: Page = SCREEN
     Parameters
     ----------
     summary
-        From `rocksteady.suite_spectrum`, of one scale and at most six slendernesses.
+        From `rocksteady.summarise_spectra`, of one scale and at most six slendernesses.
     title
         Above the panels.
     page

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.orbits.trail import AttractorTrail
+from rocksteady.dynamics.orbits.trail import AttractorSweep
 from rocksteady.show.style import palette
 from rocksteady.show.style.legends import line_scale, size_of, text_size
 from rocksteady.show.style.line_colours import inks_of
@@ -36,7 +36,7 @@ NAMES_WIDTH = 24.0
 """Of the names of the rows, to the right of the axes [points]."""
 
 
-def draw_sweeps(axes: "Axes", trails: Sequence[AttractorTrail], *, sizes: bool) -> list["Artist"]:
+def draw_sweeps(axes: "Axes", trails: Sequence[AttractorSweep], *, sizes: bool) -> list["Artist"]:
     """Draw the dots and bars of sweeps and return the entries of the legend.
 
     Parameters
@@ -91,7 +91,7 @@ def lane_of(axes: "Axes") -> float:
     return min(0.12, LANE / size_of(axes)[1])
 
 
-def draw_dots(axes: "Axes", trails: Sequence[AttractorTrail], *, sizes: bool) -> None:
+def draw_dots(axes: "Axes", trails: Sequence[AttractorSweep], *, sizes: bool) -> None:
     """Draw what sweeps meet; the parameters are those of `draw_sweeps`."""
     inks, scale = inks_of(axes), line_scale(axes)
     for trail in trails:
@@ -108,7 +108,7 @@ def draw_dots(axes: "Axes", trails: Sequence[AttractorTrail], *, sizes: bool) ->
             axes.plot(x, y, marker="o", ms=big * scale, zorder=2.0 - 0.1 * way, **look)
 
 
-def _bars(trail: AttractorTrail, fate: str) -> list[tuple[float, float]]:
+def _bars(trail: AttractorSweep, fate: str) -> list[tuple[float, float]]:
     """Return begin and width of each run of values at which a sweep's motion ended so."""
     order = np.argsort(trail.values)
     values = trail.values[order]

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.basins.basins import Basins
-from rocksteady.dynamics.basins.erosion import Drop, Erosion
+from rocksteady.dynamics.basins.erosion import Erosion, IntegrityDrop
 from rocksteady.dynamics.basins.labels import BasinAttractor
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import index_value
@@ -40,7 +40,7 @@ def plot_basins(
     Parameters
     ----------
     basins
-        From `rocksteady.basins`.
+        From `rocksteady.compute_basins`.
     ax
         Axes to draw on; those of a new figure without.
     legend
@@ -55,10 +55,10 @@ def plot_basins(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import DimensionlessBlock, Harmonic, basins
+    >>> from rocksteady import DimensionlessBlock, Harmonic, compute_basins
     >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
     >>> axes = plot_basins(
-    ...     basins(DimensionlessBlock(restitution=0.8), shaking), Figure().add_subplot()
+    ...     compute_basins(DimensionlessBlock(restitution=0.8), shaking), Figure().add_subplot()
     ... )
     >>> [text.get_text() for text in axes.get_legend().get_texts()]
     ['overturned  92.8 %', 'unsymmetric-1a  3.4 %', 'unsymmetric-1b  3.8 %']
@@ -119,7 +119,7 @@ def plot_erosion(
     erosion: Erosion,
     ax: "Axes | None" = None,
     *,
-    drops: Sequence[Drop] = (),
+    drops: Sequence[IntegrityDrop] = (),
     legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw both integrity measures against amplitude, with the heteroclinic threshold.
@@ -130,7 +130,7 @@ def plot_erosion(
     Parameters
     ----------
     erosion
-        From `rocksteady.erosion`.
+        From `rocksteady.compute_erosion`.
     ax
         Axes to draw on; those of a new figure without.
     drops
@@ -148,8 +148,8 @@ def plot_erosion(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import DimensionlessBlock, erosion
-    >>> found = erosion(DimensionlessBlock(restitution=0.9), 2.0, [0.0, 0.3, 0.6, 0.9])
+    >>> from rocksteady import DimensionlessBlock, compute_erosion
+    >>> found = compute_erosion(DimensionlessBlock(restitution=0.9), 2.0, [0.0, 0.3, 0.6, 0.9])
     >>> axes = plot_erosion(found, Figure().add_subplot(), drops=[found.drop(tolerance=0.1)])
     >>> [text.get_text() for text in axes.get_legend().get_texts()][:2]
     ['integrity factor', 'global integrity measure']
@@ -225,7 +225,7 @@ def plot_safe_basin(erosion: Erosion, index: int, ax: "Axes | None" = None) -> "
     Parameters
     ----------
     erosion
-        From `rocksteady.erosion`.
+        From `rocksteady.compute_erosion`.
     index
         Of the amplitude.
     ax

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.continuation.points import Branch, PointType
 from rocksteady.dynamics.continuation.stability import stretches
-from rocksteady.dynamics.orbits.trail import AttractorTrail
+from rocksteady.dynamics.orbits.trail import AttractorSweep
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
@@ -48,7 +48,7 @@ CROWDED = 8
 @checked
 def plot_bifurcations(
     branches: Iterable[Branch],
-    trails: Iterable[AttractorTrail] = (),
+    trails: Iterable[AttractorSweep] = (),
     ax: "Axes | None" = None,
     *,
     side: Side = "positive",
@@ -72,9 +72,9 @@ def plot_bifurcations(
     Parameters
     ----------
     branches
-        From `rocksteady.bifurcation_branches`, all over one parameter.
+        From `rocksteady.find_branches`, all over one parameter.
     trails
-        From `rocksteady.attractor_trail`, over the same.
+        From `rocksteady.sweep_attractor`, over the same.
     ax
         Axes to draw on; those of a new figure without.
     side
@@ -101,10 +101,10 @@ def plot_bifurcations(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import DimensionlessBlock, Harmonic, bifurcation_branches, orbits
+    >>> from rocksteady import DimensionlessBlock, Harmonic, find_branches, find_orbits
     >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=2.2)
-    >>> starts = orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)
-    >>> branches = bifurcation_branches(starts[:1], "frequency_ratio", (1.6, 2.4), max_period=1)
+    >>> starts = find_orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)
+    >>> branches = find_branches(starts[:1], "frequency_ratio", (1.6, 2.4), max_period=1)
     >>> axes = plot_bifurcations(branches, ax=Figure().add_subplot())
     >>> for entry in axes.get_legend().get_texts():
     ...     print(entry.get_text())
@@ -167,7 +167,7 @@ def _lies_low(marked: Sequence[float], ends: Floats) -> bool:
     return float(np.quantile(marked, 0.9)) < low + LOWEST_PART * (high - low)
 
 
-def _parameter(drawn: Sequence[Branch | AttractorTrail]) -> str:
+def _parameter(drawn: Sequence[Branch | AttractorSweep]) -> str:
     """Return the parameter over which all that is drawn is.
 
     Raises

@@ -40,7 +40,7 @@ def plot_bifurcation_curves(
     Parameters
     ----------
     curves
-        Each the points that `rocksteady.bifurcation_curve` yields.
+        Each the points that `rocksteady.follow_bifurcation` yields.
     ax
         Axes to draw on, a `rocksteady.plot_regions` for one; those of a new figure without.
     parameters
@@ -63,13 +63,19 @@ def plot_bifurcation_curves(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import DimensionlessBlock, Harmonic, bifurcation_curve, continuation, orbits
+    >>> from rocksteady import (
+    ...     DimensionlessBlock,
+    ...     Harmonic,
+    ...     follow_bifurcation,
+    ...     follow_branch,
+    ...     find_orbits,
+    ... )
     >>> shaking = Harmonic(amplitude=1.0, frequency_ratio=2.0)
-    >>> start = orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)[0]
-    >>> branch = continuation(start, "amplitude", (0.1, 3.0))
+    >>> start = find_orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)[0]
+    >>> branch = follow_branch(start, "amplitude", (0.1, 3.0))
     >>> breaking = next(point for point in branch if point.type == "symmetry-breaking")
     >>> plane = ("amplitude", "frequency_ratio")
-    >>> curve = bifurcation_curve(breaking, plane, ((0.1, 6.0), (1.0, 4.0)))
+    >>> curve = follow_bifurcation(breaking, plane, ((0.1, 6.0), (1.0, 4.0)))
     >>> axes = plot_bifurcation_curves([list(curve)], Figure().add_subplot())
     >>> print(axes.get_legend().get_texts()[0].get_text(), len(axes.lines))
     symmetry breaking 1
@@ -93,7 +99,7 @@ def plot_bifurcation_curves(
                 "curves",
                 curve[0].type.value,
                 "a curve is one of " + ", ".join(CURVES),
-                "give what bifurcation_curve(...) returns, in lists",
+                "give what follow_bifurcation(...) returns, in lists",
             )
         number, dash, word = CURVES[curve[0].type]
         colour = colour_of(number, inks)

@@ -177,8 +177,8 @@ def map_cells(found: "xarray.Dataset") -> MapCells:
     Parameters
     ----------
     found
-        From `rocksteady.attractor_map` or `rocksteady.fate_map`; of its variables only ``kind`` and
-        ``period``, or ``fate``, are read.
+        From `rocksteady.map_attractors` or `rocksteady.map_fates`; of its variables only ``kind``
+        and ``period``, or ``fate``, are read.
 
     Raises
     ------
@@ -187,9 +187,9 @@ def map_cells(found: "xarray.Dataset") -> MapCells:
 
     Examples
     --------
-    >>> from rocksteady import DimensionlessBlock, attractor_map
+    >>> from rocksteady import DimensionlessBlock, map_attractors
     >>> axes = {"amplitude": [0.5, 2.0], "frequency_ratio": [8.0, 1.0, 4.0]}
-    >>> found = attractor_map(DimensionlessBlock(restitution=0.8), axes=axes)
+    >>> found = map_attractors(DimensionlessBlock(restitution=0.8), axes=axes)
     >>> cells = map_cells(found)
     >>> cells.names, cells.classes
     (('amplitude', 'frequency_ratio'), array([[0, 0, 0],
@@ -245,7 +245,7 @@ def validated_map(found: object, names: Sequence[str]) -> "xarray.Dataset":
             "found",
             sorted(map(str, found)) if isinstance(found, xarray.Dataset) else found,
             f"a map is a dataset with {' and '.join(names)}",
-            "give what attractor_map or fate_map returned, whole",
+            "give what map_attractors or map_fates returned, whole",
         )
     variables = found[list(names)].squeeze()
     if variables[names[0]].ndim == 0 or 0 in variables[names[0]].shape:

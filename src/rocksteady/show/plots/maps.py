@@ -75,7 +75,7 @@ def plot_map(
     Parameters
     ----------
     found
-        From `rocksteady.attractor_map` or `rocksteady.fate_map`; its arrays are read once.
+        From `rocksteady.map_attractors` or `rocksteady.map_fates`; its arrays are read once.
     ax
         Axes to draw on; those of a new figure without.
     legend
@@ -102,10 +102,10 @@ def plot_map(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import DimensionlessBlock, attractor_map
+    >>> from rocksteady import DimensionlessBlock, map_attractors
     >>> block = DimensionlessBlock(restitution=0.8)
     >>> axes = {"amplitude": [0.5, 1.5, 2.5], "frequency_ratio": [1.0, 2.0, 4.0, 8.0]}
-    >>> found = attractor_map(block, axes=axes)
+    >>> found = map_attractors(block, axes=axes)
     >>> axes = plot_map(found, Figure().add_subplot())
     >>> for entry in axes.get_legend().get_texts():
     ...     print(entry.get_text())

@@ -55,7 +55,7 @@ def plot_section(
     Parameters
     ----------
     motions
-        From `rocksteady.orbits`, or from `rocksteady.simulate` under harmonic shaking.
+        From `rocksteady.find_orbits`, or from `rocksteady.simulate` under harmonic shaking.
     ax
         Axes to draw on; those of a new figure without.
     since
@@ -77,9 +77,9 @@ def plot_section(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import DimensionlessBlock, Harmonic, orbits
+    >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
     >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
-    >>> found = orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)
+    >>> found = find_orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)
     >>> axes = plot_section(found, Figure().add_subplot())
     >>> [number.get_text() for number in axes.texts]  # the second is no motion
     ['1', '3']
@@ -126,7 +126,7 @@ def plot_multipliers(
     Parameters
     ----------
     orbits
-        From `rocksteady.orbits`.  Solutions that pass through the floor are left out.
+        From `rocksteady.find_orbits`.  Solutions that pass through the floor are left out.
     ax
         Axes to draw on; those of a new figure without.
     legend
@@ -140,9 +140,9 @@ def plot_multipliers(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import DimensionlessBlock, Harmonic, orbits
+    >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
     >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
-    >>> found = orbits(DimensionlessBlock(restitution=0.8), shaking)
+    >>> found = find_orbits(DimensionlessBlock(restitution=0.8), shaking)
     >>> print([f"{orbit.largest_multiplier:.3g}" for orbit in found if orbit.admissible])
     ['0.64', '3.18', '154', '2.69']
     >>> axes = plot_multipliers(found, Figure().add_subplot())

@@ -63,7 +63,7 @@ def plot_overturning(
     Parameters
     ----------
     windows
-        From `rocksteady.overturning_windows`, of two frequencies or more.
+        From `rocksteady.find_overturning_windows`, of two frequencies or more.
     ax
         Axes to draw on; those of a new figure without.
     closed_form
@@ -85,8 +85,8 @@ def plot_overturning(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import DimensionlessBlock, overturning_windows
-    >>> found = overturning_windows(DimensionlessBlock(restitution=0.9), "one-sine", [2, 3, 4])
+    >>> from rocksteady import DimensionlessBlock, find_overturning_windows
+    >>> found = find_overturning_windows(DimensionlessBlock(restitution=0.9), "one-sine", [2, 3, 4])
     >>> axes = plot_overturning(found, Figure().add_subplot())
     >>> [text.get_text() for text in axes.get_legend().get_texts()][:2]
     ['overturns without an impact', 'without an impact, closed form']
@@ -101,7 +101,7 @@ def plot_overturning(
             "windows",
             Words(f"has {len(w)} frequency ratio"),
             "a spectrum has two or more",
-            "compute overturning_windows over an axis",
+            "compute find_overturning_windows over an axis",
         )
     axes = axes_or_new(ax)
     inks, place = inks_of(axes), place_of(axes, legend, "right")

@@ -9,7 +9,7 @@ from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
-from rocksteady.seismic.measures.time_course import GroundCourse
+from rocksteady.seismic.measures.time_course import IntegratedRecord
 from rocksteady.show.style import palette
 from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
@@ -32,15 +32,15 @@ LEAST_SHOWN = 3.0e-4
 
 
 @checked
-def plot_ground_course(
-    course: GroundCourse, ax: "Axes | None" = None, *, quantity: Quantity = "acceleration"
+def plot_integrated_record(
+    course: IntegratedRecord, ax: "Axes | None" = None, *, quantity: Quantity = "acceleration"
 ) -> "Axes":
     """Draw ground acceleration, velocity or displacement, with its largest value marked.
 
     Parameters
     ----------
     course
-        From `rocksteady.ground_course`.
+        From `rocksteady.integrate_record`.
     ax
         Axes to draw on; those of a new figure without.
     quantity
@@ -59,9 +59,9 @@ def plot_ground_course(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import Record, ground_course
-    >>> course = ground_course(Record(acceleration_m_s2=[0.0, 3.0, -2.0, 0.0], dt_s=0.1))
-    >>> axes = plot_ground_course(course, Figure().add_subplot(), quantity="velocity")
+    >>> from rocksteady import Record, integrate_record
+    >>> course = integrate_record(Record(acceleration_m_s2=[0.0, 3.0, -2.0, 0.0], dt_s=0.1))
+    >>> axes = plot_integrated_record(course, Figure().add_subplot(), quantity="velocity")
     >>> axes.get_ylabel(), axes.texts[0].get_text()
     ('velocity [m/s]', 'PGV = 0.24 m/s')
     """
@@ -106,13 +106,13 @@ def plot_ground_course(
 
 
 @checked
-def plot_husid(course: GroundCourse, ax: "Axes | None" = None) -> "Axes":
+def plot_husid(course: IntegratedRecord, ax: "Axes | None" = None) -> "Axes":
     """Draw Husid's curve, the normalised Arias intensity against time, with 5, 75 and 95 % marked.
 
     Parameters
     ----------
     course
-        From `rocksteady.ground_course`.
+        From `rocksteady.integrate_record`.
     ax
         Axes to draw on; those of a new figure without.
 
@@ -124,8 +124,8 @@ def plot_husid(course: GroundCourse, ax: "Axes | None" = None) -> "Axes":
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import Record, ground_course
-    >>> course = ground_course(Record(acceleration_m_s2=[0.0, 3.0, -2.0, 0.0], dt_s=0.1))
+    >>> from rocksteady import Record, integrate_record
+    >>> course = integrate_record(Record(acceleration_m_s2=[0.0, 3.0, -2.0, 0.0], dt_s=0.1))
     >>> axes = plot_husid(course, Figure().add_subplot())
     >>> axes.get_ylabel()
     'part of Arias intensity'
@@ -166,7 +166,7 @@ def plot_response_spectra(
     Parameters
     ----------
     spectra
-        From `rocksteady.response_spectrum`, at the same periods.
+        From `rocksteady.compute_response_spectrum`, at the same periods.
     ax
         Axes to draw on; those of a new figure without.
     legend

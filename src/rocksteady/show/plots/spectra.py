@@ -55,8 +55,8 @@ def plot_rocking_spectrum(
     Parameters
     ----------
     found
-        From `rocksteady.rocking_spectrum`, of one record and one scale, over two periods or more,
-        of at most six slendernesses.
+        From `rocksteady.compute_rocking_spectrum`, of one record and one scale, over two periods
+        or more, of at most six slendernesses.
     ax
         Axes to draw on; those of a new figure without.
     quantity
@@ -77,9 +77,9 @@ def plot_rocking_spectrum(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import Record, rocking_spectrum
+    >>> from rocksteady import Record, compute_rocking_spectrum
     >>> shock = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.2)
-    >>> found = rocking_spectrum(shock, alpha=[0.1, 0.2], periods_s=[2.0, 3.0, 5.0, 8.0])
+    >>> found = compute_rocking_spectrum(shock, alpha=[0.1, 0.2], periods_s=[2.0, 3.0, 5.0, 8.0])
     >>> axes = plot_rocking_spectrum(found, Figure().add_subplot())
     >>> for entry in axes.get_legend().get_texts():
     ...     print(entry.get_text())
@@ -157,8 +157,8 @@ def plot_spectrum_map(
     Parameters
     ----------
     found
-        From `rocksteady.rocking_spectrum`, of one record and one scale, over two periods and two
-        slendernesses or more.
+        From `rocksteady.compute_rocking_spectrum`, of one record and one scale, over two periods
+        and two slendernesses or more.
     ax
         Axes to draw on; those of a new figure without.
     quantity
@@ -180,9 +180,11 @@ def plot_spectrum_map(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import Record, rocking_spectrum
+    >>> from rocksteady import Record, compute_rocking_spectrum
     >>> shock = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.2)
-    >>> found = rocking_spectrum(shock, alpha=[0.1, 0.2, 0.3], periods_s=[2.0, 3.0, 5.0, 8.0])
+    >>> found = compute_rocking_spectrum(
+    ...     shock, alpha=[0.1, 0.2, 0.3], periods_s=[2.0, 3.0, 5.0, 8.0]
+    ... )
     >>> axes = plot_spectrum_map(found, Figure().add_subplot())
     >>> for entry in axes.get_legend().get_texts():
     ...     print(entry.get_text())
@@ -265,7 +267,7 @@ def plot_suite_spectrum(
     Parameters
     ----------
     summary
-        From `rocksteady.suite_spectrum`, of one slenderness and scale and three quantiles.
+        From `rocksteady.summarise_spectra`, of one slenderness and scale and three quantiles.
     ax
         Axes to draw on; those of a new figure without.
     quantity
@@ -286,11 +288,11 @@ def plot_suite_spectrum(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import Record, rocking_spectrum, suite_spectrum
+    >>> from rocksteady import Record, compute_rocking_spectrum, summarise_spectra
     >>> shock = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.2)
     >>> suite = [shock.scaled(factor) for factor in (0.6, 0.8, 1.0)]
-    >>> found = rocking_spectrum(suite, alpha=0.2, periods_s=[3.0, 5.0, 8.0])
-    >>> axes = plot_suite_spectrum(suite_spectrum(found), Figure().add_subplot())
+    >>> found = compute_rocking_spectrum(suite, alpha=0.2, periods_s=[3.0, 5.0, 8.0])
+    >>> axes = plot_suite_spectrum(summarise_spectra(found), Figure().add_subplot())
     >>> [text.get_text() for text in axes.get_legend().get_texts()]
     ['median of 3 records', '16 to 84 %']
     """
@@ -367,8 +369,8 @@ def drawable(found: "xarray.Dataset") -> "xarray.Dataset":
         raise InputError(
             "found",
             sorted(map(str, getattr(given, "data_vars", {}))) or given,
-            "it is the result of rocking_spectrum",
-            "compute rocking_spectrum(record, alpha=..., periods_s=...)",
+            "it is the result of compute_rocking_spectrum",
+            "compute compute_rocking_spectrum(record, alpha=..., periods_s=...)",
         )
     one = found.squeeze([name for name in ("record", "scale") if found.sizes.get(name) == 1])
     several = [name for name in ("record", "scale") if name in one.dims]
@@ -377,7 +379,7 @@ def drawable(found: "xarray.Dataset") -> "xarray.Dataset":
             "found",
             Words(f"has {one.sizes[several[0]]} values of {several[0]}"),
             "one record and one scale are drawn",
-            "select one with .isel, or draw the suite_spectrum of the records",
+            "select one with .isel, or draw the summarise_spectra of the records",
         )
     _check_periods(one)
     return one.sortby("period")
@@ -395,8 +397,8 @@ def _one_slenderness(summary: "xarray.Dataset") -> tuple["xarray.Dataset", list[
         raise InputError(
             "summary",
             given,
-            "it is the result of suite_spectrum",
-            "compute suite_spectrum(rocking_spectrum(records, ...))",
+            "it is the result of summarise_spectra",
+            "compute summarise_spectra(compute_rocking_spectrum(records, ...))",
         )
     one = summary.squeeze([name for name in ("alpha", "scale") if summary.sizes.get(name) == 1])
     if set(one.dims) - {"quantile", "period"} or one.sizes["quantile"] != 3:
@@ -418,7 +420,7 @@ def _check_periods(one: "xarray.Dataset") -> None:
             "found",
             Words("has one period"),
             "a spectrum is drawn over two periods or more",
-            "compute rocking_spectrum over several periods_s",
+            "compute compute_rocking_spectrum over several periods_s",
         )
 
 

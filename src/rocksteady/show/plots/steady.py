@@ -40,7 +40,7 @@ def plot_orbit(
     Parameters
     ----------
     orbit
-        From `rocksteady.steady_orbit`.
+        From `rocksteady.compute_steady_orbit`.
     ax
         Axes to draw on; those of a new figure without.
     label
@@ -56,10 +56,10 @@ def plot_orbit(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import steady_orbit
+    >>> from rocksteady import compute_steady_orbit
     >>> axes = Figure().add_subplot()
     >>> for branch in (1, 2):
-    ...     orbit = steady_orbit(0.75, 4.0, 0.5, branch=branch)
+    ...     orbit = compute_steady_orbit(0.75, 4.0, 0.5, branch=branch)
     ...     axes = plot_orbit(orbit, axes, label=f"branch {branch}", series=branch - 1)
     >>> print(len(axes.lines), axes.get_xlim()[1])
     2 1.0
@@ -99,7 +99,7 @@ def plot_regions(
     Parameters
     ----------
     curves
-        From `rocksteady.region_map`.
+        From `rocksteady.compute_region_map`.
     ax
         Axes to draw on; those of a new figure without.
     point
@@ -121,8 +121,8 @@ def plot_regions(
     --------
     >>> import numpy as np
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import region_map
-    >>> curves = region_map(np.linspace(0.1, 14.0, 300), 0.5)
+    >>> from rocksteady import compute_region_map
+    >>> curves = compute_region_map(np.linspace(0.1, 14.0, 300), 0.5)
     >>> axes = plot_regions(curves, Figure().add_subplot(), point=(4.0, 2.0))
     >>> print(axes.get_ylim()[1], [number.get_text() for number in axes.texts])
     6.0 ['1', '2', '4']
@@ -221,7 +221,7 @@ def plot_response(
     Parameters
     ----------
     curves
-        From `rocksteady.response_curve`, at least one.
+        From `rocksteady.compute_response_curve`, at least one.
     ax
         Axes to draw on; those of a new figure without.
     hertz
@@ -242,10 +242,10 @@ def plot_response(
     --------
     >>> import numpy as np
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import DimensionlessBlock, response_curve
+    >>> from rocksteady import DimensionlessBlock, compute_response_curve
     >>> block = DimensionlessBlock(restitution=0.8)
     >>> w = np.linspace(1.0, 8.0, 100)
-    >>> curves = [response_curve(block, a, frequency_ratio=w) for a in (1.0, 2.0)]
+    >>> curves = [compute_response_curve(block, a, frequency_ratio=w) for a in (1.0, 2.0)]
     >>> axes = plot_response(curves, Figure().add_subplot())
     >>> print(axes.get_yscale(), [entry.get_text() for entry in axes.get_legend().get_texts()])
     log ['A = 1', 'A = 2']
@@ -255,7 +255,7 @@ def plot_response(
             "curves",
             curves,
             "there must be one or more",
-            "give what response_curve(...) returns, in a list",
+            "give what compute_response_curve(...) returns, in a list",
         )
     top = _checked_top(top, labels, len(curves))
     axes = axes_or_new(ax)

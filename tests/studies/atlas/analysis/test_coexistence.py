@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from rocksteady import DimensionlessBlock, Harmonic, Run, orbits
+from rocksteady import DimensionlessBlock, Harmonic, Run, find_orbits
 from rocksteady.studies.atlas.analysis.coexistence import (
     MOST,
     OrbitClass,
@@ -45,7 +45,7 @@ def test_every_orbit_that_the_search_calls_stable_is_one() -> None:
         for kind in kinds:
             if kind.period not in (1, 3, 5) or kind.impacts != 2:
                 continue
-            several = orbits(BLOCK, shaking, max_period=kind.period, max_impacts=2, seeds=48)
+            several = find_orbits(BLOCK, shaking, max_period=kind.period, max_impacts=2, seeds=48)
             assert any(
                 orbit.stable and orbit.period == kind.period and orbit.symmetric != kind.unsymmetric
                 for orbit in several

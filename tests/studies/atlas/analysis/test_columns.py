@@ -9,9 +9,9 @@ from rocksteady import (
     PointType,
     Run,
     Steady,
-    attractor,
-    boundaries,
-    orbits,
+    find_attractor,
+    find_orbits,
+    region_boundaries,
     symmetry_breaking_amplitude,
 )
 from rocksteady.studies.atlas.analysis.columns import column, columns, followed
@@ -26,7 +26,7 @@ def test_a_column_begins_and_breaks_where_the_closed_forms_say(
     order: int, ratio: float, restitution: float
 ) -> None:
     bands = column(restitution, ratio, 8.0, order)
-    assert bands.lowest == boundaries(ratio, restitution, order=order).existence
+    assert bands.lowest == region_boundaries(ratio, restitution, order=order).existence
     breaking = float(symmetry_breaking_amplitude(ratio, restitution, order=order))
     assert bands.borders[0] == pytest.approx(min(breaking, 8.0), rel=1e-12)
     assert list(bands.borders) == sorted(bands.borders)
@@ -100,7 +100,7 @@ def test_bands_agree_with_the_search_for_orbits_at_random_points() -> None:
         name = [*seen][which]
         seen[name] += 1
         shaking = Harmonic(amplitude=amplitude, frequency_ratio=ratio)
-        found = attractor(BLOCK, shaking, start=Steady(order=order, kick=1e-3))
+        found = find_attractor(BLOCK, shaking, start=Steady(order=order, kick=1e-3))
         if which < 3:
             expected = (order * (2 if which == 2 else 1), 4 if which == 2 else 2, which == 0)
             match = (
@@ -108,7 +108,7 @@ def test_bands_agree_with_the_search_for_orbits_at_random_points() -> None:
                 and (found.orbit.period, found.orbit.impacts, found.orbit.symmetric) == expected
             )
             if not match:  # the kick led elsewhere: is the orbit there all the same?
-                several = orbits(
+                several = find_orbits(
                     BLOCK, shaking, max_period=expected[0], max_impacts=expected[1], seeds=160
                 )
                 match = any(
@@ -117,7 +117,7 @@ def test_bands_agree_with_the_search_for_orbits_at_random_points() -> None:
                 )
             assert match, (order, ratio, amplitude, name)
         else:
-            several = orbits(BLOCK, shaking, max_period=order, max_impacts=2, seeds=32)
+            several = find_orbits(BLOCK, shaking, max_period=order, max_impacts=2, seeds=32)
             assert not any(
                 orbit.stable for orbit in several if (orbit.period, orbit.impacts) == (order, 2)
             ), (order, ratio, amplitude)

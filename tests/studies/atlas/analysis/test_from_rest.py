@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from rocksteady import DimensionlessBlock, Harmonic, attractor, attractor_map
+from rocksteady import DimensionlessBlock, Harmonic, find_attractor, map_attractors
 from rocksteady.studies.atlas.analysis.from_rest import FATES, PHASES
 from tests.studies.atlas.small import plane, small
 
@@ -21,7 +21,7 @@ def test_fates_are_those_of_single_calls() -> None:
             frequency_ratio=float(plane().ratios[column]),
             phase=float(found.phases[which]),
         )
-        single = attractor(BLOCK, shaking, cycles=500)
+        single = find_attractor(BLOCK, shaking, cycles=500)
         fate = FATES[int(found.fate[which, row, column])]
         if single.orbit is None:
             assert fate == str(single.kind.value)
@@ -38,7 +38,7 @@ def test_half_a_period_later_everything_is_mirrored() -> None:
     amplitude, ratio = plane().amplitudes[::3], plane().ratios[::4]
     phases = np.array([0.0, 0.9, math.pi, 0.9 + math.pi])
     axes = {"phase": phases, "amplitude": amplitude, "frequency_ratio": ratio}
-    kind = attractor_map(BLOCK, axes=axes, cycles=500).kind.values
+    kind = map_attractors(BLOCK, axes=axes, cycles=500).kind.values
     np.testing.assert_array_equal(kind[:2], kind[2:])
 
 
@@ -61,7 +61,7 @@ def test_the_lowest_falls_overturn_and_lie_above_the_heteroclinic_curve() -> Non
         shaking = Harmonic(
             amplitude=fall.amplitude, frequency_ratio=fall.frequency_ratio, phase=fall.phase
         )
-        assert attractor(BLOCK, shaking, cycles=500).kind == "overturned"
+        assert find_attractor(BLOCK, shaking, cycles=500).kind == "overturned"
 
 
 def test_shares_are_of_the_window() -> None:

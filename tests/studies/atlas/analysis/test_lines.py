@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from rocksteady import boundaries, symmetry_breaking_amplitude
+from rocksteady import region_boundaries, symmetry_breaking_amplitude
 from rocksteady.studies.atlas.analysis.columns import column
 from tests.studies.atlas.small import small
 
@@ -19,7 +19,7 @@ def test_the_continued_symmetry_breaking_is_the_closed_form() -> None:
 def test_the_existence_boundary_is_that_of_the_paper() -> None:
     for line in small().lines:
         if line.name == "existence":
-            expected = boundaries(line.frequency_ratio, 0.8, order=line.order).existence
+            expected = region_boundaries(line.frequency_ratio, 0.8, order=line.order).existence
             np.testing.assert_array_equal(line.amplitude, expected)
 
 

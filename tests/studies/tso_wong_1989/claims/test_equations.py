@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, InputError, simulate, steady_states
+from rocksteady import Block, DimensionlessBlock, Harmonic, InputError, find_steady_states, simulate
 from rocksteady.studies.tso_wong_1989.claims import _equations as equations
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, random_sample
 from tests.dynamics.formulae import numbers, printed, printed_boundaries, printed_region
@@ -120,7 +120,7 @@ def test_e4_names_the_odd_orders_and_those_that_are_refused() -> None:
     assert min(defects[1], defects[3]) > 0.1
     for order in (2, 4):
         with pytest.raises(InputError, match="odd"):
-            steady_states(2.0, 4.0, 0.8, order=order)
+            find_steady_states(2.0, 4.0, 0.8, order=order)
 
 
 # --------------------------------------------------------------------------- the random points

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import RegionMap, SteadyStates, region_map, steady_states
+from rocksteady import RegionMap, SteadyStates, compute_region_map, find_steady_states
 from rocksteady.studies.tso_wong_1989.claims import _regions as regions
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
 from tests.dynamics.formulae import half_cycle, numbers, printed
@@ -47,17 +47,17 @@ def nothing_in_region_3(monkeypatch: pytest.MonkeyPatch) -> Evidence:
     """A world in which the points between (23) and (25) lie in another region."""
 
     def higher(amplitude: Any, *more: Any, **options: Any) -> SteadyStates:
-        return steady_states(1.5 * amplitude, *more, **options)
+        return find_steady_states(1.5 * amplitude, *more, **options)
 
-    monkeypatch.setattr(regions, "steady_states", higher)
+    monkeypatch.setattr(regions, "find_steady_states", higher)
     return evidence()
 
 
 def growing_region_4(monkeypatch: pytest.MonkeyPatch) -> Evidence:
     def reversed_(ratios: Any, restitution: float, **options: Any) -> RegionMap:
-        return region_map(ratios, 1.1 - restitution, **options)
+        return compute_region_map(ratios, 1.1 - restitution, **options)
 
-    monkeypatch.setattr(regions, "region_map", reversed_)
+    monkeypatch.setattr(regions, "compute_region_map", reversed_)
     return evidence()
 
 
@@ -78,12 +78,12 @@ def exchanged_numbers(_: object) -> Evidence:
 
 def nothing_at_large_amplitudes(monkeypatch: pytest.MonkeyPatch) -> Evidence:
     def bounded(amplitude: Any, *more: Any, **options: Any) -> SteadyStates:
-        found_ = steady_states(amplitude, *more, **options)
+        found_ = find_steady_states(amplitude, *more, **options)
         if found_.admissible is None:
             return found_
         return replace(found_, admissible=np.zeros_like(found_.admissible))
 
-    monkeypatch.setattr(regions, "steady_states", bounded)
+    monkeypatch.setattr(regions, "find_steady_states", bounded)
     return evidence()
 
 
@@ -124,7 +124,7 @@ def test_region_5_begins_at_the_restitution_said() -> None:
     limits = values("four-regions")["restitution_below"]
     for order, limit in limits.items():
         for restitution, there in ((limit - 1e-3, True), (limit + 1e-3, False)):
-            curves = region_map(np.geomspace(1.0, 3000.0, 400), restitution, order=order)
+            curves = compute_region_map(np.geomspace(1.0, 3000.0, 400), restitution, order=order)
             assert bool((curves.kind > curves.sign).any()) == there
 
 
@@ -165,7 +165,8 @@ def test_e5_region_1_grows_and_region_2_gains_what_region_5_had() -> None:
     w = 0.05 + (np.arange(500) + 0.5) * 13.95 / 500
     a = (np.arange(500) + 0.5) * 6.0 / 500
     few, many = (
-        steady_states(a[:, np.newaxis], w, r, order=3, shapes=False).region for r in (0.5, 0.95)
+        find_steady_states(a[:, np.newaxis], w, r, order=3, shapes=False).region
+        for r in (0.5, 0.95)
     )
     for number in (1, 2):
         counted = float((many == number).sum() / (few == number).sum())
@@ -212,5 +213,5 @@ def test_e9_branch_1_goes_on_at_any_amplitude() -> None:
         solution = printed(a, 4.0, 0.8, 1, 1)
         _, angle = half_cycle(a, 4.0, 1, solution.phase, solution.velocity, 5001)
         assert angle[1:-1].min() > 0.0
-    below = steady_states(0.2, 4.0, 0.8)
+    below = find_steady_states(0.2, 4.0, 0.8)
     assert below.region == 4

@@ -8,7 +8,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import Block, ResponseCurve, boundaries, response_curve, steady_states
+from rocksteady import (
+    Block,
+    ResponseCurve,
+    compute_response_curve,
+    find_steady_states,
+    region_boundaries,
+)
 from rocksteady.studies.tso_wong_1989.claims import _responses as responses
 from rocksteady.studies.tso_wong_1989.claims._responses import peaks_at
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
@@ -66,10 +72,10 @@ def harmonic_motion_alone(monkeypatch: pytest.MonkeyPatch) -> Evidence:
     """A world without stable subharmonics."""
 
     def curve(*arguments: Any, order: int, **more: Any) -> ResponseCurve:
-        made = response_curve(*arguments, order=order, **more)
+        made = compute_response_curve(*arguments, order=order, **more)
         return replace(made, stable=made.stable & (order == 1))
 
-    monkeypatch.setattr(responses, "response_curve", curve)
+    monkeypatch.setattr(responses, "compute_response_curve", curve)
     return evidence()
 
 
@@ -85,7 +91,7 @@ def peaks_by(law: Callable[[float, float, float], float]) -> Tamper:
         def states(a: float, w: float, r: float, **_: object) -> Any:
             return SimpleNamespace(peak=np.array([law(a, w, r), 0.0]))
 
-        monkeypatch.setattr(responses, "steady_states", states)
+        monkeypatch.setattr(responses, "find_steady_states", states)
         return evidence()
 
     return tamper
@@ -127,7 +133,7 @@ def test_a_larger_block_may_be_in_a_larger_motion() -> None:
     for radius, order in ((1.0, 1), (16.0 / 9.0, 3)):
         block = Block.from_radius(alpha=0.2, radius=radius, restitution=0.8)
         hertz = 6.0 * Block.from_radius(alpha=0.2, radius=1.0, restitution=0.8).p / (2.0 * np.pi)
-        curve = response_curve(block, 3.0, frequency_hz=[hertz], order=order)
+        curve = compute_response_curve(block, 3.0, frequency_hz=[hertz], order=order)
         assert curve.stable.all()
         peaks.append(float(curve.peak[0]))
     assert peaks == pytest.approx([0.11200, 0.18981], abs=6e-6)  # TW3
@@ -142,9 +148,9 @@ def test_curves_end_where_the_printed_boundary_reaches_their_amplitude() -> None
     came = values("curves-end")
     for a in (1.0, 2.0):
         end = came[f"A={a:g}"]
-        around = boundaries([end, end + 0.01], 0.8, order=3).existence
+        around = region_boundaries([end, end + 0.01], 0.8, order=3).existence
         assert around[0] <= a < around[1]
-    assert boundaries(16.0, 0.8, order=3).existence < 3.0, "the curve of A = 3 does not end"
+    assert region_boundaries(16.0, 0.8, order=3).existence < 3.0, "the curve of A = 3 does not end"
 
 
 def test_sensitivities_are_differences_of_the_closed_form() -> None:
@@ -152,7 +158,7 @@ def test_sensitivities_are_differences_of_the_closed_form() -> None:
     came = values("sensitivities")["n=3, Omega=6"]
 
     def peak(a: float, w: float, r: float) -> float:
-        found_ = steady_states(a, w, r, order=3).peak
+        found_ = find_steady_states(a, w, r, order=3).peak
         assert found_ is not None
         return float(found_[0])
 

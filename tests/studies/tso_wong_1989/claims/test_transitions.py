@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import attractor_map, steady_states, symmetry_breaking_frequency
+from rocksteady import find_steady_states, map_attractors, symmetry_breaking_frequency
 from rocksteady.studies.tso_wong_1989.claims import _transitions as transitions
 from rocksteady.studies.tso_wong_1989.claims._transitions import Descent, descent
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
@@ -50,9 +50,9 @@ def upwards(monkeypatch: pytest.MonkeyPatch) -> Evidence:
 
     def mirrored(block: Any, *, axes: Any, **options: Any) -> Any:
         other = {**axes, "frequency_ratio": 1.94 + 1.8 - np.array(axes["frequency_ratio"])}
-        return attractor_map(block, axes=other, **options)
+        return map_attractors(block, axes=other, **options)
 
-    monkeypatch.setattr(transitions, "attractor_map", mirrored)
+    monkeypatch.setattr(transitions, "map_attractors", mirrored)
     return evidence()
 
 
@@ -68,20 +68,20 @@ def one_motion_each(monkeypatch: pytest.MonkeyPatch) -> Evidence:
     """A world in which only the harmonic motion is ever stable."""
 
     def states(*arguments: Any, order: int, **more: Any) -> Any:
-        made = steady_states(*arguments, order=order, **more)
+        made = find_steady_states(*arguments, order=order, **more)
         return replace(made, trace=np.full_like(made.trace, 3.0)) if order > 1 else made
 
-    monkeypatch.setattr(transitions, "steady_states", states)
+    monkeypatch.setattr(transitions, "find_steady_states", states)
     return evidence()
 
 
 def a_subharmonic_somewhere(monkeypatch: pytest.MonkeyPatch) -> Evidence:
     def first_of_all(*arguments: Any, **options: Any) -> Any:
-        found = attractor_map(*arguments, **options)
+        found = map_attractors(*arguments, **options)
         found.kind.values.flat[0], found.period.values.flat[0] = 0, 3
         return found
 
-    monkeypatch.setattr(transitions, "attractor_map", first_of_all)
+    monkeypatch.setattr(transitions, "map_attractors", first_of_all)
     return evidence()
 
 
@@ -135,7 +135,7 @@ def test_symmetry_breaks_at_the_reference_frequencies(
         found_ = symmetry_breaking_frequency(amplitude, 0.8, order=order)[-1]
         assert found_ == pytest.approx(boundary, abs=5.1e-7)
         above, below = (
-            bool(steady_states(amplitude, boundary + shift, 0.8, order=order).stable[0])
+            bool(find_steady_states(amplitude, boundary + shift, 0.8, order=order).stable[0])
             for shift in (1e-3, -1e-3)
         )
         assert (above, below) == (True, False)
@@ -188,7 +188,7 @@ def test_unsymmetric_motions_swing_nearly_as_far_as_the_symmetric_one() -> None:
         (1, 1.8, 1.0976, -0.2997),
         (3, 4.2, 0.53129, -0.44713),
     ):
-        peak = steady_states(2.0, w, 0.8, order=order).peak
+        peak = find_steady_states(2.0, w, 0.8, order=order).peak
         assert peak is not None
         expected.append(abs(0.5 * (high - low) / float(peak[0]) - 1.0))
     assert relative == pytest.approx(expected, abs=1e-4)

@@ -8,7 +8,7 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from rocksteady import boundaries, region_map, steady_states
+from rocksteady import compute_region_map, find_steady_states, region_boundaries
 from rocksteady.studies.tso_wong_1989.figures.regions import (
     FREQUENCIES,
     HIGHEST_AMPLITUDE,
@@ -124,14 +124,14 @@ def test_shares_are_those_of_points_counted_on_a_fine_grid(restitution: float, o
     points = 700
     w = low + (np.arange(points) + 0.5) * (high - low) / points
     a = (np.arange(points) + 0.5) * HIGHEST_AMPLITUDE / points
-    region = steady_states(a[:, np.newaxis], w, restitution, order=order, shapes=False).region
-    shares = region_shares(region_map(FREQUENCIES, restitution, order=order))
+    region = find_steady_states(a[:, np.newaxis], w, restitution, order=order, shapes=False).region
+    shares = region_shares(compute_region_map(FREQUENCIES, restitution, order=order))
     for number, share in shares.items():
         assert share == pytest.approx(float((region == number).mean()), abs=1.5e-3), number
 
 
 def test_shares_do_not_count_what_lies_above_the_window() -> None:
-    curves = region_map(np.array([6.0, 8.0]), 0.5, order=3)
+    curves = compute_region_map(np.array([6.0, 8.0]), 0.5, order=3)
     for top in (1.0, 3.0, 5.0, 20.0):
         existence, sign, kind = printed_boundaries(8.0, 0.5, 3)
         flat = replace(
@@ -152,7 +152,7 @@ def test_region_3_lies_between_curves_in_the_ratio_of_the_printed_root() -> None
     # E8: (23)/(25) = 1/sqrt(1 + P^2)
     for restitution in (0.3, 0.5, 0.95, 0.999):
         for order in (1, 3):
-            curves = boundaries(FREQUENCIES, restitution, order=order)
+            curves = region_boundaries(FREQUENCIES, restitution, order=order)
             d = (1.0 - restitution) / (1.0 + restitution)
             p = d * np.tanh(0.5 * math.pi * order / FREQUENCIES) * FREQUENCIES
             np.testing.assert_allclose(

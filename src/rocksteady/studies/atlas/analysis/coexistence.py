@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import AttractorKind, Axis, Grid, Output, Run, evaluate, steady_states
+from rocksteady import AttractorKind, Axis, Grid, Output, Run, evaluate, find_steady_states
 from rocksteady.dynamics.batch.attractors import Beginnings, SettledCells, settled_cells
 from rocksteady.dynamics.history.lowering import symmetric_sides
 from rocksteady.dynamics.orbits.attractor import KINDS
@@ -199,7 +199,7 @@ def starts(amplitude: Floats, ratio: Floats, restitution: float) -> Iterator[Beg
     for k in range(REST_PHASES):
         yield Beginnings.of(still, still, 0, k * math.pi / REST_PHASES)
     for order, branch in STEADY:
-        states = steady_states(amplitude, ratio, restitution, order=order)
+        states = find_steady_states(amplitude, ratio, restitution, order=order)
         assert states.admissible is not None
         there = states.admissible[branch - 1]
         phase = np.where(there, states.phase[branch - 1], 0.0)

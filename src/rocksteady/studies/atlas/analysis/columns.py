@@ -28,10 +28,10 @@ from rocksteady import (
     RocksteadyError,
     Run,
     Steady,
-    attractor,
-    continuation,
     evaluate,
-    steady_states,
+    find_attractor,
+    find_steady_states,
+    follow_branch,
     symmetry_breaking_amplitude,
 )
 from rocksteady.studies.atlas.analysis.plane import Plane
@@ -225,7 +225,7 @@ def followed(
     if low >= top:
         return math.nan, ()
     scan = low + (min(high, top) - low) * (np.arange(SCANNED) + 0.5) / SCANNED
-    stable = steady_states(scan, ratio, restitution, order=order).stable[0]
+    stable = find_steady_states(scan, ratio, restitution, order=order).stable[0]
     if not stable.any():
         return math.nan, ()
     first = int(np.argmax(stable))
@@ -247,7 +247,7 @@ def followed(
 
 def _symmetric_range(restitution: float, ratio: float, order: int) -> tuple[float, float]:
     """Return the amplitudes between which there are symmetric motions that may be stable."""
-    states = steady_states(0.5, ratio, restitution, order=order)
+    states = find_steady_states(0.5, ratio, restitution, order=order)
     breaking = symmetry_breaking_amplitude(ratio, restitution, order=order)
     return float(states.existence), float(breaking)
 
@@ -275,14 +275,14 @@ def border_of(
 ) -> BranchPoint | None:
     """Return the first bifurcation of a branch, from a bifurcation of the one that begins there."""
     switch = isinstance(start, BranchPoint)
-    branch = continuation(start, "amplitude", within, direction=direction, switch=switch)
+    branch = follow_branch(start, "amplitude", within, direction=direction, switch=switch)
     next(branch)
     return next((point for point in branch if point.type in BORDERS), None)
 
 
 def _sets_off_stable(point: BranchPoint, within: tuple[float, float]) -> bool:
     """Return whether the branch that begins at a bifurcation is stable there: it bends upwards."""
-    branch = continuation(point, "amplitude", within, switch=True)
+    branch = follow_branch(point, "amplitude", within, switch=True)
     next(branch)
     following = next(branch, None)
     return following is not None and following.stable and following.amplitude > point.amplitude
@@ -293,7 +293,7 @@ def _orbit(amplitude: float, ratio: float, restitution: float, order: int) -> Or
     block = DimensionlessBlock(restitution=restitution)
     shaking = Harmonic(amplitude=amplitude, frequency_ratio=ratio)
     try:
-        found = attractor(block, shaking, start=Steady(order=order)).orbit
+        found = find_attractor(block, shaking, start=Steady(order=order)).orbit
     except RocksteadyError:
         return None
     return found if found is not None and found.symmetric and found.period == order else None

@@ -13,8 +13,8 @@ from rocksteady import (
     AttractorKind,
     DimensionlessBlock,
     Run,
-    attractor_map,
     heteroclinic_amplitude,
+    map_attractors,
 )
 from rocksteady.studies.atlas.analysis.plane import Plane
 from rocksteady.studies.folder import Done, nothing
@@ -86,7 +86,7 @@ class FromRest:
     fate
         Index of `FATES`, shape (phases, amplitudes, columns).
     period, impacts
-        As `rocksteady.attractor_map` has them, of the same shape.
+        As `rocksteady.map_attractors` has them, of the same shape.
     falls
         The lowest amplitudes that overturn.
     """
@@ -123,7 +123,7 @@ def from_rest(
     plane
         Where.
     run
-        As for `rocksteady.attractor_map`; `parts` and `done` replace its store and progress.
+        As for `rocksteady.map_attractors`; `parts` and `done` replace its store and progress.
     parts
         Where finished cells are kept.
     done
@@ -136,7 +136,7 @@ def from_rest(
     how = replace(Run() if run is None else run, progress=_in_parts(cells, done))
 
     def settled(name: str, amplitude: Floats, ratio: ArrayLike) -> "xarray.Dataset":
-        return attractor_map(
+        return map_attractors(
             DimensionlessBlock(restitution=plane.restitution),
             axes={"phase": phases, "amplitude": amplitude, "frequency_ratio": ratio},
             cycles=CYCLES,

@@ -10,7 +10,13 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import BranchPoint, PointType, RocksteadyError, bifurcation_curve, boundaries
+from rocksteady import (
+    BranchPoint,
+    PointType,
+    RocksteadyError,
+    follow_bifurcation,
+    region_boundaries,
+)
 from rocksteady.studies.atlas.analysis.columns import Column, followed
 from rocksteady.studies.atlas.analysis.families import FamilyMap
 from rocksteady.studies.atlas.analysis.plane import Plane
@@ -109,7 +115,7 @@ def family_lines(family: FamilyMap) -> tuple[Line, ...]:
 def _existence(family: FamilyMap) -> Line:
     plane = family.plane
     ratios = fine_ratios(plane)
-    amplitude = boundaries(ratios, plane.restitution, order=family.order).existence
+    amplitude = region_boundaries(ratios, plane.restitution, order=family.order).existence
     inside = amplitude <= plane.top
     return Line(
         order=family.order,
@@ -177,7 +183,7 @@ def traced(point: BranchPoint, name: str, within: Ranges) -> Line | None:
     halves: list[list[BranchPoint]] = []
     for direction in (-1, 1):
         try:
-            curve = bifurcation_curve(
+            curve = follow_bifurcation(
                 point,
                 PARAMETERS,
                 within,

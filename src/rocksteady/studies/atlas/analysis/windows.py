@@ -16,7 +16,7 @@ from rocksteady import (
     Orbit,
     PointType,
     State,
-    attractor,
+    find_attractor,
 )
 from rocksteady.dynamics.batch.attractors import settled_cells
 from rocksteady.dynamics.history.lowering import symmetric_sides
@@ -130,7 +130,7 @@ def _orbit(kind: OrbitClass, amplitude: float, ratio: float, restitution: float)
         settled = settled_cells(amplitude * one, ratio * one, sides, begin, CYCLES)
         if (settled.period[0], settled.impacts[0]) != (kind.period, kind.impacts):
             continue
-        orbit = attractor(
+        orbit = find_attractor(
             DimensionlessBlock(restitution=restitution),
             Harmonic(
                 amplitude=amplitude,

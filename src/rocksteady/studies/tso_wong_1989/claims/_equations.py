@@ -13,8 +13,8 @@ from rocksteady import (
     Output,
     State,
     evaluate,
+    find_steady_states,
     simulate,
-    steady_states,
 )
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, log, sin, tanh
 from rocksteady.studies.tso_wong_1989.claims._solutions import (
@@ -140,7 +140,7 @@ def odd_orders(_: Evidence) -> Finding:
     refused = []
     for n in defects:
         try:
-            steady_states(a, w, r, order=n)
+            find_steady_states(a, w, r, order=n)
         except InputError:
             refused.append(n)
     words = ", ".join(f"{scientific(defect)} for n = {n}" for n, defect in defects.items())

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from rocksteady import Block, Harmonic, Steady, simulate, steady_states
+from rocksteady import Block, Harmonic, Steady, find_steady_states, simulate
 from rocksteady.model.equations import Nonlinear
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
@@ -27,7 +27,7 @@ CYCLES = 10
 def slender(_: Evidence) -> Finding:
     """Compare the steady motion by the full equations (1), (2) with that by the linear ones."""
     amplitude, ratio, restitution = POINT
-    states = steady_states(amplitude, ratio, restitution)
+    states = find_steady_states(amplitude, ratio, restitution)
     assert states.peak is not None
     linear = float(states.peak[0])
     peaks = {alpha: peak_by_full_equations(alpha) for alpha in SLENDERNESSES}

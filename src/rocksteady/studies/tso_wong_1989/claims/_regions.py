@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from rocksteady import region_map, steady_states
+from rocksteady import compute_region_map, find_steady_states
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements, drawn_between
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
 from rocksteady.studies.tso_wong_1989.figures.regions import FREQUENCIES, region_shares
@@ -258,12 +258,12 @@ def region_3_stays(_: Evidence) -> Finding:
     widths = {}
     alive = []
     for restitution in (0.9, 0.95, 0.99, 0.999):
-        curves = region_map(FREQUENCIES, restitution)
+        curves = compute_region_map(FREQUENCIES, restitution)
         top = np.minimum(curves.kind, curves.sign)
         widths[restitution] = float((1.0 - curves.existence / top).max())
         column = int(np.argmax(1.0 - curves.existence / top))
         middle = 0.5 * (curves.existence[column] + top[column])
-        inside = steady_states(middle, FREQUENCIES[column], restitution)
+        inside = find_steady_states(middle, FREQUENCIES[column], restitution)
         if inside.region == 3 and inside.in_phase.all():
             alive.append(restitution)
     words = ", ".join(f"{scientific(width)} at δ = {r:g}" for r, width in widths.items())
@@ -286,7 +286,9 @@ def region_3_stays(_: Evidence) -> Finding:
 def region_4_shrinks(_: Evidence) -> Finding:
     """Measure it over restitution."""
     shares = {
-        order: [region_shares(region_map(FREQUENCIES, r, order=order))[4] for r in RESTITUTIONS]
+        order: [
+            region_shares(compute_region_map(FREQUENCIES, r, order=order))[4] for r in RESTITUTIONS
+        ]
         for order in (1, 3)
     }
     falling = all(bool((np.diff(values) < 0.0).all()) for values in shares.values())
@@ -343,9 +345,9 @@ def too_large(_: Evidence) -> Finding:
     restitution = drawn_between(draw, 0.1, 0.99, points)
     counts = {}
     for order in (1, 3):
-        base = steady_states(1.0, ratio, restitution, order=order, shapes=False)
+        base = find_steady_states(1.0, ratio, restitution, order=order, shapes=False)
         amplitude = np.maximum(base.sign, base.kind) * drawn_between(draw, 1.01, 20.0, points)
-        states = steady_states(amplitude, ratio, restitution, order=order)
+        states = find_steady_states(amplitude, ratio, restitution, order=order)
         assert states.admissible is not None
         assert (states.region == 2).all()
         counts[order] = (

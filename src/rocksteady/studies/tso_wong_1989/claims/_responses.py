@@ -5,7 +5,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import Block, boundaries, response_curve, steady_states
+from rocksteady import Block, compute_response_curve, find_steady_states, region_boundaries
 from rocksteady.kernels.elementary.arrays import log
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
@@ -95,7 +95,7 @@ def curves_end(evidence: Evidence) -> Finding:
         if len(there) and there[-1] + 1 < len(curve.peak):
             last, beyond = curve.frequency_ratio[there[-1] : there[-1] + 2]
             ends[amplitude] = float(last)
-            limits = boundaries([last, beyond], RESTITUTION, order=3).existence
+            limits = region_boundaries([last, beyond], RESTITUTION, order=3).existence
             gaps[amplitude] = bool(limits[0] <= amplitude < limits[1])
     words = ", ".join(f"A = {amplitude:g} at Ω = {end:.2f}" for amplitude, end in ends.items())
     return Finding(
@@ -143,7 +143,7 @@ def larger_block(_: Evidence) -> Finding:
         peaks = {}
         for order in (1, 3):
             curves = [
-                response_curve(
+                compute_response_curve(
                     Block.from_radius(alpha=0.2, radius=float(size), restitution=RESTITUTION),
                     amplitude,
                     frequency_hz=hertz,
@@ -290,7 +290,7 @@ def sensitivities(_: Evidence) -> Finding:
             ends = []
             for factor in (1.0 - step, 1.0 + step):
                 moved = {**point, name: value * factor}
-                states = steady_states(
+                states = find_steady_states(
                     moved["amplitude"],
                     moved["frequency_ratio"],
                     moved["restitution"],

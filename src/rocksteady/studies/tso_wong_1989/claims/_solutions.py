@@ -13,8 +13,8 @@ from rocksteady import (
     Harmonic,
     State,
     SteadyStates,
+    compute_steady_orbit,
     simulate,
-    steady_orbit,
 )
 from rocksteady.kernels.elementary.arrays import cos, cosh, sin, sinh
 
@@ -116,7 +116,9 @@ def differing(solution: NDArray[Any]) -> dict[str, Floats]:
     apart = np.empty(len(solution))
     for cell, one in enumerate(solution):
         a, w = one.amplitude, one.frequency_ratio
-        orbit = steady_orbit(a, w, one.restitution, order=one.order, branch=one.branch, samples=201)
+        orbit = compute_steady_orbit(
+            a, w, one.restitution, order=one.order, branch=one.branch, samples=201
+        )
         tau = orbit.tau[:101]
         beta = a / (1.0 + w * w)
         sinh_part = w * (one.velocity_tau + beta * cos(one.phase))  # (14)

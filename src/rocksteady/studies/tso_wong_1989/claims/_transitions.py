@@ -13,8 +13,8 @@ from rocksteady import (
     Orbit,
     State,
     Steady,
-    attractor_map,
-    steady_states,
+    find_steady_states,
+    map_attractors,
     symmetry_breaking_frequency,
 )
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
@@ -98,7 +98,7 @@ def _followed(orbit: Orbit, ratio: float) -> Fate:
 def asymmetry_grows(_: Evidence) -> Finding:
     """Follow the mean of the extrema over the unsymmetric range."""
     ratios = (1.94, 1.92, 1.9, 1.88, 1.86, 1.84, 1.82, 1.8)
-    fates = attractor_map(
+    fates = map_attractors(
         DimensionlessBlock(restitution=RESTITUTION),
         axes={"amplitude": [AMPLITUDE], "frequency_ratio": ratios},
         start=Steady(kick=1e-4, side=-1),
@@ -126,7 +126,7 @@ def no_subharmonic(_: Evidence) -> Finding:
     velocities = np.linspace(-1.4, 1.4, 29)
     # Half a period is enough: the other half starts from the mirror images of these states.
     phases = np.linspace(0.0, math.pi, 32, endpoint=False)
-    fates = attractor_map(
+    fates = map_attractors(
         DimensionlessBlock(restitution=RESTITUTION),
         Harmonic(amplitude=AMPLITUDE, frequency_ratio=ratio),
         axes={"phase": phases, "velocity": velocities},
@@ -182,7 +182,7 @@ def several_motions(_: Evidence) -> Finding:
     ratio = np.linspace(1.0, 12.0, 111)
     stable = np.sum(
         [
-            steady_states(amplitude, ratio, RESTITUTION, order=order).stable.any(axis=0)
+            find_steady_states(amplitude, ratio, RESTITUTION, order=order).stable.any(axis=0)
             for order in (1, 3, 5)
         ],
         axis=0,
@@ -191,7 +191,7 @@ def several_motions(_: Evidence) -> Finding:
     here = [
         order
         for order in (1, 3)
-        if steady_states(AMPLITUDE, 6.0, RESTITUTION, order=order).stable.any()
+        if find_steady_states(AMPLITUDE, 6.0, RESTITUTION, order=order).stable.any()
     ]
     return Finding(
         holds=several > 0,
@@ -216,7 +216,7 @@ def symmetry_breaking(_: Evidence) -> Finding:
     values = {}
     for order in (1, 3):
         boundary = float(symmetry_breaking_frequency(AMPLITUDE, RESTITUTION, order=order)[-1])
-        at = steady_states(AMPLITUDE, boundary, RESTITUTION, order=order)
+        at = find_steady_states(AMPLITUDE, boundary, RESTITUTION, order=order)
         multiplier = complex(at.multipliers[0, 0])
         above, below = (
             settle(
@@ -287,7 +287,7 @@ def narrow_range(_: Evidence) -> Finding:
     for order in (1, 3):
         found = descent(order)
         ratios = np.linspace(found.symmetric_from, axis_end, 4001)[1:]
-        stable = steady_states(AMPLITUDE, ratios, RESTITUTION, order=order).stable[0]
+        stable = find_steady_states(AMPLITUDE, ratios, RESTITUTION, order=order).stable[0]
         end = float(ratios[stable][-1])
         symmetric = end - found.symmetric_from
         unsymmetric = found.symmetric_from - found.gone_from

@@ -21,9 +21,9 @@ from rocksteady import (
     Rest,
     State,
     Steady,
-    attractor,
-    attractor_map,
     evaluate,
+    find_attractor,
+    map_attractors,
     simulate,
 )
 
@@ -108,7 +108,7 @@ def settle(restitution: float, shaking: Harmonic, start: Rest | State | Steady) 
         Where the block begins.
     """
     block = DimensionlessBlock(restitution=restitution)
-    found = attractor(block, shaking, start=start)
+    found = find_attractor(block, shaking, start=start)
     orbit = found.orbit
     if orbit is not None:
         return Fate(
@@ -131,7 +131,7 @@ def fates_over_kicks(
 ) -> list[Fate]:
     """Return what a block settles to for each distance at which it leaves a steady state."""
     block = DimensionlessBlock(restitution=restitution)
-    found = attractor_map(block, shaking, axes={"kick": kicks}, start=start)
+    found = map_attractors(block, shaking, axes={"kick": kicks}, start=start)
     attractors, kinds = _attractors_in(found), list(kinds_in(found))
     fallen = np.array([kind is Kind.OVERTURNED for kind in kinds])
     after = np.full(len(kicks), math.nan)
@@ -162,7 +162,7 @@ def fates_over_kicks(
 
 
 def kinds_in(found: "xarray.Dataset") -> Iterator[Kind]:
-    """Yield what became of each cell of `rocksteady.attractor_map`, in C order."""
+    """Yield what became of each cell of `rocksteady.map_attractors`, in C order."""
     periods = found["period"].values.ravel().tolist()
     for kind, period in zip(_attractors_in(found), periods, strict=True):
         yield _kind(kind, period)

@@ -13,9 +13,9 @@ from rocksteady import (
     Steady,
     SteadyStates,
     Trajectory,
+    find_steady_states,
     plot_trajectory,
     simulate,
-    steady_states,
 )
 from rocksteady.dynamics.orbits.orbit import modulus
 from rocksteady.kernels.elementary.arrays import exp, log
@@ -70,7 +70,9 @@ class History:
     def states(self) -> SteadyStates:
         """Both steady states of the order at this point."""
         case = self.case
-        return steady_states(case.amplitude, case.frequency_ratio, RESTITUTION, order=case.order)
+        return find_steady_states(
+            case.amplitude, case.frequency_ratio, RESTITUTION, order=case.order
+        )
 
     @property
     def stable(self) -> bool:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rocksteady import RegionMap, SteadyStates, plot_regions, region_map, steady_states
+from rocksteady import RegionMap, SteadyStates, compute_region_map, find_steady_states, plot_regions
 from rocksteady.studies.tso_wong_1989.figures.panel import Panel
 from rocksteady.studies.tso_wong_1989.figures.words import motion_name, percent
 
@@ -32,14 +32,16 @@ class Plane:
     @cached_property
     def curves(self) -> RegionMap:
         """Every boundary."""
-        return region_map(FREQUENCIES, self.restitution, order=self.order)
+        return compute_region_map(FREQUENCIES, self.restitution, order=self.order)
 
     @cached_property
     def states(self) -> SteadyStates:
         """Both solutions on a grid over the paper's axes, shape (amplitudes, frequencies)."""
         amplitudes = (np.arange(GRID) + 0.5) * (HIGHEST_AMPLITUDE / GRID)
         ratios = (np.arange(GRID) + 0.5) * (HIGHEST_FREQUENCY / GRID)
-        return steady_states(amplitudes[:, np.newaxis], ratios, self.restitution, order=self.order)
+        return find_steady_states(
+            amplitudes[:, np.newaxis], ratios, self.restitution, order=self.order
+        )
 
     @cached_property
     def shares(self) -> dict[int, float]:
@@ -163,7 +165,7 @@ def region_shares(curves: RegionMap, top: float = HIGHEST_AMPLITUDE) -> dict[int
     Parameters
     ----------
     curves
-        From `rocksteady.region_map`.
+        From `rocksteady.compute_region_map`.
     top
         Upper end of the amplitude axis.
 

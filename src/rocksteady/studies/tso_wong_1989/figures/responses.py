@@ -8,7 +8,13 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from rocksteady import Block, DimensionlessBlock, ResponseCurve, plot_response, response_curve
+from rocksteady import (
+    Block,
+    DimensionlessBlock,
+    ResponseCurve,
+    compute_response_curve,
+    plot_response,
+)
 from rocksteady.studies.tso_wong_1989.figures.panel import Panel
 from rocksteady.studies.tso_wong_1989.figures.words import motion_name
 
@@ -66,13 +72,17 @@ class Responses:
         for value in self.values:
             if self.quantity == "amplitude":
                 block: Block | DimensionlessBlock = DimensionlessBlock(restitution=RESTITUTION)
-                curve = response_curve(block, value, frequency_ratio=frequencies, order=self.order)
+                curve = compute_response_curve(
+                    block, value, frequency_ratio=frequencies, order=self.order
+                )
             elif self.quantity == "p":
                 block = Block.from_p(alpha=ALPHA, p=value, restitution=RESTITUTION)
-                curve = response_curve(block, AMPLITUDE, frequency_hz=frequencies, order=self.order)
+                curve = compute_response_curve(
+                    block, AMPLITUDE, frequency_hz=frequencies, order=self.order
+                )
             else:
                 block = DimensionlessBlock(restitution=value)
-                curve = response_curve(
+                curve = compute_response_curve(
                     block, AMPLITUDE, frequency_ratio=frequencies, order=self.order
                 )
             found.append(curve)
