@@ -316,7 +316,7 @@ def test_half_cycles_and_phase_say_the_time_of_each_impact() -> None:
     np.testing.assert_allclose(clock, impacts.pt, rtol=1e-14)
 
 
-def test_the_flight_limit_ends_a_run_as_undecided() -> None:
+def test_the_most_flights_end_a_run_as_undecided() -> None:
     run = rocked(2.0, 4.0, 0.8, 0.0, 0.3, cycles=50, max_flights=7)
     whole = rocked(2.0, 4.0, 0.8, 0.0, 0.3, cycles=50)
     assert run.status is Status.UNDECIDED

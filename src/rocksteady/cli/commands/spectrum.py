@@ -33,9 +33,9 @@ if TYPE_CHECKING:
 HELP = (
     "Rocking spectra: the largest rotation and angular velocity of homogeneous rectangular blocks "
     "on recorded ground, over their size 2 pi/p and their slenderness.\n\n"
-    "Each block is at rest when the record begins, and is followed to rest or proven overturning, "
-    "exactly in the linear model. Of several records come median, 16 and 84 % as well, and the "
-    "share that overturns. Exit code 3 where a block is undecided."
+    "Each block is at rest when the record begins, and is followed to rest or proven overturning "
+    "by the full equations, or with --model linear in closed form. Of several records come median, "
+    "16 and 84 % as well, and the share that overturns. Exit code 3 where a block is undecided."
 )
 EXAMPLES = (
     "Examples:\n\n"

@@ -46,7 +46,7 @@ VerticalFile = Annotated[
         "--vertical",
         metavar="FILE",
         help="Vertical acceleration beside --record, the vertical channel of a file with several; "
-        "upwards is positive, and DWN is turned. Needs --model nonlinear.",
+        "upwards is positive, and DWN is turned. The linear model has no term for it.",
         rich_help_panel=MOTION,
     ),
 ]
