@@ -133,7 +133,7 @@ print(clock.__file__, first, count, compilation.must_compile("clock.segment_star
 def copied(folder: Path) -> Path:
     """Copy as much of the package as kernels need, with new time stamps; return where to."""
     (folder / "rocksteady").mkdir(parents=True)
-    for name in ("__init__.py", "errors.py"):
+    for name in ("__init__.py", "errors.py", "outcomes.py"):
         shutil.copyfile(SOURCES.parent / name, folder / "rocksteady" / name)
     shutil.copytree(
         SOURCES,
