@@ -365,7 +365,7 @@ def test_a_bad_state_is_refused(value: Any) -> None:
         State(angle=value, velocity=0.0)
     with pytest.raises(InputError, match=r"^velocity = "):
         State(angle=0.0, velocity=value)
-    with pytest.raises(InputError, match=r"^velocity = "):
+    with pytest.raises(InputError, match=r"^velocity_tau = "):
         State.per_tau(angle=0.0, velocity_tau=value, frequency_ratio=4.0)
 
 
