@@ -3,7 +3,9 @@
 import math
 
 DIGITS = 3
-"""Significant digits of a number in a text."""
+"""Default number of significant digits of a number in a text."""
+LARGEST_WHOLE = 1e6
+"""Numbers below it are written without an exponent."""
 
 
 def number(value: float, digits: int = DIGITS) -> str:
@@ -19,9 +21,8 @@ def number(value: float, digits: int = DIGITS) -> str:
     size = abs(value)
     if size == 0.0:
         return "0"
-    if 10.0**digits <= size < 1e6:
-        return f"{value:.0f}"
-    return f"{value:.{digits}g}"
+    text = f"{value:.{digits}g}"
+    return f"{value:.0f}" if "e+" in text and size < LARGEST_WHOLE else text
 
 
 def quantity(value: float, unit: str, digits: int = DIGITS) -> str:
@@ -32,7 +33,7 @@ def quantity(value: float, unit: str, digits: int = DIGITS) -> str:
     >>> quantity(0.82249, "alpha"), quantity(18.4349, "°")
     ('0.822 alpha', '18.4°')
     """
-    space = "" if unit in ("°", "%") else " "
+    space = "" if unit == "°" else " "
     return f"{number(value, digits)}{space}{unit}"
 
 

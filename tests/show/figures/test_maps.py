@@ -18,6 +18,7 @@ from xarray.backends import BackendArray
 from xarray.core import indexing
 
 from rocksteady import InputError, map_attractors, plot_map
+from rocksteady.outcomes import NO_START
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.figures.maps import map_figure
 from rocksteady.show.plots import maps
@@ -79,7 +80,7 @@ def test_the_strip_has_the_class_of_each_value() -> None:
 
 
 def test_nothing_is_drawn_of_cells_that_hold_nothing() -> None:
-    data = drawn_up({"amplitude": [1.0, 2.0, 3.0], "phase": [0.0]}, [[3], [6], [BLANK]])
+    data = drawn_up({"amplitude": [1.0, 2.0, 3.0], "phase": [0.0]}, [[3], [NO_START], [BLANK]])
     axes = plot_map(data, Figure().add_subplot())
     drawn = np.concatenate([np.asarray(dots.get_xdata()) for dots in axes.lines])
     assert set(drawn.tolist()) <= {1.0}

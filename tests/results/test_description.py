@@ -1,0 +1,114 @@
+"""Descriptions: one content, from which text, HTML, JSON and rows are made."""
+
+import math
+from dataclasses import dataclass
+
+import pytest
+
+from rocksteady.results.description import Column, Description, Fact, Table, shown
+from rocksteady.results.rendering import as_html, as_text
+from rocksteady.results.result import Result
+
+ROWS = [{"order": n, "peak": n / 7.0, "stable": n % 2 == 0, "hidden": "<b>"} for n in range(40)]
+WHOLE = Description(
+    headline="a thing & its <state>",
+    facts=(
+        Fact("status", "overturned", "status"),
+        Fact("time_s", 3.20712, "overturns at", "3.21 s"),
+        Fact("seed", 7),
+        Fact("", None, "remark", "seen by people alone"),
+        Fact("nothing", None, "unknown"),
+    ),
+    tables=(
+        Table("rows", ROWS, (Column("order", "n"), Column("peak", "peak"), Column("stable", "?"))),
+        Table("raw", [{"a": 1}]),
+    ),
+    notes=("It falls.",),
+)
+
+
+@dataclass(frozen=True, repr=False)
+class Thing(Result):
+    """A result."""
+
+    def describe(self) -> Description:
+        """Return the whole."""
+        return WHOLE
+
+
+def test_json_has_every_key_and_every_row_and_no_label() -> None:
+    values = Thing().to_dict()
+    assert values == {
+        "status": "overturned",
+        "time_s": 3.20712,
+        "seed": 7,
+        "nothing": None,
+        "rows": ROWS,
+        "raw": [{"a": 1}],
+    }
+
+
+def test_text_has_what_people_read_in_80_columns() -> None:
+    text = Thing().summary()
+    for words in ("a thing & its <state>", "3.21 s", "seen by people alone", "It falls.", "—"):
+        assert words in text
+    for words in ("3.20712", "seed", "hidden", "raw"):
+        assert words not in text
+    assert max(map(len, text.splitlines())) <= 80
+
+
+def test_html_has_what_text_has_and_escapes_it() -> None:
+    page = Thing()._repr_html_()
+    assert "a thing &amp; its &lt;state&gt;" in page
+    assert "<state>" not in page
+    assert page.count("<tr>") == 4 + 1 + 24
+    assert page == as_html(WHOLE)
+
+
+def test_a_long_table_shows_its_ends_and_says_how_many_are_left_out() -> None:
+    table = WHOLE.tables[0]
+    assert len(table.shown) == table.most == 24
+    assert (table.shown[0], table.shown[-1]) == (ROWS[0], ROWS[-1])
+    assert "16 more rows" in as_text(WHOLE)
+    assert list(table.records()) == [list(row.values()) for row in ROWS]
+    assert Table("rows", ROWS[:24]).remark == ""
+
+
+def test_the_header_has_each_key_once_and_a_row_without_it_has_nothing() -> None:
+    table = Table("rows", [{"a": 1}, {"b": 2, "a": 3}])
+    assert table.header == ["a", "b"]
+    assert list(table.records()) == [[1, None], [3, 2]]
+
+
+def test_repr_is_one_line() -> None:
+    assert repr(Thing()) == "<Thing: a thing & its <state>>"
+
+
+def test_a_result_without_a_picture_names_what_there_is() -> None:
+    with pytest.raises(TypeError, match=r"a Thing has no plot; summary\(\)"):
+        Thing().plot()
+
+
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [
+        (None, "—"),
+        (math.nan, "—"),
+        (math.inf, "infinite"),
+        (True, "yes"),
+        (False, "no"),
+        (12345, "12,345"),
+        (0.123456, "0.123"),
+        ([1, 2.5], "1, 2.5"),
+        ("as it is", "as it is"),
+    ],
+)
+def test_plain_values_as_people_read_them(value: object, words: str) -> None:
+    assert shown(value) == words
+
+
+def test_what_a_description_does_not_have_is_not_rendered() -> None:
+    bare = Description("nothing else")
+    assert as_text(bare) == "nothing else"
+    assert bare.to_dict() == {}
+    assert "<table" not in as_html(bare)

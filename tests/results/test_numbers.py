@@ -1,0 +1,50 @@
+"""Numbers as engineers write them: digits, units, signs and the values that are none."""
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rocksteady.results.numbers import angle, length, number, plural, quantity, share
+
+NUMBERS = st.floats(min_value=-1e300, max_value=1e300)
+
+
+@given(NUMBERS)
+def test_a_number_is_read_back_within_half_a_unit_of_its_third_digit(value: float) -> None:
+    assert float(number(value)) == pytest.approx(value, rel=0.0051, abs=5e-324)
+
+
+@given(st.floats(min_value=1e-4, max_value=999_000.0))
+def test_no_exponent_where_people_write_none(value: float) -> None:
+    assert "e" not in number(value)
+
+
+@given(NUMBERS.filter(bool))
+def test_the_sign_is_kept(value: float) -> None:
+    assert number(-abs(value)) == f"-{number(abs(value))}"
+
+
+def test_what_is_no_number_is_a_dash_or_a_word() -> None:
+    assert [number(x) for x in (math.nan, math.inf, -math.inf)] == ["—", "infinite", "-infinite"]
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        (quantity(0.8224892168, "alpha"), "0.822 alpha"),
+        (quantity(56.0, "%"), "56 %"),
+        (angle(math.pi / 6), "30°"),
+        (length(0.0124), "12.4 mm"),
+        (length(-0.5), "-500 mm"),
+        (length(1.8), "1.8 m"),
+        (share(7, 21), "33.3 %"),
+        (share(0, 0), "—"),
+        (plural(1, "run"), "1 run"),
+        (plural(0, "run"), "0 runs"),
+        (plural(12345, "cell"), "12,345 cells"),
+    ],
+)
+def test_quantities(text: str, wanted: str) -> None:
+    assert text == wanted
