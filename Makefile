@@ -121,7 +121,8 @@ bench-peers: .venv library ## time other solvers beside the package; writes thei
 
 .PHONY: wheels
 wheels: .venv ## build a wheel for each platform into dist/, and check the one of this machine
-	@rm -rf build/libraries dist
+	@rm -rf build/libraries
+	@rm -f dist/rocksteady-*.whl
 	$(BIN)/python -m tools.aot build --out build/libraries
 	$(BIN)/python -m tools.wheels build --libraries build/libraries --out dist
 	$(BIN)/python -m tools.wheels check --wheels dist
