@@ -58,7 +58,7 @@ def test_what_differs_is_said() -> None:
         "starts up to 0.05 s apart",
         "azimuths 0 and 40 deg, not at right angles",
     )
-    with pytest.raises(InputError, match=r"different intervals.*resampled"):
+    with pytest.raises(InputError, match=r"different intervals.*resample"):
         RecordSet(name="hut", horizontal=(one, two)).aligned("trim")
 
 

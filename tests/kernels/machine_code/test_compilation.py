@@ -133,14 +133,15 @@ print(clock.__file__, first, count, compilation.must_compile("clock.segment_star
 def copied(folder: Path) -> Path:
     """Copy as much of the package as kernels need, with new time stamps; return where to."""
     (folder / "rocksteady").mkdir(parents=True)
-    for name in ("__init__.py", "errors.py", "outcomes.py"):
+    for name in ("__init__.py", "__init__.pyi", "errors.py", "outcomes.py"):
         shutil.copyfile(SOURCES.parent / name, folder / "rocksteady" / name)
-    shutil.copytree(
-        SOURCES,
-        folder / "rocksteady" / "kernels",
-        ignore=shutil.ignore_patterns("__pycache__"),
-        copy_function=shutil.copyfile,
-    )
+    for part in ("kernels", "results"):
+        shutil.copytree(
+            SOURCES.parent / part,
+            folder / "rocksteady" / part,
+            ignore=shutil.ignore_patterns("__pycache__"),
+            copy_function=shutil.copyfile,
+        )
     return folder
 
 
