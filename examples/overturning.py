@@ -21,7 +21,7 @@ def main() -> None:
         figure = Figure(figsize=(9.6, 4.6))
         left, right = figure.subplots(1, 2, sharey=True)
         for axes, shape in ((left, "one-sine"), (right, "one-cosine")):
-            found = rs.find_overturning_windows(block, shape, RATIOS, amplitudes=(1.0, 12.0))
+            found = rs.find_overturning_windows(block, shape, RATIOS, within=(1.0, 12.0))
             rs.plot_overturning(found, axes)
             axes.set_title(f"{shape} pulse, restitution {block.restitution:g}")
             axes.grid(visible=False)
@@ -35,7 +35,7 @@ def main() -> None:
 
         cabinet = rs.named_block("zhang-makris-2001")
         ratios = np.linspace(0.5, 9.0, 400)
-        full = rs.find_overturning_windows(cabinet, "one-sine", ratios, amplitudes=(1.0, 15.0))
+        full = rs.find_overturning_windows(cabinet, "one-sine", ratios, within=(1.0, 15.0))
         figure = Figure(figsize=(8.0, 4.4))
         axes = rs.plot_overturning(full, figure.add_subplot())
         axes.set_title("one-sine pulse, full equations, α = 0.25 rad, restitution 0.9")

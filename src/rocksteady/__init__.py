@@ -6,6 +6,7 @@ is imported when it is first used, so that ``import rocksteady`` loads no compil
 
 import lazy_loader
 
+from rocksteady.results.gridded import use_describers
 from rocksteady.results.result import use_plots
 
 __version__ = "0.1.0"
@@ -25,6 +26,14 @@ use_plots(
         "ResponseSpectrum": "plot_response_spectra",
         "SteadyOrbit": "plot_orbit",
         "Trajectory": "plot_trajectory",
+        "attractor map": "plot_map",
+        "fate map": "plot_map",
     },
     __getattr__,
+)
+use_describers(
+    {
+        "attractor map": ({"kind", "period", "after"}, "rocksteady.dynamics.maps._describing"),
+        "fate map": ({"fate", "impacts"}, "rocksteady.dynamics.maps._describing"),
+    }
 )

@@ -239,9 +239,9 @@ def grids(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
     axes = {"amplitude": [1.0, 2.0], "frequency_ratio": [3.0, 4.0]}
     window = {"angles": few, "velocities": few, "model": model}
     shaking = rs.Harmonic(amplitude=2.0, frequency_ratio=4.0)
-    yield partial(rs.map_attractors, block, axes=axes, cycles=20, model=model)
+    yield partial(rs.map_attractors, block, axes=axes, max_cycles=20, model=model)
     yield partial(rs.map_fates, block, axes=axes, cycles=10, model=model)
-    yield partial(rs.compute_basins, block, shaking, cycles=10, **window)
+    yield partial(rs.compute_basins, block, shaking, max_cycles=10, **window)
     yield partial(rs.compute_erosion, block, 4.0, [0.5, 3.0], cycles=5, **window)
     reach = {"amplitudes": (3.0, 4.0), "resolution": 0.1, "model": model}
     yield partial(rs.find_overturning_windows, block, "half-sine", [3.0], **reach)
@@ -277,5 +277,5 @@ def of_symmetric_blocks(block: rs.Block, model: Any) -> Iterator[Callable[[], ob
     for branch in (1, 2):
         start = rs.Steady(branch=branch)
         yield partial(rs.simulate, block, shaking, cycles=3, start=start, model=model)
-        yield partial(rs.map_attractors, block, axes=axes, cycles=20, start=start, model=model)
+        yield partial(rs.map_attractors, block, axes=axes, max_cycles=20, start=start, model=model)
         yield partial(rs.map_fates, block, axes=axes, cycles=10, start=start, model=model)

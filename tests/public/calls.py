@@ -61,7 +61,7 @@ def things() -> dict[str, Any]:
     suite = rs.compute_rocking_spectrum([record, other], alpha=0.2, periods_s=[1.0, 2.0])
     grid = rs.Grid(axes=(rs.Axis(name="amplitude", values=[1.0, 2.0]),))
     maps = rs.map_attractors(
-        bare, axes={"amplitude": [1.0, 2.0], "frequency_ratio": [3.0, 4.0]}, cycles=50
+        bare, axes={"amplitude": [1.0, 2.0], "frequency_ratio": [3.0, 4.0]}, max_cycles=50
     )
     few = [-0.5, 0.0, 0.5]
     states = rs.find_steady_states(2.0, 4.0, 0.8)
@@ -92,8 +92,8 @@ def things() -> dict[str, Any]:
         "grid": grid,
         "output": rs.Output(name="value"),
         "map": maps,
-        "basins": rs.compute_basins(bare, shaking, angles=few, velocities=few, cycles=20),
-        "erosion": rs.compute_erosion(bare, 4.0, [0.5, 3.0], angles=few, velocities=few, cycles=5),
+        "basins": rs.compute_basins(bare, shaking, angles=few, velocities=few, max_cycles=20),
+        "erosion": rs.compute_erosion(bare, shaking, [0.5, 3.0], angles=few, velocities=few, cycles=5),
         "trail": rs.sweep_attractor(bare, shaking, "amplitude", [1.9, 2.0], cycles=50),
         "cascade": rs.DoublingCascade(parameter="amplitude", points=branch.points),
         "course": rs.integrate_record(record),
@@ -103,7 +103,7 @@ def things() -> dict[str, Any]:
         "steady": rs.compute_steady_orbit(2.0, 4.0, 0.8, samples=11),
         "regions": rs.compute_region_map([3.0, 4.0], 0.8),
         "windows": rs.find_overturning_windows(
-            bare, "half-sine", [3.0, 3.5], amplitudes=(3.0, 4.0), resolution=0.1
+            bare, "half-sine", [3.0, 3.5], within=(3.0, 4.0), resolution=0.1
         ),
         "attractor": rs.find_attractor(bare, shaking, cycles=50),
         "state": rs.ImpactState(side=1, phase=0.5, speed=0.3),
@@ -231,7 +231,7 @@ def calls() -> dict[str, Call]:
         rs.add_motions: {"motions": [t["pulse"], rs.Still()]},
         rs.animate: {"trajectory": run, "span": (0.0, 0.2), "fps": 5.0},
         rs.find_attractor: {"block": bare, "shaking": shaking, "cycles": 20},
-        rs.map_attractors: {"block": bare, "axes": axes, "cycles": 20},
+        rs.map_attractors: {"block": bare, "axes": axes, "max_cycles": 20},
         rs.sweep_attractor: {
             "block": bare,
             "shaking": shaking,

@@ -144,7 +144,7 @@ def leaning(count: int) -> OverturningWindows:
         DimensionlessBlock(restitution=0.9),
         "ricker",
         np.linspace(0.8, 1.8, count),
-        amplitudes=(2.5, 9.0),
+        within=(2.5, 9.0),
     )
 
 

@@ -111,8 +111,8 @@ def test_a_map_differs_from_the_full_one_in_few_cells() -> None:
     """Measured: 0.13 % of 300 x 400 cells from 20 % of the work."""
     axes = {"amplitude": np.linspace(0.05, 6.0, 150), "frequency_ratio": np.linspace(0.2, 8.0, 200)}
     block = DimensionlessBlock(restitution=0.8)
-    whole = map_attractors(block, axes=axes, cycles=500)
-    found = map_attractors(block, axes=axes, cycles=500, refine=8)
+    whole = map_attractors(block, axes=axes, max_cycles=500)
+    found = map_attractors(block, axes=axes, max_cycles=500, refine=8)
     met = found.met.values
     assert 0.1 < met.mean() < 0.45
     for name in whole.data_vars:

@@ -39,7 +39,7 @@ def test_the_json_keeps_the_contract() -> None:
     values = ran.json
     assert next(iter(values)) == "schema"
     assert values["schema"] == "rocksteady/map/1"
-    found = map_attractors(BLOCK, axes=GRID, cycles=300)
+    found = map_attractors(BLOCK, axes=GRID, max_cycles=300)
     words = found.kind.attrs["flag_meanings"].split()
     counts = np.bincount(found.kind.values.ravel(), minlength=len(words)).tolist()
     assert values["counts"] == dict(zip(words, counts, strict=True))
@@ -159,7 +159,7 @@ def test_any_flag_may_be_an_axis(
     axes = {name: axis("", text) for name, text in arguments["axes"].items()}
     more = {name: value for name, value in arguments.items() if name not in ("axes", "fixed")}
     named = {**axes, **arguments.get("fixed", {})}
-    found = map_attractors(block, shaking, axes=named, cycles=200, **more)
+    found = map_attractors(block, shaking, axes=named, max_cycles=200, **more)
     stored = open_store(path)
     assert stored.kind.dims == found.kind.dims
     for name in found.variables:

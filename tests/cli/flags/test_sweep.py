@@ -25,7 +25,7 @@ def filled(path: Path) -> Path:
     """Write a store of four cells."""
     axes: dict[str, Any] = {"amplitude": np.array([0.5, 1.5]), "frequency_ratio": [2.0, 3.0]}
     block = DimensionlessBlock(restitution=0.8)
-    map_attractors(block, axes=axes, cycles=20, run=Run(store=Store(path)))
+    map_attractors(block, axes=axes, max_cycles=20, run=Run(store=Store(path)))
     return path
 
 

@@ -18,7 +18,7 @@ WINDOW: dict[str, Any] = {"angles": [-0.9, -0.3, 0.3, 0.9], "velocities": [-0.4,
 
 def fractions_of(block: Block | DimensionlessBlock, **more: Any) -> dict[str, Any]:
     shaking = Harmonic(amplitude=0.5, frequency_ratio=2.0)
-    return basins_values(compute_basins(block, shaking, **WINDOW, cycles=200, **more), block)
+    return basins_values(compute_basins(block, shaking, **WINDOW, max_cycles=200, **more), block)
 
 
 def erosion_of(block: Block | DimensionlessBlock, **more: Any) -> dict[str, Any]:

@@ -34,7 +34,7 @@ def grid_of(case: MapCase, *, fates: bool = False) -> xr.Dataset:
     axes: dict[str, Any] = dict(case.axes)
     if fates:
         return map_fates(block, axes=axes, cycles=30)
-    return map_attractors(block, axes=axes, cycles=200)
+    return map_attractors(block, axes=axes, max_cycles=200)
 
 
 def values_of(case: MapCase, found: xr.Dataset) -> dict[str, Any]:

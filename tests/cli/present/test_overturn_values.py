@@ -117,6 +117,6 @@ def test_windows_of_any_kind_have_their_words() -> None:
 
 def test_a_title_has_both_slendernesses_of_an_asymmetric_block() -> None:
     block = Block.asymmetric(left=0.15, right=0.25, height=1.2)
-    found = find_overturning_windows(block, "ricker", [2.0, 3.0], amplitudes=(1.0, 3.0))
+    found = find_overturning_windows(block, "ricker", [2.0, 3.0], within=(1.0, 3.0))
     alphas = f"α = {block.alpha:.3g}/{block.negative.alpha:.3g} rad"
     assert alphas in title_of(overturn_values(found, block))

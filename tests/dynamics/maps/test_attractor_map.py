@@ -49,7 +49,7 @@ CASES = 120
 )
 def test_every_cell_is_the_attractor_at_that_point(start: Any, phase: float) -> None:
     shaking = replace(SHAKING, phase=phase)
-    found = map_attractors(BLOCK, shaking, axes=AXES, start=start, cycles=300)
+    found = map_attractors(BLOCK, shaking, axes=AXES, start=start, max_cycles=300)
     assert found.kind.dims == ("amplitude", "frequency_ratio")
     for a in AMPLITUDES:
         for w in RATIOS:
@@ -71,24 +71,24 @@ def test_a_row_along_which_chatter_ends_at_uplift_is_as_fast_as_any_other() -> N
 
 def test_executors_agree_to_the_bit_and_progress_is_told() -> None:
     told: list[int] = []
-    one = map_attractors(BLOCK, axes=AXES, cycles=300, run=Run(progress=told.append))
-    other = map_attractors(BLOCK, axes=AXES, cycles=300, run=Run(executor="serial"))
+    one = map_attractors(BLOCK, axes=AXES, max_cycles=300, run=Run(progress=told.append))
+    other = map_attractors(BLOCK, axes=AXES, max_cycles=300, run=Run(executor="serial"))
     assert one.identical(other)
     assert sum(told) == 12 * 11
 
 
 def test_the_phase_is_an_axis_as_any_other() -> None:
     phases = [-7.0, 0.0, 2.5]
-    found = map_attractors(BLOCK, axes={"phase": phases, **AXES}, cycles=100)
+    found = map_attractors(BLOCK, axes={"phase": phases, **AXES}, max_cycles=100)
     for phase in phases:
         shaking = replace(SHAKING, phase=phase)
-        alone = map_attractors(BLOCK, shaking, axes=AXES, cycles=100)
+        alone = map_attractors(BLOCK, shaking, axes=AXES, max_cycles=100)
         assert found.sel(phase=phase).drop_vars("phase").equals(alone)
 
 
 def test_a_map_says_what_it_was_computed_from() -> None:
     block = Block.rectangle(width=0.4, height=1.2, restitution=0.9, gravity=9.8)
-    found = map_attractors(block, SHAKING, axes={"height": [1.2, 2.4], "phase": [0.0]}, cycles=7)
+    found = map_attractors(block, SHAKING, axes={"height": [1.2, 2.4], "phase": [0.0]}, max_cycles=7)
     attributes = dict(found.attrs)
     for name in ("rocksteady_version", "source", "inputs"):
         assert attributes.pop(name)
@@ -112,7 +112,7 @@ def test_a_number_among_the_axes_is_fixed_and_no_dimension() -> None:
         "frequency_hz": np.array(0.7),
         "phase": 1.0,
     }
-    found = map_attractors(RECTANGLE, axes=given, cycles=50)
+    found = map_attractors(RECTANGLE, axes=given, max_cycles=50)
     assert found.kind.dims == ("width",)
     for name in ("height", "acceleration_m_s2", "frequency_hz", "phase"):
         assert found.attrs[name] == given[name]
@@ -137,7 +137,7 @@ def test_what_is_fixed_overrides_block_shaking_and_start() -> None:
 @pytest.mark.parametrize("widths", [[0.3, 0.6, 0.9], [0.9, 0.6, 0.3]])
 def test_a_harmonic_keeps_its_ratios_where_sizes_move(widths: list[float]) -> None:
     for block in (RECTANGLE, Block.rectangle(width=0.7, height=1.2, restitution=0.9)):
-        found = map_attractors(block, SHAKING, axes={"width": widths, "height": 2.0}, cycles=100)
+        found = map_attractors(block, SHAKING, axes={"width": widths, "height": 2.0}, max_cycles=100)
         for width in widths:
             there = Block.rectangle(width=width, height=2.0, restitution=0.9)
             cell = found.sel(width=width)
@@ -155,7 +155,7 @@ def test_every_cell_of_any_map_is_the_attractor_of_its_block_shaking_and_start(
         axes={**case.axes, **case.fixed},
         start=case.start,
         housner=case.housner,
-        cycles=60,
+        max_cycles=60,
     )
     assert found.kind.dims == tuple(case.axes)
     for values in product(*case.axes.values()):
@@ -257,7 +257,7 @@ def test_what_does_not_go_together_is_refused(
 
 def test_only_its_sizes_are_refused_to_a_block_that_is_no_homogeneous_rectangle() -> None:
     axes = {"acceleration_m_s2": [4.0], "frequency_hz": [0.7], "phase": [0.0, 1.0]}
-    found = map_attractors(RING, axes=axes, housner=True, cycles=100)
+    found = map_attractors(RING, axes=axes, housner=True, max_cycles=100)
     ratio = housner_restitution(RING.alpha, p=RING.p, radius=RING.radius, gravity=RING.gravity)
     assert found.attrs["restitution"] == ratio
     bare = DimensionlessBlock(restitution=ratio)
@@ -281,7 +281,7 @@ def test_a_fixed_acceleration_and_frequency_take_the_place_of_the_shaking() -> N
 def test_where_no_number_says_how_an_unstable_state_is_left_there_is_no_start() -> None:
     start = Steady(order=3)
     axes = {"amplitude": [0.5, 5.0], "frequency_ratio": [0.01, 2.0]}
-    found = map_attractors(BLOCK, axes=axes, start=start, cycles=20)
+    found = map_attractors(BLOCK, axes=axes, start=start, max_cycles=20)
     shaking = Harmonic(amplitude=0.5, frequency_ratio=0.01)
     with pytest.raises(ModelError, match="no number says how it is left"):
         find_attractor(BLOCK, shaking, start=start)

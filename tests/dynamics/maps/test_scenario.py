@@ -25,7 +25,7 @@ def scenario(case: Case) -> Scenario:
     return Scenario(
         axes=tuple(case.axes),
         block=case.block,
-        shaking=case.shaking,
+        motion=case.shaking,
         start=case.start,
         fixed=tuple(case.fixed.items()),
         housner=case.housner,
@@ -115,7 +115,7 @@ def test_what_keeps_what_among_the_sizes() -> None:
     assert set(kept) == set(SIZES)
     for moved, stays in kept.items():
         assert sizes_with([moved]) != ()
-        there = Scenario(axes=(moved,), block=block, shaking=shaking).kept
+        there = Scenario(axes=(moved,), block=block, motion=shaking).kept
         assert {name for name in there if name in SIZES} == {stays}
         assert there[stays] == getattr(block, stays)
         assert (there["amplitude"], there["frequency_ratio"]) == (2.0, 3.0)
@@ -154,7 +154,7 @@ def test_a_parameter_is_named_once(fixed: Any) -> None:
     block = Block.rectangle(width=0.4, height=1.2)
     shaking = Harmonic(amplitude=2.0, frequency_ratio=3.0)
     with pytest.raises(ModelError, match="one thing in two ways"):
-        Scenario(axes=("width",), block=block, shaking=shaking, fixed=fixed)
+        Scenario(axes=("width",), block=block, motion=shaking, fixed=fixed)
 
 
 def test_restitution_follows_the_slenderness_only_where_asked() -> None:
@@ -163,7 +163,7 @@ def test_restitution_follows_the_slenderness_only_where_asked() -> None:
         whole = Scenario(
             axes=("width",),
             block=block,
-            shaking=Harmonic(amplitude=2.0, frequency_ratio=3.0),
+            motion=Harmonic(amplitude=2.0, frequency_ratio=3.0),
             housner=housner,
         )
         cells = whole.cells({"width": np.array([0.8, 0.8])})
@@ -192,7 +192,7 @@ def test_restitution_follows_the_slenderness_only_where_asked() -> None:
 def test_attributes_name_the_start(start: Any, axes: Any, said: dict[str, Any]) -> None:
     shaking = Harmonic(amplitude=2.0, frequency_ratio=3.0, phase=0.5)
     block = DimensionlessBlock(restitution=0.8)
-    whole = Scenario(axes=axes, block=block, shaking=shaking, start=start)
+    whole = Scenario(axes=axes, block=block, motion=shaking, start=start)
     given = {"amplitude": 2.0, "frequency_ratio": 3.0, "restitution": 0.8}
     if not isinstance(start, Steady):
         given["phase"] = 0.5

@@ -153,7 +153,7 @@ def test_basins_go_where_single_motions_go() -> None:
             if one.orbit is not None:
                 assert where.orbit is not None
                 assert where.orbit.highest == pytest.approx(one.orbit.highest, abs=1e-9)
-    wide = compute_basins(ASYMMETRY, shaking, cycles=20, velocities=window)
+    wide = compute_basins(ASYMMETRY, shaking, max_cycles=20, velocities=window)
     assert wide.angle[-1] > 1.3
     assert found.to_dataset().attrs["alpha_ratio"] == 1.3
 

@@ -34,7 +34,7 @@ CABINET = Block.from_p(alpha=0.25, p=2.14, restitution=0.9, gravity=G)
 
 def nonlinear(block: Block, shape: str, ratio: float, top: float = 20.0) -> OverturningWindows:
     return find_overturning_windows(
-        block, shape, [ratio], model=Nonlinear(), amplitudes=(1.0, top), run=Run(executor="serial")
+        block, shape, [ratio], model=Nonlinear(), within=(1.0, top), run=Run(executor="serial")
     )
 
 

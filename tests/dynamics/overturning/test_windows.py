@@ -74,7 +74,7 @@ def test_m1_m2_the_smallest_accelerations_of_a_block(shape: str, accel_g: float)
 def test_the_window_without_an_impact_begins_at_the_closed_form(shape: str) -> None:
     ratios = np.geomspace(0.3, 12.0, 9)
     expected = overturning_threshold(shape, ratios)
-    found = find_overturning_windows(BLOCK, shape, ratios, amplitudes=(1.0, 400.0))
+    found = find_overturning_windows(BLOCK, shape, ratios, within=(1.0, 400.0))
     for index, a in enumerate(expected.tolist()):
         last = found.at(index)[-1]
         assert (last.impacts, last.side, last.endless) == (0, 1, True)
@@ -101,7 +101,7 @@ def test_a_dense_scan_of_time_histories_finds_no_other_window(
 ) -> None:
     block = DimensionlessBlock(restitution=restitution)
     like = Pulse(shape=shape, amplitude=1.0, frequency_ratio=1.0, tolerance=1e-4)
-    found = find_overturning_windows(block, like, [w], amplitudes=(1.0, 8.0))
+    found = find_overturning_windows(block, like, [w], within=(1.0, 8.0))
     borders = {a for ends in found.intervals(0) for a in ends}
     spread = 1.0 + np.geomspace(1e-3, 7.0, 50 if "m" in shape[:1] else 900)
     # And the two sides of every border.
@@ -156,11 +156,11 @@ def test_without_a_rebound_only_what_happens_in_the_pulse_overturns() -> None:
 
 def test_the_range_cuts_windows_and_changes_nothing_else() -> None:
     whole = find_overturning_windows(BLOCK, "one-sine", [5.0])
-    part = find_overturning_windows(BLOCK, "one-sine", [5.0], amplitudes=(4.0, 7.0))
+    part = find_overturning_windows(BLOCK, "one-sine", [5.0], within=(4.0, 7.0))
     ((low, high, impacts),) = only(part)
     assert (low, impacts, part.at(0)[0].endless) == (4.0, 1, False)
     assert high == pytest.approx(whole.at(0)[0].high, rel=1e-14)
-    below = find_overturning_windows(BLOCK, "one-sine", [5.0], amplitudes=(0.0, 0.9))
+    below = find_overturning_windows(BLOCK, "one-sine", [5.0], within=(0.0, 0.9))
     assert below.at(0) == ()
     assert np.isnan(below.first[0])
 

@@ -36,7 +36,7 @@ from rocksteady.show.style import palette
 @cache
 def found(shape: str = "one-sine", top: float = 12.0) -> OverturningWindows:
     block, ratios = DimensionlessBlock(restitution=0.9), np.linspace(1.0, 8.0, 36)
-    return find_overturning_windows(block, shape, ratios, amplitudes=(1.0, top))
+    return find_overturning_windows(block, shape, ratios, within=(1.0, top))
 
 
 PLOTS: dict[str, Callable[[Axes | None], Axes]] = {

@@ -1,9 +1,10 @@
 """`rocksteady basins`: basins of attraction, and erosion of the safe basin with amplitude."""
 
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import (
     INCOMPLETE,
     announce_compilation,
@@ -17,17 +18,12 @@ from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.parsing import axis, single
-from rocksteady.cli.present.basins_text import case_of, print_erosion, print_fractions
-from rocksteady.cli.present.basins_values import (
-    basins_values,
-    erosion_values,
-    state_rows,
-    undecided,
-)
-from rocksteady.cli.present.shared import case_text
-from rocksteady.model.blocks.block import Block
-from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.results.rendering import print_description
+
+if TYPE_CHECKING:
+    from rocksteady.dynamics.basins.basins import Basins
+    from rocksteady.dynamics.basins.erosion import Erosion
 
 HELP = (
     "Where the block goes from each state of a window: basins of attraction and their shares.\n\n"
@@ -122,90 +118,65 @@ def basins(
             "safe basins are computed at the points of a grid",
             "leave it out, or give one amplitude",
         )
-    first = Harmonic(amplitude=amplitudes[0], frequency_ratio=ratio, phase=phase)
+    motion = Harmonic(amplitude=amplitudes[0], frequency_ratio=ratio, phase=phase)
     chosen: dict[str, Any] = {
         name: axis(name, text)
         for name, text in (("angles", angles), ("velocities", velocities))
         if text is not None
     }
     chosen["model"] = equations
+    eroding = len(amplitudes) > 1
     if cycles is not None:
-        chosen["cycles"] = cycles
-
-    if len(amplitudes) > 1:
-        in_lanes = equations.name == "linear" and body.symmetric
-        announce_compilation("driver.lane_fates" if in_lanes else "harmonic.fates_of_sides")
-        _erosion(body, first, amplitudes, chosen, output)
-    else:
-        announce_compilation("attractors.settle_cells")
-        _basins(body, first, {**chosen, "seed": seed}, output)
-
-
-def _basins(
-    body: Block | DimensionlessBlock,
-    shaking: Harmonic,
-    chosen: dict[str, Any],
-    output: OutputFlags,
-) -> None:
-    """Compute the basins at one amplitude, and leave behind what was asked for."""
-    from rocksteady.dynamics.basins.basins import compute_basins as computed
+        chosen["cycles" if eroding else "max_cycles"] = cycles
+    in_lanes = eroding and equations.name == "linear" and body.symmetric
+    kernel = "driver.lane_fates" if in_lanes else "harmonic.fates_of_sides"
+    announce_compilation(kernel if eroding else "attractors.settle_cells")
+    from rocksteady.dynamics.basins.basins import compute_basins
+    from rocksteady.dynamics.basins.erosion import compute_erosion
     from rocksteady.dynamics.basins.window import POINTS
     from rocksteady.sweep.run import Run
 
     states = len(chosen.get("angles", range(POINTS))) * len(chosen.get("velocities", range(POINTS)))
+    if eroding:
+        states *= len(amplitudes) + (amplitudes[0] != 0.0)
     with sweeping("following states", states) as meter:
-        found = computed(body, shaking, **chosen, run=Run(progress=meter))
-    values = basins_values(found, body)
+        run = Run(progress=meter)
+        if eroding:
+            _leave_erosion(compute_erosion(body, motion, amplitudes, **chosen, run=run), output)
+        else:
+            _leave_basins(compute_basins(body, motion, **chosen, seed=seed, run=run), output)
+
+
+def _leave_basins(found: "Basins", output: OutputFlags) -> None:
+    """Leave behind what was asked for of basins."""
+    description = found.describe()
     if output.csv is not None:
-        write_csv(output.csv, ("angle", "velocity", "label", "attractor"), state_rows(found))
+        frame = found.to_dataframe()
+        write_csv(output.csv, list(frame), frame.itertuples(index=False, name=None))
     if output.plot is not None:
         from rocksteady.show.figures.single import basins_figure
 
-        title = f"Basins at phase {found.shaking.phase:.4g} rad: {case_text(values)}"
-        write_figure(output.plot, basins_figure(found, title, output.page))
+        write_figure(output.plot, basins_figure(found, description.headline, output.page))
     if output.as_json:
-        print_json("basins", values)
+        print_json("basins", description.to_dict())
     else:
-        print_fractions(values)
-    if undecided(values) > FEW:
+        print_description(description, terminal.console())
+    if found.undecided > FEW:
         raise typer.Exit(INCOMPLETE)
 
 
-def _erosion(
-    body: Block | DimensionlessBlock,
-    shaking: Harmonic,
-    amplitudes: list[float],
-    chosen: dict[str, Any],
-    output: OutputFlags,
-) -> None:
-    """Compute the erosion over an axis of amplitudes, and leave behind what was asked for."""
-    from rocksteady.dynamics.basins.erosion import MEASURES, compute_erosion
-    from rocksteady.dynamics.basins.window import POINTS
-    from rocksteady.sweep.run import Run
-
-    window = len(chosen.get("angles", range(POINTS))) * len(chosen.get("velocities", range(POINTS)))
-    states = window * (len(amplitudes) + (amplitudes[0] != 0.0))
-    with sweeping("following states", states) as meter:
-        found = compute_erosion(
-            body,
-            shaking.frequency_ratio,
-            amplitudes,
-            phase=shaking.phase,
-            **chosen,
-            run=Run(progress=meter),
-        )
-    drops = {measure: found.drop(measure) for measure in MEASURES}
-    values = erosion_values(found, drops, body)
+def _leave_erosion(found: "Erosion", output: OutputFlags) -> None:
+    """Leave behind what was asked for of an erosion."""
+    description = found.describe()
     if output.csv is not None:
-        rows = values["erosion"]
-        write_csv(output.csv, list(rows[0]), [list(row.values()) for row in rows])
+        table = description.tables[0]
+        write_csv(output.csv, table.header, table.records())
     if output.plot is not None:
         from rocksteady.show.figures.single import erosion_figure
 
-        title = f"Erosion of the safe basin at phase {found.phase:.4g} rad: {case_of(values)}"
-        there = [drop for drop in drops.values() if drop is not None]
-        write_figure(output.plot, erosion_figure(found, there, title, output.page))
+        drops = [drop for drop in found.drops.values() if drop is not None]
+        write_figure(output.plot, erosion_figure(found, drops, description.headline, output.page))
     if output.as_json:
-        print_json("basins", values)
+        print_json("basins", description.to_dict())
     else:
-        print_erosion(values)
+        print_description(description, terminal.console())

@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import (
     INCOMPLETE,
     announce_compilation,
@@ -13,15 +14,15 @@ from rocksteady.cli.console.outputs import (
     write_figure,
     write_netcdf,
 )
-from rocksteady.cli.console.progress import sweeping
+from rocksteady.cli.console.progress import Meter, sweeping
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags, equations_for
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.map_axes import MapCase, MapStartFlags, map_case
 from rocksteady.cli.flags.sweep import SWEEP, SweepFlags
-from rocksteady.cli.present.maps_values import map_values, print_counts, title_of
 from rocksteady.errors import InputError
+from rocksteady.results.rendering import print_description
 
 HELP = (
     "What the block settles to in every cell of a grid.\n\n"
@@ -106,25 +107,25 @@ def maps(
     from rocksteady.dynamics.maps.attractor_map import map_attractors
     from rocksteady.dynamics.maps.fate_map import map_fates
 
-    periods = (200 if fate else 2000) if cycles is None else cycles
+    what = map_fates if fate else map_attractors
+    limit = {} if cycles is None else {"cycles" if fate else "max_cycles": cycles}
     with (
         sweep.resumable(context.find_root().obj),
         start.as_typed(),
         sweeping("following motions", case.cells) as meter,
     ):
-        found = (map_fates if fate else map_attractors)(
+        found = what(
             case.body,
             axes={**case.axes, **case.fixed},
-            start=case.start.of(case.shaking.frequency_ratio),
-            cycles=periods,
-            housner=case.housner,
-            run=replace(run, progress=meter),
+            start=case.start.of(case.motion.frequency_ratio),
             refine=refine,
             model=equations,
+            run=replace(run, progress=meter),
+            **limit,
         )
-    values = map_values(case, found, meter)
-    values |= {"store": run.place and str(run.place.path), "cycles": periods, "fate": fate}
-    values["model"] = model
+    description = found.rocksteady.describe()
+    values = {"computed": meter.computed, **description.to_dict(), **case.values}
+    values |= {"store": run.place and str(run.place.path), "seconds": meter.seconds}
     if output.csv is not None:
         write_cells(output.csv, found)
     if sweep.netcdf is not None:
@@ -132,14 +133,20 @@ def maps(
     if output.plot is not None:
         from rocksteady.show.figures.maps import map_figure
 
-        title = title_of(case, periods if fate else None, equations.name)
-        write_figure(output.plot, map_figure(found, title, output.page))
+        write_figure(output.plot, map_figure(found, description.headline, output.page))
     if output.as_json:
         print_json("map", values)
     else:
-        print_counts(values)
+        print_description(description, terminal.console())
+        terminal.console().print(_speed(values["computed"], meter), style="dim")
     if values["counts"].get("undecided", 0) > FEW * values["cells"]:
         raise typer.Exit(INCOMPLETE)
+
+
+def _speed(computed: int, meter: Meter) -> str:
+    """Return how many cells were computed, and how fast."""
+    rate = computed / meter.seconds if meter.seconds else 0.0
+    return f"{computed:,} cells computed in {meter.seconds:.2f} s, {rate:,.0f} a second"
 
 
 def _check_drawable(case: MapCase) -> None:

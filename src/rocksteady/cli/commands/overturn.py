@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import (
     INCOMPLETE,
     announce_compilation,
@@ -25,18 +26,12 @@ from rocksteady.cli.flags.block_and_shaking import (
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.sweep import SweepFlags
-from rocksteady.cli.present.overturn_values import (
-    overturn_values,
-    print_windows,
-    title_of,
-    window_rows,
-)
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.validation import LARGEST
-from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.segments import Harmonic, Still
+from rocksteady.results.rendering import print_description
 
 HELP = (
     "The amplitudes at which a pulse overturns a block at rest, over the pulse's frequency.\n\n"
@@ -164,40 +159,30 @@ def overturn(
     ):
         found = find_overturning_windows(
             body,
-            Pulse(
-                shape=shape.shape,
-                amplitude=1.0,
-                frequency_ratio=ratios[0],
-                oscillations=shape.oscillations,
-                phase=shape.phase,
-            ),
+            shape,
             ratios,
-            model=equations,
-            **({} if within is None else {"amplitudes": within}),
+            within=within,
             resolution=RESOLUTION if resolution is None else resolution,
+            model=equations,
             run=replace(run, progress=meter),
         )
-    values = overturn_values(found, body)
-    values |= {"seconds": meter.seconds, "store": run.place and str(run.place.path)}
+    description = found.describe()
     if output.csv is not None:
-        rows = window_rows(values)
-        write_csv(output.csv, list(rows[0]) if rows else ["frequency_ratio"], _cells(rows))
+        frame = found.to_dataframe()
+        write_csv(output.csv, list(frame), frame.itertuples(index=False, name=None))
     if sweep.netcdf is not None:
         write_netcdf(sweep.netcdf, found.to_dataset())
     if output.plot is not None:
         from rocksteady.show.figures.single import overturning_figure
 
-        write_figure(output.plot, overturning_figure(found, title_of(values), output.page))
+        write_figure(output.plot, overturning_figure(found, description.headline, output.page))
     if output.as_json:
-        print_json("overturn", values)
+        store = run.place and str(run.place.path)
+        print_json("overturn", {**description.to_dict(), "seconds": meter.seconds, "store": store})
     else:
-        print_windows(values)
+        print_description(description, terminal.console())
     if found.undecided.any():
         raise typer.Exit(INCOMPLETE)
-
-
-def _cells(rows: list[dict[str, object]]) -> list[list[object]]:
-    return [list(row.values()) for row in rows]
 
 
 def _range(

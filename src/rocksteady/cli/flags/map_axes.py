@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -14,14 +14,20 @@ from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
 from rocksteady.cli.flags.parsing import axis
 from rocksteady.cli.flags.start import HINT, TAU, StartFlags
-from rocksteady.dynamics.parameters import AXES, shaking_of
+from rocksteady.dynamics.parameters import AXES, SIZES, shaking_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.facts import harmonic_values
 from rocksteady.model.motions.segments import Harmonic
 
 RESIZED = frozenset({"width", "height", "radius", "p"})
 """Measures that change the frequency parameter of a block."""
+LEANER = frozenset({"width", "height", "alpha"})
+"""Measures that change alpha, by which amplitudes are measured."""
+AMPLITUDE = {"amplitude": "amplitude", "acceleration_m_s2": "accel_g"}
+FREQUENCY = {"frequency_ratio": "frequency_ratio", "frequency_hz": "freq_hz"}
+"""JSON keys by the parameters that they are."""
 
 StartAxes = Annotated[
     str,
@@ -162,23 +168,42 @@ class MapCase:
 
     Attributes
     ----------
-    body, shaking, start
+    body, motion, start
         At the first value of each axis.
     axes
         Values by the names of `rocksteady.map_attractors`, in the order of the dimensions.
     fixed
         Parameters that were given one value, as it was given: what follows from it in a cell is
         then what follows from it at that point alone.
-    housner
-        Whether the restitution follows from the slenderness in each cell.
+        The restitution is "housner" where it follows from the slenderness in each cell.
     """
 
     body: Block | DimensionlessBlock
-    shaking: Harmonic
+    motion: Harmonic
     start: StartFlags
     axes: dict[str, list[float]]
-    fixed: dict[str, float]
-    housner: bool
+    fixed: dict[str, float | str]
+
+    @property
+    def values(self) -> dict[str, Any]:
+        """Block, motion and start of the flags; None for what is an axis or moves with one."""
+        values = harmonic_values(self.body, self.motion)
+        values |= self.start.values(self.motion.phase)
+        axes = set(self.axes)
+        moving = set(axes)
+        for names, sizes in ((AMPLITUDE, LEANER), (FREQUENCY, RESIZED)):
+            if axes & names.keys():
+                moving |= set(names.values())
+            elif axes & sizes:  # what was given stays, and moves in the other measure
+                moving |= {word for name, word in names.items() if name not in self.fixed}
+        if axes & set(SIZES):
+            values["block"] = None
+            moving |= {"restitution"} & self.fixed.keys()
+        if "restitution" in axes:  # of both impacts
+            moving |= {"negative_restitution"}
+        if moving & {"velocity", "angle"}:
+            values["start"] = None
+        return values | dict.fromkeys(moving & values.keys())
 
     @property
     def cells(self) -> int:
@@ -221,11 +246,13 @@ def map_case(shaking: ShakingFlags, block: BlockFlags, start: MapStartFlags) -> 
             valid="at least one flag of block, shaking or start must be",
             hint="give one as start:stop:count, as -A 0.1:6:300",
         )
+    housner: dict[str, float | str] = {}
+    if resized and block.restitution in (None, "housner"):
+        housner["restitution"] = "housner"
     return MapCase(
         body=body,
-        shaking=shaken,
+        motion=shaken,
         start=first,
         axes={name: given[name] for name in AXES if name in moving},
-        fixed={name: given[name][0] for name in AXES if name in given.keys() - moving},
-        housner=resized and block.restitution in (None, "housner"),
+        fixed={name: given[name][0] for name in AXES if name in given.keys() - moving} | housner,
     )

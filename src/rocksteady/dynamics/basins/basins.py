@@ -9,20 +9,29 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.dynamics.basins._describing import basins_described
 from rocksteady.dynamics.basins.labels import BasinAttractor, labelled
 from rocksteady.dynamics.basins.window import centred, moment, spacing, window_axis, window_of
-from rocksteady.dynamics.batch.attractors import Beginnings, batch_size, settled_cells
+from rocksteady.dynamics.batch.attractors import (
+    Beginnings,
+    batch_size,
+    periods_value,
+    settled_cells,
+)
 from rocksteady.dynamics.history.lowering import side_table
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
-from rocksteady.dynamics.orbits.attractor import cycles_value
+from rocksteady.dynamics.history.start import State
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import in_range, whole_number
+from rocksteady.model.checks.validation import in_range, index_value, whole_number
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.outcomes import INFINITELY_MANY, AttractorKind
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import number
+from rocksteady.results.result import Result
 from rocksteady.sweep.cases.draws import uniform
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
@@ -30,11 +39,12 @@ from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
+    import pandas as pd
     import xarray
 
 Floats = NDArray[np.float64]
 
-CYCLES = 500
+MAX_CYCLES = 500
 """Default number of forcing periods for which a state is followed."""
 LARGEST_SEED = 2**64 - 1
 CELL_OUTPUTS = (
@@ -45,8 +55,8 @@ CELL_OUTPUTS = (
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True)
-class BasinFraction:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class BasinFraction(Result):
     """Share of a window that belongs to one basin.
 
     Attributes
@@ -67,16 +77,29 @@ class BasinFraction:
     low: float
     high: float
 
+    def describe(self) -> Description:
+        """Return the share with its interval."""
+        between = f"{number(100.0 * self.low)} to {number(100.0 * self.high)} %"
+        share = f"{number(100.0 * self.share)} %"
+        facts = [
+            Fact("label", self.label, "label"),
+            Fact("states", self.states, "states"),
+            Fact("share", self.share, "share", share),
+            Fact("low", self.low, "interval", between),
+            Fact("high", self.high),
+        ]
+        return Description(f"basin {self.label}: {share} ({between})", facts)
+
 
 @checked_result
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Basins:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Basins(Result):
     """Basins of attraction over a window of initial states.
 
     Attributes
     ----------
-    block, shaking
-        What moves; the phase of `shaking` is that of all initial states, in [0, 2 pi).
+    block, motion
+        What moves; the phase of `motion` is that of all initial states, in [0, 2 pi).
     angle
         u = theta/alpha, shape (n,).
     velocity
@@ -87,8 +110,8 @@ class Basins:
         One for each label.
     start_angle, start_velocity
         The states, shape (m, n): points of the grid, or drawn in the cells around them.
-    cycles
-        Forcing periods for which they were followed.
+    max_cycles
+        Forcing periods after which a motion counted as aperiodic or undecided.
     seed
         With which they were drawn; None for the points of the grid.
     model
@@ -96,14 +119,14 @@ class Basins:
     """
 
     block: Block | DimensionlessBlock
-    shaking: Harmonic
+    motion: Harmonic
     angle: Floats
     velocity: Floats
     label: NDArray[np.int64]
     attractors: tuple[BasinAttractor, ...]
     start_angle: Floats
     start_velocity: Floats
-    cycles: int
+    max_cycles: int
     seed: int | None
     model: Model = field(default_factory=Linear)
 
@@ -118,7 +141,7 @@ class Basins:
 
         An orbit of n forcing periods is at n points, a block at rest at one; others at none.
         """
-        return tuple(_at_phase(one, self.shaking) for one in self.attractors)
+        return tuple(_at_phase(one, self.motion) for one in self.attractors)
 
     def fractions(self, confidence: float = 0.95) -> tuple[BasinFraction, ...]:
         """Return the share of each basin in the window, with Wilson's score interval.
@@ -135,7 +158,7 @@ class Basins:
 
         Returns
         -------
-        tuple of Fraction
+        tuple of BasinFraction
             One for each attractor, in their order; the shares add up to 1.
 
         Raises
@@ -178,9 +201,9 @@ class Basins:
         --------
         >>> from rocksteady import DimensionlessBlock, Harmonic, compute_basins
         >>> block = DimensionlessBlock(restitution=0.8)
-        >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
+        >>> motion = Harmonic(amplitude=2.0, frequency_ratio=4.0)
         >>> window = [-0.5, 0.0, 0.5]
-        >>> data = compute_basins(block, shaking, angles=window, velocities=window).to_dataset()
+        >>> data = compute_basins(block, motion, angles=window, velocities=window).to_dataset()
         >>> print(data.label.dims, data.label.attrs["flag_meanings"])
         ('velocity', 'angle') overturned symmetric-1
         """
@@ -213,104 +236,130 @@ class Basins:
                 "attractor": ("attractor", names),
             },
             attrs={
-                "amplitude": self.shaking.amplitude,
-                "frequency_ratio": self.shaking.frequency_ratio,
-                "phase": self.shaking.phase,
+                "amplitude": self.motion.amplitude,
+                "frequency_ratio": self.motion.frequency_ratio,
+                "phase": self.motion.phase,
                 **attributes_of(self.block, self.model),
-                "cycles": self.cycles,
+                "max_cycles": self.max_cycles,
                 "seed": "none" if self.seed is None else str(self.seed),
             },
         )
 
-    def _repr_html_(self) -> str:
-        """Return a small table for notebooks."""
-        rows = "".join(
-            f"<tr><td>{attractor.name}</td><td>{attractor.description}</td>"
-            f"<td>{100.0 * fraction.share:.2f} %</td>"
-            f"<td>{100.0 * fraction.low:.2f} to {100.0 * fraction.high:.2f} %</td></tr>"
-            for attractor, fraction in zip(self.attractors, self.fractions(), strict=True)
+    def state(self, row: int, column: int) -> State:
+        """Return the initial state of a cell, for `simulate` with `block` and `motion`.
+
+        Parameters
+        ----------
+        row, column
+            Index of its velocity and of its angle.
+
+        Raises
+        ------
+        InputError
+            If there is no such cell.
+        """
+        place = (
+            index_value(row, len(self.velocity), "velocity"),
+            index_value(column, len(self.angle), "angle"),
         )
-        heads = "".join(f"<th>{text}</th>" for text in ("basin", "of", "share", "95 % interval"))
-        return f"<table><caption>Basins</caption><tr>{heads}</tr>{rows}</table>"
+        return State(
+            angle=float(self.start_angle[place]), velocity=float(self.start_velocity[place])
+        )
+
+    @property
+    def undecided(self) -> float:
+        """Share of the states whose attractor is undecided."""
+        of = [one.label for one in self.attractors if one.kind is AttractorKind.UNDECIDED]
+        return float(self.states[of].sum() / self.label.size)
+
+    def describe(self) -> Description:
+        """Return the shares of the basins, their attractors, and the window."""
+        return basins_described(self)
+
+    def to_dataframe(self) -> "pd.DataFrame":
+        """Return a row a state: angle, velocity, label and name of its attractor."""
+        import pandas as pd
+
+        names = np.array([attractor.name for attractor in self.attractors])
+        return pd.DataFrame(
+            {
+                "angle": self.start_angle.ravel(),
+                "velocity": self.start_velocity.ravel(),
+                "label": self.label.ravel(),
+                "attractor": names[self.label.ravel()],
+            }
+        )
 
 
 @checked
 def compute_basins(
     block: Block | DimensionlessBlock,
-    shaking: Harmonic,
+    motion: Harmonic,
     *,
     angles: ArrayLike | None = None,
     velocities: ArrayLike | None = None,
-    cycles: int = CYCLES,
+    max_cycles: int = MAX_CYCLES,
     seed: int | None = None,
-    run: Run | None = None,
     model: Model | None = None,
+    run: Run | None = None,
 ) -> Basins:
-    """Return the basins of attraction in a window of initial states at one phase.
+    """Compute the basins of attraction in a window of initial states at one phase.
 
     Each state is followed as by `find_attractor`; motions that settle to one orbit, whatever their
     shift in time by whole periods, go to one attractor.  Mirror images are two.  All motions that
-    have not repeated within `cycles` and from which neighbours part count as one attractor,
+    have not repeated within `max_cycles` and from which neighbours part count as one attractor,
     aperiodic, and so do those undecided.  With little loss a long way to a periodic motion looks
-    like that too: more cycles tell.
+    like that too: more periods tell.
 
     Parameters
     ----------
     block
-        Its restitution counts, and how its sides differ; in the nonlinear model also how
-        slender.
-    shaking
-        Its phase is that of all initial states.  It is taken modulo a period and to 12 decimals, so
-        that phases which are whole periods apart give the same basins to the last bit.
-    angles
-        u = theta/alpha, shape (n,), evenly spaced.  By default the middles of 200 cells up to
-        1 + A/sqrt(1 + Omega^2) on either side: from that |u + du/ds| on a flight of the linear
-        model grows for ever.
-        Of a block whose sides differ the larger of their bounds.
-    velocities
-        du/d(pt), shape (m,), evenly spaced.  By default the middles of 200 cells up to the same
-        bound: the states |u| + |v| <= 1, which stand on a still base, lie inside.
-    cycles
-        Forcing periods after which a motion counts as aperiodic or undecided.
+        Its restitution counts, and how its sides differ; in the nonlinear model its slenderness.
+    motion
+        Its phase is that of all initial states, modulo a period and to 12 decimals.
+    angles, velocities
+        u = theta/alpha, shape (n,), and du/d(pt), shape (m,), evenly spaced; by default the middles
+        of 200 cells up to 1 + A/sqrt(1 + Omega^2) on either side, beyond which |u + du/ds| on a
+        flight of the linear model grows for ever.
+    max_cycles
+        Forcing periods after which a motion counts as aperiodic or undecided (default 500).
     seed
         With one, a state is drawn in each cell of the grid, instead of its middle.
-    run
-        As for `rocksteady.sweep.evaluate.evaluate`.
     model
-        As for `find_attractor`.
+        `Linear()` (default) or `Nonlinear()`, which needs a `Block`.
+    run
+        Executor, store and progress, as for `evaluate`.
 
     Returns
     -------
     Basins
-        Labels, attractors and shares.  Labels are in the order overturned, rest, orbits by period
-        and number of impacts, aperiodic, undecided.
+        Labels, attractors and shares, in the order overturned, rest, orbits by period and number of
+        impacts, aperiodic, undecided.
 
     Raises
     ------
-    InputError, ModelError
-        If a number is outside its range, an axis is not evenly spaced, the shaking is not harmonic,
-        or the nonlinear model meets a block without slenderness.
-    OutputError, UnfinishedError
-        As for `rocksteady.sweep.evaluate.evaluate`.
+    InputError, ModelError, OutputError, UnfinishedError
+        If a number is outside its range, an axis is not evenly spaced, the nonlinear model meets a
+        block without slenderness, or a store cannot be written.
 
     Examples
     --------
     >>> import numpy as np
-    >>> from rocksteady import DimensionlessBlock, Harmonic
-    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
-    >>> found = compute_basins(
+    >>> from rocksteady import DimensionlessBlock, Harmonic, simulate
+    >>> basins = compute_basins(
     ...     DimensionlessBlock(restitution=0.8),
-    ...     shaking,
+    ...     Harmonic(amplitude=2.0, frequency_ratio=1.9),
     ...     angles=np.linspace(-1.0, 1.0, 20),
     ...     velocities=np.linspace(-0.95, 0.95, 20),
     ... )
-    >>> for attractor, part in zip(found.attractors, found.fractions()):
+    >>> for attractor, part in zip(basins.attractors, basins.fractions()):
     ...     print(attractor.name, f"{part.share:.4f}", f"{part.low:.3f} to {part.high:.3f}")
     overturned 0.9025 0.869 to 0.928
     unsymmetric-1a 0.0525 0.035 to 0.079
     unsymmetric-1b 0.0450 0.029 to 0.070
+    >>> steady = simulate(basins.block, basins.motion, start=basins.attractors[1].start, cycles=2)
     """
-    bare, shaken = bare_block(block), harmonic(shaking)
+    bare, shaken = bare_block(block), harmonic(motion)
     equations = chosen_model(model, block)
     sides = sides_of(block, equations)
     half, rest = moment(shaken)
@@ -321,14 +370,15 @@ def compute_basins(
         centred(fastest) if velocities is None else velocities,
         "d(theta/alpha)/d(p t)",
     )
+    periods = periods_value("max_cycles", max_cycles)
     start = replace(shaken, phase=half * math.pi + rest)
     cases = functools.partial(
         _settled,
-        shaking=shaken,
+        motion=shaken,
         sides=sides,
         half_cycles=half,
         phase=rest,
-        cycles=cycles_value(cycles),
+        cycles=periods,
         seed=_seed(seed),
         cell=(spacing(angle), spacing(velocity)),
     )
@@ -337,33 +387,34 @@ def compute_basins(
         Grid(axes=(velocity, angle)),
         CELL_OUTPUTS,
         run=run,
-        batch=batch_size(cycles),
+        batch=batch_size(periods),
         numbered="number",
     )
     cells = {str(name): data[name].values for name in data.data_vars}
     label, attractors = labelled(block, start, equations, cells)
     return Basins(
         block=block,
-        shaking=start,
+        motion=start,
         angle=angle.points,
         velocity=velocity.points,
         label=label,
         attractors=attractors,
         start_angle=cells["start_angle"],
         start_velocity=cells["start_velocity"],
-        cycles=cycles_value(cycles),
+        max_cycles=periods,
         seed=_seed(seed),
         model=equations,
     )
 
 
-def _at_phase(one: BasinAttractor, shaking: Harmonic) -> Floats:
-    """Return the states of an attractor at the phase of a shaking."""
+def _at_phase(one: BasinAttractor, motion: Harmonic) -> Floats:
+    """Return the states of an attractor at the phase of a motion."""
     if one.orbit is None:
         return np.zeros((1 if one.kind is AttractorKind.REST else 0, 2))
-    run, ratio = one.orbit.trajectory(), shaking.frequency_ratio
+    run, ratio = one.orbit.trajectory(), motion.frequency_ratio
     turn = 2.0 * math.pi
-    since = (shaking.phase - one.orbit.shaking.phase) % turn + turn * np.arange(one.orbit.period)
+    first = one.orbit.states[0].phase
+    since = (motion.phase - first) % turn + turn * np.arange(one.orbit.period)
     here = run(np.minimum(since / ratio, run.end_time_pt))
     points: Floats = np.column_stack([here.angle, here.velocity])
     return points
@@ -381,7 +432,7 @@ def _settled(
     angles: Floats,
     number: NDArray[np.int64],
     *,
-    shaking: Harmonic,
+    motion: Harmonic,
     sides: Floats,
     half_cycles: int,
     phase: float,
@@ -396,8 +447,8 @@ def _settled(
         angle, velocity = angle + part[:, 0] * cell[0], velocity + part[:, 1] * cell[1]
     count = len(number)
     found = settled_cells(
-        np.full(count, shaking.amplitude),
-        np.full(count, shaking.frequency_ratio),
+        np.full(count, motion.amplitude),
+        np.full(count, motion.frequency_ratio),
         sides,
         Beginnings.of(angle, velocity, half_cycles, phase),
         cycles,

@@ -1,18 +1,21 @@
 """Erosion of the safe basin: its size under shaking relative to that on a still base."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import validated_grid
+from rocksteady.dynamics.basins._describing import erosion_described, erosion_headline
 from rocksteady.dynamics.basins._safe import measured, safe_states
 from rocksteady.dynamics.basins.window import POINTS, centred, moment, window_axis
+from rocksteady.dynamics.batch.attractors import periods_value
 from rocksteady.dynamics.history.nonlinear_tables import attributes_of, sides_of
-from rocksteady.dynamics.orbits.attractor import cycles_value
-from rocksteady.dynamics.orbits.return_map import bare_block
+from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
 from rocksteady.dynamics.steady.heteroclinic import tangency_amplitude
 from rocksteady.dynamics.steady.regions import heteroclinic_amplitude
 from rocksteady.errors import InputError, ModelError
@@ -20,9 +23,12 @@ from rocksteady.kernels.core.tables import LEAN, RATE
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import finite, in_range, positive
+from rocksteady.model.checks.validation import in_range, positive
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import number
+from rocksteady.results.result import Result
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.run import Run, run_in_memory
 
@@ -43,8 +49,8 @@ MEASURES = ("integrity_factor", "global_integrity")
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True)
-class IntegrityDrop:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class IntegrityDrop(Result):
     """Two neighbouring amplitudes between which a measure of integrity first falls below a level.
 
     Attributes
@@ -64,16 +70,31 @@ class IntegrityDrop:
     above: float
     below: float
 
+    def describe(self) -> Description:
+        """Return the two amplitudes and the measure at them."""
+        words = self.measure.replace("_", " ")
+        between = f"{number(self.low, 4)} to {number(self.high, 4)}"
+        facts = [
+            Fact("measure", self.measure, "measure", words),
+            Fact("level", self.level, "level"),
+            Fact("low", self.low, "amplitude A", between),
+            Fact("high", self.high),
+            Fact("above", self.above, "measure at these", f"{self.above:.4f}, {self.below:.4f}"),
+            Fact("below", self.below),
+        ]
+        return Description(f"{words} falls below {self.level:g} at A = {between}", facts)
+
 
 @checked_result
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Erosion:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Erosion(Result):
     """Integrity of the safe basin against the amplitude of the shaking.
 
     Attributes
     ----------
-    block, frequency_ratio, phase
-        What moves, and the moment at which the states are taken [rad].
+    block, motion
+        What moves; the phase of `motion` is that of all initial states, in [0, 2 pi), and its
+        amplitude the one that was given, in place of which `amplitude` holds.
     amplitude
         A = a_max/(alpha g), ascending, shape (amplitudes,).
     angle, velocity
@@ -93,8 +114,7 @@ class Erosion:
     """
 
     block: Block | DimensionlessBlock
-    frequency_ratio: float
-    phase: float
+    motion: Harmonic
     amplitude: Floats
     angle: Floats
     velocity: Floats
@@ -128,8 +148,13 @@ class Erosion:
         if isinstance(self.model, Nonlinear):
             return None
         if not self.block.symmetric:
-            return tangency_amplitude(self.block.dimensionless().sides, self.frequency_ratio)
-        return float(heteroclinic_amplitude(self.frequency_ratio, self.block.restitution))
+            return tangency_amplitude(self.block.dimensionless().sides, self.motion.frequency_ratio)
+        return float(heteroclinic_amplitude(self.motion.frequency_ratio, self.block.restitution))
+
+    @cached_property
+    def drops(self) -> "Mapping[str, IntegrityDrop | None]":
+        """Where each measure first falls below 0.5, by its name; computed when first read."""
+        return {measure: self.drop(measure) for measure in MEASURES}
 
     def measure(self, name: str) -> Floats:
         """Return a measure by its name.
@@ -209,8 +234,8 @@ class Erosion:
         """Return a measure at one more amplitude."""
         safe = safe_states(
             sides=sides_of(self.block, self.model),
-            frequency_ratio=self.frequency_ratio,
-            phase=self.phase,
+            frequency_ratio=self.motion.frequency_ratio,
+            phase=self.motion.phase,
             amplitudes=[amplitude],
             angles=self.angle,
             velocities=self.velocity,
@@ -246,8 +271,8 @@ class Erosion:
                 "angle": ("angle", self.angle, {"long_name": "theta/alpha"}),
             },
             attrs={
-                "frequency_ratio": self.frequency_ratio,
-                "phase": self.phase,
+                "frequency_ratio": self.motion.frequency_ratio,
+                "phase": self.motion.phase,
                 **attributes_of(self.block, self.model),
                 "cycles": self.cycles,
                 **({} if tangency is None else {"heteroclinic_amplitude": tangency}),
@@ -256,77 +281,57 @@ class Erosion:
             },
         )
 
-    def _repr_html_(self) -> str:
-        """Return a small table for notebooks."""
-        rows = "".join(
-            f"<tr><td>{a:.6g}</td><td>{area:.4f}</td><td>{circle:.4f}</td></tr>"
-            for a, area, circle in zip(
-                self.amplitude, self.global_integrity, self.integrity_factor, strict=True
-            )
-        )
-        heads = "".join(
-            f"<th>{text}</th>" for text in ("amplitude", "global integrity", "integrity factor")
-        )
-        tangency = self.heteroclinic
-        caption = "Erosion"
-        if tangency is not None:
-            caption += f"; heteroclinic tangency at A = {tangency:.6g}"
-        return f"<table><caption>{caption}</caption><tr>{heads}</tr>{rows}</table>"
+    def describe(self) -> Description:
+        """Return the measures by amplitude, and where they drop, which is computed here."""
+        return erosion_described(self)
+
+    def __repr__(self) -> str:
+        """Return one line, without the drops."""
+        return f"<Erosion: {erosion_headline(self)}>"
 
 
 @checked
 def compute_erosion(
     block: Block | DimensionlessBlock,
-    frequency_ratio: float,
+    motion: Harmonic,
     amplitudes: ArrayLike,
     *,
-    phase: float = 0.0,
     angles: ArrayLike | None = None,
     velocities: ArrayLike | None = None,
     cycles: int = CYCLES,
-    run: Run | None = None,
     model: Model | None = None,
+    run: Run | None = None,
 ) -> Erosion:
-    """Return the erosion of the safe basin as the amplitude of the shaking grows.
+    """Compute the erosion of the safe basin as the amplitude of the base motion grows.
 
     A state is safe if the block, shaken from that moment on, has not overturned in a number of
     forcing periods; whether it rocks or rests does not matter.  Two measures of the safe basin are
-    given, both over their value on a still base.  The *global integrity measure* is its area [1]_:
-    easy to read, but fractal tongues that no design could rely on count in full.  The *integrity
-    factor* is the radius of the largest circle of safe states [2]_: it sees the compact core alone,
-    and so the tongues that enter it after the manifolds of the upright saddles have touched.  The
-    two are measured in the plane of u = theta/alpha and du/d(p t), in which the block's own motion
-    does not depend on the frequency of the shaking.  For the rocking block the touching was
-    computed in closed form and erosion discussed in [3]_.
+    given, both over their value on a still base.  The *global integrity measure* is its area [1]_,
+    in which fractal tongues count in full.  The *integrity factor* is the radius of the largest
+    circle of safe states [2]_ in the plane of u = theta/alpha and du/d(pt): it sees the compact
+    core alone.  For the rocking block erosion is discussed in [3]_.
 
-    The safe basin on a still base is a strip without end, so that the area depends on the window.
-    The edge of the window does not count as safe.  A radius is the distance of a state of the grid
-    to the nearest one that is not safe: it is known to about a cell.
+    The safe basin on a still base is a strip without end, so that the area depends on the window,
+    whose edge does not count as safe.  A radius is known to about a cell.
 
     Parameters
     ----------
     block
-        Its restitution counts, and how its sides differ; in the nonlinear model also how
-        slender.
-    frequency_ratio
-        Omega = omega/p.
+        Its restitution counts, and how its sides differ; in the nonlinear model its slenderness.
+    motion
+        Its frequency ratio, and its phase when the states are taken; its amplitude is replaced.
     amplitudes
         A = a_max/(alpha g), ascending, shape (amplitudes,).
-    phase
-        Of the shaking when the states are taken [rad]; modulo a period and to 12 decimals.
     angles, velocities
-        The window: u = theta/alpha, shape (n,), and du/d(pt), shape (m,), both evenly spaced.  By
-        default the middles of 200 cells up to 1.5 in each (in units of the larger side, where they
-        differ), so that |u| + |v| <= 1, which is safe on a still base, lies inside; or further
-        where the edge of that window would cut the largest circle on a still base, as it does with
-        a restitution below .6.
+        u, shape (n,), and du/d(pt), shape (m,), evenly spaced.  By default the middles of 200 cells
+        up to 1.5 in each (in units of the larger side), or further where the edge would cut the
+        largest circle on a still base, as it does with a restitution below .6.
     cycles
-        Forcing periods that a safe state stands.
-    run
-        As for `rocksteady.sweep.evaluate.evaluate`; the still base is cells too.
+        Forcing periods that a safe state stands (default 100).
     model
-        `Linear()` (default) or `Nonlinear()`, which needs a `Block` and takes some hundred times as
-        long.
+        `Linear()` (default) or `Nonlinear()`, a hundred times slower, for a `Block`.
+    run
+        Executor, store and progress, as for `evaluate`; the still base is cells too.
 
     Returns
     -------
@@ -335,14 +340,8 @@ def compute_erosion(
 
     Raises
     ------
-    InputError
-        If a number is outside its range, the amplitudes do not ascend, or an axis is not evenly
-        spaced.
-    ModelError
-        If no state of the window is safe on a still base, or the nonlinear model meets a block
-        without slenderness.
-    OutputError, UnfinishedError
-        As for `rocksteady.sweep.evaluate.evaluate`.
+    InputError, ModelError, OutputError, UnfinishedError
+        If an argument is outside its range, no state is safe on a still base, or as for `evaluate`.
 
     References
     ----------
@@ -353,14 +352,17 @@ def compute_erosion(
     Examples
     --------
     >>> from rocksteady import DimensionlessBlock
-    >>> found = compute_erosion(DimensionlessBlock(restitution=0.9), 2.0, [0.2, 0.6, 1.0])
-    >>> print(found.global_integrity.round(2), found.integrity_factor.round(2))
+    >>> motion = Harmonic(amplitude=1.0, frequency_ratio=2.0)
+    >>> erosion = compute_erosion(DimensionlessBlock(restitution=0.9), motion, [0.2, 0.6, 1.0])
+    >>> print(erosion.global_integrity.round(2), erosion.integrity_factor.round(2))
     [0.99 0.79 0.46] [1.   0.62 0.42]
     """
     how = Run() if run is None else run
     bare = bare_block(block)
     axis = Axis(name="amplitudes", values=amplitudes, long_name="a_max/(alpha g)")
-    validated_grid(axis.points, frequency_ratio, bare.restitution, 1)
+    given_motion = harmonic(motion)
+    ratio = given_motion.frequency_ratio
+    validated_grid(axis.points, ratio, bare.restitution, 1)
     equations = chosen_model(model, block)
     sides = sides_of(block, equations)
     if (np.diff(axis.points) <= 0.0).any():
@@ -370,11 +372,10 @@ def compute_erosion(
             "the amplitudes must ascend",
             "give them from the lowest to the highest",
         )
-    ratio = finite("frequency_ratio", frequency_ratio, hint="give one number, omega/p")
     reach = _least_half_width(sides)
     if angles is None and velocities is None:
         reach = _half_width(sides, replace(how, store=None, progress=None))
-    half, rest = moment(Harmonic(amplitude=0.0, frequency_ratio=ratio, phase=phase))
+    half, rest = moment(given_motion)
     angle = window_axis("angles", centred(reach) if angles is None else angles, "theta/alpha")
     velocity = window_axis(
         "velocities",
@@ -384,7 +385,7 @@ def compute_erosion(
     # The still base is one more amplitude, unless it is among those given.
     given = axis.points
     all_of_them = given if given[0] == 0.0 else np.concatenate([[0.0], given])
-    start, count = half * math.pi + rest, cycles_value(cycles)
+    start, count = half * math.pi + rest, periods_value("cycles", cycles)
     safe = safe_states(
         sides=sides,
         frequency_ratio=ratio,
@@ -406,8 +407,7 @@ def compute_erosion(
     shaken = slice(len(safe) - len(given), None)
     return Erosion(
         block=block,
-        frequency_ratio=ratio,
-        phase=start,
+        motion=replace(given_motion, phase=start),
         amplitude=given,
         angle=angle.points,
         velocity=velocity.points,

@@ -10,18 +10,23 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.history.start import ImpactState
+from rocksteady.dynamics.history.start import ImpactState, Rest
 from rocksteady.dynamics.orbits.attractor import KINDS
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
 from rocksteady.dynamics.orbits.return_map import make_system, section_of
 from rocksteady.dynamics.orbits.search import SAME
+from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.orbits import periodic
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Model
+from rocksteady.model.facts import lean_text
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.outcomes import AttractorKind
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import number, plural
+from rocksteady.results.result import Result
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -41,8 +46,8 @@ TURN = 2.0 * math.pi
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True, eq=False)
-class BasinAttractor:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class BasinAttractor(Result):
     """Attractor of the states of one basin.
 
     Attributes
@@ -74,22 +79,60 @@ class BasinAttractor:
         return 0 if self.orbit is None else self.orbit.impacts
 
     @property
-    def description(self) -> str:
-        """What it is, in words."""
+    def start(self) -> Rest | ImpactState:
+        """A start on the attractor, for `simulate` with the block and the motion of the basins.
+
+        Raises
+        ------
+        ModelError
+            If it is neither an orbit nor the rest.
+        """
+        if self.orbit is not None:
+            return self.orbit.states[0]
+        if self.kind is AttractorKind.REST:
+            return Rest()
+        raise ModelError(
+            "start",
+            Words(f"is on the attractor {self.name}"),
+            "only an orbit and the rest have a state to start from",
+            "start from a cell of the basin, as basins.state(row, column)",
+        )
+
+    def describe(self) -> Description:
+        """Return the kind, the period and the extrema of the attractor."""
         if self.orbit is None:
-            return str(self.kind.value)
-        periods = "1 period" if self.period == 1 else f"{self.period} periods"
-        return f"{self.kind.value}, {periods}, {self.orbit.lowest:.4f} to {self.orbit.highest:.4f}"
+            return Description(str(self.kind.value), self._facts())
+        periods = plural(self.orbit.period, "period")
+        extent = f"{number(self.orbit.lowest)} to {number(self.orbit.highest)} alpha"
+        return Description(f"{self.kind.value}, {periods}, {extent}", self._facts())
+
+    def _facts(self) -> list[Fact]:
+        facts = [
+            Fact("label", self.label, "label"),
+            Fact("name", self.name, "name"),
+            Fact("kind", str(self.kind.value), "kind"),
+            Fact("period", self.period, "forcing periods"),
+            Fact("impacts", self.impacts, "impacts in a period"),
+            Fact("lowest", None if self.orbit is None else self.orbit.lowest),
+            Fact("highest", None if self.orbit is None else self.orbit.highest),
+        ]
+        if self.orbit is not None:
+            least, most = (
+                lean_text(self.orbit.block, lean)
+                for lean in (self.orbit.lowest, self.orbit.highest)
+            )
+            facts.append(Fact("", label="extrema", text=f"{least} to {most}"))
+        return facts
 
 
 def labelled(
-    block: Block | DimensionlessBlock, shaking: Harmonic, model: Model, cells: Cells
+    block: Block | DimensionlessBlock, motion: Harmonic, model: Model, cells: Cells
 ) -> tuple[Integers, tuple[BasinAttractor, ...]]:
     """Return the labels of cells and the attractors in the order of their labels.
 
     Parameters
     ----------
-    block, shaking, model
+    block, motion, model
         What moves, and by which equations.
     cells
         What each cell has found, arrays of one shape by the names of
@@ -102,14 +145,13 @@ def labelled(
         if which not in PERIODIC and (kind == KINDS.index(which)).any()
     ]
     found += [
-        (AttractorKind(orbit.kind), orbit, of)
-        for orbit, of in _orbits(block, shaking, model, cells)
+        (AttractorKind(orbit.kind), orbit, of) for orbit, of in _orbits(block, motion, model, cells)
     ]
     found.sort(key=lambda one: _order(one[0], one[1]))
     names = _names([(which, orbit) for which, orbit, _ in found])
     label = np.full(kind.shape, -1, dtype=np.int64)
-    for number, (_, _, of) in enumerate(found):
-        label[of] = number
+    for place, (_, _, of) in enumerate(found):
+        label[of] = place
     return label, tuple(
         BasinAttractor(label=number, kind=which, name=name, orbit=orbit)
         for number, ((which, orbit, _), name) in enumerate(zip(found, names, strict=True))
@@ -149,14 +191,14 @@ def _names(found: list[tuple[AttractorKind, Orbit | None]]) -> Iterator[str]:
 
 
 def _orbits(
-    block: Block | DimensionlessBlock, shaking: Harmonic, model: Model, cells: Cells
+    block: Block | DimensionlessBlock, motion: Harmonic, model: Model, cells: Cells
 ) -> Iterator[tuple[Orbit, NDArray[np.bool_]]]:
     """Yield each orbit that cells have found, and which cells."""
     left = cells["period"] > 0
     while left.any():
         first = np.unravel_index(int(np.argmax(left)), left.shape)
         one = {name: values[first].item() for name, values in cells.items()}
-        orbit = _orbit(block, shaking, model, one)
+        orbit = _orbit(block, motion, model, one)
         same = left.copy()
         for name in ("period", "passages", "rests"):
             same &= cells[name] == one[name]
@@ -183,29 +225,29 @@ def _near(state: ImpactState, side: Integers, phase: Floats, speed: Floats) -> N
 
 def _orbit(
     block: Block | DimensionlessBlock,
-    shaking: Harmonic,
+    motion: Harmonic,
     model: Model,
     cell: Mapping[str, Any],
 ) -> Orbit:
     """Return the orbit of a cell, started where it would be whichever cell had found it."""
     state = ImpactState(side=cell["side"], phase=cell["phase"], speed=cell["speed"])
-    orbit = _through(block, shaking, model, state, cell)
+    orbit = _through(block, motion, model, state, cell)
     # A phase that is 0 but for a rounding may have come out as a whole turn; and an orbit with
     # rests is closed from an uplift on, whose speed is 0.
     begin = min(orbit.states, key=lambda here: (here.speed > 0.0, (here.phase + SAME) % TURN))
-    return orbit if begin is orbit.states[0] else _through(block, shaking, model, begin, cell)
+    return orbit if begin is orbit.states[0] else _through(block, motion, model, begin, cell)
 
 
 def _through(
     block: Block | DimensionlessBlock,
-    shaking: Harmonic,
+    motion: Harmonic,
     model: Model,
     state: ImpactState,
     cell: Mapping[str, Any],
 ) -> Orbit:
     """Return the orbit through a state that lies on it."""
-    system = make_system(block, shaking, model)
+    system = make_system(block, motion, model)
     passages, periods = cell["passages"], cell["period"]
     table = np.zeros((passages, periodic.ORBIT_COLUMNS))
     fixed = periodic.polish(system, section_of(state), passages, periods, table)
-    return orbit_from(block, shaking, table, periods, fixed.residual, model)
+    return orbit_from(block, motion, table, periods, fixed.residual, model)

@@ -6,9 +6,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.orbits.attractor import KINDS, kind_codes
+from rocksteady.dynamics.orbits.attractor import KINDS, MOST_CYCLES, kind_codes
 from rocksteady.kernels.batch import attractors as column
 from rocksteady.kernels.core.tables import RESTITUTION
+from rocksteady.model.checks.validation import whole_number
 from rocksteady.outcomes import INFINITELY_MANY, NO_START, NO_START_LABEL, AttractorKind
 from rocksteady.sweep.cases.outputs import Output
 
@@ -174,6 +175,18 @@ class Beginnings:
         )
 
 
+def periods_value(name: str, periods: object) -> int:
+    """Return forcing periods for which motions may be followed.
+
+    Raises
+    ------
+    InputError
+        If the argument of that name is not a whole number from 1 to a million.
+    """
+    hint = "give forcing periods to follow"
+    return whole_number(name, periods, at_least=1, at_most=MOST_CYCLES, hint=hint)
+
+
 def batch_size(cycles: int) -> int:
     """Return how many motions one call takes, each followed for a number of forcing periods."""
     return max(1, min(BATCH, MOST_PERIODS // cycles))
@@ -188,6 +201,7 @@ def outputs_of_orbits() -> tuple[Output, ...]:
         Output(
             name="impacts",
             long_name="impacts in a period of the orbit; 0 without one, -1 for infinitely many",
+            attrs={"infinitely_many": INFINITELY_MANY},
             **integer,
         ),
         Output(name="highest", long_name="largest theta/alpha of the orbit"),

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.typing import ArrayLike
 
+from rocksteady.dynamics.batch.attractors import periods_value
 from rocksteady.dynamics.history.start import Rest, Start
 from rocksteady.dynamics.maps._scenario import Scenario
-from rocksteady.dynamics.orbits.attractor import cycles_value
 from rocksteady.dynamics.parameters import AXES, validated_axes
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.equations import Model
+from rocksteady.model.equations import Model, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
@@ -41,6 +41,8 @@ class Question:
         What it answers.
     classes
         The outputs that make a class, where only the surroundings of borders are computed.
+    counted
+        Public name of the argument that becomes ``cycles``.
     batch
         Returns how many cells one call takes, from the forcing periods that each is followed for.
     load
@@ -50,6 +52,7 @@ class Question:
     cases: Cases
     outputs: tuple[Output, ...]
     classes: tuple[str, ...]
+    counted: str
     batch: Callable[[int], int]
     load: Callable[[], None]
 
@@ -57,38 +60,37 @@ class Question:
 def map_of(
     question: Question,
     block: Block | DimensionlessBlock,
-    shaking: Harmonic | None,
+    motion: Harmonic | None,
     *,
     axes: Mapping[str, ArrayLike],
     start: Start | None,
     cycles: int,
-    housner: bool,
-    run: Run | None,
     refine: int | None,
-    model: Model,
+    model: Model | None,
+    run: Run | None,
 ) -> "xarray.Dataset":
     """Return the answers to a question over a grid of parameters.
 
     Parameters and errors are those of `rocksteady.map_attractors`.
     """
-    grid, fixed = _grid(axes)
+    grid, fixed, housner = _grid(axes)
     scenario = Scenario(
         axes=grid.names,
         block=block,
-        shaking=shaking,
+        motion=motion,
         start=Rest() if start is None else start,
         fixed=fixed,
         housner=housner,
-        model=model,
+        model=chosen_model(model, block),
     )
     scenario.check({axis.name: axis.points for axis in grid.axes})
-    periods = cycles_value(cycles)
+    periods = periods_value(question.counted, cycles)
     question.load()
     cases = functools.partial(question.cases, scenario=scenario, cycles=periods)
     how: dict[str, Any] = {
         "run": run,
         "batch": question.batch(periods),
-        "attributes": {**scenario.attributes, "cycles": periods},
+        "attributes": {**scenario.attributes, question.counted: periods},
     }
     if refine is None:
         return evaluate(cases, grid, question.outputs, **how)
@@ -96,8 +98,8 @@ def map_of(
     return refined(cases, grid, question.outputs, classes=classes, coarse=refine, **how)
 
 
-def _grid(axes: Mapping[str, ArrayLike]) -> tuple[Grid, tuple[tuple[str, Any], ...]]:
-    """Return the grid of parameters and their values, and those that are fixed."""
+def _grid(axes: Mapping[str, ArrayLike]) -> tuple[Grid, tuple[tuple[str, Any], ...], bool]:
+    """Return the grid, the parameters that are fixed, and whether the restitution is Housner's."""
     given: object = axes
     if not isinstance(given, Mapping):
         raise InputError(
@@ -106,12 +108,23 @@ def _grid(axes: Mapping[str, ArrayLike]) -> tuple[Grid, tuple[tuple[str, Any], .
             "it names parameters, each with its values",
             "give a mapping, as {'amplitude': [1.0, 2.0]}",
         )
-    fixed = {name: value for name, value in axes.items() if _is_single(value)}
-    names = validated_axes([name for name in axes if name not in fixed], fixed)
+    housner = _is_housner(axes.get("restitution"))
+    moved = {name: value for name, value in axes.items() if not (housner and name == "restitution")}
+    fixed = {name: value for name, value in moved.items() if _is_single(value)}
+    names = validated_axes([name for name in moved if name not in fixed], fixed)
     grid = Grid(
         axes=tuple(Axis(name=name, values=axes[name], **AXES[name]._asdict()) for name in names)
     )
-    return grid, tuple(fixed.items())
+    return grid, tuple(fixed.items()), housner
+
+
+def _is_housner(restitution: object) -> bool:
+    """Return whether a restitution is to follow from the slenderness of each cell."""
+    if isinstance(restitution, str) and restitution != "housner":
+        raise InputError(
+            "restitution", restitution, 'the one word for it is "housner"', "give it, or numbers"
+        )
+    return isinstance(restitution, str)
 
 
 def _is_single(value: object) -> bool:

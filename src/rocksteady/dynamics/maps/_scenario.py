@@ -25,7 +25,7 @@ from rocksteady.dynamics.maps._resizing import block_of, check_sizes, measures_o
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
 from rocksteady.dynamics.parameters import ASYMMETRY, shaking_of, validated_axes
 from rocksteady.dynamics.steady.states import refuse_asymmetric
-from rocksteady.errors import InputError, ModelError
+from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.core.tables import ALPHA, LEAN, RATE, RESTITUTION
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -87,7 +87,7 @@ class Scenario:
     block
         What is neither axis nor fixed keeps the value that it has here, in the measures in which it
         is given here; `sizes_with` says which of the sizes.
-    shaking
+    motion
         None only where amplitude and frequency are axes or fixed.
     start
         A rest with an angle or a velocity is a `State`, the other of them 0.
@@ -116,7 +116,7 @@ class Scenario:
 
     axes: tuple[str, ...]
     block: Block | DimensionlessBlock
-    shaking: Harmonic | None = None
+    motion: Harmonic | None = None
     start: Start = field(default_factory=Rest)
     fixed: tuple[tuple[str, float], ...] = ()
     housner: bool = False
@@ -130,14 +130,14 @@ class Scenario:
         fixed = tuple((name, finite(name, value, hint=hint)) for name, value in self.fixed)
         object.__setattr__(self, "fixed", fixed)
         bare_block(self.block)
-        if self.shaking is not None:
-            harmonic(self.shaking)
+        if self.motion is not None:
+            harmonic(self.motion)
         validated_start(self.start)
         object.__setattr__(self, "housner", bool(self.housner))
         object.__setattr__(self, "model", chosen_model(self.model, self.block))
         check_sizes(self.block, self.given)
         self._check_restitution()
-        self._check_shaking()
+        self._check_motion()
         self._check_start()
 
     @cached_property
@@ -165,11 +165,11 @@ class Scenario:
                 block.alpha, p=block.p, radius=block.radius, gravity=block.gravity
             )
         if not isinstance(self.start, Steady):  # which decides on the phase
-            found["phase"] = 0.0 if self.shaking is None else self.shaking.phase
-        if self.shaking is not None and not given & AMPLITUDES:
-            found["amplitude"] = self.shaking.amplitude
-        if self.shaking is not None and not given & FREQUENCIES:
-            found["frequency_ratio"] = self.shaking.frequency_ratio
+            found["phase"] = 0.0 if self.motion is None else self.motion.phase
+        if self.motion is not None and not given & AMPLITUDES:
+            found["amplitude"] = self.motion.amplitude
+        if self.motion is not None and not given & FREQUENCIES:
+            found["frequency_ratio"] = self.motion.frequency_ratio
         if isinstance(self.start, Steady):
             found["kick"] = self.start.kick
         elif isinstance(self.start, State):
@@ -203,8 +203,7 @@ class Scenario:
         else:
             moved = isinstance(self.start, State) or STATE & set(self.given)
             found["start"] = "state" if moved else "rest"
-        if isinstance(self.model, Nonlinear):
-            found["model"] = self.model.name
+        found["model"] = self.model.name
         return found
 
     def at(self, cell: Mapping[str, float]) -> tuple[Block | DimensionlessBlock, Harmonic, Start]:
@@ -303,32 +302,25 @@ class Scenario:
             return
         if not self.block.symmetric:
             raise ModelError(
-                "housner",
-                self.housner,
+                "axes",
+                Words("hold restitution='housner'"),
                 "it moves with the slenderness of symmetric blocks, and the sides of this "
                 "one differ",
                 "leave it out: Block.asymmetric takes the restitutions of its shape",
             )
-        if "restitution" in self.given:
-            raise ModelError(
-                "axes",
-                "restitution",
-                "with housner=True it follows from the slenderness",
-                "leave one of the two out",
-            )
         if not isinstance(self.block, Block):
             raise ModelError(
-                "housner",
-                self.housner,
+                "axes",
+                Words("hold restitution='housner'"),
                 "a block of which only the restitution is known has no slenderness",
                 "give a Block, as Block.rectangle(width=..., height=...)",
             )
 
-    def _check_shaking(self) -> None:
+    def _check_motion(self) -> None:
         given = set(self.given)
-        if self.shaking is None and not (given & AMPLITUDES and given & FREQUENCIES):
+        if self.motion is None and not (given & AMPLITUDES and given & FREQUENCIES):
             raise InputError(
-                "shaking",
+                "motion",
                 None,
                 "it may be left out only where its amplitude and its frequency are given",
                 "give a Harmonic(amplitude=..., frequency_ratio=...)",

@@ -13,7 +13,7 @@ from rocksteady.dynamics.maps._scenario import Scenario
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.equations import Model, chosen_model
+from rocksteady.model.equations import Model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.outcomes import NO_START, NO_START_LABEL
 from rocksteady.sweep.cases.outputs import Output
@@ -28,46 +28,36 @@ Floats = NDArray[np.float64]
 @checked
 def map_fates(
     block: Block | DimensionlessBlock,
-    shaking: Harmonic | None = None,
+    motion: Harmonic | None = None,
     *,
     axes: Mapping[str, ArrayLike],
     start: Start | None = None,
     cycles: int = 200,
-    housner: bool = False,
-    run: Run | None = None,
     refine: int | None = None,
     model: Model | None = None,
+    run: Run | None = None,
 ) -> "xarray.Dataset":
-    """Return the fate of a block after a given time, over a grid of parameters.
+    """Compute the fate of a block after a given time, over a grid of parameters.
 
-    Every cell is how `simulate` ends at that point, as long as no small difference grows more than
-    some 1e12-fold on the way (`Trajectory.growth`).  Where it does, in chaotic cells, rounding
-    decides, and the two compute in different ways: a cell is the end of a motion within rounding of
-    that one.  Where `map_attractors` follows a motion until
-    it is known what it settles to, it is followed here for some periods and no longer.
+    A motion is followed for some periods and no longer, whatever it settles to.  Every cell is how
+    `simulate` ends at that point, as long as no small difference grows more than some 1e12-fold
+    (`Trajectory.growth`); in chaotic cells it is the end of a motion within rounding of that one.
 
     Parameters
     ----------
-    block, shaking, axes, start, housner
-        As for `map_attractors`: any parameter of block, shaking and start may be an axis.
+    block, motion, axes, start
+        As for `map_attractors`: any parameter of block, motion and start may be an axis.
     cycles
-        Forcing periods that each motion is followed for, at most.
-    run
-        As for `rocksteady.sweep.evaluate.evaluate`.
-    refine
+        Forcing periods that each motion is followed for, at most (default 200).
+    refine, model, run
         As for `map_attractors`; a border is one of fates.
-    model
-        As for `map_attractors`.
 
     Returns
     -------
     xarray.Dataset
-        The axes are its dimensions.  ``fate`` has flags: rocking, at-rest, overturned, or undecided
-        after four million impacts, the codes of `Status`; or no-start (-1) where a steady state to
-        start from does not exist or is no motion.  ``impacts`` is how many there were until then;
-        of the infinitely many before a rest those count that came before it was proved.  What is no
-        axis stands in its attributes.
-        Of a refined map ``met`` says which cells were computed; the others have a fate alone.
+        ``fate`` with flags: rocking, at-rest, overturned, or undecided after four million impacts;
+        -1 where no start exists.  ``impacts`` until then; of the infinitely many before a rest
+        those that came before it was proved.  Its ``rocksteady`` accessor has summary() and plot().
 
     Raises
     ------
@@ -76,43 +66,31 @@ def map_fates(
 
     Examples
     --------
-    >>> from rocksteady import DimensionlessBlock, State, map_fates
-    >>> found = map_fates(
-    ...     DimensionlessBlock(restitution=0.8),
-    ...     axes={"amplitude": [0.5, 2.0], "frequency_ratio": [1.0, 4.0, 8.0]},
-    ...     start=State(angle=0.0, velocity=0.3),
-    ... )
-    >>> found.fate.values
-    array([[1, 0, 0],
-           [2, 0, 0]], dtype=int8)
-    >>> print(found.fate.attrs["flag_meanings"])
-    rocking at-rest overturned undecided no-start
-    >>> found.impacts.sel(amplitude=2.0).values
-    array([  0, 399, 133])
-
     Which share of the velocities at which it is set off upright does not make it fall, by the phase
-    of the shaking at that moment?
+    of the motion at that moment?
 
     >>> import numpy as np
-    >>> found = map_fates(
+    >>> from rocksteady import DimensionlessBlock, map_fates
+    >>> cells = map_fates(
     ...     DimensionlessBlock(restitution=0.8),
     ...     Harmonic(amplitude=1.5, frequency_ratio=3.0),
     ...     axes={"phase": np.linspace(0.0, 6.0, 4), "velocity": np.linspace(-1.0, 1.0, 201)},
     ... )
-    >>> print((found.fate != 2).mean("velocity").values.round(2))
+    >>> print((cells.fate != 2).mean("velocity").values.round(2))
     [0.77 0.94 0.77 0.79]
+    >>> print(cells.fate.attrs["flag_meanings"])
+    rocking at-rest overturned undecided no-start
     """
     return map_of(
         FATES,
         block,
-        shaking,
+        motion,
         axes=axes,
         start=start,
         cycles=cycles,
-        housner=housner,
-        run=run,
         refine=refine,
-        model=chosen_model(model, block),
+        model=model,
+        run=run,
     )
 
 
@@ -144,6 +122,7 @@ FATES = Question(
         Output(name="impacts", dtype=np.int64, long_name="impacts until then"),
     ),
     classes=("fate",),
+    counted="cycles",
     batch=batch_size,
     load=load_kernel,
 )

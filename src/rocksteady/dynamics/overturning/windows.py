@@ -1,7 +1,8 @@
 """Overturning spectra: all windows of amplitude in which a pulse overturns a block."""
 
 import functools
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -17,19 +18,31 @@ from rocksteady.dynamics.overturning._cases import (
     uplifts_of,
     windows_at,
 )
+from rocksteady.dynamics.overturning.thresholds import THRESHOLDS, overturning_threshold
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import in_range, index_value, is_pair
 from rocksteady.model.equations import Linear, Model, chosen_model
+from rocksteady.model.facts import (
+    amplitude_text,
+    block_text,
+    block_values,
+    case_text,
+    restitution_values,
+)
 from rocksteady.model.motions.pulses import Pulse
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number
+from rocksteady.results.result import Result
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
+    import pandas as pd
     import xarray
 
 Floats = NDArray[np.float64]
@@ -42,6 +55,8 @@ UPLIFTS = 2.0
 HIGHEST = 1e6
 """Largest amplitude of a range."""
 RESOLUTION = 2e-3
+MOST_ROWS = 100
+"""Windows that a summary shows."""
 
 
 class OverturningWindow(NamedTuple):
@@ -59,8 +74,8 @@ class OverturningWindow(NamedTuple):
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True, eq=False)
-class OverturningWindows:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class OverturningWindows(Result):
     """All windows of amplitude in which a pulse overturns a block, over the frequency ratio.
 
     Attributes
@@ -71,8 +86,8 @@ class OverturningWindows:
         `Linear()` or `Nonlinear()`.
     frequency_ratio
         omega/p, ascending, shape (frequencies,).
-    amplitudes
-        Ends of the range that was searched, a_max/(alpha g).
+    within
+        Ends of the range of amplitudes that was searched, a_max/(alpha g).
     resolution
         The largest step of the first amplitudes that were tried, as a part of them.
     low, high
@@ -100,7 +115,7 @@ class OverturningWindows:
     pulse: Pulse
     model: Model
     frequency_ratio: Floats
-    amplitudes: tuple[float, float]
+    within: tuple[float, float]
     resolution: float
     low: Floats
     high: Floats
@@ -116,7 +131,7 @@ class OverturningWindows:
         """Return the windows at one of the frequencies, in ascending order."""
         index = index_value(index, len(self.frequency_ratio), "frequency ratio")
         return tuple(
-            OverturningWindow(low, high, impacts, side, high >= self.amplitudes[1])
+            OverturningWindow(low, high, impacts, side, high >= self.within[1])
             for low, high, impacts, side in zip(
                 *(part[index].tolist() for part in (self.low, self.high, self.impacts, self.side)),
                 strict=True,
@@ -164,22 +179,124 @@ class OverturningWindows:
                 "pulse": self.pulse.shape,
                 "model": self.model.name,
                 **side_attributes(self.block),
-                "amplitudes": list(self.amplitudes),
+                "within": list(self.within),
                 "resolution": self.resolution,
             },
         )
 
-    def _repr_html_(self) -> str:
-        """Return a small table for notebooks."""
-        rows = "".join(
-            f"<tr><td>{ratio:.6g}</td><td>"
-            + ", ".join(f"{low:.6g} to {high:.6g}" for low, high in self.intervals(index))
-            + "</td></tr>"
-            for index, ratio in enumerate(self.frequency_ratio.tolist())
-        )
-        caption = f"Amplitudes at which a {self.pulse.shape} pulse overturns the block"
-        heads = "<tr><th>omega/p</th><th>a/(alpha g)</th></tr>"
-        return f"<table><caption>{caption}</caption>{heads}{rows}</table>"
+    def describe(self) -> Description:
+        """Return the windows by frequency, in g and Hz too where the block has a size."""
+        block, pulse = self.block, self.pulse
+        least, most = (amplitude_text(block, end) for end in self.within)
+        facts = [
+            Fact("block", block_values(block), "block", block_text(block))
+            if isinstance(block, Block)
+            else Fact("", label="block", text=block_text(block)),
+            Fact("pulse", pulse.shape, "pulse"),
+            Fact("oscillations", pulse.oscillations),
+            Fact("phase", pulse.phase),
+            Fact("model", self.model.name, "model"),
+            Fact("amplitudes", list(self.within), "searched", f"{least} to {most}"),
+            Fact("resolution", self.resolution),
+            *(Fact(key, value) for key, value in restitution_values(block).items()),
+        ]
+        rows = [self._row(index) for index in range(len(self.frequency_ratio))]
+        windows = Table("", list(self._window_rows(rows)), self._columns(), most=MOST_ROWS)
+        notes = ["A is a/(alpha g)."]
+        stands = [number(row["frequency_ratio"]) for row in rows if not row["modes"]]
+        if stands:
+            notes.append(
+                f"The block stands throughout at omega/p = {', '.join(stands[:8])}"
+                + (" and others." if stands[8:] else ".")
+            )
+        left_out = int(self.left_out.sum())
+        if left_out:
+            notes.append(
+                f"{left_out} narrower windows are left out, at no frequency more than "
+                f"{self.left_out_width.max():.2g} wide together."
+            )
+        unsettled = int((self.unsettled > 0).sum())
+        if unsettled:
+            notes.append(
+                f"At {unsettled} of the frequencies there are so many windows that the search was "
+                "ended before all of them."
+            )
+        headline = f"Overturning: {pulse.shape} pulse, {case_text(block)}, {self.model.name} model"
+        return Description(headline, facts, [Table("windows", rows), windows], notes)
+
+    def _row(self, index: int) -> dict[str, Any]:
+        """Return all that is known at one of the frequencies."""
+        ratio, intervals = float(self.frequency_ratio[index]), self.intervals(index)
+        closed = None
+        if self.pulse.shape in THRESHOLDS and isinstance(self.model, Linear):
+            closed = float(overturning_threshold(self.pulse.shape, ratio))
+        row: dict[str, Any] = {
+            "frequency_ratio": ratio,
+            "intervals": [list(ends) for ends in intervals],
+            "modes": [
+                {
+                    "interval": [window.low, window.high],
+                    "impacts": window.impacts,
+                    "side": window.side,
+                    "endless": window.endless,
+                }
+                for window in self.at(index)
+            ],
+            "first": float(self.first[index]),
+            "closed_form": closed,
+            "left_out": int(self.left_out[index]),
+            "left_out_width": float(self.left_out_width[index]),
+            "undecided": int(self.undecided[index]),
+            "unsettled": int(self.unsettled[index]),
+        }
+        if isinstance(self.block, Block):
+            unit = self.block.uplift_acceleration / self.block.gravity
+            row["freq_hz"] = replace(self.pulse, frequency_ratio=ratio).frequency_hz(self.block)
+            row["intervals_g"] = [[end * unit for end in ends] for ends in intervals]
+        return row
+
+    def _window_rows(self, rows: "list[dict[str, Any]]") -> "Iterator[dict[str, Any]]":
+        """Yield a row a window, and one at a frequency without any for those who read."""
+        for row in rows:
+            head = {name: row[name] for name in ("frequency_ratio", "freq_hz") if name in row}
+            for mode in row["modes"]:
+                low, high = mode["interval"]
+                window = {**head, "low": low, "high": high}
+                if isinstance(self.block, Block):
+                    unit = self.block.uplift_acceleration / self.block.gravity
+                    window |= {"low_g": low * unit, "high_g": high * unit}
+                yield window | {name: mode[name] for name in ("impacts", "side", "endless")}
+
+    def _columns(self) -> list[Column]:
+        """Return what people read of a window: in Hz and g first where the block has a size."""
+
+        def high(value: float) -> str:
+            return "the end" if value >= self.within[1] else number(value, 6)
+
+        def side(value: int) -> str:
+            return "+" if value > 0 else "-"
+
+        columns = [
+            Column("frequency_ratio", "omega/p", lambda value: number(value, 5)),
+            Column("low", "from A", lambda value: number(value, 6)),
+            Column("high", "to A", high),
+            Column("impacts", "impacts"),
+            Column("side", "side", side),
+        ]
+        if isinstance(self.block, Block):
+            columns[:0] = [
+                Column("freq_hz", "Hz"),
+                Column("low_g", "from g"),
+                Column("high_g", "to g"),
+            ]
+        return columns
+
+    def to_dataframe(self) -> "pd.DataFrame":
+        """Return a row a window: frequency, ends, impacts, side, and whether it is endless."""
+        import pandas as pd
+
+        table = self.describe().tables[1]
+        return pd.DataFrame(list(table.rows), columns=table.header or ["frequency_ratio"])
 
 
 @checked
@@ -188,42 +305,39 @@ def find_overturning_windows(
     pulse: Pulse | str,
     frequency_ratios: ArrayLike,
     *,
-    model: Model | None = None,
-    amplitudes: tuple[float, float] | None = None,
+    within: tuple[float, float] | None = None,
     resolution: float = RESOLUTION,
+    model: Model | None = None,
     run: Run | None = None,
 ) -> OverturningWindows:
-    r"""Return all windows of amplitude in which a pulse overturns a block, over the frequency.
+    """Find all windows of amplitude in which a pulse overturns a block, over the frequency.
 
     The amplitudes at which a block stands are not an interval [1]_: under a one-sine pulse it may
     fall after one impact, stand under a stronger pulse, and fall without an impact under a still
     stronger one.  At each frequency ratio the borders are found to rounding, or in the nonlinear
-    model to a part of 1e-12.  They are searched on
-    a grid of amplitudes that is refined wherever the fate, the impacts on the way or the margin by
-    which the block stands or falls leave a doubt: `rocksteady.dynamics.overturning._scan` says how,
-    and which windows could still be missed.  Long pulses with many impacts, below omega/p = 1 or of
-    several cycles, have windows without end to their number: there the result is those that the
-    resolution shows, and `unsettled` says where the search was ended.
+    model to a part of 1e-12, on a grid of amplitudes that is refined wherever the fate, the impacts
+    on the way or the margin leave a doubt.  Long pulses with many impacts, below omega/p = 1 or of
+    several cycles, have windows without end to their number: there `unsettled` says where the
+    search was ended.
 
     Parameters
     ----------
     block
-        The block, at rest at first.  In the linear model its restitution counts, and the ratios of
-        its sides; in the nonlinear one its slenderness too.
+        At rest at first.  In the linear model its restitution counts, and the ratios of its sides;
+        in the nonlinear one its slenderness too.
     pulse
         The name of a shape, or a `Pulse` for its shape, oscillations, phase and tolerance.
     frequency_ratios
         omega/p, ascending, shape (frequencies,), from 0.01 to 5000.
-    model
-        `Linear()`, in closed form, or `Nonlinear()`, the full equations within its tolerance; by
-        default nonlinear for a `Block`.
-    amplitudes
-        Range of a_max/(alpha g) to search, from 0 to 1e6; without, from uplift to 20, or to twice
-        an uplift beyond 10.  Where a window reaches its end, nothing is known beyond.
+    within
+        Range (low, high) of a_max/(alpha g), from 0 to 1e6; by default from uplift to 20, or to
+        twice an uplift beyond 10.  Where a window reaches its end, nothing is known beyond.
     resolution
-        Largest step of the first amplitudes, as a part of them, from 1e-6 to 0.1.
+        Largest step of the first amplitudes, as a part of them (default 0.002).
+    model
+        `Linear()`, in closed form, or `Nonlinear()`; by default nonlinear for a `Block`.
     run
-        As for `rocksteady.sweep.evaluate.evaluate`; a cell is a frequency.
+        Executor, store and progress, as for `evaluate`; a cell is a frequency.
 
     Returns
     -------
@@ -232,12 +346,9 @@ def find_overturning_windows(
 
     Raises
     ------
-    InputError
-        If an argument is outside its range, or the ratios do not ascend.
-    ModelError
-        If the nonlinear model meets a block without slenderness, or as for `Pulse`.
-    OutputError, UnfinishedError
-        As for `rocksteady.sweep.evaluate.evaluate`.
+    InputError, ModelError, OutputError, UnfinishedError
+        If an argument is outside its range, the ratios do not ascend, the nonlinear model meets a
+        block without slenderness, or as for `Pulse` and `evaluate`.
 
     References
     ----------
@@ -246,21 +357,12 @@ def find_overturning_windows(
     Examples
     --------
     >>> from rocksteady import DimensionlessBlock, find_overturning_windows
-    >>> found = find_overturning_windows(
-    ...     DimensionlessBlock(restitution=0.9), "one-sine", [2.0, 5.0]
-    ... )
-    >>> for window in found.at(1):
+    >>> block = DimensionlessBlock(restitution=0.9)
+    >>> windows = find_overturning_windows(block, "one-sine", [2.0, 5.0])
+    >>> for window in windows.at(1):
     ...     print(f"{window.low:.6f} to {window.high:.6f}, {window.impacts} impacts")
     3.018600 to 6.318071, 1 impacts
     7.168129 to 20.000000, 0 impacts
-
-    The full equations of a block of that restitution with alpha = 0.25:
-
-    >>> from rocksteady import Block
-    >>> block = Block.from_p(alpha=0.25, p=2.14, restitution=0.9)
-    >>> found = find_overturning_windows(block, "one-sine", 5.0)
-    >>> [(round(low, 6), round(high, 6)) for low, high in found.intervals(0)]
-    [(3.032339, 6.743019), (7.493, 20.0)]
     """
     bare = bare_block(block)
     axis = _ratios(frequency_ratios)
@@ -270,7 +372,7 @@ def find_overturning_windows(
     body = bare if isinstance(chosen, Linear) else block
     uplifts = uplifts_of(sides_of(body, chosen))
     usual = min(*uplifts, 1.0), min(max(TOP, UPLIFTS * max(uplifts)), HIGHEST)
-    low, high = _range(usual if amplitudes is None else amplitudes)
+    low, high = _range(usual if within is None else within)
     hint = "give a part of the amplitude, as 0.002"
     step = in_range("resolution", resolution, 1e-6, 0.1, "[]", hint=hint)
     load_kernel(body, chosen, unit)
@@ -296,7 +398,7 @@ def find_overturning_windows(
         pulse=unit,
         model=chosen,
         frequency_ratio=axis.points,
-        amplitudes=(low, high),
+        within=(low, high),
         resolution=step,
         low=np.stack([data[f"low_{k}"].values for k in range(kept)], axis=1),
         high=np.stack([data[f"high_{k}"].values for k in range(kept)], axis=1),
@@ -344,12 +446,12 @@ def _ratios(frequency_ratios: ArrayLike) -> Axis:
     return axis
 
 
-def _range(amplitudes: tuple[float, float]) -> tuple[float, float]:
+def _range(within: tuple[float, float]) -> tuple[float, float]:
     """Return the ends of the range of amplitudes."""
-    given: object = amplitudes
+    given: object = within
     hint = "give the lowest and the highest a_max/(alpha g), as (1.0, 20.0)"
     if not is_pair(given):
-        raise InputError("amplitudes", given, "it must be a pair", hint)
-    low = in_range("amplitudes", given[0], 0.0, HIGHEST, "[)", hint=hint)
-    high = in_range("amplitudes", given[1], low, HIGHEST, "(]", hint=hint)
+        raise InputError("within", given, "it must be a pair", hint)
+    low = in_range("within", given[0], 0.0, HIGHEST, "[)", hint=hint)
+    high = in_range("within", given[1], low, HIGHEST, "(]", hint=hint)
     return low, high

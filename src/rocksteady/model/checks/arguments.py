@@ -46,7 +46,7 @@ CHECKED_INSIDE_OF: Final = frozenset(
         ("follow_bifurcation", "within"),
         ("follow_branch", "within"),
         ("overturning_impulse", "block"),
-        ("find_overturning_windows", "amplitudes"),
+        ("find_overturning_windows", "within"),
         ("find_steady_states", "order"),
     }
 )

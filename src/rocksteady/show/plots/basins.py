@@ -149,7 +149,8 @@ def plot_erosion(
     --------
     >>> from matplotlib.figure import Figure
     >>> from rocksteady import DimensionlessBlock, compute_erosion
-    >>> found = compute_erosion(DimensionlessBlock(restitution=0.9), 2.0, [0.0, 0.3, 0.6, 0.9])
+    >>> motion = Harmonic(amplitude=1.0, frequency_ratio=2.0)
+    >>> found = compute_erosion(DimensionlessBlock(restitution=0.9), motion, [0.0, 0.3, 0.6, 0.9])
     >>> axes = plot_erosion(found, Figure().add_subplot(), drops=[found.drop(tolerance=0.1)])
     >>> [text.get_text() for text in axes.get_legend().get_texts()][:2]
     ['integrity factor', 'global integrity measure']

@@ -30,6 +30,8 @@ def labelled(
     """
     import xarray
 
+    import rocksteady.sweep.cases.accessor  # noqa: F401 -- registers itself
+
     return xarray.Dataset(
         {
             output.name: (grid.names, arrays[output.name].reshape(grid.shape), output.attributes)

@@ -28,6 +28,8 @@ class Output:
         As for `Axis`.
     flags
         Of an integer that stands for a class: what each value means.
+    attrs
+        More attributes of the variable: numbers and texts by their names.
 
     Raises
     ------
@@ -49,6 +51,7 @@ class Output:
     long_name: str = ""
     units: str = "1"
     flags: Mapping[int, str] = field(default_factory=dict)
+    attrs: Mapping[str, int | float | str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         """Validate."""
@@ -91,7 +94,7 @@ class Output:
             found["flag_meanings"] = " ".join(
                 meaning.replace(" ", "_") for meaning in self.flags.values()
             )
-        return found
+        return found | dict(self.attrs)
 
     @property
     def nothing(self) -> float | int | bool:

@@ -126,6 +126,7 @@ def dataset_of(contents: Contents, complete: NDArray[np.bool_] | None = None) ->
     import xarray
     from xarray.core.indexing import LazilyIndexedArray
 
+    import rocksteady.sweep.cases.accessor  # noqa: F401 -- registers itself
     from rocksteady.sweep.store._lazy import Computed, Stored
 
     dims = tuple(contents.axes)
@@ -148,7 +149,9 @@ def dataset_of(contents: Contents, complete: NDArray[np.bool_] | None = None) ->
         name: (name, points_of(array), array.attrs.asdict())
         for name, array in contents.axes.items()
     }
-    return xarray.Dataset(variables, coords=axes, attrs=contents.attributes)
+    dataset = xarray.Dataset(variables, coords=axes, attrs=contents.attributes)
+    dataset.encoding["source"] = str(contents.folder)  # as files have it that xarray opens
+    return dataset
 
 
 def _typed(attributes: dict[str, Any], dtype: "np.dtype[Any]") -> dict[str, Any]:

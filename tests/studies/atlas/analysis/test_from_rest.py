@@ -38,7 +38,7 @@ def test_half_a_period_later_everything_is_mirrored() -> None:
     amplitude, ratio = plane().amplitudes[::3], plane().ratios[::4]
     phases = np.array([0.0, 0.9, math.pi, 0.9 + math.pi])
     axes = {"phase": phases, "amplitude": amplitude, "frequency_ratio": ratio}
-    kind = map_attractors(BLOCK, axes=axes, cycles=500).kind.values
+    kind = map_attractors(BLOCK, axes=axes, max_cycles=500).kind.values
     np.testing.assert_array_equal(kind[:2], kind[2:])
 
 

@@ -139,7 +139,7 @@ def from_rest(
         return map_attractors(
             DimensionlessBlock(restitution=plane.restitution),
             axes={"phase": phases, "amplitude": amplitude, "frequency_ratio": ratio},
-            cycles=CYCLES,
+            max_cycles=CYCLES,
             run=replace(how, store=None if parts is None else parts.store(name)),
         )
 

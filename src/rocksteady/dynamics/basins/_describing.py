@@ -1,0 +1,227 @@
+"""Facts, tables and notes of basins and of their erosion.
+
+The two classes import this module, so that their types have no name here.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.orbits.orbit import Orbit
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.facts import (
+    amplitude_text,
+    block_text,
+    case_text,
+    frequency_text,
+    harmonic_values,
+    lean_text,
+)
+from rocksteady.outcomes import AttractorKind
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, plural
+
+Floats = NDArray[np.float64]
+
+CONFIDENCE = 0.95
+"""Of the intervals of a description."""
+
+
+def basins_described(basins: Any) -> Description:
+    """Return the facts of basins: shares, attractors, window and case."""
+    block, motion = basins.block, basins.motion
+    drawn = basins.seed is not None  # no probability belongs to the middles of the cells
+    values = harmonic_values(block, motion)
+    case = f"{amplitude_text(block, motion.amplitude)}, " + frequency_text(
+        block, motion.frequency_ratio
+    )
+    facts = [
+        Fact("block", values.pop("block"), "block", block_text(block))
+        if isinstance(block, Block)
+        else Fact("", label="block", text=block_text(block)),
+        Fact("", label="base motion", text=f"{case}, phase {number(motion.phase)} rad"),
+        *(Fact(key, value) for key, value in values.items()),
+        Fact("phase", motion.phase),
+        Fact("model", basins.model.name, "model"),
+        Fact("", label="states", text=f"{basins.label.size:,} of {_window_text(basins)}"),
+        Fact("cycles", basins.max_cycles, "followed for", f"{basins.max_cycles} periods at most"),
+        Fact("seed", basins.seed, "seed" if drawn else ""),
+        Fact("confidence", CONFIDENCE if drawn else None),
+        Fact("angles", axis_values(basins.angle)),
+        Fact("velocities", axis_values(basins.velocity)),
+        Fact("erosion"),
+        Fact("drop"),
+    ]
+    rows = []
+    for attractor, part in zip(basins.attractors, basins.fractions(CONFIDENCE), strict=True):
+        orbit = attractor.orbit
+        rows.append(
+            {
+                **attractor.to_dict(),
+                **part.to_dict(),
+                "stroboscopic": basins.stroboscopic[part.label].tolist(),
+                "orbit": None if orbit is None else _orbit_values(orbit, basins),
+            }
+        )
+
+    def lean(value: float | None) -> str:
+        return "" if value is None else lean_text(block, value)
+
+    columns = [
+        Column("name", "basin", left=True),
+        Column("share", "share", lambda share: f"{100.0 * share:.2f} %"),
+        Column("period", "period", lambda period: str(period or "")),
+        Column("lowest", "lowest", lean),
+        Column("highest", "highest", lean),
+    ]
+    if drawn:
+        for row in rows:
+            row["between"] = f"{100.0 * row['low']:.2f} to {100.0 * row['high']:.2f} %"
+        columns.insert(2, Column("between", f"{100.0 * CONFIDENCE:g} % interval"))
+    notes = []
+    if any(one.kind is AttractorKind.APERIODIC for one in basins.attractors):
+        notes.append(
+            f"Aperiodic: not settled within {basins.max_cycles} periods, and neighbours part. More "
+            "periods tell chaos from a long way to something else."
+        )
+    if basins.undecided and block.lossless:
+        notes.append("Without loss (restitution 1) motions do not settle.")
+    elif basins.undecided:
+        notes.append("States are undecided: they balance for ever, or take more periods to follow.")
+    return Description(
+        f"{plural(len(rows), 'basin')} at phase {number(motion.phase)} rad: {case}, "
+        f"{case_text(block)}, {basins.model.name} model",
+        facts,
+        [Table("fractions", rows, columns)],
+        notes,
+    )
+
+
+def _window_text(basins: Any) -> str:
+    """Return the window of the states."""
+    least, most = (lean_text(basins.block, float(end)) for end in basins.angle[[0, -1]])
+    slow, fast = (number(float(end)) for end in basins.velocity[[0, -1]])
+    return f"u from {least} to {most}, du/d(pt) from {slow} to {fast}"
+
+
+def axis_values(points: Floats) -> dict[str, float]:
+    """Return an axis of a window: first, last and number of its points."""
+    return {"start": float(points[0]), "stop": float(points[-1]), "count": len(points)}
+
+
+def _orbit_values(orbit: Orbit, basins: Any) -> dict[str, Any]:
+    """Return an orbit in plain values, in SI too where the block has a size."""
+    block = basins.block
+    peaks = [orbit.highest, orbit.lowest] if orbit.admissible else None
+    values: dict[str, Any] = {
+        "kind": orbit.kind,
+        "period": orbit.period,
+        "impacts_per_period": orbit.impacts,
+        "rest_phases": orbit.rest_phases,
+        "peaks": peaks,
+        "multipliers": [complex(multiplier) for multiplier in orbit.multipliers],
+        "lyapunov": orbit.lyapunov,
+        "residual": orbit.residual,
+        "states": [
+            {"side": state.side, "phase": state.phase, "speed": state.speed}
+            for state in orbit.states
+        ],
+    }
+    if isinstance(block, Block):
+        values["peaks_rad"] = None if peaks is None else [peak * block.alpha for peak in peaks]
+        values["period_s"] = orbit.period / basins.motion.frequency_hz(block)
+    return values
+
+
+def erosion_described(erosion: Any) -> Description:
+    """Return the facts of an erosion: measures by amplitude, drops, window and case."""
+    block, motion = erosion.block, erosion.motion
+    sized = isinstance(block, Block)
+    columns = {
+        "amplitude": erosion.amplitude,
+        **({"accel_g": erosion.amplitude * block.alpha} if isinstance(block, Block) else {}),
+        "global_integrity": erosion.global_integrity,
+        "integrity_factor": erosion.integrity_factor,
+        "safe_share": erosion.safe_share,
+        "radius": erosion.radius,
+    }
+    rows = [
+        dict(zip(columns, row, strict=True))
+        for row in zip(*(values.tolist() for values in columns.values()), strict=True)
+    ]
+    values = harmonic_values(block, motion)
+    for name in ("amplitude", "accel_g"):  # there are many of them
+        values.pop(name, None)
+    tangency = erosion.heteroclinic
+    facts = [
+        Fact("block", values.pop("block"), "block", block_text(block))
+        if sized
+        else Fact("", label="block", text=block_text(block)),
+        Fact(
+            "",
+            label="base motion",
+            text=f"{frequency_text(block, motion.frequency_ratio)}, phase "
+            f"{number(motion.phase)} rad, {plural(len(rows), 'amplitude')}",
+        ),
+        *(Fact(key, value) for key, value in values.items()),
+        Fact("phase", motion.phase),
+        Fact("model", erosion.model.name, "model"),
+        Fact("", label="states", text=f"{erosion.safe[0].size:,} of {_window_text(erosion)}"),
+        Fact("cycles", erosion.cycles, "stand", plural(erosion.cycles, "period")),
+        Fact(
+            "heteroclinic_amplitude",
+            tangency,
+            "heteroclinic tangency",
+            "no closed form in the nonlinear model"
+            if tangency is None
+            else amplitude_text(block, tangency),
+        ),
+    ]
+    if isinstance(block, Block):
+        value = None if tangency is None else tangency * block.alpha
+        facts.append(Fact("heteroclinic_accel_g", value))
+    facts += [
+        Fact("", label=drop_label(measure), text=drop_text(erosion, measure))
+        for measure in erosion.drops
+    ]
+    facts += [
+        Fact("drop", {name: drop and drop.to_dict() for name, drop in erosion.drops.items()}),
+        Fact("still", {"safe_share": erosion.still_share, "radius": erosion.still_radius}),
+        Fact("angles", axis_values(erosion.angle)),
+        Fact("velocities", axis_values(erosion.velocity)),
+        Fact("fractions"),
+    ]
+    shown = [
+        Column("amplitude", "amplitude A", lambda value: f"{value:.6g}"),
+        *([Column("accel_g", "accel [g]")] if sized else []),
+        Column("integrity_factor", "integrity factor", lambda value: f"{value:.4f}"),
+        Column("global_integrity", "global integrity", lambda value: f"{value:.4f}"),
+    ]
+    note = "Both are 1 on a still base: the radius of the largest safe circle and the safe area."
+    table = Table("erosion", rows, shown, most=max(len(rows), 1))
+    return Description(erosion_headline(erosion), facts, [table], [note])
+
+
+def erosion_headline(erosion: Any) -> str:
+    """Return what an erosion is of, in a line."""
+    motion, block = erosion.motion, erosion.block
+    return (
+        f"Erosion of the safe basin at phase {number(motion.phase)} rad: "
+        f"{frequency_text(block, motion.frequency_ratio)}, {case_text(block)}, "
+        f"{erosion.model.name} model"
+    )
+
+
+def drop_label(measure: str) -> str:
+    """Return a measure of integrity in words."""
+    return measure.replace("_", " ")
+
+
+def drop_text(erosion: Any, measure: str) -> str:
+    """Return where a measure falls below the level, in words."""
+    drop = erosion.drops[measure]
+    if drop is None:
+        return "does not fall below 0.5"
+    low, high = f"{drop.low:.4f}", f"{drop.high:.4f}"
+    return f"falls below {drop.level:g} between A = {low} and {high}"

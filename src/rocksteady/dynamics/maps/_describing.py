@@ -1,0 +1,144 @@
+"""Facts of attractor and fate maps, from their attributes and cells."""
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rocksteady.dynamics.parameters import AXES
+from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import angle, length, number, quantity
+from rocksteady.sweep.cases.accessor import (
+    class_counts,
+    count_table,
+    flags_of,
+    grid_facts,
+    slabs,
+)
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+WORDS = {"alpha": angle, "radius": length, "width": length, "height": length}
+"""How engineers write a parameter."""
+UNITS = {"p": "rad/s", "phase": "rad", "frequency_hz": "Hz", "gravity": "m/s²"}
+LABELS = {"acceleration_m_s2": "peak acceleration", "frequency_hz": "frequency"}
+START = ("start", "branch", "order", "side", "kick", "angle", "velocity")
+
+
+def describe(dataset: "xr.Dataset") -> Description:
+    """Return the cells of each class of a map, its grid, and what is no axis."""
+    fates = "fate" in dataset
+    name = "fate" if fates else "kind"
+    counts = class_counts(dataset, name)
+    cycles = _cycles(dataset)
+    facts = [
+        *grid_facts(dataset),
+        Fact("fate", fates),
+        Fact("cycles", cycles, "followed for", f"{cycles} periods at most"),
+        Fact("model", _model(dataset), "model"),
+        *_parameters(dataset),
+        Fact("counts", counts),
+    ]
+    drawn, notes = counts, []
+    if not fates and "period" in dataset:
+        longer = _subharmonic(dataset)
+        total = sum(longer.values())
+        facts += [Fact("subharmonic", total), Fact("subharmonic_counts", longer)]
+        drawn = drawn_counts(counts, longer)
+        if total:
+            parts = ", ".join(f"{count:,} {kind}" for kind, count in longer.items())
+            notes.append(f"subharmonic: of period 2 or longer, {parts}")
+    return Description(headline(dataset), facts, [count_table(drawn, heading=name)], notes)
+
+
+def drawn_counts(counts: dict[str, int], longer: dict[str, int]) -> dict[str, int]:
+    """Return the cells of each class of a picture, in the order of its legend.
+
+    Subharmonic motions are a class of their own there, whatever their kind.
+    """
+    drawn: dict[str, int] = {}
+    for kind, count in counts.items():
+        if kind == "aperiodic" and longer:
+            drawn["subharmonic"] = sum(longer.values())
+        drawn[kind] = count - longer.get(kind, 0)
+    return drawn
+
+
+def headline(dataset: "xr.Dataset") -> str:
+    """Return what is no axis in a few words."""
+    given = dataset.attrs
+    parts = []
+    if "amplitude" in given:
+        parts.append(f"A = {given['amplitude']:g}")
+    elif "acceleration_m_s2" in given:
+        parts.append(_text("acceleration_m_s2", given))
+    if "frequency_ratio" in given:
+        parts.append(f"Ω = {given['frequency_ratio']:g}")
+    elif "frequency_hz" in given:
+        parts.append(_text("frequency_hz", given))
+    restitution = given.get("restitution")
+    if restitution == "housner":
+        parts.append("Housner's restitution")
+    elif restitution is not None:
+        other = given.get("negative_restitution")
+        parts.append(f"restitution {restitution:.4g}" + (f"/{other:.4g}" if other else ""))
+    parts += [
+        f"{symbol} = {_text(name, given)}"
+        for name, symbol in (("alpha", "α"), ("p", "p"))
+        if name in given
+    ]
+    if given.get("start") in ("rest", "steady"):
+        parts.append(f"from {given['start']}")
+    elif {"angle", "velocity"} <= given.keys():
+        parts.append(f"from {given['angle']:g},{given['velocity']:g}")
+    if given.get("phase"):
+        parts.append(f"phase {given['phase']:.4g} rad")
+    parts.append(f"{_model(dataset)} model")
+    fates = "fate" in dataset
+    what = f"The block after {_cycles(dataset)} periods" if fates else "What the block settles to"
+    return f"{what}: " + ", ".join(parts)
+
+
+def _cycles(dataset: "xr.Dataset") -> int | None:
+    """Return for how many forcing periods the motions were followed."""
+    cycles = dataset.attrs.get("cycles", dataset.attrs.get("max_cycles"))
+    return None if cycles is None else int(cycles)
+
+
+def _model(dataset: "xr.Dataset") -> str:
+    """Return the name of the equations of motion."""
+    return str(dataset.attrs.get("model", "linear"))
+
+
+def _parameters(dataset: "xr.Dataset") -> list[Fact]:
+    """Return the parameters that are no axes."""
+    names = [*reversed(AXES), "gravity", "negative_restitution", *START]
+    given = {name: dataset.attrs[name] for name in dict.fromkeys(names) if name in dataset.attrs}
+    return [
+        Fact(name, value, LABELS.get(name, name.replace("_", " ")), _text(name, given))
+        for name, value in given.items()
+    ]
+
+
+def _text(name: str, given: "dict[str, Any]") -> str:
+    """Return the value of a parameter as engineers write it."""
+    value = given[name]
+    if name == "acceleration_m_s2":
+        return quantity(value / given.get("gravity", STANDARD_GRAVITY), "g")
+    if name in WORDS and math.isfinite(value):
+        return WORDS[name](value)
+    if name in UNITS:
+        return quantity(value, UNITS[name])
+    return number(value) if isinstance(value, float) else str(value)
+
+
+def _subharmonic(dataset: "xr.Dataset") -> dict[str, int]:
+    """Return how many cells of each kind have a period of two or longer, without the zeros."""
+    words = flags_of(dataset["kind"])
+    longer = dict.fromkeys(words.values(), 0)
+    for kind, period in slabs(dataset, "kind", "period"):
+        for code, word in words.items():
+            longer[word] += int(np.count_nonzero((kind == code) & (period > 1)))
+    return {word: count for word, count in longer.items() if count}

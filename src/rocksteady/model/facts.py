@@ -1,0 +1,104 @@
+"""Facts of blocks and base motions, as results put them into JSON and into words."""
+
+import math
+from typing import Any
+
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.motions.segments import Harmonic
+from rocksteady.results.numbers import angle, length, number, quantity
+
+AnyBlock = Block | DimensionlessBlock
+
+
+def block_values(block: Block) -> dict[str, Any]:
+    """Return a block's measures in SI; of one whose sides differ those of both."""
+    positive, negative = (
+        {
+            "alpha_rad": side.alpha,
+            "radius_m": side.radius,
+            "p_rad_s": side.p,
+            "restitution": side.restitution,
+        }
+        for side in (block.positive, block.negative)
+    )
+    if block.symmetric:
+        return positive
+    distances = {"left_m": block.positive.distance, "right_m": block.negative.distance}
+    return {**positive, **distances, "height_m": block.height, "negative": negative}
+
+
+def restitution_values(block: AnyBlock) -> dict[str, Any]:
+    """Return the restitution, or that of either impact where they differ."""
+    first, second = (restitution for restitution, _, _ in block.dimensionless().sides)
+    values = {"restitution": first}
+    return values if first == second else {**values, "negative_restitution": second}
+
+
+def harmonic_values(block: AnyBlock, motion: Harmonic) -> dict[str, Any]:
+    """Return block and harmonic motion without its phase, in SI too where the block has a size."""
+    values: dict[str, Any] = {
+        "amplitude": motion.amplitude,
+        "frequency_ratio": motion.frequency_ratio,
+        **restitution_values(block),
+    }
+    if isinstance(block, Block):
+        values["block"] = block_values(block)
+        values["accel_g"] = motion.acceleration_m_s2(block) / block.gravity
+        values["freq_hz"] = motion.frequency_hz(block)
+    return values
+
+
+def restitution_text(block: AnyBlock) -> str:
+    """Return what an impact leaves, of either impact where they differ."""
+    values = restitution_values(block)
+    return "restitution " + "/".join(number(value, 4) for value in values.values())
+
+
+def block_text(block: AnyBlock) -> str:
+    """Return slenderness, size, rate and restitution of a block, as engineers write them.
+
+    Examples
+    --------
+    >>> block_text(Block.rectangle(width=0.4, height=1.2, restitution=0.9))
+    'alpha 18.4°, R 632 mm, p 3.41 rad/s, restitution 0.9'
+    """
+    if isinstance(block, DimensionlessBlock):
+        return restitution_text(block)
+    alphas = dict.fromkeys(angle(side.alpha) for side in (block.positive, block.negative))
+    return (
+        f"alpha {'/'.join(alphas)}, R {length(block.radius)}, p {quantity(block.p, 'rad/s')}, "
+        f"{restitution_text(block)}"
+    )
+
+
+def case_text(block: AnyBlock) -> str:
+    """Return a block in the few words that a title has room for."""
+    if isinstance(block, DimensionlessBlock):
+        return restitution_text(block)
+    alphas = dict.fromkeys(angle(side.alpha) for side in (block.positive, block.negative))
+    rate = f", p {quantity(block.p, 'rad/s')}" if block.symmetric else ""
+    return f"{restitution_text(block)}, alpha {'/'.join(alphas)}{rate}"
+
+
+def frequency_text(block: AnyBlock, frequency_ratio: float) -> str:
+    """Return a frequency ratio; in Hz first where the block has a size."""
+    ratio = f"Ω = {number(frequency_ratio, 4)}"
+    if isinstance(block, DimensionlessBlock):
+        return ratio
+    return f"{quantity(frequency_ratio * block.p / (2.0 * math.pi), 'Hz')} ({ratio})"
+
+
+def amplitude_text(block: AnyBlock, amplitude: float) -> str:
+    """Return an amplitude; in g first where the block has a size."""
+    ratio = f"A = {number(amplitude, 4)}"
+    if isinstance(block, DimensionlessBlock):
+        return ratio
+    return f"{quantity(amplitude * block.alpha, 'g')} ({ratio})"
+
+
+def lean_text(block: AnyBlock, lean: float) -> str:
+    """Return an angle u = theta/alpha; in degrees first where the block has a size."""
+    if isinstance(block, DimensionlessBlock):
+        return quantity(lean, "alpha")
+    return f"{angle(lean * block.alpha)} = {quantity(lean, 'alpha')}"
