@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rocksteady import Record, Status, compute_rocking_spectrum
+from rocksteady import BaseMotion, Record, Status, compute_rocking_spectrum
 from rocksteady.model.equations import Linear, Nonlinear
 from tests.records import synthetic
 
@@ -25,12 +25,11 @@ def test_spectrum(benchmark: Any, model: Any, vertical: bool) -> None:
     )
     found = benchmark.pedantic(
         compute_rocking_spectrum,
-        args=(record,),
+        args=(BaseMotion(record, up if vertical else None),),
         kwargs={
             "alpha": np.linspace(0.1, 0.3, 5),
             "periods_s": np.linspace(0.5, 8.0, 100),
             "model": model,
-            "vertical": up if vertical else None,
         },
         rounds=5,
         warmup_rounds=1,

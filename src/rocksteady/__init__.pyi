@@ -111,6 +111,7 @@ from .seismic.measures.response_spectrum import (
 from .seismic.measures.time_course import IntegratedRecord as IntegratedRecord
 from .seismic.measures.time_course import Peak as Peak
 from .seismic.measures.time_course import integrate_record as integrate_record
+from .seismic.spectra.many import simulate_many as simulate_many
 from .seismic.spectra.rocking import compute_rocking_spectrum as compute_rocking_spectrum
 from .seismic.spectra.suite import summarise_spectra as summarise_spectra
 from .show.export.dataset import export as export

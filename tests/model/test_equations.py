@@ -69,7 +69,7 @@ def test_windows_spectra_and_impulses_choose_by_the_block() -> None:
         found = find_overturning_windows(block, "half-sine", [3.0], **reach)  # type: ignore[arg-type]
         assert found.model == model
         assert found.to_dataset().attrs["model"] == model.name
-    data = compute_rocking_spectrum(RECORD, alpha=0.2, p=2.0)
+    data = compute_rocking_spectrum(RECORD, alpha=0.2, periods_s=3.0)
     assert data.attrs["model"] == "nonlinear"
     assert overturning_impulse(BLOCK) == overturning_impulse(BLOCK, model=Nonlinear())
     assert overturning_impulse(BLOCK) > overturning_impulse(BLOCK, model=Linear())

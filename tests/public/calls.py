@@ -335,7 +335,8 @@ def calls() -> dict[str, Call]:
         rs.resample: {"recording": t["recording"], "dt_s": 0.025},
         rs.compute_response_curve: {"block": bare, "amplitude": 2.0, "frequency_ratio": [3.0, 4.0]},
         rs.compute_response_spectrum: {"record": record, "periods_s": [0.5, 1.0]},
-        rs.compute_rocking_spectrum: {"records": record, "alpha": [0.2], "periods_s": [1.0, 2.0]},
+        rs.compute_rocking_spectrum: {"motions": record, "alpha": [0.2], "periods_s": [1.0, 2.0]},
+        rs.simulate_many: {"blocks": block, "motions": record, "scales": [1.0, 2.0]},
         rs.scale_motion: {"motion": t["pulse"], "factor": -1.0},
         rs.simulate: {"block": block, "motion": shaking, "cycles": 2.0},
         rs.compute_steady_orbit: {
@@ -346,7 +347,7 @@ def calls() -> dict[str, Call]:
         },
         rs.find_steady_states: {"amplitude": 2.0, "frequency_ratio": 4.0, "restitution": 0.8},
         rs.stretches: {"branch": t["branch"]},
-        rs.summarise_spectra: {"found": t["suite"]},
+        rs.summarise_spectra: {"spectra": t["suite"]},
         rs.symmetry_breaking_amplitude: {"frequency_ratio": 4.0, "restitution": 0.8},
         rs.symmetry_breaking_frequency: {"amplitude": 2.0, "restitution": 0.8},
         rs.BasinAttractor: fields(t["basins"].attractors[0]),

@@ -55,7 +55,7 @@ MASKED = np.ma.array([1.0, -99999.0, 2.0], mask=[False, True, False])
         (lambda: simulate(BLOCK, SHAKING, model="cubic"), ["model = 'cubic'"]),  # type: ignore[arg-type]
         (lambda: simulate(BLOCK, SHAKING, start=Rest), ["start = ", "a Rest or a State or a"]),  # type: ignore[arg-type]
         (lambda: simulate(BLOCK, SHAKING, max_flights=2**64), ["max_flights = 18446744073709"]),
-        (lambda: compute_rocking_spectrum(RECORD, alpha=[], p=1.0), ["alpha = ", "one value"]),
+        (lambda: compute_rocking_spectrum(RECORD, alpha=[], periods_s=1.0), ["alpha = ", "one value"]),
         (lambda: add_motions(SHAKING, 3.0), ["motions = 3.0", "it must be a Motion"]),  # type: ignore[arg-type]
         (lambda: housner_restitution(0.2, p=math.nan), ["p = nan"]),
         (lambda: housner_restitution(0.2, radius=-1.0), ["radius = -1.0"]),

@@ -58,11 +58,14 @@ def test_over_a_grid_it_is_numpys_quantile() -> None:
 
 
 def test_it_needs_several_records_and_parts_of_them() -> None:
-    found = compute_rocking_spectrum(ground(), alpha=0.2, p=2.0, model=Linear())
+    found = compute_rocking_spectrum(ground(), alpha=0.2, periods_s=math.pi, model=Linear())
     with pytest.raises(InputError, match="no axis of records"):
         summarise_spectra(found)
     one = compute_rocking_spectrum(
-        [Record(acceleration_m_s2=np.array([1.0, 0.0]), dt_s=0.1)], alpha=0.2, p=2.0, model=Linear()
+        [Record(acceleration_m_s2=np.array([1.0, 0.0]), dt_s=0.1)],
+        alpha=0.2,
+        periods_s=math.pi,
+        model=Linear(),
     )
     assert summarise_spectra(one).peak_angle.values.tolist() == [0.0, 0.0, 0.0]
     with pytest.raises(InputError, match="quantiles"):

@@ -40,7 +40,7 @@ def found(slendernesses: int = 3) -> xarray.Dataset:
     alpha = np.linspace(0.12, 0.4, slendernesses)
     # In descending order: pictures sort them.
     return compute_rocking_spectrum(
-        ground(), alpha=alpha, periods_s=PERIODS[::-1], scale=1.5, model=Linear()
+        ground(), alpha=alpha, periods_s=PERIODS[::-1], scales=1.5, model=Linear()
     )
 
 

@@ -32,9 +32,23 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.sides import Restitution, housner_ratio
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.record import Record
+from rocksteady.outcomes import Status
+from rocksteady.sweep.cases.outputs import Output
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
+
+OUTPUTS = (
+    Output(
+        name="status",
+        dtype=np.int8,
+        long_name="how it ended",
+        flags={int(status): status.label for status in Status},
+    ),
+    Output(name="peak_angle", long_name="largest |theta|/alpha"),
+    Output(name="peak_velocity", long_name="largest |d(theta/alpha)/d(p t)|"),
+    Output(name="impacts", dtype=np.int64, long_name="impacts until then"),
+)
 
 
 @dataclass(frozen=True, kw_only=True)

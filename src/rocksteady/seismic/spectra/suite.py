@@ -21,7 +21,7 @@ QUANTILES = (0.16, 0.5, 0.84)
 
 @checked
 def summarise_spectra(
-    found: "xarray.Dataset", quantiles: Sequence[float] = QUANTILES
+    spectra: "xarray.Dataset", quantiles: Sequence[float] = QUANTILES
 ) -> "xarray.Dataset":
     """Return quantiles of a suite's rocking spectra, and the share of records that overturn.
 
@@ -31,10 +31,10 @@ def summarise_spectra(
 
     Parameters
     ----------
-    found
-        From `compute_rocking_spectrum`, of several records.
+    spectra
+        From `compute_rocking_spectrum` or `simulate_many`, of several records.
     quantiles
-        From 0 to 1.
+        From 0 to 1; default 0.16, 0.5 and 0.84.
 
     Returns
     -------
@@ -54,8 +54,8 @@ def summarise_spectra(
     >>> from rocksteady import Record, compute_rocking_spectrum, summarise_spectra
     >>> shock = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.2)
     >>> suite = [shock.scaled(factor) for factor in (0.6, 0.8, 4.0)]
-    >>> found = compute_rocking_spectrum(suite, alpha=0.2, periods_s=[4.0, 8.0])
-    >>> summary = summarise_spectra(found, quantiles=(0.5,))
+    >>> spectra = compute_rocking_spectrum(suite, alpha=0.2, periods_s=[4.0, 8.0])
+    >>> summary = summarise_spectra(spectra, quantiles=(0.5,))
     >>> summary.peak_angle.values.round(4)
     array([[0.0771, 0.0185]])
     >>> summary.overturned.values.round(3)
@@ -63,10 +63,10 @@ def summarise_spectra(
     """
     import xarray
 
-    if "record" not in found.dims:
+    if "record" not in spectra.dims:
         raise InputError(
-            "found",
-            ", ".join(map(str, found.dims)),
+            "spectra",
+            ", ".join(map(str, spectra.dims)),
             "it has no axis of records",
             "give compute_rocking_spectrum a list of records",
         )
@@ -74,16 +74,20 @@ def summarise_spectra(
     parts = [in_range("quantiles", part, 0.0, 1.0, "[]", hint=hint) for part in quantiles]
     if not parts:
         raise InputError("quantiles", quantiles, "it must hold one part or more", hint)
-    status = found["status"]
+    # Those of a record, as the factor that brings it to a level, are none of the suite.
+    spectra = spectra.drop_vars(
+        [name for name, values in spectra.coords.items() if "record" in values.dims]
+    )
+    status = spectra["status"]
     fell = status == Status.OVERTURNED
     known = fell | (status == Status.ROCKING) | (status == Status.AT_REST)
     variables = {}
     for name in ("peak_angle", "peak_velocity"):
-        peaks = found[name].where(~fell, np.inf).where(known)
+        peaks = spectra[name].where(~fell, np.inf).where(known)
         values = peaks.transpose("record", ...).values
         left = peaks.isel(record=0, drop=True)
-        variables[name] = (("quantile", *left.dims), _quantiles(values, parts), found[name].attrs)
-    kept = found["peak_angle"].isel(record=0, drop=True)
+        variables[name] = (("quantile", *left.dims), _quantiles(values, parts), spectra[name].attrs)
+    kept = spectra["peak_angle"].isel(record=0, drop=True)
     for name, which, words in (
         ("overturned", fell, "share of records that overturn the block"),
         ("undecided", ~known, "share of records without an answer"),
@@ -94,7 +98,7 @@ def summarise_spectra(
     return xarray.Dataset(
         variables,
         coords={**coordinates, "quantile": ("quantile", parts, {"long_name": "part of records"})},
-        attrs={**found.attrs, "records": found.sizes["record"]},
+        attrs={**spectra.attrs, "records": spectra.sizes["record"]},
     )
 
 

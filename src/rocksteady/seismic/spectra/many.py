@@ -1,0 +1,285 @@
+"""Many blocks on many records at many levels: how each run ends."""
+
+import functools
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.errors import InputError, Words
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import LARGEST, in_range
+from rocksteady.model.equations import Model, chosen_model
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.model.motions.record import Record
+from rocksteady.seismic.spectra._batch import (
+    OUTPUTS,
+    load_kernel,
+    shaken_fates,
+    sides_in_si,
+)
+from rocksteady.seismic.spectra._grounds import (
+    axis_values,
+    check_grounds,
+    grounds_of,
+    is_single_motion,
+    is_single_number,
+    names_of,
+    scale_values,
+    turned_round,
+)
+from rocksteady.sweep.cases.axes import Axis
+from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.run import Run
+
+if TYPE_CHECKING:
+    import xarray
+
+Floats = NDArray[np.float64]
+Objects = NDArray[np.object_]
+
+DIRECTIONS = ("as recorded", "reversed")
+
+
+@checked
+def simulate_many(
+    blocks: Block | Sequence[Block],
+    motions: Record | BaseMotion | Sequence[Record | BaseMotion],
+    *,
+    pga_g: ArrayLike | None = None,
+    scales: ArrayLike | None = None,
+    reverse: bool | Literal["both"] = False,
+    model: Model | None = None,
+    run: Run | None = None,
+) -> "xarray.Dataset":
+    """Compute how many blocks fare on many records at many levels, from rest.
+
+    Every cell is what `simulate` finds for the block and the scaled record.
+
+    Parameters
+    ----------
+    blocks
+        A block or several, each with its own sides, restitution and gravity.
+    motions
+        A record or several, or `BaseMotion` of a horizontal and a vertical record.
+    pga_g
+        Levels of PGA [g], a number or several: each motion is multiplied by what brings its
+        horizontal component to the level.
+    scales
+        Levels as factors of all accelerations, above 0; default 1.  Not with `pga_g`.
+    reverse
+        True reverses the horizontal records; "both" adds a dimension ``direction``, as recorded
+        and reversed; default False.
+    model
+        `Linear()` or `Nonlinear()` (default), the full equations.
+    run
+        Executor, workers, store and progress; default `Run()`.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``status`` (with flags), ``peak_angle`` (|theta|/alpha), ``peak_velocity``
+        (|d(theta/alpha)/d(p t)|) and ``impacts`` over ``block``, ``record`` and ``level``; a single
+        one is no dimension.  ``pga_g`` and ``scale`` are coordinates, and so are alpha, p and
+        restitution of the blocks.
+
+    Raises
+    ------
+    InputError, ModelError
+        If an argument is outside its range, both `pga_g` and `scales` are given, or the linear
+        model meets a vertical motion.
+
+    Examples
+    --------
+    The share of a suite that topples an off-centre statue, at two levels of PGA:
+
+    >>> from rocksteady import Block, Record, Status, simulate_many
+    >>> statue = Block.asymmetric(left=0.2, right=0.3, height=1.8)
+    >>> suite = [Record(acceleration_m_s2=[0.0, a, -a, 0.0], dt_s=0.3) for a in (2.0, 4.0)]
+    >>> result = simulate_many(statue, suite, pga_g=[0.2, 0.8])
+    >>> (result.status == Status.OVERTURNED).mean("record").values
+    array([0., 1.])
+    """
+    bodies = _blocks(blocks)
+    grounds = grounds_of(motions)
+    names = names_of(ground.record for ground in grounds)
+    if pga_g is not None and scales is not None:
+        raise InputError(
+            "pga_g",
+            Words("and scales are both given"),
+            "levels are either of PGA or factors",
+            "leave one of the two out",
+        )
+    peaks = np.array([ground.record.peak_acceleration_m_s2 for ground in grounds])
+    if pga_g is None:
+        levels = scale_values(1.0 if scales is None else scales)
+        factors = np.tile(levels, (len(grounds), 1))
+    else:
+        hint = "give a PGA in g, as 0.3"
+        levels = [
+            in_range("pga_g", value, 1.0 / LARGEST, LARGEST, "[]", hint=hint)
+            for value in axis_values("pga_g", pga_g)
+        ]
+        factors = np.array(levels) * STANDARD_GRAVITY / peaks[:, np.newaxis]
+    equations = chosen_model(model, bodies[0], grounds[0].record)
+    extremes = (
+        max(bodies, key=lambda block: block.p),
+        min(bodies, key=lambda block: block.uplift_acceleration),
+    )
+    check_grounds(grounds, factors.max(axis=1).tolist(), extremes, equations)
+    directions = _directions(reverse)
+    sign = {"as recorded": lambda ground: ground, "reversed": turned_round}
+    shaking = [sign[direction](ground) for direction in directions for ground in grounds]
+    cases = [f"{direction}: {name}" for direction in directions for name in names]
+    words = "PGA" if pga_g is not None else "factor of all accelerations"
+    # Blocks run fastest: those on one ground share its table.
+    axes = (
+        Axis(name="motion", values=cases, long_name="ground motion", items=shaking),
+        Axis(name="level", values=levels, units="1" if pga_g is None else "g", long_name=words),
+        Axis(
+            name="block",
+            values=[f"block {number}" for number in range(1, len(bodies) + 1)],
+            long_name="block",
+            items=bodies,
+        ),
+    )
+    load_kernel(equations)
+    result = evaluate(
+        functools.partial(
+            _fates,
+            peak_m_s2=None if pga_g is None else STANDARD_GRAVITY,
+            model=equations,
+        ),
+        Grid(axes=axes),
+        OUTPUTS,
+        run=run,
+        attributes={
+            "model": equations.name,
+            "direction": "both" if reverse == "both" else directions[0],
+            "vertical": ", ".join(names_of(ground.vertical for ground in grounds)) or "none",
+        },
+    )
+    shape = [len(directions), len(grounds), len(levels), len(bodies)]
+    whole = _unfolded(result, shape, names, directions)
+    whole = whole.assign_coords(
+        scale=(("record", "level"), factors, {"long_name": "factor of all accelerations"}),
+        pga_g=(
+            ("record", "level"),
+            factors * (peaks / STANDARD_GRAVITY)[:, np.newaxis],
+            {"units": "g", "long_name": "PGA of the horizontal component"},
+        ),
+        **_measures(bodies),
+    )
+    given = "scale" if pga_g is None else "pga_g"
+    whole = whole.assign_coords({given: ("level", levels, whole[given].attrs)})
+    single = {
+        "block": isinstance(blocks, Block),
+        "record": is_single_motion(motions),
+        "direction": reverse != "both",
+        "level": is_single_number(
+            pga_g if pga_g is not None else 1.0 if scales is None else scales
+        ),
+    }
+    whole = whole.transpose("block", "record", "direction", "level")
+    return whole.isel({name: 0 for name, dropped in single.items() if dropped})
+
+
+def _fates(
+    motion: Objects,
+    level: Floats,
+    block: Objects,
+    *,
+    peak_m_s2: float | None,
+    model: Model,
+) -> dict[str, NDArray[Any]]:
+    """Return how the blocks of some cells fare.
+
+    `peak_m_s2` is the peak acceleration of level 1; None where levels are factors.
+    """
+    if peak_m_s2 is None:
+        scale = level
+    else:
+        peaks = [ground.record.peak_acceleration_m_s2 for ground in motion]
+        scale = level * peak_m_s2 / np.array(peaks)
+    sides = np.stack([sides_in_si(each, model) for each in block])
+    gravity = np.array([each.gravity for each in block])
+    parts: dict[str, NDArray[Any]] = {
+        output.name: np.empty(len(block), output.dtype) for output in OUTPUTS
+    }
+    for value in np.unique(gravity):
+        here = gravity == value
+        fates = shaken_fates(
+            shaking=motion[here], scale=scale[here], sides=sides[here], gravity=float(value)
+        )
+        for name, column in fates._asdict().items():
+            parts[name][here] = column
+    return parts
+
+
+def _blocks(blocks: Block | Sequence[Block]) -> list[Block]:
+    """Return one or more blocks."""
+    given: object = blocks
+    several = [given] if isinstance(given, Block) else given
+    bodies = list(several) if isinstance(several, list | tuple) else []
+    if not bodies or not all(isinstance(block, Block) for block in bodies):
+        raise InputError(
+            "blocks",
+            given,
+            "it must be a Block, which has sizes, or a list of them",
+            "give Block.rectangle(width=0.5, height=1.8), or several",
+        )
+    return bodies
+
+
+def _directions(reverse: object) -> tuple[str, ...]:
+    """Return the directions of `reverse`."""
+    if isinstance(reverse, bool):
+        return (DIRECTIONS[reverse],)
+    if reverse == "both":
+        return DIRECTIONS
+    raise InputError(
+        "reverse", reverse, "it must be True, False or 'both'", "leave it out for as recorded"
+    )
+
+
+def _unfolded(
+    result: "xarray.Dataset", shape: Sequence[int], names: Sequence[str], directions: Sequence[str]
+) -> "xarray.Dataset":
+    """Return a result whose axis of motions is one of directions and one of records."""
+    count = shape[1]
+    parts = [
+        result.isel(motion=slice(place * count, (place + 1) * count))
+        .rename(motion="record")
+        .assign_coords(record=("record", list(names), {"long_name": "ground motion"}))
+        for place in range(shape[0])
+    ]
+    import xarray
+
+    along = xarray.DataArray(
+        list(directions), dims="direction", attrs={"long_name": "sign of the horizontal component"}
+    )
+    return xarray.concat(parts, dim=along.rename("direction"), combine_attrs="override")
+
+
+def _measures(bodies: Sequence[Block]) -> dict[str, Any]:
+    """Return coordinates along the axis of blocks."""
+    sides = [("", "positive")]
+    if not all(block.symmetric for block in bodies):
+        sides.append(("negative_", "negative"))
+    words = {
+        "alpha": ("rad", "slenderness"),
+        "p": ("rad s-1", "frequency parameter"),
+        "restitution": ("1", "restitution"),
+    }
+    return {
+        f"{prefix}{name}": (
+            "block",
+            [float(getattr(getattr(block, side), name)) for block in bodies],
+            {"units": unit, "long_name": text + (f" of the {side} side" if prefix else "")},
+        )
+        for prefix, side in sides
+        for name, (unit, text) in words.items()
+    }

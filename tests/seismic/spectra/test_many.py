@@ -1,0 +1,168 @@
+"""Many blocks on many records: each cell against a time history, levels, directions, refusals."""
+
+import functools
+from itertools import product
+
+import numpy as np
+import pytest
+import xarray
+
+from rocksteady import (
+    Block,
+    DimensionlessBlock,
+    InputError,
+    ModelError,
+    Record,
+    Run,
+    Status,
+    open_store,
+    simulate,
+    simulate_many,
+    summarise_spectra,
+)
+from rocksteady.model.equations import Linear, Model, Nonlinear
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.model.motions.pulses import Pulse
+from tests.seismic.grounds import ground, lifting
+
+G = 9.80665
+BLOCKS = (
+    Block.rectangle(width=0.4, height=1.6),
+    Block.asymmetric(left=0.25, right=0.4, height=2.4),
+    Block.asymmetric(left=0.4, right=0.25, height=1.6, restitution=(0.9, 0.7)),
+    Block.general(mass=100.0, inertia=90.0, radius=0.8, alpha=0.2, gravity=9.0),
+)
+# Slow ones, which topple the blocks.
+SUITE = tuple(
+    Record(acceleration_m_s2=each.acceleration_m_s2, dt_s=3.0 * each.dt_s, name=name)
+    for each, name in ((ground(1), None), (ground(2), "other"), (ground(3, peak=8.0), None))
+)
+LEVELS = (0.3, 0.8, 1.6)
+NAMES = ("status", "peak_angle", "peak_velocity", "impacts")
+
+
+def scaled(motion: Record | BaseMotion, factor: float, *, reverse: bool) -> BaseMotion:
+    base = motion if isinstance(motion, BaseMotion) else BaseMotion(motion)
+    turned = base.reversed() if reverse else base
+    return turned.scaled(factor)
+
+
+def check_cell(cell: xarray.Dataset, block: Block, motion: BaseMotion, model: Model) -> None:
+    run = simulate(block, motion, model=model)
+    assert int(cell.status) == run.status
+    assert float(cell.peak_angle) == pytest.approx(run.peak, rel=1e-8, abs=1e-15)
+    assert float(cell.peak_velocity) == pytest.approx(run.peak_velocity, rel=1e-8, abs=1e-15)
+    # Chatter ends as soon as it is proved to die out, before its last bounces.
+    assert int(cell.impacts) <= len(run.impacts)
+
+
+@functools.cache
+def shaken(*, linear: bool, vertical: bool) -> tuple[list[Record | BaseMotion], xarray.Dataset]:
+    motions: list[Record | BaseMotion] = list(SUITE)
+    if vertical:
+        motions[1] = BaseMotion(SUITE[1], lifting())
+    model: Model = Linear() if linear else Nonlinear()
+    return motions, simulate_many(BLOCKS, motions, pga_g=LEVELS, reverse="both", model=model)
+
+
+@pytest.mark.parametrize(("linear", "vertical"), [(True, False), (False, False), (False, True)])
+def test_each_cell_is_a_time_history(*, linear: bool, vertical: bool) -> None:
+    motions, result = shaken(linear=linear, vertical=vertical)
+    assert dict(result.sizes) == {"block": 4, "record": 3, "direction": 2, "level": 3}
+    model: Model = Linear() if linear else Nonlinear()
+    for (i, block), (j, motion), k in product(
+        enumerate(BLOCKS), enumerate(motions), range(len(LEVELS))
+    ):
+        for direction in ("as recorded", "reversed"):
+            cell = result.isel(block=i, record=j, level=k).sel(direction=direction)
+            factor = LEVELS[k] * G / SUITE[j].peak_acceleration_m_s2
+            assert float(cell.scale) == pytest.approx(factor, rel=1e-14)
+            assert float(cell.pga_g) == LEVELS[k]
+            check_cell(cell, block, scaled(motion, factor, reverse=direction == "reversed"), model)
+    assert {Status.AT_REST, Status.OVERTURNED} <= set(result.status.values.ravel().tolist())
+
+
+def test_scales_and_the_levels_of_pga_that_they_make_give_the_same_cells() -> None:
+    record = SUITE[0]
+    factors = [0.5, 1.0, 2.0]
+    one = simulate_many(BLOCKS[1], record, scales=factors)
+    peak = record.peak_acceleration_m_s2 / G
+    other = simulate_many(BLOCKS[1], record, pga_g=[factor * peak for factor in factors])
+    np.testing.assert_allclose(one.pga_g, other.pga_g, rtol=1e-14)
+    np.testing.assert_allclose(other.scale, factors, rtol=1e-14)
+    np.testing.assert_allclose(one.peak_velocity, other.peak_velocity, rtol=1e-7)
+    assert one.peak_velocity.dims == ("level",)
+    assert len(set(one.peak_velocity.values.tolist())) == 3
+
+
+def test_a_reversed_record_tips_the_mirrored_block_alike() -> None:
+    left = Block.asymmetric(left=0.2, right=0.35, height=1.8)
+    right = Block.asymmetric(left=0.35, right=0.2, height=1.8)
+    one = simulate_many(left, SUITE, pga_g=LEVELS)
+    other = simulate_many(right, SUITE, pga_g=LEVELS, reverse=True)
+    np.testing.assert_array_equal(one.status, other.status)
+    np.testing.assert_allclose(one.peak_angle, other.peak_angle, rtol=1e-8)
+    assert (one.status == Status.OVERTURNED).any()
+    both = simulate_many(left, SUITE, pga_g=LEVELS, reverse="both")
+    xarray.testing.assert_equal(both.peak_angle.sel(direction="as recorded"), one.peak_angle)
+
+
+def test_single_things_are_no_dimension_and_blocks_have_their_measures() -> None:
+    result = simulate_many(BLOCKS[0], SUITE[0])
+    assert result.status.dims == ()
+    assert float(result.scale) == 1.0
+    assert float(result.pga_g) == pytest.approx(SUITE[0].peak_acceleration_m_s2 / G)
+    assert float(result.alpha) == BLOCKS[0].alpha
+    assert result.attrs["model"] == "nonlinear"
+    assert "negative_alpha" not in result.coords
+    ratios = [0.7, 0.8, 0.9]
+    draws = simulate_many([BLOCKS[0].with_restitution(ratio) for ratio in ratios], SUITE[0])
+    assert draws.status.dims == ("block",)
+    assert draws.restitution.values.tolist() == ratios
+    several = simulate_many(BLOCKS, [SUITE[0]], scales=[1.0])
+    assert several.status.dims == ("block", "record", "level")
+    assert several.negative_alpha.values.tolist() == [block.negative.alpha for block in BLOCKS]
+
+
+def test_executor_store_and_batch_change_nothing(tmp_path: object) -> None:
+    given = {"pga_g": LEVELS, "reverse": "both"}
+    plain = simulate_many(BLOCKS, SUITE, **given, run=Run(executor="serial"))  # type: ignore[arg-type]
+    path = f"{tmp_path}/kept.zarr"
+    kept = simulate_many(BLOCKS, SUITE, **given, run=Run(workers=2, store=path))  # type: ignore[arg-type]
+    for name in NAMES:
+        np.testing.assert_array_equal(plain[name], kept[name])
+    assert open_store(path).status.size == plain.status.size
+
+
+def test_the_summary_of_a_suite_counts_those_that_fall() -> None:
+    result = simulate_many(BLOCKS, SUITE, pga_g=LEVELS)
+    summary = summarise_spectra(result)
+    fell = (result.status == Status.OVERTURNED).mean("record")
+    np.testing.assert_array_equal(summary.overturned, fell)
+    assert "scale" not in summary.coords
+    assert 0.0 < float(fell.mean()) < 1.0
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"blocks": []}, "list of them"),
+        ({"blocks": DimensionlessBlock(restitution=0.8)}, "blocks"),
+        ({"motions": []}, "motions"),
+        ({"motions": Pulse(shape="half-sine", amplitude=2.0, frequency_ratio=2.0)}, "motions"),
+        ({"pga_g": 0.3, "scales": 2.0}, "both given"),
+        ({"pga_g": 0.0}, "pga_g"),
+        ({"pga_g": []}, "pga_g"),
+        ({"scales": -1.0}, "scales"),
+        ({"reverse": "twice"}, "reverse"),
+    ],
+)
+def test_refusals(given: dict[str, object], words: str) -> None:
+    arguments = {"blocks": BLOCKS[0], "motions": SUITE[0]} | given
+    with pytest.raises((InputError, TypeError), match=words):
+        simulate_many(**arguments)  # type: ignore[arg-type]
+
+
+def test_the_linear_model_has_no_vertical_motion() -> None:
+    with pytest.raises(ModelError, match="vertical"):
+        simulate_many(BLOCKS[0], BaseMotion(SUITE[0], lifting()), model=Linear())
