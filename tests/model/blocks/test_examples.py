@@ -1,8 +1,9 @@
-"""The named blocks of the literature."""
+"""The named blocks of the literature and of common equipment."""
 
 import math
 import re
 
+import numpy as np
 import pytest
 
 from rocksteady import InputError, named_block
@@ -15,9 +16,13 @@ def test_every_named_block_can_be_made_and_cites_its_year(name: str) -> None:
     assert 0.0 < block.restitution <= 1.0
     assert re.search(r"\((19|20)\d\d\)", SOURCES[name])
     assert named_block(name, restitution=0.5).restitution == 0.5
-    assert named_block(name, restitution="housner").restitution == pytest.approx(
-        1.0 - 1.5 * math.sin(block.alpha) ** 2
-    )
+    housner = named_block(name, restitution="housner")
+    for one, other in ((housner.positive, housner.negative), (housner.negative, housner.positive)):
+        # Angular momentum about the edge that is struck; 1 - 1.5 sin^2 alpha of a rectangle.
+        gyration = housner.gravity * one.radius / one.p**2 - one.radius**2
+        apart = one.radius * other.radius * math.cos(one.alpha + other.alpha)
+        ratio = (gyration + apart) / (gyration + other.radius**2)
+        assert one.restitution == pytest.approx(ratio)
     assert named_block(name, gravity=5.0).gravity == 5.0
 
 
@@ -30,6 +35,12 @@ def test_the_numbers_of_the_sources() -> None:
     assert (zhang.p, zhang.alpha, zhang.restitution) == (2.14, 0.25, 0.9)
     cabinet = named_block("fema-p58-cabinet")
     assert (cabinet.width, cabinet.height) == pytest.approx((0.47244, 1.72085))
+    rack = named_block("server-rack")
+    assert (rack.width, rack.height) == pytest.approx((0.6, 2.0))
+    assert rack.height > 42 * 0.04445, "42 units fit"
+    cylinder = named_block("gas-cylinder")
+    assert (cylinder.width, cylinder.height) == pytest.approx((0.229, 1.64))
+    assert math.pi / 4.0 * 0.229**2 * 1.64 > 0.05, "50 litres fit"
     assert cabinet.restitution == pytest.approx(1.0 - 1.5 * math.sin(cabinet.alpha) ** 2)
 
 
@@ -39,3 +50,23 @@ def test_an_unknown_name_is_answered_with_the_known_ones(name: str) -> None:
         named_block(name)
     for known in SOURCES:
         assert known in str(caught.value)
+
+
+def test_the_statue_has_the_mass_centre_and_the_inertia_of_a_fine_grid_of_points() -> None:
+    boxes = ((0.0, 0.6, 0.0, 0.9, 2.0), (0.1, 0.6, 0.9, 2.6, 1.0))
+    points, masses = [], []
+    for left, right, low, high, mass in boxes:
+        x, y = np.meshgrid(*((np.arange(400) + 0.5) / 400 for _ in range(2)))
+        points.append(np.stack([left + (right - left) * x, low + (high - low) * y]).reshape(2, -1))
+        masses.append(np.full(x.size, mass / x.size))
+    where, weight = np.concatenate(points, axis=1), np.concatenate(masses)
+    centre = (where * weight).sum(axis=1) / weight.sum()
+    statue = named_block("statue-on-plinth")
+    assert statue.positive.distance == pytest.approx(centre[0], rel=1e-12)
+    assert statue.width == pytest.approx(0.6)
+    assert statue.height == pytest.approx(2.0 * centre[1])
+    square = float((((where - centre[:, None]) ** 2).sum(axis=0) * weight).sum() / weight.sum())
+    side = statue.positive
+    found = statue.gravity * side.radius / side.p**2 - side.radius**2
+    assert found == pytest.approx(square, rel=1e-5)
+    assert not statue.symmetric

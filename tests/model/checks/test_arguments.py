@@ -55,7 +55,10 @@ MASKED = np.ma.array([1.0, -99999.0, 2.0], mask=[False, True, False])
         (lambda: simulate(BLOCK, SHAKING, model="cubic"), ["model = 'cubic'"]),  # type: ignore[arg-type]
         (lambda: simulate(BLOCK, SHAKING, start=Rest), ["start = ", "a Rest or a State or a"]),  # type: ignore[arg-type]
         (lambda: simulate(BLOCK, SHAKING, max_flights=2**64), ["max_flights = 18446744073709"]),
-        (lambda: compute_rocking_spectrum(RECORD, alpha=[], periods_s=1.0), ["alpha = ", "one value"]),
+        (
+            lambda: compute_rocking_spectrum(RECORD, alpha=[], periods_s=1.0),
+            ["alpha = ", "one value"],
+        ),
         (lambda: add_motions(SHAKING, 3.0), ["motions = 3.0", "it must be a Motion"]),  # type: ignore[arg-type]
         (lambda: housner_restitution(0.2, p=math.nan), ["p = nan"]),
         (lambda: housner_restitution(0.2, radius=-1.0), ["radius = -1.0"]),
@@ -118,8 +121,16 @@ def test_an_array_in_si_and_a_mask_without_effect_are_taken() -> None:
 
 
 def test_sizes_like_millimetres_are_questioned() -> None:
-    with pytest.warns(UserWarning, match=r"600 m wide and 1800 m high.*width=0\.6, height=1\.8"):
+    with pytest.warns(UserWarning, match=r"a block 1800 m high.*give width=0\.6, height=1\.8"):
         Block.rectangle(width=600, height=1800)
+    with pytest.warns(UserWarning, match=r"radius=950 make.*give radius=0\.95"):
+        Block.from_radius(alpha=0.3, radius=950)
+    with pytest.warns(UserWarning, match=r"give left=0\.3, right=0\.3, height=1\.8"):
+        Block.asymmetric(left=300, right=300, height=1800)
+    with pytest.warns(UserWarning, match="sizes are in metres"):
+        Block.from_alphas(positive=0.2, negative=0.3, radius=950)
+    with pytest.warns(UserWarning, match="sizes are in metres"):
+        Block.general(mass=1.0, inertia=1.2e6, radius=950, alpha=0.3)
     with pytest.warns(UserWarning, match="sizes are in metres"):
         Block.rectangle(width=60, height=180)
     with pytest.warns(UserWarning, match="sizes are in metres"):

@@ -15,6 +15,7 @@ from rocksteady import (
     ModelError,
     Piecewise,
     Pulse,
+    Record,
     Segment,
     Still,
     add_motions,
@@ -166,3 +167,13 @@ def test_what_cannot_be_made_is_refused() -> None:
     assert base_acceleration(
         segment_table(add_motions(beats[0], TRIANGLE)), 100.0
     ) == pytest.approx(math.sin(200.0), abs=1e-12)
+
+
+def test_a_scaled_record_is_a_record() -> None:
+    record = Record(acceleration_m_s2=[0.0, 2.0, -1.0], dt_s=0.02, name="hut")
+    twice = scale_motion(record, -2.0)
+    assert isinstance(twice, Record)
+    assert twice == record.scaled(-2.0)
+    assert twice.acceleration_m_s2.tolist() == [0.0, -4.0, 2.0]
+    with pytest.raises(InputError, match="must not be 0"):
+        scale_motion(record, 0.0)

@@ -50,7 +50,7 @@ def target(x: Floats, damping: float, high: float) -> Floats:
 
 @pytest.mark.parametrize(("damping", "high"), [(0.6, 0.1), (0.2, 0.3)])
 def test_the_spectrum_is_the_target_on_average(damping: float, high: float) -> None:
-    shape = {"rise": 0.0, "decay": 0.0, "damping": damping, "high_pass_ratio": high}
+    shape = {"rise": 0.0, "decay": 0.0, "filter_damping": damping, "high_pass_ratio": high}
     runs = [motion(seed, duration=60.0, **shape) for seed in range(400)]
     samples = np.array([one.samples[:-1] for one in runs])
     assert np.sqrt(np.mean(samples**2)) == pytest.approx(0.5, rel=0.01)
@@ -96,8 +96,8 @@ def test_in_si() -> None:
         ("duration", 1e6),
         ("seed", -1),
         ("seed", 1.5),
-        ("damping", 0.0),
-        ("damping", 1.1),
+        ("filter_damping", 0.0),
+        ("filter_damping", 1.1),
         ("high_pass_ratio", 0.0),
         ("high_pass_ratio", 1.0),
         ("rise", -0.1),
@@ -114,4 +114,4 @@ def test_the_shortest_and_the_plainest() -> None:
     assert len(motion(duration=1e-3).samples) == 2
     assert not motion(rms=0.0).samples.any()
     assert np.isfinite(motion(rise=1.0, decay=0.0).samples).all()
-    assert np.isfinite(motion(damping=1.0).samples).all()
+    assert np.isfinite(motion(filter_damping=1.0).samples).all()

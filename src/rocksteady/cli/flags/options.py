@@ -5,6 +5,8 @@ from typing import Annotated
 
 import typer
 
+from rocksteady.model.blocks.examples import SOURCES
+
 BLOCK = "Block"
 MOTION = "Base motion"
 START = "Start and length"
@@ -238,8 +240,7 @@ NamedBlock = Annotated[
     typer.Option(
         "--block",
         metavar="NAME",
-        help="A block of the literature: tso-wong-1989, makris-roussos-2000, zhang-makris-2001, "
-        "fema-p58-cabinet.",
+        help=f"A named block: {', '.join(SOURCES)}.",
         rich_help_panel=BLOCK,
     ),
 ]

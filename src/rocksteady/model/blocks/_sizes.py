@@ -1,10 +1,11 @@
 """Sizes as they are given: which of them, in which unit, and the radius that p implies."""
 
 import warnings
+from collections.abc import Mapping, Sequence
 
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.elementary.arrays import cos, sin, tan
-from rocksteady.model.blocks.sides import length_value, p_value
+from rocksteady.model.blocks.sides import Side, length_value, p_value
 
 TALLEST = 200.0
 """Of the standing towers and obelisks none is taller [m]."""
@@ -13,17 +14,26 @@ TALL = 50.0
 """Height [m] above which two sizes in whole numbers are taken for millimetres or centimetres."""
 
 
-def question_millimetres(*, width: float, height: float) -> None:
+def question_millimetres(sizes: Mapping[str, float], *, height: float) -> None:
     """Warn of sizes that seem to be in millimetres.
 
-    So seem heights above 200 m, and heights above 50 m where both sizes are whole numbers, as those
+    So seem heights above 200 m, and heights above 50 m where all sizes are whole numbers, as those
     of catalogues are.
+
+    Parameters
+    ----------
+    sizes
+        Those that were given [m], by name.
+    height
+        The height of the block that they make [m].
     """
-    whole = width.is_integer() and height.is_integer()
+    whole = all(size.is_integer() for size in sizes.values())
     if height > TALLEST or (height > TALL and whole):
+        given = ", ".join(f"{name}={size:g}" for name, size in sizes.items())
+        instead = ", ".join(f"{name}={size / 1000.0:g}" for name, size in sizes.items())
         warnings.warn(
-            f"a block {width:g} m wide and {height:g} m high: sizes are in metres; of one in "
-            f"millimetres give width={width / 1000.0:g}, height={height / 1000.0:g}",
+            f"{given} make a block {height:g} m high: sizes are in metres; of one in millimetres "
+            f"give {instead}",
             stacklevel=4,
         )
 
@@ -103,3 +113,22 @@ def lengths_of(
     if gyration is not None:
         k = length_value("gyration", gyration, hint="give sqrt(I_c/M) in metres")
     return b1, b2, h, k
+
+
+def html_table(sides: Sequence[Side]) -> str:
+    """Return the measures of a block's sides as a table for notebooks: of one, or of both."""
+    quantities = {
+        "slenderness alpha": ("alpha", " rad"),
+        "radius R": ("radius", " m"),
+        "frequency parameter p": ("p", " rad/s"),
+        "restitution": ("restitution", ""),
+        "uplift at": ("alpha", " g"),
+    }
+    rows = {
+        words: " and ".join(f"{getattr(side, name):.6g}" for side in sides) + unit
+        for words, (name, unit) in quantities.items()
+    }
+    if len(sides) > 1:
+        rows = {"sides": "positive (left edge) and negative (right edge)"} | rows
+    cells = "".join(f"<tr><th>{name}</th><td>{value}</td></tr>" for name, value in rows.items())
+    return f"<table><caption>Block</caption>{cells}</table>"

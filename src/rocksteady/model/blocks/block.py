@@ -16,6 +16,7 @@ from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin, tan
 from rocksteady.model.blocks._sizes import (
     check_inertia,
     check_one_size,
+    html_table,
     lengths_of,
     question_millimetres,
     radius_of_p,
@@ -124,7 +125,7 @@ class Block:
         """
         b = length_value("width", width, hint="give the full width in metres")
         h = length_value("height", height, hint="give the full height in metres")
-        question_millimetres(width=b, height=h)
+        question_millimetres({"width": b, "height": h}, height=h)
         alpha = atan2(b, h)
         if restitution == "housner" and housner_ratio(alpha) <= 0.0:
             # Not left to the check of alpha, which the caller has not given.
@@ -135,9 +136,7 @@ class Block:
                 f"{housner_ratio(alpha):.4g}, and rocking needs one above 0",
                 "give a measured restitution in (0, 1], or a more slender block",
             )
-        return cls.from_radius(
-            alpha=alpha, radius=0.5 * hypot(b, h), restitution=restitution, gravity=gravity
-        )
+        return cls._homogeneous(alpha, 0.5 * hypot(b, h), restitution, gravity)
 
     @classmethod
     def from_radius(
@@ -155,9 +154,9 @@ class Block:
         InputError
             As for `rectangle`; `alpha` must lie in (0, pi/2).
         """
-        r = radius_value(radius)
-        g = gravity_value(gravity)
-        return cls._symmetric(alpha, r, math.sqrt(0.75 * g / r), restitution, g)
+        made = cls._homogeneous(alpha, radius, restitution, gravity)
+        question_millimetres({"radius": made.radius}, height=made.height)
+        return made
 
     @classmethod
     def from_p(
@@ -220,7 +219,9 @@ class Block:
         r = radius_value(radius)
         check_inertia(inertia, m * r * r)
         g = gravity_value(gravity)
-        return cls._symmetric(alpha, r, math.sqrt(m * g * r / i), restitution, g)
+        made = cls._symmetric(alpha, r, math.sqrt(m * g * r / i), restitution, g)
+        question_millimetres({"radius": r}, height=made.height)
+        return made
 
     @classmethod
     def asymmetric(
@@ -275,8 +276,9 @@ class Block:
         0.3948 rad, 3.3865 rad/s, 0.8837
         """
         made = cls._asymmetric(left, right, height, gyration, restitution, gravity)
-        if left != right or gyration is not None:  # else the rectangle has been questioned
-            question_millimetres(width=float(left + right), height=float(height))
+        if left != right or gyration is None:  # else its radius has been questioned
+            sizes = {"left": float(left), "right": float(right), "height": float(height)}
+            question_millimetres(sizes, height=float(height))
         return made
 
     @classmethod
@@ -335,7 +337,10 @@ class Block:
             length = radius_of_p(p, first, second, g)
         centre = length * cos(first)
         left, right = length * sin(first), centre * tan(second)
-        return cls._asymmetric(left, right, 2.0 * centre, gyration, restitution, g)
+        made = cls._asymmetric(left, right, 2.0 * centre, gyration, restitution, g)
+        if radius is not None:
+            question_millimetres({"radius": length}, height=made.height)
+        return made
 
     @classmethod
     def _asymmetric(
@@ -352,7 +357,8 @@ class Block:
         g = gravity_value(gravity)
         # A symmetric block is computed in one way, whichever constructor makes it.
         if b1 == b2 and k is None:
-            return cls._alike(cls.rectangle, restitution, g, width=2.0 * b1, height=h)
+            radius, alpha = 0.5 * hypot(2.0 * b1, h), atan2(2.0 * b1, h)
+            return cls._alike(cls._homogeneous, restitution, g, alpha=alpha, radius=radius)
         if b1 == b2 and k is not None:
             radius = hypot(b1, 0.5 * h)
             sizes = {"radius": radius, "alpha": atan2(b1, 0.5 * h)}
@@ -367,6 +373,15 @@ class Block:
             gravity=g,
         )
         return cls(positive=one, negative=other, gravity=g)
+
+    @classmethod
+    def _homogeneous(
+        cls, alpha: float, radius: float, restitution: Restitution, gravity: float
+    ) -> "Block":
+        """Return what `from_radius` does, of whatever size."""
+        r = radius_value(radius)
+        g = gravity_value(gravity)
+        return cls._symmetric(alpha, r, math.sqrt(0.75 * g / r), restitution, g)
 
     @classmethod
     def _alike(
@@ -479,19 +494,4 @@ class Block:
 
     def _repr_html_(self) -> str:
         """Return a small table for notebooks."""
-        sides = (self.positive,) if self.symmetric else (self.positive, self.negative)
-        quantities = {
-            "slenderness alpha": ("alpha", " rad"),
-            "radius R": ("radius", " m"),
-            "frequency parameter p": ("p", " rad/s"),
-            "restitution": ("restitution", ""),
-            "uplift at": ("alpha", " g"),
-        }
-        rows = {
-            words: " and ".join(f"{getattr(side, name):.6g}" for side in sides) + unit
-            for words, (name, unit) in quantities.items()
-        }
-        if not self.symmetric:
-            rows = {"sides": "positive (left edge) and negative (right edge)"} | rows
-        cells = "".join(f"<tr><th>{name}</th><td>{value}</td></tr>" for name, value in rows.items())
-        return f"<table><caption>Block</caption>{cells}</table>"
+        return html_table((self.positive,) if self.symmetric else (self.positive, self.negative))

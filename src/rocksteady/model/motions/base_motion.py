@@ -60,4 +60,4 @@ class BaseMotion:
 
 def _scaled(motion: Motion | Record, factor: float) -> Motion | Record:
     """Return a component multiplied by a factor."""
-    return motion.scaled(factor) if isinstance(motion, Record) else scale_motion(motion, factor)
+    return scale_motion(motion, factor)

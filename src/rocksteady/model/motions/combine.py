@@ -4,12 +4,14 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import accumulate, pairwise
+from typing import overload
 
 from rocksteady.errors import ModelError
 from rocksteady.kernels.elementary.arrays import atan2, hypot, sincos
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, in_range, positive
 from rocksteady.model.motions._sampled import polyline
+from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import (
     LONGEST_DURATION,
     Motion,
@@ -25,16 +27,25 @@ _SAME_TIME = 1e-12
 """Times whose relative distance is below this differ by rounding."""
 
 
+@overload
+def scale_motion(motion: Record, factor: float) -> Record: ...
+@overload
+def scale_motion(motion: Motion, factor: float) -> Piecewise: ...
 @checked
-def scale_motion(motion: Motion, factor: float) -> Piecewise:
-    """Return a base motion times a factor; -1 reverses it.
+def scale_motion(motion: Motion | Record, factor: float) -> Piecewise | Record:
+    """Multiply a base motion by a factor; -1 reverses it.
 
     Parameters
     ----------
     motion
         Any base motion.
     factor
-        Accelerations and impulses are multiplied by it.
+        Accelerations and impulses are multiplied by it; not 0 for a `Record`.
+
+    Returns
+    -------
+    Piecewise or Record
+        A `Record` of a `Record`, in m/s^2 and seconds as before.
 
     Raises
     ------
@@ -48,6 +59,8 @@ def scale_motion(motion: Motion, factor: float) -> Piecewise:
     >>> [piece.constant for piece in scale_motion(pulse, -1.0).segments()]
     [-1.5]
     """
+    if isinstance(motion, Record):
+        return motion.scaled(factor)
     by = in_range("factor", factor, -LARGEST, LARGEST, "[]", hint="give a number; -1 turns round")
     return Piecewise(
         pieces=tuple(
@@ -163,7 +176,7 @@ def _segments(motion: Motion) -> tuple[Segment, ...]:
             "motion",
             motion,
             "it must have segments in the block's own measures, which a record has not",
-            "use Record.scaled, or put records together before making one of them",
+            "put the samples together before making a Record of them",
         )
     return segments_of(motion)
 

@@ -71,8 +71,8 @@ class SyntheticMotion:
     seed
         A whole number of 0 or above for `numpy.random.SeedSequence`: the same one gives the same
         motion, to the last bit, in one version of NumPy and SciPy.
-    damping
-        Of both filters, from 0.01 to 1; 0.6 is firm ground.
+    filter_damping
+        Damping of both filters, from 0.01 to 1, 1 being critical; default 0.6, firm ground.
     high_pass_ratio
         Frequency of the high-pass over that of the ground, above 0 and below 1.
     rise, decay
@@ -101,7 +101,7 @@ class SyntheticMotion:
     frequency_ratio: float
     duration: float
     seed: int
-    damping: float = 0.6
+    filter_damping: float = 0.6
     high_pass_ratio: float = 0.1
     rise: float = 0.15
     decay: float = 0.5
@@ -117,9 +117,9 @@ class SyntheticMotion:
                 "duration", self.duration, 0.0, longest, hint="give the pivot time p t"
             ),
             "seed": whole_number("seed", self.seed, at_least=0, hint="give a seed, as 1"),
-            "damping": in_range(
-                "damping",
-                self.damping,
+            "filter_damping": in_range(
+                "filter_damping",
+                self.filter_damping,
                 LEAST_DAMPING,
                 1.0,
                 "[]",
@@ -154,7 +154,7 @@ class SyntheticMotion:
         frequency_hz: float,
         duration_s: float,
         seed: int,
-        damping: float = 0.6,
+        filter_damping: float = 0.6,
     ) -> "SyntheticMotion":
         """Return a synthetic ground motion in the measures of a given block.
 
@@ -168,7 +168,7 @@ class SyntheticMotion:
             Of the ground [Hz]; 2.5 is firm ground (15.6 rad/s).
         duration_s
             [s]
-        seed, damping
+        seed, filter_damping
             As of the motion.
 
         Raises
@@ -193,7 +193,7 @@ class SyntheticMotion:
             frequency_ratio=felt.frequency_ratio,
             duration=length * block.p,
             seed=seed,
-            damping=damping,
+            filter_damping=filter_damping,
         )
 
     @property
@@ -204,7 +204,7 @@ class SyntheticMotion:
     @property
     def _settling(self) -> float:
         """Samples in which the filters forget how they began; of a short motion they are short."""
-        slowest = self.damping * self.high_pass_ratio * self.frequency_ratio
+        slowest = self.filter_damping * self.high_pass_ratio * self.frequency_ratio
         return SETTLED / (slowest * self.step) if self.step > 1e-300 else math.inf
 
     @cached_property
@@ -240,7 +240,7 @@ class SyntheticMotion:
         import numpy as np
         from scipy import signal
 
-        ground, damping = self.frequency_ratio, self.damping
+        ground, damping = self.frequency_ratio, self.filter_damping
         high = self.high_pass_ratio * ground
         # (2 d g s + g^2)/(s^2 + 2 d g s + g^2) of Kanai and Tajimi, s^2/(s^2 + 2 d h s + h^2)
         zeros = np.array([-ground / (2.0 * damping), 0.0, 0.0])
