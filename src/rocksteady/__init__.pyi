@@ -6,6 +6,8 @@ from .dynamics.basins.basins import compute_basins as compute_basins
 from .dynamics.basins.erosion import Erosion as Erosion
 from .dynamics.basins.erosion import IntegrityDrop as IntegrityDrop
 from .dynamics.basins.erosion import compute_erosion as compute_erosion
+from .dynamics.batch.attractors import Attractors as Attractors
+from .dynamics.batch.find_attractors import find_attractors as find_attractors
 from .dynamics.basins.labels import BasinAttractor as BasinAttractor
 from .dynamics.continuation.branch import follow_branch as follow_branch
 from .dynamics.continuation.branches import find_branches as find_branches
@@ -89,6 +91,8 @@ from .model.motions.segments import Piecewise as Piecewise
 from .model.motions.segments import Segment as Segment
 from .model.motions.segments import Still as Still
 from .model.motions.synthetic import SyntheticMotion as SyntheticMotion
+from .outcomes import INFINITELY_MANY as INFINITELY_MANY
+from .outcomes import NO_START as NO_START
 from .outcomes import AttractorKind as AttractorKind
 from .outcomes import Event as Event
 from .outcomes import Status as Status

@@ -93,7 +93,9 @@ def things() -> dict[str, Any]:
         "output": rs.Output(name="value"),
         "map": maps,
         "basins": rs.compute_basins(bare, shaking, angles=few, velocities=few, max_cycles=20),
-        "erosion": rs.compute_erosion(bare, shaking, [0.5, 3.0], angles=few, velocities=few, cycles=5),
+        "erosion": rs.compute_erosion(
+            bare, shaking, [0.5, 3.0], angles=few, velocities=few, cycles=5
+        ),
         "trail": rs.sweep_attractor(bare, shaking, "amplitude", [1.9, 2.0], cycles=50),
         "cascade": rs.DoublingCascade(parameter="amplitude", points=branch.points),
         "course": rs.integrate_record(record),

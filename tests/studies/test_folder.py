@@ -1,15 +1,18 @@
 """What a study runs on, in its own words."""
 
 import platform
+from dataclasses import replace
 from importlib.metadata import version
 
 import pytest
 
+from rocksteady import check_installation
 from rocksteady.studies import folder
 
 
-def environment_with(runs: str, monkeypatch: pytest.MonkeyPatch) -> str:
-    monkeypatch.setattr(folder, "runner", lambda: runs)
+def environment_with(runs: str, monkeypatch: pytest.MonkeyPatch, target: str | None = None) -> str:
+    here = replace(check_installation(repeat_calls=False), kernels=runs, target=target)
+    monkeypatch.setattr(folder, "check_installation", lambda **_: here)
     return folder.environment()
 
 
@@ -25,11 +28,7 @@ def test_a_study_says_what_it_runs_on(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_study_that_runs_without_numba_names_none(monkeypatch: pytest.MonkeyPatch) -> None:
-    class Loaded:
-        target = "linux-aarch64"
-
-    monkeypatch.setattr(folder, "library", Loaded)
-    said = environment_with("library", monkeypatch)
+    said = environment_with("library", monkeypatch, "linux-aarch64")
     assert "kernels compiled for linux-aarch64" in said
     assert "numba" not in said
     assert "kernels not compiled" in environment_with("python", monkeypatch)

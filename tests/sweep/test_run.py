@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from rocksteady.errors import InputError, ModelError
-from rocksteady.sweep.run import Run, run_in_memory
+from rocksteady.sweep.run import Run
 from rocksteady.sweep.store.store import Store
 
 
@@ -36,9 +36,9 @@ def test_a_path_is_a_new_store() -> None:
 
 def test_a_store_is_refused_where_results_stay_in_memory() -> None:
     run = Run(executor="serial", workers=3)
-    assert run_in_memory(run, "it is kept in memory") is run
-    assert run_in_memory(None, "it is kept in memory") == Run()
+    assert run.in_memory("it is kept in memory") is run
+    assert Run().in_memory("it is kept in memory") == Run()
     with pytest.raises(
         ModelError, match="run has a store: it is kept in memory; give a Run without one"
     ):
-        run_in_memory(Run(store="a.zarr"), "it is kept in memory")
+        Run(store="a.zarr").in_memory("it is kept in memory")

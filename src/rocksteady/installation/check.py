@@ -14,6 +14,9 @@ import numpy as np
 
 from rocksteady.installation._recorded import Call, Difference, differences, loaded, replayed
 from rocksteady.kernels.machine_code.types import signature_of
+from rocksteady.results.description import Description, Fact, Table
+from rocksteady.results.numbers import plural
+from rocksteady.results.result import Result
 
 RECORDED = Path(__file__).parent / "recorded-calls.bin.gz"
 """Calls that every installation must repeat to the last bit."""
@@ -49,8 +52,15 @@ class KernelCheck:
         return self.first_difference is None
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Installation:
+RUNNERS = {
+    "library": "library, compiled ahead of time",
+    "jit": "compiled by numba on this machine",
+    "python": "plain Python, not compiled",
+}
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Installation(Result):
     """What runs the kernels here, and whether it computes what it should.
 
     Attributes
@@ -104,13 +114,72 @@ class Installation:
         """Number of values that differ."""
         return sum(check.differing for check in self.checks)
 
+    def describe(self) -> Description:
+        """Return what runs the kernels, and the kernels that differ."""
+        wrong = [check for check in self.checks if not check.equal]
+        verdict = "all equal, bit for bit"
+        if wrong:
+            verdict = (
+                f"{self.differing:,} values of {plural(len(wrong), 'kernel')} differ; the other "
+                f"{plural(len(self.checks) - len(wrong), 'kernel')} equal"
+            )
+        numba = self.versions["numba"]
+        library, cache = (
+            None if path is None else str(path) for path in (self.library, self.cache)
+        )
+        runs_on = f"Python {self.versions['python']}, NumPy {self.versions['numpy']}, " + (
+            f"numba {numba}" if numba else "no numba"
+        )
+        level = f"CPU level {self.cpu_level or 'unknown'}"
+        repeated = (
+            f"{plural(self.calls, 'recorded call')} of {plural(len(self.checks), 'kernel')}, "
+            f"{self.values:,} values"
+        )
+        facts = (
+            Fact("equal", self.equal),
+            Fact("", None, "rocksteady", str(self.versions["rocksteady"])),
+            Fact("versions", self.versions, "runs on", runs_on),
+            Fact("system", self.system, "system", f"{self.system}, {level}"),
+            Fact("cpu_level", self.cpu_level),
+            Fact("kernels", self.kernels, "kernels", RUNNERS[self.kernels]),
+            Fact("sources", self.sources, "sources"),
+            Fact("target", self.target, "target" if library else ""),
+            Fact("library", library, "library" if library else ""),
+            Fact("cache", cache, "cache" if cache else ""),
+            Fact("calls", self.calls),
+            Fact("values", self.values, "repeated", repeated),
+            Fact("differing", self.differing),
+        )
+        rows = [
+            {
+                "kernel": check.name,
+                "equal": check.equal,
+                "calls": check.calls,
+                "values": check.values,
+                "differing": check.differing,
+                "first_difference": check.first_difference,
+            }
+            for check in self.checks
+        ]
+        notes = tuple(
+            f"{check.name}: {check.differing:,} of {check.values:,} values differ; the first in\n"
+            f"  {check.first_difference}"
+            for check in wrong
+        )
+        return Description(verdict, facts, (Table("checks", rows),), notes)
 
-def check_installation() -> Installation:
+
+def check_installation(*, repeat_calls: bool = True) -> Installation:
     """Repeat recorded calls of every kernel and compare all values bit for bit.
 
     The kernels give the same bits on every processor and system; a difference means that this
     installation is faulty. Takes less than a second; where numba compiles the kernels, some minutes
     the first time.
+
+    Parameters
+    ----------
+    repeat_calls
+        Whether the calls are repeated; default True.  Without them there are no `checks`.
 
     Returns
     -------
@@ -124,7 +193,7 @@ def check_installation() -> Installation:
     """
     from rocksteady.kernels.entries import ENTRIES
 
-    checks = replay(loaded(RECORDED.read_bytes()), ENTRIES)
+    checks = replay(loaded(RECORDED.read_bytes()), ENTRIES) if repeat_calls else ()
     return Installation(**_environment(), checks=checks)
 
 

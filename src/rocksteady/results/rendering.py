@@ -27,12 +27,10 @@ def print_description(description: Description, console: "Console") -> None:
         Of rich: of a terminal, or of a text in memory.
     """
     console.print(description.headline, style="bold")
-    facts = _grid()
-    for fact in description.facts:
-        if fact.label:
-            facts.add_row(fact.label, fact.words)
-    if facts.row_count:
-        console.print(facts)
+    facts = [fact for fact in description.facts if fact.label]
+    width = max((len(fact.label) for fact in facts), default=0)
+    for fact in facts:
+        console.print(f"{fact.label:<{width}}  {fact.words}")
     for table in description.tables:
         if not (table.columns and table.rows):
             continue
@@ -95,13 +93,6 @@ def _table(table: Table) -> str:
 def _cell(tag: str, words: str, side: str) -> str:
     """Return a cell of a table."""
     return f'<{tag} style="{CELL.format(side)}">{escape(words)}</{tag}>'
-
-
-def _grid() -> "RichTable":
-    """Return a table without lines and headings."""
-    from rich.table import Table as RichTable
-
-    return RichTable(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
 
 
 def _rich(table: Table) -> "RichTable":

@@ -9,9 +9,7 @@ from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from rocksteady import OutputError, durable
-from rocksteady.kernels.machine_code.compilation import JIT, LIBRARY, runner
-from rocksteady.kernels.machine_code.library import library
+from rocksteady import OutputError, check_installation, durable
 
 Done = Callable[[str], None]
 """Called with the name of each thing that has been computed or written."""
@@ -132,11 +130,11 @@ def environment() -> str:
     """Return what a study runs on, in one line."""
     from importlib.metadata import version
 
-    runs, found = runner(), library()
-    if runs == LIBRARY and found is not None:
-        kernels = f"kernels compiled for {found.target}"
-    else:
-        kernels = f"numba {version('numba')}" if runs == JIT else "kernels not compiled"
+    here = check_installation(repeat_calls=False)
+    kernels = {
+        "library": f"kernels compiled for {here.target}",
+        "jit": f"numba {here.versions['numba']}",
+    }.get(here.kernels, "kernels not compiled")
     return ", ".join(
         (
             f"Python {platform.python_version()}",

@@ -11,7 +11,6 @@ from typing import Any
 
 from rocksteady import OutputError, Store, __version__
 from rocksteady.show.export.files import json_text, save_text, save_whole
-from rocksteady.sweep.store.ownership import others
 
 FOLDER = ".unfinished"
 """Name of the hidden folder inside that of the study."""
@@ -93,7 +92,11 @@ class Parts:
             if not described:
                 found.append(f"{FOLDER}/{path.name}")
             elif path.suffix == ".zarr":
-                inside = others(path) if path.is_dir() and not path.is_symlink() else ["."]
+                inside = (
+                    Store(path).foreign_files()
+                    if path.is_dir() and not path.is_symlink()
+                    else ["."]
+                )
                 found += [f"{FOLDER}/{path.name}/{name}" for name in inside]
         return found
 
@@ -146,7 +149,7 @@ class Parts:
             for path in sorted(self.folder.iterdir(), key=lambda each: each.name == DESCRIPTION):
                 if not OURS.fullmatch(path.name):
                     continue
-                if path.suffix == ".zarr" and (path.is_symlink() or others(path)):
+                if path.suffix == ".zarr" and (path.is_symlink() or Store(path).foreign_files()):
                     continue  # it holds a file that no sweep wrote
                 if path.is_dir() and not path.is_symlink():
                     shutil.rmtree(path, ignore_errors=True)

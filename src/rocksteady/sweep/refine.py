@@ -25,7 +25,7 @@ from rocksteady.sweep.cases.memory import MOST_CELLS
 from rocksteady.sweep.cases.outputs import Output, outputs_of
 from rocksteady.sweep.cases.task import Cases, Task
 from rocksteady.sweep.evaluate import BATCH, evaluate
-from rocksteady.sweep.run import Progress, Run, run_in_memory
+from rocksteady.sweep.run import Progress, Run
 
 if TYPE_CHECKING:
     import xarray
@@ -89,7 +89,7 @@ def refined(
     >>> bool((found.inside == whole.inside).all()), f"{float(found.met.mean()):.2f}"
     (True, '0.07')
     """
-    given = run_in_memory(run, "a store holds every cell of its grid")
+    given = (run or Run()).in_memory("a store holds every cell of its grid")
     wanted = outputs_of([*outputs, MET], grid)[:-1]
     _check_classes(classes, wanted)
     spacing = _spacing(coarse)

@@ -78,23 +78,19 @@ class Run:
             return self.store
         return Store(self.store)
 
+    def in_memory(self, reason: str) -> "Run":
+        """Return the run itself, after refusing a store that a function cannot fill.
 
-def run_in_memory(run: Run | None, valid: str) -> Run:
-    """Return a run, the default for None, whose results are kept in memory.
+        Parameters
+        ----------
+        reason
+            Why there can be no store, as "a drop is kept in memory".
 
-    Parameters
-    ----------
-    run
-        Of a function that cannot keep its results in a store.
-    valid
-        Reason, as "a drop is kept in memory".
-
-    Raises
-    ------
-    ModelError
-        If it has a store.
-    """
-    chosen = Run() if run is None else run
-    if chosen.store is not None:
-        raise ModelError("run", Words("has a store"), valid, "give a Run without one")
-    return chosen
+        Raises
+        ------
+        ModelError
+            If it has a store.
+        """
+        if self.store is not None:
+            raise ModelError("run", Words("has a store"), reason, "give a Run without one")
+        return self

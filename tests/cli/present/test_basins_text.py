@@ -3,10 +3,10 @@
 from typing import Any
 
 import pytest
-
-from rocksteady import Block, DimensionlessBlock, Harmonic, compute_basins, compute_erosion
 from rocksteady.cli.present.basins_text import case_of, print_erosion, print_fractions
 from rocksteady.cli.present.basins_values import basins_values, erosion_values
+
+from rocksteady import Block, DimensionlessBlock, Harmonic, compute_basins, compute_erosion
 from rocksteady.dynamics.basins.erosion import MEASURES
 from rocksteady.model.equations import Nonlinear
 from tests.cli.present.printed import fits, printed

@@ -5,12 +5,6 @@ from typing import Any
 import numpy as np
 import pytest
 import xarray as xr
-
-from rocksteady import DimensionlessBlock, map_attractors, map_fates
-from rocksteady.cli.console.progress import Meter
-from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
-from rocksteady.cli.flags.map_axes import MapCase, MapStartFlags, map_case
-from rocksteady.cli.present import maps_values
 from rocksteady.cli.present.maps_values import (
     case_values,
     class_counts,
@@ -19,6 +13,12 @@ from rocksteady.cli.present.maps_values import (
     slabs,
     title_of,
 )
+
+from rocksteady import DimensionlessBlock, map_attractors, map_fates
+from rocksteady.cli.console.progress import Meter
+from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
+from rocksteady.cli.flags.map_axes import MapCase, MapStartFlags, map_case
+from rocksteady.cli.present import maps_values
 from tests.cli.present.printed import as_json, fits, printed
 
 BARE = BlockFlags(restitution="0.8")

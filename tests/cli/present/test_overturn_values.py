@@ -4,6 +4,12 @@ from functools import cache
 from typing import Any
 
 import pytest
+from rocksteady.cli.present.overturn_values import (
+    overturn_values,
+    print_windows,
+    title_of,
+    window_rows,
+)
 
 from rocksteady import (
     Block,
@@ -12,12 +18,6 @@ from rocksteady import (
     OverturningWindows,
     find_overturning_windows,
     overturning_threshold,
-)
-from rocksteady.cli.present.overturn_values import (
-    overturn_values,
-    print_windows,
-    title_of,
-    window_rows,
 )
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from tests.cli.present.printed import as_json, fits, printed

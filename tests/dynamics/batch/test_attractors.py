@@ -9,8 +9,8 @@ import pytest
 from rocksteady import find_attractor
 from rocksteady.dynamics.batch.attractors import (
     KIND_FLAGS,
-    Beginnings,
-    SettledCells,
+    Attractors,
+    InitialStates,
     batch_size,
     outputs_of_orbits,
     settled_cells,
@@ -25,11 +25,11 @@ COUNT = 60
 models = pytest.mark.parametrize("model", [Linear(), Nonlinear()])
 
 
-def beginnings_of(cells: Cells) -> Beginnings:
+def beginnings_of(cells: Cells) -> InitialStates:
     return at_phases(cells.angle, cells.velocity, cells.phase)
 
 
-def settled(cells: Cells) -> SettledCells:
+def settled(cells: Cells) -> Attractors:
     shaken = cells.amplitude, cells.frequency_ratio, cells.sides
     return settled_cells(*shaken, beginnings_of(cells), CYCLES)
 
@@ -113,7 +113,7 @@ def test_what_a_grid_stores_holds_every_number() -> None:
 def test_a_motion_leans_to_its_angle_or_goes_where_its_velocity_does() -> None:
     angle = np.array([0.2, -0.2, 0.0, 0.0, 0.0, -0.0])
     velocity = np.array([-1.0, 1.0, 0.3, -0.3, 0.0, -0.0])
-    begin = Beginnings.of(angle, velocity, 3, 0.5)
+    begin = InitialStates.of(angle, velocity, 3, 0.5)
     assert begin.side.tolist() == [1, -1, 1, -1, 0, 0]
     assert begin.half_cycles.tolist() == [3] * 6
     assert begin.phase.tolist() == [0.5] * 6

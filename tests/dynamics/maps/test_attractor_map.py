@@ -88,7 +88,9 @@ def test_the_phase_is_an_axis_as_any_other() -> None:
 
 def test_a_map_says_what_it_was_computed_from() -> None:
     block = Block.rectangle(width=0.4, height=1.2, restitution=0.9, gravity=9.8)
-    found = map_attractors(block, SHAKING, axes={"height": [1.2, 2.4], "phase": [0.0]}, max_cycles=7)
+    found = map_attractors(
+        block, SHAKING, axes={"height": [1.2, 2.4], "phase": [0.0]}, max_cycles=7
+    )
     attributes = dict(found.attrs)
     for name in ("rocksteady_version", "source", "inputs"):
         assert attributes.pop(name)
@@ -137,7 +139,9 @@ def test_what_is_fixed_overrides_block_shaking_and_start() -> None:
 @pytest.mark.parametrize("widths", [[0.3, 0.6, 0.9], [0.9, 0.6, 0.3]])
 def test_a_harmonic_keeps_its_ratios_where_sizes_move(widths: list[float]) -> None:
     for block in (RECTANGLE, Block.rectangle(width=0.7, height=1.2, restitution=0.9)):
-        found = map_attractors(block, SHAKING, axes={"width": widths, "height": 2.0}, max_cycles=100)
+        found = map_attractors(
+            block, SHAKING, axes={"width": widths, "height": 2.0}, max_cycles=100
+        )
         for width in widths:
             there = Block.rectangle(width=width, height=2.0, restitution=0.9)
             cell = found.sel(width=width)

@@ -13,7 +13,7 @@ from rocksteady.dynamics.basins._describing import basins_described
 from rocksteady.dynamics.basins.labels import BasinAttractor, labelled
 from rocksteady.dynamics.basins.window import centred, moment, spacing, window_axis, window_of
 from rocksteady.dynamics.batch.attractors import (
-    Beginnings,
+    InitialStates,
     batch_size,
     periods_value,
     settled_cells,
@@ -450,7 +450,7 @@ def _settled(
         np.full(count, motion.amplitude),
         np.full(count, motion.frequency_ratio),
         sides,
-        Beginnings.of(angle, velocity, half_cycles, phase),
+        InitialStates.of(angle, velocity, half_cycles, phase),
         cycles,
     )
     return {

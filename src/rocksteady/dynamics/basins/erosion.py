@@ -30,7 +30,7 @@ from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
 from rocksteady.sweep.cases.axes import Axis
-from rocksteady.sweep.run import Run, run_in_memory
+from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
     import xarray
@@ -205,7 +205,7 @@ class Erosion(Result):
         ModelError
             If the run has a store.
         """
-        how = run_in_memory(run, "the basins of a drop are not kept")
+        how = (run or Run()).in_memory("the basins of a drop are not kept")
         bound = in_range("level", level, 0.0, 1.0, hint="give a share, as 0.5")
         close = positive("tolerance", tolerance, hint="give a difference of amplitudes, as 0.001")
         values = self.measure(measure)

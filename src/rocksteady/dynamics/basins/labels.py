@@ -136,7 +136,7 @@ def labelled(
         What moves, and by which equations.
     cells
         What each cell has found, arrays of one shape by the names of
-        `rocksteady.dynamics.batch.attractors.SettledCells`.
+        `rocksteady.dynamics.batch.attractors.Attractors`.
     """
     kind = cells["kind"]
     found: list[tuple[AttractorKind, Orbit | None, NDArray[np.bool_]]] = [

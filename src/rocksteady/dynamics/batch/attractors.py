@@ -6,7 +6,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.orbits.attractor import KINDS, MOST_CYCLES, kind_codes
+from rocksteady.errors import ModelError
 from rocksteady.kernels.batch import attractors as column
 from rocksteady.kernels.core.tables import RESTITUTION
 from rocksteady.model.checks.validation import whole_number
@@ -33,8 +35,8 @@ KIND_OUTPUT = Output(
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class SettledCells:
-    """What motions settle to, arrays of shape (cells,).
+class Attractors:
+    """Attractors of many motions, as arrays of shape (cells,).
 
     Attributes
     ----------
@@ -65,6 +67,36 @@ class SettledCells:
     after: Integers
 
     @property
+    def labels(self) -> NDArray[np.str_]:
+        """Kind of each in words, as "symmetric"."""
+        return np.array([str(kind.value) for kind in KINDS])[self.kind]
+
+    def are(self, kind: AttractorKind) -> NDArray[np.bool_]:
+        """Return which of them are of a kind."""
+        return np.equal(self.kind, KINDS.index(kind))
+
+    def start(self, index: int) -> ImpactState:
+        """Return a state on the orbit of one of them, from which `simulate` starts.
+
+        Raises
+        ------
+        ModelError
+            If it has no orbit.
+        """
+        if self.period[index] == 0:
+            raise ModelError(
+                "index",
+                index,
+                f"that motion has no orbit: it is {self.labels[index]}",
+                "choose one whose period is above 0",
+            )
+        return ImpactState(
+            side=int(self.side[index]),
+            phase=float(self.phase[index]),
+            speed=float(self.speed[index]),
+        )
+
+    @property
     def impacts(self) -> Integers:
         """Impacts in a period of the orbit; 0 without one, -1 for infinitely many."""
         return np.where(self.rests > 0, INFINITELY_MANY, self.passages)
@@ -74,9 +106,9 @@ def settled_cells(
     amplitude: Floats,
     frequency_ratio: Floats,
     sides: Floats,
-    begin: "Beginnings",
+    begin: "InitialStates",
     cycles: int,
-) -> SettledCells:
+) -> Attractors:
     """Return what motions settle to, each from its own state.
 
     Parameters
@@ -116,7 +148,7 @@ def settled_cells(
         tables[:, :, RESTITUTION].min(axis=1),
     )
     still = kind == KINDS.index(AttractorKind.REST)
-    return SettledCells(
+    return Attractors(
         kind=kind,
         side=whole[:, column.ORBIT_SIDE],
         phase=real[:, column.ORBIT_PHASE],
@@ -134,14 +166,14 @@ def settled_cells(
 def load_kernel() -> None:
     """Load the kernel, or compile it, so that what is timed afterwards is computation alone."""
     nothing, whole = np.empty(0), np.empty(0, dtype=np.int64)
-    begin = Beginnings(
+    begin = InitialStates(
         side=whole, angle=nothing, velocity=nothing, half_cycles=whole, phase=nothing
     )
     settled_cells(nothing, nothing, np.empty((0, 2, 3)), begin, 1)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class Beginnings:
+class InitialStates:
     """States at the start, as the kernels see them, arrays of shape (cells,).
 
     Attributes
@@ -163,7 +195,7 @@ class Beginnings:
     @classmethod
     def of(
         cls, angle: Floats, velocity: Floats, half_cycles: int | Integers, phase: float | Floats
-    ) -> "Beginnings":
+    ) -> "InitialStates":
         """Return the states of any angles and velocities, at one moment of the shaking or each."""
         leaning = np.where(angle != 0.0, angle, velocity)
         return cls(
@@ -193,7 +225,7 @@ def batch_size(cycles: int) -> int:
 
 
 def outputs_of_orbits() -> tuple[Output, ...]:
-    """Return what a grid of attractors says of each cell, by the names of `SettledCells`."""
+    """Return what a grid of attractors says of each cell, by the names of `Attractors`."""
     integer: dict[str, Any] = {"dtype": np.int32}
     return (
         KIND_OUTPUT,

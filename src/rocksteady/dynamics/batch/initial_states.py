@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.batch.attractors import Beginnings
+from rocksteady.dynamics.batch.attractors import InitialStates
 from rocksteady.dynamics.history.departure import set_off
 from rocksteady.dynamics.history.start import Steady
 from rocksteady.dynamics.steady.states import find_steady_states
@@ -15,7 +15,7 @@ Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 
-def at_phases(angle: Floats, velocity: Floats, phase: Floats) -> Beginnings:
+def at_phases(angle: Floats, velocity: Floats, phase: Floats) -> InitialStates:
     """Return any angles and velocities, each at a phase of its own.
 
     Parameters
@@ -36,7 +36,7 @@ def at_phases(angle: Floats, velocity: Floats, phase: Floats) -> Beginnings:
     half_cycles, rest = np.empty(len(phase), dtype=np.int64), np.empty(len(phase))
     fill_clocks(phase, half_cycles, rest)
     # The motions' own jump at the start is added to the velocity, 0 here: it leaves no -0.0.
-    return Beginnings.of(angle, velocity + 0.0, half_cycles, rest)
+    return InitialStates.of(angle, velocity + 0.0, half_cycles, rest)
 
 
 def on_orbits(

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.arrays import order_of_orbit
-from rocksteady.dynamics.batch.attractors import Beginnings
+from rocksteady.dynamics.batch.attractors import InitialStates
 from rocksteady.dynamics.batch.initial_states import at_phases, on_orbits
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import (
@@ -68,7 +68,7 @@ class Cells:
     there: NDArray[np.bool_]
 
     @property
-    def begin(self) -> Beginnings:
+    def begin(self) -> InitialStates:
         """The states at the start, their phases split into whole half cycles and a rest."""
         return at_phases(self.angle, self.velocity, self.phase)
 

@@ -31,7 +31,6 @@ from rocksteady.studies.atlas.pages.pictures import draw_coexistence, draw_famil
 from rocksteady.studies.atlas.pages.report import report_html
 from rocksteady.studies.folder import Done, check_folder, environment, fill_folder, nothing
 from rocksteady.studies.parts import Parts
-from rocksteady.sweep.run import run_in_memory
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -262,7 +261,7 @@ def atlas(
     plane = plane_of(
         restitution, amplitude=amplitude, frequency_ratio=frequency_ratio, orders=orders
     )
-    how = replace(run_in_memory(run, "an atlas keeps its cells in its parts"), progress=None)
+    how = replace((run or Run()).in_memory("an atlas keeps its cells in its parts"), progress=None)
     began = time.perf_counter()
     if parts is not None:
         parts.begin()

@@ -9,8 +9,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
+from rocksteady.model.checks.validation import positive, whole_number
+from rocksteady.sweep.cases.spacing import in_equal_ratios
 
 Floats = NDArray[np.float64]
+
+LARGEST_COUNT = 2**24
+"""Values of an axis that is made by a rule."""
 Array = NDArray[Any]
 
 LONGEST_NAME: Final = 200
@@ -93,6 +98,21 @@ class Axis:
             given: object = self.items
             items = tuple(given) if isinstance(given, list | tuple) else (given,)
             object.__setattr__(self, "items", self._one_each(items, points))
+
+    @classmethod
+    def logarithmic(cls, name: str, start: float, stop: float, count: int) -> "Axis":
+        """Return an axis of values in equal ratios, both ends included.
+
+        Examples
+        --------
+        >>> Axis.logarithmic("amplitude", 1.0, 8.0, 4).values
+        array([1., 2., 4., 8.])
+        """
+        first = positive("start", start, hint="give a number above 0")
+        last = positive("stop", stop, hint="give a number above 0")
+        hint = "give a number of values"
+        points = whole_number("count", count, at_least=2, at_most=LARGEST_COUNT, hint=hint)
+        return cls(name=name, values=in_equal_ratios(first, last, points))
 
     def _finite(self, array: Array) -> Floats:
         points = array.astype(np.float64)

@@ -72,6 +72,10 @@ class Store:
         path = Path(self.path)
         return path.resolve() if path.is_symlink() else path
 
+    def foreign_files(self) -> list[str]:
+        """Return what lies in the folder and no sweep wrote: relative paths, in order."""
+        return others(self.folder)
+
     def check(self) -> None:
         """Refuse, before anything is computed, a place where nothing could be written.
 

@@ -11,16 +11,25 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady import AttractorKind, Axis, Grid, Output, Run, evaluate, find_steady_states
-from rocksteady.dynamics.batch.attractors import Beginnings, SettledCells, settled_cells
-from rocksteady.dynamics.history.lowering import symmetric_sides
-from rocksteady.dynamics.orbits.attractor import KINDS
+from rocksteady import (
+    INFINITELY_MANY,
+    AttractorKind,
+    Attractors,
+    Axis,
+    Grid,
+    Output,
+    Run,
+    evaluate,
+    find_attractors,
+    find_steady_states,
+)
 from rocksteady.kernels.elementary.arrays import cos, sin
-from rocksteady.outcomes import INFINITELY_MANY
 from rocksteady.studies.atlas.analysis.plane import Plane
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
+Upright = tuple[Floats, Floats]
+"""Velocity du/d(pt) and phase [rad] of blocks that stand upright, shape (cells,)."""
 
 CYCLES = 500
 """Forcing periods after which a motion counts as aperiodic or undecided."""
@@ -185,8 +194,8 @@ def coexistence(
     )
 
 
-def starts(amplitude: Floats, ratio: Floats, restitution: float) -> Iterator[Beginnings]:
-    """Yield the starts, each a state for every cell.
+def starts(amplitude: Floats, ratio: Floats, restitution: float) -> Iterator[Upright]:
+    """Yield the initial states, all of angle 0: the velocity and the phase in every cell.
 
     Parameters
     ----------
@@ -197,7 +206,7 @@ def starts(amplitude: Floats, ratio: Floats, restitution: float) -> Iterator[Beg
     """
     still = np.zeros(len(amplitude))
     for k in range(REST_PHASES):
-        yield Beginnings.of(still, still, 0, k * math.pi / REST_PHASES)
+        yield still, np.full(len(amplitude), k * math.pi / REST_PHASES)
     for order, branch in STEADY:
         states = find_steady_states(amplitude, ratio, restitution, order=order)
         assert states.admissible is not None
@@ -205,7 +214,7 @@ def starts(amplitude: Floats, ratio: Floats, restitution: float) -> Iterator[Beg
         phase = np.where(there, states.phase[branch - 1], 0.0)
         velocity = np.where(there, states.velocity[branch - 1], 0.0)
         for aside in (1.0 - ASIDE, 1.0 + ASIDE):  # at rest where there is no such state
-            yield _after_impact(phase, aside * velocity)
+            yield aside * velocity, phase
     beta = amplitude / (1.0 + ratio * ratio)
     for k in range(PHASES):
         turn = 2.0 * math.pi * (k + 0.5) / PHASES
@@ -213,39 +222,34 @@ def starts(amplitude: Floats, ratio: Floats, restitution: float) -> Iterator[Beg
         fastest = 1.0 - beta * (sin(turn) + ratio * cos(turn))
         for j in range(SPEEDS):
             speed = np.maximum(fastest, SLOWEST) * (j + 0.5) / SPEEDS
-            yield _after_impact(np.full(len(amplitude), turn), speed)
-
-
-def _after_impact(phase: Floats, velocity: Floats) -> Beginnings:
-    """Return upright states at phases of their own."""
-    turn = np.mod(phase, 2.0 * math.pi)
-    half = np.minimum(np.floor(turn / math.pi), 1.0)
-    return Beginnings(
-        side=np.sign(velocity).astype(np.int64),
-        angle=np.zeros(len(phase)),
-        velocity=velocity,
-        half_cycles=half.astype(np.int64),
-        phase=turn - half * math.pi,
-    )
+            yield speed, np.full(len(amplitude), turn)
 
 
 def _found(
     amplitude: Floats, frequency_ratio: Floats, *, restitution: float
 ) -> dict[str, NDArray[Any]]:
     """Return what the motions in some cells settle to."""
-    sides = symmetric_sides(np.full(len(amplitude), restitution))
     settled = [
-        settled_cells(amplitude, frequency_ratio, sides, begin, CYCLES)
-        for begin in starts(amplitude, frequency_ratio, restitution)
+        find_attractors(
+            amplitude,
+            frequency_ratio,
+            restitution,
+            velocity=velocity,
+            phase=phase,
+            max_cycles=CYCLES,
+        )
+        for velocity, phase in starts(amplitude, frequency_ratio, restitution)
     ]
-    kind = np.array([found.kind for found in settled])
+
+    def each(which: AttractorKind) -> NDArray[np.bool_]:
+        return np.array([found.are(which) for found in settled])
 
     def any_of(which: AttractorKind) -> NDArray[np.bool_]:
-        there: NDArray[np.bool_] = (kind == KINDS.index(which)).any(axis=0)
+        there: NDArray[np.bool_] = each(which).any(axis=0)
         return there
 
-    codes = _codes(settled, kind == KINDS.index(AttractorKind.UNSYMMETRIC))
-    undecided = (kind == KINDS.index(AttractorKind.UNDECIDED)).sum(axis=0)
+    codes = _codes(settled, each(AttractorKind.UNSYMMETRIC))
+    undecided = each(AttractorKind.UNDECIDED).sum(axis=0)
     return {
         "rest": any_of(AttractorKind.REST),
         "aperiodic": any_of(AttractorKind.APERIODIC),
@@ -260,7 +264,7 @@ def _found(
     }
 
 
-def _codes(settled: list[SettledCells], unsymmetric: NDArray[np.bool_]) -> list[list[int]]:
+def _codes(settled: list[Attractors], unsymmetric: NDArray[np.bool_]) -> list[list[int]]:
     """Return, for each cell, the classes of the different orbits that its motions settle to.
 
     Orbits are one where class and extrema agree; of mirror images the extrema change sides.

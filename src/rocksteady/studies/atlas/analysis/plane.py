@@ -5,9 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady import InputError
-from rocksteady.model.checks.validation import in_range, odd_order
-from rocksteady.model.motions.segments import HIGHEST_FREQUENCY_RATIO, LOWEST_FREQUENCY_RATIO
+from rocksteady import DimensionlessBlock, Harmonic, InputError, Steady
 
 Floats = NDArray[np.float64]
 
@@ -16,6 +14,7 @@ FREQUENCY_RATIOS = np.linspace(0.075, 12.0, 160)
 """Defaults: all that is stable for n = 1, 3, 5 at the restitutions of the literature."""
 ORDERS = (1, 3, 5)
 HIGHEST_AMPLITUDE = 1000.0
+HINT = "give start:stop:count on the command line, numpy.linspace(start, stop, count) here"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -52,15 +51,21 @@ class Plane:
 
     def __post_init__(self) -> None:
         """Validate, and keep the axes as read-only arrays."""
-        hint = "give a ratio of velocities below 1, as 0.8; without loss nothing is attracted"
-        value = in_range("restitution", self.restitution, 0.0, 1.0, "()", hint=hint)
-        object.__setattr__(self, "restitution", value)
-        for name, low, high in (
-            ("amplitude", 0.0, HIGHEST_AMPLITUDE),
-            ("frequency_ratio", LOWEST_FREQUENCY_RATIO, HIGHEST_FREQUENCY_RATIO),
-        ):
-            object.__setattr__(self, name, _axis(name, getattr(self, name), low, high))
-        orders = tuple(sorted({odd_order(order) for order in self.orders}))
+        block = DimensionlessBlock(restitution=self.restitution)
+        if block.lossless:
+            valid = "without loss nothing is attracted"
+            hint = "give a ratio of velocities below 1, as 0.8"
+            raise InputError("restitution", self.restitution, valid, hint)
+        object.__setattr__(self, "restitution", block.restitution)
+        for name in ("amplitude", "frequency_ratio"):
+            object.__setattr__(self, name, _axis(name, getattr(self, name)))
+        for end in (self.amplitudes[0], self.amplitudes[-1]):
+            if not 0.0 < end <= HIGHEST_AMPLITUDE:
+                valid = f"it must lie in (0, {HIGHEST_AMPLITUDE:g}]"
+                raise InputError("amplitude", float(end), valid, HINT)
+        for ratio in (self.ratios[0], self.ratios[-1]):
+            Harmonic(amplitude=1.0, frequency_ratio=float(ratio))  # refuses what is out of range
+        orders = tuple(sorted({Steady(order=order).order for order in self.orders}))
         if not orders:
             hint = "give orders=(1, 3, 5)"
             raise InputError("orders", (), "there is one or more", hint)
@@ -91,18 +96,15 @@ class Plane:
         return edges[0], edges[1], edges[2], edges[3]
 
 
-def _axis(name: str, values: ArrayLike, low: float, high: float) -> Floats:
+def _axis(name: str, values: ArrayLike) -> Floats:
     """Return an axis of the plane."""
-    hint = "give start:stop:count on the command line, numpy.linspace(start, stop, count) here"
     points = np.array(values, dtype=np.float64)
     if points.ndim != 1 or points.size < 3:
         valid = "an axis of the plane has three values or more"
-        raise InputError(name, points.tolist(), valid, hint)
-    for end in (points.min(), points.max()):
-        in_range(name, float(end), low, high, "(]" if low == 0.0 else "[]", hint=hint)
+        raise InputError(name, points.tolist(), valid, HINT)
     steps = np.diff(points)
     if not ((steps > 0.0).all() and np.ptp(steps) <= 1e-6 * steps.mean()):
         valid = "the values of an axis ascend and are evenly spaced"
-        raise InputError(name, points.tolist(), valid, hint)
+        raise InputError(name, points.tolist(), valid, HINT)
     points.flags.writeable = False
     return points

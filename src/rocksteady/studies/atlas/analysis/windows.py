@@ -3,9 +3,7 @@
 The search from many starts comes upon them; their borders are then followed exactly.
 """
 
-import math
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,17 +13,12 @@ from rocksteady import (
     Harmonic,
     Orbit,
     PointType,
-    State,
     find_attractor,
+    find_attractors,
 )
-from rocksteady.dynamics.batch.attractors import settled_cells
-from rocksteady.dynamics.history.lowering import symmetric_sides
 from rocksteady.studies.atlas.analysis.coexistence import CYCLES, Coexistence, OrbitClass, starts
 from rocksteady.studies.atlas.analysis.columns import band_ends, border_of
 from rocksteady.studies.atlas.analysis.lines import NAMES, Line, traced
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 FEWEST = 4
 """Cells in which a class was found, from which on it is looked at."""
@@ -124,20 +117,17 @@ def _window(found: Coexistence, kind: OrbitClass, count: int) -> Window | None:
 
 def _orbit(kind: OrbitClass, amplitude: float, ratio: float, restitution: float) -> Orbit | None:
     """Return an orbit of a class that the search has found at a point."""
-    one: NDArray[np.float64] = np.ones(1)
-    sides = symmetric_sides(restitution * one)
-    for begin in starts(amplitude * one, ratio * one, restitution):
-        settled = settled_cells(amplitude * one, ratio * one, sides, begin, CYCLES)
+    here = np.array([amplitude]), np.array([ratio])
+    for velocity, phase in starts(*here, restitution):
+        settled = find_attractors(
+            *here, restitution, velocity=velocity, phase=phase, max_cycles=CYCLES
+        )
         if (settled.period[0], settled.impacts[0]) != (kind.period, kind.impacts):
             continue
         orbit = find_attractor(
             DimensionlessBlock(restitution=restitution),
-            Harmonic(
-                amplitude=amplitude,
-                frequency_ratio=ratio,
-                phase=math.fmod(float(settled.phase[0]), 2.0 * math.pi),
-            ),
-            start=State(angle=0.0, velocity=float(settled.side[0] * settled.speed[0])),
+            Harmonic(amplitude=amplitude, frequency_ratio=ratio),
+            start=settled.start(0),
         ).orbit
         if orbit is not None and orbit.symmetric and orbit.period == kind.period:
             return orbit

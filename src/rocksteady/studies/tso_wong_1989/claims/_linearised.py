@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from rocksteady import Block, Harmonic, Steady, find_steady_states, simulate
-from rocksteady.model.equations import Nonlinear
+from rocksteady import Block, Harmonic, Nonlinear, Steady, find_steady_states, simulate
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
 

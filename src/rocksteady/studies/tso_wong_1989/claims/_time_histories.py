@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 from functools import partial
 
-from rocksteady.dynamics.orbits.orbit import modulus
 from rocksteady.kernels.elementary.arrays import log
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence, Statements
 from rocksteady.studies.tso_wong_1989.claims.findings import Finding
@@ -160,7 +159,7 @@ def fate_finding(
         holds=same,
         detail=f"{'Stable' if history.stable else 'Unstable'}, half-cycle multiplier "
         f"{multiplier_text(history.multiplier)}. {reason}Left {_fates(history)}.",
-        values={"share": share, "multiplier": modulus(history.multiplier)},
+        values={"share": share, "multiplier": history.modulus},
     )
 
 
@@ -180,7 +179,7 @@ def stable_finding(history: History) -> Finding:
             f"The block settles there: peak {fate.highest:.5f}, by Newton's method on its returns."
         )
     else:
-        periods = 1.0 / (2.0 * log(modulus(history.multiplier)) / log(10.0) / history.case.order)
+        periods = 1.0 / (2.0 * log(history.modulus) / log(10.0) / history.case.order)
         text += (
             f"Unstable: a disturbance grows tenfold in {periods:.1f} periods, and over the "
             f"{history.case.periods} periods of the figure {times(history.growth)}, too little "

@@ -2,9 +2,7 @@
 
 from dataclasses import dataclass
 
-import numpy as np
-
-from rocksteady.sweep.cases.spacing import in_equal_ratios
+from rocksteady import Axis
 
 RESTITUTION = 0.8
 """Of every time history in the paper."""
@@ -12,7 +10,7 @@ KICK = 1e-4
 """How far from an unstable orbit the drawn runs begin.  The paper's distance is the rounding of its
 computer, which it does not state; this one leaves every orbit within the paper's time axes that the
 paper's own run leaves there."""
-KICKS = np.array(in_equal_ratios(1e-6, 1e-2, 161))
+KICKS = Axis.logarithmic("kick", 1e-6, 1e-2, 161).points
 """Distances over which fates are counted, on either side."""
 SIDES = (1, -1)
 

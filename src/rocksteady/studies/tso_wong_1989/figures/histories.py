@@ -17,8 +17,7 @@ from rocksteady import (
     plot_trajectory,
     simulate,
 )
-from rocksteady.dynamics.orbits.orbit import modulus
-from rocksteady.kernels.elementary.arrays import exp, log
+from rocksteady.kernels.elementary.arrays import exp, hypot, log
 from rocksteady.show.style import palette
 from rocksteady.studies.tso_wong_1989.figures._fate_plots import (
     plot_fates,
@@ -123,7 +122,12 @@ class History:
     @property
     def growth(self) -> float:
         """By what a small distance from the orbit has grown at the end of the paper's axis."""
-        return exp(log(modulus(self.multiplier)) * 2.0 * self.case.periods / self.case.order)
+        return exp(log(self.modulus) * 2.0 * self.case.periods / self.case.order)
+
+    @property
+    def modulus(self) -> float:
+        """Modulus of the half cycle's larger multiplier."""
+        return hypot(self.multiplier.real, self.multiplier.imag)
 
     def panel(self) -> Panel:
         """Return the figure with its data and its words."""

@@ -1,0 +1,85 @@
+"""Attractors of many motions at once: `find_attractor` over arrays of points and states."""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.arrays import real_array, validated_grid
+from rocksteady.dynamics.batch.attractors import Attractors, settled_cells
+from rocksteady.dynamics.batch.initial_states import at_phases
+from rocksteady.dynamics.history.lowering import symmetric_sides
+from rocksteady.dynamics.orbits.attractor import cycles_value
+from rocksteady.errors import InputError
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import LARGEST
+
+Floats = NDArray[np.float64]
+
+MAX_CYCLES = 2000
+"""Default largest number of forcing periods that a motion is followed."""
+
+
+@checked
+def find_attractors(
+    amplitude: ArrayLike,
+    frequency_ratio: ArrayLike,
+    restitution: ArrayLike,
+    *,
+    angle: ArrayLike = 0.0,
+    velocity: ArrayLike = 0.0,
+    phase: ArrayLike = 0.0,
+    max_cycles: int = MAX_CYCLES,
+) -> Attractors:
+    """Find the attractors of many motions of symmetric blocks under harmonic shaking.
+
+    Each is what `find_attractor` finds of that motion alone, in the linear model (eqs 4, 5).
+
+    Parameters
+    ----------
+    amplitude, frequency_ratio, restitution
+        A, Omega and delta; they broadcast with each other and with the states.
+    angle, velocity
+        Initial u = theta/alpha and du/d(pt); default at rest.
+    phase
+        Phase of the forcing at the start [rad]; default 0.
+    max_cycles
+        The most forcing periods that a motion is followed; default 2000.
+
+    Returns
+    -------
+    Attractors
+        Arrays of shape (cells,), the broadcast arguments in C order.
+
+    Raises
+    ------
+    InputError
+        If the arguments do not broadcast, or a value is outside its range.
+
+    Examples
+    --------
+    >>> from rocksteady import AttractorKind, find_attractors
+    >>> found = find_attractors([0.5, 2.0, 6.0], 4.0, 0.8, velocity=0.2)
+    >>> found.labels.tolist(), found.period.tolist()
+    (['rest', 'symmetric', 'overturned'], [0, 1, 0])
+    >>> found.are(AttractorKind.REST)
+    array([ True, False, False])
+    """
+    a, w, r, _ = validated_grid(amplitude, frequency_ratio, restitution, 1)
+    states = {"angle": angle, "velocity": velocity, "phase": phase}
+    arrays = [a, w, r, *(real_array(name, value) for name, value in states.items())]
+    for (name, value), array in zip(states.items(), arrays[3:], strict=True):
+        if not (np.abs(array) <= LARGEST).all():
+            raise InputError(
+                name, value, f"it must lie in [-{LARGEST:g}, {LARGEST:g}]", "give numbers"
+            )
+    try:
+        cells = [each.ravel() for each in np.broadcast_arrays(*arrays)]
+    except ValueError:
+        raise InputError(
+            "shapes",
+            tuple(each.shape for each in arrays),
+            "the arguments must broadcast against each other",
+            "give arrays of one shape, or add axes with [:, np.newaxis]",
+        ) from None
+    a, w, r, angles, velocities, phases = (each.copy() for each in cells)
+    begin = at_phases(angles, velocities, phases)
+    return settled_cells(a, w, symmetric_sides(r), begin, cycles_value(max_cycles))
