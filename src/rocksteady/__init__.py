@@ -33,7 +33,7 @@ use_plots(
 )
 use_describers(
     {
-        "attractor map": ({"kind", "period", "after"}, "rocksteady.dynamics.maps._describing"),
-        "fate map": ({"fate", "impacts"}, "rocksteady.dynamics.maps._describing"),
+        "attractor map": ({"kind", "period", "after"}, "rocksteady.dynamics.maps._map_facts"),
+        "fate map": ({"fate", "impacts"}, "rocksteady.dynamics.maps._map_facts"),
     }
 )

@@ -75,8 +75,8 @@ def test_a_cell_of_basins_and_a_state_of_its_attractor_are_starts() -> None:
 
 def test_a_cell_of_an_erosion_is_a_start() -> None:
     window = np.linspace(-1.1, 1.1, 8)
-    found = compute_erosion(BLOCK, W, [1.5], phase=0.4, angles=window, velocities=window, cycles=10)
     shaking = Harmonic(amplitude=1.5, frequency_ratio=W, phase=0.4)
+    found = compute_erosion(BLOCK, shaking, [1.5], angles=window, velocities=window, cycles=10)
     for row, column in np.ndindex(8, 8):
         start = State(angle=float(found.angle[column]), velocity=float(found.velocity[row]))
         run = simulate(BLOCK, shaking, start=start, cycles=10)

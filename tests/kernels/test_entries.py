@@ -242,8 +242,8 @@ def grids(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
     yield partial(rs.map_attractors, block, axes=axes, max_cycles=20, model=model)
     yield partial(rs.map_fates, block, axes=axes, cycles=10, model=model)
     yield partial(rs.compute_basins, block, shaking, max_cycles=10, **window)
-    yield partial(rs.compute_erosion, block, 4.0, [0.5, 3.0], cycles=5, **window)
-    reach = {"amplitudes": (3.0, 4.0), "resolution": 0.1, "model": model}
+    yield partial(rs.compute_erosion, block, shaking, [0.5, 3.0], cycles=5, **window)
+    reach = {"within": (3.0, 4.0), "resolution": 0.1, "model": model}
     yield partial(rs.find_overturning_windows, block, "half-sine", [3.0], **reach)
 
 

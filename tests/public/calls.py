@@ -245,10 +245,10 @@ def calls() -> dict[str, Call]:
         rs.correct_baseline: {"recording": t["recording"], "baseline": "mean"},
         rs.compute_basins: {
             "block": bare,
-            "shaking": shaking,
+            "motion": shaking,
             "angles": few,
             "velocities": few,
-            "cycles": 10,
+            "max_cycles": 10,
         },
         rs.find_branches: {"starts": [t["orbit"]], **near, "max_branches": 1},
         rs.follow_bifurcation: {
@@ -270,7 +270,7 @@ def calls() -> dict[str, Call]:
         rs.equivalent_damping: {"restitution": [0.7, 0.8]},
         rs.compute_erosion: {
             "block": bare,
-            "frequency_ratio": 4.0,
+            "motion": shaking,
             "amplitudes": [0.5, 3.0],
             "angles": few,
             "velocities": few,
@@ -303,7 +303,7 @@ def calls() -> dict[str, Call]:
             "block": bare,
             "pulse": "half-sine",
             "frequency_ratios": [3.0],
-            "amplitudes": (3.0, 4.0),
+            "within": (3.0, 4.0),
             "resolution": 0.1,
         },
         rs.pair_records: {"paths": []},

@@ -101,7 +101,7 @@ def makers() -> dict[str, Callable[[Page], Figure]]:
     ]
     eroded = compute_erosion(
         BARE,
-        2.0,
+        Harmonic(amplitude=1.0, frequency_ratio=2.0),
         np.linspace(0.0, 1.4, 8),
         angles=np.linspace(-1.2, 1.2, 41),
         velocities=np.linspace(-1.2, 1.2, 41),

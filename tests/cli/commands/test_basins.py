@@ -28,6 +28,9 @@ FRACTION_KEYS = {
     "states",
     "stroboscopic",
     "orbit",
+    "impacts",
+    "lowest",
+    "highest",
 }
 
 
@@ -76,13 +79,19 @@ def test_an_axis_of_amplitudes_is_an_erosion() -> None:
     values = ran.json
     assert values["fractions"] is None
     amplitudes = axis("", "0.2:1:3")
-    found = compute_erosion(DimensionlessBlock(restitution=0.9), 2.0, amplitudes, **AXES)
+    found = compute_erosion(
+        DimensionlessBlock(restitution=0.9),
+        Harmonic(amplitude=1.0, frequency_ratio=2.0),
+        amplitudes,
+        **AXES,
+    )
     assert [row["amplitude"] for row in values["erosion"]] == amplitudes
     for name in ("global_integrity", "integrity_factor"):
         assert [row[name] for row in values["erosion"]] == found.measure(name).tolist()
         drop = found.drop(name)
         assert drop is not None
         assert values["drop"][name] == {
+            "measure": name,
             "level": 0.5,
             "low": drop.low,
             "high": drop.high,
@@ -121,7 +130,7 @@ def test_what_does_not_settle_is_said_and_has_its_code() -> None:
     assert "Without loss" in ran.out
     ran = rocksteady(f"basins -A 6 -W 6 -r 0.25 --cycles 40 {WINDOW}")
     assert ran.code == 3
-    assert "more --cycles" in ran.out
+    assert "not settled within 40 periods" in ran.out
 
 
 def test_a_state_that_balances_for_ever_is_said_and_is_no_failure() -> None:

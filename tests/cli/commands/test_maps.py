@@ -56,8 +56,9 @@ def test_the_text_says_what_there_is() -> None:
     ran = rocksteady(MAP)
     assert (ran.code, ran.err) == (0, "")
     lines = ran.out.splitlines()
-    assert lines[0] == "63 cells: 7 amplitude x 9 frequency_ratio"
-    assert re.search(r"^overturned +\d+ +\d+\.\d\d %$", ran.out, re.MULTILINE)
+    assert lines[0] == "What the block settles to: restitution 0.8, from rest, linear model"
+    assert lines[1].split() == ["cells", "63"]
+    assert re.search(r"^overturned +\d+ +[\d.]+ %$", ran.out, re.MULTILINE)
     assert re.fullmatch(r"63 cells computed in \d+\.\d\d s, [\d,]+ a second", lines[-1])
     assert max(map(len, lines)) <= 80
 
@@ -128,7 +129,10 @@ SHAKEN = Harmonic.from_si(RECTANGLE, **GROUND)
             "--width-m 0.5:0.9:3 --height-m 1.5:3:4 --accel-g 0.4 --freq-hz 2",
             RECTANGLE,
             SHAKEN,
-            {"axes": {"height": "1.5:3:4", "width": "0.5:0.9:3"}, "fixed": GROUND, "housner": True},
+            {
+                "axes": {"height": "1.5:3:4", "width": "0.5:0.9:3"},
+                "fixed": {**GROUND, "restitution": "housner"},
+            },
         ),
         (
             "--width-m 0.5:0.9:3 --height-m 1.5 -r 0.9 --accel-g 0.4 --freq-hz 2",

@@ -131,7 +131,7 @@ def test_erosion_leaves_out_what_the_model_has_no_closed_form_of(tmp_path: Path)
     values = rocksteady(f"{case} --json --plot {plot}").json
     found = compute_erosion(
         BODY,
-        2.0,
+        Harmonic(amplitude=1.0, frequency_ratio=2.0),
         axis("", "0.2:0.8:3"),
         angles=axis("", "-1:1:12"),
         velocities=axis("", "-0.4:0.4:12"),

@@ -60,6 +60,11 @@ class Case:
         block = self._block(cell)
         return block, self._shaking(block, cell), self._start(cell)
 
+    @property
+    def named(self) -> dict[str, Any]:
+        """The axes of the public functions."""
+        return {**self.axes, **self.fixed} | ({"restitution": "housner"} if self.housner else {})
+
     def _block(self, cell: Mapping[str, float]) -> Block | DimensionlessBlock:
         base = self.block
         if isinstance(base, DimensionlessBlock):

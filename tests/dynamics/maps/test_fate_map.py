@@ -39,9 +39,8 @@ def test_every_cell_of_any_map_is_how_a_time_history_ends(number: int) -> None:
     found = map_fates(
         case.block,
         case.shaking,
-        axes={**case.axes, **case.fixed},
+        axes=case.named,
         start=case.start,
-        housner=case.housner,
         cycles=CYCLES,
     )
     assert found.fate.dims == tuple(case.axes)

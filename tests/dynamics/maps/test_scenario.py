@@ -193,7 +193,8 @@ def test_attributes_name_the_start(start: Any, axes: Any, said: dict[str, Any]) 
     shaking = Harmonic(amplitude=2.0, frequency_ratio=3.0, phase=0.5)
     block = DimensionlessBlock(restitution=0.8)
     whole = Scenario(axes=axes, block=block, motion=shaking, start=start)
-    given = {"amplitude": 2.0, "frequency_ratio": 3.0, "restitution": 0.8}
+    given: dict[str, Any] = {"amplitude": 2.0, "frequency_ratio": 3.0, "restitution": 0.8}
+    given["model"] = "linear"
     if not isinstance(start, Steady):
         given["phase"] = 0.5
     expected = {**{name: value for name, value in given.items() if name not in axes}, **said}

@@ -160,7 +160,10 @@ def test_basins_go_where_single_motions_go() -> None:
 
 def test_erosion_counts_the_states_that_single_runs_leave_standing() -> None:
     window = np.linspace(-1.435, 1.435, 15)
-    found = compute_erosion(ASYMMETRY, 2.0, [0.0, 1.0], angles=window, velocities=window, cycles=20)
+    motion = Harmonic(amplitude=1.0, frequency_ratio=2.0)
+    found = compute_erosion(
+        ASYMMETRY, motion, [0.0, 1.0], angles=window, velocities=window, cycles=20
+    )
     for k, amplitude in enumerate((0.0, 1.0)):
         for i, j in ((7, 7), (3, 9), (10, 2), (7, 1), (7, 13), (1, 7)):
             run = simulate(
@@ -251,6 +254,6 @@ def test_sizes_and_housners_value_move_with_symmetric_blocks_alone() -> None:
     with pytest.raises(ModelError, match="sides of this block differ"):
         map_attractors(BLOCK, HARD, axes={"width": [0.3, 0.4]})
     with pytest.raises(ModelError, match="differ"):
-        map_attractors(BLOCK, HARD, axes={"amplitude": [1.0, 2.0]}, housner=True)
+        map_attractors(BLOCK, HARD, axes={"amplitude": [1.0, 2.0], "restitution": "housner"})
     with pytest.raises(ModelError, match=r"follow from its shape; take block.dimensionless"):
         map_attractors(BLOCK, HARD, axes={"alpha_ratio": [1.0, 2.0]})

@@ -227,12 +227,10 @@ def test_where_nobody_says_the_search_goes_beyond_uplift() -> None:
     one = find_overturning_windows(
         flat, "rectangle", [0.5], model=Nonlinear(), run=Run(executor="serial")
     )
-    assert 2.0 * uplift < one.amplitudes[1] == 20.0
+    assert 2.0 * uplift < one.within[1] == 20.0
     flatter = Block.from_p(alpha=1.56, p=1.0, restitution=0.5)
     other = find_overturning_windows(
         flatter, "rectangle", [0.5], model=Nonlinear(), run=Run(executor="serial")
     )
-    assert other.amplitudes[1] == pytest.approx(
-        2.0 * math.tan(1.56) / 1.56
-    )  # where 20 lifts nothing
+    assert other.within[1] == pytest.approx(2.0 * math.tan(1.56) / 1.56)  # where 20 lifts nothing
     assert other.intervals(0)

@@ -199,7 +199,7 @@ def test_without_loss_every_amplitude_is_decided(shape: str, w: float) -> None:
 def test_a_side_that_lifts_sooner_sets_the_range() -> None:
     block = DimensionlessBlock(restitution=0.9, alpha_ratio=0.5)
     found = find_overturning_windows(block, "one-sine", [1.0])
-    assert found.amplitudes == (0.5, 20.0)
+    assert found.within == (0.5, 20.0)
     assert 0.5 < found.first[0] < 1.0
     for a, status in (
         (found.first[0] * (1.0 + 1e-9), Status.OVERTURNED),
@@ -238,7 +238,10 @@ def test_the_dataset_and_the_table_say_what_was_found() -> None:
     assert data.low.sel(frequency_ratio=8.0, window=0) == found.first[1]
     assert np.isnan(data.low.sel(frequency_ratio=8.0, window=1))
     assert (data.attrs["pulse"], data.attrs["model"]) == ("one-sine", "linear")
-    assert "7.16813 to 20" in found._repr_html_()
+    assert ">7.16813</td>" in found._repr_html_()
+    assert found.to_dataframe().low.tolist() == [
+        window.low for k in (0, 1) for window in found.at(k)
+    ]
 
 
 # ---------------------------------------------------------------------- bad input
@@ -254,11 +257,11 @@ def test_the_dataset_and_the_table_say_what_was_found() -> None:
         ({"frequency_ratios": []}, "one or more"),
         ({"frequency_ratios": [0.001]}, "frequency_ratio"),
         ({"frequency_ratios": ["a"]}, "real numbers"),
-        ({"amplitudes": (2.0, 1.0)}, "amplitudes"),
-        ({"amplitudes": 3.0}, "pair"),
-        ({"amplitudes": np.array(3.0)}, "pair"),
-        ({"amplitudes": ((1.0, 2.0), 3.0)}, "amplitudes"),
-        ({"amplitudes": (1.0, 1e9)}, "amplitudes"),
+        ({"within": (2.0, 1.0)}, "within"),
+        ({"within": 3.0}, "pair"),
+        ({"within": np.array(3.0)}, "pair"),
+        ({"within": ((1.0, 2.0), 3.0)}, "within"),
+        ({"within": (1.0, 1e9)}, "within"),
         ({"resolution": 0.0}, "resolution"),
         ({"block": "stone"}, "Block"),
     ],

@@ -48,7 +48,7 @@ def found(amplitude: float = 0.5, ratio: float = 2.0, restitution: float = 0.95)
 def eroded(top: float = 1.0) -> Erosion:
     return compute_erosion(
         DimensionlessBlock(restitution=0.9),
-        2.0,
+        Harmonic(amplitude=1.0, frequency_ratio=2.0),
         np.linspace(0.1, top, 4),
         angles=WINDOW,
         velocities=WINDOW,
@@ -218,7 +218,13 @@ def test_amplitudes_spaced_by_ratio_get_a_logarithmic_axis() -> None:
     window = np.linspace(-1.4, 1.4, 15)
     block = DimensionlessBlock(restitution=0.9)
     for amplitudes, scale in (([0.01, 0.1, 1.0], "log"), ([0.1, 0.55, 1.0], "linear")):
-        found = compute_erosion(block, 2.0, amplitudes, angles=window, velocities=window)
+        found = compute_erosion(
+            block,
+            Harmonic(amplitude=1.0, frequency_ratio=2.0),
+            amplitudes,
+            angles=window,
+            velocities=window,
+        )
         axes = plot_erosion(found, Figure().add_subplot())
         assert axes.get_xscale() == scale
         assert axes.get_xlim() == (amplitudes[0] if scale == "log" else 0.0, 1.0)

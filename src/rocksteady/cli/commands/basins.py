@@ -160,7 +160,7 @@ def _leave_basins(found: "Basins", output: OutputFlags) -> None:
     if output.as_json:
         print_json("basins", description.to_dict())
     else:
-        print_description(description, terminal.console())
+        print_description(description, terminal.console(wrap=True))
     if found.undecided > FEW:
         raise typer.Exit(INCOMPLETE)
 
@@ -179,4 +179,4 @@ def _leave_erosion(found: "Erosion", output: OutputFlags) -> None:
     if output.as_json:
         print_json("basins", description.to_dict())
     else:
-        print_description(description, terminal.console())
+        print_description(description, terminal.console(wrap=True))

@@ -137,7 +137,7 @@ def maps(
     if output.as_json:
         print_json("map", values)
     else:
-        print_description(description, terminal.console())
+        print_description(description, terminal.console(wrap=True))
         terminal.console().print(_speed(values["computed"], meter), style="dim")
     if values["counts"].get("undecided", 0) > FEW * values["cells"]:
         raise typer.Exit(INCOMPLETE)

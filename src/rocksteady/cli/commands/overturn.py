@@ -180,7 +180,7 @@ def overturn(
         store = run.place and str(run.place.path)
         print_json("overturn", {**description.to_dict(), "seconds": meter.seconds, "store": store})
     else:
-        print_description(description, terminal.console())
+        print_description(description, terminal.console(wrap=True))
     if found.undecided.any():
         raise typer.Exit(INCOMPLETE)
 

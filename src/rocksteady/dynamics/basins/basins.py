@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.dynamics.basins._describing import basins_described
+from rocksteady.dynamics.basins._basin_facts import basins_described
 from rocksteady.dynamics.basins.labels import BasinAttractor, labelled
 from rocksteady.dynamics.basins.window import centred, moment, spacing, window_axis, window_of
 from rocksteady.dynamics.batch.attractors import (

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import validated_grid
-from rocksteady.dynamics.basins._describing import erosion_described, erosion_headline
+from rocksteady.dynamics.basins._basin_facts import erosion_described, erosion_headline
 from rocksteady.dynamics.basins._safe import measured, safe_states
 from rocksteady.dynamics.basins.window import POINTS, centred, moment, window_axis
 from rocksteady.dynamics.batch.attractors import periods_value

@@ -148,7 +148,7 @@ def plot_erosion(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import DimensionlessBlock, compute_erosion
+    >>> from rocksteady import DimensionlessBlock, Harmonic, compute_erosion
     >>> motion = Harmonic(amplitude=1.0, frequency_ratio=2.0)
     >>> found = compute_erosion(DimensionlessBlock(restitution=0.9), motion, [0.0, 0.3, 0.6, 0.9])
     >>> axes = plot_erosion(found, Figure().add_subplot(), drops=[found.drop(tolerance=0.1)])

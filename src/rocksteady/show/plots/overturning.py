@@ -106,7 +106,7 @@ def plot_overturning(
     axes = axes_or_new(ax)
     inks, place = inks_of(axes), place_of(axes, legend, "right")
     by_ratio = len(w) > 2 and spaced_by_ratio(w)
-    low, high = windows.amplitudes
+    low, high = windows.within
     uplift = min(ratio for _, ratio, _ in windows.block.dimensionless().sides)
     low = max(low, uplift) if high > uplift else low
     parts = _parts(windows, by_ratio=by_ratio)
