@@ -8,9 +8,17 @@ import numpy as np
 import pytest
 import xarray
 
-from rocksteady import Record, compute_rocking_spectrum, read_record, summarise_spectra
+from rocksteady import (
+    Block,
+    Record,
+    compute_rocking_spectrum,
+    read_record,
+    simulate,
+    summarise_spectra,
+)
 from rocksteady.model.equations import Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.results.numbers import number
 from tests.cli.program import refused, rocksteady
 from tests.records import peer
 from tests.seismic.grounds import ground, lifting
@@ -56,7 +64,7 @@ def test_the_json_keeps_the_contract(files: list[Path]) -> None:
     assert values["counts"]["overturned"] == sum(
         row["status"] == "overturned" for row in values["values"]
     )
-    assert (values["model"], values["restitution"]) == ("linear", "housner")
+    assert (values["model"], values["restitution"]) == ("nonlinear", "housner")
     assert "suite" not in values
 
 
@@ -82,14 +90,13 @@ def test_every_flag_reaches_the_blocks(files: list[Path], tmp_path: Path) -> Non
     command += " --scale 1.2 --reverse --tolerance 1e-8 --json"
     values = rocksteady(command, "--record", files[1], "--vertical", up).json
     found = compute_rocking_spectrum(
-        BaseMotion(read_record(files[1]), read_record(up)),
+        BaseMotion(read_record(files[1]), read_record(up)).reversed(),
         alpha=math.radians(12.0),
-        p=2.0,
+        periods_s=math.pi,
         model=Nonlinear(tolerance=1e-8),
         restitution=0.8,
         gravity=9.7,
-        scale=1.2,
-        reverse=True,
+        scales=1.2,
     )
     (row,) = values["values"]
     assert (row["peak"], row["impacts"]) == (float(found.peak_angle), int(found.impacts))
@@ -110,24 +117,25 @@ def test_the_table_has_a_row_a_size(files: list[Path]) -> None:
     ran = rocksteady(f"spectrum {GRID} --record", files[2])
     assert ran.code == 0
     lines = [" ".join(line.split()) for line in ran.out.splitlines()]
-    assert "2 pi/p [s] 0.15 rad 0.3 rad" in lines
+    assert "2 pi/p [s] 8.59° (0.15 rad) 17.2° (0.3 rad)" in lines
     found = compute_rocking_spectrum(
         read_record(files[2]), alpha=[0.15, 0.3], periods_s=[1, 2, 3, 4]
     )
     for period in (1.0, 2.0, 3.0, 4.0):
         cells = [
-            "falls" if int(one.status) == 2 else f"{float(one.peak_angle):.6g}"
+            "falls" if int(one.status) == 2 else number(float(one.peak_angle))
             for one in (found.sel(alpha=alpha, period=period) for alpha in (0.15, 0.3))
         ]
         assert f"{period:g} {cells[0]} {cells[1]}" in lines
     assert all(len(line) <= 80 for line in ran.out.splitlines())
-    assert "overturn" in lines[-1]
+    assert "overturned" in lines[2]
+    assert "8 motions in" in lines[-1]
 
 
 def test_a_long_table_is_cut_and_says_so(files: list[Path]) -> None:
     several = [part for file in files for part in ("--record", file)]
     ran = rocksteady("spectrum --alpha-deg 8:20:7", *several)
-    assert "of 700 blocks" in ran.out
+    assert "76 more rows" in ran.out
     assert all(len(line) <= 80 for line in ran.out.splitlines())
     assert "20°" in ran.out
 
@@ -165,6 +173,10 @@ def test_the_files_hold_the_same(files: list[Path], tmp_path: Path) -> None:
         ("--alpha-rad 0.2 --model linear --tolerance 1e-8", "--model nonlinear"),
         ("--alpha-rad 0.2 --model linear --vertical up.AT2", "--model nonlinear"),
         ("--alpha-rad 0.2 --periods-s 2 --plot one.png", "two sizes or more"),
+        ("--width-m 0.4", "--height-m is not given"),
+        ("--width-m 0.4 --height-m 1.2 --alpha-rad 0.2", "both given"),
+        ("--width-m 0.4 --height-m 1.2:2:3 --plot one.png", "--plot with --width-m"),
+        ("--alpha-rad 0.2 --scale 1:2:2 --plot one.png", "several values of --scale"),
         ("--alpha-rad 0.2 --model exact", "two equations of motion"),
     ],
 )
@@ -172,6 +184,35 @@ def test_what_is_not_valid_is_refused_in_one_line(
     files: list[Path], flags: str, words: str
 ) -> None:
     assert words in refused(f"spectrum {flags} --record", files[0])
+
+
+def test_blocks_of_given_sizes_at_several_scales(files: list[Path]) -> None:
+    command = "spectrum --width-m 0.4 --height-m 1.2:2:3 --scale 0.5:1.5:3 --record"
+    values = rocksteady(f"{command} {files[2]} --json").json
+    assert values["cells"] == len(values["values"]) == 9
+    for row in values["values"]:
+        block = Block.rectangle(width=0.4, height=row["height_m"])
+        assert row["width_m"] == pytest.approx(0.4)
+        assert (row["alpha_rad"], row["p_rad_s"]) == (block.alpha, block.p)
+        run = simulate(block, read_record(files[2]).scaled(row["scale"]))
+        assert row["status"] == run.status.label
+        assert row["peak"] == pytest.approx(run.peak, rel=1e-8, abs=1e-15)
+    assert values["scale"] == [0.5, 1.0, 1.5]
+    text = rocksteady(f"{command} {files[2]}").out
+    assert "400 mm" in text
+    assert "3 levels" in text
+    assert all(len(line) <= 80 for line in text.splitlines())
+
+
+def test_a_record_is_scaled_to_a_pga(files: list[Path]) -> None:
+    several = [part for file in files for part in ("--record", file)]
+    values = rocksteady(f"spectrum {GRID} --pga-g 0.4 --json", *several).json
+    suite = [read_record(file) for file in files]
+    scaled = [each.scaled(0.4 * 9.80665 / each.peak_acceleration_m_s2) for each in suite]
+    truth = compute_rocking_spectrum(scaled, alpha=[0.15, 0.3], periods_s=[1.0, 2.0, 3.0, 4.0])
+    peaks = [row["peak"] for row in values["values"]]
+    assert peaks == pytest.approx(truth.peak_angle.values.ravel().tolist(), rel=1e-8)
+    assert values["pga_g"] == 0.4
 
 
 def test_a_spectrum_needs_a_record_and_one_vertical_needs_one_of_them(files: list[Path]) -> None:

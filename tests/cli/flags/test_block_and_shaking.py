@@ -175,3 +175,43 @@ def test_only_flags_that_are_given_count() -> None:
     assert BlockFlags(left_m=0.1, gyration_m=0.2).asymmetric == {"left": 0.1, "gyration": 0.2}
     words = str(BlockFlags(restitution="0.8,0.9").refuse_sides("they must be alike", "give one"))
     assert words.startswith("--restitution/-r make a block whose sides differ: ")
+
+
+def test_metres_per_second_squared_are_g() -> None:
+    block = Block.rectangle(width=0.4, height=1.6)
+    (one,), _ = ShakingFlags(accel_m_s2="3", freq_hz="2").of(block)
+    (other,), _ = ShakingFlags(accel_g=repr(3.0 / 9.80665), freq_hz="2").of(block)
+    assert one == 3.0 / block.uplift_acceleration
+    assert other == pytest.approx(one, rel=1e-14)
+    with pytest.raises(FlagError, match="--accel-g and --accel-m-s2 are both given"):
+        ShakingFlags(accel_g="0.3", accel_m_s2="3", freq_hz="2").of(block)
+
+
+def test_a_mass_centre_off_the_middle_is_an_asymmetric_block() -> None:
+    sized: dict[str, Any] = {"width_m": "0.5", "height_m": "1.8"}
+    block = BlockFlags(**sized, offset_m=0.05).described()
+    assert block == Block.asymmetric(left=0.2, right=0.3, height=1.8)
+    assert BlockFlags(**sized, offset_m=0.0).described() == Block.rectangle(width=0.5, height=1.8)
+    low = BlockFlags(**sized, offset_m=-0.05, mass_centre_height_m=0.7).described()
+    assert isinstance(low, Block)
+    assert (low.positive.distance, low.negative.distance) == pytest.approx((0.3, 0.2))
+    assert low.height == pytest.approx(1.4)
+    for side in (low.positive, low.negative):  # I_c of the homogeneous outline
+        square = low.gravity * side.radius / side.p**2 - side.radius**2
+        assert square == pytest.approx((0.5**2 + 1.8**2) / 12.0)
+
+
+@pytest.mark.parametrize(
+    ("flags", "words"),
+    [
+        ({"width_m": "0.5", "height_m": "1.8", "offset_m": 0.25}, "--offset-m"),
+        ({"width_m": "0.5", "height_m": "1.8", "mass_centre_height_m": 2.0}, "--mass-centre"),
+        ({"width_m": "-0.5", "height_m": "1.8", "offset_m": 0.1}, "width"),
+        ({"width_m": "0.5", "offset_m": 0.1}, "--offset-m alone describe no block"),
+        ({"offset_m": 0.1}, "--offset-m alone describe no block"),
+        ({"block": "server-rack", "offset_m": 0.1}, "describe no block"),
+    ],
+)
+def test_what_has_no_mass_centre_there_is_refused(flags: dict[str, Any], words: str) -> None:
+    with pytest.raises((FlagError, InputError), match=words):
+        BlockFlags(**flags).described()

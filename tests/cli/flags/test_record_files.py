@@ -44,6 +44,23 @@ def test_a_run_is_that_of_the_library(files: tuple[Path, Path], model: Model) ->
     assert values["pga_g"] == pytest.approx(0.6)
 
 
+def test_a_record_is_scaled_to_a_pga_with_its_vertical_one(files: tuple[Path, Path]) -> None:
+    across, up = files
+    command = f"simulate {SIZE} --json --record"
+    ran = rocksteady(command, across, "--vertical", up, "--pga-g", "0.9")
+    factor = 0.9 / 0.6
+    same = rocksteady(command, across, "--vertical", up, "--scale", repr(factor)).json
+    assert ran.json["pga_g"] == pytest.approx(0.9)
+    assert ran.json["vertical_pga_g"] == pytest.approx(same["vertical_pga_g"])
+    assert ran.json["peak"] == pytest.approx(same["peak"], rel=1e-8)
+    assert "is its unit right" not in ran.err
+    strong = rocksteady(command, across, "--scale", "12")
+    assert "--scale 12 multiplies" in strong.err
+    assert "both given" in refused(f"{command} {across} --scale 2 --pga-g 0.3")
+    assert "--pga-g = -0.3" in refused(f"{command} {across} --pga-g=-0.3")
+    assert "--record" in refused(f"simulate {SIZE} --pga-g 0.3")
+
+
 def test_scale_and_reverse(files: tuple[Path, Path]) -> None:
     command = f"simulate {SIZE} --start 0.02,0 --json --record"
     plain = rocksteady(command, files[0]).json

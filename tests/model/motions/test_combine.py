@@ -170,7 +170,7 @@ def test_what_cannot_be_made_is_refused() -> None:
 
 
 def test_a_scaled_record_is_a_record() -> None:
-    record = Record(acceleration_m_s2=[0.0, 2.0, -1.0], dt_s=0.02, name="hut")
+    record = Record(acceleration_m_s2=np.array([0.0, 2.0, -1.0]), dt_s=0.02, name="hut")
     twice = scale_motion(record, -2.0)
     assert isinstance(twice, Record)
     assert twice == record.scaled(-2.0)

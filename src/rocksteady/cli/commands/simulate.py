@@ -208,6 +208,7 @@ def refuse_beside_record(*, pulse: PulseFlags, shaking: ShakingFlags, phase: flo
         "--amplitude/-A": shaking.amplitude,
         "--frequency-ratio/-W": shaking.frequency_ratio,
         "--accel-g": shaking.accel_g,
+        "--accel-m-s2": shaking.accel_m_s2,
         "--freq-hz": shaking.freq_hz,
         "--phase": phase,
     }

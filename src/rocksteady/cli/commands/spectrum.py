@@ -1,11 +1,13 @@
 """`rocksteady spectrum`: rocking spectra of recorded ground motions."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import (
     INCOMPLETE,
     announce_compilation,
@@ -22,13 +24,18 @@ from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.parsing import axis, restitution_from
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.cli.flags.sweep import SweepFlags
-from rocksteady.cli.present.spectrum_values import print_spectrum, spectrum_values, title_of
 from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.sides import p_value
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
+from rocksteady.results.rendering import print_description
 
 if TYPE_CHECKING:
+    import xarray
+
     from rocksteady.model.blocks.sides import Restitution
+    from rocksteady.records.core.recording import Recording
 
 HELP = (
     "Rocking spectra: the largest rotation and angular velocity of homogeneous rectangular blocks "
@@ -43,7 +50,8 @@ EXAMPLES = (
     "--plot spectrum.png\n\n"
     "rocksteady spectrum --record RSN77_PUL164.AT2 --alpha-rad 0.05:0.45:100 --periods-s "
     "0.5:10:200 --model nonlinear --plot map.png\n\n"
-    "rocksteady spectrum --record one.AT2 --record two.AT2 --alpha-rad 0.2 --p-rad-s 2 --json"
+    "rocksteady spectrum --record one.AT2 --record two.AT2 --alpha-rad 0.2 --p-rad-s 2 --json\n\n"
+    "rocksteady spectrum --record RSN77_PUL164.AT2 --width-m 0.5 --height-m 1:3:5 --scale 0.2:1:5"
 )
 DEFAULT_PERIODS = "0.5:10:100"
 MOST_PANELS = 6
@@ -53,7 +61,7 @@ AlphaRad = Annotated[
     typer.Option(
         "--alpha-rad",
         metavar="AXIS",
-        help="Slenderness \\[rad]: a number or an axis, start:stop:count or log:start:stop:count.",
+        help="Set the slenderness \\[rad]: a number or an axis, start:stop:count or log:start:...",
         rich_help_panel=options.BLOCK,
     ),
 ]
@@ -62,7 +70,7 @@ AlphaDeg = Annotated[
     typer.Option(
         "--alpha-deg",
         metavar="AXIS",
-        help="The same in degrees, instead of --alpha-rad.",
+        help="Set the slenderness in degrees, instead of --alpha-rad.",
         rich_help_panel=options.BLOCK,
     ),
 ]
@@ -71,7 +79,8 @@ PeriodsS = Annotated[
     typer.Option(
         "--periods-s",
         metavar="AXIS",
-        help=f"Size of the block as 2 pi/p \\[s]: a number or an axis; default {DEFAULT_PERIODS}.",
+        help=f"Set the size of the block as 2 pi/p \\[s], a number or an axis; default "
+        f"{DEFAULT_PERIODS}.",
         rich_help_panel=options.BLOCK,
     ),
 ]
@@ -80,7 +89,26 @@ PRadS = Annotated[
     typer.Option(
         "--p-rad-s",
         metavar="AXIS",
-        help="Size of the block as p = sqrt(3 g/(4 R)) \\[rad/s], instead of --periods-s.",
+        help="Set the size of the block as p = sqrt(3 g/(4 R)) \\[rad/s], instead of --periods-s.",
+        rich_help_panel=options.BLOCK,
+    ),
+]
+WidthM = Annotated[
+    str | None,
+    typer.Option(
+        "--width-m",
+        metavar="AXIS",
+        help="Set the full width \\[m], with --height-m, instead of slenderness and period: a "
+        "number or an axis.",
+        rich_help_panel=options.BLOCK,
+    ),
+]
+HeightM = Annotated[
+    str | None,
+    typer.Option(
+        "--height-m",
+        metavar="AXIS",
+        help="Set the full height \\[m]: a number or an axis, each with every width.",
         rich_help_panel=options.BLOCK,
     ),
 ]
@@ -90,8 +118,8 @@ RestitutionFlag = Annotated[
         "--restitution",
         "-r",
         metavar="R",
-        help="Ratio of angular velocities after and before an impact, in (0, 1], or 'housner' "
-        "(default) for that of each slenderness.",
+        help="Set the ratio of angular velocities after and before an impact, in (0, 1], or "
+        "'housner' (default) for that of each slenderness.",
         rich_help_panel=options.BLOCK,
     ),
 ]
@@ -108,6 +136,8 @@ def spectrum(
     alpha_deg: AlphaDeg = None,
     periods_s: PeriodsS = None,
     p_rad_s: PRadS = None,
+    width_m: WidthM = None,
+    height_m: HeightM = None,
     restitution: RestitutionFlag = None,
     model: options.Model = None,
     gravity_m_s2: options.GravityMS2 = None,
@@ -115,82 +145,158 @@ def spectrum(
 ) -> None:
     """Run `rocksteady spectrum`; `HELP` is what its users read."""
     sweep.check(output)
+    refuse_records(recorded, reading, model)
+    equations = named_model("nonlinear" if model is None else model, tolerance)
+    output.refuse_read(recorded.files, netcdf=sweep.netcdf)
+    ratio = _restitution(restitution)
+    gravity = STANDARD_GRAVITY if gravity_m_s2 is None else gravity_m_s2
+    blocks: list[Block] = []
+    slenderness: list[float] = []
+    periods: list[float] = []
+    if width_m is not None or height_m is not None:
+        others = (alpha_rad, alpha_deg, periods_s, p_rad_s)
+        blocks = _rectangles(width_m, height_m, others, ratio, gravity)
+    else:
+        slenderness = _slenderness(alpha_rad, alpha_deg)
+        periods = _periods(periods_s, p_rad_s)
+    if output.plot is not None:
+        _check_drawable(recorded, len(slenderness), len(periods))
+    run = sweep.run(force=output.force)
+    motions, lifting = motions_of(recorded, reading)
+
+    announce_compilation("records.record_fates")
+    from rocksteady.seismic.spectra.describe import describe_spectrum
+    from rocksteady.seismic.spectra.many import simulate_many
+    from rocksteady.seismic.spectra.rocking import compute_rocking_spectrum
+
+    count = len(blocks) or len(slenderness) * len(periods)
+    with (
+        sweep.resumable(context.find_root().obj),
+        sweeping("following blocks", len(motions) * count * len(recorded.scales)) as meter,
+    ):
+        scales = recorded.scales[0] if len(recorded.scales) == 1 else recorded.scales
+        common: dict[str, Any] = {"model": equations, "scales": scales}
+        common["run"] = replace(run, progress=meter)
+        if blocks:
+            dataset = simulate_many(blocks, motions, **common)
+        else:
+            sizes: dict[str, Any] = {"alpha": slenderness, "periods_s": periods}
+            kind: dict[str, Any] = {"restitution": ratio, "gravity": gravity}
+            dataset = compute_rocking_spectrum(motions, **sizes, **kind, **common)
+    dataset = dataset.load()
+    dataset.attrs["direction"] = "reversed" if recorded.reverse else "as recorded"
+    described = describe_spectrum(dataset)
+    names = zip(dataset["record"].values.tolist(), recorded.record or [], strict=True)
+    values = {
+        **described.to_dict(),
+        "restitution": ratio,
+        "gravity_m_s2": gravity,
+        "records": [{"name": name, "file": str(file)} for name, file in names],
+        "pga_g": recorded.pga_g,
+        "seconds": meter.seconds,
+        "store": run.place and str(run.place.path),
+        **({} if lifting is None else {"vertical_processing": list(lifting.processing)}),
+    }
+    write_files(dataset, described.headline, output, sweep)
+    if output.as_json:
+        print_json("spectrum", values)
+    else:
+        kept = f", kept in {values['store']}" if values["store"] else ""
+        note = f"{values['cells']:,} motions in {meter.seconds:.2f} s{kept}"
+        print_description(replace(described, notes=[*described.notes, note]), terminal.console())
+    if values["counts"]["undecided"]:
+        raise typer.Exit(INCOMPLETE)
+
+
+def refuse_records(recorded: RecordFlags, reading: ReadingFlags, model: str | None) -> None:
+    """Refuse records that are none, or do not go together.
+
+    Raises
+    ------
+    ModelError
+        If there is none, a vertical one beside several, or one in the linear model.
+    """
     if not recorded.given(reading):
         raise missing(
             "--record",
             valid="a rocking spectrum needs a ground motion",
             hint="add --record FILE, several times for a suite",
         )
-    equations = named_model("nonlinear" if model is None else model, tolerance)
-    files = recorded.record or []
-    output.refuse_read(recorded.files, netcdf=sweep.netcdf)
-    if recorded.vertical is not None and len(files) > 1:
+    count = len(recorded.record or [])
+    if recorded.vertical is not None and count > 1:
         raise FlagError(
             "--vertical",
             recorded.vertical,
-            f"it belongs to one record, and there are {len(files)}",
-            "give one --record, or a list of each to compute_rocking_spectrum in Python",
+            f"it belongs to one record, and there are {count}",
+            "give one --record, or a list of BaseMotion to compute_rocking_spectrum in Python",
         )
     refuse_of_linear(model, "--vertical", recorded.vertical)
-    slenderness = _slenderness(alpha_rad, alpha_deg)
-    sizes = _sizes(periods_s, p_rad_s)
-    count = len(next(iter(sizes.values())))
-    if output.plot is not None:
-        _check_drawable(len(files), len(slenderness), count)
-    ratio = _restitution(restitution)
-    run = sweep.run(force=output.force)
-    across = recorded.recordings(reading)
+
+
+def motions_of(
+    recorded: RecordFlags, reading: ReadingFlags
+) -> "tuple[list[Record | BaseMotion], Recording | None]":
+    """Return the ground motions without --scale, and the vertical channel where there is one."""
+    across = [recorded.at_pga(each) for each in recorded.recordings(reading)]
     lifting = recorded.vertical_recording(reading, across[0])
-    records: list[Record | BaseMotion] = [one.record for one in across]
-    if lifting is not None:
-        records = [BaseMotion(across[0].record, lifting.record)]
+    records = [each.record.reversed() if recorded.reverse else each.record for each in across]
+    if lifting is None:
+        return [*records], None
+    return [BaseMotion(records[0], lifting.record)], lifting
 
-    announce_compilation("records.record_fates")
-    from rocksteady.model.blocks.block import STANDARD_GRAVITY
-    from rocksteady.seismic.spectra.rocking import compute_rocking_spectrum
-    from rocksteady.seismic.spectra.suite import summarise_spectra
 
-    with (
-        sweep.resumable(context.find_root().obj),
-        sweeping("following blocks", len(records) * len(slenderness) * count) as meter,
-    ):
-        found = compute_rocking_spectrum(
-            records,
-            alpha=slenderness,
-            **sizes,
-            restitution=ratio,
-            model=equations,
-            scale=1.0 if recorded.scale is None else recorded.scale,
-            reverse=recorded.reverse,
-            gravity=STANDARD_GRAVITY if gravity_m_s2 is None else gravity_m_s2,
-            run=replace(run, progress=meter),
-        )
-    found = found.load()
-    summary = summarise_spectra(found) if len(records) > 1 else None
-    values = spectrum_values(found, summary, files)
-    values |= {"seconds": meter.seconds, "store": run.place and str(run.place.path)}
-    if lifting is not None:
-        values["vertical_processing"] = list(lifting.processing)
+def write_files(
+    dataset: "xarray.Dataset", title: str, output: OutputFlags, sweep: SweepFlags
+) -> None:
+    """Write the files that the flags name."""
     if output.csv is not None:
-        write_cells(output.csv, found)
+        write_cells(output.csv, dataset)
     if sweep.netcdf is not None:
-        write_netcdf(sweep.netcdf, found)
+        write_netcdf(sweep.netcdf, dataset)
     if output.plot is not None:
+        from rocksteady.seismic.spectra.suite import summarise_spectra
         from rocksteady.show.figures.spectra import spectrum_figure, suite_figure
 
-        title = title_of(values)
-        write_figure(
-            output.plot,
-            spectrum_figure(found, title, output.page)
-            if summary is None
-            else suite_figure(summary, title, output.page),
+        suite = dataset.sizes["record"] > 1
+        figure = (
+            suite_figure(summarise_spectra(dataset), title, output.page)
+            if suite
+            else spectrum_figure(dataset, title, output.page)
         )
-    if output.as_json:
-        print_json("spectrum", values)
-    else:
-        print_spectrum(values, found, summary, degrees=alpha_deg is not None)
-    if values["counts"]["undecided"]:
-        raise typer.Exit(INCOMPLETE)
+        write_figure(output.plot, figure)
+
+
+def _rectangles(
+    width_m: str | None,
+    height_m: str | None,
+    others: Sequence[str | None],
+    ratio: "Restitution",
+    gravity: float,
+) -> list[Block]:
+    """Return the blocks of --width-m and --height-m, every width with every height.
+
+    Raises
+    ------
+    InputError, ModelError
+        If one is missing, no axis or not positive, or a slenderness or a size is given too.
+    """
+    if width_m is None or height_m is None:
+        raise missing(
+            "--width-m" if width_m is None else "--height-m",
+            valid="a size is a width and a height",
+            hint="give both, each a number or an axis",
+        )
+    if any(value is not None for value in others):
+        raise both(
+            "--width-m",
+            "a slenderness or a period",
+            valid="blocks are given by their sizes, or by slenderness and period",
+        )
+    return [
+        Block.rectangle(width=width, height=height, restitution=ratio, gravity=gravity)
+        for width in axis("--width-m", width_m)
+        for height in axis("--height-m", height_m)
+    ]
 
 
 def _slenderness(alpha_rad: str | None, alpha_deg: str | None) -> list[float]:
@@ -214,20 +320,19 @@ def _slenderness(alpha_rad: str | None, alpha_deg: str | None) -> list[float]:
     return axis("--alpha-rad", alpha_rad)
 
 
-def _sizes(periods_s: str | None, p_rad_s: str | None) -> dict[str, list[float]]:
-    """Return the sizes of the blocks under the argument's name that they are given as.
+def _periods(periods_s: str | None, p_rad_s: str | None) -> list[float]:
+    """Return the sizes of the blocks as periods 2 pi/p [s].
 
     Raises
     ------
     InputError, ModelError
-        If both are given, or one is no axis.
+        If both are given, or one is no axis or not positive.
     """
     if p_rad_s is None:
-        text = DEFAULT_PERIODS if periods_s is None else periods_s
-        return {"periods_s": axis("--periods-s", text)}
+        return axis("--periods-s", DEFAULT_PERIODS if periods_s is None else periods_s)
     if periods_s is not None:
         raise both("--periods-s", "--p-rad-s", valid="one of the two is the size")
-    return {"p": axis("--p-rad-s", p_rad_s)}
+    return [2.0 * math.pi / p_value(value) for value in axis("--p-rad-s", p_rad_s)]
 
 
 def _restitution(text: str | None) -> "Restitution":
@@ -249,21 +354,28 @@ def _restitution(text: str | None) -> "Restitution":
     return found
 
 
-def _check_drawable(records: int, slendernesses: int, sizes: int) -> None:
+def _check_drawable(recorded: RecordFlags, slendernesses: int, sizes: int) -> None:
     """Refuse, before anything is computed, a spectrum of which there is no picture.
 
     Raises
     ------
     ModelError
-        If there is a single size, or a suite with too many slendernesses.
+        If there is a single size, several scales, or a suite with too many slendernesses.
     """
+    if slendernesses == 0 or len(recorded.scales) > 1:
+        what = "several values of --scale" if slendernesses else "--width-m and --height-m"
+        raise FlagError(
+            finding=f"--plot with {what}",
+            valid="a spectrum is drawn over --periods-s at one scale",
+            hint="give --alpha-deg and --periods-s, or take --csv",
+        )
     if sizes < 2:
         raise FlagError(
             finding="--plot with one value of --periods-s or --p-rad-s",
             valid="a spectrum is drawn over two sizes or more",
             hint="give --periods-s as an axis, or leave --plot out",
         )
-    if records > 1 and slendernesses > MOST_PANELS:
+    if len(recorded.record or []) > 1 and slendernesses > MOST_PANELS:
         raise FlagError(
             finding=f"--plot with {slendernesses} values of --alpha-rad or --alpha-deg",
             valid=f"of a suite at most {MOST_PANELS} are drawn",

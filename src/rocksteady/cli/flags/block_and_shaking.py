@@ -1,5 +1,6 @@
 """Flags for the block and its shaking, converted to objects of the model."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
@@ -14,7 +15,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.examples import named_block
-from rocksteady.model.blocks.sides import Restitution
+from rocksteady.model.blocks.sides import Restitution, length_value
 from rocksteady.model.checks.validation import LARGEST, in_range, non_negative
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.model.motions.pulses import Pulse
@@ -31,6 +32,7 @@ class ShakingFlags:
     amplitude: options.Amplitude = None
     frequency_ratio: options.FrequencyRatio = None
     accel_g: options.AccelG = None
+    accel_m_s2: options.AccelMS2 = None
     freq_hz: options.FreqHz = None
 
     @property
@@ -48,24 +50,33 @@ class ShakingFlags:
         InputError, ModelError
             If a value is missing, given twice, no number, negative, or needs a block.
         """
-        for flag, value in (("--accel-g", self.accel_g), ("--freq-hz", self.freq_hz)):
+        for flag, value in (
+            ("--accel-g", self.accel_g),
+            ("--accel-m-s2", self.accel_m_s2),
+            ("--freq-hz", self.freq_hz),
+        ):
             if value is not None and isinstance(block, DimensionlessBlock):
                 raise FlagError(
                     flag,
                     value,
-                    "g and Hz need a block with a slenderness and a p",
+                    "m/s^2, g and Hz need a block with a slenderness and a p",
                     "describe a block, or give -A and -W",
                 )
-        for flag, one, alias, other in (
-            ("--amplitude/-A", self.amplitude, "--accel-g", self.accel_g),
-            ("--frequency-ratio/-W", self.frequency_ratio, "--freq-hz", self.freq_hz),
+        peak = {"--accel-g": self.accel_g, "--accel-m-s2": self.accel_m_s2}
+        hertz = {"--freq-hz": self.freq_hz}
+        for flags in (
+            {"--amplitude/-A": self.amplitude} | peak,
+            {"--frequency-ratio/-W": self.frequency_ratio} | hertz,
         ):
-            if one is not None and other is not None:
-                raise both(flag, alias, valid="exactly one of the two is needed")
-            if one is None and other is None:
+            named = [flag for flag, value in flags.items() if value is not None]
+            valid = "exactly one of the two is needed"
+            if len(named) > 1:
+                raise both(*named[:2], valid=valid)
+            if not named:
+                first, second, *_ = flags
                 raise FlagError(
-                    finding=f"of {flag} and {alias}, neither given",
-                    valid="exactly one of the two is needed",
+                    finding=f"of {first} and {second}, neither given",
+                    valid=valid,
                     hint="give one",
                 )
         found: dict[str, list[float]] = {}
@@ -76,6 +87,11 @@ class ShakingFlags:
             for end in (peaks[0], peaks[-1]):
                 non_negative("--accel-g", end, hint="give the peak in g; 0.3 is usual")
             found["acceleration_m_s2"] = [min(g, LARGEST) * block.gravity for g in peaks]
+        if self.accel_m_s2 is not None:
+            peaks = axis("--accel-m-s2", self.accel_m_s2)
+            for end in (peaks[0], peaks[-1]):
+                non_negative("--accel-m-s2", end, hint="give the peak in m/s^2; 3 is usual")
+            found["acceleration_m_s2"] = peaks
         if self.frequency_ratio is not None:
             found["frequency_ratio"] = axis("frequency_ratio", self.frequency_ratio)
         if self.freq_hz is not None:
@@ -180,6 +196,8 @@ class BlockFlags:
     block: options.NamedBlock = None
     width_m: options.WidthM = None
     height_m: options.HeightM = None
+    offset_m: options.OffsetM = None
+    mass_centre_height_m: options.MassCentreHeightM = None
     left_m: options.LeftM = None
     right_m: options.RightM = None
     gyration_m: options.GyrationM = None
@@ -205,6 +223,7 @@ class BlockFlags:
         """
         gravity = STANDARD_GRAVITY if self.gravity_m_s2 is None else self.gravity_m_s2
         given = [FLAG_OF_ARGUMENT[name] for name in (*self.sizes, *self.asymmetric)]
+        given += self._moved
         if not given and self.block is None:
             if self.gravity_m_s2 is not None:
                 raise FlagError(
@@ -222,7 +241,8 @@ class BlockFlags:
             flags_given = " ".join(["--block", *given] if self.block is not None else given)
             raise FlagError(
                 finding=f"{flags_given} alone describe no block",
-                valid="it is described by --width-m with --height-m, by --alpha-rad with "
+                valid="it is described by --width-m with --height-m (and --offset-m, "
+                "--mass-centre-height-m), by --alpha-rad with "
                 "--radius-m, by --alpha-rad with --p-rad-s, by --left-m and --right-m with "
                 "--height-m, or by --block alone",
                 hint="give one of these pairs, or the three",
@@ -234,8 +254,10 @@ class BlockFlags:
         sizes = {name: single(FLAG_OF_ARGUMENT[name], self.sizes[name]) for name in self.sizes}
         if self.block is not None:
             own = None if self.restitution is None else ratio
-            named = not sizes and not self.asymmetric
+            named = not sizes and not self.asymmetric and not self._moved
             return named_block(self.block, restitution=own, gravity=gravity) if named else None
+        if self._moved:
+            return self._off_centre(sizes, ratio, gravity)
         whole = {"left", "right", *self.asymmetric} == self.asymmetric.keys()
         makers: dict[tuple[str, ...], Callable[..., Block]] = {
             ("width", "height"): Block.rectangle,
@@ -250,9 +272,46 @@ class BlockFlags:
         rest: dict[str, Any] = {"restitution": ratio, "gravity": gravity}
         return None if make is None else make(**sizes, **self.asymmetric, **rest)
 
+    @property
+    def _moved(self) -> list[str]:
+        """The flags that move the mass centre off the middle of the outline."""
+        flags = {"--offset-m": self.offset_m, "--mass-centre-height-m": self.mass_centre_height_m}
+        return [flag for flag, value in flags.items() if value is not None]
+
+    def _off_centre(
+        self, sizes: dict[str, float], ratio: Restitution, gravity: float
+    ) -> Block | None:
+        """Return the outline of --width-m and --height-m whose mass centre is off its middle."""
+        if tuple(sizes) != ("width", "height") or self.asymmetric.keys() - {"gyration"}:
+            return None
+        width, height = sizes["width"], sizes["height"]
+        for name, size in sizes.items():
+            length_value(name, size, hint=f"give the full {name} in metres")
+        offset, centre = self.offset_m or 0.0, self.mass_centre_height_m
+        if centre is None:
+            centre = 0.5 * height
+        half = 0.5 * width
+        hint = "give metres from the middle of the base, positive to the left"
+        in_range("--offset-m", offset, -half, half, "()", hint=hint)
+        in_range(
+            "--mass-centre-height-m", centre, 0.0, height, "(]", hint="give metres above the base"
+        )
+        gyration = self.gyration_m
+        if gyration is None and centre != 0.5 * height:  # else what `asymmetric` takes
+            gyration = math.sqrt((width * width + height * height) / 12.0)
+        return Block.asymmetric(
+            left=half - offset,
+            right=half + offset,
+            height=2.0 * centre,
+            gyration=gyration,
+            restitution=ratio,
+            gravity=gravity,
+        )
+
     def refuse_sides(self, valid: str, hint: str) -> FlagError:
         """Return the error of a block whose sides differ, with the flags that make them differ."""
         flags_given = "--left-m and --right-m" if self.asymmetric else "--restitution/-r"
+        flags_given = "--offset-m" if self.offset_m else flags_given
         return FlagError(
             finding=f"{flags_given} make a block whose sides differ", valid=valid, hint=hint
         )

@@ -29,7 +29,7 @@ FLAG_OF_ARGUMENT = {
     "alpha_ratio": "--left-m/--right-m",
     "p_ratio": "--left-m/--right-m",
     "negative_restitution": "--restitution/-r",
-    "acceleration_m_s2": "--accel-g",
+    "acceleration_m_s2": "--accel-g/--accel-m-s2",
     "frequency_hz": "--freq-hz",
     "phase": "--phase",
     "shape": "--pulse",
@@ -77,6 +77,9 @@ FLAG_OF_ARGUMENT = {
     "periods_s": "--periods-s",
     "records": "--record",
     "scale": "--scale",
+    "scales": "--scale",
+    "pga_g": "--pga-g",
+    "motions": "--record",
     "vertical": "--vertical",
     "legend": "--legend",
     "width_mm": "--width",
@@ -89,7 +92,7 @@ Amplitude = Annotated[
         "--amplitude",
         "-A",
         metavar="A",
-        help="Peak base acceleration over alpha g; 1 just lifts a block at rest.",
+        help="Set the peak base acceleration over alpha g; 1 just lifts a block at rest.",
         rich_help_panel=MOTION,
     ),
 ]
@@ -99,7 +102,7 @@ FrequencyRatio = Annotated[
         "--frequency-ratio",
         "-W",
         metavar="W",
-        help="Omega = omega/p, circular frequency of the shaking over the block's p.",
+        help="Set Omega = omega/p, the circular frequency of the shaking over the block's p.",
         rich_help_panel=MOTION,
     ),
 ]
@@ -108,7 +111,16 @@ AccelG = Annotated[
     typer.Option(
         "--accel-g",
         metavar="G",
-        help="Peak base acceleration in g; needs a block, instead of -A.",
+        help="Set the peak base acceleration in g, instead of -A; needs a block.",
+        rich_help_panel=MOTION,
+    ),
+]
+AccelMS2 = Annotated[
+    str | None,
+    typer.Option(
+        "--accel-m-s2",
+        metavar="ACC",
+        help="Set the peak base acceleration in m/s^2, instead of -A; needs a block.",
         rich_help_panel=MOTION,
     ),
 ]
@@ -117,7 +129,7 @@ FreqHz = Annotated[
     typer.Option(
         "--freq-hz",
         metavar="F",
-        help="Frequency of the shaking in Hz; needs a block, instead of -W.",
+        help="Set the frequency of the shaking in Hz, instead of -W; needs a block.",
         rich_help_panel=MOTION,
     ),
 ]
@@ -126,8 +138,8 @@ PulseName = Annotated[
     typer.Option(
         "--pulse",
         metavar="NAME",
-        help="A single pulse instead of endless shaking, after which the base stands still; its "
-        "size and frequency are those of -A and -W, or --accel-g and --freq-hz. "
+        help="Shake with a single pulse, after which the base stands still; its size and frequency "
+        "are those of -A and -W, or --accel-g and --freq-hz. "
         "Half a period: rectangle, half-sine, versed-sine, triangle, decaying-ramp. A period: "
         "one-sine, one-cosine. About n + 1/2 periods: type-c1, type-c2, type-c3, ... Wavelets: "
         "ricker, ricker-antisymmetric, mavroeidis-papageorgiou (whose nu is --phase).",
@@ -139,9 +151,9 @@ Model = Annotated[
     typer.Option(
         "--model",
         metavar="NAME",
-        help="Equations of motion: linear (slender blocks, in closed form) or nonlinear (the full "
-        "equations, which need a block; the default of a block under a pulse or a record, or "
-        "let go).",
+        help="Choose the equations of motion: linear (slender blocks, in closed form) or nonlinear "
+        "(the full equations, which need a block). Default: nonlinear for a block under a pulse or "
+        "a record, or rocking freely; else linear.",
         rich_help_panel=BLOCK,
     ),
 ]
@@ -150,7 +162,7 @@ Tolerance = Annotated[
     typer.Option(
         "--tolerance",
         metavar="X",
-        help="Error that the nonlinear motion may have, as a part of it; default 1e-10.",
+        help="Set the relative error of the nonlinear motion; default 1e-10.",
         rich_help_panel=BLOCK,
     ),
 ]
@@ -159,7 +171,7 @@ Oscillations = Annotated[
     typer.Option(
         "--oscillations",
         metavar="GAMMA",
-        help="gamma of --pulse mavroeidis-papageorgiou, above 1, default 2.",
+        help="Set gamma of --pulse mavroeidis-papageorgiou, above 1; default 2.",
         rich_help_panel=MOTION,
     ),
 ]
@@ -169,8 +181,8 @@ Restitution = Annotated[
         "--restitution",
         "-r",
         metavar="R",
-        help="Ratio of angular velocities after and before an impact, in (0, 1], or 'housner' "
-        "(default where a block is given); two with a comma, as 0.8,0.9, for the impact that ends "
+        help="Set the ratio of angular velocities after and before an impact, in (0, 1], or "
+        "'housner' (default for a block); two with a comma, as 0.8,0.9, for the impact that ends "
         "positive rotation and for the other.",
         rich_help_panel=BLOCK,
     ),
@@ -181,7 +193,7 @@ Order = Annotated[
         "--order",
         "-n",
         metavar="N",
-        help="Half periods of the shaking in one half cycle, odd: 1 harmonic, 3 the 1/3 "
+        help="Set the half periods of the shaking in one half cycle, odd: 1 harmonic, 3 the 1/3 "
         "subharmonic.",
         rich_help_panel=MOTION,
     ),
@@ -191,8 +203,8 @@ Start = Annotated[
     typer.Option(
         "--start",
         metavar="START",
-        help="rest; steady or steady:2 (on branch 1 or 2 of order -n); U,V (u and du/d(pt)); or "
-        "U,tau=DU (DU = du/d(omega t)).",
+        help="Start at rest; on steady or steady:2 (branch 1 or 2 of order -n); at U,V (u and "
+        "du/d(pt)); or at U,tau=DU (DU = du/d(omega t)).",
         rich_help_panel=START,
     ),
 ]
@@ -212,7 +224,7 @@ Side = Annotated[
     typer.Option(
         "--side",
         metavar="+|-",
-        help="Side of its unstable direction on which an unstable state is left.",
+        help="Choose the side of its unstable direction on which an unstable state is left.",
         rich_help_panel=START,
     ),
 ]
@@ -221,7 +233,7 @@ Kick = Annotated[
     typer.Option(
         "--kick",
         metavar="K",
-        help="How far from an unstable steady state the block is set off, default 1e-6: length of "
+        help="Set the distance from an unstable steady state at the start; default 1e-6: length of "
         "(phase \\[rad], velocity over the orbit's).",
         rich_help_panel=START,
     ),
@@ -231,7 +243,8 @@ Phase = Annotated[
     typer.Option(
         "--phase",
         metavar="RAD",
-        help="Phase of the shaking at the start \\[rad], default 0; not with --start steady.",
+        help="Set the phase of the shaking at the start \\[rad], not with --start steady; default "
+        "0.",
         rich_help_panel=START,
     ),
 ]
@@ -240,24 +253,53 @@ NamedBlock = Annotated[
     typer.Option(
         "--block",
         metavar="NAME",
-        help=f"A named block: {', '.join(SOURCES)}.",
+        help=f"Take a named block: {', '.join(SOURCES)}.",
         rich_help_panel=BLOCK,
     ),
 ]
 WidthM = Annotated[
     str | None,
-    typer.Option("--width-m", metavar="M", help="Full width \\[m].", rich_help_panel=BLOCK),
+    typer.Option(
+        "--width-m",
+        metavar="M",
+        help="Set the full width of the base \\[m].",
+        rich_help_panel=BLOCK,
+    ),
 ]
 HeightM = Annotated[
     str | None,
-    typer.Option("--height-m", metavar="M", help="Full height \\[m].", rich_help_panel=BLOCK),
+    typer.Option(
+        "--height-m", metavar="M", help="Set the full height \\[m].", rich_help_panel=BLOCK
+    ),
+]
+OffsetM = Annotated[
+    float | None,
+    typer.Option(
+        "--offset-m",
+        metavar="M",
+        help="Move the mass centre off the middle of --width-m \\[m], positive to the left: "
+        "the left edge, the pivot of positive rotation, is then nearer; default 0. The radius of "
+        "gyration about the mass centre stays that of the homogeneous outline.",
+        rich_help_panel=BLOCK,
+    ),
+]
+MassCentreHeightM = Annotated[
+    float | None,
+    typer.Option(
+        "--mass-centre-height-m",
+        metavar="M",
+        help="Set the height of the mass centre above the base \\[m], with --width-m and "
+        "--height-m; default half of --height-m. The radius of gyration about the mass centre "
+        "stays that of the homogeneous outline, unless --gyration-m is given.",
+        rich_help_panel=BLOCK,
+    ),
 ]
 LeftM = Annotated[
     float | None,
     typer.Option(
         "--left-m",
         metavar="M",
-        help="Horizontal distance from the left edge to the mass centre \\[m], with --right-m and "
+        help="Set the distance from the left edge to the mass centre \\[m], with --right-m and "
         "--height-m (twice the height of the mass centre): a block whose sides differ. The left "
         "edge is the pivot of positive rotation, and its side the unit of angles and times.",
         rich_help_panel=BLOCK,
@@ -268,7 +310,7 @@ RightM = Annotated[
     typer.Option(
         "--right-m",
         metavar="M",
-        help="Horizontal distance from the right edge to the mass centre \\[m].",
+        help="Set the distance from the right edge to the mass centre \\[m].",
         rich_help_panel=BLOCK,
     ),
 ]
@@ -277,8 +319,9 @@ GyrationM = Annotated[
     typer.Option(
         "--gyration-m",
         metavar="M",
-        help="Radius of gyration about the mass centre \\[m], with --left-m; default that of the "
-        "homogeneous rectangle of this base and height.",
+        help="Set the radius of gyration about the mass centre \\[m], with --left-m, --offset-m or "
+        "--mass-centre-height-m; default that of the homogeneous rectangle of this base and "
+        "height.",
         rich_help_panel=BLOCK,
     ),
 ]
@@ -287,7 +330,7 @@ AlphaRad = Annotated[
     typer.Option(
         "--alpha-rad",
         metavar="RAD",
-        help="Slenderness: tilt at which the block balances \\[rad].",
+        help="Set the slenderness, the tilt at which the block balances \\[rad].",
         rich_help_panel=BLOCK,
     ),
 ]
@@ -296,7 +339,7 @@ RadiusM = Annotated[
     typer.Option(
         "--radius-m",
         metavar="M",
-        help="Distance from pivot to mass centre \\[m], of a homogeneous rectangle.",
+        help="Set the distance from pivot to mass centre \\[m] of a homogeneous rectangle.",
         rich_help_panel=BLOCK,
     ),
 ]
@@ -305,7 +348,7 @@ PRadS = Annotated[
     typer.Option(
         "--p-rad-s",
         metavar="P",
-        help="Frequency parameter sqrt(M g R/I_0) \\[rad/s], instead of --radius-m.",
+        help="Set the frequency parameter sqrt(M g R/I_0) \\[rad/s], instead of --radius-m.",
         rich_help_panel=BLOCK,
     ),
 ]
@@ -314,14 +357,16 @@ GravityMS2 = Annotated[
     typer.Option(
         "--gravity-m-s2",
         metavar="G",
-        help="Gravity \\[m/s^2], default 9.80665.",
+        help="Set the acceleration of gravity \\[m/s^2]; default 9.80665.",
         rich_help_panel=BLOCK,
     ),
 ]
 Json = Annotated[
     bool,
     typer.Option(
-        "--json", help="One JSON object on standard output, nothing else.", rich_help_panel=OUTPUT
+        "--json",
+        help="Print one JSON object on standard output, nothing else.",
+        rich_help_panel=OUTPUT,
     ),
 ]
 Plot = Annotated[
@@ -335,7 +380,7 @@ Width = Annotated[
     typer.Option(
         "--width",
         metavar="LENGTH",
-        help="Width of --plot with its unit (mm, cm or in), as 84mm for a column of a journal.",
+        help="Set the width of --plot with its unit (mm, cm or in), as 84mm for a journal column.",
         rich_help_panel=OUTPUT,
     ),
 ]
@@ -344,7 +389,8 @@ Legend = Annotated[
     typer.Option(
         "--legend",
         metavar="PLACE",
-        help="Legends of --plot: inside, right, below or none; by default where there is room.",
+        help="Place the legends of --plot: inside, right, below or none; default where there is "
+        "room.",
         rich_help_panel=OUTPUT,
     ),
 ]
@@ -357,7 +403,7 @@ Animate = Annotated[
     typer.Option(
         "--animate",
         metavar="FILE",
-        help="Save a film of the block on its moving ground, in true scale: .gif.",
+        help="Save a film of the block on its moving ground, to scale: .gif.",
         rich_help_panel=OUTPUT,
     ),
 ]
@@ -366,8 +412,8 @@ Speed = Annotated[
     typer.Option(
         "--speed",
         metavar="X",
-        help="What passes in a second of --animate: seconds of a block (1 is real time), else "
-        "periods of the shaking, else pt. Default 1, or what shows the run well.",
+        help="Set the speed of --animate: seconds of a block (1 is real time), else periods of the "
+        "shaking, else pt, per second of film; default 1, or what shows the run well.",
         rich_help_panel=OUTPUT,
     ),
 ]
@@ -380,7 +426,7 @@ OutFolder = Annotated[
     typer.Option(
         "--out",
         metavar="DIR",
-        help="Folder to write into; made if it is not there.",
+        help="Write into this folder; made if it does not exist.",
         rich_help_panel=OUTPUT,
     ),
 ]
@@ -388,7 +434,7 @@ ResumeStudy = Annotated[
     bool,
     typer.Option(
         "--resume",
-        help="Continue the study in the folder where it stopped; begin it if it is not there.",
+        help="Continue the study in the folder where it stopped; begin it if it does not exist.",
         rich_help_panel=OUTPUT,
     ),
 ]

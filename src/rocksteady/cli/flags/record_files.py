@@ -2,17 +2,20 @@
 
 import re
 from dataclasses import dataclass, fields, replace
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from rocksteady.cli.console import terminal
-from rocksteady.cli.console.refusals import FlagError, missing
+from rocksteady.cli.console.refusals import FlagError, both, missing
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT, MOTION
+from rocksteady.cli.flags.parsing import axis, single
 from rocksteady.errors import InputError, RecordFileError
-from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.show.style.escaping import printable
 
 if TYPE_CHECKING:
@@ -21,22 +24,35 @@ if TYPE_CHECKING:
 
 READING = "Reading files"
 
+MOST_USUAL_SCALE = 10.0
+"""Factor of a record beyond which a wrong unit is more likely than a wish."""
+
 RecordFile = Annotated[
     list[Path] | None,
     typer.Option(
         "--record",
         metavar="FILE",
-        help="Ground-motion file whose acceleration shakes a block of known size; the base stands "
-        "still after its end.",
+        help="Shake a block of known size with the acceleration of a ground-motion file; the base "
+        "stands still after its end.",
         rich_help_panel=MOTION,
     ),
 ]
 Scale = Annotated[
-    float | None,
+    str | None,
     typer.Option(
         "--scale",
         metavar="S",
-        help="What accelerations of --record, and of --vertical, are multiplied by; default 1.",
+        help="Multiply the accelerations of --record, and of --vertical, by a factor; default 1.",
+        rich_help_panel=MOTION,
+    ),
+]
+PgaG = Annotated[
+    float | None,
+    typer.Option(
+        "--pga-g",
+        metavar="G",
+        help="Scale --record to a peak acceleration in g (9.80665 m/s^2), and --vertical by the "
+        "same factor; instead of --scale.",
         rich_help_panel=MOTION,
     ),
 ]
@@ -45,8 +61,8 @@ VerticalFile = Annotated[
     typer.Option(
         "--vertical",
         metavar="FILE",
-        help="Vertical acceleration beside --record, the vertical channel of a file with several; "
-        "upwards is positive, and DWN is turned. The linear model has no term for it.",
+        help="Add the vertical acceleration of a file, its vertical channel where it has several; "
+        "upwards is positive, and DWN is reversed. The linear model has no term for it.",
         rich_help_panel=MOTION,
     ),
 ]
@@ -62,8 +78,8 @@ ReverseVertical = Annotated[
     bool,
     typer.Option(
         "--reverse-vertical",
-        help="Change the sign of --vertical, for a file that states its direction wrongly; PEER's "
-        "DWN is positive downwards and is turned by itself.",
+        help="Change the sign of --vertical, for a file that states its direction wrongly; DWN of "
+        "PEER, positive downwards, is reversed without it.",
         rich_help_panel=MOTION,
     ),
 ]
@@ -72,7 +88,7 @@ Channel = Annotated[
     typer.Option(
         "--channel",
         metavar="NAME",
-        help="Which channel of a file that has several: its component, or its number from 1.",
+        help="Choose the channel of a file with several: its component, or its number from 1.",
         rich_help_panel=READING,
     ),
 ]
@@ -81,7 +97,7 @@ FormatName = Annotated[
     typer.Option(
         "--format",
         metavar="NAME",
-        help="Format of the files; by default told from what they hold.",
+        help="Set the format of the files; default: recognised from their content.",
         rich_help_panel=READING,
     ),
 ]
@@ -90,7 +106,7 @@ Units = Annotated[
     typer.Option(
         "--units",
         metavar="UNIT",
-        help="Unit of the numbers in files that do not state it: g, m/s^2, cm/s^2, gal, ...",
+        help="Set the unit of numbers in files that do not state it: g, m/s^2, cm/s^2, gal, ...",
         rich_help_panel=READING,
     ),
 ]
@@ -99,7 +115,7 @@ DtS = Annotated[
     typer.Option(
         "--dt-s",
         metavar="DT",
-        help="Interval between samples \\[s] in files that do not state it.",
+        help="Set the interval between samples \\[s] in files that do not state it.",
         rich_help_panel=READING,
     ),
 ]
@@ -108,7 +124,7 @@ Column = Annotated[
     typer.Option(
         "--column",
         metavar="NAME",
-        help="Of a table: the column with the acceleration, by its number from 1 or its name.",
+        help="Choose the column of a table with the acceleration: its number from 1, or its name.",
         rich_help_panel=READING,
     ),
 ]
@@ -116,7 +132,7 @@ Resample = Annotated[
     bool,
     typer.Option(
         "--resample",
-        help="Interpolate a table whose times are unevenly spaced to even ones.",
+        help="Interpolate a table with uneven times to even ones.",
         rich_help_panel=READING,
     ),
 ]
@@ -125,7 +141,7 @@ Baseline = Annotated[
     typer.Option(
         "--baseline",
         metavar="NAME",
-        help="What is taken off the accelerations: none, mean, linear or polynomial:N.",
+        help="Subtract a baseline from the accelerations: none, mean, linear or polynomial:N.",
         rich_help_panel=READING,
     ),
 ]
@@ -264,6 +280,7 @@ class RecordFlags:
 
     record: RecordFile = None
     scale: Scale = None
+    pga_g: PgaG = None
     vertical: VerticalFile = None
     reverse: Reverse = False
     reverse_vertical: ReverseVertical = False
@@ -293,6 +310,7 @@ class RecordFlags:
         own = {
             "--reverse": self.reverse or None,
             "--scale": self.scale,
+            "--pga-g": self.pga_g,
             "--vertical": self.vertical,
         }
         idle = reading.given | {flag: value for flag, value in own.items() if value is not None}
@@ -355,7 +373,32 @@ class RecordFlags:
                 hint="give one file",
             )
         (one,) = self.recordings(reading)
-        return replace(one, record=self._turned(one.record))
+        scaled = self.scaled(self.at_pga(one).record)
+        return replace(one, record=scaled.reversed() if self.reverse else scaled)
+
+    def at_pga(self, horizontal: "Recording") -> "Recording":
+        """Return a horizontal channel scaled to --pga-g; its factor is kept for the vertical one.
+
+        Raises
+        ------
+        InputError
+            If the peak is not above 0, or --scale is given too.
+        """
+        if self.pga_g is None:
+            return horizontal
+        if self.scale is not None:
+            raise both("--scale", "--pga-g", valid="one of the two is the level")
+        hint = "give the peak in g; 0.3 is usual"
+        level = in_range("--pga-g", self.pga_g, 0.0, LARGEST, hint=hint)
+        factor = level * STANDARD_GRAVITY / horizontal.record.peak_acceleration_m_s2
+        remark_on_scale(factor, f"--pga-g {level:g} multiplies {horizontal.path.name}")
+        self._to_pga.append(factor)
+        return replace(horizontal, record=horizontal.record.scaled(factor))
+
+    @cached_property
+    def _to_pga(self) -> list[float]:
+        """Factors of the horizontal channels that are scaled to --pga-g."""
+        return []
 
     def vertical_recording(
         self, reading: ReadingFlags, horizontal: "Recording"
@@ -382,36 +425,42 @@ class RecordFlags:
         if doubts := pair_doubts(horizontal, one):
             with_what = f"beside {horizontal.path.name} it may not belong"
             warn(self.vertical, f"{with_what}: {'; '.join(doubts)}")
+        if self._to_pga:
+            one = replace(one, record=one.record.scaled(self._to_pga[0]))
         if not self.reverse_vertical:
             return one
         return one.processed(one.record.reversed(), "sign changed: --reverse-vertical")
 
     def scaled(self, record: "Record") -> "Record":
-        """Return a record multiplied by the scale.
+        """Return a record multiplied by --scale.
 
         Raises
         ------
         InputError
             If the scale is not above 0, or not finite.
         """
-        return record if self.scale is None else record.scaled(self._factor)
+        if self.scale is not None:
+            return record.scaled(single("--scale", self.scales))
+        return record
 
-    def _turned(self, record: "Record") -> "Record":
-        """Return a record scaled and reversed."""
-        record = self.scaled(record)
-        return record.reversed() if self.reverse else record
-
-    @property
-    def _factor(self) -> float:
-        """The scale, above 0: what turns a record round is --reverse.
+    @cached_property
+    def scales(self) -> list[float]:
+        """Values of --scale, above 0: --reverse is what changes the sign.
 
         Raises
         ------
         InputError
-            If it is not.
+            If one is not.
         """
-        from rocksteady.model.checks.validation import LARGEST, in_range
-
-        assert self.scale is not None
         hint = "give a factor, as 1.5; --reverse changes the sign"
-        return in_range("--scale", self.scale, 0.0, LARGEST, hint=hint)
+        values = [1.0] if self.scale is None else axis("--scale", self.scale)
+        for value in values:
+            in_range("--scale", value, 0.0, LARGEST, hint=hint)
+        remark_on_scale(max(values), f"--scale {max(values):g} multiplies the record")
+        return values
+
+
+def remark_on_scale(factor: float, what: str) -> None:
+    """Print a remark beside the result where a record is made more than ten times as strong."""
+    if factor > MOST_USUAL_SCALE:
+        terminal.note(f"{what} by {factor:.3g}: is its unit right (--units)?")

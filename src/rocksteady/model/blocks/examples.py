@@ -89,7 +89,11 @@ def named_block(
             "there is no block of that name",
             "choose one of " + ", ".join(SOURCES),
         )
-    measured = {"tso-wong-1989": 0.8, "makris-roussos-2000": 0.85, "zhang-makris-2001": 0.9}
+    measured: dict[str, Restitution] = {
+        "tso-wong-1989": 0.8,
+        "makris-roussos-2000": 0.85,
+        "zhang-makris-2001": 0.9,
+    }
     ratio = measured.get(name, "housner") if restitution is None else restitution
     return _MAKERS[name](ratio, gravity)
 

@@ -274,6 +274,7 @@ def _measures(bodies: Sequence[Block]) -> dict[str, Any]:
         "p": ("rad s-1", "frequency parameter"),
         "restitution": ("1", "restitution"),
     }
+    sizes = {"width": "distance between the edges", "height": "twice that of the mass centre"}
     return {
         f"{prefix}{name}": (
             "block",
@@ -282,4 +283,11 @@ def _measures(bodies: Sequence[Block]) -> dict[str, Any]:
         )
         for prefix, side in sides
         for name, (unit, text) in words.items()
+    } | {
+        name: (
+            "block",
+            [float(getattr(block, name)) for block in bodies],
+            {"units": "m", "long_name": text},
+        )
+        for name, text in sizes.items()
     }

@@ -1,0 +1,257 @@
+"""Spectra of a suite, and runs of many blocks, as facts, tables and notes."""
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rocksteady.outcomes import Status
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import angle, length, number, plural
+from rocksteady.seismic.spectra.suite import QUANTILES, summarise_spectra
+
+if TYPE_CHECKING:
+    import xarray
+
+FALLS = "falls"
+MOST_COLUMNS, MOST_SUITE_COLUMNS = 5, 3
+"""Columns of slendernesses in a text; of more some are picked."""
+
+MEASURES = {
+    "alpha": "alpha_rad",
+    "period": "period_s",
+    "p": "p_rad_s",
+    "width": "width_m",
+    "height": "height_m",
+    "restitution": "restitution",
+}
+"""Coordinates of a block, and their keys."""
+
+
+def describe_spectrum(dataset: "xarray.Dataset") -> Description:
+    """Describe rocking spectra, or the runs of many blocks.
+
+    Parameters
+    ----------
+    dataset
+        From `rocksteady.compute_rocking_spectrum` or `rocksteady.simulate_many`.
+
+    Returns
+    -------
+    Description
+        A row for each cell under ``values``; of several records also one for each block under
+        ``suite``, with quantiles of the peaks and the share that overturns.
+    """
+    dataset = dataset.load()
+    levels = "level" in dataset.coords
+    status = dataset["status"].values
+    counts = {each.label: int((status == each).sum()) for each in Status}
+    attributes = dataset.attrs
+    of_record = "record" in dataset["scale"].dims  # what brings each record to a level of PGA
+    scales = None if of_record else np.atleast_1d(dataset["scale"].values).tolist()
+    facts = [
+        Fact("model", attributes["model"]),
+        *(
+            Fact(key, attributes[name])
+            for key, name in (("restitution", "restitution"), ("gravity_m_s2", "gravity"))
+            if name in attributes
+        ),
+        Fact("scale", scales[0] if scales and len(scales) == 1 else scales),
+        Fact("reversed", attributes.get("direction") == "reversed"),
+        Fact("vertical", _vertical(dataset)),
+        Fact("cells", int(status.size), "runs", f"{status.size:,}"),
+        Fact("counts", counts, "of which", _counts(counts)),
+    ]
+    rows = _rows(dataset)
+    suite: list[dict[str, Any]] = []
+    if dataset.sizes.get("record", 1) > 1:
+        summary = summarise_spectra(dataset)
+        facts.append(Fact("quantiles", list(QUANTILES)))
+        suite = _suite_rows(summary)
+    shown = suite or rows
+    grid = not levels and dataset.sizes.get("scale", 1) == 1
+    tables = [Table("values", rows)]
+    if suite:
+        tables.append(Table("suite", suite))
+    tables.append(_grid(shown, suite=bool(suite)) if grid else _list(shown, suite=bool(suite)))
+    return Description(headline=_headline(dataset), facts=facts, tables=tables)
+
+
+def _headline(dataset: "xarray.Dataset") -> str:
+    """Return what shakes which blocks, in a line."""
+    names = np.atleast_1d(dataset["record"].values).tolist()
+    parts = [_shortened(names[0]) if len(names) == 1 else plural(len(names), "record")]
+    if _vertical(dataset) is not None:
+        parts[0] += " and vertical"
+    scale = np.unique(dataset["scale"].values)
+    if "level" in dataset.dims:
+        parts.append(plural(dataset.sizes["level"], "level"))
+    elif len(scale) > 1:
+        parts.append(f"scales {number(scale[0])} to {number(scale[-1])}")
+    elif scale[0] != 1.0:
+        parts.append(f"scaled by {scale[0]:.4g}")
+    direction = dataset.attrs.get("direction", "as recorded")
+    if direction != "as recorded":
+        parts.append("both directions" if direction == "both" else direction)
+    ratio = dataset.attrs.get("restitution")
+    if ratio is not None:
+        parts.append("Housner's restitution" if ratio == "housner" else f"restitution {ratio:.4g}")
+    if "level" in dataset.coords:
+        parts.insert(0, plural(dataset.sizes.get("block", 1), "block"))
+    parts.append(str(dataset.attrs["model"]))
+    return ("Runs: " if "level" in dataset.coords else "Rocking spectrum: ") + ", ".join(parts)
+
+
+def _vertical(dataset: "xarray.Dataset") -> str | None:
+    """Return the names of the vertical records; None where there are none."""
+    vertical = str(dataset.attrs["vertical"])
+    return None if vertical == "none" else vertical
+
+
+def _shortened(name: str, most: int = 40) -> str:
+    """Return a name of a few words, its middle left out where it is long."""
+    return name if len(name) <= most else f"{name[: most // 2]}…{name[-most // 2 + 1 :]}"
+
+
+def _counts(counts: dict[str, int]) -> str:
+    """Return how the runs ended, the ends that occur."""
+    return ", ".join(f"{count:,} {label}" for label, count in counts.items() if count)
+
+
+def _cells(dataset: "xarray.Dataset", variables: Sequence[str]) -> list[dict[str, Any]]:
+    """Return a row for each cell: coordinates and variables, in C order."""
+    import xarray
+
+    over = [str(name) for name in dataset["status" if "status" in dataset else "overturned"].dims]
+    names = ["record", "direction", "block", "scale", "pga_g", *MEASURES]
+    several = {name: dataset.coords[name] for name in names if name in dataset.coords}
+    shape = {name: dataset.sizes[name] for name in over}
+    pattern = xarray.DataArray(np.empty(tuple(shape.values())), dims=over)
+    columns: dict[str, list[Any]] = {}
+    for name, values in several.items():
+        if name in ("direction", "block") and name not in over:
+            continue
+        full, _ = xarray.broadcast(values.drop_vars(list(values.coords)), pattern)
+        columns[MEASURES.get(name, name)] = full.transpose(*over).values.ravel().tolist()
+    for name in variables:
+        whole = dataset[name].transpose(*over, ...).values
+        columns[name] = whole.reshape(pattern.size, *whole.shape[len(over) :]).tolist()
+    return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+
+
+def _rows(dataset: "xarray.Dataset") -> list[dict[str, Any]]:
+    """Return a row for each run."""
+    rows = _cells(dataset, ("status", "peak_angle", "peak_velocity", "impacts"))
+    single = "scale" not in dataset["status"].dims and "level" not in dataset.coords
+    for row in rows:
+        alpha, p = row["alpha_rad"], row["p_rad_s"]
+        peak, velocity, impacts = (
+            row.pop(key) for key in ("peak_angle", "peak_velocity", "impacts")
+        )
+        row["status"] = Status(row["status"]).label
+        row["peak"] = peak
+        row["peak_rad"] = peak * alpha
+        row["peak_velocity"] = velocity
+        row["peak_velocity_rad_s"] = velocity * alpha * p
+        row["impacts"] = impacts
+        row.setdefault("period_s", 2.0 * math.pi / p)
+        if single:
+            del row["scale"]
+        if "negative_alpha" in dataset.coords:  # each side counts in its own alpha
+            del row["peak_rad"]
+    return rows
+
+
+def _suite_rows(summary: "xarray.Dataset") -> list[dict[str, Any]]:
+    """Return a row for each block and level, with a peak for each quantile."""
+    last = summary.transpose(..., "quantile")
+    rows = _cells(last, ("overturned", "peak_angle", "peak_velocity"))
+    single = "scale" not in last["overturned"].dims and "level" not in summary.coords
+    for row in rows:
+        row.pop("record", None)
+        row["peaks"] = row.pop("peak_angle")
+        row["peak_velocities"] = row.pop("peak_velocity")
+        if single:
+            row.pop("scale", None)
+    return rows
+
+
+def _text(row: dict[str, Any] | None, *, suite: bool) -> str:
+    """Return what becomes of a block: its peak over alpha, or its fall."""
+    if row is None:
+        return ""
+    if suite:
+        median = row["peaks"][1]
+        peak = FALLS if math.isinf(median) else number(median)
+        return f"{peak}, {number(100.0 * row['overturned'])} %"
+    if row["status"] == Status.OVERTURNED.label:
+        return FALLS
+    if row["status"] in (Status.AT_REST.label, Status.ROCKING.label):
+        return number(row["peak"])
+    return str(row["status"])
+
+
+def _title(*, suite: bool) -> str:
+    """Return what a table shows."""
+    words = "largest |theta|/alpha"
+    return f"median of the {words}, and the share of records that overturn" if suite else words
+
+
+def _grid(rows: Sequence[dict[str, Any]], *, suite: bool) -> Table:
+    """Return a table with a row for each size 2 pi/p and a column for each slenderness."""
+    alphas = list(dict.fromkeys(row["alpha_rad"] for row in rows))
+    most = MOST_SUITE_COLUMNS if suite else MOST_COLUMNS
+    if len(alphas) > most:
+        alphas = [alphas[round(k * (len(alphas) - 1) / (most - 1))] for k in range(most)]
+    at = {(row["period_s"], row["alpha_rad"]): row for row in rows}
+    periods = list(dict.fromkeys(row["period_s"] for row in rows))
+    return Table(
+        "",
+        [
+            {"period": period} | {repr(alpha): at[period, alpha] for alpha in alphas}
+            for period in periods
+        ],
+        [
+            Column("period", "2 pi/p [s]", lambda period: f"{period:.4g}"),
+            *(
+                Column(
+                    repr(alpha),
+                    f"{angle(alpha)} ({alpha:.3g} rad)" if len(alphas) <= 3 else angle(alpha),
+                    lambda row: _text(row, suite=suite),
+                )
+                for alpha in alphas
+            ),
+        ],
+        title=_title(suite=suite),
+    )
+
+
+def _list(rows: Sequence[dict[str, Any]], *, suite: bool) -> Table:
+    """Return a table with a row for each block and level."""
+    some = rows[0] if rows else {}
+    columns = [
+        Column("record", "record", _shortened, left=True),
+        Column("direction", "direction", left=True),
+        Column("block", "block", left=True),
+        Column("width_m", "width", length),
+        Column("height_m", "height", length),
+        Column("alpha_rad", "alpha", angle),
+        Column("period_s", "2 pi/p [s]", number),
+        Column("restitution", "restitution", number),
+        Column("pga_g", "PGA [g]", number),
+        Column("scale", "scale", number),
+    ]
+    if "block" in some and len({(row["width_m"], row["height_m"]) for row in rows}) == len(
+        {row["block"] for row in rows}
+    ):  # the sizes are the name
+        columns = [c for c in columns if c.key not in ("block", "period_s", "restitution")]
+    varied = [
+        column
+        for column in columns
+        if column.key in some
+        and (column.key in ("width_m", "height_m") or len({row[column.key] for row in rows}) > 1)
+    ]
+    cells = [{**row, "cell": row} for row in rows]
+    last = Column("cell", "peak", lambda row: _text(row, suite=suite))
+    return Table("", cells, [*varied, last], title=_title(suite=suite))

@@ -1,0 +1,128 @@
+"""Descriptions of spectra and of many runs: rows, tables, and the names of the JSON keys."""
+
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+import xarray
+
+from rocksteady import Block, Status, compute_rocking_spectrum, simulate_many, summarise_spectra
+from rocksteady.results.rendering import as_text
+from rocksteady.seismic.spectra.describe import MOST_COLUMNS, describe_spectrum
+from tests.seismic.grounds import ground
+
+ALPHA, PERIODS = [0.1, 0.2, 0.3], [1.0, 4.0]
+
+
+@cache
+def spectrum_of(records: int) -> xarray.Dataset:
+    suite = [ground(seed, 3.0 * (1 + seed), name=f"hut-{seed}") for seed in range(records)]
+    return compute_rocking_spectrum(suite, alpha=ALPHA, periods_s=PERIODS)
+
+
+def test_there_is_a_row_a_cell() -> None:
+    values = describe_spectrum(spectrum_of(2)).to_dict()
+    assert values["cells"] == len(values["values"]) == 2 * 3 * 2
+    for row in values["values"]:
+        place = {"record": row["record"], "alpha": row["alpha_rad"], "period": row["period_s"]}
+        cell = spectrum_of(2).sel(place)
+        assert row["status"] == Status(int(cell.status)).label
+        assert row["peak"] == float(cell.peak_angle)
+        assert row["peak_velocity"] == float(cell.peak_velocity)
+        assert row["p_rad_s"] == pytest.approx(2.0 * math.pi / row["period_s"])
+        assert row["peak_rad"] == row["peak"] * row["alpha_rad"]
+        speed = row["peak_velocity"] * row["alpha_rad"] * row["p_rad_s"]
+        assert row["peak_velocity_rad_s"] == pytest.approx(speed)
+    labels = [row["status"] for row in values["values"]]
+    assert values["counts"] == {each.label: labels.count(each.label) for each in Status}
+    assert {"model", "scale", "reversed", "vertical", "quantiles", "suite"} <= values.keys()
+
+
+def test_a_suite_has_a_row_a_block_and_a_single_record_none() -> None:
+    assert "suite" not in describe_spectrum(spectrum_of(1)).to_dict()
+    values = describe_spectrum(spectrum_of(2)).to_dict()
+    assert len(values["suite"]) == 3 * 2
+    for row in values["suite"]:
+        fell = [
+            each["status"] == "overturned"
+            for each in values["values"]
+            if (each["alpha_rad"], each["period_s"]) == (row["alpha_rad"], row["period_s"])
+        ]
+        assert row["overturned"] == sum(fell) / 2
+        assert len(row["peaks"]) == len(row["peak_velocities"]) == len(values["quantiles"]) == 3
+        assert math.isinf(max(row["peaks"])) == any(fell), "a fall is larger than any number"
+
+
+def test_the_table_has_a_row_a_size_and_a_column_a_slenderness() -> None:
+    spectrum = spectrum_of(1)
+    text = as_text(describe_spectrum(spectrum))
+    assert max(map(len, text.splitlines())) <= 80
+    *_, heading, first, second = text.splitlines()
+    assert all(f"{math.degrees(alpha):.3g}°" in heading for alpha in ALPHA)
+    for period, line in zip(PERIODS, (first, second), strict=True):
+        size, *cells = line.split()
+        assert float(size) == period
+        for alpha, cell in zip(ALPHA, cells, strict=True):
+            block = spectrum.sel(alpha=alpha, period=period).isel(record=0)
+            fell = int(block.status) == Status.OVERTURNED
+            assert (
+                cell == "falls"
+                if fell
+                else float(cell) == pytest.approx(float(block.peak_angle), rel=6e-3)
+            )
+
+
+def test_the_table_of_a_suite_has_medians_and_shares() -> None:
+    text = as_text(describe_spectrum(spectrum_of(2)))
+    assert max(map(len, text.splitlines())) <= 80
+    assert "median of the largest" in text
+    for share in summarise_spectra(spectrum_of(2))["overturned"].values.ravel().tolist():
+        assert f", {100.0 * share:.3g} %" in text
+
+
+def test_of_many_blocks_some_are_shown_the_first_and_the_last_included() -> None:
+    alpha, periods = np.linspace(0.1, 0.3, 11), np.linspace(1.0, 4.0, 50)
+    spectrum = compute_rocking_spectrum(ground(1, 2.0), alpha=alpha, periods_s=periods)
+    described = describe_spectrum(spectrum)
+    assert len(described.to_dict()["values"]) == 550
+    lines = as_text(described).splitlines()
+    assert max(map(len, lines)) <= 80
+    assert lines[-1].startswith("26 more rows")
+    heading = next(line for line in lines if "2 pi/p" in line)
+    assert heading.count("°") == MOST_COLUMNS
+    assert heading.endswith("17.2°")
+
+
+def test_the_headline_names_what_is_not_the_default() -> None:
+    plain = spectrum_of(1)
+    words = "Rocking spectrum: hut-0, Housner's restitution, nonlinear"
+    assert describe_spectrum(plain).headline == words
+    other = plain.assign_attrs(direction="reversed", vertical="up", restitution=0.85)
+    other = other.assign_coords(scale=1.5)
+    assert describe_spectrum(other).headline == (
+        "Rocking spectrum: hut-0 and vertical, scaled by 1.5, reversed, restitution 0.85, nonlinear"
+    )
+
+
+def test_runs_of_many_blocks_have_their_levels() -> None:
+    blocks = [Block.rectangle(width=0.4, height=height) for height in (1.2, 1.6)]
+    suite = [ground(1), ground(2, name="other")]
+    result = simulate_many(blocks, suite, pga_g=[0.3, 0.6], reverse="both")
+    values = describe_spectrum(result).to_dict()
+    assert len(values["values"]) == 16
+    for row in values["values"]:
+        cell = result.sel(
+            block=row["block"], record=row["record"], direction=row["direction"], level=row["pga_g"]
+        )
+        assert row["peak"] == float(cell.peak_angle)
+        assert row["scale"] == float(cell.scale)
+        assert row["height_m"] == pytest.approx(float(cell.height))
+    assert values["scale"] is None
+    assert len(values["suite"]) == 8
+    assert "both directions" in describe_spectrum(result).headline
+    leaning = Block.asymmetric(left=0.2, right=0.3, height=1.8)
+    single = describe_spectrum(simulate_many(leaning, ground()))
+    assert len(single.to_dict()["values"]) == 1
+    assert "peak_rad" not in single.to_dict()["values"][0]
+    assert "1 block" in single.headline
