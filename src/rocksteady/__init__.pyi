@@ -22,6 +22,9 @@ from .dynamics.continuation.stability import stretches as stretches
 from .dynamics.history.samples import Flights as Flights
 from .dynamics.history.samples import Impacts as Impacts
 from .dynamics.history.samples import Samples as Samples
+from .dynamics.history.neighbours import Neighbour as Neighbour
+from .dynamics.history.neighbours import Neighbours as Neighbours
+from .dynamics.history.neighbours import check_neighbours as check_neighbours
 from .dynamics.history.simulate import simulate as simulate
 from .dynamics.history.start import ImpactState as ImpactState
 from .dynamics.history.start import Rest as Rest

@@ -1,9 +1,11 @@
 """`rocksteady simulate`: time history of one block."""
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import (
     INCOMPLETE,
     announce_compilation,
@@ -26,17 +28,14 @@ from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.cli.flags.start import StartFlags, refuse_without_shaking
 from rocksteady.cli.present.record_values import processing_values
 from rocksteady.cli.present.shared import case_text
-from rocksteady.cli.present.simulate_values import (
-    csv_header,
-    csv_rows,
-    print_summary,
-    trajectory_values,
-)
 from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.segments import Harmonic, Motion, Still
 from rocksteady.outcomes import Status
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.rendering import print_description
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.history.trajectory import Trajectory
@@ -140,25 +139,52 @@ def simulate(
             cycles=50.0 if cycles is None else cycles,
             model=equations,
         )
-    values = trajectory_values(trajectory, body) | notes
+    description = with_neighbours(trajectory, notes)
     # Made before any file is written: a run that is too long to be shown is refused here.
     moving = None if film.animate is None else film_of_run(trajectory, film)
     if output.csv is not None:
-        write_csv(output.csv, csv_header(trajectory), csv_rows(trajectory, samples))
+        table = trajectory.to_columns(samples)
+        rows = zip(*(column.tolist() for column in table.values()), strict=True)
+        write_csv(output.csv, list(table), rows)
     if output.plot is not None:
         from rocksteady.show.figures.single import simulation_figure
 
+        values = description.to_dict()
         # The name of a record leaves no room for more.
         title = case_text(values) if "record" in values else f"Rocking block: {case_text(values)}"
         write_figure(output.plot, simulation_figure(trajectory, title, output.page))
     if moving is not None and film.animate is not None:
         write_film(film.animate, moving)
     if output.as_json:
-        print_json("simulate", values)
+        print_json("simulate", description.to_dict())
     else:
-        print_summary(values, trajectory)
+        print_description(description, terminal.console())
     if trajectory.status is Status.UNDECIDED:
         raise typer.Exit(INCOMPLETE)
+
+
+def with_neighbours(trajectory: "Trajectory", notes: dict[str, list[str]]) -> Description:
+    """Return the description of a run with its neighbours, and with notes on its record.
+
+    Parameters
+    ----------
+    trajectory
+        The run.
+    notes
+        What was done to its record, by the key of JSON.
+    """
+    from rocksteady.dynamics.history.neighbours import check_neighbours
+
+    found = trajectory.describe()
+    facts, remarks = [*found.facts], [*found.notes]
+    if isinstance(trajectory.block, Block) and not isinstance(trajectory.motion, Harmonic | Still):
+        neighbours = check_neighbours(trajectory)
+        facts.append(neighbours.fact)
+        remarks = [*neighbours.notes, *remarks]
+    for key, lines in notes.items():
+        label = key.partition("_")[0] if lines else ""
+        facts.append(Fact(key, lines, label, "\n".join(lines)))
+    return replace(found, facts=facts, notes=remarks)
 
 
 def refuse_long_table(samples: int, cycles: float | None) -> None:

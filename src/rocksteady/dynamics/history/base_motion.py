@@ -80,6 +80,48 @@ def lift(segments: Floats, s: ArrayLike) -> Floats:
     return result
 
 
+def accelerations_in(
+    segments: Floats, index: NDArray[np.int64], s: Floats
+) -> tuple[Floats, Floats]:
+    """Return horizontal [alpha g] and vertical acceleration [g] in given segments at pivot times.
+
+    At the end of a segment it is the value there, not that with which the next one begins.
+    """
+    row, since = segments[index], s - segment_starts(segments)[index]
+    across: Floats = (
+        row[:, columns.CONSTANT]
+        + row[:, columns.SLOPE] * since
+        + row[:, columns.AMPLITUDE] * sin(row[:, columns.FREQUENCY] * since + row[:, columns.PHASE])
+    )
+    if segments.shape[1] <= columns.LIFT:
+        return across, np.zeros(len(row))
+    return across, row[:, columns.LIFT] + row[:, columns.LIFT_SLOPE] * since
+
+
+def peak_acceleration(segments: Floats) -> float:
+    """Return the largest |base acceleration| of a motion that ends, in units of alpha g."""
+    peak = 0.0
+    for row in segments:
+        lasting, slope, amplitude = row[[columns.DURATION, columns.SLOPE, columns.AMPLITUDE]]
+        if not math.isfinite(lasting):
+            lasting = 0.0
+        frequency, phase = row[[columns.FREQUENCY, columns.PHASE]]
+        at = np.array([0.0, lasting])
+        if amplitude:
+            # Where slope + amplitude frequency cos(turned) is 0.
+            level = np.arccos(np.clip(-slope / (amplitude * frequency), -1.0, 1.0))
+            turns = np.arange(
+                math.floor(phase / (2.0 * math.pi)),
+                math.ceil((phase + frequency * lasting) / (2.0 * math.pi)) + 1,
+            )
+            turned = np.concatenate([2.0 * math.pi * turns + level, 2.0 * math.pi * turns - level])
+            inner = (turned - phase) / frequency
+            at = np.concatenate([at, inner[(inner > 0.0) & (inner < lasting)]])
+        value = row[columns.CONSTANT] + slope * at + amplitude * sin(frequency * at + phase)
+        peak = max(peak, float(np.abs(value).max()))
+    return peak
+
+
 def largest_acceleration(segments: Floats) -> float:
     """Return an upper bound of |base acceleration| over all segments, in units of alpha g."""
     lasting = np.where(segments[:, columns.SLOPE] == 0.0, 0.0, segments[:, columns.DURATION])

@@ -129,7 +129,8 @@ def simulate(
     bare = block.dimensionless()
     sides = sides_of(block, equations)
     tilted = sides if isinstance(equations, Nonlinear) else None
-    shaken, begin = initial_march(Rest() if start is None else start, bare, across, tilted)
+    begun = Rest() if start is None else start
+    shaken, begin = initial_march(begun, bare, across, tilted)
     if isinstance(equations, Nonlinear):
         segments = nonlinear_segment_table(shaken, block, vertical)
     else:
@@ -151,10 +152,11 @@ def simulate(
     rows = np.zeros((end.flights, ROW_COLUMNS))
     status, _ = march(*arguments, rows, np.zeros(0))
     return Trajectory(
-        block=block if isinstance(block, Block) else None,
+        block=block,
         motion=shaken,
         vertical=vertical,
         model=equations,
+        start=begun,
         status=Status(status),
         segments=segments,
         sides=sides,

@@ -55,15 +55,18 @@ class State:
         u = theta/alpha, with alpha of the positive side whichever way it leans.
     velocity
         du/d(pt).  `per_tau` takes du/d(omega t), the paper's.
+    phase
+        Phase of harmonic shaking then [rad], taken modulo 2 pi; None (default) for the motion's.
 
     Raises
     ------
     InputError
-        If a number is not finite, or beyond 1e50.
+        If a number is not finite, or an angle or velocity beyond 1e50.
     """
 
     angle: float
     velocity: float
+    phase: float | None = None
 
     def __post_init__(self) -> None:
         """Validate."""
@@ -73,14 +76,23 @@ class State:
         )
         object.__setattr__(self, "angle", angle)
         object.__setattr__(self, "velocity", velocity)
+        if self.phase is not None:
+            object.__setattr__(self, "phase", _turned(self.phase))
 
     @classmethod
-    def per_tau(cls, *, angle: float, velocity_tau: float, frequency_ratio: float) -> "State":
+    def per_tau(
+        cls,
+        *,
+        angle: float,
+        velocity_tau: float,
+        frequency_ratio: float,
+        phase: float | None = None,
+    ) -> "State":
         """Return the state whose velocity is given as du/d(omega t)."""
         hint = "give d(theta/alpha)/d(omega t)"
         rate = in_range("velocity_tau", velocity_tau, -LARGEST, LARGEST, "[]", hint=hint)
         ratio = positive("frequency_ratio", frequency_ratio, hint="give omega/p")
-        return cls(angle=angle, velocity=rate * ratio)
+        return cls(angle=angle, velocity=rate * ratio, phase=phase)
 
 
 @checked
@@ -159,13 +171,12 @@ class ImpactState:
     def __post_init__(self) -> None:
         """Validate."""
         side = side_value(self.side)
-        phase = finite("phase", self.phase, hint="give the phase of the shaking in radians")
+        phase = _turned(self.phase)
         speed = in_range(
             "speed", self.speed, 0.0, LARGEST, "[]", hint="give |d(theta/alpha)/d(p t)|"
         )
-        turned = math.fmod(phase, 2.0 * math.pi) % (2.0 * math.pi)
         object.__setattr__(self, "side", side)
-        object.__setattr__(self, "phase", turned if turned < 2.0 * math.pi else 0.0)
+        object.__setattr__(self, "phase", phase)
         object.__setattr__(self, "speed", speed)
 
     @property
@@ -175,6 +186,13 @@ class ImpactState:
 
 
 Start = Rest | State | Steady | ImpactState
+
+
+def _turned(value: float) -> float:
+    """Return a phase from 0 to 2 pi."""
+    phase = finite("phase", value, hint="give the phase of the shaking in radians")
+    turned = math.fmod(phase, 2.0 * math.pi) % (2.0 * math.pi)
+    return turned if turned < 2.0 * math.pi else 0.0
 
 
 def validated_start(start: object) -> Start:
@@ -237,6 +255,15 @@ def initial_march(
         state = State(angle=0.0, velocity=start.side * start.speed)
     elif isinstance(start, State):
         state = start
+        if start.phase is not None:
+            if not isinstance(motion, Harmonic):
+                raise ModelError(
+                    "start",
+                    start,
+                    "the phase of a state is that of harmonic shaking",
+                    "give a Harmonic motion, or a State without a phase",
+                )
+            motion = replace(motion, phase=start.phase)
     else:
         state = State(angle=0.0, velocity=0.0)
     half, phase, velocity = 0, 0.0, state.velocity

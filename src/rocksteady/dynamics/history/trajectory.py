@@ -3,16 +3,19 @@
 import math
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history import base_motion
-from rocksteady.dynamics.history._end_times import EndTimes
-from rocksteady.dynamics.history._growth import growth_of
+from rocksteady.dynamics.history._description import description_of
+from rocksteady.dynamics.history._growth import Course, growth_of
+from rocksteady.dynamics.history._physical import Physical
 from rocksteady.dynamics.history.samples import Flights, Impacts, Samples
-from rocksteady.errors import InputError, ModelError
+from rocksteady.dynamics.history.start import Rest, Start
+from rocksteady.errors import InputError
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.core.tables import is_nonlinear
@@ -24,12 +27,18 @@ from rocksteady.kernels.march.replay import (
     recorded_peaks,
 )
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import LARGEST, span_value, whole_number, within_memory
 from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Harmonic, Motion
 from rocksteady.outcomes import Status
+from rocksteady.results.description import Description
+from rocksteady.results.result import Result
+
+if TYPE_CHECKING:
+    import xarray
 
 Floats = NDArray[np.float64]
 
@@ -39,7 +48,7 @@ OVERTURNED_SHOWN_TO = 2.0
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Trajectory(EndTimes):
+class Trajectory(Physical, Result):
     """Time history of a block: flights, impacts, and the motion at any time.
 
     Call it with pivot times, ``trajectory(pt)``; `at_time` takes seconds and `at_tau` the paper's
@@ -48,7 +57,7 @@ class Trajectory(EndTimes):
     Attributes
     ----------
     block
-        The block, or None for a dimensionless one.
+        The block.
     motion
         The horizontal base motion, with the phase that the start has given it.
     status
@@ -62,9 +71,11 @@ class Trajectory(EndTimes):
         The vertical base motion, if any.
     model
         Which equations of motion held: `Linear` or `Nonlinear`.
+    start
+        Where the block began, as it was given.
     """
 
-    block: Block | None
+    block: Block | DimensionlessBlock
     motion: Motion | Record
     status: Status
     segments: Floats
@@ -72,6 +83,7 @@ class Trajectory(EndTimes):
     rows: Floats
     vertical: Motion | Record | None = None
     model: Model = field(default_factory=Linear)
+    start: Start = field(default_factory=Rest)
 
     @cached_property
     def flights(self) -> Flights:
@@ -258,24 +270,17 @@ class Trajectory(EndTimes):
         )
 
     @cached_property
-    def growth(self) -> float | None:
+    def growth(self) -> float:
         """Largest factor by which a small difference at the start has grown on the way.
 
         Exact derivatives through flights and impacts, looked at after each impact and counted anew
         after a rest, which forgets what came before; infinite after a graze.  Above some 1e12
         rounding decides how the run goes on, and another way of computing it may end otherwise.
-        None in the nonlinear model.
         """
-        if is_nonlinear(self.sides):
-            return None
         durations = self.rows[:, columns.ROW_DURATION].copy()
         durations[-1] = self._last_duration
-        if isinstance(self.motion, Harmonic):  # the clock keeps its digits in long runs
-            sign = np.where(self.impacts.half_cycles % 2 == 0, 1.0, -1.0)
-            base = self.motion.amplitude * sign * sin(self.impacts.phase)
-        else:
-            base = self.base_acceleration(self.impacts.pt)
-        return growth_of(self.rows, self.sides, durations, self.impacts, base)
+        course = Course(self.rows, self.segments, self.sides, durations, self.flights.pt)
+        return growth_of(course, self.impacts)
 
     @cached_property
     def shown_to_pt(self) -> float:
@@ -359,7 +364,7 @@ class Trajectory(EndTimes):
         return Samples(
             pt=times,
             tau=times * self.frequency_ratio if harmonic else None,
-            t_s=None if self.block is None else times / self.block.p,
+            t_s=times / self.block.p if isinstance(self.block, Block) else None,
             angle=angle,
             velocity=velocity,
             acceleration=acceleration,
@@ -395,55 +400,6 @@ class Trajectory(EndTimes):
         velocity = np.insert(motion.velocity, before, impacts.velocity_before[kept])
         return angle, velocity
 
-    def at_time(self, t_s: ArrayLike) -> Samples:
-        """Return the motion at times in seconds.
-
-        Raises
-        ------
-        ModelError
-            If the block is dimensionless.
-        """
-        if self.block is None:
-            raise ModelError(
-                "block",
-                None,
-                "seconds need a block with a frequency parameter p",
-                "simulate a Block, or ask in pivot time: trajectory(pt)",
-            )
-        with np.errstate(over="ignore"):  # infinite, it is outside the trajectory
-            pt = real_array("t_s", t_s) * self.block.p
-        return self(pt)
-
-    def at_tau(self, tau: ArrayLike) -> Samples:
-        """Return the motion at tau = omega t of harmonic shaking.
-
-        Raises
-        ------
-        ModelError
-            If the shaking is not harmonic.
-        """
-        with np.errstate(over="ignore"):  # infinite, it is outside the trajectory
-            pt = real_array("tau", tau) / self.frequency_ratio
-        return self(pt)
-
-    @property
-    def frequency_ratio(self) -> float:
-        """Omega of harmonic shaking.
-
-        Raises
-        ------
-        ModelError
-            If the shaking is not harmonic.
-        """
-        if not isinstance(self.motion, Harmonic):
-            raise ModelError(
-                "motion",
-                self.motion,
-                "tau = omega t needs harmonic shaking",
-                "ask in pivot time: trajectory(pt)",
-            )
-        return self.motion.frequency_ratio
-
     def base_acceleration(self, pt: ArrayLike) -> Floats:
         """Return the base acceleration at pivot times, in units of alpha g."""
         return base_motion.base_acceleration(self.segments, self._times(pt))
@@ -457,24 +413,48 @@ class Trajectory(EndTimes):
             return base_motion.swinging_displacement(self.segments, self._times(pt))
         return base_motion.displacement_from_rest(self.segments, self._times(pt))
 
-    def __repr__(self) -> str:
-        """Return how it went, not its tables."""
-        return (
-            f"Trajectory(model={self.model.name!r}, status={self.status.label!r}, "
-            f"peak={self.peak:.6g}, impacts={len(self.impacts)}, "
-            f"end_time_pt={self.end_time_pt:.6g})"
-        )
+    def describe(self) -> Description:
+        """Return how it ended, its peaks, times and inputs."""
+        return description_of(self)
 
-    def _repr_html_(self) -> str:
-        """Return a small table for notebooks."""
-        rows = [
-            ("model", self.model.name),
-            ("status", self.status.label),
-            ("peak", f"{self.peak:.6g} alpha"),
-            ("impacts", str(len(self.impacts))),
-            ("followed to", f"pt = {self.end_time_pt:.6g}"),
-        ]
-        if self.overturn_time_pt is not None:
-            rows.append(("overturns at", f"pt = {self.overturn_time_pt:.6g}"))
-        cells = "".join(f"<tr><th>{name}</th><td>{value}</td></tr>" for name, value in rows)
-        return f"<table><caption>Trajectory</caption>{cells}</table>"
+    def to_columns(self, samples: int = 100) -> dict[str, Floats]:
+        """Return the time history as columns of equal length, with the units in their names.
+
+        The motion just after each impact is among the rows.
+
+        Parameters
+        ----------
+        samples
+            Rows per unit of time, as `per_unit` of `times`.
+        """
+        motion = self(self.times(samples))
+        table = {"pt": motion.pt}
+        if motion.tau is not None:
+            table["tau"] = motion.tau
+        table |= {
+            "angle_per_alpha": motion.angle,
+            "velocity_per_pt": motion.velocity,
+            "acceleration_per_pt2": motion.acceleration,
+            "base_acceleration_per_alpha_g": motion.base_acceleration,
+            "energy": motion.energy,
+        }
+        if isinstance(self.block, Block):
+            table["time_s"] = motion.pt / self.block.p
+            table["angle_rad"] = motion.angle * self.block.alpha
+            uplift = self.block.uplift_acceleration
+            table["base_acceleration_m_s2"] = motion.base_acceleration * uplift
+            if self.vertical is not None:
+                lifting = base_motion.lift(self.segments, motion.pt)
+                table["vertical_acceleration_m_s2"] = lifting * self.block.gravity
+        return table
+
+    def to_dataset(self, samples: int = 100) -> "xarray.Dataset":
+        """Return the time history as a Dataset: the columns of `to_columns` over pt."""
+        import xarray
+
+        table = self.to_columns(samples)
+        times = table.pop("pt")
+        found = xarray.Dataset({name: ("pt", values) for name, values in table.items()})
+        return found.assign_coords(pt=times).assign_attrs(
+            title=self.describe().headline, model=self.model.name, status=self.status.label
+        )

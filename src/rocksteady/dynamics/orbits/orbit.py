@@ -183,7 +183,7 @@ class Orbit:
                 "choose an orbit that is admissible",
             )
         return Trajectory(
-            block=self.block if isinstance(self.block, Block) else None,
+            block=self.block,
             motion=self.shaking,
             status=Status.ROCKING,
             segments=(

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin, tan
+from rocksteady.model.blocks._description import description_of
 from rocksteady.model.blocks._sizes import (
     check_inertia,
     check_one_size,
@@ -39,14 +40,16 @@ from rocksteady.model.blocks.sides import (
 )
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
+from rocksteady.results.description import Description
+from rocksteady.results.result import Result
 
 STANDARD_GRAVITY = 9.80665
 """Standard acceleration of gravity [m/s^2]."""
 
 
 @checked
-@dataclass(frozen=True, kw_only=True)
-class Block:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Block(Result):
     """A free-standing rigid block, made by one of the constructors below.
 
     ==========================================  ====================================================
@@ -492,6 +495,6 @@ class Block:
             p_ratio=other.p / one.p,
         )
 
-    def _repr_html_(self) -> str:
-        """Return a small table for notebooks."""
-        return html_table((self.positive,) if self.symmetric else (self.positive, self.negative))
+    def describe(self) -> Description:
+        """Return its size, slenderness and rates, for people and under the names of JSON."""
+        return description_of(self)

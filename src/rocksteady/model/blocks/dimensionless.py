@@ -5,6 +5,9 @@ from dataclasses import dataclass, replace
 from rocksteady.model.blocks.sides import restitution_value
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import number
+from rocksteady.results.result import Result
 
 SideRow = tuple[float, float, float]
 """Restitution, alpha over the reference alpha, p over the reference p."""
@@ -13,8 +16,8 @@ LARGEST_RATIO = 100.0
 
 
 @checked
-@dataclass(frozen=True, kw_only=True)
-class DimensionlessBlock:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class DimensionlessBlock(Result):
     """A dimensionless block: its restitution, and the ratios between its sides.
 
     Angles count in units of alpha, times in units of 1/p, accelerations in units of alpha g, with
@@ -95,3 +98,19 @@ class DimensionlessBlock:
     def dimensionless(self) -> "DimensionlessBlock":
         """Return itself."""
         return self
+
+    def describe(self) -> Description:
+        """Return its restitution, and the ratios of its sides where they differ."""
+        first, other = self.sides
+        ratios = " and ".join(dict.fromkeys((number(first[0]), number(other[0]))))
+        facts = [Fact("restitution", first[0], "restitution", ratios)]
+        words = f"dimensionless block, restitution {ratios}"
+        if other[0] != first[0]:
+            facts.append(Fact("negative_restitution", other[0]))
+        if other[1:] != first[1:]:
+            facts += [
+                Fact("alpha_ratio", other[1], "alpha, negative / positive side"),
+                Fact("p_ratio", other[2], "p, negative / positive side"),
+            ]
+            words += f", alpha ratio {number(other[1])}, p ratio {number(other[2])}"
+        return Description(headline=words, facts=facts)

@@ -86,6 +86,15 @@ class Side:
         """Height of the mass centre [m]."""
         return self.radius * cos(self.alpha)
 
+    def to_dict(self) -> dict[str, float]:
+        """Return its measures under the names of the commands' JSON."""
+        return {
+            "alpha_rad": self.alpha,
+            "radius_m": self.radius,
+            "p_rad_s": self.p,
+            "restitution": self.restitution,
+        }
+
 
 def check_one_body(one: Side, other: Side, gravity: float) -> None:
     """Refuse two sides that no rigid body has.

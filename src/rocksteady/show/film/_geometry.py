@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.errors import ModelError
+from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.validation import in_range
 
 Floats = NDArray[np.float64]
@@ -87,7 +88,7 @@ def shape_of(trajectory: Trajectory, alpha: float | None = None) -> Shape:
         If it is given for a block that has its own.
     """
     block = trajectory.block
-    if block is None:
+    if not isinstance(block, Block):
         lean = -trajectory.balances[0]
         widest = max(lean, 1.0)  # the alpha of either side stays below a right angle
         hint = "give the slenderness in radians of the rectangle to draw"

@@ -10,6 +10,7 @@ from rocksteady.dynamics.history.base_motion import segment_starts
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.errors import InputError
 from rocksteady.kernels.core import tables as columns
+from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.validation import LARGEST, finite, in_range
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.model.motions.segments import Harmonic
@@ -51,7 +52,7 @@ class Reel:
 
 def speed_unit(trajectory: Trajectory) -> float:
     """Return the pivot time that passes in a second of the film at speed 1."""
-    if trajectory.block is not None:
+    if isinstance(trajectory.block, Block):
         return trajectory.block.p
     if isinstance(trajectory.motion, Harmonic):
         return 2.0 * math.pi / trajectory.motion.frequency_ratio
@@ -140,7 +141,7 @@ def _validated_span(
 def _usual_speed(trajectory: Trajectory, fastest: float) -> float:
     """Return the default speed; `fastest` is in pivot time a second."""
     unit = speed_unit(trajectory)
-    if trajectory.block is None:
+    if not isinstance(trajectory.block, Block):
         # One period a second; slow shaking is not played faster than a block falls or rocks.
         forced = isinstance(trajectory.motion, Harmonic)
         return min(1.0 if forced else FREE_SPEED, FREE_SPEED / unit, fastest / unit)
@@ -154,7 +155,7 @@ def _usual_speed(trajectory: Trajectory, fastest: float) -> float:
 
 def speed_text(trajectory: Trajectory, speed: float) -> str:
     """Return a speed as the caption of a film says it."""
-    if trajectory.block is not None:
+    if isinstance(trajectory.block, Block):
         return "real time" if abs(speed - 1.0) < 1e-9 else f"{speed:.3g} × real time"
     if isinstance(trajectory.motion, Harmonic):
         return f"{speed:.3g} period{'' if abs(speed - 1.0) < 1e-9 else 's'} a second"

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.history.base_motion import largest_acceleration
 from rocksteady.dynamics.history.trajectory import Trajectory
+from rocksteady.model.blocks.block import Block
 from rocksteady.show.film._geometry import LYING, shape_of
 from rocksteady.show.style import palette
 from rocksteady.show.style.legends import text_size
@@ -329,7 +330,7 @@ class BlockScene:
 
     def _time(self, s: float) -> str:
         """Return a pivot time as it stands in the picture."""
-        if self.trajectory.block is not None:
+        if isinstance(self.trajectory.block, Block):
             return f"t = {s / self.trajectory.block.p:.2f} s"
         return f"pt = {s:.2f}"
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rocksteady.dynamics.history.trajectory import Trajectory
+from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Nonlinear
 from rocksteady.model.motions.pulses import Pulse
@@ -184,7 +185,7 @@ def block_words(scene: BlockScene) -> list[str]:
     parts = [
         f"restitution {first:.4g}" if first == second else f"restitution {first:.3g}/{second:.3g}"
     ]
-    if block is None:
+    if not isinstance(block, Block):
         return [*parts, f"drawn with {scene.symbol} = {scene.shape.alpha:.4g} rad"]
     if block.symmetric:
         return [*parts, f"α = {block.alpha:.4g} rad, p = {block.p:.4g} rad/s"]
@@ -197,7 +198,7 @@ def caption(scene: BlockScene, reel: Reel) -> str:
     parts = block_words(scene) if isinstance(trajectory.motion, Pulse | Record) else []
     parts += ["true scale", speed_text(trajectory, reel.speed)]
     if scene.camera != "fixed":
-        unit = "m" if trajectory.block is not None else "R"
+        unit = "m" if isinstance(trajectory.block, Block) else "R"
         parts.append(f"camera moves with the ground (over {scene.travelled:.3g} {unit})")
     return ", ".join(parts)
 

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.history import base_motion
 from rocksteady.dynamics.history.trajectory import Trajectory
+from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.outcomes import Status
@@ -31,7 +32,7 @@ def time_axis(trajectory: Trajectory) -> tuple[float, str]:
     """Return by what pivot time is multiplied for the time axis, and the axis's label."""
     if isinstance(trajectory.motion, Harmonic):
         return trajectory.motion.frequency_ratio / (2.0 * math.pi), palette.LABELS["periods"]
-    if trajectory.block is not None:
+    if isinstance(trajectory.block, Block):
         return 1.0 / trajectory.block.p, palette.LABELS["seconds"]
     return 1.0, palette.LABELS["pivot_time"]
 
@@ -219,7 +220,7 @@ def plot_base(
         ylabel=label_of(trajectory, "base"),
         xlim=time_limits(trajectory, times[0] * scale, times[-1] * scale),
     )
-    if trajectory.vertical is not None and trajectory.block is not None:
+    if trajectory.vertical is not None and isinstance(trajectory.block, Block):
         upwards = base_motion.lift(trajectory.segments, times)
         _draw_vertical(axes, times * scale, upwards, trajectory.block.alpha, place)
     return axes

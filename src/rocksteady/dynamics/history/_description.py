@@ -1,0 +1,188 @@
+"""Description of a time history: how it ended, its block and base motion, peaks and times."""
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from rocksteady.kernels.core import tables as columns
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.motions.pulses import Pulse
+from rocksteady.model.motions.record import Record
+from rocksteady.model.motions.segments import Harmonic, Still
+from rocksteady.outcomes import Status
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import angle, number, quantity
+
+if TYPE_CHECKING:
+    from rocksteady.dynamics.history.trajectory import Trajectory
+
+DECIDED_BY_ROUNDING = 1e12
+"""Growth of a small difference above which rounding decides how a run goes on."""
+
+
+def description_of(run: "Trajectory") -> Description:
+    """Return the facts and notes of a time history."""
+    facts = [
+        Fact("model", run.model.name),
+        Fact("status", run.status.label, "status"),
+        *_peaks(run),
+        Fact("impacts", len(run.impacts), "impacts"),
+        Fact("flights", len(run.rows)),
+        *_restitutions(run),
+        *_times(run),
+        *_motion(run),
+        *_demands(run),
+    ]
+    grown = run.growth
+    factor = grown if math.isfinite(grown) else None
+    words = f"{number(grown)}-fold" if factor is not None else "without bound"
+    facts.append(Fact("growth", factor, "a small difference grows", words))
+    notes = [run.status.advice]
+    if grown > DECIDED_BY_ROUNDING:
+        notes.append(
+            f"A small difference grows {words}: rounding decides how the run goes on, and another "
+            "way of computing it may end otherwise."
+        )
+    words = f"{outcome(run)}: {run.block.describe().headline} on {motion_words(run)}"
+    return Description(f"{words}, {run.model.name} model", facts, notes=notes)
+
+
+def outcome(run: "Trajectory") -> str:
+    """Return how a run ended, and when."""
+    if run.status is Status.OVERTURNED and run.overturn_time_pt is not None:
+        return f"overturned at {time_words(run, run.overturn_time_pt)}"
+    if run.status is Status.AT_REST and run.rest_time_pt is not None:
+        return f"at rest from {time_words(run, run.rest_time_pt)}"
+    words = {
+        Status.ROCKING: "rocking until",
+        Status.LOST_CONTACT: "lost contact at",
+        Status.UNDECIDED: "undecided after",
+    }[run.status]
+    return f"{words} {time_words(run, run.end_time_pt)}"
+
+
+def time_words(run: "Trajectory", pt: float) -> str:
+    """Return a pivot time, in seconds first where the block has a size, in periods of shaking."""
+    parts = [f"pt {number(pt)}"]
+    if isinstance(run.motion, Harmonic):
+        periods = pt * run.motion.frequency_ratio / (2.0 * math.pi)
+        parts.append(f"{number(periods)} periods")
+    if not isinstance(run.block, Block):
+        return f"{parts[0]} ({parts[1]})" if len(parts) > 1 else parts[0]
+    return f"{quantity(pt / run.block.p, 's')} ({', '.join(parts)})"
+
+
+def motion_words(run: "Trajectory") -> str:
+    """Return the base motion in a few words."""
+    motion, block = run.motion, run.block
+    if isinstance(motion, Record):
+        peak = quantity(motion.peak_acceleration_m_s2 / STANDARD_GRAVITY, "g")
+        words = f"{motion.name or 'a record'} (PGA {peak})"
+    elif isinstance(motion, Harmonic | Pulse):
+        words = "harmonic shaking" if isinstance(motion, Harmonic) else f"a {motion.shape} pulse"
+        ratios = f"A = {number(motion.amplitude)}, Omega = {number(motion.frequency_ratio)}"
+        if isinstance(block, Block):
+            level = quantity(motion.acceleration_m_s2(block) / block.gravity, "g")
+            ratios = f"{level} at {quantity(motion.frequency_hz(block), 'Hz')}, {ratios}"
+        words += f" ({ratios})"
+    elif isinstance(motion, Still):
+        words = "a still base"
+    else:
+        words = f"a {type(motion).__name__} motion"
+    if run.vertical is None:
+        return words
+    return f"{words} with a vertical motion"
+
+
+def peak_words(peak: float, alpha: float | None) -> str:
+    """Return a peak in degrees and in units of alpha; in these alone without a size."""
+    part = quantity(peak, "alpha")
+    return part if alpha is None else f"{angle(peak * alpha)} = {part}"
+
+
+def _peaks(run: "Trajectory") -> Iterator[Fact]:
+    """Yield the largest angle, that of either side where they differ, in radians too."""
+    block = run.block
+    until = ", up to overturning" if run.overturn_time_pt is not None else ""
+    alphas = (block.positive.alpha, block.negative.alpha) if isinstance(block, Block) else None
+    if block.symmetric:
+        words = peak_words(run.peak, None if alphas is None else alphas[0])
+        yield Fact("peak", run.peak, "peak", words + until)
+    else:
+        yield Fact("peak", run.peak)
+        words_of = [
+            peak_words(peak, None if alphas is None else alphas[side])
+            for side, peak in enumerate(run.side_peaks)
+        ]
+        yield Fact("side_peaks", list(run.side_peaks))
+        yield Fact("", label="peak, left edge", text=words_of[0] + until)
+        yield Fact("", label="peak, right edge", text=words_of[1] + until)
+    if alphas is not None:
+        # The larger angle may be the smaller part of its alpha.
+        pairs = zip(run.side_peaks, alphas, strict=True)
+        yield Fact("peak_rad", max(peak * alpha for peak, alpha in pairs))
+
+
+def _restitutions(run: "Trajectory") -> Iterator[Fact]:
+    """Yield the restitution, or that of either impact where they differ."""
+    first, second = run.sides[:, columns.RESTITUTION].tolist()
+    yield Fact("restitution", first)
+    if first != second:
+        yield Fact("negative_restitution", second)
+
+
+def _times(run: "Trajectory") -> Iterator[Fact]:
+    """Yield when it overturned and when it came to rest."""
+    for name, label in (("overturn", "overturns at"), ("rest", "at rest from")):
+        pt = getattr(run, f"{name}_time_pt")
+        shown = {"label": label, "text": time_words(run, pt)} if pt is not None else {}
+        if isinstance(run.block, Block):
+            yield Fact(f"{name}_time_s", getattr(run, f"{name}_time_s"), **shown)
+            continue
+        if name == "overturn":
+            yield Fact("overturn_time_tau", run.overturn_time_tau)
+        yield Fact(f"{name}_time_pt", pt, **shown)
+
+
+def _motion(run: "Trajectory") -> Iterator[Fact]:
+    """Yield the base motion as the block felt it, and the measures of the block."""
+    motion, block = run.motion, run.block
+    if isinstance(motion, Harmonic | Pulse):
+        if isinstance(motion, Pulse):
+            yield Fact("pulse", motion.shape)
+        yield Fact("amplitude", motion.amplitude)
+        yield Fact("frequency_ratio", motion.frequency_ratio)
+        if isinstance(block, Block):
+            yield Fact("accel_g", motion.acceleration_m_s2(block) / block.gravity)
+            yield Fact("freq_hz", motion.frequency_hz(block))
+        if isinstance(motion, Harmonic):
+            yield Fact("phase", motion.phase)
+        else:
+            yield Fact("duration_pt", motion.duration)
+            if isinstance(block, Block):
+                yield Fact("duration_s", motion.duration / block.p)
+    elif isinstance(motion, Record):
+        yield Fact("record", motion.name)
+        yield Fact("npts", len(motion.acceleration_m_s2))
+        yield Fact("dt_s", motion.dt_s)
+        yield Fact("duration_s", motion.duration_s)
+        if isinstance(run.vertical, Record):
+            peak = run.vertical.peak_acceleration_m_s2 / STANDARD_GRAVITY
+            words = f"{run.vertical.name or 'a record'} ({quantity(peak, 'g')})"
+            yield Fact("vertical", run.vertical.name, "vertical motion", words)
+            yield Fact("vertical_pga_g", peak)
+    if isinstance(block, Block):
+        yield Fact("block", block.to_dict())
+
+
+def _demands(run: "Trajectory") -> Iterator[Fact]:
+    """Yield what lifts the block, what the base does, and the friction it takes."""
+    if run.uplift_g is None or run.pga_g is None:
+        return
+    words = f"{quantity(run.uplift_g, 'g')}; the base reaches {quantity(run.pga_g, 'g')}"
+    yield Fact("uplift_g", run.uplift_g, "uplift at", words)
+    yield Fact("pga_g", run.pga_g)
+    needed = run.friction_needed
+    finite = None if needed is None or math.isinf(needed) else needed
+    shown: dict[str, Any] = {"label": "friction needed", "text": number(needed)} if needed else {}
+    yield Fact("friction_needed", finite, **shown)

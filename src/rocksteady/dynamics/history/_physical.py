@@ -1,0 +1,311 @@
+"""A run in seconds, in tau and in SI: times, states, and what its base must carry."""
+
+import math
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.arrays import real_array
+from rocksteady.dynamics.history import base_motion
+from rocksteady.dynamics.history.start import State
+from rocksteady.errors import ModelError, Words
+from rocksteady.kernels.core import tables as columns
+from rocksteady.kernels.core.tables import is_nonlinear
+from rocksteady.kernels.elementary.arrays import cos, sin, tan
+from rocksteady.kernels.march.replay import fill_states
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.checks.validation import finite
+from rocksteady.model.motions.record import Record
+from rocksteady.model.motions.segments import Harmonic, Still
+
+if TYPE_CHECKING:
+    from rocksteady.dynamics.history.samples import Flights, Samples
+    from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+    from rocksteady.model.motions.segments import Motion
+
+Floats = NDArray[np.float64]
+
+FRICTION_STEP = 0.02
+"""Longest step between samples of the base force, in pivot time."""
+
+ROUNDS = 4
+"""Of refinement of its largest ratio: the last step is some 1e-6 of the first."""
+
+FINER = 41
+"""Samples of a round between the neighbours of the largest one."""
+
+
+class Physical:
+    """A run in seconds, in tau = omega t and in SI, from its tables in pivot time."""
+
+    if TYPE_CHECKING:
+        block: Block | DimensionlessBlock
+        motion: Motion | Record
+        vertical: Motion | Record | None
+        segments: Floats
+        sides: Floats
+        rows: Floats
+
+        @property
+        def end_time_pt(self) -> float: ...
+
+        @property
+        def rest_time_pt(self) -> float | None: ...
+
+        @property
+        def overturn_time_pt(self) -> float | None: ...
+
+        @property
+        def flights(self) -> Flights: ...
+
+        @property
+        def _last_duration(self) -> float: ...
+
+        @property
+        def _overturning(self) -> tuple[int, float] | None: ...
+
+        def _times(self, pt: ArrayLike) -> Floats: ...
+
+        def __call__(self, pt: ArrayLike) -> Samples: ...
+
+    def _seconds(self, pt: float | None) -> float | None:
+        return pt / self.block.p if pt is not None and isinstance(self.block, Block) else None
+
+    def _tau(self, pt: float | None) -> float | None:
+        if pt is None or not isinstance(self.motion, Harmonic):
+            return None
+        return pt * self.motion.frequency_ratio
+
+    @property
+    def end_time_s(self) -> float | None:
+        """Time up to which the trajectory reaches [s]; None without a `Block`."""
+        return self._seconds(self.end_time_pt)
+
+    @property
+    def rest_time_s(self) -> float | None:
+        """Time at which the block came to rest [s]; None without a `Block`, or if it did not."""
+        return self._seconds(self.rest_time_pt)
+
+    @property
+    def overturn_time_s(self) -> float | None:
+        """Time of overturning [s]; None without a `Block`, or if it does not overturn."""
+        return self._seconds(self.overturn_time_pt)
+
+    @property
+    def end_time_tau(self) -> float | None:
+        """Time up to which the trajectory reaches, omega t; None unless `Harmonic`."""
+        return self._tau(self.end_time_pt)
+
+    @property
+    def rest_time_tau(self) -> float | None:
+        """Time at which the block came to rest, omega t; None unless `Harmonic`."""
+        return self._tau(self.rest_time_pt)
+
+    @property
+    def overturn_time_tau(self) -> float | None:
+        """Time of overturning, omega t; None unless `Harmonic`, or if it does not overturn."""
+        return self._tau(self.overturn_time_pt)
+
+    def at_time(self, t_s: ArrayLike) -> "Samples":
+        """Return the motion at times in seconds.
+
+        Raises
+        ------
+        ModelError
+            If the block is dimensionless.
+        """
+        if not isinstance(self.block, Block):
+            raise ModelError(
+                "block",
+                self.block,
+                "seconds need a block with a frequency parameter p",
+                "simulate a Block, or ask in pivot time: trajectory(pt)",
+            )
+        with np.errstate(over="ignore"):  # infinite, it is outside the trajectory
+            pt = real_array("t_s", t_s) * self.block.p
+        return self(pt)
+
+    def at_tau(self, tau: ArrayLike) -> "Samples":
+        """Return the motion at tau = omega t of harmonic shaking.
+
+        Raises
+        ------
+        ModelError
+            If the shaking is not harmonic.
+        """
+        with np.errstate(over="ignore"):  # infinite, it is outside the trajectory
+            pt = real_array("tau", tau) / self.frequency_ratio
+        return self(pt)
+
+    @property
+    def frequency_ratio(self) -> float:
+        """Omega of harmonic shaking.
+
+        Raises
+        ------
+        ModelError
+            If the shaking is not harmonic.
+        """
+        if not isinstance(self.motion, Harmonic):
+            raise ModelError(
+                "motion",
+                self.motion,
+                "tau = omega t needs harmonic shaking",
+                "ask in pivot time: trajectory(pt)",
+            )
+        return self.motion.frequency_ratio
+
+    def state(
+        self, *, pt: float | None = None, t_s: float | None = None, tau: float | None = None
+    ) -> State:
+        """Return the state at a time, from which another run can start.
+
+        It has the phase of harmonic shaking then, so that the run goes on as this one does.  Any
+        other motion begins anew.
+
+        Parameters
+        ----------
+        pt, t_s, tau
+            The time: pivot time, seconds or omega t; exactly one of them.
+
+        Raises
+        ------
+        ModelError
+            If not exactly one time is given, or the run has no such unit.
+        InputError
+            If the time is outside the trajectory.
+
+        Examples
+        --------
+        >>> from rocksteady import DimensionlessBlock, Harmonic, simulate
+        >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
+        >>> run = simulate(DimensionlessBlock(restitution=0.8), shaking, cycles=3)
+        >>> start = run.state(pt=2.0)
+        >>> later = simulate(run.block, shaking, start=start, cycles=1)
+        >>> print(abs(run(2.5).angle - later(0.5).angle) < 1e-12)
+        True
+        """
+        given = {"pt": pt, "t_s": t_s, "tau": tau}
+        names = [name for name, value in given.items() if value is not None]
+        if len(names) != 1:
+            raise ModelError(
+                "pt, t_s, tau",
+                Words(f"are given as {' and '.join(names)}" if names else "are all missing"),
+                "exactly one says at which time",
+                "give pt=..., t_s=... or tau=...",
+            )
+        time = finite(names[0], given[names[0]], hint="give one time")
+        views = {"pt": self.__call__, "t_s": self.at_time, "tau": self.at_tau}
+        motion = views[names[0]](time)
+        phase = None
+        if isinstance(self.motion, Harmonic):
+            # From the clock of its flight, which keeps its digits in long runs.
+            at = float(motion.pt)
+            row = int(np.searchsorted(self.flights.pt, at, side="right")) - 1
+            half = int(self.rows[row, columns.ROW_HALF_CYCLES]) % 2
+            turned = self.motion.frequency_ratio * max(at - float(self.flights.pt[row]), 0.0)
+            phase = half * math.pi + float(self.rows[row, columns.ROW_PHASE]) + turned
+        return State(angle=float(motion.angle), velocity=float(motion.velocity), phase=phase)
+
+    @property
+    def _shaken_block(self) -> Block | None:
+        """The block, if it has a size and the base a motion that ends, of finite acceleration."""
+        endless = isinstance(self.motion, Harmonic | Still) and self.vertical is None
+        struck = self.segments[:, columns.JUMP].any()
+        return self.block if isinstance(self.block, Block) and not (endless or struck) else None
+
+    @cached_property
+    def uplift_g(self) -> float | None:
+        """Base acceleration [g] that lifts the block from its base; None without a size or shock.
+
+        ``tan(alpha)`` of the side that lifts first, without vertical motion; alpha in the linear
+        model.
+        """
+        block = self._shaken_block
+        if block is None:
+            return None
+        least = min(block.positive.alpha, block.negative.alpha)
+        ratio = tan(least) if is_nonlinear(self.sides) else least
+        return float(ratio) * (block.gravity / STANDARD_GRAVITY)
+
+    @cached_property
+    def pga_g(self) -> float | None:
+        """Largest horizontal acceleration of the base [g]; None where `uplift_g` is."""
+        block = self._shaken_block
+        if block is None:
+            return None
+        if isinstance(self.motion, Record):
+            return self.motion.peak_acceleration_m_s2 / STANDARD_GRAVITY
+        peak = base_motion.peak_acceleration(self.segments)
+        return peak * (block.uplift_acceleration / STANDARD_GRAVITY)
+
+    @cached_property
+    def friction_needed(self) -> float | None:
+        """Least coefficient of friction that keeps the rocking block from sliding.
+
+        The largest ratio of horizontal and vertical force at the pivot while the block rocks, up
+        to overturning; infinite where the vertical force vanishes.  None where `uplift_g` is, or
+        if the block never rocks.
+        """
+        if self._shaken_block is None:
+            return None
+        count, durations = len(self.rows), self.rows[:, columns.ROW_DURATION].copy()
+        durations[-1] = self._last_duration
+        if self._overturning is not None:
+            last, since = self._overturning
+            count, durations[last] = last + 1, since
+        flying = np.flatnonzero(self.rows[:count, columns.ROW_SIDE])
+        if not len(flying):
+            return None
+        steps = np.ceil(durations[flying] / FRICTION_STEP).astype(np.int64).clip(1, 10_000)
+        row = np.repeat(flying, steps + 1)
+        ends = np.cumsum(steps + 1)
+        place = np.arange(ends[-1]) - np.repeat(ends - steps - 1, steps + 1)
+        step = np.repeat(durations[flying] / steps, steps + 1)
+        ratio = self._force_ratio(row, place * step)
+        best = int(ratio.argmax())
+        largest, index, at, width = (
+            float(ratio[best]),
+            row[best],
+            place[best] * step[best],
+            step[best],
+        )
+        for _ in range(ROUNDS):
+            near = np.clip(np.linspace(at - width, at + width, FINER), 0.0, durations[index])
+            ratio = self._force_ratio(np.full(FINER, index), near)
+            best = int(ratio.argmax())
+            largest, at = max(largest, float(ratio[best])), near[best]
+            width *= 2.0 / (FINER - 1)
+        return largest
+
+    def _force_ratio(self, row: NDArray[np.int64], since: Floats) -> Floats:
+        """Return horizontal over vertical force at the pivot, at times since the start of rows."""
+        block = self.block
+        assert isinstance(block, Block)
+        states = np.empty((3, len(row)))
+        fill_states(self.segments, self.sides, self.rows, row, since, states)
+        sign = self.rows[row, columns.ROW_SIDE]
+        alpha, radius = np.where(
+            sign > 0.0,
+            *np.array([(side.alpha, side.radius) for side in (block.positive, block.negative)])[
+                :, :, np.newaxis
+            ],
+        )
+        tilt, rate, turn = sign * block.alpha * states * [[1.0], [block.p], [block.p**2]]
+        left = alpha - tilt
+        sine, cosine = sin(left), cos(left)
+        index = self.rows[row, columns.ROW_SEGMENT].astype(np.int64)
+        # Of the row's own segment, whose end is not yet the next one's start.
+        across, up = base_motion.accelerations_in(
+            self.segments, index, self.flights.pt[row] + since
+        )
+        # Of the mass centre against the base, towards the side to which the block leans.
+        sideways = radius * (cosine * turn + sine * rate * rate)
+        upwards = radius * (sine * turn - cosine * rate * rate)
+        horizontal = np.abs(sideways - sign * across * block.uplift_acceleration)
+        vertical = block.gravity * (1.0 + up) + upwards
+        with np.errstate(divide="ignore"):
+            ratio: Floats = np.where(vertical > 0.0, horizontal / np.maximum(vertical, 0.0), np.inf)
+        return ratio

@@ -1,0 +1,285 @@
+"""Neighbours of a verdict: the same case with a slightly different motion and block."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from rocksteady.dynamics.history.simulate import simulate
+from rocksteady.dynamics.history.start import Start, State
+from rocksteady.dynamics.history.trajectory import Trajectory
+from rocksteady.errors import ModelError, Words
+from rocksteady.kernels.elementary.arrays import cos
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.sides import Side
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.model.motions.record import Record
+from rocksteady.model.motions.segments import (
+    Harmonic,
+    Motion,
+    Piecewise,
+    Segment,
+    Still,
+    segments_of,
+)
+from rocksteady.outcomes import Status
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import angle, number
+from rocksteady.results.result import Result
+
+SCALES = (0.95, 0.975, 1.025, 1.05)
+"""Of the horizontal motion."""
+
+RESTITUTION = 0.03
+"""Change of the restitution."""
+
+SLENDERNESS = 0.02
+"""Relative change of alpha."""
+
+RANGE = "scale +-5 %, restitution +-.03, alpha +-2 %, sign"
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True)
+class Neighbour:
+    """One neighbour of a case, and how it ended.
+
+    Attributes
+    ----------
+    scale
+        Factor of the horizontal motion.
+    restitution, alpha
+        Of the positive side; alpha in radians.
+    sign
+        +1, or -1 where the horizontal motion is reversed.
+    status
+        How it ended.
+    peak
+        Largest |theta|/alpha, in its own alpha.
+    """
+
+    scale: float
+    restitution: float
+    alpha: float
+    sign: int
+    status: Status
+    peak: float
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Neighbours(Result):
+    """Neighbours of a case, and which of them fall.
+
+    Attributes
+    ----------
+    case
+        The given case.
+    cases
+        The 21 neighbours.
+    """
+
+    case: Trajectory
+    cases: tuple[Neighbour, ...]
+
+    @property
+    def runs(self) -> int:
+        """Number of neighbours."""
+        return len(self.cases)
+
+    @property
+    def fall(self) -> int:
+        """Number of neighbours that overturn."""
+        return sum(neighbour.status is Status.OVERTURNED for neighbour in self.cases)
+
+    @property
+    def agree(self) -> bool:
+        """Whether all of them end as the case does: all overturn, or none."""
+        falls = self.case.status is Status.OVERTURNED
+        return self.fall == (self.runs if falls else 0)
+
+    @property
+    def fact(self) -> Fact:
+        """Their numbers, as the command prints them beside the case."""
+        counts = {"runs": self.runs, "fall": self.fall}
+        text = f"falls in {self.fall} of {self.runs} neighbours ({RANGE})"
+        return Fact("neighbours", counts, "neighbours", text)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """A warning where neighbours end otherwise than the case."""
+        if self.agree:
+            return ()
+        falls = self.case.status is Status.OVERTURNED
+        others = self.runs - self.fall if falls else self.fall
+        verb = "stand" if falls else "fall"
+        words = (
+            f"The verdict is not robust: {others} of {self.runs} neighbours {verb}, though motion "
+            "and block differ by a few per cent."
+        )
+        return (words,)
+
+    def describe(self) -> Description:
+        """Return how many fall, and what was changed in each."""
+        columns = (
+            Column("scale", "scale"),
+            Column("sign", "sign"),
+            Column("restitution", "restitution"),
+            Column("alpha_rad", "alpha", angle),
+            Column("status", "status", left=True),
+            Column("peak_rad", "peak", angle),
+            Column("peak", "in alpha", number),
+        )
+        rows = [
+            {
+                "scale": each.scale,
+                "sign": each.sign,
+                "restitution": each.restitution,
+                "alpha_rad": each.alpha,
+                "status": each.status.label,
+                "peak": each.peak,
+                "peak_rad": each.peak * each.alpha,
+            }
+            for each in self.cases
+        ]
+        model = self.case.model.name
+        return Description(
+            f"{self.fact.text}, {model} model",
+            facts=[
+                Fact("model", model),
+                Fact("status", self.case.status.label, "the given case"),
+                self.fact,
+            ],
+            tables=[Table("cases", rows, columns)],
+            notes=self.notes,
+        )
+
+
+@checked
+def check_neighbours(trajectory: Trajectory) -> Neighbours:
+    """Run a case again with slightly different motions and blocks.
+
+    There are 21 neighbours: the horizontal motion times .95, .975, 1.025 and 1.05; restitution -.03
+    and +.03, but at least half of it and at most half-way to 1; alpha x .98 and x 1.02, at the same
+    height of the mass centre and radius of gyration; the mildest and the most severe of all three;
+    each with both signs of the motion; and the given case with the other sign.  Model, vertical
+    motion and the angle and velocity of the start, in radians and seconds, are those of the case.
+
+    Parameters
+    ----------
+    trajectory
+        The case: a `Block` on a record, a pulse or another motion that ends.
+
+    Returns
+    -------
+    Neighbours
+        How many fall, and each with its changes.
+
+    Raises
+    ------
+    ModelError
+        If the block has no size, or the base stands still or never stops.
+
+    Examples
+    --------
+    >>> from rocksteady import Block, Pulse, check_neighbours, simulate
+    >>> block = Block.rectangle(width=0.6, height=1.8)
+    >>> pulse = Pulse.from_si(block, shape="one-sine", acceleration_m_s2=12.0, frequency_hz=1.0)
+    >>> found = check_neighbours(simulate(block, pulse))
+    >>> print(found.fall, "of", found.runs)
+    21 of 21
+    """
+    block, motion = trajectory.block, trajectory.motion
+    if not isinstance(block, Block) or isinstance(motion, Harmonic | Still):
+        raise ModelError(
+            "trajectory",
+            Words(f"has {block.describe().headline} on a {type(motion).__name__} motion"),
+            "neighbours are those of a Block on a motion that ends",
+            "simulate a Block on a Record or a Pulse",
+        )
+    return Neighbours(case=trajectory, cases=tuple(_neighbours(trajectory, block)))
+
+
+def _neighbours(case: Trajectory, block: Block) -> Iterator[Neighbour]:
+    """Yield the neighbours of a case."""
+    lower, upper = (_with_restitutions(block, change) for change in (-RESTITUTION, RESTITUTION))
+    slender, stocky = (_with_slenderness(block, 1.0 + d) for d in (-SLENDERNESS, SLENDERNESS))
+    changes = [(scale, block) for scale in SCALES]
+    changes += [(1.0, lower), (1.0, upper), (1.0, slender), (1.0, stocky)]
+    changes += [
+        (SCALES[0], _with_restitutions(stocky, -RESTITUTION)),
+        (SCALES[-1], _with_restitutions(slender, RESTITUTION)),
+    ]
+    signed = [(1, *change) for change in changes] + [(-1, *change) for change in changes]
+    for sign, scale, body in [*signed, (-1, 1.0, block)]:
+        across = _in_units_of(body, block, case.motion, sign * scale)
+        up = None if case.vertical is None else _in_units_of(body, block, case.vertical, 1.0)
+        run = simulate(
+            body,
+            BaseMotion(across, up),
+            start=_start_of(body, block, case.start),
+            model=case.model,
+        )
+        yield Neighbour(
+            scale=scale,
+            restitution=body.restitution,
+            alpha=body.alpha,
+            sign=sign,
+            status=run.status,
+            peak=run.peak,
+        )
+
+
+def _with_restitutions(block: Block, change: float) -> Block:
+    """Return the block with both restitutions changed, half-way to 0 or 1 at most."""
+    first, second = (
+        min(max(ratio + change, 0.5 * ratio), 0.5 * (1.0 + ratio))
+        for ratio in (block.positive.restitution, block.negative.restitution)
+    )
+    return block.with_restitution((first, second))
+
+
+def _with_slenderness(block: Block, factor: float) -> Block:
+    """Return the block with other alphas, the height of its mass centre and its gyration kept."""
+    one, other = (_tilted(side, factor, block.gravity) for side in (block.positive, block.negative))
+    return replace(block, positive=one, negative=other)
+
+
+def _tilted(side: Side, factor: float, gravity: float) -> Side:
+    """Return a side with another alpha, at most half-way to a right angle."""
+    alpha = min(factor * side.alpha, 0.5 * (side.alpha + 0.5 * math.pi))
+    gyration = max(gravity * side.radius / side.p**2 - side.radius**2, 0.0)
+    radius = side.centre_height / float(cos(alpha))
+    p = math.sqrt(gravity * radius / (gyration + radius * radius))
+    return replace(side, alpha=alpha, radius=radius, p=p)
+
+
+def _in_units_of(
+    body: Block, block: Block, motion: Motion | Record, factor: float
+) -> Motion | Record:
+    """Return a motion times a factor, in the units of another block."""
+    if isinstance(motion, Record):
+        return motion.scaled(factor)
+    size = factor * block.alpha / body.alpha
+    rate = block.p / body.p  # pivot time passes this much slower
+    pieces = tuple(
+        Segment(
+            duration=piece.duration / rate,
+            constant=size * piece.constant,
+            slope=size * rate * piece.slope,
+            jump=size / rate * piece.jump,
+            amplitude=size * piece.amplitude,
+            frequency=rate * piece.frequency,
+            phase=piece.phase,
+        )
+        for piece in segments_of(motion)
+    )
+    return Piecewise(pieces=pieces)
+
+
+def _start_of(body: Block, block: Block, start: Start) -> Start:
+    """Return a start of the same angle and velocity in the units of another block."""
+    if not isinstance(start, State):
+        return start
+    size = block.alpha / body.alpha
+    return State(angle=size * start.angle, velocity=size * (block.p / body.p) * start.velocity)
