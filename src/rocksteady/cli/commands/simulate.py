@@ -140,21 +140,7 @@ def simulate(
             model=equations,
         )
     description = with_neighbours(trajectory, notes)
-    # Made before any file is written: a run that is too long to be shown is refused here.
-    moving = None if film.animate is None else film_of_run(trajectory, film)
-    if output.csv is not None:
-        table = trajectory.to_columns(samples)
-        rows = zip(*(column.tolist() for column in table.values()), strict=True)
-        write_csv(output.csv, list(table), rows)
-    if output.plot is not None:
-        from rocksteady.show.figures.single import simulation_figure
-
-        values = description.to_dict()
-        # The name of a record leaves no room for more.
-        title = case_text(values) if "record" in values else f"Rocking block: {case_text(values)}"
-        write_figure(output.plot, simulation_figure(trajectory, title, output.page))
-    if moving is not None and film.animate is not None:
-        write_film(film.animate, moving)
+    write_files(trajectory, description, output, film, samples)
     if output.as_json:
         print_json("simulate", description.to_dict())
     else:
@@ -185,6 +171,31 @@ def with_neighbours(trajectory: "Trajectory", notes: dict[str, list[str]]) -> De
         label = key.partition("_")[0] if lines else ""
         facts.append(Fact(key, lines, label, "\n".join(lines)))
     return replace(found, facts=facts, notes=remarks)
+
+
+def write_files(
+    trajectory: "Trajectory",
+    description: Description,
+    output: OutputFlags,
+    film: AnimationFlags,
+    samples: int,
+) -> None:
+    """Write the table, the picture and the film."""
+    # Made before any file is written: a run that is too long to be shown is refused here.
+    moving = None if film.animate is None else film_of_run(trajectory, film)
+    if output.csv is not None:
+        table = trajectory.to_columns(samples)
+        rows = zip(*(column.tolist() for column in table.values()), strict=True)
+        write_csv(output.csv, list(table), rows)
+    if output.plot is not None:
+        from rocksteady.show.figures.single import simulation_figure
+
+        values = description.to_dict()
+        # The name of a record leaves no room for more.
+        title = case_text(values) if "record" in values else f"Rocking block: {case_text(values)}"
+        write_figure(output.plot, simulation_figure(trajectory, title, output.page))
+    if moving is not None and film.animate is not None:
+        write_film(film.animate, moving)
 
 
 def refuse_long_table(samples: int, cycles: float | None) -> None:

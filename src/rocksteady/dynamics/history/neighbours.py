@@ -122,7 +122,7 @@ class Neighbours(Result):
     def describe(self) -> Description:
         """Return how many fall, and what was changed in each."""
         columns = (
-            Column("scale", "scale"),
+            Column("scale", "scale", lambda scale: number(scale, 4)),
             Column("sign", "sign"),
             Column("restitution", "restitution"),
             Column("alpha_rad", "alpha", angle),

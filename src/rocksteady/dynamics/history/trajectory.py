@@ -10,9 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history import base_motion
-from rocksteady.dynamics.history._description import description_of
 from rocksteady.dynamics.history._growth import Course, growth_of
-from rocksteady.dynamics.history._physical import Physical
+from rocksteady.dynamics.history._outcome import Described
 from rocksteady.dynamics.history.samples import Flights, Impacts, Samples
 from rocksteady.dynamics.history.start import Rest, Start
 from rocksteady.errors import InputError
@@ -34,8 +33,6 @@ from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Harmonic, Motion
 from rocksteady.outcomes import Status
-from rocksteady.results.description import Description
-from rocksteady.results.result import Result
 
 if TYPE_CHECKING:
     import xarray
@@ -48,7 +45,7 @@ OVERTURNED_SHOWN_TO = 2.0
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Trajectory(Physical, Result):
+class Trajectory(Described):
     """Time history of a block: flights, impacts, and the motion at any time.
 
     Call it with pivot times, ``trajectory(pt)``; `at_time` takes seconds and `at_tau` the paper's
@@ -412,10 +409,6 @@ class Trajectory(Physical, Result):
         if isinstance(self.motion, Harmonic):
             return base_motion.swinging_displacement(self.segments, self._times(pt))
         return base_motion.displacement_from_rest(self.segments, self._times(pt))
-
-    def describe(self) -> Description:
-        """Return how it ended, its peaks, times and inputs."""
-        return description_of(self)
 
     def to_columns(self, samples: int = 100) -> dict[str, Floats]:
         """Return the time history as columns of equal length, with the units in their names.

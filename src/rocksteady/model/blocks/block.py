@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin, tan
-from rocksteady.model.blocks._description import description_of
+from rocksteady.model.blocks._measures import description_of
 from rocksteady.model.blocks._sizes import (
     check_inertia,
     check_one_size,
@@ -497,4 +497,4 @@ class Block(Result):
 
     def describe(self) -> Description:
         """Return its size, slenderness and rates, for people and under the names of JSON."""
-        return description_of(self)
+        return description_of(self.positive, self.negative)

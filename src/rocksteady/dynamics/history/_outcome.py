@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from rocksteady.dynamics.history._physical import Physical
 from rocksteady.kernels.core import tables as columns
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.motions.pulses import Pulse
@@ -12,15 +13,41 @@ from rocksteady.model.motions.segments import Harmonic, Still
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import angle, number, quantity
+from rocksteady.results.result import Result
 
 if TYPE_CHECKING:
-    from rocksteady.dynamics.history.trajectory import Trajectory
+    from rocksteady.dynamics.history.samples import Impacts
+    from rocksteady.model.equations import Model
 
 DECIDED_BY_ROUNDING = 1e12
 """Growth of a small difference above which rounding decides how a run goes on."""
 
 
-def description_of(run: "Trajectory") -> Description:
+class Described(Physical, Result):
+    """A run that describes itself."""
+
+    if TYPE_CHECKING:
+        model: Model
+        status: Status
+
+        @property
+        def peak(self) -> float: ...
+
+        @property
+        def side_peaks(self) -> tuple[float, float]: ...
+
+        @property
+        def impacts(self) -> Impacts: ...
+
+        @property
+        def growth(self) -> float: ...
+
+    def describe(self) -> Description:
+        """Return how it ended, its peaks, times and inputs."""
+        return description_of(self)
+
+
+def description_of(run: Described) -> Description:
     """Return the facts and notes of a time history."""
     facts = [
         Fact("model", run.model.name),
@@ -47,7 +74,7 @@ def description_of(run: "Trajectory") -> Description:
     return Description(f"{words}, {run.model.name} model", facts, notes=notes)
 
 
-def outcome(run: "Trajectory") -> str:
+def outcome(run: Described) -> str:
     """Return how a run ended, and when."""
     if run.status is Status.OVERTURNED and run.overturn_time_pt is not None:
         return f"overturned at {time_words(run, run.overturn_time_pt)}"
@@ -61,7 +88,7 @@ def outcome(run: "Trajectory") -> str:
     return f"{words} {time_words(run, run.end_time_pt)}"
 
 
-def time_words(run: "Trajectory", pt: float) -> str:
+def time_words(run: Described, pt: float) -> str:
     """Return a pivot time, in seconds first where the block has a size, in periods of shaking."""
     parts = [f"pt {number(pt)}"]
     if isinstance(run.motion, Harmonic):
@@ -72,7 +99,7 @@ def time_words(run: "Trajectory", pt: float) -> str:
     return f"{quantity(pt / run.block.p, 's')} ({', '.join(parts)})"
 
 
-def motion_words(run: "Trajectory") -> str:
+def motion_words(run: Described) -> str:
     """Return the base motion in a few words."""
     motion, block = run.motion, run.block
     if isinstance(motion, Record):
@@ -100,7 +127,7 @@ def peak_words(peak: float, alpha: float | None) -> str:
     return part if alpha is None else f"{angle(peak * alpha)} = {part}"
 
 
-def _peaks(run: "Trajectory") -> Iterator[Fact]:
+def _peaks(run: Described) -> Iterator[Fact]:
     """Yield the largest angle, that of either side where they differ, in radians too."""
     block = run.block
     until = ", up to overturning" if run.overturn_time_pt is not None else ""
@@ -123,7 +150,7 @@ def _peaks(run: "Trajectory") -> Iterator[Fact]:
         yield Fact("peak_rad", max(peak * alpha for peak, alpha in pairs))
 
 
-def _restitutions(run: "Trajectory") -> Iterator[Fact]:
+def _restitutions(run: Described) -> Iterator[Fact]:
     """Yield the restitution, or that of either impact where they differ."""
     first, second = run.sides[:, columns.RESTITUTION].tolist()
     yield Fact("restitution", first)
@@ -131,7 +158,7 @@ def _restitutions(run: "Trajectory") -> Iterator[Fact]:
         yield Fact("negative_restitution", second)
 
 
-def _times(run: "Trajectory") -> Iterator[Fact]:
+def _times(run: Described) -> Iterator[Fact]:
     """Yield when it overturned and when it came to rest."""
     for name, label in (("overturn", "overturns at"), ("rest", "at rest from")):
         pt = getattr(run, f"{name}_time_pt")
@@ -144,7 +171,7 @@ def _times(run: "Trajectory") -> Iterator[Fact]:
         yield Fact(f"{name}_time_pt", pt, **shown)
 
 
-def _motion(run: "Trajectory") -> Iterator[Fact]:
+def _motion(run: Described) -> Iterator[Fact]:
     """Yield the base motion as the block felt it, and the measures of the block."""
     motion, block = run.motion, run.block
     if isinstance(motion, Harmonic | Pulse):
@@ -175,7 +202,7 @@ def _motion(run: "Trajectory") -> Iterator[Fact]:
         yield Fact("block", block.to_dict())
 
 
-def _demands(run: "Trajectory") -> Iterator[Fact]:
+def _demands(run: Described) -> Iterator[Fact]:
     """Yield what lifts the block, what the base does, and the friction it takes."""
     if run.uplift_g is None or run.pga_g is None:
         return
