@@ -1,11 +1,11 @@
 """Sizes as they are given: which of them, in which unit, and the radius that p implies."""
 
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.elementary.arrays import cos, sin, tan
-from rocksteady.model.blocks.sides import Side, length_value, p_value
+from rocksteady.model.blocks.sides import length_value, p_value
 
 TALLEST = 200.0
 """Of the standing towers and obelisks none is taller [m]."""
@@ -113,22 +113,3 @@ def lengths_of(
     if gyration is not None:
         k = length_value("gyration", gyration, hint="give sqrt(I_c/M) in metres")
     return b1, b2, h, k
-
-
-def html_table(sides: Sequence[Side]) -> str:
-    """Return the measures of a block's sides as a table for notebooks: of one, or of both."""
-    quantities = {
-        "slenderness alpha": ("alpha", " rad"),
-        "radius R": ("radius", " m"),
-        "frequency parameter p": ("p", " rad/s"),
-        "restitution": ("restitution", ""),
-        "uplift at": ("alpha", " g"),
-    }
-    rows = {
-        words: " and ".join(f"{getattr(side, name):.6g}" for side in sides) + unit
-        for words, (name, unit) in quantities.items()
-    }
-    if len(sides) > 1:
-        rows = {"sides": "positive (left edge) and negative (right edge)"} | rows
-    cells = "".join(f"<tr><th>{name}</th><td>{value}</td></tr>" for name, value in rows.items())
-    return f"<table><caption>Block</caption>{cells}</table>"

@@ -17,7 +17,6 @@ from rocksteady.model.blocks._measures import description_of
 from rocksteady.model.blocks._sizes import (
     check_inertia,
     check_one_size,
-    html_table,
     lengths_of,
     question_millimetres,
     radius_of_p,

@@ -242,11 +242,10 @@ def _found(
     ]
 
     def each(which: AttractorKind) -> NDArray[np.bool_]:
-        return np.array([found.are(which) for found in settled])
+        return np.stack([found.are(which) for found in settled])
 
     def any_of(which: AttractorKind) -> NDArray[np.bool_]:
-        there: NDArray[np.bool_] = each(which).any(axis=0)
-        return there
+        return np.asarray(each(which).any(axis=0))
 
     codes = _codes(settled, each(AttractorKind.UNSYMMETRIC))
     undecided = each(AttractorKind.UNDECIDED).sum(axis=0)
