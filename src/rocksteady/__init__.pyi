@@ -17,8 +17,7 @@ from .dynamics.continuation.loci import follow_bifurcation as follow_bifurcation
 from .dynamics.continuation.points import Branch as Branch
 from .dynamics.continuation.points import BranchPoint as BranchPoint
 from .dynamics.continuation.points import PointType as PointType
-from .dynamics.continuation.stability import Stretch as Stretch
-from .dynamics.continuation.stability import stretches as stretches
+from .dynamics.continuation.points import Stretch as Stretch
 from .dynamics.history.samples import Flights as Flights
 from .dynamics.history.samples import Impacts as Impacts
 from .dynamics.history.samples import Samples as Samples
@@ -35,12 +34,12 @@ from .dynamics.maps.attractor_map import map_attractors as map_attractors
 from .dynamics.maps.fate_map import map_fates as map_fates
 from .dynamics.orbits.attractor import Attractor as Attractor
 from .dynamics.orbits.attractor import find_attractor as find_attractor
+from .dynamics.orbits.attractor_sweep import AttractorSweep as AttractorSweep
+from .dynamics.orbits.attractor_sweep import sweep_attractor as sweep_attractor
 from .dynamics.orbits.orbit import Orbit as Orbit
 from .dynamics.orbits.return_map import Passage as Passage
 from .dynamics.orbits.return_map import ReturnMap as ReturnMap
 from .dynamics.orbits.search import find_orbits as find_orbits
-from .dynamics.orbits.trail import AttractorSweep as AttractorSweep
-from .dynamics.orbits.trail import sweep_attractor as sweep_attractor
 from .dynamics.overturning.free_rocking import equivalent_damping as equivalent_damping
 from .dynamics.overturning.free_rocking import free_rocking_peaks as free_rocking_peaks
 from .dynamics.overturning.free_rocking import free_rocking_period as free_rocking_period

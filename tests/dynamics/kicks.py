@@ -21,12 +21,12 @@ def apart(one: ImpactState | None, other: ImpactState) -> float:
 
 
 def around(orbit: Orbit) -> ReturnMap:
-    return ReturnMap(orbit.block, orbit.shaking)
+    return ReturnMap(orbit.block, orbit.motion)
 
 
 def clearance(orbit: Orbit) -> float:
     """Return the least impact speed of an orbit and depth that its flights keep from the floor."""
-    a, w = orbit.shaking.amplitude, orbit.shaking.frequency_ratio
+    a, w = orbit.motion.amplitude, orbit.motion.frequency_ratio
     beta, returns = a / (1.0 + w * w), around(orbit)
     least = math.inf
     for state in orbit.states:

@@ -222,7 +222,7 @@ def orbits(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
     """Yield attractors, orbits and the return map, with orbits that rest and such that do not."""
     for amplitude, ratio in ((2.0, 4.0), (1.2, 1.0)):
         shaking = rs.Harmonic(amplitude=amplitude, frequency_ratio=ratio)
-        yield partial(rs.find_attractor, block, shaking, cycles=60, model=model)
+        yield partial(rs.find_attractor, block, shaking, max_cycles=60, model=model)
         yield partial(
             rs.find_orbits, block, shaking, max_period=1, max_impacts=2, seeds=3, model=model
         )
@@ -230,7 +230,7 @@ def orbits(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:
     state = rs.ImpactState(side=1, phase=0.5, speed=0.3)
     yield partial(rs.ReturnMap(block, shaking, model=model), state)
     if isinstance(model, rs.Linear):
-        yield partial(rs.sweep_attractor, block, shaking, "amplitude", [1.9, 2.0], cycles=20)
+        yield partial(rs.sweep_attractor, block, shaking, "amplitude", [1.9, 2.0], max_cycles=20)
 
 
 def grids(block: rs.Block, model: Any) -> Iterator[Callable[[], object]]:

@@ -65,7 +65,7 @@ def test_a_sweep_goes_along_the_axis_from_its_first_value(upwards: bool) -> None
         bare,
         type(shaking)(amplitude=values[0], frequency_ratio=4.0, phase=0.5),
         start=begun,
-        cycles=300,
+        max_cycles=300,
     )
     first = found.trail.attractors[0]
     assert (first.kind, first.period, first.after) == (alone.kind, alone.period, alone.after)

@@ -74,7 +74,7 @@ def test_each_state_goes_where_it_goes_alone(
             angle=float(found.start_angle[row, column]),
             velocity=float(found.start_velocity[row, column]),
         )
-        alone = find_attractor(found.block, found.motion, start=state, cycles=400)
+        alone = find_attractor(found.block, found.motion, start=state, max_cycles=400)
         here = found.attractors[found.label[row, column]]
         assert here.kind is alone.kind
         assert same_orbit(here.orbit, alone.orbit)

@@ -70,7 +70,7 @@ def test_each_state_goes_where_it_goes_alone(
             angle=float(found.start_angle[row, column]),
             velocity=float(found.start_velocity[row, column]),
         )
-        alone = find_attractor(block, found.motion, start=state, cycles=300, model=Nonlinear())
+        alone = find_attractor(block, found.motion, start=state, max_cycles=300, model=Nonlinear())
         here = found.attractors[found.label[row, column]]
         assert here.kind is alone.kind
         assert (here.orbit is None) == (alone.orbit is None)

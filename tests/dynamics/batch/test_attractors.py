@@ -41,7 +41,7 @@ def test_each_cell_is_the_attractor_of_its_motion_alone(model: Model) -> None:
     for at, (block, shaking, start) in enumerate(
         zip(cells.blocks, cells.shakings, cells.starts, strict=True)
     ):
-        alone = find_attractor(block, shaking, start=start, cycles=CYCLES, model=model)
+        alone = find_attractor(block, shaking, start=start, max_cycles=CYCLES, model=model)
         assert KINDS[found.kind[at]] == alone.kind
         assert found.after[at] == alone.after
         np.testing.assert_array_equal(found.lyapunov[at], alone.lyapunov)

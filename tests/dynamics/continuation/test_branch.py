@@ -264,7 +264,7 @@ def test_stable_points_attract(leaning: list[BranchPoint]) -> None:
     stable = [point for point in leaning if point.stable and abs(point.multipliers[0]) < 0.9]
     for point in stable[::3]:
         orbit = point.orbit()
-        found = find_attractor(orbit.block, orbit.shaking, start=orbit.start)
+        found = find_attractor(orbit.block, orbit.motion, start=orbit.start)
         assert found.orbit is not None
         assert found.period == point.period
         assert found.orbit.highest == pytest.approx(orbit.highest, abs=1e-7)
@@ -297,7 +297,7 @@ def steps_disagree(seed: int) -> str:
     long, short = followed(0.02), followed(0.002)
     if same_events(long, short, within=1e-10):
         return ""
-    return f"{seed} {parameter} {start.shaking} {direction}: {long} or {short}"
+    return f"{seed} {parameter} {start.motion} {direction}: {long} or {short}"
 
 
 @pytest.mark.parametrize("seed", range(16))

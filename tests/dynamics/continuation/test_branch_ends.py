@@ -176,19 +176,19 @@ def test_what_a_point_says_of_itself() -> None:
         ({"largest_step": 0.0}, "largest_step = 0"),
         ({"largest_step": 0.3}, "largest_step = 0.3"),
         ({"most_points": 0}, "most_points = 0"),
-        ({"start": None}, "start = None"),
+        ({"origin": None}, "origin = None"),
     ],
 )
 def test_what_is_out_of_range_is_refused_at_once_and_in_one_line(
     change: dict[str, object], said: str
 ) -> None:
     given: dict[str, object] = {
-        "start": symmetric_start(1.0, 2.0, 0.8),
+        "origin": symmetric_start(1.0, 2.0, 0.8),
         "parameter": "amplitude",
         "within": (0.1, 3.0),
         **change,
     }
-    start, parameter, within = given.pop("start"), given.pop("parameter"), given.pop("within")
+    start, parameter, within = given.pop("origin"), given.pop("parameter"), given.pop("within")
     with pytest.raises(InputError) as raised:
         follow_branch(start, parameter, within, **given)  # type: ignore[arg-type]
     assert said in str(raised.value)

@@ -196,8 +196,8 @@ def test_any_parameter(parameter: str) -> None:
         ({"max_period": 0}, "max_period = 0"),
         ({"max_impacts": 1.5}, "max_impacts = 1.5"),
         ({"max_branches": None}, "max_branches = None"),
-        ({"starts": 3}, "starts = 3"),
-        ({"starts": [3]}, "starts = [3]"),
+        ({"origins": 3}, "origins = 3"),
+        ({"origins": [3]}, "origins = [3]"),
         ({"within": (3.0, 2.0)}, "less than the second"),
         ({"parameter": "mass"}, "parameter = 'mass'"),
         ({"largest_step": 0.0}, "largest_step = 0"),
@@ -205,7 +205,7 @@ def test_any_parameter(parameter: str) -> None:
 )
 def test_what_is_out_of_range_is_refused(change: dict[str, object], said: str) -> None:
     given: dict[str, object] = {
-        "starts": [symmetric_start(2.0, 2.0, 0.8)],
+        "origins": [symmetric_start(2.0, 2.0, 0.8)],
         "parameter": "frequency_ratio",
         "within": (1.7, 2.1),
         **change,

@@ -79,7 +79,7 @@ def test_at_a_doubling_orbits_of_twice_the_period_leave_like_a_root(
         orbit = point.orbit()
         assert orbit.period == 2
         assert orbit.residual < 1e-11
-        found = find_attractor(orbit.block, orbit.shaking, start=orbit.start)
+        found = find_attractor(orbit.block, orbit.motion, start=orbit.start)
         assert found.period == 2
 
 
@@ -149,7 +149,7 @@ def test_at_a_graze_orbits_with_two_impacts_more_begin(graze: BranchPoint) -> No
         # Newton's method on the return map finds it again, from a place beside it.
         orbit = point.orbit()
         begin, table = orbit.states[0], np.zeros((orbit.impacts or 0, periodic.ORBIT_COLUMNS))
-        system = make_system(orbit.block.dimensionless(), orbit.shaking, Linear())
+        system = make_system(orbit.block.dimensionless(), orbit.motion, Linear())
         beside = replace(begin, speed=begin.speed * (1.0 + 1e-13))
         fixed = periodic.polish(system, section_of(beside), len(table), point.period, table)
         assert fixed.residual < 1e-9

@@ -201,7 +201,7 @@ def same_as_alone(
     """Assert that a cell of a map is what `find_attractor` finds, to the last bit."""
     kind = KIND_FLAGS[int(cell.kind)]
     try:
-        alone = find_attractor(block, shaking, start=start, cycles=cycles)
+        alone = find_attractor(block, shaking, start=start, max_cycles=cycles)
     except ModelError:
         assert kind == "no-start"
         assert math.isnan(cell.highest)

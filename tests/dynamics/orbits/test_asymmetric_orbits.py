@@ -81,7 +81,7 @@ def test_orbits_close_and_those_of_the_mirrored_block_mirror_them() -> None:
         assert not orbit.symmetric
         assert orbit.branch is None
         assert orbit.residual < 1e-12
-        run = simulate(block, orbit.shaking, start=orbit.start, cycles=1)
+        run = simulate(block, orbit.motion, start=orbit.start, cycles=1)
         assert float(run(run.end_time_pt).angle) == pytest.approx(0.0, abs=1e-6)
         assert any(
             one.highest == pytest.approx(-orbit.lowest / 1.25, rel=1e-9)
@@ -147,7 +147,7 @@ def test_basins_go_where_single_motions_go() -> None:
     for i, velocity in enumerate(found.velocity.tolist()):
         for j, angle in enumerate(found.angle.tolist()):
             start = State(angle=angle, velocity=velocity * 2.0)
-            one = find_attractor(ASYMMETRY, found.shaking, start=start, cycles=500)
+            one = find_attractor(ASYMMETRY, found.shaking, start=start, max_cycles=500)
             where = found.attractors[int(found.label[i, j])]
             assert where.kind == one.kind
             if one.orbit is not None:

@@ -313,7 +313,7 @@ def test_an_orbit_with_rest_draws_itself_as_it_is(point: tuple[float, float, flo
     assert orbit is not None
     assert orbit.rest_phases
     run = orbit.trajectory()
-    unit = 2.0 * math.pi / orbit.shaking.frequency_ratio
+    unit = 2.0 * math.pi / orbit.motion.frequency_ratio
     assert run.end_time_pt == pytest.approx(orbit.period * unit, rel=1e-9)
     angle = run(run.times(400)).angle
     assert angle.max() == pytest.approx(orbit.highest, rel=1e-3)

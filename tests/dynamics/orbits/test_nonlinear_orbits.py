@@ -131,7 +131,7 @@ def test_each_orbit_is_back_after_its_period(
         assert (orbit.model, orbit.admissible) == (Nonlinear(), True)
         run = simulate(
             block,
-            orbit.shaking,
+            orbit.motion,
             start=orbit.start,
             cycles=orbit.period + 0.01,
             model=Nonlinear(),
@@ -148,7 +148,7 @@ def test_each_orbit_is_back_after_its_period(
         assert len(run.impacts) == orbit.impacts
         after = [*orbit.states[1:], orbit.states[0]]
         for k, state in enumerate(after):
-            turned = orbit.shaking.phase + w * run.impacts.pt[k] - state.phase
+            turned = orbit.motion.phase + w * run.impacts.pt[k] - state.phase
             assert abs(np.angle(np.exp(1j * turned))) < 1e3 * off[k] + 1e-11
             velocity = run.impacts.velocity_after[k]
             assert velocity == pytest.approx(
@@ -159,7 +159,7 @@ def test_each_orbit_is_back_after_its_period(
 
 def growth(orbit: Orbit, k: int) -> float:
     """Return by how much the passage after a state may magnify a difference."""
-    step = ReturnMap(orbit.block, orbit.shaking, model=Nonlinear())(orbit.states[k])
+    step = ReturnMap(orbit.block, orbit.motion, model=Nonlinear())(orbit.states[k])
     return float(np.linalg.norm(step.jacobian, 2)) + 1.0
 
 
@@ -171,9 +171,7 @@ def test_the_flow_contracts_by_the_restitutions_alone(
         if orbit.rest_phases:
             assert not orbit.multipliers.any()
             continue
-        step = ReturnMap(block, orbit.shaking, model=Nonlinear())(
-            orbit.states[0], len(orbit.states)
-        )
+        step = ReturnMap(block, orbit.motion, model=Nonlinear())(orbit.states[0], len(orbit.states))
         first, second = block.positive.restitution, block.negative.restitution
         exact = (first * second) ** len(orbit.states)
         assert len(orbit.states) % 2 == 0
@@ -189,16 +187,16 @@ def test_the_flow_contracts_by_the_restitutions_alone(
 @pytest.mark.parametrize("block", [SLENDER, ASYMMETRY])
 def test_an_adaptive_integrator_lands_where_the_orbits_do(block: Block) -> None:
     for orbit in listed(*next(case for case in CASES if case[0] is block)):
-        w, a = orbit.shaking.frequency_ratio, orbit.shaking.amplitude
+        w, a = orbit.motion.frequency_ratio, orbit.motion.amplitude
         if orbit.largest_multiplier > 100.0:
             continue
         landings = impacts_by_integrator(
-            lambda t, w=w, a=a, phase=orbit.shaking.phase: (  # type: ignore[misc]
+            lambda t, w=w, a=a, phase=orbit.motion.phase: (  # type: ignore[misc]
                 a * block.alpha * math.sin(w * block.p * t + phase)
             ),
             block=block,
             angle=0.0,
-            velocity=orbit.start.velocity * block.alpha * block.p,
+            velocity=orbit.start.side * orbit.start.speed * block.alpha * block.p,
             breaks=(0.0, 2.01 * math.pi * orbit.period / (w * block.p)),
             longest_step=0.05 / block.p,
             count=len(orbit.states),

@@ -103,7 +103,7 @@ def test_peaks_are_those_of_the_orbit_alone_to_the_last_bit() -> None:
             DimensionlessBlock(restitution=r),
             Harmonic(amplitude=a, frequency_ratio=w),
             start=State(angle=0.0, velocity=velocity),
-            cycles=CYCLES,
+            max_cycles=CYCLES,
         )
         if found.orbit is not None:
             assert found.peaks == (values[i, HIGHEST], values[i, LOWEST])

@@ -32,7 +32,6 @@ from rocksteady import (
     plot_bifurcation_curves,
     plot_bifurcations,
     region_boundaries,
-    stretches,
     sweep_attractor,
     symmetry_breaking_amplitude,
 )
@@ -118,7 +117,7 @@ def test_every_flight_is_a_line_and_nothing_drawn_is_nan() -> None:
     branches = over_amplitude()
     axes = plot_bifurcations(branches, ax=Figure().add_subplot())
     expected = sum(
-        branch.peaks.shape[1] // (2 if branch.symmetric else 1) * len(stretches(branch))
+        branch.peaks.shape[1] // (2 if branch.symmetric else 1) * len(branch.stretches)
         for branch in branches
     )
     assert len(lines_of(axes, marked=False)) == expected
@@ -153,7 +152,7 @@ def test_stable_parts_are_solid_and_thick_and_unstable_ones_dashed_and_thin() ->
 
 def test_a_stretch_between_two_bifurcations_is_what_the_one_before_is_not() -> None:
     for branch in (*over_amplitude(), *over_frequency()):
-        parts = stretches(branch)
+        parts = branch.stretches
         assert parts[0].first == 0
         assert parts[-1].last == len(branch.points) - 1
         for part, after in pairwise(parts):

@@ -108,7 +108,7 @@ def attractor(
             model=equations,
         )
     values = attractor_values(found, body, motion)
-    values |= {**start.values(found.shaking.phase), "cycles": cycles, "model": model}
+    values |= {**start.values(found.motion.phase), "cycles": cycles, "model": model}
     run = None
     if found.orbit is None and (output.csv is not None or output.plot is not None):
         run = followed(found, body, motion, begin, equations)

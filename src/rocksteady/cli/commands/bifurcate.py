@@ -314,7 +314,7 @@ def write_files(
 
 def _sweep(span: Range, start: SweepStart, cycles: int, *, upwards: bool) -> Sweep:
     """Carry a motion along the axis."""
-    from rocksteady.dynamics.orbits.trail import sweep_attractor
+    from rocksteady.dynamics.orbits.attractor_sweep import sweep_attractor
 
     values = span.values if upwards else span.values[::-1]
     word, begin, phase = start.begin(span, values[0])
@@ -325,6 +325,6 @@ def _sweep(span: Range, start: SweepStart, cycles: int, *, upwards: bool) -> Swe
         span.parameter,
         values,
         start=begin,
-        cycles=cycles,
+        max_cycles=cycles,
     )
     return Sweep(start=word, trail=trail)

@@ -11,7 +11,7 @@ from rocksteady.errors import ModelError
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.history.start import Start
-    from rocksteady.dynamics.orbits.trail import AttractorSweep
+    from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
 
 AUTO = "auto"
 

@@ -120,8 +120,6 @@ def _size(values: dict[str, Any]) -> float:
 
 def branch_values(branches: Sequence["Branch"], span: Range) -> list[dict[str, Any]]:
     """Return a summary of each branch: what it is, its ends, and where it is stable."""
-    from rocksteady.dynamics.continuation.stability import stretches
-
     listed = []
     for number, branch in enumerate(branches, start=1):
         ends = [
@@ -130,7 +128,7 @@ def branch_values(branches: Sequence["Branch"], span: Range) -> list[dict[str, A
         ]
         stable = [
             sorted((float(branch.values[part.first]), float(branch.values[part.last])))
-            for part in stretches(branch)
+            for part in branch.stretches
             if part.stable
         ]
         listed.append(

@@ -74,7 +74,7 @@ def orbit_values(orbit: "Orbit", block: Block | DimensionlessBlock) -> dict[str,
     if isinstance(block, Block):
         peaks = values["peaks"]
         values["peaks_rad"] = None if peaks is None else [peak * block.alpha for peak in peaks]
-        values["period_s"] = orbit.period / orbit.shaking.frequency_hz(block)
+        values["period_s"] = orbit.period / orbit.motion.frequency_hz(block)
     return values
 
 

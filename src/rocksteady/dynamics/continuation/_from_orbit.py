@@ -13,7 +13,7 @@ from rocksteady.kernels.orbits.return_map import next_passage, phase_between
 from rocksteady.model.equations import Linear
 
 
-def chain_at(start: object) -> Chain:
+def chain_at(origin: object) -> Chain:
     """Return the chain of an orbit or of a point of a branch.
 
     Raises
@@ -21,13 +21,13 @@ def chain_at(start: object) -> Chain:
     InputError, ModelError
         If it is neither, or comes to rest.
     """
-    if isinstance(start, BranchPoint):
-        return start.chain
-    if isinstance(start, Orbit):
-        return chain_of(start)
+    if isinstance(origin, BranchPoint):
+        return origin.chain
+    if isinstance(origin, Orbit):
+        return chain_of(origin)
     raise InputError(
-        "start",
-        start,
+        "origin",
+        origin,
         "it must be an orbit or a point of a branch",
         "take one of `find_orbits`, or of another branch",
     )
@@ -44,14 +44,14 @@ def chain_of(orbit: Orbit) -> Chain:
     """
     if not isinstance(orbit.model, Linear):
         raise ModelError(
-            "start",
+            "origin",
             Words(f"is an orbit of the {orbit.model.name} model"),
             "branches are followed in the linear model alone, whose arcs are in closed form",
             "ask for `find_orbits` at several values, or move the parameter with `map_attractors`",
         )
     if not orbit.block.symmetric:
         raise ModelError(
-            "start",
+            "origin",
             Words("is an orbit of an asymmetric block"),
             "branches are followed of symmetric blocks alone: the arcs of a chain have one "
             "restitution, alpha and p",
@@ -59,17 +59,17 @@ def chain_of(orbit: Orbit) -> Chain:
         )
     if orbit.rest_phases:
         raise ModelError(
-            "start",
+            "origin",
             Words("is an orbit with rests"),
             "an orbit that comes to rest forgets its past and does not bifurcate smoothly",
             "start from an orbit without rest, as one of find_steady_states",
         )
     bare = orbit.block.dimensionless()
-    shaking = orbit.shaking
+    motion = orbit.motion
     states = orbit.states
     if states[0].side < 0:  # an orbit without rest goes to either side in turn
         states = (*states[1:], states[0])
-    system = make_system(bare, shaking, Linear())
+    system = make_system(bare, motion, Linear())
     turns, phases = [], []
     here = section_of(states[0])
     since = 0
@@ -90,7 +90,7 @@ def chain_of(orbit: Orbit) -> Chain:
     count = len(states)
     half = orbit.symmetric
     return Chain(
-        parameters=np.array([shaking.amplitude, shaking.frequency_ratio, bare.restitution]),
+        parameters=np.array([motion.amplitude, motion.frequency_ratio, bare.restitution]),
         turns=np.array(turns[: count // 2 if half else count], dtype=np.int64),
         phases=np.array(phases[: count // 2 if half else count]),
         half_cycles=orbit.period if half else 2 * orbit.period,

@@ -44,7 +44,7 @@ BESIDE = 1e-5
 
 @checked
 def follow_branch(
-    start: Orbit | BranchPoint,
+    origin: Orbit | BranchPoint,
     parameter: str,
     within: tuple[float, float],
     *,
@@ -61,7 +61,7 @@ def follow_branch(
 
     Parameters
     ----------
-    start
+    origin
         An orbit without rest, or a point of another branch.
     parameter
         "amplitude", "frequency_ratio" or "restitution".
@@ -85,41 +85,41 @@ def follow_branch(
     Yields
     ------
     BranchPoint
-        The start, then one after another.  The type of the last one says why the branch ends.
+        The origin, then one after another.  The type of the last one says why the branch ends.
 
     Raises
     ------
     InputError
-        If a value is outside its range, or the start is.
+        If a value is outside its range, or the origin is.
     ModelError
-        If the start comes to rest, passes through the floor and `inadmissible` is off, or nothing
+        If the origin comes to rest, passes through the floor and `inadmissible` is off, or nothing
         branches off there.  From a graze into the floor the branch has its start alone.
 
     Examples
     --------
     >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
     >>> block = DimensionlessBlock(restitution=0.8)
-    >>> start = find_orbits(block, Harmonic(amplitude=1.0, frequency_ratio=2.0), max_period=1)[0]
-    >>> for point in follow_branch(start, "amplitude", (0.1, 3.0)):
+    >>> origin = find_orbits(block, Harmonic(amplitude=1.0, frequency_ratio=2.0), max_period=1)[0]
+    >>> for point in follow_branch(origin, "amplitude", (0.1, 3.0)):
     ...     if point.type != "regular":
     ...         print(point.type, f"{point.amplitude:.6f}", point.stable)
     symmetry-breaking 2.120167 False
     end-of-range 3.000000 False
     """
     course = Course(direction=direction, largest_step=largest_step, most_points=most_points)
-    chain = chain_at(start)
+    chain = chain_at(origin)
     active, ranges = checked_ranges(chain, (parameter,), (within,))
     first = PointType.REGULAR
     towards: Floats | None = np.append(np.zeros(chain.impacts), direction)
-    if isinstance(start, BranchPoint):
-        first = start.type
+    if isinstance(origin, BranchPoint):
+        first = origin.type
     orbit = chain
     if switch:
         chain, along = switched(first, chain)
         towards = None if along is None else np.append(along / np.linalg.norm(along), 0.0)
     elif not chain.admissible and not inadmissible and first is not PointType.GRAZING:
         raise ModelError(
-            "start",
+            "origin",
             Words("passes through the floor"),
             "it is no motion",
             "start from an admissible orbit, or ask for inadmissible ones too",
@@ -205,7 +205,7 @@ def _begun(
         if spot is not None:
             return spot
         raise ModelError(
-            "start",
+            "origin",
             Words("is an orbit"),
             "it is none of this shaking, or a branch crosses another there",
             "start from an orbit of `find_orbits`, or add switch=True at a bifurcation",

@@ -30,7 +30,7 @@ DEPARTURES = (PointType.SYMMETRY_BREAKING, PointType.PERIOD_DOUBLING, PointType.
 
 @checked
 def find_branches(
-    starts: Iterable[Orbit | BranchPoint],
+    origins: Iterable[Orbit | BranchPoint],
     parameter: str,
     within: tuple[float, float],
     *,
@@ -47,7 +47,7 @@ def find_branches(
 
     Parameters
     ----------
-    starts
+    origins
         Orbits without rest, as `rocksteady.find_orbits` finds them, or points of other branches;
         inadmissible ones and those that lie on a branch already followed are passed over.
     parameter
@@ -70,14 +70,14 @@ def find_branches(
     Raises
     ------
     InputError, ModelError
-        If a value is outside its range, or a start comes to rest.
+        If a value is outside its range, or an origin comes to rest.
 
     Examples
     --------
     >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
-    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=2.2)
-    >>> starts = find_orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)
-    >>> for branch in find_branches(starts[:1], "frequency_ratio", (1.6, 2.4), max_period=2):
+    >>> motion = Harmonic(amplitude=2.0, frequency_ratio=2.2)
+    >>> origins = find_orbits(DimensionlessBlock(restitution=0.8), motion, max_period=1)
+    >>> for branch in find_branches(origins[:1], "frequency_ratio", (1.6, 2.4), max_period=2):
     ...     special = [f"{p.type} {p.frequency_ratio:.6f}" for p in branch.bifurcations]
     ...     print(branch.period, branch.symmetric, ", ".join(special))
     1 True symmetry-breaking 1.948378
@@ -92,14 +92,14 @@ def find_branches(
             ("max_branches", max_branches),
         )
     )
-    if not isinstance(starts, Iterable):
-        raise InputError("starts", starts, "it must be a list of orbits", "put it into a list")
+    if not isinstance(origins, Iterable):
+        raise InputError("origins", origins, "it must be a list of orbits", "put it into a list")
     found = _Found(parameter, within, longest, most, count, largest_step)
-    for start in starts:
-        chain = chain_at(start)
+    for origin in origins:
+        chain = chain_at(origin)
         checked_ranges(chain, (parameter,), (within,))
-        if start.admissible and not found.holds(chain):
-            found.follow(start)
+        if origin.admissible and not found.holds(chain):
+            found.follow(origin)
     return tuple(found.branches)
 
 
@@ -121,12 +121,12 @@ class _Found:
         self.branches: list[Branch] = []
         self.ends: list[BranchPoint] = []
 
-    def follow(self, start: Orbit | BranchPoint) -> None:
+    def follow(self, origin: Orbit | BranchPoint) -> None:
         """Follow an orbit in both directions, and all that branches off."""
-        forward = self._points(start, direction=1)
+        forward = self._points(origin, direction=1)
         backward: list[BranchPoint] = []
         if forward[-1].type is not PointType.CLOSED:
-            backward = self._points(start, direction=-1)
+            backward = self._points(origin, direction=-1)
         # A start at an end of the range is that end, and no regular point beside it.
         if len(backward) > 1 and backward[1].arclength == 0.0:
             backward, forward = backward[:1], [backward[1], *forward[1:]]
@@ -153,10 +153,10 @@ class _Found:
         return False
 
     def _points(
-        self, start: Orbit | BranchPoint, *, direction: int = 1, switch: bool = False
+        self, origin: Orbit | BranchPoint, *, direction: int = 1, switch: bool = False
     ) -> list[BranchPoint]:
         points = follow_branch(
-            start,
+            origin,
             self.parameter,
             self.within,
             direction=direction,

@@ -11,7 +11,6 @@ from rocksteady.dynamics.continuation._family import LARGEST_STEP
 from rocksteady.dynamics.continuation._from_orbit import chain_at
 from rocksteady.dynamics.continuation.branch import follow_branch
 from rocksteady.dynamics.continuation.points import Branch, BranchPoint, PointType
-from rocksteady.dynamics.continuation.stability import stretches
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -72,7 +71,7 @@ class DoublingCascade:
 
 @checked
 def find_cascade(
-    start: Orbit | BranchPoint,
+    origin: Orbit | BranchPoint,
     parameter: str,
     within: tuple[float, float],
     *,
@@ -84,7 +83,7 @@ def find_cascade(
 
     Parameters
     ----------
-    start
+    origin
         An orbit whose branch comes to a doubling, or to a breaking of its symmetry first.
     parameter, within, direction
         As for `follow_branch`.
@@ -111,9 +110,9 @@ def find_cascade(
     Examples
     --------
     >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
-    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
-    >>> start = find_orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)[0]
-    >>> found = find_cascade(start, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=4)
+    >>> motion = Harmonic(amplitude=2.0, frequency_ratio=2.0)
+    >>> origin = find_orbits(DimensionlessBlock(restitution=0.8), motion, max_period=1)[0]
+    >>> found = find_cascade(origin, "frequency_ratio", (1.7, 2.0), direction=-1, doublings=4)
     >>> print([f"{value:.7f}" for value in found.values], [f"{r:.3f}" for r in found.ratios])
     ['1.7892720', '1.7746913', '1.7723039', '1.7718153'] ['6.107', '4.887']
     """
@@ -125,8 +124,8 @@ def find_cascade(
         hint="give the number of doublings to look for",
     )
     found: list[BranchPoint] = []
-    here, switch, step = start, False, largest_step
-    impacts = chain_at(start).impacts
+    here, switch, step = origin, False, largest_step
+    impacts = chain_at(origin).impacts
     while len(found) < count:
         followed = follow_branch(
             here, parameter, within, direction=direction, switch=switch, largest_step=step
@@ -150,7 +149,7 @@ def find_cascade(
         impacts = 2 * impacts
     if not found:
         raise ModelError(
-            "start",
+            "origin",
             Words("is an orbit"),
             f"its branch comes to no period doubling within {within}",
             "widen the range, or follow it in the other direction",
@@ -198,7 +197,7 @@ def longest_cascade(
 
 def _stable_middle(branch: Branch) -> BranchPoint | None:
     """Return a point in the middle of the longest stable stretch of a branch."""
-    stable = [part for part in stretches(branch) if part.stable and part.last - part.first > 1]
+    stable = [part for part in branch.stretches if part.stable and part.last - part.first > 1]
     if not stable:
         return None
     longest = max(stable, key=lambda part: part.last - part.first)

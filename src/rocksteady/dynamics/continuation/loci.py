@@ -24,7 +24,7 @@ from rocksteady.model.checks.validation import is_pair
 
 @checked
 def follow_bifurcation(
-    start: BranchPoint,
+    origin: BranchPoint,
     parameters: tuple[str, str],
     within: tuple[tuple[float, float], tuple[float, float]],
     *,
@@ -38,7 +38,7 @@ def follow_bifurcation(
 
     Parameters
     ----------
-    start
+    origin
         A bifurcation that `follow_branch` has found.
     parameters
         Two of "amplitude", "frequency_ratio" and "restitution".
@@ -54,32 +54,32 @@ def follow_bifurcation(
     Yields
     ------
     BranchPoint
-        The start, then one after another, of the type of the start; the type of the last one says
+        The origin, then one after another, of the type of the origin; the type of the last one says
         why the curve ends: also as grazing, where the orbit on another curve meets the floor.
 
     Raises
     ------
     InputError
-        If a value is outside its range, or the start is.
+        If a value is outside its range, or the origin is.
     ModelError
-        If the start is no bifurcation.
+        If the origin is no bifurcation.
 
     Examples
     --------
     >>> from rocksteady import DimensionlessBlock, Harmonic, follow_branch, find_orbits
-    >>> shaking = Harmonic(amplitude=1.0, frequency_ratio=2.0)
-    >>> start = find_orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1)[0]
-    >>> branch = follow_branch(start, "amplitude", (0.1, 3.0))
+    >>> motion = Harmonic(amplitude=1.0, frequency_ratio=2.0)
+    >>> origin = find_orbits(DimensionlessBlock(restitution=0.8), motion, max_period=1)[0]
+    >>> branch = follow_branch(origin, "amplitude", (0.1, 3.0))
     >>> breaking = next(point for point in branch if point.type == "symmetry-breaking")
     >>> plane = ("amplitude", "frequency_ratio")
     >>> curve = list(follow_bifurcation(breaking, plane, ((0.1, 6.0), (1.0, 4.0))))
     >>> print(curve[-1].type, f"{curve[-1].amplitude:.9f} {curve[-1].frequency_ratio:.9f}")
     end-of-range 6.000000000 3.291247638
     """
-    given: object = start
+    given: object = origin
     if not isinstance(given, BranchPoint) or given.type not in BIFURCATIONS:
         raise ModelError(
-            "start",
+            "origin",
             given.type.value if isinstance(given, BranchPoint) else given,
             "a curve begins at a " + ", ".join(BIFURCATIONS),
             "take such a point of a branch",
@@ -92,11 +92,11 @@ def follow_bifurcation(
             "give two of " + ", ".join(PARAMETERS),
         )
     course = Course(direction=direction, largest_step=largest_step, most_points=most_points)
-    active, ranges = checked_ranges(start.chain, parameters, within)
-    conditions = (_condition(start.type, start.chain),)
-    family = Family(chain=start.chain, active=active, ranges=ranges, conditions=conditions)
+    active, ranges = checked_ranges(origin.chain, parameters, within)
+    conditions = (_condition(origin.type, origin.chain),)
+    family = Family(chain=origin.chain, active=active, ranges=ranges, conditions=conditions)
     curve = Curve(evaluate=family.evaluate, largest_step=course.largest_step)
-    return _followed(family, curve, start.type, course)
+    return _followed(family, curve, origin.type, course)
 
 
 def _followed(
@@ -107,7 +107,7 @@ def _followed(
     begin = curve.start(family.place_of(family.chain), towards)
     if begin is None:
         raise ModelError(
-            "start",
+            "origin",
             kind.value,
             "the curve through it has no direction there",
             "start from another point of it",

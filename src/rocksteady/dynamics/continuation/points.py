@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cached_property
+from itertools import groupby
 
 import numpy as np
 from numpy.typing import NDArray
@@ -171,8 +172,8 @@ class BranchPoint:
             If the solution passes through the floor, or grazes it.
         """
         block = DimensionlessBlock(restitution=self.restitution)
-        shaking = Harmonic(amplitude=self.amplitude, frequency_ratio=self.frequency_ratio)
-        system, sections = make_system(block, shaking, Linear()), self.chain.sections
+        motion = Harmonic(amplitude=self.amplitude, frequency_ratio=self.frequency_ratio)
+        system, sections = make_system(block, motion, Linear()), self.chain.sections
         table = np.zeros((len(sections), periodic.ORBIT_COLUMNS))
         for row, section in enumerate(sections):
             periodic.put(table, row, section)
@@ -180,7 +181,7 @@ class BranchPoint:
         if self.chain.admissible:
             residual = periodic.measured(system, len(sections), self.period, table).residual
         if residual < CLOSING:
-            return orbit_from(block, shaking, table, self.period, residual, Linear())
+            return orbit_from(block, motion, table, self.period, residual, Linear())
         if not self.chain.admissible or self.type is PointType.GRAZING:
             raise ModelError(
                 "point",
@@ -191,7 +192,7 @@ class BranchPoint:
         states = tuple(state_of(section) for section in sections)
         return Orbit(
             block=block,
-            shaking=replace(shaking, phase=states[0].phase),
+            motion=replace(motion, phase=states[0].phase),
             period=self.period,
             states=states,
             rest_phases=0,
@@ -201,6 +202,27 @@ class BranchPoint:
             multipliers=self.multipliers,
             residual=math.nan,
         )
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True)
+class Stretch:
+    """Consecutive points of a branch with unchanged stability and admissibility.
+
+    Attributes
+    ----------
+    first, last
+        Their indices, both included; the last of one stretch is the first of the next.
+    stable
+        Whether the motions between them are stable.
+    admissible
+        Whether the solutions between them are motions.
+    """
+
+    first: int
+    last: int
+    stable: bool
+    admissible: bool
 
 
 @checked_result
@@ -262,3 +284,38 @@ class Branch:
     def impacts(self) -> int:
         """Impacts in a period of its orbits."""
         return max(point.impacts for point in self.points)
+
+    @cached_property
+    def stretches(self) -> tuple[Stretch, ...]:
+        """Stretches of unchanged stability, in order; none of a branch of one point.
+
+        Between two bifurcations without a point between them the stretch is what the one before is
+        not: of two multipliers whose product is below 1, one passes the unit circle at a time.
+        """
+        kinds: list[tuple[bool, bool]] = []
+        for index in range(len(self.points) - 1):
+            inside = [end for end in (index + 1, index) if self._decided(end)]
+            if inside:
+                stable = bool(self.stable[inside[0]])
+            else:
+                before = kinds[-1][0] if kinds else False
+                stable = not before if self.points[index].type in MARGINAL else before
+            whole = bool(self.admissible[index] and self.admissible[index + 1])
+            kinds.append((stable and whole, whole))
+        stretches, first = [], 0
+        for (stable, whole), same in groupby(kinds):
+            last = first + len(list(same))
+            stretches.append(Stretch(first=first, last=last, stable=stable, admissible=whole))
+            first = last
+        return tuple(stretches)
+
+    def _decided(self, index: int) -> bool:
+        """Return whether the multipliers of a point say what is stable beside it.
+
+        Not where one lies on the unit circle, nor at a graze, next to which they grow without
+        bound.
+        """
+        point = self.points[index]
+        lossless = self.parameter == "restitution" and point.restitution == 1.0
+        undecided = (*BIFURCATIONS, PointType.LOST, PointType.STALLED)
+        return point.type not in undecided and not lossless

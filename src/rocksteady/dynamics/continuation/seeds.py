@@ -2,9 +2,9 @@
 
 from collections.abc import Iterable, Iterator
 
+from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.orbits.search import find_orbits
-from rocksteady.dynamics.orbits.trail import AttractorSweep
 from rocksteady.dynamics.parameters import moved_to
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.motions.segments import Harmonic
@@ -15,7 +15,7 @@ PLACES = 9
 
 def symmetric_orbits(
     block: DimensionlessBlock,
-    shaking: Harmonic,
+    motion: Harmonic,
     parameter: str,
     within: tuple[float, float],
     order: int,
@@ -24,7 +24,7 @@ def symmetric_orbits(
     low, high = within
     for place in range(PLACES):
         share = place / (PLACES - 1)
-        here = moved_to(block, shaking, parameter, (1.0 - share) * low + share * high)
+        here = moved_to(block, motion, parameter, (1.0 - share) * low + share * high)
         for orbit in find_orbits(*here, max_period=order, max_impacts=2, seeds=1):
             if orbit.branch is not None and orbit.period == order and orbit.admissible:
                 yield orbit
@@ -32,7 +32,7 @@ def symmetric_orbits(
 
 def searched_orbits(
     block: DimensionlessBlock,
-    shaking: Harmonic,
+    motion: Harmonic,
     parameter: str,
     within: tuple[float, float],
     max_period: int,
@@ -41,7 +41,7 @@ def searched_orbits(
     """Yield all orbits without rest that a search finds at both ends and in the middle."""
     low, high = within
     for value in (low, 0.5 * (low + high), high):
-        here = moved_to(block, shaking, parameter, value)
+        here = moved_to(block, motion, parameter, value)
         for orbit in find_orbits(*here, max_period=max_period, max_impacts=max_impacts):
             if orbit.admissible and not orbit.rest_phases:
                 yield orbit

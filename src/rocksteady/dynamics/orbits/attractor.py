@@ -71,8 +71,8 @@ class Attractor:
 
     Attributes
     ----------
-    block, shaking
-        What moves; the phase of `shaking` is that at the start.
+    block, motion
+        What moves; the phase of `motion` is that at the start.
     kind
         What it is.
     orbit
@@ -94,7 +94,7 @@ class Attractor:
     """
 
     block: Block | DimensionlessBlock
-    shaking: Harmonic
+    motion: Harmonic
     kind: AttractorKind
     orbit: Orbit | None
     lyapunov: float
@@ -129,10 +129,10 @@ class Attractor:
 @checked
 def find_attractor(
     block: Block | DimensionlessBlock,
-    shaking: Harmonic,
+    motion: Harmonic,
     *,
     start: Start | None = None,
-    cycles: int = 2000,
+    max_cycles: int = 2000,
     model: Model | None = None,
 ) -> Attractor:
     """Follow a motion under harmonic shaking until its attractor is known.
@@ -147,11 +147,11 @@ def find_attractor(
     block
         Its restitution counts, and how its sides differ: no motion of an asymmetric block is
         symmetric, whatever it looks like.
-    shaking
+    motion
         Its phase is that at the start, unless a `Steady` or `ImpactState` start decides on it.
     start
         `Rest` (default), `State`, `Steady` or `ImpactState`.
-    cycles
+    max_cycles
         Forcing periods after which the motion counts as aperiodic or undecided.
     model
         `Linear()` (default) or `Nonlinear()`, which needs the block's slenderness.
@@ -170,17 +170,17 @@ def find_attractor(
     --------
     >>> from rocksteady import DimensionlessBlock, Harmonic, Steady
     >>> block = DimensionlessBlock(restitution=0.8)
-    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
-    >>> found = find_attractor(block, shaking, start=Steady(side=-1))
+    >>> motion = Harmonic(amplitude=2.0, frequency_ratio=1.9)
+    >>> found = find_attractor(block, motion, start=Steady(side=-1))
     >>> print(found.kind, found.period, [round(peak, 5) for peak in found.peaks])
     unsymmetric 1 [0.90035, -0.44427]
     """
-    bare, shaken = bare_block(block), harmonic(shaking)
-    periods = cycles_value(cycles)
+    bare, shaken = bare_block(block), harmonic(motion)
+    periods = cycles_value(max_cycles)
     equations = chosen_model(model, block)
     tilted = sides_of(block, equations) if isinstance(equations, Nonlinear) else None
-    motion, begin = initial_march(Rest() if start is None else start, bare, shaken, tilted)
-    shaken = harmonic(motion)
+    moved, begin = initial_march(Rest() if start is None else start, bare, shaken, tilted)
+    shaken = harmonic(moved)
     memory, table = (
         np.empty((rows, ORBIT_COLUMNS)) for rows in (kernel.MEMORY, kernel.LONGEST_ORBIT)
     )
@@ -205,7 +205,7 @@ def find_attractor(
     kind = KINDS[int(kind_codes(found.outcome, symmetric, found.least, least))]
     return Attractor(
         block=block,
-        shaking=shaken,
+        motion=shaken,
         kind=kind,
         orbit=orbit,
         lyapunov=found.lyapunov,
@@ -226,7 +226,7 @@ def cycles_value(cycles: object) -> int:
         If it is not a whole number from 1 to a million.
     """
     return whole_number(
-        "cycles", cycles, at_least=1, at_most=MOST_CYCLES, hint="give forcing periods to follow"
+        "max_cycles", cycles, at_least=1, at_most=MOST_CYCLES, hint="give forcing periods to follow"
     )
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.dynamics.history.simulate import simulate
-from rocksteady.dynamics.history.start import ImpactState, State
+from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.dynamics.orbits.return_map import make_system, section_of, state_of
 from rocksteady.errors import ModelError, Words
@@ -36,8 +36,8 @@ class Orbit:
 
     Attributes
     ----------
-    block, shaking
-        What moves, as it was given; the phase of `shaking` is that at the first of `states`.
+    block, motion
+        What moves, as it was given; the phase of `motion` is that at the first of `states`.
     period
         Forcing periods of the whole orbit; above 1 it is subharmonic.
     states
@@ -68,7 +68,7 @@ class Orbit:
     """
 
     block: Block | DimensionlessBlock
-    shaking: Harmonic
+    motion: Harmonic
     period: int
     states: tuple[ImpactState, ...]
     rest_phases: int
@@ -117,10 +117,9 @@ class Orbit:
         return log(size) / self.period if size > 0.0 else -math.inf
 
     @property
-    def start(self) -> State:
-        """The state at which the orbit starts, for `rocksteady.simulate` with its `shaking`."""
-        first = self.states[0]
-        return State(angle=0.0, velocity=first.side * first.speed)
+    def start(self) -> ImpactState:
+        """The first of its states, at which `rocksteady.simulate` sets off."""
+        return self.states[0]
 
     @cached_property
     def mirrored(self) -> "Orbit":
@@ -142,7 +141,7 @@ class Orbit:
             )
         return replace(
             self,
-            shaking=replace(self.shaking, phase=self.states[0].mirrored.phase),
+            motion=replace(self.motion, phase=self.states[0].mirrored.phase),
             states=tuple(state.mirrored for state in self.states),
             highest=-self.lowest,
             lowest=-self.highest,
@@ -151,7 +150,7 @@ class Orbit:
     def trajectory(self) -> Trajectory:
         """Return one period of the orbit, each flight from the orbit's own state.
 
-        A run from the first state, ``simulate(block, orbit.shaking, start=orbit.start)``,
+        A run from the first state, ``simulate(block, orbit.motion, start=orbit.start)``,
         multiplies its rounding with the orbit's multipliers, and leaves an unstable orbit in time.
         Here every flight begins anew, so that the course closes as exactly as the states are known.
         Before a rest every bounce that one can see is a flight too.
@@ -169,8 +168,8 @@ class Orbit:
         Examples
         --------
         >>> from rocksteady import DimensionlessBlock, Harmonic, find_orbits
-        >>> shaking = Harmonic(amplitude=1.2, frequency_ratio=0.7)
-        >>> orbit = find_orbits(DimensionlessBlock(restitution=0.8), shaking)[-1]
+        >>> motion = Harmonic(amplitude=1.2, frequency_ratio=0.7)
+        >>> orbit = find_orbits(DimensionlessBlock(restitution=0.8), motion)[-1]
         >>> run = orbit.trajectory()
         >>> print(f"multiplier {orbit.largest_multiplier:.0e}, peak {run.peak:.6f}")
         multiplier 5e+11, peak 1.802986
@@ -184,12 +183,12 @@ class Orbit:
             )
         return Trajectory(
             block=self.block,
-            motion=self.shaking,
+            motion=self.motion,
             status=Status.ROCKING,
             segments=(
-                segment_table(self.shaking)
+                segment_table(self.motion)
                 if isinstance(self.model, Linear)
-                else nonlinear_segment_table(self.shaking, self.block)
+                else nonlinear_segment_table(self.motion, self.block)
             ),
             sides=sides_of(self.block, self.model),
             rows=np.array(list(_course(self))),
@@ -212,7 +211,7 @@ class Orbit:
 
 def orbit_from(
     block: Block | DimensionlessBlock,
-    shaking: Harmonic,
+    motion: Harmonic,
     table: Floats,
     periods: int,
     residual: float,
@@ -222,7 +221,7 @@ def orbit_from(
 
     Parameters
     ----------
-    block, shaking
+    block, motion
         What moves.
     table
         One row a passage, shape (passages, ORBIT_COLUMNS).
@@ -233,7 +232,7 @@ def orbit_from(
     model
         In which.
     """
-    system, passages = make_system(block, shaking, model), len(table)
+    system, passages = make_system(block, motion, model), len(table)
     fixed = periodic.measured(system, passages, periods, table)
     periodic.fill_peaks(system, passages, table)
     states = tuple(state_of(periodic.state_at(table, k)) for k in range(passages))
@@ -242,7 +241,7 @@ def orbit_from(
     determinant = periodic.loss(system, states[0].side, passages, fixed.rests)
     return Orbit(
         block=block,
-        shaking=replace(shaking, phase=states[0].phase),
+        motion=replace(motion, phase=states[0].phase),
         period=periods,
         states=states,
         rest_phases=fixed.rests,
@@ -277,7 +276,7 @@ def ordered(first: complex, second: complex) -> NDArray[np.complex128]:
 
 def _course(orbit: Orbit) -> Iterator[list[float]]:
     """Yield the rows of a trajectory's table, one a flight and the state at the end."""
-    system = make_system(orbit.block, orbit.shaking, orbit.model)
+    system = make_system(orbit.block, orbit.motion, orbit.model)
     begin = section_of(orbit.states[0])
     half, phase = begin.half_cycles, begin.phase
     for state in orbit.states:
@@ -297,8 +296,8 @@ def _course(orbit: Orbit) -> Iterator[list[float]]:
 def _to_rest(orbit: Orbit, state: ImpactState, time: float, passed: int) -> Iterator[list[float]]:
     """Yield the rows of the bounces that a state begins and of the rest in which they end."""
     # A little longer than until the uplift, so that the rest is seen to end.
-    periods = 1.001 * time * orbit.shaking.frequency_ratio / (2.0 * math.pi)
-    run = simulate(orbit.block, orbit.shaking, start=state, cycles=periods, model=orbit.model)
+    periods = 1.001 * time * orbit.motion.frequency_ratio / (2.0 * math.pi)
+    run = simulate(orbit.block, orbit.motion, start=state, cycles=periods, model=orbit.model)
     for row in run.rows.tolist():
         row[columns.ROW_HALF_CYCLES] += passed
         yield row

@@ -68,7 +68,7 @@ class ReturnMap:
     ----------
     block
         Its sides and their restitution count; in the nonlinear model their slenderness too.
-    shaking
+    motion
         Its phase does not: the states have theirs.
     model
         `Linear()` (default) or `Nonlinear()`.
@@ -82,10 +82,10 @@ class ReturnMap:
     Examples
     --------
     >>> from rocksteady import DimensionlessBlock, Harmonic, find_steady_states
-    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=4.0)
+    >>> motion = Harmonic(amplitude=2.0, frequency_ratio=4.0)
     >>> states = find_steady_states(2.0, 4.0, 0.8)
     >>> state = ImpactState(side=1, phase=states.phase[0], speed=states.velocity[0])
-    >>> passage = ReturnMap(DimensionlessBlock(restitution=0.8), shaking)(state)
+    >>> passage = ReturnMap(DimensionlessBlock(restitution=0.8), motion)(state)
     >>> print(passage.kind.label, f"{passage.phase:.6f}", f"{passage.state.speed:.6f}")
     impact 3.141593 0.732389
     >>> print(f"{passage.jacobian.trace():.6f} {states.trace[0]:.6f}")
@@ -95,14 +95,14 @@ class ReturnMap:
     def __init__(
         self,
         block: Block | DimensionlessBlock,
-        shaking: Harmonic,
+        motion: Harmonic,
         *,
         model: Model | None = None,
     ) -> None:
         self.block = bare_block(block)
-        self.shaking = harmonic(shaking)
+        self.motion = harmonic(motion)
         self.model = chosen_model(model, block)
-        self.system = make_system(block, self.shaking, self.model)
+        self.system = make_system(block, self.motion, self.model)
 
     def __call__(self, state: ImpactState, steps: int = 1) -> Passage:
         """Return the result of a number of steps from a state.
@@ -182,7 +182,7 @@ def bare_block(block: object) -> DimensionlessBlock:
     return block.dimensionless()
 
 
-def harmonic(shaking: object) -> Harmonic:
+def harmonic(motion: object) -> Harmonic:
     """Return a motion that is harmonic.
 
     Raises
@@ -190,20 +190,20 @@ def harmonic(shaking: object) -> Harmonic:
     ModelError
         If it is not.
     """
-    if not isinstance(shaking, Harmonic):
+    if not isinstance(motion, Harmonic):
         raise ModelError(
-            "shaking",
-            shaking,
+            "motion",
+            motion,
             "periodic motions are those of harmonic shaking",
             "give a Harmonic(amplitude=..., frequency_ratio=...)",
         )
-    return shaking
+    return motion
 
 
 def make_system(
-    block: Block | DimensionlessBlock, shaking: Harmonic, model: Model
+    block: Block | DimensionlessBlock, motion: Harmonic, model: Model
 ) -> return_map.System:
-    """Return block and shaking as the kernels see them.
+    """Return block and motion as the kernels see them.
 
     Raises
     ------
@@ -211,7 +211,7 @@ def make_system(
         If the nonlinear model meets a block without slenderness.
     """
     sides = sides_of(block, model)
-    return return_map.make_system(shaking.amplitude, shaking.frequency_ratio, sides)
+    return return_map.make_system(motion.amplitude, motion.frequency_ratio, sides)
 
 
 def section_of(state: ImpactState) -> return_map.Section:

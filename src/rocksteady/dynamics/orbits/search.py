@@ -48,7 +48,7 @@ SAME = 1e-6
 @checked
 def find_orbits(
     block: Block | DimensionlessBlock,
-    shaking: Harmonic,
+    motion: Harmonic,
     *,
     max_period: int = 3,
     max_impacts: int = 6,
@@ -74,7 +74,7 @@ def find_orbits(
     block
         Only its restitution and the ratios between its sides matter; in the nonlinear model its
         slenderness too.
-    shaking
+    motion
         Amplitude and frequency ratio; its phase does not matter.
     max_period
         Longest period of an orbit [forcing periods].
@@ -102,15 +102,15 @@ def find_orbits(
     Examples
     --------
     >>> from rocksteady import DimensionlessBlock, Harmonic
-    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=1.9)
-    >>> for orbit in find_orbits(DimensionlessBlock(restitution=0.8), shaking, max_period=1):
+    >>> motion = Harmonic(amplitude=2.0, frequency_ratio=1.9)
+    >>> for orbit in find_orbits(DimensionlessBlock(restitution=0.8), motion, max_period=1):
     ...     print(orbit.kind, orbit.stable, orbit.admissible, f"{orbit.highest:.5f}")
     symmetric False True 0.68676
     symmetric False False nan
     unsymmetric True True 0.90035
     """
     bare_block(block)
-    shaken = harmonic(shaking)
+    shaken = harmonic(motion)
     equations = chosen_model(model, block)
     system = make_system(block, shaken, equations)
     longest, most, count = (
@@ -158,12 +158,12 @@ def _order(orbit: Orbit) -> tuple[object, ...]:
 
 
 def _symmetric_orbits(
-    block: Block | DimensionlessBlock, shaking: Harmonic, system: System, longest: int
+    block: Block | DimensionlessBlock, motion: Harmonic, system: System, longest: int
 ) -> Iterable[Orbit]:
     """Yield the symmetric orbits with two impacts of the linear model, in closed form."""
-    if shaking.amplitude == 0.0:
+    if motion.amplitude == 0.0:
         return
-    a, w, r = shaking.amplitude, shaking.frequency_ratio, block.dimensionless().restitution
+    a, w, r = motion.amplitude, motion.frequency_ratio, block.dimensionless().restitution
     for order in range(1, longest + 1, 2):
         states = find_steady_states(a, w, r, order=order)
         assert states.peak is not None
@@ -186,7 +186,7 @@ def _symmetric_orbits(
                 residual = error if math.isfinite(error) else math.nan
             yield Orbit(
                 block=block,
-                shaking=replace(shaking, phase=first.phase),
+                motion=replace(motion, phase=first.phase),
                 period=order,
                 states=(first, first.mirrored),
                 rest_phases=0,
@@ -202,15 +202,15 @@ def _symmetric_orbits(
 
 def _nonlinear_symmetric_orbits(
     block: Block | DimensionlessBlock,
-    shaking: Harmonic,
+    motion: Harmonic,
     model: Nonlinear,
     system: System,
     longest: int,
 ) -> Iterable[Orbit]:
     """Yield the symmetric orbits with two impacts to which those of the linear model lead."""
-    if shaking.amplitude == 0.0:
+    if motion.amplitude == 0.0:
         return
-    a, w, r = shaking.amplitude, shaking.frequency_ratio, block.dimensionless().restitution
+    a, w, r = motion.amplitude, motion.frequency_ratio, block.dimensionless().restitution
     sides = sides_of(block, model)
     for order in range(1, longest + 1, 2):
         states = find_steady_states(a, w, r, order=order)
@@ -231,7 +231,7 @@ def _nonlinear_symmetric_orbits(
             periodic.put(table, 0, half.state)
             periodic.put(table, 1, mirror(half.state, order))
             residual = periodic.measured(system, 2, order, table).residual
-            orbit = orbit_from(block, shaking, table, order, residual, model)
+            orbit = orbit_from(block, motion, table, order, residual, model)
             yield replace(orbit, branch=which + 1)
 
 
@@ -280,11 +280,11 @@ def _resting_orbits(system: System, longest: int) -> Iterable[Found]:
 
 
 def _searched_orbits(
-    system: System, shaking: Harmonic, longest: int, most: int, seeds: int, *, mirrors: bool
+    system: System, motion: Harmonic, longest: int, most: int, seeds: int, *, mirrors: bool
 ) -> Iterable[Found]:
     """Yield the orbits that Newton's method finds."""
-    w = shaking.frequency_ratio
-    fastest = 1.0 + shaking.amplitude / hypot(1.0, w)
+    w = motion.frequency_ratio
+    fastest = 1.0 + motion.amplitude / hypot(1.0, w)
     steps = np.arange(seeds, dtype=np.float64)
     phases: Floats = steps * (2.0 * math.pi / seeds)
     speeds: Floats = (steps + 0.5) * (fastest / seeds)

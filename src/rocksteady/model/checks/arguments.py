@@ -42,7 +42,7 @@ CHECKED_INSIDE_OF: Final = frozenset(
         ("Piecewise.__init__", "pieces"),
         ("sweep_attractor", "values"),
         ("find_branches", "within"),
-        ("follow_bifurcation", "start"),
+        ("follow_bifurcation", "origin"),
         ("follow_bifurcation", "within"),
         ("follow_branch", "within"),
         ("overturning_impulse", "block"),

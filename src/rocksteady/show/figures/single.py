@@ -10,8 +10,8 @@ from rocksteady.dynamics.basins.basins import Basins
 from rocksteady.dynamics.basins.erosion import Erosion, IntegrityDrop
 from rocksteady.dynamics.continuation.points import Branch
 from rocksteady.dynamics.history.trajectory import Trajectory
+from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
 from rocksteady.dynamics.orbits.orbit import Orbit
-from rocksteady.dynamics.orbits.trail import AttractorSweep
 from rocksteady.dynamics.overturning.windows import OverturningWindows
 from rocksteady.dynamics.steady.regions import RegionMap
 from rocksteady.dynamics.steady.response import ResponseCurve

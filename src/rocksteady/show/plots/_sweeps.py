@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.orbits.trail import AttractorSweep
+from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
 from rocksteady.show.style import palette
 from rocksteady.show.style.legends import line_scale, size_of, text_size
 from rocksteady.show.style.line_colours import inks_of

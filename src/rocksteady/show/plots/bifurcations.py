@@ -7,8 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.continuation.points import Branch, PointType
-from rocksteady.dynamics.continuation.stability import stretches
-from rocksteady.dynamics.orbits.trail import AttractorSweep
+from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
@@ -234,7 +233,7 @@ def _drawn_branches(
     scale = line_scale(axes)
     for branch in branches:
         lines = _sided(branch.peaks, side, symmetric=branch.symmetric)
-        for stretch in stretches(branch):
+        for stretch in branch.stretches:
             style, word = UNSTABLE, "unstable"
             if stretch.stable:
                 style, word = STABLE, "stable"

@@ -21,7 +21,7 @@ def test_fates_are_those_of_single_calls() -> None:
             frequency_ratio=float(plane().ratios[column]),
             phase=float(found.phases[which]),
         )
-        single = find_attractor(BLOCK, shaking, cycles=500)
+        single = find_attractor(BLOCK, shaking, max_cycles=500)
         fate = FATES[int(found.fate[which, row, column])]
         if single.orbit is None:
             assert fate == str(single.kind.value)
@@ -61,7 +61,7 @@ def test_the_lowest_falls_overturn_and_lie_above_the_heteroclinic_curve() -> Non
         shaking = Harmonic(
             amplitude=fall.amplitude, frequency_ratio=fall.frequency_ratio, phase=fall.phase
         )
-        assert find_attractor(BLOCK, shaking, cycles=500).kind == "overturned"
+        assert find_attractor(BLOCK, shaking, max_cycles=500).kind == "overturned"
 
 
 def test_shares_are_of_the_window() -> None:

@@ -85,7 +85,7 @@ def _followed(orbit: Orbit, ratio: float) -> Fate:
     """Return what a motion becomes at another frequency, with the velocity per tau that it has."""
     first = orbit.states[0]
     shaking = Harmonic(amplitude=AMPLITUDE, frequency_ratio=ratio, phase=first.phase)
-    velocity = first.side * first.speed * ratio / orbit.shaking.frequency_ratio
+    velocity = first.side * first.speed * ratio / orbit.motion.frequency_ratio
     return settle(RESTITUTION, shaking, State(angle=0.0, velocity=velocity))
 
 

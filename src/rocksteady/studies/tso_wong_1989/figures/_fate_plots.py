@@ -36,7 +36,7 @@ def plot_settled(fate: Fate, axes: "Axes") -> None:
     if fate.orbit is not None:
         run = fate.orbit.trajectory()
         times = run.times(200)
-        periods = times * (fate.orbit.shaking.frequency_ratio / (2.0 * math.pi))
+        periods = times * (fate.orbit.motion.frequency_ratio / (2.0 * math.pi))
         axes.plot(periods, run(times).angle, color=palette.LINES[0])
     else:
         axes.plot([0.0, length], [0.0, 0.0], color=palette.LINES[0])

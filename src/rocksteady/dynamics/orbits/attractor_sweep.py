@@ -85,12 +85,12 @@ def _kind_of(found: Attractor) -> tuple[str, int | None, int | None]:
 @checked
 def sweep_attractor(
     block: Block | DimensionlessBlock,
-    shaking: Harmonic,
+    motion: Harmonic,
     parameter: str,
     values: ArrayLike,
     *,
     start: Start | None = None,
-    cycles: int = 2000,
+    max_cycles: int = 2000,
     model: Model | None = None,
 ) -> AttractorSweep:
     """Follow an attractor while a parameter changes in small steps.
@@ -101,13 +101,13 @@ def sweep_attractor(
 
     Parameters
     ----------
-    block, shaking
+    block, motion
         What moves, and by what; their own value of the parameter does not count.
     parameter
         "amplitude", "frequency_ratio" or "restitution".
     values
         To go through, in this order.
-    start, cycles, model
+    start, max_cycles, model
         As for `rocksteady.find_attractor`.
 
     Returns
@@ -126,9 +126,9 @@ def sweep_attractor(
     >>> import numpy as np
     >>> from rocksteady import DimensionlessBlock, Harmonic, Steady
     >>> block = DimensionlessBlock(restitution=0.8)
-    >>> shaking = Harmonic(amplitude=2.0, frequency_ratio=2.0)
+    >>> motion = Harmonic(amplitude=2.0, frequency_ratio=2.0)
     >>> down = np.linspace(2.0, 1.75, 6)
-    >>> trail = sweep_attractor(block, shaking, "frequency_ratio", down, start=Steady())
+    >>> trail = sweep_attractor(block, motion, "frequency_ratio", down, start=Steady())
     >>> for value, kind, period in zip(trail.values, trail.kinds, trail.periods):
     ...     print(f"{value:.2f} {kind} {period}")
     2.00 symmetric 1
@@ -138,7 +138,7 @@ def sweep_attractor(
     1.80 unsymmetric 1
     1.75 overturned None
     """
-    bare, shaken = bare_block(block), harmonic(shaking)
+    bare, shaken = bare_block(block), harmonic(motion)
     equations = chosen_model(model, block)
     body = bare if isinstance(equations, Linear) else slender_block(block)
     if parameter not in PARAMETERS:
@@ -148,7 +148,7 @@ def sweep_attractor(
     if steps.ndim != 1 or steps.size == 0:
         valid = "it must be a list of one value or more"
         raise InputError("values", values, valid, "use numpy.linspace")
-    periods = cycles_value(cycles)
+    periods = cycles_value(max_cycles)
     begin = Rest() if start is None else start
     found: list[Attractor] = []
     carried: ImpactState | None = None
@@ -157,7 +157,7 @@ def sweep_attractor(
         if carried is None:
             last = _from_start(body, shaken, begin, periods, equations)
         else:
-            last = find_attractor(body, shaken, start=carried, cycles=periods, model=equations)
+            last = find_attractor(body, shaken, start=carried, max_cycles=periods, model=equations)
         found.append(last)
         if last.kind is AttractorKind.REST:
             begin = Rest()
@@ -174,16 +174,16 @@ def sweep_attractor(
 
 def _from_start(
     block: Block | DimensionlessBlock,
-    shaking: Harmonic,
+    motion: Harmonic,
     start: Start,
     cycles: int,
     model: Model,
 ) -> Attractor:
     """Return what the block settles to from a start, or from rest where there is none such."""
     try:
-        return find_attractor(block, shaking, start=start, cycles=cycles, model=model)
+        return find_attractor(block, motion, start=start, max_cycles=cycles, model=model)
     except ModelError:
-        return find_attractor(block, shaking, cycles=cycles, model=model)
+        return find_attractor(block, motion, max_cycles=cycles, model=model)
 
 
 def flight_peaks(found: Attractor) -> Floats:
@@ -203,7 +203,7 @@ def flight_peaks(found: Attractor) -> Floats:
         return _peaks_of(found.orbit)
     if found.state is None or found.kind not in CARRIED:
         return np.zeros(0)
-    system = make_system(found.block, found.shaking, found.model)
+    system = make_system(found.block, found.motion, found.model)
     here, peaks = section_of(found.state), []
     for _ in range(SHOWN_FLIGHTS):
         step = next_passage(system, here, -1.0)
@@ -215,7 +215,7 @@ def flight_peaks(found: Attractor) -> Floats:
 
 
 def _peaks_of(orbit: Orbit) -> Floats:
-    system = make_system(orbit.block, orbit.shaking, orbit.model)
+    system = make_system(orbit.block, orbit.motion, orbit.model)
     peaks = []
     for state in orbit.states:
         here = section_of(state)

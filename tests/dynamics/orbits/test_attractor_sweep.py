@@ -23,7 +23,7 @@ from rocksteady import (
     follow_branch,
     sweep_attractor,
 )
-from rocksteady.dynamics.orbits.trail import SHOWN_FLIGHTS, flight_peaks
+from rocksteady.dynamics.orbits.attractor_sweep import SHOWN_FLIGHTS, flight_peaks
 from tests.dynamics.settling import is_an_orbit_that_attracts
 
 BLOCK = DimensionlessBlock(restitution=0.8)
@@ -43,8 +43,8 @@ def test_each_value_has_an_attractor_that_attracts(down: AttractorSweep) -> None
     assert down.parameter == "frequency_ratio"
     assert len(down.attractors) == len(down.peaks) == len(down.kinds) == len(down.periods) == 27
     for value, found in zip(down.values, down.attractors, strict=True):
-        assert found.shaking.frequency_ratio == value
-        assert found.shaking.amplitude == 2.0
+        assert found.motion.frequency_ratio == value
+        assert found.motion.amplitude == 2.0
         if found.orbit is not None:
             is_an_orbit_that_attracts(found)
 
@@ -141,11 +141,11 @@ def test_chaos_goes_on_from_where_it_was_and_shows_many_peaks() -> None:
     block = DimensionlessBlock(restitution=0.5)
     shaking = Harmonic(amplitude=1.7347, frequency_ratio=1.0)
     values = [1.6633, 1.66331]
-    found = sweep_attractor(block, shaking, "frequency_ratio", values, cycles=3000)
+    found = sweep_attractor(block, shaking, "frequency_ratio", values, max_cycles=3000)
     assert found.attractors[0].kind is AttractorKind.APERIODIC
     first = found.attractors[0].state
     assert first is not None
-    assert math.cos(found.attractors[1].shaking.phase - first.phase) == pytest.approx(1.0)
+    assert math.cos(found.attractors[1].motion.phase - first.phase) == pytest.approx(1.0)
     peaks = found.peaks[0]
     assert 100 < len(peaks) <= SHOWN_FLIGHTS
     assert np.isfinite(peaks).all()
