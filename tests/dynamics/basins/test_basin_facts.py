@@ -92,9 +92,9 @@ def test_the_share_of_undecided_states_is_zero_where_there_are_none() -> None:
 def test_what_does_not_settle_is_explained() -> None:
     chaos = Harmonic(amplitude=6.0, frequency_ratio=6.0)
     block = DimensionlessBlock(restitution=0.25)
-    text = compute_basins(block, chaos, **WINDOW, max_cycles=40).summary()
+    text = compute_basins(block, chaos, **WINDOW, max_cycles=400).summary()
     assert fits(text)
-    assert "not settled within 40 periods" in text.replace("\n", " ")
+    assert "not settled within 400 periods" in text.replace("\n", " ")
 
 
 def test_there_is_a_row_a_state_with_the_name_of_its_attractor() -> None:
@@ -117,7 +117,9 @@ def test_an_attractor_and_a_cell_are_starts() -> None:
             run = simulate(block, found.motion, start=attractor.start, cycles=3 * period)
             back = run([0.0, *(np.arange(1, 3) * period * np.pi)])  # 2 pi/Omega is pi
             np.testing.assert_allclose(back.angle, back.angle[0], atol=1e-8)
-            np.testing.assert_allclose(run.peak, max(attractor.highest, -attractor.lowest))
+            np.testing.assert_allclose(
+                run.peak, max(attractor.orbit.highest, -attractor.orbit.lowest), rtol=1e-6
+            )
         elif attractor.kind.value == "rest":
             assert attractor.start == Rest()
         else:
@@ -162,7 +164,8 @@ def test_there_is_a_row_an_amplitude(block: Block | DimensionlessBlock) -> None:
 
 
 def test_the_drops_are_those_of_the_method() -> None:
-    found = erosion_of(BARE)
+    window = np.linspace(-1.2, 1.2, 13)
+    found = compute_erosion(BARE, MOTION, [0.2, 3.0], angles=window, velocities=window, cycles=20)
     assert "drops" not in vars(found), "a line does not compute basins"
     assert repr(found).startswith("<Erosion: Erosion of the safe basin at phase 0 rad")
     assert "drops" not in vars(found)

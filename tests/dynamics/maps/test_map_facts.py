@@ -145,7 +145,8 @@ def test_a_map_plots_itself() -> None:
 
 def test_infinitely_many_impacts_are_a_code_with_a_name() -> None:
     weak = DimensionlessBlock(restitution=0.4)
-    found = map_attractors(weak, axes={"amplitude": [1.2], "frequency_ratio": [0.3, 0.5]})
+    axes = {"amplitude": np.linspace(1.05, 2.0, 8), "frequency_ratio": np.linspace(0.4, 3.0, 8)}
+    found = map_attractors(weak, axes=axes)
     code = found.impacts.attrs["infinitely_many"]
     assert code == -1
     assert (found.impacts == code).any()

@@ -146,8 +146,8 @@ def test_basins_go_where_single_motions_go() -> None:
     found = compute_basins(ASYMMETRY, shaking, angles=window, velocities=window / 2.0)
     for i, velocity in enumerate(found.velocity.tolist()):
         for j, angle in enumerate(found.angle.tolist()):
-            start = State(angle=angle, velocity=velocity * 2.0)
-            one = find_attractor(ASYMMETRY, found.shaking, start=start, max_cycles=500)
+            start = State(angle=angle, velocity=velocity)
+            one = find_attractor(ASYMMETRY, found.motion, start=start, max_cycles=500)
             where = found.attractors[int(found.label[i, j])]
             assert where.kind == one.kind
             if one.orbit is not None:

@@ -12,12 +12,12 @@ from rocksteady import (
     DimensionlessBlock,
     Harmonic,
     Linear,
-    Model,
     Nonlinear,
     OverturningWindows,
     find_overturning_windows,
     overturning_threshold,
 )
+from rocksteady.model.equations import Model
 from tests.descriptions import as_json, fits
 
 LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)

@@ -39,7 +39,7 @@ def test_a_result_of_any_question_has_its_ranges_and_its_classes() -> None:
     text = data.rocksteady.summary()
     assert fits(text)
     # By hand: of the heights 1.5 to 4.5 there are 4, 3 and 2 above the widths 1, 2 and 3.
-    assert ["tall", "9", "75", "%"] in [line.split() for line in text.splitlines()]
+    assert ["tall", "9", "75.00", "%"] in [line.split() for line in text.splitlines()]
     assert "<td" in data.rocksteady._repr_html_()
     assert data.tall.attrs["infinitely_many"] == -1
     with pytest.raises(TypeError, match="has no plot"):

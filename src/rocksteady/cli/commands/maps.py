@@ -1,7 +1,7 @@
 """`rocksteady map`: attractor or fate of a block in every cell of a grid."""
 
 from dataclasses import replace
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -108,7 +108,7 @@ def maps(
     from rocksteady.dynamics.maps.fate_map import map_fates
 
     what = map_fates if fate else map_attractors
-    limit = {} if cycles is None else {"cycles" if fate else "max_cycles": cycles}
+    limit: dict[str, Any] = {} if cycles is None else {"cycles" if fate else "max_cycles": cycles}
     with (
         sweep.resumable(context.find_root().obj),
         start.as_typed(),

@@ -1,5 +1,7 @@
 """`rocksteady overturn`: all amplitudes at which a pulse overturns a block, by frequency."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import Annotated
 
@@ -154,6 +156,7 @@ def overturn(
     from rocksteady.dynamics.overturning.windows import RESOLUTION, find_overturning_windows
 
     with (
+        _as_typed(accel_g),
         sweep.resumable(context.find_root().obj),
         sweeping("searching frequencies", len(ratios)) as meter,
     ):
@@ -183,6 +186,18 @@ def overturn(
         print_description(description, terminal.console(wrap=True))
     if found.undecided.any():
         raise typer.Exit(INCOMPLETE)
+
+
+@contextmanager
+def _as_typed(accel_g: str | None) -> Iterator[None]:
+    """Name in errors about the range of amplitudes the flag that gave it."""
+    try:
+        yield
+    except InputError as error:
+        if error.name != "within":
+            raise
+        flag = "--amplitude/-A" if accel_g is None else "--accel-g"
+        raise InputError(flag, error.value, error.valid, error.hint) from error
 
 
 def _range(

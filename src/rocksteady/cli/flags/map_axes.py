@@ -254,5 +254,8 @@ def map_case(shaking: ShakingFlags, block: BlockFlags, start: MapStartFlags) -> 
         motion=shaken,
         start=first,
         axes={name: given[name] for name in AXES if name in moving},
-        fixed={name: given[name][0] for name in AXES if name in given.keys() - moving} | housner,
+        fixed={
+            **{name: given[name][0] for name in AXES if name in given.keys() - moving},
+            **housner,
+        },
     )

@@ -35,6 +35,7 @@ FLAG_OF_ARGUMENT = {
     "shape": "--pulse",
     "oscillations": "--oscillations",
     "cycles": "--cycles",
+    "max_cycles": "--cycles",
     "start": "--start",
     "angle": "--start",
     "velocity": "--start",

@@ -114,7 +114,7 @@ def _model(dataset: "xr.Dataset") -> str:
 
 def _parameters(dataset: "xr.Dataset") -> list[Fact]:
     """Return the parameters that are no axes."""
-    names = [*reversed(AXES), "gravity", "negative_restitution", *START]
+    names = [*reversed(list(AXES)), "gravity", "negative_restitution", *START]
     given = {name: dataset.attrs[name] for name in dict.fromkeys(names) if name in dataset.attrs}
     return [
         Fact(name, value, LABELS.get(name, name.replace("_", " ")), _text(name, given))

@@ -255,17 +255,19 @@ class OverturningWindows(Result):
             row["intervals_g"] = [[end * unit for end in ends] for ends in intervals]
         return row
 
-    def _window_rows(self, rows: "list[dict[str, Any]]") -> "Iterator[dict[str, Any]]":
-        """Yield a row a window, and one at a frequency without any for those who read."""
+    def _window_rows(self, rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
+        """Yield a row a window, as files and people have it."""
         for row in rows:
             head = {name: row[name] for name in ("frequency_ratio", "freq_hz") if name in row}
             for mode in row["modes"]:
                 low, high = mode["interval"]
-                window = {**head, "low": low, "high": high}
+                window: dict[str, Any] = {**head, "low": low, "high": high}
                 if isinstance(self.block, Block):
                     unit = self.block.uplift_acceleration / self.block.gravity
                     window |= {"low_g": low * unit, "high_g": high * unit}
-                yield window | {name: mode[name] for name in ("impacts", "side", "endless")}
+                for name in ("impacts", "side", "endless"):
+                    window[name] = mode[name]
+                yield window
 
     def _columns(self) -> list[Column]:
         """Return what people read of a window: in Hz and g first where the block has a size."""

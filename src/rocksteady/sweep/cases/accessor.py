@@ -11,7 +11,7 @@ import xarray as xr
 
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.gridded import described, kind_of
-from rocksteady.results.numbers import number, share
+from rocksteady.results.numbers import number
 from rocksteady.results.result import Result, plotting_function
 
 SLAB = 4_000_000
@@ -114,7 +114,7 @@ def count_table(counts: dict[str, int], *, heading: str) -> Table:
     """Return a table of classes, cells and shares for people."""
     whole = sum(counts.values())
     rows = [
-        {"class": word, "cells": count, "share": share(count, whole)}
+        {"class": word, "cells": count, "share": f"{100.0 * count / whole:.2f} %"}
         for word, count in counts.items()
         if count
     ]
