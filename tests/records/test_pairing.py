@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rocksteady import InputError, RecordSet, pair_records, read_recordings
+from rocksteady import InputError, Record, RecordSet, pair_records, read_recordings
 from tests.records import recording
 from tests.records.writers import at2, csv, knet, samples
 
@@ -100,3 +100,32 @@ def test_a_set_of_one_file_of_several_channels(tmp_path: Path) -> None:
     assert len(read_recordings(path)) == 2
     (one,) = pair_records([path])
     assert len(one.other) == 2
+
+
+def test_a_set_is_a_base_motion_for_each_horizontal_channel() -> None:
+    rng = np.random.default_rng(3)
+    north, east, up = (rng.normal(size=40) for _ in range(3))
+    pair = RecordSet(
+        name="hut",
+        horizontal=(
+            recording(north, orientation="horizontal"),
+            recording(east, orientation="horizontal"),
+        ),
+        vertical=recording(up, orientation="vertical"),
+    )
+    one, other = pair.motions()
+    for motion, values in ((one, north), (other, east)):
+        assert isinstance(motion.horizontal, Record)
+        assert isinstance(motion.vertical, Record)
+        np.testing.assert_array_equal(motion.horizontal.acceleration_m_s2, values)
+        np.testing.assert_array_equal(motion.vertical.acceleration_m_s2, up)
+    (alone,) = RecordSet(name="hut", horizontal=pair.horizontal[:1]).motions()
+    assert alone.vertical is None
+    assert [row["place"] for row in pair.to_dict()["recordings"]] == [
+        "horizontal",
+        "horizontal",
+        "vertical",
+    ]
+    assert repr(pair) == "<RecordSet: hut: 2 horizontal channels, a vertical one>"
+    with pytest.raises(InputError, match="no known horizontal"):
+        RecordSet(name="hut", vertical=pair.vertical).motions()

@@ -6,21 +6,27 @@ Networks publish them as three files or as one, and not always of one length or 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from os import PathLike
+from pathlib import Path
 from typing import Final, Literal
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, Words
+from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.records.core.directions import TAIL, direction
 from rocksteady.records.core.recording import Recording
 from rocksteady.records.read import read_recordings
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, plural
+from rocksteady.results.result import Result
 
 _SQUARE: Final = 1.0
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True)
-class RecordSet:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class RecordSet(Result):
     """The channels of one station in one earthquake.
 
     Parameters
@@ -65,6 +71,61 @@ class RecordSet:
         """All channels: horizontal, vertical, other."""
         vertical = () if self.vertical is None else (self.vertical,)
         return (*self.horizontal, *vertical, *self.other)
+
+    def describe(self) -> Description:
+        """Return the channels, and what keeps them from being used together."""
+        rows = [
+            {
+                "place": place,
+                "file": str(each.path),
+                "component": each.component,
+                "azimuth_deg": each.azimuth_deg,
+                "npts": len(each.record.acceleration_m_s2),
+                "dt_s": each.record.dt_s,
+                "pga_m_s2": each.record.peak_acceleration_m_s2,
+            }
+            for place, channels in (
+                ("horizontal", self.horizontal),
+                ("vertical", () if self.vertical is None else (self.vertical,)),
+                ("other", self.other),
+            )
+            for each in channels
+        ]
+        columns = [
+            Column("place", "channel", left=True),
+            Column("file", "file", lambda file: Path(file).name, left=True),
+            Column("component", "component", left=True),
+            Column("npts", "samples"),
+            Column("dt_s", "dt [s]"),
+            Column("pga_m_s2", "PGA [g]", lambda value: number(value / STANDARD_GRAVITY)),
+        ]
+        return Description(
+            headline=f"{self.name}: {plural(len(self.horizontal), 'horizontal channel')}, "
+            + ("no vertical one" if self.vertical is None else "a vertical one"),
+            facts=[Fact("name", self.name), Fact("warnings", list(self.warnings))],
+            tables=[Table("recordings", rows, columns)],
+            notes=self.warnings,
+        )
+
+    def motions(self) -> tuple[BaseMotion, ...]:
+        """Return a base motion for each horizontal channel, with the vertical one beside it.
+
+        They begin together: of channels whose starts differ take those of `aligned`.
+
+        Raises
+        ------
+        InputError
+            If there is no horizontal channel.
+        """
+        if not self.horizontal:
+            raise InputError(
+                "horizontal",
+                Words("is empty"),
+                f"the channels of {self.name} have no known horizontal direction",
+                "make BaseMotion(horizontal, vertical) of the records of `recordings`",
+            )
+        vertical = None if self.vertical is None else self.vertical.record
+        return tuple(BaseMotion(each.record, vertical) for each in self.horizontal)
 
     def aligned(self, method: Literal["trim", "pad"]) -> "RecordSet":
         """Return the set with channels that begin together and have one length.

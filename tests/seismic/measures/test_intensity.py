@@ -90,7 +90,7 @@ def test_how_the_measures_grow_with_the_record(seed: int, factor: float) -> None
         **dict.fromkeys(("housner_intensity_m", "pga_per_uplift", "p_pgv_per_uplift"), 1),
     }
     for name in WORDS:
-        if name == "final_velocity_m_s":
+        if name in ("final_velocity_m_s", "threshold_m_s2", "damping", "drifts"):
             continue
         expected = getattr(one, name) * factor ** grows.get(name, 0)
         assert getattr(other, name) == pytest.approx(expected, rel=1e-9), name
@@ -123,11 +123,30 @@ def test_of_an_asymmetric_block_the_side_counts_that_lifts_first() -> None:
 
 
 def test_the_table_of_notebooks_has_every_measure() -> None:
-    html = measure_intensity(sine(), BLOCK)._repr_html_()
+    found = measure_intensity(sine(), BLOCK)
+    html = found._repr_html_()
     for words, unit in WORDS.values():
         assert words in html
         assert unit in html
-    assert "PGV/PGA</th>" in html
+    assert ">PGV/PGA</th>" in html
+    assert found.record == sine()
+    assert found.block is BLOCK
+    assert repr(found).startswith("<IntensityMeasures: record: PGA ")
+
+
+def test_the_keys_are_the_measures_without_those_of_no_block() -> None:
+    found = measure_intensity(sine())
+    assert found.to_dict().keys() == WORDS.keys() - {
+        "pga_per_uplift",
+        "p_pgv_per_uplift",
+        "p_pgv_per_pga",
+    }
+    assert all(value == getattr(found, name) for name, value in found.to_dict().items())
+    assert found.warning is None
+    samples = sine().acceleration_m_s2 + 0.5
+    drifting = measure_intensity(Record(acceleration_m_s2=samples, dt_s=sine().dt_s))
+    assert (drifting.warning or "").startswith("PGD = ")
+    assert "--baseline linear" in drifting.summary().replace("\n", " ")
 
 
 def test_what_is_refused() -> None:

@@ -1,11 +1,13 @@
 """`rocksteady record`: channels and intensity measures of ground-motion files."""
 
 import sys
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, NoReturn
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn
 
 import typer
 
+from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import print_json, write_csv, write_figure
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
@@ -13,21 +15,20 @@ from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.parsing import axis
 from rocksteady.cli.flags.record_files import ReadingFlags, warn
-from rocksteady.cli.present.record_values import (
-    Description,
-    course_header,
-    course_rows,
-    print_one,
-    print_spectrum,
-    print_table,
-    record_values,
-    title_of,
-)
+from rocksteady.cli.present.shared import turned_text
 from rocksteady.errors import RecordFileError
 from rocksteady.model.blocks.block import Block
+from rocksteady.results.description import Column, Description, Table
+from rocksteady.results.numbers import plural
+from rocksteady.results.rendering import print_description
+from rocksteady.show.style.escaping import printable
+from rocksteady.show.style.palette import shortened
 
 if TYPE_CHECKING:
     from rocksteady.records.core.recording import Recording
+    from rocksteady.seismic.measures.intensity import IntensityMeasures
+    from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
+    from rocksteady.seismic.measures.time_course import IntegratedRecord
 
 HELP = (
     "What ground-motion files hold: format, samples, unit and warnings; peaks, "
@@ -44,15 +45,17 @@ EXAMPLES = (
 )
 
 FilesArgument = Annotated[
-    list[Path], typer.Argument(metavar="FILE", help="Ground-motion files.", show_default=False)
+    list[Path],
+    typer.Argument(metavar="FILE", help="Read these ground-motion files.", show_default=False),
 ]
 PeriodsFlag = Annotated[
     str | None,
     typer.Option(
         "--periods-s",
         metavar="AXIS",
-        help="Periods of the response spectrum \\[s], as 0.1:4:40 or log:0.05:10:100; it is "
-        "printed, for one record, and in --json. --plot has log:0.02:10:200 by default.",
+        help="Compute the response spectrum at these periods \\[s], as 0.1:4:40 or "
+        "log:0.05:10:100; printed for one record, and in --json; default of --plot "
+        "log:0.02:10:200.",
         rich_help_panel=options.OUTPUT,
     ),
 ]
@@ -61,7 +64,7 @@ DampingFlag = Annotated[
     typer.Option(
         "--damping",
         metavar="ZETA",
-        help="Damping of its oscillators, 1 being critical.",
+        help="Set the damping of its oscillators, 1 being critical; default 0.05.",
         rich_help_panel=options.OUTPUT,
     ),
 ]
@@ -70,7 +73,7 @@ UnitsOutFlag = Annotated[
     typer.Option(
         "--units-out",
         metavar="UNIT",
-        help="Unit of the accelerations of --csv: m/s^2 (default), g, cm/s^2, gal, ...",
+        help="Set the unit of the accelerations of --csv: g, cm/s^2, gal, ...; default m/s^2.",
         rich_help_panel=options.OUTPUT,
     ),
 ]
@@ -104,36 +107,116 @@ def record(
     recordings = all_recordings(files, reading)
     if output.csv is not None and len(recordings) > 1:
         refuse_several(output.csv, len(recordings))
-    found: list[Description] = []
-    for one in recordings:
-        described = Description(
-            recording=one,
-            course=integrate_record(one.record),
-            measures=measure_intensity(one.record, body, damping=damping),
-            spectrum=compute_response_spectrum(one.record, wanted, damping=damping)
-            if wanted
-            else None,
-        )
-        if described.measures.drifts:
-            warn(one.path, described.warnings[-1])
-        found.append(described)
+    courses = [integrate_record(each.record) for each in recordings]
+    measures = [measure_intensity(each.record, body, damping=damping) for each in recordings]
+    spectra = [
+        compute_response_spectrum(each.record, wanted, damping=damping)
+        for each in recordings
+        if wanted
+    ]
+    for each, measured in zip(recordings, measures, strict=True):
+        if measured.warning is not None:
+            warn(each.path, measured.warning)
     if output.csv is not None:
-        write_csv(output.csv, course_header(unit), course_rows(found[0].course, unit))
+        write_csv(output.csv, course_header(unit), course_rows(courses[0], unit))
     if output.plot is not None:
         from rocksteady.show.figures.single import record_figure
 
-        courses = [one.course for one in found]
-        spectra = [one.spectrum for one in found if one.spectrum is not None]
-        write_figure(output.plot, record_figure(courses, spectra, title_of(found), output.page))
+        write_figure(
+            output.plot, record_figure(courses, spectra, title_of(recordings), output.page)
+        )
+    printed = spectra if periods is not None else []
     if output.as_json:
-        rows = [record_values(one, spectrum=periods is not None) for one in found]
+        shown = [[spectrum] for spectrum in printed] or [[] for _ in recordings]
+        rows = [
+            record_values(*results) for results in zip(recordings, measures, shown, strict=True)
+        ]
         print_json("record", rows[0] if len(rows) == 1 else {"records": rows})
-    elif len(found) == 1:
-        print_one(found[0])
-        if periods is not None and found[0].spectrum is not None:
-            print_spectrum(found[0].spectrum)
+    elif len(recordings) == 1:
+        print_description(described(recordings[0], measures[0], printed), terminal.console())
     else:
-        print_table(found)
+        print_description(table_of(recordings, measures), terminal.console())
+
+
+def record_values(
+    recording: "Recording", measures: "IntensityMeasures", spectra: "Sequence[ResponseSpectrum]"
+) -> dict[str, Any]:
+    """Return the JSON object of a channel: what its file states, its measures and its spectrum."""
+    stated = recording.to_dict()
+    values = stated | measures.to_dict()
+    if measures.warning is not None:
+        values["warnings"] = [*stated["warnings"], measures.warning]
+    for spectrum in spectra:
+        values["spectrum"] = spectrum.to_dict()
+    return values
+
+
+def described(
+    recording: "Recording", measures: "IntensityMeasures", spectra: "Sequence[ResponseSpectrum]"
+) -> Description:
+    """Return the description of a channel with its measures, and with its spectrum."""
+    first, second = recording.describe(), measures.describe()
+    return Description(
+        headline=first.headline,
+        facts=[*first.facts, *second.facts],
+        tables=[table for spectrum in spectra for table in spectrum.describe().tables],
+        notes=[*first.notes, *second.notes],
+    )
+
+
+def table_of(
+    recordings: "Sequence[Recording]", measures: "Sequence[IntensityMeasures]"
+) -> Description:
+    """Return a table with a row for each channel."""
+    rows = [
+        {
+            "name": each.name,
+            "samples": len(each.record.acceleration_m_s2),
+            "dt_s": each.record.dt_s,
+            **measured.to_dict(),
+        }
+        for each, measured in zip(recordings, measures, strict=True)
+    ]
+    columns = [
+        Column("name", "record", lambda name: shortened(printable(name), 30), left=True),
+        Column("samples", "samples", str),
+        Column("dt_s", "dt s"),
+        Column("pga_g", "PGA g"),
+        Column("pgv_m_s", "PGV m/s"),
+        Column("arias_m_s", "Arias m/s"),
+        Column("significant_5_95_s", "D5-95 s"),
+    ]
+    return Description(
+        headline=plural(len(rows), "record"), tables=[Table("", rows, columns, most=len(rows))]
+    )
+
+
+def title_of(recordings: "Sequence[Recording]") -> str:
+    """Return what a figure shows in a few words."""
+    if len(recordings) > 1:
+        return plural(len(recordings), "record")
+    turned = turned_text(recordings[0].processing)
+    return shortened(recordings[0].title, 110 - len(turned)) + turned
+
+
+def course_header(unit: str) -> list[str]:
+    """Return the columns of a record, its acceleration in a unit."""
+    name = unit.replace("/s^2", "_s2").replace("/", "_")
+    return ["time_s", f"acceleration_{name}", "velocity_m_s", "displacement_m"]
+
+
+def course_rows(course: "IntegratedRecord", unit: str) -> Iterator[list[float]]:
+    """Yield a record sample by sample, its acceleration in a unit."""
+    from rocksteady.records.core.units import UNITS
+
+    columns = (
+        course.t_s,
+        course.acceleration_m_s2 / UNITS[unit],
+        course.velocity_m_s,
+        course.displacement_m,
+    )
+    for row in zip(*columns, strict=True):
+        yield [float(value) for value in row]
 
 
 def all_recordings(files: list[Path], reading: ReadingFlags) -> "list[Recording]":

@@ -7,14 +7,17 @@ from typing import Literal
 
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.motions.record import Record
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import quantity
+from rocksteady.results.result import Result
 
 Orientation = Literal["horizontal", "vertical"]
 """Which way a channel points."""
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True)
-class Recording:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Recording(Result):
     r"""One acceleration channel of a ground-motion file.
 
     Made by `~rocksteady.records.read.read_recordings`.
@@ -74,6 +77,54 @@ class Recording:
     stated_peak_m_s2: float | None = None
     warnings: tuple[str, ...] = ()
     processing: tuple[str, ...] = ()
+
+    @property
+    def name(self) -> str:
+        """The file, with the channel where the file's name does not say it."""
+        stem, component = self.path.name, self.component
+        return stem if component is None or component in stem else f"{stem} {component}"
+
+    @property
+    def title(self) -> str:
+        """Event, station and component, or the file."""
+        parts = [part for part in (self.event, self.station, self.component) if part]
+        return ", ".join(" ".join(part.split()) for part in parts) or self.path.name
+
+    def describe(self) -> Description:
+        """Return what the file states, and how it was read."""
+        record = self.record
+        count = len(record.acceleration_m_s2)
+        stated = self.stated_peak_m_s2
+        facts = [
+            Fact("file", str(self.path), "file", f"{self.path.name} ({self.format})"),
+            Fact("format", self.format),
+            Fact("component", self.component),
+            Fact("orientation", self.orientation),
+            Fact("azimuth_deg", self.azimuth_deg),
+            Fact("station", self.station),
+            Fact("event", self.event),
+            Fact("start_time", self.start_time and self.start_time.isoformat()),
+            Fact(
+                "npts",
+                count,
+                "samples",
+                f"{count} every {record.dt_s:g} s, {record.duration_s:g} s, "
+                f"in {self.units_in_file}",
+            ),
+            Fact("dt_s", record.dt_s),
+            Fact("duration_s", record.duration_s),
+            Fact("units_in_file", self.units_in_file),
+            Fact(
+                "stated_peak_m_s2",
+                stated,
+                "" if stated is None else "peak stated",
+                "" if stated is None else quantity(stated, "m/s^2"),
+            ),
+            *(Fact("", done, "processing", done) for done in self.processing),
+            Fact("processing", list(self.processing)),
+            Fact("warnings", list(self.warnings)),
+        ]
+        return Description(headline=self.title, facts=facts, notes=self.warnings)
 
     def processed(self, record: Record, note: str) -> "Recording":
         """Return the recording with another record, and a note on how it came about."""

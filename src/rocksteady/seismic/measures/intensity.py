@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +13,9 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import positive
 from rocksteady.model.motions.record import Record
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import number, quantity
+from rocksteady.results.result import Result
 from rocksteady.seismic.measures._durations import absolute_velocity, strong_shaking
 from rocksteady.seismic.measures.response_spectrum import DAMPING, compute_response_spectrum
 from rocksteady.seismic.measures.time_course import integrate_record
@@ -28,8 +31,8 @@ FINEST_HZ = 0.05
 """Their largest distance; shorter records are padded with zeros."""
 
 WORDS: Mapping[str, tuple[str, str]] = {
-    "pga_m_s2": ("PGA", "m/s^2"),
     "pga_g": ("PGA", "g"),
+    "pga_m_s2": ("", "m/s^2"),
     "pgv_m_s": ("PGV", "m/s"),
     "pgd_m": ("PGD", "m"),
     "pgv_per_pga_s": ("PGV/PGA", "s"),
@@ -41,19 +44,22 @@ WORDS: Mapping[str, tuple[str, str]] = {
     "rms_m_s2": ("rms over 5-95 %", "m/s^2"),
     "bracketed_s": ("bracketed duration", "s"),
     "uniform_s": ("uniform duration", "s"),
+    "threshold_m_s2": ("", "m/s^2"),
     "mean_period_s": ("mean period", "s"),
     "housner_intensity_m": ("Housner intensity", "m"),
+    "damping": ("", ""),
     "final_velocity_m_s": ("velocity at the end", "m/s"),
+    "drifts": ("", ""),
     "pga_per_uplift": ("PGA/(g tan alpha)", ""),
     "p_pgv_per_uplift": ("p PGV/(g tan alpha)", ""),
     "p_pgv_per_pga": ("p PGV/PGA", ""),
 }
-"""Name and unit of each measure, for tables."""
+"""Name and unit of each measure; without a name it is for JSON alone."""
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True)
-class IntensityMeasures:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class IntensityMeasures(Result):
     """Intensity measures of a record, from `rocksteady.measure_intensity`.
 
     All are exact for an acceleration that is linear between samples, from rest, but for
@@ -62,6 +68,8 @@ class IntensityMeasures:
 
     Attributes
     ----------
+    record, block
+        What was measured, and the block of the last three; None without.
     pga_m_s2, pga_g, pgv_m_s, pgd_m
         Largest absolute acceleration [m/s^2], in units of 9.80665 m/s^2, velocity [m/s] and
         displacement [m] of the ground.
@@ -99,6 +107,8 @@ class IntensityMeasures:
         first; None without.  Below 1 the first says that a block at rest stays so.
     """
 
+    record: Record
+    block: Block | None = None
     pga_m_s2: float
     pga_g: float
     pgv_m_s: float
@@ -122,23 +132,40 @@ class IntensityMeasures:
     p_pgv_per_uplift: float | None = None
     p_pgv_per_pga: float | None = None
 
-    def values(self) -> dict[str, float]:
-        """Return all that it has by name, in a fixed order; those of a block where there is one."""
-        return {name: value for name, value in asdict(self).items() if value is not None}
-
-    def rows(self) -> list[tuple[str, float, str]]:
-        """Return what a table shows: name in words, value, unit."""
-        found = self.values()
-        named = [(name, *words) for name, words in WORDS.items() if name in found]
-        return [(words, found[name], unit) for name, words, unit in named]
-
-    def _repr_html_(self) -> str:
-        """Return a table for notebooks."""
-        cells = "".join(
-            f"<tr><th>{words}</th><td>{value:.5g} {unit}</td></tr>"
-            for words, value, unit in self.rows()
+    @property
+    def warning(self) -> str | None:
+        """A sentence on a record that drifts; None of one that does not."""
+        if not self.drifts:
+            return None
+        return (
+            f"PGD = {self.pgd_m:.3g} m is that of an error of the baseline, not of a ground: it is "
+            f"{self.pgd_m / self.pgv_m_s:.2g} s times PGV, and the record ends with "
+            f"{abs(self.final_velocity_m_s) / self.pgv_m_s:.0%} of PGV; --baseline linear "
+            "(correct_baseline) may help"
         )
-        return f"<table><caption>Intensity measures</caption>{cells}</table>"
+
+    def describe(self) -> Description:
+        """Return all measures, those of a block where there is one."""
+        facts = []
+        for key, (label, unit) in WORDS.items():
+            value = getattr(self, key)
+            if value is not None:
+                facts.append(Fact(key, value, label, quantity(value, unit) if unit else ""))
+        rule = (
+            f"The ground begins at rest; 1 g is {STANDARD_GRAVITY} m/s^2; bracketed and uniform "
+            f"above {number(self.threshold_m_s2 / STANDARD_GRAVITY)} g; Housner intensity at "
+            f"{number(100.0 * self.damping)} % of critical damping."
+        )
+        notes = [rule]
+        if self.warning is not None:
+            notes.append(self.warning)
+        name = self.record.name or "record"
+        return Description(
+            headline=f"{name}: PGA {number(self.pga_g)} g, PGV {number(self.pgv_m_s)} m/s, "
+            f"significant duration {number(self.significant_5_95_s)} s",
+            facts=facts,
+            notes=notes,
+        )
 
 
 @checked
@@ -149,7 +176,7 @@ def measure_intensity(
     damping: float = DAMPING,
     threshold_m_s2: float = 0.05 * STANDARD_GRAVITY,
 ) -> IntensityMeasures:
-    """Return the intensity measures of a record.
+    """Measure the intensity of a record: PGA, Arias intensity, durations and more.
 
     Parameters
     ----------
@@ -158,9 +185,9 @@ def measure_intensity(
     block
         Gives the dimensionless measures their slenderness and p; none without.
     damping
-        Of the oscillators of Housner's intensity, in [0, 1).
+        Of the oscillators of Housner's intensity, in [0, 1), 1 being critical; default 0.05.
     threshold_m_s2
-        Of the bracketed and the uniform duration [m/s^2]; 0.05 g by default.
+        Of the bracketed and the uniform duration [m/s^2]; default 0.05 g.
 
     Returns
     -------
@@ -201,6 +228,8 @@ def measure_intensity(
     strong = strong_shaking(record, threshold)
     spectrum = compute_response_spectrum(record, HOUSNER_PERIODS_S, damping=damping)
     return IntensityMeasures(
+        record=record,
+        block=block,
         pga_m_s2=pga,
         pga_g=pga / STANDARD_GRAVITY,
         pgv_m_s=pgv,

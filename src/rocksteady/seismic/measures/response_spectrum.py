@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -9,11 +10,18 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import exp, log
+from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import LARGEST, in_range, whole_number
 from rocksteady.model.motions.record import Record
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number
+from rocksteady.results.result import Result
 from rocksteady.seismic.measures._oscillators import peaks
 from rocksteady.seismic.measures.time_course import refuse_extreme
+
+if TYPE_CHECKING:
+    import xarray
 
 Floats = NDArray[np.float64]
 
@@ -25,10 +33,35 @@ SHORTEST = 0.01
 
 DAMPING = 0.05
 
+ORDINATES = {
+    "periods_s": "s",
+    "displacement_m": "m",
+    "velocity_m_s": "m s-1",
+    "acceleration_m_s2": "m s-2",
+    "pseudo_velocity_m_s": "m s-1",
+    "pseudo_acceleration_m_s2": "m s-2",
+}
+"""Arrays of a spectrum, with their units."""
+
+
+def _in_g(value: float) -> str:
+    """Return an acceleration in g."""
+    return number(value / STANDARD_GRAVITY)
+
+
+COLUMNS = (
+    Column("periods_s", "T [s]", number),
+    Column("pseudo_acceleration_m_s2", "PSA [g]", _in_g),
+    Column("acceleration_m_s2", "Sa [g]", _in_g),
+    Column("pseudo_velocity_m_s", "PSV [m/s]", number),
+    Column("velocity_m_s", "Sv [m/s]", number),
+    Column("displacement_m", "Sd [mm]", lambda metres: number(1e3 * metres)),
+)
+
 
 @checked_result
-@dataclass(frozen=True, kw_only=True, eq=False)
-class ResponseSpectrum:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class ResponseSpectrum(Result):
     """Peak responses of damped oscillators to a record, as arrays of shape (periods,).
 
     Attributes
@@ -64,12 +97,43 @@ class ResponseSpectrum:
         found: Floats = np.square(2.0 * math.pi / self.periods_s) * self.displacement_m
         return found
 
+    def describe(self) -> Description:
+        """Return the ordinates, a row for each period."""
+        arrays = {name: getattr(self, name).tolist() for name in ORDINATES}
+        rows = [dict(zip(arrays, row, strict=True)) for row in zip(*arrays.values(), strict=True)]
+        largest = int(np.argmax(self.pseudo_acceleration_m_s2))
+        peak = self.pseudo_acceleration_m_s2[largest] / STANDARD_GRAVITY
+        return Description(
+            headline=f"Response spectrum of {self.record.name or 'a record'}, "
+            f"{number(100.0 * self.damping)} % damping: {len(rows)} periods, PSA up to "
+            f"{number(peak)} g at {number(self.periods_s[largest])} s",
+            facts=[
+                Fact("damping", self.damping),
+                *(Fact(name, values) for name, values in arrays.items()),
+            ],
+            tables=[Table("", rows, COLUMNS, title=f"Damping {number(self.damping)} of critical")],
+        )
+
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return the ordinates as a Dataset over ``period_s``."""
+        import xarray
+
+        return xarray.Dataset(
+            {
+                name: ("period_s", getattr(self, name), {"units": unit})
+                for name, unit in ORDINATES.items()
+                if name != "periods_s"
+            },
+            coords={"period_s": ("period_s", self.periods_s, {"units": "s"})},
+            attrs={"damping": self.damping, "record": self.record.name or ""},
+        )
+
 
 @checked
 def compute_response_spectrum(
     record: Record, periods_s: ArrayLike, *, damping: float = DAMPING
 ) -> ResponseSpectrum:
-    """Return the elastic response spectrum of a record.
+    """Compute the elastic response spectrum of a record.
 
     The recurrence of Nigam and Jennings (1969) is exact for an acceleration that is linear between
     its samples.  The peaks are exact too, and not those at the samples alone: between two of them
@@ -84,7 +148,7 @@ def compute_response_spectrum(
         Undamped natural periods [s], shape (periods,), above 0 and not below a hundredth of the
         record's interval.
     damping
-        zeta, 1 being critical, in [0, 1).
+        zeta, 1 being critical, in [0, 1); default 0.05.
 
     Returns
     -------
@@ -104,9 +168,9 @@ def compute_response_spectrum(
     --------
     A step of the acceleration doubles the displacement that it has in the end:
 
-    >>> from rocksteady import Record, response_spectrum
+    >>> from rocksteady import Record, compute_response_spectrum
     >>> step = Record(acceleration_m_s2=[1.0] * 101, dt_s=0.01)
-    >>> found = response_spectrum(step, [0.5], damping=0.0)
+    >>> found = compute_response_spectrum(step, [0.5], damping=0.0)
     >>> found.pseudo_acceleration_m_s2.round(12), found.acceleration_m_s2.round(12)
     (array([2.]), array([2.]))
     """
@@ -158,7 +222,7 @@ def average_spectral_acceleration(
     period_s
         T [s].
     damping
-        zeta, 1 being critical, in [0, 1).
+        zeta, 1 being critical, in [0, 1); default 0.05.
     span
         First and last period over T, ascending; from 0.2 T to 3 T as [1]_ has it by default.
     count

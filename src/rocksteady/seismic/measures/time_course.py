@@ -8,6 +8,7 @@ or a displacement is largest inside a sample, that is where its derivative has i
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,12 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.record import Record
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import length, number
+from rocksteady.results.result import Result
+
+if TYPE_CHECKING:
+    import xarray
 
 Floats = NDArray[np.float64]
 
@@ -44,8 +51,8 @@ class Peak:
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True, eq=False)
-class IntegratedRecord:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class IntegratedRecord(Result):
     """Ground motion at every sample of a record, starting from rest.
 
     Attributes
@@ -108,6 +115,58 @@ class IntegratedRecord:
             np.concatenate([self.t_s, self.t_s[at] + t]),
         )
 
+    def describe(self) -> Description:
+        """Return the largest values and their times."""
+        pga, pgv, pgd = self.peak_acceleration, self.peak_velocity, self.peak_displacement
+        in_g = number(abs(pga.value) / STANDARD_GRAVITY)
+        facts = [
+            Fact("pga_m_s2", abs(pga.value), "PGA", f"{in_g} g at {number(pga.t_s)} s"),
+            Fact("pga_t_s", pga.t_s),
+            Fact(
+                "pgv_m_s",
+                abs(pgv.value),
+                "PGV",
+                f"{number(abs(pgv.value))} m/s at {number(pgv.t_s)} s",
+            ),
+            Fact("pgv_t_s", pgv.t_s),
+            Fact(
+                "pgd_m", abs(pgd.value), "PGD", f"{length(abs(pgd.value))} at {number(pgd.t_s)} s"
+            ),
+            Fact("pgd_t_s", pgd.t_s),
+            Fact(
+                "arias_m_s",
+                float(self.arias_m_s[-1]),
+                "Arias intensity",
+                f"{number(float(self.arias_m_s[-1]))} m/s",
+            ),
+            Fact(
+                "final_velocity_m_s",
+                float(self.velocity_m_s[-1]),
+                "velocity at the end",
+                f"{number(float(self.velocity_m_s[-1]))} m/s",
+            ),
+            Fact("drifts", self.drifts, "drifts"),
+        ]
+        name = self.record.name or "a record"
+        words = f"{len(self.t_s):,} samples every {number(self.record.dt_s)} s"
+        return Description(headline=f"Ground motion of {name}: {words}, PGA {in_g} g", facts=facts)
+
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return the samples as a Dataset over ``t_s``."""
+        import xarray
+
+        units = {
+            "acceleration_m_s2": "m s-2",
+            "velocity_m_s": "m s-1",
+            "displacement_m": "m",
+            "arias_m_s": "m s-1",
+        }
+        return xarray.Dataset(
+            {name: ("t_s", getattr(self, name), {"units": unit}) for name, unit in units.items()},
+            coords={"t_s": ("t_s", self.t_s, {"units": "s"})},
+            attrs={"record": self.record.name or ""},
+        )
+
     @property
     def drifts(self) -> bool:
         """Whether the displacement is that of an error in the baseline, and no ground's.
@@ -156,7 +215,7 @@ class IntegratedRecord:
 
 @checked
 def integrate_record(record: Record) -> IntegratedRecord:
-    """Return acceleration, velocity and displacement of the ground, from rest.
+    """Integrate a record to velocity and displacement of the ground, from rest.
 
     The acceleration is linear between its samples, and is integrated exactly.
 

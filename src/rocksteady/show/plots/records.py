@@ -156,7 +156,7 @@ def plot_husid(course: IntegratedRecord, ax: "Axes | None" = None) -> "Axes":
 
 @checked
 def plot_response_spectra(
-    spectra: Sequence[ResponseSpectrum],
+    spectra: ResponseSpectrum | Sequence[ResponseSpectrum],
     ax: "Axes | None" = None,
     *,
     legend: LegendPlace | None = None,
@@ -166,7 +166,7 @@ def plot_response_spectra(
     Parameters
     ----------
     spectra
-        From `rocksteady.compute_response_spectrum`, at the same periods.
+        One or several of `rocksteady.compute_response_spectrum`, at the same periods.
     ax
         Axes to draw on; those of a new figure without.
     legend
@@ -186,13 +186,15 @@ def plot_response_spectra(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import Record, response_spectrum
+    >>> from rocksteady import Record, compute_response_spectrum
     >>> record = Record(acceleration_m_s2=[0.0, 3.0, -2.0, 0.0], dt_s=0.1, name="three")
-    >>> spectrum = response_spectrum(record, [0.1, 0.5, 1.0])
-    >>> axes = plot_response_spectra([spectrum], Figure().add_subplot())
+    >>> spectrum = compute_response_spectrum(record, [0.1, 0.5, 1.0])
+    >>> axes = plot_response_spectra(spectrum, Figure().add_subplot())
     >>> axes.get_xlabel()
     'period  $T$ [s]'
     """
+    if isinstance(spectra, ResponseSpectrum):
+        spectra = [spectra]
     if not spectra or any(
         not np.array_equal(one.periods_s, spectra[0].periods_s) for one in spectra
     ):
@@ -200,7 +202,7 @@ def plot_response_spectra(
             "spectra",
             Words(f"are {len(spectra)}"),
             "there must be one or more, all at the same periods",
-            "compute response_spectrum of each record at one array of periods",
+            "compute_response_spectrum of each record at one array of periods",
         )
     axes = axes_or_new(ax)
     periods = spectra[0].periods_s
