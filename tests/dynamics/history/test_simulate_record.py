@@ -35,7 +35,7 @@ def record(peak: float = 4.0, seed: int = 8) -> Record:
 def test_a_record_and_its_segments_give_one_trajectory() -> None:
     shaking = record()
     run, other = (
-        simulate(BLOCK, shaking),
+        simulate(BLOCK, shaking, model=Linear()),
         simulate(BLOCK, as_pieces(shaking, BLOCK), model=Linear()),
     )
     assert len(run.impacts) > 10
@@ -106,7 +106,8 @@ def test_the_base_moves_as_recorded_and_then_stands_still() -> None:
 
 def test_a_reversed_record_mirrors_and_a_scaled_one_overturns() -> None:
     shaking = record()
-    run, mirror = simulate(BLOCK, shaking), simulate(BLOCK, shaking.reversed(), model=Linear())
+    run = simulate(BLOCK, shaking, model=Linear())
+    mirror = simulate(BLOCK, shaking.reversed(), model=Linear())
     assert run.status is Status.AT_REST
     np.testing.assert_array_equal(run.impacts.pt, mirror.impacts.pt)
     np.testing.assert_array_equal(run.impacts.side, -mirror.impacts.side)

@@ -334,18 +334,10 @@ def test_the_phase_path_holds_both_states_of_each_impact() -> None:
 def test_a_notebook_shows_how_it_ended() -> None:
     run = simulate(BARE, Harmonic(amplitude=2.0, frequency_ratio=1.7), start=Steady())
     table = run._repr_html_()
-    assert "<td>overturned</td>" in table
-    assert f"<td>{len(run.impacts)}</td>" in table
-    assert f"pt = {run.overturn_time_pt:.6g}" in table
+    assert ">overturned<" in table
+    assert f">{len(run.impacts)}<" in table
+    assert f">pt {run.overturn_time_pt:.3g} (" in table
     assert "overturns" not in rocking()._repr_html_()
-
-
-def test_it_is_printed_in_a_line_without_its_tables() -> None:
-    run = rocking()
-    assert repr(run) == (
-        f"Trajectory(model='linear', status='rocking', peak={run.peak:.6g}, "
-        f"impacts={len(run.impacts)}, end_time_pt={run.end_time_pt:.6g})"
-    )
 
 
 def test_each_end_is_one_moment_in_all_three_clocks() -> None:

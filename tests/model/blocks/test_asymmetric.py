@@ -235,5 +235,7 @@ def test_a_ratio_outside_its_range_is_refused(name: str) -> None:
 def test_a_notebook_shows_both_sides() -> None:
     block = Block.asymmetric(left=LEFT, right=RIGHT, height=HEIGHT)
     table = block._repr_html_()
-    assert f"{block.alpha:.6g} and {block.negative.alpha:.6g} rad" in table
-    assert "positive (left edge)" in table
+    one, other = (math.degrees(side.alpha) for side in (block.positive, block.negative))
+    assert f"{one:.3g}° and {other:.3g}°" in table
+    assert "positive (left)" in table
+    assert block.to_dict()["negative"] == block.negative.to_dict()

@@ -222,6 +222,14 @@ def test_what_the_equation_of_motion_sees_of_a_block_is_its_restitution() -> Non
 
 
 def test_a_notebook_shows_the_numbers_of_a_block() -> None:
-    table = Block.from_p(alpha=0.25, p=2.14, restitution=0.9)._repr_html_()
-    for number in ("0.25 rad", "2.14 rad/s", "0.9", "0.25 g"):
-        assert f"<td>{number}</td>" in table
+    block = Block.from_p(alpha=0.25, p=2.14, restitution=0.9)
+    table = block._repr_html_()
+    for number in ("14.3°", "2.14 rad/s", "0.9", "0.255 g", "1.61 m", "795 mm x 3.11 m"):
+        assert f">{number}</td>" in table
+    assert repr(block) == "<Block: 0.795 x 3.11 m block, alpha 14.3°, restitution 0.9>"
+    assert block.to_dict() == {
+        "alpha_rad": 0.25,
+        "radius_m": block.radius,
+        "p_rad_s": 2.14,
+        "restitution": 0.9,
+    }

@@ -43,7 +43,7 @@ MASKED = np.ma.array([1.0, -99999.0, 2.0], mask=[False, True, False])
     [
         (
             lambda: Harmonic.from_si(BARE, acceleration_m_s2=1.0, frequency_hz=2.0),  # type: ignore[arg-type]
-            ["block = DimensionlessBlock(", "it must be a Block;", "Block.rectangle("],
+            ["block = <DimensionlessBlock: ", "it must be a Block;", "Block.rectangle("],
         ),
         (lambda: simulate(BLOCK, Harmonic), ["motion = ", "it must be a Motion"]),  # type: ignore[arg-type]
         (

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history import base_motion
+from rocksteady.dynamics.history.samples import Flights, Samples
 from rocksteady.dynamics.history.start import State
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.core import tables as columns
@@ -16,12 +17,12 @@ from rocksteady.kernels.core.tables import is_nonlinear
 from rocksteady.kernels.elementary.arrays import cos, sin, tan
 from rocksteady.kernels.march.replay import fill_states
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import finite
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Harmonic, Still
 
 if TYPE_CHECKING:
-    from rocksteady.dynamics.history.samples import Flights, Samples
     from rocksteady.model.blocks.dimensionless import DimensionlessBlock
     from rocksteady.model.motions.segments import Motion
 
@@ -37,6 +38,7 @@ FINER = 41
 """Samples of a round between the neighbours of the largest one."""
 
 
+@checked_result
 class Physical:
     """A run in seconds, in tau = omega t and in SI, from its tables in pivot time."""
 
@@ -108,7 +110,7 @@ class Physical:
         """Time of overturning, omega t; None unless `Harmonic`, or if it does not overturn."""
         return self._tau(self.overturn_time_pt)
 
-    def at_time(self, t_s: ArrayLike) -> "Samples":
+    def at_time(self, t_s: ArrayLike) -> Samples:
         """Return the motion at times in seconds.
 
         Raises
@@ -127,7 +129,7 @@ class Physical:
             pt = real_array("t_s", t_s) * self.block.p
         return self(pt)
 
-    def at_tau(self, tau: ArrayLike) -> "Samples":
+    def at_tau(self, tau: ArrayLike) -> Samples:
         """Return the motion at tau = omega t of harmonic shaking.
 
         Raises

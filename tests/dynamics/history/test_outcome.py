@@ -1,0 +1,451 @@
+"""What a run says of itself: growth, uplift, friction, neighbours, text, JSON and columns."""
+
+import math
+
+import numpy as np
+import pytest
+
+from rocksteady import (
+    BaseMotion,
+    Block,
+    DimensionlessBlock,
+    Harmonic,
+    InputError,
+    Linear,
+    ModelError,
+    Neighbours,
+    Nonlinear,
+    Piecewise,
+    Pulse,
+    Record,
+    Samples,
+    Segment,
+    State,
+    Status,
+    Steady,
+    Still,
+    Trajectory,
+    check_neighbours,
+    find_steady_states,
+    simulate,
+)
+from rocksteady.kernels.core import tables as columns_of
+from rocksteady.model.equations import Model
+from rocksteady.model.motions.segments import Motion
+from tests.cli.motion_files import samples
+from tests.cli.present.printed import as_json, fits
+
+BARE = DimensionlessBlock(restitution=0.8)
+ASYMMETRY = DimensionlessBlock(restitution=0.8, alpha_ratio=1.4, p_ratio=0.9)
+PIECES = (
+    Segment(duration=1.0, constant=0.5),
+    Segment(duration=0.7, constant=-1.2, slope=0.3),
+    Segment(duration=2.0, amplitude=2.0, frequency=5.0),
+)
+STOCKY = Block.from_p(alpha=0.4, p=2.0, restitution=0.8)
+SKEWED = Block.asymmetric(left=0.3, right=0.4, height=1.0, restitution=0.8)
+SHAKEN = Harmonic(amplitude=2.0, frequency_ratio=4.0, phase=0.3)
+UP = Piecewise(pieces=(Segment(duration=3.0, constant=0.2, slope=-0.1),))
+MOTIONS: dict[str, tuple[Block | DimensionlessBlock, Motion | BaseMotion, Model]] = {
+    "harmonic": (BARE, SHAKEN, Linear()),
+    "asymmetric": (ASYMMETRY, SHAKEN, Linear()),
+    "piecewise": (BARE, Piecewise(pieces=PIECES), Linear()),
+    "still": (BARE, Still(), Linear()),
+    "full harmonic": (STOCKY, SHAKEN, Nonlinear()),
+    "full asymmetric": (SKEWED, SHAKEN, Nonlinear()),
+    "full piecewise": (STOCKY, Piecewise(pieces=PIECES), Nonlinear()),
+    "full vertical": (STOCKY, BaseMotion(Piecewise(pieces=PIECES), UP), Nonlinear()),
+    "full still": (STOCKY, Still(), Nonlinear()),
+}
+
+
+def states(motions: Samples) -> np.ndarray:
+    return np.array([motions.angle, motions.velocity])
+
+
+@pytest.mark.parametrize("name", MOTIONS)
+def test_growth_is_that_of_runs_that_begin_a_little_apart(name: str) -> None:
+    block, motion, model = MOTIONS[name]
+    start, h = (0.1, 0.2), 1e-8
+    begun = State(angle=0.1, velocity=0.2)
+    run = simulate(block, motion, start=begun, cycles=5.3, max_flights=12, model=model)
+    at = run.impacts.pt + 1e-4
+    assert len(at) >= 2
+    columns = []
+    for shift in ((h, 0.0), (0.0, h)):
+        ends = [
+            simulate(
+                block,
+                motion,
+                start=State(angle=start[0] + sign * shift[0], velocity=start[1] + sign * shift[1]),
+                cycles=5.3,
+                model=model,
+            )(at)
+            for sign in (1.0, -1.0)
+        ]
+        columns.append((states(ends[0]) - states(ends[1])) / (2.0 * h))
+    largest = np.sqrt((np.array(columns) ** 2).sum(axis=(0, 1))).max()
+    assert run.growth == pytest.approx(largest, rel=5e-3)
+
+
+def test_from_an_unstable_orbit_it_is_the_power_of_its_multiplier() -> None:
+    point = find_steady_states(1.0, 2.0, 0.8)
+    branch = next(b for b in (0, 1) if point.admissible[b] and not point.stable[b])  # type: ignore[index]
+    trace = abs(float(point.trace[branch]))
+    multiplier = 0.5 * (trace + math.sqrt(trace**2 - 4.0 * 0.8**2))
+    motion = Harmonic(amplitude=1.0, frequency_ratio=2.0)
+    start = Steady(branch=branch + 1, kick=1e-12)
+    few, many = (simulate(BARE, motion, start=start, cycles=cycles).growth for cycles in (2, 3))
+    assert many / few == pytest.approx(multiplier**2, rel=1e-3)
+
+
+def test_a_rest_forgets_and_a_balance_forgets_nothing() -> None:
+    still = simulate(BARE, Still(), start=State(angle=0.0, velocity=0.0))
+    assert still.growth == 1.0
+    for model in (Linear(), Nonlinear()):
+        balanced = simulate(STOCKY, Still(), start=State(angle=1.0, velocity=0.0), model=model)
+        assert balanced.growth == math.inf
+        assert balanced.to_dict()["growth"] is None
+
+
+def test_growth_of_a_slender_block_is_that_of_the_linear_model() -> None:
+    block = Block.from_p(alpha=1e-3, p=2.0, restitution=0.8)
+    start = State(angle=0.1, velocity=0.2)
+    linear, full = (
+        simulate(block, SHAKEN, cycles=5, start=start, model=model).growth
+        for model in (Linear(), Nonlinear())
+    )
+    assert full == pytest.approx(linear, rel=1e-4)
+    assert full != linear
+
+
+# ------------------------------------------------------------------- uplift and friction
+
+GROUND = Record(acceleration_m_s2=9.80665 * samples(), dt_s=0.02, name="hut")
+LIFT = Record(acceleration_m_s2=2.0 * samples(9), dt_s=0.02, name="up")
+
+
+@pytest.mark.parametrize("slope", [1.0 / 6.0, 0.3, 0.1])
+@pytest.mark.parametrize("above", [1.3, 2.1])
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_friction_at_uplift_of_a_rectangle(slope: float, above: float, sign: float) -> None:
+    """Shenton, J. Eng. Mech. 122, 690-693 (1996): of a rectangle that begins to rock."""
+    block = Block.from_radius(alpha=math.atan(slope), radius=1.0)
+    level = above * slope
+    push = Segment(duration=1e-4, constant=sign * level / block.alpha)
+    run = simulate(block, Piecewise(pieces=(push,)))
+    first = run.rows[:, columns_of.ROW_SIDE].nonzero()[0][:1]
+    ratio = run._force_ratio(first, np.zeros(1))[0]
+    expected = (level * (1.0 + 4.0 * slope**2) + 3.0 * slope) / (
+        4.0 + slope**2 + 3.0 * level * slope
+    )
+    assert ratio == pytest.approx(expected, rel=1e-12)
+    assert run.uplift_g == pytest.approx(slope)
+    assert run.pga_g == pytest.approx(level)
+    assert run.friction_needed is not None
+    assert run.friction_needed >= ratio * (1.0 - 1e-12)
+
+
+@pytest.mark.parametrize("vertical", [None, LIFT])
+def test_friction_is_that_of_the_path_of_the_mass_centre(vertical: Record | None) -> None:
+    block = Block.rectangle(width=0.4, height=1.2)
+    run = simulate(block, BaseMotion(GROUND, vertical))
+    h = 1e-4  # s
+    middles = (run.flights.pt + 0.5 * run.flights.duration)[run.flights.side != 0] / block.p
+    long = run.flights.duration[run.flights.side != 0] / block.p > 4.0 * h
+    at = middles[long][:200]
+    assert len(at) > 50
+
+    def place(t: np.ndarray) -> np.ndarray:
+        """Mass centre against the base, right and up."""
+        theta = run.at_time(t).angle * block.alpha
+        left = block.alpha - np.abs(theta)
+        right = np.sign(theta) * (block.radius * np.sin(left) - 0.5 * block.width)
+        return np.array([right, block.radius * np.cos(left)])
+
+    across, up = (place(at + h) - 2.0 * place(at) + place(at - h)) / h**2
+    times = 0.02 * np.arange(len(samples()))
+    # A positive acceleration of the base is to the right.
+    base = np.interp(at, times, GROUND.acceleration_m_s2)
+    lift = 0.0
+    if vertical is not None:
+        lift = np.interp(at, times[: len(vertical.acceleration_m_s2)], vertical.acceleration_m_s2)
+    ratio = np.abs(base + across) / (block.gravity + lift + up)
+    index = np.flatnonzero(run.flights.side)[long][:200]
+    found = run._force_ratio(index, 0.5 * run.flights.duration[index])
+    np.testing.assert_allclose(found, ratio, rtol=1e-3, atol=1e-4)
+    assert run.friction_needed is not None
+    assert run.friction_needed >= found.max()
+
+
+def test_uplift_of_each_model_and_of_the_side_that_lifts_first() -> None:
+    assert simulate(STOCKY, GROUND).uplift_g == pytest.approx(math.tan(0.4))
+    assert simulate(STOCKY, GROUND, model=Linear()).uplift_g == pytest.approx(0.4)
+    assert simulate(SKEWED, GROUND).uplift_g == pytest.approx(0.6)
+    standing = simulate(STOCKY, GROUND.scaled(1e-3))
+    assert standing.friction_needed is None
+    assert standing.pga_g == pytest.approx(1e-3 * np.abs(samples()).max())
+
+
+def test_what_has_no_size_or_no_end_has_no_uplift() -> None:
+    for run in (simulate(BARE, Still()), simulate(STOCKY, SHAKEN, cycles=1)):
+        assert run.uplift_g is run.pga_g is run.friction_needed is None
+        assert not {"uplift_g", "pga_g", "friction_needed"} & set(run.to_dict())
+
+
+@pytest.mark.parametrize("shape", ["one-sine", "ricker", "half-sine"])
+def test_peak_of_a_pulse_is_that_of_its_samples(shape: str) -> None:
+    run = simulate(STOCKY, Pulse(shape=shape, amplitude=1.5, frequency_ratio=3.0))
+    assert isinstance(run.motion, Pulse)
+    values = run.base_acceleration(np.linspace(0.0, run.motion.duration, 100_001)) * STOCKY.alpha
+    assert run.pga_g == pytest.approx(np.abs(values).max(), rel=1e-6)
+
+
+# ------------------------------------------------------------------------------ neighbours
+
+
+def neighbours_of(scale: float, block: Block = STOCKY) -> Neighbours:
+    return check_neighbours(simulate(block, GROUND.scaled(scale)))
+
+
+def test_neighbours_are_those_of_the_page() -> None:
+    found = neighbours_of(1.0)
+    cases = found.cases
+    assert (found.runs, len(set(cases))) == (21, 21)
+    r, alpha = STOCKY.restitution, STOCKY.alpha
+    half = [(case.scale, case.restitution, case.alpha) for case in cases if case.sign == 1]
+    expected = [(scale, r, alpha) for scale in (0.95, 0.975, 1.025, 1.05)]
+    expected += [(1.0, r - 0.03, alpha), (1.0, r + 0.03, alpha)]
+    expected += [(1.0, r, 0.98 * alpha), (1.0, r, 1.02 * alpha)]
+    expected += [(0.95, r - 0.03, 1.02 * alpha), (1.05, r + 0.03, 0.98 * alpha)]
+    np.testing.assert_allclose(half, expected, rtol=1e-14)
+    mirrored = [(case.scale, case.restitution, case.alpha) for case in cases if case.sign == -1]
+    np.testing.assert_allclose(mirrored, [*expected, (1.0, r, alpha)], rtol=1e-14)
+    # A symmetric block from rest does not know left from right.
+    assert [case.peak for case in cases[:10]] == [case.peak for case in cases[10:20]]
+    assert cases[-1].peak == found.case.peak
+
+
+def pushed(amplitude: float) -> Trajectory:
+    return simulate(STOCKY, Pulse(shape="one-sine", amplitude=amplitude, frequency_ratio=3.0))
+
+
+def test_all_fall_of_a_strong_motion_and_none_of_a_weak_one() -> None:
+    strong, weak = (check_neighbours(pushed(amplitude)) for amplitude in (30.0, 1.5))
+    assert weak.case.peak > 0.01
+    assert (strong.fall, weak.fall) == (21, 0)
+    assert strong.agree
+    assert weak.agree
+    assert weak.notes == strong.notes == ()
+    assert strong.to_dict()["neighbours"] == {"runs": 21, "fall": 21}
+
+
+def test_a_verdict_on_the_border_of_falling_is_not_robust() -> None:
+    low, high = 1.5, 30.0
+    for _ in range(20):
+        middle = 0.5 * (low + high)
+        falls = pushed(middle).status is Status.OVERTURNED
+        low, high = (low, middle) if falls else (middle, high)
+    for amplitude in (low, high):
+        found = check_neighbours(pushed(amplitude))
+        assert 0 < found.fall < 21
+        assert not found.agree
+        assert "not robust" in found.summary()
+        assert fits(found.summary())
+
+
+def test_a_neighbour_is_the_case_of_its_block_in_metres() -> None:
+    """A rectangle of another alpha and the same height has nearly the same gyration, not quite."""
+    block = Block.rectangle(width=0.4, height=1.2)
+    pulse = Pulse.from_si(block, shape="one-sine", acceleration_m_s2=5.0, frequency_hz=1.5)
+    found = check_neighbours(simulate(block, pulse))
+    squared = (0.4**2 + 1.2**2) / 12.0
+    for case in (found.cases[6], found.cases[7]):
+        side = 0.6 * math.tan(case.alpha)
+        other = Block.asymmetric(
+            left=side, right=side, height=1.2, gyration=math.sqrt(squared),
+            restitution=block.restitution,
+        )  # fmt: skip
+        same = Pulse.from_si(other, shape="one-sine", acceleration_m_s2=5.0, frequency_hz=1.5)
+        assert case.peak == pytest.approx(simulate(other, same).peak, rel=1e-9)
+
+
+def test_restitution_moves_half_way_to_its_bounds_at_most() -> None:
+    for ratio, low, high in ((0.02, 0.01, 0.05), (0.98, 0.95, 0.99)):
+        block = Block.from_p(alpha=0.4, p=2.0, restitution=ratio)
+        cases = neighbours_of(0.5, block).cases
+        assert (cases[4].restitution, cases[5].restitution) == pytest.approx((low, high))
+
+
+def test_what_has_no_neighbours_is_refused_in_a_line() -> None:
+    bare = simulate(BARE, Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=3.0))
+    for run in (bare, simulate(STOCKY, SHAKEN, cycles=1), simulate(STOCKY, Still())):
+        with pytest.raises(ModelError, match="neighbours are those of a Block") as caught:
+            check_neighbours(run)
+        assert "\n" not in str(caught.value)
+
+
+# ---------------------------------------------------------------------- text, JSON, columns
+
+LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
+EVEN = Block.rectangle(width=0.4, height=1.2)
+UNLIKE = DimensionlessBlock(restitution=0.8, negative_restitution=0.9, alpha_ratio=1.3)
+RUNS: dict[
+    str, tuple[Block | DimensionlessBlock, Motion | Record | BaseMotion, dict[str, object]]
+] = {
+    "harmonic": (BARE, Harmonic(amplitude=2.0, frequency_ratio=4.0), {"cycles": 5}),
+    "fall": (BARE, Harmonic(amplitude=6.0, frequency_ratio=1.0), {}),
+    "unlike": (UNLIKE, Harmonic(amplitude=2.0, frequency_ratio=4.0), {"cycles": 5}),
+    "block": (EVEN, Harmonic(amplitude=2.0, frequency_ratio=4.0), {"cycles": 5}),
+    "leaning": (LEANING, Harmonic(amplitude=2.0, frequency_ratio=4.0), {"cycles": 5}),
+    "leaning fall": (LEANING, Harmonic(amplitude=9.0, frequency_ratio=1.0), {"model": Nonlinear()}),
+    "pulse": (EVEN, Pulse(shape="ricker", amplitude=2.0, frequency_ratio=3.0), {}),
+    "bare pulse": (BARE, Pulse(shape="one-sine", amplitude=2.0, frequency_ratio=3.0), {}),
+    "record": (EVEN, GROUND, {}),
+    "vertical": (EVEN, BaseMotion(GROUND, LIFT), {}),
+    "free": (LEANING, Still(), {"start": State(angle=0.5, velocity=0.0)}),
+    # 1.4 of the slenderness of the other side, and less than 1 of its own.
+    "free right": (LEANING, Still(), {"start": State(angle=-1.4, velocity=0.0)}),
+}
+runs = pytest.mark.parametrize("name", RUNS)
+
+
+def run_of(name: str) -> Trajectory:
+    block, motion, more = RUNS[name]
+    return simulate(block, motion, **more)  # type: ignore[arg-type]
+
+
+@runs
+def test_the_values_keep_the_contract(name: str) -> None:
+    run = run_of(name)
+    values, block = as_json(run.to_dict()), run.block
+    assert block is RUNS[name][0]
+    assert (values["status"], values["impacts"]) == (run.status.label, len(run.impacts))
+    assert (values["peak"], values["model"]) == (run.peak, run.model.name)
+    assert (values["restitution"], values["growth"]) == (block.restitution, run.growth)
+    sized = isinstance(block, Block)
+    assert ("overturn_time_s" in values) == ("block" in values) == ("peak_rad" in values) == sized
+    assert ("overturn_time_tau" in values) == ("overturn_time_pt" in values) == (not sized)
+    assert ("side_peaks" in values) == (not block.symmetric)
+    assert ("phase" in values) == isinstance(run.motion, Harmonic)
+    assert ("npts" in values) == isinstance(run.motion, Record)
+    fell = [name for name in ("overturn_time_s", "overturn_time_pt") if values.get(name)]
+    assert bool(fell) == (values["status"] == "overturned")
+    if isinstance(block, Block):
+        # The largest angle of the motion itself, sampled finely.
+        until = run.shown_to_pt if run.overturn_time_pt is None else run.overturn_time_pt
+        angles = run(np.linspace(0.0, until, 20_001)).angle * block.alpha
+        assert values["peak_rad"] == pytest.approx(np.abs(angles).max(), rel=1e-4)
+
+
+def test_a_pulse_lasts_as_long_in_seconds_as_in_pivot_time() -> None:
+    values = run_of("pulse").to_dict()
+    assert values["pulse"] == "ricker"
+    assert values["duration_s"] * EVEN.p == pytest.approx(values["duration_pt"])
+    assert "duration_s" not in run_of("bare pulse").to_dict()
+
+
+def test_vertical_motion_is_named_with_its_peak() -> None:
+    values = run_of("vertical").to_dict()
+    assert (values["record"], values["vertical"]) == ("hut", "up")
+    assert values["vertical_pga_g"] == pytest.approx(np.abs(LIFT.acceleration_m_s2).max() / 9.80665)
+
+
+@runs
+def test_the_summary_says_how_it_ended(name: str) -> None:
+    run = run_of(name)
+    text = run.summary()
+    assert fits(text)
+    headline, words = run.describe().headline, " ".join(text.split())
+    assert words.startswith(headline)
+    assert words.endswith(run.status.advice)
+    assert f"{run.model.name} model" in headline
+    assert headline in repr(run)
+    assert ("overturns at" in text) == (run.overturn_time_pt is not None)
+    assert ("at rest from" in text) == (run.rest_time_pt is not None)
+    assert ("left edge" in text) == ("right edge" in text) == (not run.block.symmetric)
+
+
+def test_a_peak_is_in_degrees_first_and_times_are_in_seconds() -> None:
+    run = simulate(LEANING, Still(), start=State(angle=0.5, velocity=0.0), model=Linear())
+    degrees = math.degrees(0.5 * LEANING.alpha)
+    assert f"peak, left edge {degrees:.3g}° = 0.5 alpha" in " ".join(run.summary().split())
+    assert f"{run.rest_time_s:.3g} s (pt {run.rest_time_pt:.3g})" in run.summary()
+    bare = simulate(BARE, Harmonic(amplitude=6.0, frequency_ratio=1.0))
+    periods = bare.overturn_time_pt / (2.0 * math.pi) if bare.overturn_time_pt else 0.0
+    assert f"pt {bare.overturn_time_pt:.3g} ({periods:.3g} periods)" in bare.summary()
+    assert "°" not in bare.summary()
+
+
+def test_a_growth_beyond_rounding_is_noted() -> None:
+    point = Harmonic(amplitude=1.0, frequency_ratio=2.0)
+    few, many = (simulate(BARE, point, start=Steady(branch=2), cycles=n) for n in (2, 400))
+    for run in (few, many):
+        assert ("rounding decides" in run.summary()) == (run.growth > 1e12)
+
+
+@runs
+def test_every_row_has_the_columns_of_the_table(name: str) -> None:
+    run = run_of(name)
+    block, column = run.block, run.to_columns(20)
+    assert len({len(values) for values in column.values()}) == 1
+    motion = run(column["pt"])
+    assert np.isin(run.impacts.pt[run.impacts.pt <= column["pt"][-1]], column["pt"]).all()
+    np.testing.assert_array_equal(column["angle_per_alpha"], motion.angle)
+    if "tau" in column:
+        np.testing.assert_allclose(column["tau"], run.frequency_ratio * column["pt"])
+    if isinstance(block, Block):
+        np.testing.assert_allclose(column["time_s"] * block.p, column["pt"])
+        np.testing.assert_allclose(column["angle_rad"], block.alpha * motion.angle)
+        np.testing.assert_allclose(
+            column["base_acceleration_m_s2"],
+            block.uplift_acceleration * column["base_acceleration_per_alpha_g"],
+        )
+    if name == "vertical":
+        at = 0.02 * np.arange(len(LIFT.acceleration_m_s2))
+        shaken = column["time_s"] < at[-1] - 1e-9
+        expected = np.interp(column["time_s"][shaken], at, LIFT.acceleration_m_s2)
+        found = column["vertical_acceleration_m_s2"]
+        np.testing.assert_allclose(found[shaken], expected, atol=1e-9)
+    assert ("vertical_acceleration_m_s2" in column) == (name == "vertical")
+    dataset = run.to_dataset(20)
+    assert [str(each) for each in dataset.variables if each != "pt"] == list(column)[1:]
+    np.testing.assert_array_equal(dataset["energy"], column["energy"])
+    assert dataset.attrs["model"] == run.model.name
+
+
+# ------------------------------------------------------------------------ states as starts
+
+
+@pytest.mark.parametrize("model", [Linear(), Nonlinear()])
+@pytest.mark.parametrize("periods", [0.37, 2.0, 5.81])
+def test_a_run_from_a_state_goes_on_as_the_run_itself(model: Model, periods: float) -> None:
+    run = simulate(STOCKY, SHAKEN, cycles=12, model=model)
+    at = periods * 2.0 * math.pi / 4.0
+    start = run.state(pt=at)
+    assert start.phase == pytest.approx((0.3 + 4.0 * at) % (2.0 * math.pi))
+    later = simulate(STOCKY, SHAKEN, start=start, cycles=12 - periods, model=model)
+    rest = run.impacts.pt[run.impacts.pt > at] - at
+    assert len(rest) > 5
+    np.testing.assert_allclose(later.impacts.pt[: len(rest)], rest, atol=1e-9)
+    since = np.linspace(0.0, run.end_time_pt - at - 1e-9, 50)
+    np.testing.assert_allclose(later(since).angle, run(at + since).angle, atol=1e-9)
+    for same in (run.state(tau=4.0 * at), run.state(t_s=at / STOCKY.p)):
+        assert same.angle == pytest.approx(start.angle, abs=1e-14)
+        assert same.phase == pytest.approx(start.phase)
+
+
+def test_a_state_needs_one_time_and_a_phase_a_harmonic_motion() -> None:
+    run = simulate(BARE, SHAKEN, cycles=2)
+    for times in ({}, {"pt": 1.0, "tau": 1.0}):
+        with pytest.raises(ModelError, match="exactly one"):
+            run.state(**times)
+    with pytest.raises(ModelError, match="seconds need a block"):
+        run.state(t_s=1.0)
+    with pytest.raises(InputError, match="reaches from 0"):
+        run.state(pt=100.0)
+    with pytest.raises(ModelError, match="phase of a state"):
+        simulate(BARE, Still(), start=State(angle=0.1, velocity=0.0, phase=1.0))
+    assert simulate(BARE, Still(), start=State(angle=0.1, velocity=0.0)).state(pt=0.1).phase is None
+    turned = State(angle=0.1, velocity=0.0, phase=1.0 - 2.0 * math.pi)
+    assert turned.phase == pytest.approx(1.0)
