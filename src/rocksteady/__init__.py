@@ -16,10 +16,14 @@ __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 # Results lie below the pictures; the namespace, which knows both, connects them.
 use_plots(
     {
+        "Attractor": "plot_section",
         "AttractorSweep": "plot_bifurcations",
         "Basins": "plot_basins",
+        "BifurcationDiagram": "plot_bifurcations",
+        "Branch": "plot_bifurcations",
         "Erosion": "plot_erosion",
         "IntegratedRecord": "plot_integrated_record",
+        "Orbit": "plot_section",
         "OverturningWindows": "plot_overturning",
         "RegionMap": "plot_regions",
         "ResponseCurve": "plot_response",

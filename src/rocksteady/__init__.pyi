@@ -13,6 +13,10 @@ from .dynamics.continuation.branch import follow_branch as follow_branch
 from .dynamics.continuation.branches import find_branches as find_branches
 from .dynamics.continuation.cascade import DoublingCascade as DoublingCascade
 from .dynamics.continuation.cascade import find_cascade as find_cascade
+from .dynamics.continuation.diagram import Bifurcation as Bifurcation
+from .dynamics.continuation.diagram import BifurcationDiagram as BifurcationDiagram
+from .dynamics.continuation.diagram import BranchSearch as BranchSearch
+from .dynamics.continuation.diagram import find_bifurcations as find_bifurcations
 from .dynamics.continuation.loci import follow_bifurcation as follow_bifurcation
 from .dynamics.continuation.points import Branch as Branch
 from .dynamics.continuation.points import BranchPoint as BranchPoint

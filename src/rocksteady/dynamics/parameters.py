@@ -12,6 +12,8 @@ from rocksteady.model.motions.segments import Harmonic
 
 PARAMETERS = ("amplitude", "frequency_ratio", "restitution")
 """What orbits are followed in and motions are carried along."""
+SYMBOLS = {"amplitude": "A", "frequency_ratio": "Ω", "restitution": "restitution"}
+"""The same, as texts and titles have them."""
 SIZES = ("width", "height", "alpha", "radius", "p")
 """Of a homogeneous rectangle."""
 ASYMMETRY = ("negative_restitution", "alpha_ratio", "p_ratio")

@@ -1,5 +1,6 @@
 """Renderings of a description: text for terminals, HTML for notebooks and reports."""
 
+import textwrap
 from html import escape
 from typing import TYPE_CHECKING
 
@@ -11,6 +12,9 @@ if TYPE_CHECKING:
 
 WIDTH = 80
 """Columns of a summary."""
+
+MANY = 7
+"""Columns of a table from which on they stand closer together."""
 
 STYLE = "border-collapse:collapse;font-variant-numeric:tabular-nums;margin:.4em 0"
 CELL = "padding:.15em .8em .15em 0;text-align:{};vertical-align:top"
@@ -26,11 +30,16 @@ def print_description(description: Description, console: "Console") -> None:
     console
         Of rich: of a terminal, or of a text in memory.
     """
-    console.print(description.headline, style="bold")
+    width = min(console.width, WIDTH)
+    console.print(description.headline, style="bold", width=width)
     facts = [fact for fact in description.facts if fact.label]
-    width = max((len(fact.label) for fact in facts), default=0)
+    indent = max((len(fact.label) for fact in facts), default=0) + 2
     for fact in facts:
-        console.print(f"{fact.label:<{width}}  {fact.words}")
+        # A path is one word, and stays whole to be copied.
+        lines = textwrap.wrap(
+            fact.words, width - indent, break_long_words=False, break_on_hyphens=False
+        )
+        console.print(f"{fact.label:<{indent}}" + f"\n{'':{indent}}".join(lines or [""]))
     for table in description.tables:
         if not (table.columns and table.rows):
             continue
@@ -40,7 +49,7 @@ def print_description(description: Description, console: "Console") -> None:
         if table.remark:
             console.print(table.remark, style="dim")
     for note in description.notes:
-        console.print(note, style="dim")
+        console.print(note, style="dim", width=width)
 
 
 def as_text(description: Description) -> str:
@@ -99,7 +108,8 @@ def _rich(table: Table) -> "RichTable":
     """Return a table for a console."""
     from rich.table import Table as RichTable
 
-    rich = RichTable(box=None, pad_edge=False, padding=(0, 2, 0, 0))
+    gap = 2 if len(table.columns) < MANY else 1
+    rich = RichTable(box=None, pad_edge=False, padding=(0, gap, 0, 0))
     for column in table.columns:
         rich.add_column(column.heading, justify="left" if column.left else "right", no_wrap=True)
     for row in table.shown:

@@ -2,10 +2,11 @@
 
 import sys
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated
 
 import typer
 
+from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import (
     INCOMPLETE,
     announce_compilation,
@@ -19,26 +20,11 @@ from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.range import Range, range_of
-from rocksteady.cli.flags.sweep_start import Sweep, SweepStart
-from rocksteady.cli.present.diagrams_text import print_diagram
-from rocksteady.cli.present.diagrams_values import (
-    CSV_HEADER,
-    bifurcation_values,
-    branch_values,
-    cascade_values,
-    csv_rows,
-    range_values,
-    sweep_values,
-)
-from rocksteady.model.blocks.block import Block
-from rocksteady.model.checks.validation import odd_order, positive, whole_number
-
-if TYPE_CHECKING:
-    from rocksteady.dynamics.continuation.points import Branch
+from rocksteady.cli.flags.sweep_start import SweepStart
+from rocksteady.model.checks.validation import positive, whole_number
+from rocksteady.results.rendering import print_description
 
 BRANCHES = "Branches"
-MOST = 1000
-"""Of periods and impacts, as `rocksteady.find_orbits` has it."""
 LONGEST_AXIS = 20_000
 """Values of a sweep; each takes about a millisecond, a motion that does not settle several."""
 
@@ -167,14 +153,6 @@ def bifurcate(
             hint="draw a diagram of what it settles to with `rocksteady map`, and one axis",
         )
     start.check(shaken=True)
-    hint = "give a whole number"
-    order = whole_number(
-        "order", odd_order(start.order), at_least=1, at_most=MOST, hint="use 1, 3, 5, ..."
-    )
-    longest = min(4 * order, MOST) if max_period is None else max_period
-    whole_number("max_period", longest, at_least=1, at_most=MOST, hint=hint)
-    whole_number("max_impacts", max_impacts, at_least=1, at_most=MOST, hint=hint)
-    whole_number("max_branches", max_branches, at_least=1, at_most=10 * MOST, hint=hint)
     if doublings is not None and not cascade:
         raise FlagError(
             "doublings",
@@ -183,67 +161,53 @@ def bifurcate(
             "add --cascade, or leave it out",
         )
     many = DOUBLINGS if doublings is None else doublings
-    whole_number("doublings", many, at_least=1, at_most=8, hint=hint)
-    whole_number("cycles", cycles, at_least=1, at_most=1_000_000, hint=hint)
+    whole_number("doublings", many, at_least=1, at_most=8, hint="give a whole number")
+    whole_number("cycles", cycles, at_least=1, at_most=1_000_000, hint="give a whole number")
     check_top(top, output)
     sweeping = check_sweeps(span, start, no_sweeps=no_sweeps)
 
     announce_compilation("chains.fill_chain")
-    from rocksteady.dynamics.continuation.branches import find_branches
-    from rocksteady.dynamics.continuation.cascade import longest_cascade
-    from rocksteady.dynamics.continuation.seeds import (
-        searched_orbits,
-        settled_orbits,
-        symmetric_orbits,
-    )
+    from rocksteady.dynamics.continuation.diagram import BranchSearch, find_bifurcations
 
-    swept: list[Sweep] = []
-    with progress("following", 3 if sweeping else 1, lines=False) as done:
-        if sweeping:
-            for upwards, name in ((True, "upward sweep"), (False, "downward sweep")):
-                swept.append(_sweep(span, start, cycles, upwards=upwards))
-                done(name)
-        trails = [each.trail for each in swept]
-        place = (*span.at(span.values[0]), span.parameter, span.within)
-        starts = [*symmetric_orbits(*place, order), *settled_orbits(trails, longest, max_impacts)]
-        if search:
-            starts += searched_orbits(*place, longest, max_impacts)
-        branches = find_branches(
-            starts,
+    asked = BranchSearch(
+        order=start.order,
+        max_period=max_period,
+        max_impacts=max_impacts,
+        max_branches=max_branches,
+        everywhere=search,
+        doublings=many if cascade else 0,
+    )
+    begin = start.chosen(span) if sweeping else None
+    with progress("following", 1, lines=False) as done:
+        diagram = find_bifurcations(
+            span.body,
+            replace(span.motion, phase=start.first_phase),
             span.parameter,
-            span.within,
-            max_period=longest,
-            max_impacts=max_impacts,
-            max_branches=max_branches + 1,
+            within=(span.values[0], span.values[-1]),
+            values=span.values if sweeping else 0,
+            start=begin,
+            search=asked,
+            max_cycles=cycles,
         )
         done("branches")
-    complete = len(branches) <= max_branches  # one more says that more would have begun
-    branches = branches[:max_branches]
-    values: dict[str, Any] = {
-        **range_values(span),
-        "order": order,
-        "max_period": longest,
-        "max_impacts": max_impacts,
-        "max_branches": max_branches,
-        "complete": complete,
-        "points": bifurcation_values(branches, span),
-        "branches": branch_values(branches, span),
-        "sweeps": [sweep_values(each) for each in swept],
-    }
-    if cascade:
-        values["cascade"] = cascade_values(longest_cascade(branches, span.within, many))
-    if not complete:
+    if not diagram.complete:
         print(
             f"stopped at {max_branches} branches: more may begin; raise --max-branches, or lower "
             "--max-period or --max-impacts",
             file=sys.stderr,
         )
-    write_files(branches, swept, span, output, top)
+    if output.csv is not None:
+        rows = ([row[name] for name in diagram.columns] for row in diagram.rows())
+        write_csv(output.csv, diagram.columns, rows)
+    if output.plot is not None:
+        from rocksteady.show.figures.single import bifurcation_figure
+
+        write_figure(output.plot, bifurcation_figure(diagram, top=top, page=output.page))
     if output.as_json:
-        print_json("bifurcate", values)
+        print_json("bifurcate", start.as_given(diagram.to_dict()))
     else:
-        print_diagram(values, span)
-    if not complete:
+        print_description(diagram.describe(), terminal.console())
+    if not diagram.complete:
         raise typer.Exit(INCOMPLETE)
 
 
@@ -287,44 +251,3 @@ def check_sweeps(span: Range, start: SweepStart, *, no_sweeps: bool) -> bool:
             hint="take fewer, or add --no-sweeps",
         )
     return True
-
-
-def write_files(
-    branches: "tuple[Branch, ...]",
-    swept: list[Sweep],
-    span: Range,
-    output: OutputFlags,
-    top: float | None,
-) -> None:
-    """Write what --csv and --plot ask for."""
-    if output.csv is not None:
-        si = ("accel_g", "freq_hz", "highest_rad", "lowest_rad")
-        header = [*CSV_HEADER, *(si if isinstance(span.body, Block) else ())]
-        write_csv(output.csv, header, csv_rows(branches, span))
-    if output.plot is not None:
-        from rocksteady.show.figures.single import bifurcation_figure
-
-        trails = [each.trail for each in swept]
-        title = f"Periodic motions: {span.text}"
-        figure = bifurcation_figure(
-            branches, trails, span.parameter, top=top, title=title, page=output.page
-        )
-        write_figure(output.plot, figure)
-
-
-def _sweep(span: Range, start: SweepStart, cycles: int, *, upwards: bool) -> Sweep:
-    """Carry a motion along the axis."""
-    from rocksteady.dynamics.orbits.attractor_sweep import sweep_attractor
-
-    values = span.values if upwards else span.values[::-1]
-    word, begin, phase = start.begin(span, values[0])
-    bare, shaking = span.at(values[0])
-    trail = sweep_attractor(
-        bare,
-        replace(shaking, phase=phase),
-        span.parameter,
-        values,
-        start=begin,
-        max_cycles=cycles,
-    )
-    return Sweep(start=word, trail=trail)

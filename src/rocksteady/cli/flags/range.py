@@ -10,9 +10,6 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.motions.segments import Harmonic
 
-SYMBOLS = {"amplitude": "A", "frequency_ratio": "Ω", "restitution": "restitution"}
-"""The three parameters, as texts and titles have them."""
-
 
 @dataclass(frozen=True, kw_only=True)
 class Range:
@@ -37,45 +34,13 @@ class Range:
     frequency_ratio: float
 
     @property
-    def within(self) -> tuple[float, float]:
-        """Lower and upper end."""
-        return self.values[0], self.values[-1]
+    def motion(self) -> Harmonic:
+        """The shaking at the first value."""
+        return Harmonic(amplitude=self.amplitude, frequency_ratio=self.frequency_ratio)
 
-    def at(self, value: float) -> tuple[DimensionlessBlock, Harmonic]:
+    def at(self, value: float) -> tuple[Block | DimensionlessBlock, Harmonic]:
         """Return block and shaking at a value of the axis."""
-        shaking = Harmonic(amplitude=self.amplitude, frequency_ratio=self.frequency_ratio)
-        return moved_to(self.body.dimensionless(), shaking, self.parameter, value)
-
-    def in_si(self, amplitude: float, frequency_ratio: float) -> dict[str, float]:
-        """Return shaking in g and Hz where the block has a size, else nothing."""
-        if not isinstance(self.body, Block):
-            return {}
-        shaking = Harmonic(amplitude=amplitude, frequency_ratio=frequency_ratio)
-        return {
-            "accel_g": shaking.acceleration_m_s2(self.body) / self.body.gravity,
-            "freq_hz": shaking.frequency_hz(self.body),
-        }
-
-    @property
-    def fixed(self) -> dict[str, float | None]:
-        """Amplitude, frequency ratio and restitution; None for the one that moves."""
-        return {
-            "amplitude": self.amplitude,
-            "frequency_ratio": self.frequency_ratio,
-            "restitution": self.body.restitution,
-            self.parameter: None,
-        }
-
-    @property
-    def text(self) -> str:
-        """All three parameters in a few words."""
-        parts = []
-        for name, symbol in SYMBOLS.items():
-            equals = " " if name == "restitution" else " = "
-            value = self.fixed[name]
-            text = f"{symbol}{equals}{value:.6g}" if value is not None else ""
-            parts.append(text or f"{symbol} from {self.values[0]:.6g} to {self.values[-1]:.6g}")
-        return ", ".join(parts)
+        return moved_to(self.body, self.motion, self.parameter, value)
 
 
 def range_of(shaking: ShakingFlags, block: BlockFlags) -> Range:

@@ -1,17 +1,15 @@
 """Initial states of the sweeps in a bifurcation diagram."""
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.range import Range
 from rocksteady.cli.flags.start import STEADY, StartFlags
-from rocksteady.errors import ModelError
 
 if TYPE_CHECKING:
     from rocksteady.dynamics.history.start import Start
-    from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
 
 AUTO = "auto"
 
@@ -34,38 +32,35 @@ class SweepStart(StartFlags):
             if value not in (None, AUTO):
                 raise FlagError(name, value, f"{why}, it has no meaning", "leave it out")
 
-    def begin(self, span: Range, value: float) -> tuple[str, "Start", float]:
-        """Return at the first value of a sweep its start in a word, as a state, and the phase.
+    def chosen(self, span: Range) -> "Start":
+        """Return the start of the sweeps along an axis.
+
+        Without --start it is a steady state: the library begins at rest where there is none.
 
         Raises
         ------
         InputError, ModelError
-            If it is no start, or there is no such steady state.
+            If it is no start, or a steady state that was typed does not exist at either end.
         """
-        from rocksteady.dynamics.history.start import Rest
-
         if self.start == AUTO and self.phase is None:
-            try:
-                return replace(self, start="steady").begin(span, value)
-            except ModelError:
-                return "rest", Rest(), 0.0
-        chosen = "rest" if self.start == AUTO else self.start
+            return replace(self, start="steady").of(span.motion.frequency_ratio)
+        typed = "rest" if self.start == AUTO else self.start
         kick = None if self.start == AUTO else self.kick
-        order = self.order if chosen in STEADY else 1  # else it is that of the branches alone
-        plain = StartFlags(start=chosen, order=order, phase=self.phase, side=self.side, kick=kick)
-        bare, shaking = span.at(value)
-        begin = plain.of(shaking.frequency_ratio)
-        if chosen in STEADY:
+        order = self.order if typed in STEADY else 1  # else it is that of the branches alone
+        plain = StartFlags(start=typed, order=order, phase=self.phase, side=self.side, kick=kick)
+        begin = plain.of(span.motion.frequency_ratio)
+        if typed in STEADY:
             from rocksteady.dynamics.history.start import initial_march
 
             with self.as_typed():
-                initial_march(begin, bare, shaking)  # refuses one that does not exist
-        return chosen, begin, self.first_phase
+                for value in (span.values[0], span.values[-1]):
+                    body, motion = span.at(value)
+                    initial_march(begin, body.dimensionless(), motion)
+        return begin
 
-
-@dataclass(frozen=True, kw_only=True)
-class Sweep:
-    """A sweep, and where it began."""
-
-    start: str
-    trail: "AttractorSweep"
+    def as_given(self, values: dict[str, Any]) -> dict[str, Any]:
+        """Return the values of a diagram with the start of each sweep as it was typed."""
+        if self.start == AUTO:
+            return values
+        sweeps = [{**sweep, "start": self.start} for sweep in values["sweeps"]]
+        return {**values, "sweeps": sweeps}

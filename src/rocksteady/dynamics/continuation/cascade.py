@@ -3,18 +3,24 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.continuation._describing import cascade_notes, cascade_table
 from rocksteady.dynamics.continuation._family import LARGEST_STEP
 from rocksteady.dynamics.continuation._from_orbit import chain_at
 from rocksteady.dynamics.continuation.branch import follow_branch
 from rocksteady.dynamics.continuation.points import Branch, BranchPoint, PointType
 from rocksteady.dynamics.orbits.orbit import Orbit
+from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import whole_number
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import plural
+from rocksteady.results.result import Result
 
 Floats = NDArray[np.float64]
 
@@ -27,8 +33,8 @@ SHRINKING = 0.5
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True, eq=False)
-class DoublingCascade:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class DoublingCascade(Result):
     """Period doublings, each on the branch created by the previous one.
 
     Attributes
@@ -67,6 +73,31 @@ class DoublingCascade:
         if len(self.points) < 3:
             return float("nan")
         return float(self.values[-1] + self.distances[-1] / (self.ratios[-1] - 1.0))
+
+    def values_by_name(self) -> dict[str, Any]:
+        """Return the doublings, their distances and ratios in plain values."""
+        return {
+            "values": self.values.tolist(),
+            "periods": [point.period for point in self.points],
+            "distances": self.distances.tolist(),
+            "ratios": self.ratios.tolist() if len(self.points) > 2 else [],
+            "limit": self.limit,
+        }
+
+    def describe(self) -> Description:
+        """Return the doublings, the distances between them, and their ratios."""
+        values, symbol = self.values_by_name(), SYMBOLS[self.parameter]
+        return Description(
+            f"Cascade of {plural(len(self.points), 'period doubling')}: {symbol} from "
+            f"{self.values[0]:.6g} to {self.values[-1]:.6g}, linear model",
+            [
+                Fact("parameter", self.parameter),
+                *(Fact(key, value) for key, value in values.items()),
+                Fact("model", "linear", "model"),
+            ],
+            [cascade_table(values, self.parameter)],
+            cascade_notes(values),
+        )
 
 
 @checked

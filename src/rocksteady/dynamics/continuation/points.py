@@ -5,19 +5,36 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cached_property
 from itertools import groupby
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.continuation._chain import Chain
+from rocksteady.dynamics.continuation._describing import (
+    BARE,
+    bifurcations_table,
+    branch_values,
+    point_row,
+    point_values,
+    stable_text,
+)
 from rocksteady.dynamics.orbits.orbit import Orbit, modulus, orbit_from
 from rocksteady.dynamics.orbits.return_map import make_system, state_of
+from rocksteady.dynamics.parameters import SYMBOLS
+from rocksteady.dynamics.steady.verdicts import multipliers_text
 from rocksteady.errors import ModelError
 from rocksteady.kernels.orbits import periodic
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Linear
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import number, plural
+from rocksteady.results.result import Result
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 Floats = NDArray[np.float64]
 
@@ -73,8 +90,8 @@ MARGINAL = BIFURCATIONS[:3]
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True, eq=False)
-class BranchPoint:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class BranchPoint(Result):
     """A periodic orbit on a branch.
 
     Attributes
@@ -161,6 +178,33 @@ class BranchPoint:
         """Extreme u = theta/alpha of each flight of the whole orbit, with its side."""
         return self.chain.peaks
 
+    def describe(self) -> Description:
+        """Return where the point is, what is special about it, and its orbit."""
+        values = point_values(self, 1.0, BARE)
+        kind = f"{self.type.value.replace('-', ' ')} point"
+        place = f"A = {self.amplitude:.8g}, Ω = {self.frequency_ratio:.8g}"
+        words = {
+            "amplitude": ("A", f"{self.amplitude:.8g}"),
+            "frequency_ratio": ("Ω", f"{self.frequency_ratio:.8g}"),
+            "restitution": ("restitution", f"{self.restitution:.8g}"),
+            "period": ("period", plural(self.period, "forcing period")),
+            "impacts": ("impacts", f"{self.impacts} in a period"),
+            "symmetric": ("kind", self.kind),
+            "peaks": ("highest, lowest", ", ".join(map(number, values["peaks"])) + " alpha"),
+            "multipliers": ("multipliers", multipliers_text(values["multipliers"])),
+        }
+        return Description(
+            f"{kind.capitalize()}: {place}, restitution {self.restitution:.8g}, linear model",
+            [
+                *(Fact(key, value, *words.get(key, ())) for key, value in values.items()),
+                Fact("stable", self.stable, "stable"),
+                Fact("admissible", self.admissible),
+                Fact("arclength", self.arclength),
+                Fact("model", "linear", "model"),
+            ],
+            notes=[self.reason] if self.reason else [],
+        )
+
     def orbit(self) -> Orbit:
         """Return the orbit there.
 
@@ -226,8 +270,8 @@ class Stretch:
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Branch:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Branch(Result):
     """A periodic orbit followed over a parameter.
 
     Attributes
@@ -284,6 +328,49 @@ class Branch:
     def impacts(self) -> int:
         """Impacts in a period of its orbits."""
         return max(point.impacts for point in self.points)
+
+    @cached_property
+    def lean(self) -> float:
+        """Return 1, or -1 where the branch leans to the negative side.
+
+        `rocksteady.find_orbits` lists the orbits that lean to the positive side: the mirror images.
+        """
+        return 1.0 if np.nanmax(self.peaks) >= -np.nanmin(self.peaks) else -1.0
+
+    def rows(self) -> list[dict[str, Any]]:
+        """Return a row a point."""
+        return [point_row(1, point, self.lean, BARE) for point in self.points]
+
+    def to_dataframe(self) -> "pd.DataFrame":
+        """Return a row a point."""
+        import pandas as pd
+
+        return pd.DataFrame(self.rows())
+
+    def describe(self) -> Description:
+        """Return what the branch is, its ends, where it is stable, and its bifurcations."""
+        values, symbol = branch_values(self), SYMBOLS[self.parameter]
+        low, high = values["within"]
+        special = [
+            {"branch": 1, **point_values(point, self.lean, BARE)} for point in self.bifurcations
+        ]
+        kind = "Symmetric" if self.symmetric else "Unsymmetric"
+        words = {
+            "begin": ("from", values["begin"]["type"].replace("-", " ")),
+            "end": ("to", values["end"]["type"].replace("-", " ")),
+            "stable_ranges": ("stable", stable_text(values["stable_ranges"])),
+            "points": ("points", str(len(self.points))),
+        }
+        return Description(
+            f"{kind} branch, {plural(self.period, 'period')}, {plural(self.impacts, 'impact')}: "
+            f"{symbol} from {low:.6g} to {high:.6g}, linear model",
+            [
+                Fact("parameter", self.parameter),
+                *(Fact(key, value, *words.get(key, ())) for key, value in values.items()),
+                Fact("model", "linear", "model"),
+            ],
+            [bifurcations_table(special, self.parameter, BARE, key="bifurcations")],
+        )
 
     @cached_property
     def stretches(self) -> tuple[Stretch, ...]:

@@ -1,13 +1,25 @@
 """Attractor of a block under harmonic shaking: its long-term motion."""
 
 import math
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
-from rocksteady.dynamics.history.start import ImpactState, Rest, Start, initial_march
+from rocksteady.dynamics.history.simulate import simulate
+from rocksteady.dynamics.history.start import ImpactState, Rest, Start, State, initial_march
+from rocksteady.dynamics.history.trajectory import Trajectory
+from rocksteady.dynamics.orbits._describing import (
+    case_facts,
+    kind_text,
+    orbit_facts,
+    section_row,
+    start_text,
+    where,
+)
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic, make_system, state_of
 from rocksteady.kernels.elementary.arrays import exp
@@ -20,6 +32,12 @@ from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.outcomes import AttractorKind
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import number, plural
+from rocksteady.results.result import Result
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 CHAOTIC = 0.01
 """Lyapunov exponent per forcing period from which a motion without repetition counts as aperiodic,
@@ -28,6 +46,20 @@ over each of the two last quarters of its run."""
 
 MOST_CYCLES = 1_000_000
 """Some seconds."""
+LONGEST_RUN = 4000
+"""Most forcing periods of a run without an orbit."""
+AFTERWARDS = 5
+"""Forcing periods of such a run beyond those after which its kind was known."""
+ROUNDED = 1e12
+"""Growth of small differences from which on a rounding may decide."""
+MEANING = {
+    "symmetric": "Half of the motion is the mirror image of the other half.",
+    "unsymmetric": "The block leans to one side; the mirror image is an attractor too.",
+    "asymmetric block": "The motion repeats; of a block whose sides differ none is symmetric.",
+    "rest": "The block comes to rest, and the shaking does not lift it again.",
+    "overturned": "The block falls: it is proved that it cannot come back to its base.",
+    "aperiodic": "The motion does not repeat: motions beside it part at the rate of the exponent.",
+}
 
 KINDS = tuple(AttractorKind)
 """The kinds by their codes in grids; stored results hold them, so that none changes its place."""
@@ -65,8 +97,8 @@ def kind_codes(
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Attractor:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Attractor(Result):
     """Attractor of a motion: the stable orbit or other outcome that it settles to.
 
     Attributes
@@ -89,6 +121,8 @@ class Attractor:
     state
         The last state after an impact or at an uplift, from which the motion can be followed on;
         None at rest, and where the block falls without one.
+    initial
+        The start from which the motion was followed.
     model
         Which equations of motion hold: `Linear` or `Nonlinear`.
     """
@@ -102,6 +136,7 @@ class Attractor:
     growth: float
     reason: str
     state: ImpactState | None
+    initial: Start = field(default_factory=Rest)
     model: Model = field(default_factory=Linear)
 
     @property
@@ -116,14 +151,132 @@ class Attractor:
             return self.orbit.highest, self.orbit.lowest
         return (0.0, 0.0) if self.kind is AttractorKind.REST else None
 
-    def _repr_html_(self) -> str:
-        """Return a small table for notebooks."""
+    @property
+    def start(self) -> ImpactState | Rest | None:
+        """A start on the attractor, for `rocksteady.simulate` with its `motion`.
+
+        Without an orbit it is the last state after an impact, from which the motion can be followed
+        on; None where the block falls without an impact.
+        """
+        if self.kind is AttractorKind.REST:
+            return Rest()
+        return self.state if self.orbit is None else self.orbit.start
+
+    def trajectory(self, *, last: int | None = None) -> Trajectory:
+        """Return one period of the orbit; without an orbit the run from the initial state.
+
+        Parameters
+        ----------
+        last
+            Of a run without an orbit: the last so many forcing periods alone.
+
+        Returns
+        -------
+        Trajectory
+            Of a run without an orbit 5 forcing periods more than it took to be known, up to 4000.
+
+        Examples
+        --------
+        >>> from rocksteady import DimensionlessBlock, Harmonic
+        >>> motion = Harmonic(amplitude=6.0, frequency_ratio=2.0)
+        >>> attractor = find_attractor(DimensionlessBlock(restitution=0.8), motion)
+        >>> print(attractor.kind, attractor.trajectory().status.label)
+        overturned overturned
+        """
         if self.orbit is not None:
-            return self.orbit._repr_html_().replace("<caption>Orbit", "<caption>Attractor", 1)
-        rows = f"<tr><th>kind</th><td>{self.kind}</td></tr>"
-        if self.reason:
-            rows += f"<tr><th>reason</th><td>{self.reason}</td></tr>"
-        return f"<table><caption>Attractor</caption>{rows}</table>"
+            return self.orbit.trajectory()
+        cycles = min(self.after + AFTERWARDS, LONGEST_RUN)
+        run = simulate(self.block, self.motion, start=self.initial, cycles=cycles, model=self.model)
+        if last is None:
+            return run
+        many = whole_number("last", last, at_least=1, hint="give a number of forcing periods")
+        span = many * 2.0 * math.pi / self.motion.frequency_ratio
+        if run.end_time_pt <= span:
+            return run
+        since = run.end_time_pt - span
+        there = run(since)
+        turned = run.motion.phase + self.motion.frequency_ratio * since  # type: ignore[union-attr]
+        return simulate(
+            self.block,
+            replace(self.motion, phase=math.fmod(turned, 2.0 * math.pi)),
+            start=State(angle=float(there.angle), velocity=float(there.velocity)),
+            cycles=many,
+            model=self.model,
+        )
+
+    def rows(self) -> list[dict[str, Any]]:
+        """Return a row an impact: of an orbit's period, or of the second half of a long run."""
+        states: Sequence[ImpactState] = ()
+        if self.orbit is not None:
+            states = self.orbit.states
+        elif self.kind in (AttractorKind.APERIODIC, AttractorKind.UNDECIDED):
+            run = self.trajectory()
+            impacts = run.impacts
+            late = impacts.pt >= 0.5 * run.end_time_pt
+            phases = (impacts.half_cycles[late] % 2) * math.pi + impacts.phase[late]
+            states = [
+                ImpactState(side=1 if speed > 0.0 else -1, phase=phase, speed=abs(speed))
+                for phase, speed in zip(
+                    phases.tolist(), impacts.velocity_after[late].tolist(), strict=True
+                )
+            ]
+        return [section_row(state, self.block) for state in states]
+
+    def to_dataframe(self) -> "pd.DataFrame":
+        """Return a row an impact: of an orbit's period, or of the second half of a long run."""
+        import pandas as pd
+
+        return pd.DataFrame(self.rows(), columns=self.columns)
+
+    @property
+    def columns(self) -> list[str]:
+        """Names of the values of each row."""
+        return list(section_row(ImpactState(side=1, phase=0.0, speed=0.0), self.block))
+
+    def describe(self) -> Description:
+        """Return what the motion settles to, its orbit, and when that was known."""
+        names = ["kind", "reason", "period", "impacts_per_period", "rest_phases", "peaks"]
+        names += ["multipliers", "lyapunov", "residual", "states"]
+        if isinstance(self.block, Block):
+            names += ["peaks_rad", "period_s"]
+        facts = {name: Fact(name) for name in names[:6]}
+        facts |= {"highest": Fact(""), "lowest": Fact("")}
+        facts |= {name: Fact(name) for name in names[6:]}
+        if self.orbit is not None:
+            facts |= {fact.key or fact.label: fact for fact in orbit_facts(self.orbit)}
+        elif self.peaks is not None:
+            facts["peaks"] = Fact("peaks", list(self.peaks))
+            if isinstance(self.block, Block):
+                facts["peaks_rad"] = Fact("peaks_rad", [u * self.block.alpha for u in self.peaks])
+        facts["kind"] = Fact("kind", self.kind.value, "kind")
+        facts["reason"] = Fact("reason", self.reason or None)
+        exponent = self.lyapunov if math.isfinite(self.lyapunov) else None
+        text = "" if exponent is None else f"{number(exponent)} per forcing period"
+        label = "" if exponent is None else "Lyapunov exponent"
+        facts["lyapunov"] = Fact("lyapunov", exponent, label, text)
+        known = plural(self.after, "forcing period")
+        meaning = self.kind.value
+        if not self.block.symmetric and self.kind is AttractorKind.UNSYMMETRIC:
+            meaning = "asymmetric block"
+        notes = [self.reason or MEANING[meaning]]
+        decided = (AttractorKind.APERIODIC, AttractorKind.UNDECIDED)
+        if self.growth > ROUNDED and self.kind not in decided:
+            notes.append(
+                f"On the way small differences grew {self.growth:.0e}-fold: where several motions "
+                "attract, a rounding may have chosen this one."
+            )
+        return Description(
+            f"{kind_text(self.kind.value, self.period).capitalize()}: "
+            + where(self.block, self.motion, self.model),
+            [
+                *facts.values(),
+                Fact("settled_after_periods", self.after, "known after", known),
+                Fact("growth", self.growth),
+                Fact("", label="start", text=start_text(self.initial)),
+                *case_facts(self.block, self.motion, self.model),
+            ],
+            notes=notes,
+        )
 
 
 @checked
@@ -179,7 +332,8 @@ def find_attractor(
     periods = cycles_value(max_cycles)
     equations = chosen_model(model, block)
     tilted = sides_of(block, equations) if isinstance(equations, Nonlinear) else None
-    moved, begin = initial_march(Rest() if start is None else start, bare, shaken, tilted)
+    initial = Rest() if start is None else start
+    moved, begin = initial_march(initial, bare, shaken, tilted)
     shaken = harmonic(moved)
     memory, table = (
         np.empty((rows, ORBIT_COLUMNS)) for rows in (kernel.MEMORY, kernel.LONGEST_ORBIT)
@@ -213,6 +367,7 @@ def find_attractor(
         growth=exp(min(found.growth, 700.0)),
         reason=_reason(found, bare) if kind is AttractorKind.UNDECIDED else "",
         state=state_of(found.state) if found.state.side != 0 else None,
+        initial=initial,
         model=equations,
     )
 

@@ -1,19 +1,22 @@
 """Attractors along a slowly varied parameter: the brute-force bifurcation diagram."""
 
 import math
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import groupby
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history.start import ImpactState, Rest, Start
+from rocksteady.dynamics.orbits._describing import kind_text, start_text
 from rocksteady.dynamics.orbits.attractor import Attractor, cycles_value, find_attractor
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic, make_system, section_of
-from rocksteady.dynamics.parameters import PARAMETERS, moved_to
+from rocksteady.dynamics.parameters import PARAMETERS, SYMBOLS, moved_to
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.orbits.return_map import FALL, STAY, STUCK, highest_after, next_passage
 from rocksteady.model.blocks.block import Block
@@ -22,18 +25,23 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.equations import Linear, Model, chosen_model, slender_block
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.outcomes import AttractorKind
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import plural
+from rocksteady.results.result import Result
 
 Floats = NDArray[np.float64]
 
 SHOWN_FLIGHTS = 200
 """Flights of a motion without an orbit whose peaks are kept."""
+MOST_RUNS = 8
+"""Runs of a sweep that a summary lists."""
 CARRIED = (AttractorKind.SYMMETRIC, AttractorKind.UNSYMMETRIC, AttractorKind.APERIODIC)
 """Kinds from whose last state the next value goes on."""
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True, eq=False)
-class AttractorSweep:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class AttractorSweep(Result):
     """Attractors met while a parameter changes in small steps.
 
     Attributes
@@ -54,6 +62,10 @@ class AttractorSweep:
     values: Floats
     attractors: tuple[Attractor, ...]
     peaks: tuple[Floats, ...]
+    block: Block | DimensionlessBlock
+    motion: Harmonic
+    start: Start
+    model: Model
 
     @property
     def direction(self) -> str:
@@ -76,6 +88,73 @@ class AttractorSweep:
     def periods(self) -> list[int | None]:
         """Forcing periods of the orbit at each value; None without one."""
         return [found.period for found in self.attractors]
+
+    @property
+    def start_text(self) -> str:
+        """The start in a word."""
+        return start_text(self.start)
+
+    def run_rows(self) -> list[dict[str, Any]]:
+        """Return a row a run of neighbouring values that settle to one kind of motion."""
+        rows = []
+        for first, last, found in self.runs():
+            orbit = found[0].orbit
+            rows.append(
+                {
+                    "from": first,
+                    "to": last,
+                    "values": len(found),
+                    "kind": found[0].kind.value,
+                    "period": found[0].period,
+                    "impacts_per_period": None if orbit is None else orbit.impacts,
+                }
+            )
+        return rows
+
+    def values_by_kind(self) -> dict[str, int]:
+        """Return how many values settle to each kind of motion."""
+        return dict(sorted(Counter(self.kinds).items()))
+
+    def table(self) -> Table:
+        """Return the longest runs, in their order, as people read them."""
+        rows = self.run_rows()
+        longest = sorted(rows, key=lambda row: -row["values"])[:MOST_RUNS]
+        way = "upward" if self.direction == "up" else "downward"
+        title = f"{way} sweep from {start_text(self.start)}"
+        if len(rows) > len(longest):
+            title += f", the {MOST_RUNS} longest of {len(rows)} runs"
+        listed = [
+            {**row, "settles": kind_text(row["kind"], row["period"])}
+            for row in rows
+            if any(row is each for each in longest)
+        ]
+        columns = [
+            Column("from", SYMBOLS[self.parameter], lambda value: f"{value:.6g}"),
+            Column("to", "to", lambda value: f"{value:.6g}"),
+            Column("values", "values"),
+            Column("settles", "settles to", left=True),
+        ]
+        return Table("", listed, columns, title)
+
+    def describe(self) -> Description:
+        """Return the runs of values that settle to one kind of motion."""
+        name, symbol = self.parameter, SYMBOLS[self.parameter]
+        ends = f"{symbol} from {self.values[0]:.6g} to {self.values[-1]:.6g}"
+        counts = self.values_by_kind()
+        met = ", ".join(f"{kind} {count}" for kind, count in counts.items())
+        return Description(
+            f"Attractors over {ends}: {met} of {plural(len(self.values), 'value')}, "
+            f"{self.model.name} model",
+            [
+                Fact("parameter", name),
+                Fact("direction", self.direction),
+                Fact("start", start_text(self.start), "start"),
+                Fact("values", len(self.values), "values", f"{len(self.values):,}: {ends}"),
+                Fact("counts", counts),
+                Fact("model", self.model.name, "model"),
+            ],
+            [Table("runs", self.run_rows()), self.table()],
+        )
 
 
 def _kind_of(found: Attractor) -> tuple[str, int | None, int | None]:
@@ -128,8 +207,8 @@ def sweep_attractor(
     >>> block = DimensionlessBlock(restitution=0.8)
     >>> motion = Harmonic(amplitude=2.0, frequency_ratio=2.0)
     >>> down = np.linspace(2.0, 1.75, 6)
-    >>> trail = sweep_attractor(block, motion, "frequency_ratio", down, start=Steady())
-    >>> for value, kind, period in zip(trail.values, trail.kinds, trail.periods):
+    >>> sweep = sweep_attractor(block, motion, "frequency_ratio", down, start=Steady())
+    >>> for value, kind, period in zip(sweep.values, sweep.kinds, sweep.periods):
     ...     print(f"{value:.2f} {kind} {period}")
     2.00 symmetric 1
     1.95 symmetric 1
@@ -138,9 +217,9 @@ def sweep_attractor(
     1.80 unsymmetric 1
     1.75 overturned None
     """
-    bare, shaken = bare_block(block), harmonic(motion)
-    equations = chosen_model(model, block)
-    body = bare if isinstance(equations, Linear) else slender_block(block)
+    bare_block(block)
+    shaken, equations = harmonic(motion), chosen_model(model, block)
+    body = block if isinstance(equations, Linear) else slender_block(block)
     if parameter not in PARAMETERS:
         valid = "a motion is carried along " + ", ".join(PARAMETERS)
         raise InputError("parameter", parameter, valid, "name one of them")
@@ -169,6 +248,10 @@ def sweep_attractor(
         values=steps,
         attractors=tuple(found),
         peaks=tuple(flight_peaks(each) for each in found),
+        block=block,
+        motion=motion,
+        start=Rest() if start is None else start,
+        model=equations,
     )
 
 

@@ -13,6 +13,13 @@ from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table
 from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.history.trajectory import Trajectory
+from rocksteady.dynamics.orbits._describing import (
+    case_facts,
+    kind_text,
+    orbit_facts,
+    where,
+    worth,
+)
 from rocksteady.dynamics.orbits.return_map import make_system, section_of, state_of
 from rocksteady.errors import ModelError, Words
 from rocksteady.kernels.core import tables as columns
@@ -25,13 +32,15 @@ from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.outcomes import Status
+from rocksteady.results.description import Description
+from rocksteady.results.result import Result
 
 Floats = NDArray[np.float64]
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Orbit:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Orbit(Result):
     """A periodic orbit under harmonic shaking.
 
     Attributes
@@ -194,19 +203,14 @@ class Orbit:
             rows=np.array(list(_course(self))),
         )
 
-    def _repr_html_(self) -> str:
-        """Return a small table for notebooks."""
-        first, second = self.multipliers
-        rows = [
-            ("kind", self.kind),
-            ("period", f"{self.period} forcing periods"),
-            ("impacts", "infinitely many" if self.impacts is None else str(self.impacts)),
-            ("theta/alpha", f"{self.lowest:.6g} to {self.highest:.6g}"),
-            ("multipliers", f"{first:.6g}, {second:.6g}"),
-            ("stable", "yes" if self.stable else "no"),
-        ]
-        cells = "".join(f"<tr><th>{name}</th><td>{value}</td></tr>" for name, value in rows)
-        return f"<table><caption>Orbit</caption>{cells}</table>"
+    def describe(self) -> Description:
+        """Return period, impacts, extremes, multipliers and states of the orbit."""
+        kind = kind_text(self.kind, self.period)
+        headline = f"{worth(self).capitalize()} {kind} orbit: "
+        headline += where(self.block, self.motion, self.model)
+        return Description(
+            headline, [*orbit_facts(self), *case_facts(self.block, self.motion, self.model)]
+        )
 
 
 def orbit_from(

@@ -1,7 +1,7 @@
 """Search for all periodic motions at one amplitude and frequency ratio."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.history.departure import nonlinear_half
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import ImpactState
+from rocksteady.dynamics.orbits._describing import case_facts, orbit_values, orbits_table, where
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from, ordered, squared
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic, make_system, section_of
 from rocksteady.dynamics.steady.states import find_steady_states
@@ -34,6 +35,8 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.model.motions.segments import Harmonic
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import plural
 
 Floats = NDArray[np.float64]
 
@@ -142,6 +145,44 @@ def find_orbits(
         if not any(_same(one, other) for one in known for other in found):
             found.append(known[0])
     return tuple(sorted(found, key=_order))
+
+
+def describe_orbits(
+    orbits: Sequence[Orbit],
+    block: Block | DimensionlessBlock,
+    motion: Harmonic,
+    model: Model,
+    **limits: int,
+) -> Description:
+    """Describe the orbits that a search has found.
+
+    Parameters
+    ----------
+    orbits, block, motion, model
+        What was found, of what, by what and in which equations.
+    limits
+        max_period, max_impacts and seeds of the search.
+    """
+    motions = sum(orbit.admissible for orbit in orbits)
+    stable = sum(orbit.stable for orbit in orbits)
+    reach = f"up to {plural(limits['max_period'], 'period')} and "
+    reach += plural(limits["max_impacts"], "impact")
+    # A block whose sides differ has no mirror images.
+    images = "; of two mirror images one is listed." if block.symmetric else "."
+    seeds = limits["seeds"]
+    unit = "Angles are in units of alpha. " if isinstance(block, DimensionlessBlock) else ""
+    count = f"{plural(motions, 'periodic motion')} {reach}, {stable} stable"
+    return Description(
+        f"Periodic motions: {where(block, motion, model)}",
+        [
+            Fact("orbits", [orbit_values(orbit) for orbit in orbits]),
+            *(Fact(name, value) for name, value in limits.items()),
+            *case_facts(block, motion, model),
+            Fact("", label="found", text=count),
+        ],
+        [orbits_table(orbits)],
+        [f"{unit}A search from {seeds} x {seeds} states may miss motions{images}"],
+    )
 
 
 def _order(orbit: Orbit) -> tuple[object, ...]:

@@ -8,9 +8,8 @@ import numpy as np
 
 from rocksteady.dynamics.basins.basins import Basins
 from rocksteady.dynamics.basins.erosion import Erosion, IntegrityDrop
-from rocksteady.dynamics.continuation.points import Branch
+from rocksteady.dynamics.continuation.diagram import BifurcationDiagram
 from rocksteady.dynamics.history.trajectory import Trajectory
-from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.overturning.windows import OverturningWindows
 from rocksteady.dynamics.steady.regions import RegionMap
@@ -262,20 +261,15 @@ def overturning_figure(
 
 
 def bifurcation_figure(
-    branches: Sequence[Branch],
-    trails: Sequence[AttractorSweep],
-    parameter: str,
-    *,
-    top: float | None = None,
-    title: str = "",
-    page: Page = SCREEN,
+    diagram: BifurcationDiagram, *, top: float | None = None, page: Page = SCREEN
 ) -> "Figure":
     """Return a figure of branches over a parameter, with sweeps beneath them."""
-    with page.figure(8.8, 4.8, title) as figure:
+    with page.figure(8.8, 4.8, diagram.describe().headline) as figure:
         axes = figure.add_subplot()
-        if branches or trails:
-            plot_bifurcations(branches, trails, axes, top=top, legend=page.legend)
+        if diagram.branches or diagram.sweeps:
+            plot_bifurcations(diagram, ax=axes, top=top, legend=page.legend)
         else:
+            parameter = diagram.parameter
             axes.set(xlabel=palette.LABELS[parameter], ylabel=palette.LABELS["flight_peak"])
             axes.text(0.5, 0.5, "no periodic motion found", transform=axes.transAxes, ha="center")
     return figure

@@ -36,14 +36,14 @@ NAMES_WIDTH = 24.0
 """Of the names of the rows, to the right of the axes [points]."""
 
 
-def draw_sweeps(axes: "Axes", trails: Sequence[AttractorSweep], *, sizes: bool) -> list["Artist"]:
+def draw_sweeps(axes: "Axes", sweeps: Sequence[AttractorSweep], *, sizes: bool) -> list["Artist"]:
     """Draw the dots and bars of sweeps and return the entries of the legend.
 
     Parameters
     ----------
     axes
         Axes to draw on, with room for a row of bars a sweep along its upper edge.
-    trails
+    sweeps
         The sweeps.
     sizes
         Whether the sizes of the angles are drawn, without their sides.
@@ -53,9 +53,9 @@ def draw_sweeps(axes: "Axes", trails: Sequence[AttractorSweep], *, sizes: bool) 
 
     handles: dict[str, Artist] = {}
     inks, lane = inks_of(axes), lane_of(axes)
-    draw_dots(axes, trails, sizes=sizes)
-    for row, trail in enumerate(trails):
-        way = 1 if trail.values[-1] >= trail.values[0] else -1
+    draw_dots(axes, sweeps, sizes=sizes)
+    for row, sweep in enumerate(sweeps):
+        way = 1 if sweep.values[-1] >= sweep.values[0] else -1
         word, number, size, short = SWEEPS[way]
         colour = inks.sweeps[number]
         style: dict[str, Any] = {"marker": "o", "color": colour, "mew": 0.0, "ls": "none"}
@@ -65,7 +65,7 @@ def draw_sweeps(axes: "Axes", trails: Sequence[AttractorSweep], *, sizes: bool) 
         for fate, usual in FATES.items():
             # The dark fill of a fall needs an outline on dark paper.
             look = {**usual, "ec": inks.ink, "lw": 0.6} if inks.dark else usual
-            bars = _bars(trail, fate)
+            bars = _bars(sweep, fate)
             if bars:
                 met = True
                 edges = axes.get_xaxis_transform()
@@ -91,14 +91,14 @@ def lane_of(axes: "Axes") -> float:
     return min(0.12, LANE / size_of(axes)[1])
 
 
-def draw_dots(axes: "Axes", trails: Sequence[AttractorSweep], *, sizes: bool) -> None:
+def draw_dots(axes: "Axes", sweeps: Sequence[AttractorSweep], *, sizes: bool) -> None:
     """Draw what sweeps meet; the parameters are those of `draw_sweeps`."""
     inks, scale = inks_of(axes), line_scale(axes)
-    for trail in trails:
-        way = 1 if trail.values[-1] >= trail.values[0] else -1
+    for sweep in sweeps:
+        way = 1 if sweep.values[-1] >= sweep.values[0] else -1
         _, number, size, _ = SWEEPS[way]
         dots: dict[float, list[Floats]] = {size: [], CLOUD: []}
-        for value, extremes in zip(trail.values, trail.peaks, strict=True):
+        for value, extremes in zip(sweep.values, sweep.peaks, strict=True):
             drawn = np.abs(extremes) if sizes else extremes
             many = CLOUD if len(drawn) > MOST_DOTS else size
             dots[many].append(np.column_stack([np.full(drawn.shape, value), drawn]))
@@ -108,11 +108,11 @@ def draw_dots(axes: "Axes", trails: Sequence[AttractorSweep], *, sizes: bool) ->
             axes.plot(x, y, marker="o", ms=big * scale, zorder=2.0 - 0.1 * way, **look)
 
 
-def _bars(trail: AttractorSweep, fate: str) -> list[tuple[float, float]]:
+def _bars(sweep: AttractorSweep, fate: str) -> list[tuple[float, float]]:
     """Return begin and width of each run of values at which a sweep's motion ended so."""
-    order = np.argsort(trail.values)
-    values = trail.values[order]
-    there = np.array([trail.kinds[index] == KINDS[fate] for index in order])
+    order = np.argsort(sweep.values)
+    values = sweep.values[order]
+    there = np.array([sweep.kinds[index] == KINDS[fate] for index in order])
     # Each value stands for what is nearest to it.
     borders = np.concatenate([values[:1], 0.5 * (values[1:] + values[:-1]), values[-1:]])
     change = np.flatnonzero(np.diff(np.concatenate([[False], there, [False]]).astype(int)))

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.continuation.diagram import BifurcationDiagram
 from rocksteady.dynamics.continuation.points import Branch, PointType
 from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep
 from rocksteady.errors import InputError
@@ -46,8 +47,8 @@ CROWDED = 8
 
 @checked
 def plot_bifurcations(
-    branches: Iterable[Branch],
-    trails: Iterable[AttractorSweep] = (),
+    diagram: BifurcationDiagram | Branch | AttractorSweep | Iterable[Branch],
+    sweeps: Iterable[AttractorSweep] = (),
     ax: "Axes | None" = None,
     *,
     side: Side = "positive",
@@ -70,10 +71,11 @@ def plot_bifurcations(
 
     Parameters
     ----------
-    branches
-        From `rocksteady.find_branches`, all over one parameter.
-    trails
-        From `rocksteady.sweep_attractor`, over the same.
+    diagram
+        From `rocksteady.find_bifurcations`; or branches from `rocksteady.find_branches`, all over
+        one parameter, or a sweep alone.
+    sweeps
+        From `rocksteady.sweep_attractor`, over the same parameter; those of a diagram are drawn.
     ax
         Axes to draw on; those of a new figure without.
     side
@@ -114,7 +116,8 @@ def plot_bifurcations(
     period doubling
     """
     top = None if top is None else positive("top", top, hint="give where the axis ends")
-    listed, swept = list(branches), list(trails)
+    listed, swept = _parts(diagram)
+    swept += list(sweeps)
     parameter = _parameter([*listed, *swept])
     axes = axes_or_new(ax)
     inks = inks_of(axes)
@@ -126,17 +129,17 @@ def plot_bifurcations(
         *_drawn_bifurcations(axes, marks),
         *draw_sweeps(axes, swept, sizes=side == "positive"),
     ]
-    values = [branch.values for branch in listed] + [trail.values for trail in swept]
+    values = [branch.values for branch in listed] + [sweep.values for sweep in swept]
     ends = np.concatenate(values)
     marked = [x for places in marks.values() for x, _ in places]
-    if any(spaced_by_ratio(trail.values) for trail in swept) or _lies_low(marked, ends):
+    if any(spaced_by_ratio(sweep.values) for sweep in swept) or _lies_low(marked, ends):
         axes.set_xscale("log")
         plain_ticks(axes)
     if ends.min() < ends.max():
         axes.set_xlim(float(ends.min()), float(ends.max()))
     if top is None:  # above what is drawn there is room for the bars
         drawn = [branch.peaks.ravel() for branch in listed]
-        drawn += [peaks for trail in swept for peaks in trail.peaks]
+        drawn += [peaks for sweep in swept for peaks in sweep.peaks]
         highest = float(np.nanmax(np.abs(np.concatenate(drawn)), initial=0.0))
         top = (highest or 1.0) / (0.96 - lane_of(axes) * len(swept))
     axes.set_ylim(0.0 if side == "positive" else -top, top)
@@ -156,6 +159,17 @@ def plot_bifurcations(
     gap = GAP + (NAMES_WIDTH if swept else 0.0)
     draw_legend(axes, place, handles=handles, corner="upper right", gap=gap)
     return axes
+
+
+def _parts(
+    diagram: BifurcationDiagram | Branch | AttractorSweep | Iterable[Branch],
+) -> tuple[list[Branch], list[AttractorSweep]]:
+    """Return the branches and the sweeps of what is drawn."""
+    if isinstance(diagram, BifurcationDiagram):
+        return list(diagram.branches), list(diagram.sweeps)
+    if isinstance(diagram, AttractorSweep):
+        return [], [diagram]
+    return [diagram] if isinstance(diagram, Branch) else list(diagram), []
 
 
 def _lies_low(marked: Sequence[float], ends: Floats) -> bool:

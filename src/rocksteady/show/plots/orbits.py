@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.trajectory import Trajectory
+from rocksteady.dynamics.orbits.attractor import Attractor
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import finite
@@ -37,7 +38,7 @@ MARKERS = {1: "^", -1: "v"}
 
 @checked
 def plot_section(
-    motions: Iterable[Orbit] | Trajectory,
+    motions: Orbit | Iterable[Orbit] | Attractor | Trajectory,
     ax: "Axes | None" = None,
     *,
     since: float = 0.0,
@@ -55,7 +56,8 @@ def plot_section(
     Parameters
     ----------
     motions
-        From `rocksteady.find_orbits`, or from `rocksteady.simulate` under harmonic shaking.
+        From `rocksteady.find_orbits`, from `rocksteady.find_attractor`, or from
+        `rocksteady.simulate` under harmonic shaking; one orbit or several.
     ax
         Axes to draw on; those of a new figure without.
     since
@@ -85,6 +87,12 @@ def plot_section(
     ['1', '3']
     """
     since = finite("since", since, hint="give a pivot time p t")
+    if isinstance(motions, Attractor):
+        if motions.orbit is None:
+            run = motions.trajectory()
+            motions, since = run, since or 0.5 * run.end_time_pt
+        else:
+            motions = motions.orbit
     axes = axes_or_new(ax)
     if isinstance(motions, Trajectory):
         labels: list[tuple[str, float, float]] = []
@@ -115,7 +123,7 @@ def plot_section(
 
 @checked
 def plot_multipliers(
-    orbits: Iterable[Orbit], ax: "Axes | None" = None, *, legend: LegendPlace | None = None
+    orbits: Orbit | Iterable[Orbit], ax: "Axes | None" = None, *, legend: LegendPlace | None = None
 ) -> "Axes":
     """Draw Floquet multipliers in the complex plane, with the unit circle that bounds stability.
 
@@ -218,12 +226,12 @@ def plot_multipliers(
     return axes
 
 
-def _numbered(orbits: Iterable[Orbit]) -> list[tuple[str, Orbit]]:
+def _numbered(orbits: Orbit | Iterable[Orbit]) -> list[tuple[str, Orbit]]:
     """Return the orbits that are motions, with their numbers among all; one alone needs none.
 
     Too many would hide what they number.
     """
-    listed = list(orbits)
+    listed = [orbits] if isinstance(orbits, Orbit) else list(orbits)
     return [
         (str(number) if 1 < len(listed) <= MOST_NUMBERS else "", orbit)
         for number, orbit in enumerate(listed, start=1)

@@ -1,0 +1,217 @@
+"""Facts of branches, their bifurcations and cascades, for texts, JSON and tables."""
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from rocksteady.dynamics.parameters import SYMBOLS
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.facts import AnyBlock
+from rocksteady.model.motions.segments import Harmonic
+from rocksteady.results.description import Column, Table
+
+if TYPE_CHECKING:
+    from rocksteady.dynamics.continuation.points import Branch, BranchPoint
+
+SHORT = {**SYMBOLS, "restitution": "delta"}
+"""As headings have them."""
+UNITS = {"amplitude": ("accel_g", "g"), "frequency_ratio": ("freq_hz", "Hz")}
+"""What stands beside a parameter of a block with a size."""
+ENDS = {
+    "symmetry-breaking": "breaking",
+    "period-doubling": "doubling",
+    "grazing": "graze",
+    "end-of-range": "range end",
+}
+"""The ends of branches, shorter."""
+BARE = DimensionlessBlock(restitution=1.0)
+"""What has no size, for texts in units of alpha."""
+
+
+def in_si(block: AnyBlock, amplitude: float, frequency_ratio: float) -> dict[str, float]:
+    """Return harmonic motion in g and Hz where the block has a size, else nothing."""
+    if not isinstance(block, Block):
+        return {}
+    motion = Harmonic(amplitude=amplitude, frequency_ratio=frequency_ratio)
+    return {
+        "accel_g": motion.acceleration_m_s2(block) / block.gravity,
+        "freq_hz": motion.frequency_hz(block),
+    }
+
+
+def extremes(point: "BranchPoint", lean: float = 1.0) -> list[float]:
+    """Return the highest and the lowest u of an orbit, or of its mirror image for a lean of -1."""
+    peaks = lean * point.peaks
+    return [float(peaks.max()), float(peaks.min())]
+
+
+def point_values(point: "BranchPoint", lean: float, block: AnyBlock) -> dict[str, Any]:
+    """Return a point of a branch in plain values, in SI too where the block has a size."""
+    values: dict[str, Any] = {
+        "type": point.type.value,
+        "amplitude": point.amplitude,
+        "frequency_ratio": point.frequency_ratio,
+        "restitution": point.restitution,
+        "period": point.period,
+        "impacts": point.impacts,
+        "symmetric": point.symmetric,
+        "peaks": extremes(point, lean),
+        "multipliers": [complex(m) for m in point.multipliers],
+    }
+    values |= in_si(block, point.amplitude, point.frequency_ratio)
+    if isinstance(block, Block):
+        values["peaks_rad"] = [peak * block.alpha for peak in values["peaks"]]
+    return values
+
+
+def point_row(branch: int, point: "BranchPoint", lean: float, block: AnyBlock) -> dict[str, Any]:
+    """Return the row of a point of a branch in a file."""
+    first, second = (complex(m) for m in point.multipliers)
+    high, low = extremes(point, lean)
+    row: dict[str, Any] = {
+        "branch": branch,
+        "type": point.type.value,
+        "amplitude": point.amplitude,
+        "frequency_ratio": point.frequency_ratio,
+        "restitution": point.restitution,
+        "period": point.period,
+        "impacts": point.impacts,
+        "symmetric": point.symmetric,
+        "stable": point.stable,
+        "admissible": point.admissible,
+        "multiplier_1_re": first.real,
+        "multiplier_1_im": first.imag,
+        "multiplier_2_re": second.real,
+        "multiplier_2_im": second.imag,
+        "highest": high,
+        "lowest": low,
+        "arclength": point.arclength,
+        **in_si(block, point.amplitude, point.frequency_ratio),
+    }
+    if isinstance(block, Block):
+        row |= {"highest_rad": high * block.alpha, "lowest_rad": low * block.alpha}
+    return row
+
+
+def branch_values(branch: "Branch") -> dict[str, Any]:
+    """Return what a branch is, its ends, and where it is stable."""
+    name = branch.parameter
+    begin, end = (
+        {"type": point.type.value, name: getattr(point, name)}
+        for point in (branch.points[0], branch.points[-1])
+    )
+    stable = [
+        sorted((float(branch.values[part.first]), float(branch.values[part.last])))
+        for part in branch.stretches
+        if part.stable
+    ]
+    return {
+        "period": branch.period,
+        "impacts": branch.impacts,
+        "symmetric": branch.symmetric,
+        "begin": begin,
+        "end": end,
+        "within": [float(branch.values.min()), float(branch.values.max())],
+        "stable_ranges": sorted(stable),
+        "points": len(branch.points),
+    }
+
+
+def range_text(low: float, high: float) -> str:
+    """Return a range; of one too narrow for five digits its lower end and its width."""
+    first, last = f"{low:.5g}", f"{high:.5g}"
+    return f"{low:.7g} + {high - low:.0e}" if first == last else f"{first} to {last}"
+
+
+def stable_text(ranges: Sequence[Sequence[float]]) -> str:
+    """Return the first of the ranges in which a branch is stable, and how many more there are."""
+    texts = [range_text(low, high) for low, high in ranges]
+    return texts[0] + (f" +{len(texts) - 1}" if len(texts) > 1 else "") if texts else "—"
+
+
+def kind_word(symmetric: object) -> str:
+    """Return symmetric or unsymmetric."""
+    return "symmetric" if symmetric else "unsymmetric"
+
+
+def bifurcations_table(
+    points: Sequence[dict[str, Any]], parameter: str, block: AnyBlock, *, key: str = ""
+) -> Table:
+    """Return bifurcations for people: where they are with the digits that are known."""
+    unit, heading = UNITS.get(parameter, ("", ""))
+    sized = isinstance(block, Block)
+
+    def angle(u: float) -> str:
+        if isinstance(block, Block):
+            return f"{math.degrees(u * block.alpha):.2f}°"
+        return f"{u:.4f}"
+
+    columns = [
+        Column("branch", "branch"),
+        Column("type", "bifurcation", lambda kind: str(kind).replace("-", " "), left=True),
+        Column(parameter, SHORT[parameter], lambda value: f"{value:.8f}"),
+        # The unit takes the place of the kind, which the branches' table has too.
+        Column(unit, heading, lambda value: f"{value:.6g}")
+        if sized and unit
+        else Column("symmetric", "kind", kind_word, left=True),
+        Column("period", "period"),
+        Column("impacts", "impacts"),
+        Column("peaks", "highest", lambda peaks: angle(peaks[0])),
+        Column("peaks", "lowest", lambda peaks: angle(peaks[1])),
+    ]
+    return Table(key, points, columns, most=MOST_ROWS)
+
+
+def branches_table(branches: Sequence[dict[str, Any]], parameter: str) -> Table:
+    """Return branches for people and for JSON."""
+
+    def end(values: dict[str, Any]) -> str:
+        kind = str(values["type"])
+        return ENDS.get(kind, kind)
+
+    columns = [
+        Column("branch", "branch"),
+        Column("period", "period"),
+        Column("impacts", "impacts"),
+        Column("symmetric", "kind", kind_word, left=True),
+        Column("begin", "from", end, left=True),
+        Column("end", "to", end, left=True),
+        Column("stable_ranges", f"stable in {SHORT[parameter]}", stable_text, left=True),
+    ]
+    return Table("branches", branches, columns, most=MOST_ROWS)
+
+
+MOST_ROWS = 100
+"""Bifurcations and branches that a summary lists."""
+
+
+def cascade_table(cascade: dict[str, Any], parameter: str) -> Table:
+    """Return the doublings of a cascade for people."""
+    count = len(cascade["values"])
+    rows = [
+        {"period": period, "value": value, "distance": distance, "ratio": ratio}
+        for period, value, distance, ratio in zip(
+            cascade["periods"],
+            cascade["values"],
+            [*cascade["distances"], None],
+            [None, *cascade["ratios"], None][:count],
+            strict=True,
+        )
+    ]
+    columns = [
+        Column("period", "period", lambda period: f"{period} -> {2 * period}"),
+        Column("value", SHORT[parameter], lambda value: f"{value:.12f}"),
+        Column("distance", "distance", lambda d: "" if d is None else f"{abs(d):.3e}"),
+        Column("ratio", "ratio", lambda r: "" if r is None else f"{r:.4f}"),
+    ]
+    plural = "period doubling" if count == 1 else "period doublings"
+    return Table("", rows, columns, f"cascade of {count} {plural}")
+
+
+def cascade_notes(cascade: dict[str, Any]) -> list[str]:
+    """Return what the distances of a cascade say of its limit."""
+    if not cascade["ratios"]:
+        return ["fewer than three doublings have no ratio"]
+    limit = f"limit {cascade['limit']:.12f}, if the distances go on shrinking by the last ratio"
+    return [f"{limit}; the ratios tend to Feigenbaum's 4.6692"]
