@@ -57,7 +57,14 @@ def test_constants_are_written_as_people_read_them() -> None:
     assert constants["0"] == 7
     assert constants["block"]["is"] == "DimensionlessBlock"
     assert constants["block"]["restitution"] == 0.8
-    assert constants["start"] == {"is": "Steady", "branch": 1, "order": 1, "side": 1, "kick": 1e-06, "side": 1}
+    assert constants["start"] == {
+        "is": "Steady",
+        "branch": 1,
+        "order": 1,
+        "side": 1,
+        "kick": 1e-06,
+        "side": 1,
+    }
     assert constants["shaking"]["amplitude"] == 2.0
     assert constants["more"] == {"colour": "RED", "beyond": "inf"}
     assert constants["array"].keys() == {"dtype", "shape", "sha256"}

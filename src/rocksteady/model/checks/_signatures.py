@@ -35,6 +35,8 @@ def _short(annotation: Any) -> Any:
     if any("_SupportsArray" in str(get_origin(part)) for part in inner):
         return _Words("ArrayLike | None" if types.NoneType in inner else "ArrayLike")
     text = annotation if isinstance(annotation, str) else inspect.formatannotation(annotation)
-    text = re.sub(r"(typing\.)?Union\[[^\[]*_Buffer.*?complex \| bytes \| str\]\]", "ArrayLike", text)
+    text = re.sub(
+        r"(typing\.)?Union\[[^\[]*_Buffer.*?complex \| bytes \| str\]\]", "ArrayLike", text
+    )
     text = re.sub(r"ndarray\[tuple\[[^\]]*\], [\w.]*dtype\[[^\]]*\]\]", "ndarray", text)
     return _Words(re.sub(r"\b(?:[a-z_]\w*\.)+(?=\w)", "", text))
