@@ -31,7 +31,7 @@ def print_description(description: Description, console: "Console") -> None:
         Of rich: of a terminal, or of a text in memory.
     """
     width = min(console.width, WIDTH)
-    console.print(description.headline, style="bold", width=width)
+    console.print(textwrap.fill(description.headline, width), style="bold")
     facts = [fact for fact in description.facts if fact.label]
     indent = max((len(fact.label) for fact in facts), default=0) + 2
     for fact in facts:
@@ -49,7 +49,8 @@ def print_description(description: Description, console: "Console") -> None:
         if table.remark:
             console.print(table.remark, style="dim")
     for note in description.notes:
-        console.print(note, style="dim", width=width)
+        lines = [textwrap.fill(line, width) for line in note.split("\n")]
+        console.print("\n".join(lines), style="dim")
 
 
 def as_text(description: Description) -> str:
