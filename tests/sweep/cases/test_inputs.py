@@ -63,7 +63,6 @@ def test_constants_are_written_as_people_read_them() -> None:
         "order": 1,
         "side": 1,
         "kick": 1e-06,
-        "side": 1,
     }
     assert constants["shaking"]["amplitude"] == 2.0
     assert constants["more"] == {"colour": "RED", "beyond": "inf"}
