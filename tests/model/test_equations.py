@@ -64,7 +64,7 @@ def test_the_linear_ones_are_the_default_of_harmonic_shaking() -> None:
 
 
 def test_windows_spectra_and_impulses_choose_by_the_block() -> None:
-    reach = {"amplitudes": (3.0, 4.0), "resolution": 0.1}
+    reach = {"within": (3.0, 4.0), "resolution": 0.1}
     for block, model in ((BLOCK, Nonlinear()), (BARE, Linear())):
         found = find_overturning_windows(block, "half-sine", [3.0], **reach)  # type: ignore[arg-type]
         assert found.model == model

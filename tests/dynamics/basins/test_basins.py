@@ -135,7 +135,7 @@ def test_a_subharmonic_orbit_is_one_attractor_whatever_its_shift_in_time() -> No
     (three,) = (one for one in found.attractors if one.period == 3)
     assert three.orbit is not None
     run = three.orbit.trajectory()
-    since = (found.motion.phase - three.orbit.shaking.phase) % (2.0 * math.pi)
+    since = (found.motion.phase - three.orbit.motion.phase) % (2.0 * math.pi)
     points = []
     for turn in range(3):
         here = run((since + 2.0 * math.pi * turn) / 4.0 % run.end_time_pt)
