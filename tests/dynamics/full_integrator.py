@@ -91,7 +91,7 @@ def full(block: Block, motion: Motion | Record | BaseMotion, **given: object) ->
 
 def same_impacts(run: Trajectory, expected: list[float]) -> None:
     """Hold a run's first impacts to those of the integrator [s], of which there are some."""
-    assert run.block is not None
+    assert isinstance(run.block, Block)
     assert len(expected) > 1 or run.status is Status.OVERTURNED
     assert len(run.impacts) >= len(expected) > 0
     found = run.impacts.pt[: len(expected)] / run.block.p

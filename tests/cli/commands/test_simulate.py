@@ -8,7 +8,17 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from rocksteady import Block, DimensionlessBlock, Harmonic, State, Steady, Still, simulate
+from rocksteady import (
+    Block,
+    DimensionlessBlock,
+    Harmonic,
+    Pulse,
+    State,
+    Steady,
+    Still,
+    check_neighbours,
+    simulate,
+)
 from tests.cli.program import refused, rocksteady
 
 SHAKEN = "simulate -A 2 -W 4 -r 0.8"
@@ -64,6 +74,23 @@ def test_free_rocking_comes_to_rest() -> None:
     assert values["rest_time_s"] == run.rest_time_pt / 2.14
     assert values["overturn_time_s"] is None
     assert "amplitude" not in values
+
+
+def test_a_pulse_on_a_real_block_has_neighbours_uplift_and_friction() -> None:
+    command = "simulate --block zhang-makris-2001 --pulse one-sine --accel-g 2 --freq-hz 1.7"
+    block = Block.from_p(alpha=0.25, p=2.14, restitution=0.9)
+    pulse = Pulse.from_si(
+        block, shape="one-sine", acceleration_m_s2=2.0 * 9.80665, frequency_hz=1.7
+    )
+    run = simulate(block, pulse)
+    found = check_neighbours(run)
+    values, text = rocksteady(f"{command} --json").json, rocksteady(command).out
+    assert values["neighbours"] == {"runs": 21, "fall": found.fall}
+    assert values["friction_needed"] == pytest.approx(run.friction_needed)
+    assert (values["uplift_g"], values["pga_g"]) == pytest.approx((math.tan(0.25), 2.0))
+    assert f"falls in {found.fall} of 21 neighbours" in " ".join(text.split())
+    assert ("not robust" in text) == (not found.agree)
+    assert "neighbours" not in rocksteady(f"{SHAKEN} --json").json
 
 
 # ---------------------------------------------------------------------------------- starts

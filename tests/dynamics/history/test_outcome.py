@@ -231,7 +231,7 @@ def pushed(amplitude: float) -> Trajectory:
 
 
 def test_all_fall_of_a_strong_motion_and_none_of_a_weak_one() -> None:
-    strong, weak = (check_neighbours(pushed(amplitude)) for amplitude in (30.0, 1.5))
+    strong, weak = (check_neighbours(pushed(amplitude)) for amplitude in (30.0, 1.2))
     assert weak.case.peak > 0.01
     assert (strong.fall, weak.fall) == (21, 0)
     assert strong.agree

@@ -57,7 +57,7 @@ def simulate(
     """Compute the time history of a block on a moving base, flight by flight.
 
     In the linear model (eqs 4 to 9) flights are in closed form; in the nonlinear one (eqs 1, 2)
-    they are Taylor series, step by step, each as exact as asked for.  In both, impacts are isolated
+    they are Taylor series, step by step, to the model's tolerance.  In both, impacts are isolated
     so that none can be missed, and found to the last digits of a double; overturning is proved, not
     read off a threshold.
 
@@ -70,7 +70,8 @@ def simulate(
         The base motion: `Harmonic`, `Pulse`, `Impulses`, `Piecewise`, `SyntheticMotion`, `Still`,
         anything else with segments, a `Record`, which needs a `Block`, or a `BaseMotion` of two.
     start
-        `Rest` (default), `State`, `Steady`, a steady state of the model, or `ImpactState`.
+        `Rest` (default), `State`, `Steady`, a steady state of the model, or `ImpactState`; one
+        with a phase decides the phase of harmonic shaking.
     cycles
         Periods of endless harmonic shaking to follow, up to 1e15.  Motions that end are followed
         on a still base to rest or proven overturning; without loss (restitution 1) for p t = 1e4.
