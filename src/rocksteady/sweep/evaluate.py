@@ -65,8 +65,8 @@ def evaluate(
     cases
         Takes the coordinates of some cells, an array of shape (cells,) for each axis under the name
         of the axis, and returns a mapping with an array of shape (cells,) for each output.  A
-        function at module level or a `functools.partial` of one, so that other processes can be
-        told which; it is called from several threads at once.  Constants that a partial binds are
+        function at module level or a `functools.partial` of one, so that other processes find
+        it; it is called from several threads at once.  Constants that a partial binds are
         written down as the inputs of the result.
     grid
         The cells.

@@ -75,8 +75,9 @@ def basins_described(basins: Any) -> Description:
         Column("lowest", "lowest", lean),
         Column("highest", "highest", lean),
     ]
+    read = [dict(row) for row in rows]
     if drawn:
-        for row in rows:
+        for row in read:
             row["between"] = f"{100.0 * row['low']:.2f} to {100.0 * row['high']:.2f} %"
         columns.insert(2, Column("between", f"{100.0 * CONFIDENCE:g} % interval"))
     notes = []
@@ -93,7 +94,7 @@ def basins_described(basins: Any) -> Description:
         f"{plural(len(rows), 'basin')} at phase {number(motion.phase)} rad: {case}, "
         f"{case_text(block)}, {basins.model.name} model",
         facts,
-        [Table("fractions", rows, columns)],
+        [Table("fractions", rows), Table("", read, columns)],
         notes,
     )
 

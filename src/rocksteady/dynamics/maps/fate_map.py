@@ -57,7 +57,7 @@ def map_fates(
     xarray.Dataset
         ``fate`` with flags: rocking, at-rest, overturned, or undecided after four million impacts;
         -1 where no start exists.  ``impacts`` until then; of the infinitely many before a rest
-        those that came before it was proved.  Its ``rocksteady`` accessor has summary() and plot().
+        the ones before it was proved.  Its ``rocksteady`` accessor has summary() and plot().
 
     Raises
     ------
