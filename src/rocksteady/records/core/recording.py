@@ -35,7 +35,7 @@ class Recording(Result):
     component
         The channel's direction as the file names it (``N-S``, ``360``).
     orientation
-        Whether the channel is horizontal or vertical, where that can be told.
+        Whether the channel is horizontal or vertical; None where it is unknown.
     azimuth_deg
         Direction of positive values of a horizontal channel, clockwise from north [degrees].
     station, event

@@ -55,7 +55,7 @@ def simulate_many(
     model: Model | None = None,
     run: Run | None = None,
 ) -> "xarray.Dataset":
-    """Compute how many blocks fare on many records at many levels, from rest.
+    """Simulate many blocks on many records at many levels, from rest.
 
     Every cell is what `simulate` finds for the block and the scaled record.
 
@@ -115,10 +115,12 @@ def simulate_many(
         )
     peaks = np.array([ground.record.peak_acceleration_m_s2 for ground in grounds])
     if pga_g is None:
-        levels = scale_values(1.0 if scales is None else scales)
+        given = 1.0 if scales is None else scales
+        levels = scale_values(given)
         factors = np.tile(levels, (len(grounds), 1))
     else:
         hint = "give a PGA in g, as 0.3"
+        given = pga_g
         levels = [
             in_range("pga_g", value, 1.0 / LARGEST, LARGEST, "[]", hint=hint)
             for value in axis_values("pga_g", pga_g)
@@ -173,8 +175,8 @@ def simulate_many(
         ),
         **_measures(bodies),
     )
-    given = "scale" if pga_g is None else "pga_g"
-    whole = whole.assign_coords({given: ("level", levels, whole[given].attrs)})
+    name = "scale" if pga_g is None else "pga_g"
+    whole = whole.assign_coords({name: ("level", levels, whole[name].attrs)})
     single = {
         "block": isinstance(blocks, Block),
         "record": is_single_motion(motions),

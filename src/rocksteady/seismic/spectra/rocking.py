@@ -44,7 +44,7 @@ def compute_rocking_spectrum(
     periods_s: ArrayLike,
     restitution: Restitution = "housner",
     model: Model | None = None,
-    scales: ArrayLike = 1.0,
+    scales: ArrayLike | None = None,
     gravity: float = STANDARD_GRAVITY,
     run: Run | None = None,
 ) -> "xarray.Dataset":
@@ -119,7 +119,8 @@ def compute_rocking_spectrum(
         in_range("periods_s", value, shortest, longest, "[]", hint=hint)
         for value in axis_values("periods_s", periods_s)
     ]
-    factors = scale_values(scales)
+    given = 1.0 if scales is None else scales
+    factors = scale_values(given)
     ratio: Restitution = "housner"
     if restitution != "housner":
         ratio = restitution_value(restitution)
@@ -164,7 +165,7 @@ def compute_rocking_spectrum(
     )
     single = {
         "record": is_single_motion(motions),
-        "scale": is_single_number(scales),
+        "scale": is_single_number(given),
         "alpha": is_single_number(alpha),
         "period": is_single_number(periods_s),
     }

@@ -23,7 +23,7 @@ QUANTILES = (0.16, 0.5, 0.84)
 def summarise_spectra(
     spectra: "xarray.Dataset", quantiles: Sequence[float] = QUANTILES
 ) -> "xarray.Dataset":
-    """Return quantiles of a suite's rocking spectra, and the share of records that overturn.
+    """Summarise the spectra of a suite by quantiles and the share of falls.
 
     A record that overturns a block counts as larger than any that does not.  A quantile is the
     least peak that this part of the records does not exceed: a peak of one of them, or infinite
@@ -41,7 +41,7 @@ def summarise_spectra(
     xarray.Dataset
         ``peak_angle`` and ``peak_velocity`` over ``quantile`` and what is left without ``record``;
         ``overturned``, the share of the records that overturn the block; ``undecided``, the share
-        of those that neither overturn it nor leave it rocking or at rest, and which no quantile
+        of records that neither overturn it nor leave it rocking or at rest, which no quantile
         counts.
 
     Raises

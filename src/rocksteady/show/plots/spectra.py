@@ -151,7 +151,7 @@ def plot_spectrum_map(
 ) -> "Axes":
     """Draw the rocking spectrum of a record over slenderness and size, as filled cells.
 
-    Overturned blocks are black, those that never lift off the colour of paper, and where there is
+    Overturned blocks are black, blocks at rest throughout the colour of paper, and where there is
     no answer (undecided, lost contact) cells are grey.
 
     Parameters
