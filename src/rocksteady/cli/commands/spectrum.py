@@ -28,13 +28,13 @@ from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.sides import p_value
 from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.model.motions.record import Record
 from rocksteady.results.rendering import print_description
 
 if TYPE_CHECKING:
     import xarray
 
     from rocksteady.model.blocks.sides import Restitution
+    from rocksteady.model.motions.record import Record
     from rocksteady.records.core.recording import Recording
 
 HELP = (

@@ -1,11 +1,14 @@
 """A horizontal and a vertical base motion together."""
 
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.combine import scale_motion
-from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import Motion
+
+if TYPE_CHECKING:
+    from rocksteady.model.motions.record import Record
 
 
 @checked
@@ -30,6 +33,7 @@ class BaseMotion:
 
     Examples
     --------
+    >>> from rocksteady import BaseMotion, Record
     >>> across = Record(acceleration_m_s2=[0.0, 3.0, -3.0, 0.0], dt_s=0.2)
     >>> up = across.scaled(0.5)
     >>> motion = BaseMotion(across, up)
@@ -37,8 +41,8 @@ class BaseMotion:
     True
     """
 
-    horizontal: Motion | Record
-    vertical: Motion | Record | None = None
+    horizontal: "Motion | Record"
+    vertical: "Motion | Record | None" = None
 
     def scaled(self, factor: float) -> "BaseMotion":
         """Return both components multiplied by a factor; a negative one reverses both.
@@ -58,6 +62,6 @@ class BaseMotion:
         return replace(self, horizontal=_scaled(self.horizontal, -1.0))
 
 
-def _scaled(motion: Motion | Record, factor: float) -> Motion | Record:
+def _scaled(motion: "Motion | Record", factor: float) -> "Motion | Record":
     """Return a component multiplied by a factor."""
     return scale_motion(motion, factor)

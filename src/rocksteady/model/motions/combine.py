@@ -4,14 +4,13 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import accumulate, pairwise
-from typing import overload
+from typing import TYPE_CHECKING, overload
 
 from rocksteady.errors import ModelError
 from rocksteady.kernels.elementary.arrays import atan2, hypot, sincos
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, in_range, positive
 from rocksteady.model.motions._sampled import polyline
-from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import (
     LONGEST_DURATION,
     Motion,
@@ -19,6 +18,9 @@ from rocksteady.model.motions.segments import (
     Segment,
     segments_of,
 )
+
+if TYPE_CHECKING:
+    from rocksteady.model.motions.record import Record
 
 SUM_TOLERANCE = 1e-6
 """Default largest error [alpha g] of a sum that has to be sampled."""
@@ -28,11 +30,11 @@ _SAME_TIME = 1e-12
 
 
 @overload
-def scale_motion(motion: Record, factor: float) -> Record: ...
+def scale_motion(motion: "Record", factor: float) -> "Record": ...
 @overload
 def scale_motion(motion: Motion, factor: float) -> Piecewise: ...
 @checked
-def scale_motion(motion: Motion | Record, factor: float) -> Piecewise | Record:
+def scale_motion(motion: "Motion | Record", factor: float) -> "Piecewise | Record":
     """Multiply a base motion by a factor; -1 reverses it.
 
     Parameters
@@ -59,8 +61,11 @@ def scale_motion(motion: Motion | Record, factor: float) -> Piecewise | Record:
     >>> [piece.constant for piece in scale_motion(pulse, -1.0).segments()]
     [-1.5]
     """
-    if isinstance(motion, Record):
-        return motion.scaled(factor)
+    if not hasattr(motion, "segments"):
+        from rocksteady.model.motions.record import Record
+
+        if isinstance(motion, Record):
+            return motion.scaled(factor)
     by = in_range("factor", factor, -LARGEST, LARGEST, "[]", hint="give a number; -1 turns round")
     return Piecewise(
         pieces=tuple(
