@@ -1,7 +1,5 @@
 """`rocksteady steady`: symmetric steady states in closed form, at a point or along axes."""
 
-import math
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console import terminal
@@ -10,9 +8,9 @@ from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, ShakingFlags
 from rocksteady.cli.flags.groups import OutputFlags, grouped
-from rocksteady.cli.present.shared import block_values, multipliers_text, worth
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.results.rendering import print_description
 from rocksteady.sweep.cases.spacing import in_equal_ratios
 
 if TYPE_CHECKING:
@@ -31,24 +29,6 @@ EXAMPLES = (
     "rocksteady steady -A 2 -W 4 -r 0.8\n\n"
     "rocksteady steady -A 1:6:6 -W 0.5:16:400 -r 0.8 --plot response.png\n\n"
     "rocksteady steady --width-m 0.4 --height-m 2 --accel-g 0.4 --freq-hz 2 --json"
-)
-
-CSV_HEADER = (
-    "amplitude",
-    "frequency_ratio",
-    "restitution",
-    "order",
-    "region",
-    "branch",
-    "kind",
-    "phase_rad",
-    "velocity",
-    "velocity_tau",
-    "peak",
-    "extrema",
-    "admissible",
-    "stable",
-    "half_cycle_trace",
 )
 
 
@@ -79,181 +59,23 @@ def steady(
 
     states = find_steady_states(
         np.array(amplitudes)[:, np.newaxis], np.array(ratios), body.restitution, order=order
-    )
-    at_point = states.region.size == 1
-    points = [point_values(states, index, body) for index in np.ndindex(states.region.shape)]
+    ).for_block(body)
     if output.csv is not None:
-        write_csv(output.csv, CSV_HEADER, csv_rows(states))
+        rows = states.rows()
+        header = list(rows[0]) if rows else ["amplitude", "frequency_ratio"]
+        write_csv(output.csv, header, ([row[name] for name in header] for row in rows))
     if output.plot is not None:
-        if at_point:
-            write_figure(output.plot, point_figure(points[0], output.page))
+        if states.region.size == 1:
+            write_figure(output.plot, point_figure(states, output.page))
         else:
             write_figure(output.plot, curves_figure(body, amplitudes, ratios, order, output.page))
     if output.as_json:
-        print_json("steady", points[0] if at_point else {"points": points})
-    elif at_point:
-        print_point(points[0])
+        print_json("steady", states.to_dict())
     else:
-        print_curves(states)
+        print_description(states.describe(), terminal.console())
 
 
-def point_values(
-    states: "SteadyStates", index: tuple[int, ...], body: Block | DimensionlessBlock
-) -> dict[str, Any]:
-    """Return what the contract promises for one point, in plain values."""
-    from rocksteady.dynamics.steady.regions import REGIONS
-
-    assert states.peak is not None
-    assert states.extrema is not None
-    assert states.admissible is not None
-    region = int(states.region[index])
-    values: dict[str, Any] = {
-        "amplitude": float(states.amplitude[index]),
-        "frequency_ratio": float(states.frequency_ratio[index]),
-        "restitution": float(states.restitution[index]),
-        "order": int(states.order[index]),
-        "region": region,
-        "region_meaning": REGIONS[region],
-        "boundaries": {
-            "existence": float(states.existence[index]),
-            "kind": float(states.kind[index]),
-            "sign": float(states.sign[index]),
-        },
-        "solutions": [],
-    }
-    if isinstance(body, Block):
-        ratio = values["frequency_ratio"]
-        values["block"] = block_values(body)
-        values["accel_g"] = values["amplitude"] * body.uplift_acceleration / body.gravity
-        values["freq_hz"] = ratio * body.p / (2.0 * math.pi)
-    if region == 4:
-        return values
-    for which, branch in enumerate((1, 2)):
-        at = (which, *index)
-        admissible = bool(states.admissible[at])
-        solution: dict[str, Any] = {
-            "branch": branch,
-            "kind": "in-phase" if states.in_phase[at] else "out-of-phase",
-            "phase": float(states.phase[at]),
-            "velocity": float(states.velocity[at]),
-            "velocity_tau": float(states.velocity_tau[at]),
-            "peak": float(states.peak[at]),
-            "extrema": int(states.extrema[at]),
-            "admissible": admissible,
-            "half_cycle_trace": float(states.trace[at]),
-            "half_cycle_multipliers": [complex(m) for m in states.multipliers[at]],
-            "stable": bool(states.stable[at]) if admissible else None,
-            "neutral": bool(states.neutral[at]) if admissible else None,
-        }
-        if isinstance(body, Block):
-            solution["peak_rad"] = solution["peak"] * body.alpha
-        values["solutions"].append(solution)
-    return values
-
-
-def csv_rows(states: "SteadyStates") -> list[list[object]]:
-    """Return one row for each solution, in the order of the points."""
-    import numpy as np
-
-    assert states.peak is not None
-    assert states.extrema is not None
-    assert states.admissible is not None
-    rows: list[list[object]] = []
-    for index in np.ndindex(states.region.shape):
-        shared = [
-            float(states.amplitude[index]),
-            float(states.frequency_ratio[index]),
-            float(states.restitution[index]),
-            int(states.order[index]),
-            int(states.region[index]),
-        ]
-        if states.region[index] == 4:
-            continue
-        for which in (0, 1):
-            at = (which, *index)
-            rows.append(
-                [
-                    *shared,
-                    which + 1,
-                    "in-phase" if states.in_phase[at] else "out-of-phase",
-                    float(states.phase[at]),
-                    float(states.velocity[at]),
-                    float(states.velocity_tau[at]),
-                    float(states.peak[at]),
-                    int(states.extrema[at]),
-                    bool(states.admissible[at]),
-                    bool(states.stable[at]) if states.admissible[at] else "",
-                    float(states.trace[at]),
-                ]
-            )
-    return rows
-
-
-def verdict(solution: dict[str, Any]) -> str:
-    """Return the verdict on a solution in a word."""
-    return worth(**{name: bool(solution[name]) for name in ("admissible", "neutral", "stable")})
-
-
-def print_point(point: dict[str, Any]) -> None:
-    """Print the solutions at a point, one column each, in 80 characters."""
-    from rich.table import Table
-
-    console = terminal.console()
-    console.print(
-        f"A = {point['amplitude']:.8g}, Omega = {point['frequency_ratio']:.8g}, "
-        f"restitution {point['restitution']:.8g}, n = {point['order']}"
-    )
-    if "block" in point:
-        block = point["block"]
-        console.print(
-            f"block: alpha = {block['alpha_rad']:.6g} rad, R = {block['radius_m']:.6g} m, "
-            f"p = {block['p_rad_s']:.6g} rad/s\n"
-            f"shaking: {point['accel_g']:.6g} g at {point['freq_hz']:.6g} Hz"
-        )
-    limits = point["boundaries"]
-    console.print(
-        f"region {point['region']}: {point['region_meaning']}\n"
-        f"boundaries in A: existence {limits['existence']:.6f} (eq 23), "
-        f"kind {limits['kind']:.6f} (eq 25),\n"
-        f"                 sign {limits['sign']:.6f} (eq 24)"
-    )
-    if not point["solutions"]:
-        return
-    table = Table(box=None, pad_edge=False, padding=(0, 3, 0, 0))
-    table.add_column("", no_wrap=True)
-    for solution in point["solutions"]:
-        table.add_column(f"branch {solution['branch']}", no_wrap=True)
-    rows: list[tuple[str, Callable[[dict[str, Any]], str]]] = [
-        ("verdict", verdict),
-        ("kind", lambda s: str(s["kind"])),
-        ("phase (rad)", lambda s: f"{s['phase']:.12f}"),
-        ("velocity du/d(pt)", lambda s: f"{s['velocity']:.12f}"),
-        ("velocity du/d(omega t)", lambda s: f"{s['velocity_tau']:.12f}"),
-        ("peak u", lambda s: f"{s['peak']:.12f}"),
-        ("extrema in the half cycle", lambda s: str(s["extrema"])),
-        ("half-cycle multipliers", lambda s: multipliers_text(s["half_cycle_multipliers"])),
-    ]
-    for label, text in rows:
-        table.add_row(label, *(text(solution) for solution in point["solutions"]))
-    console.print(table)
-
-
-def print_curves(states: "SteadyStates") -> None:
-    """Print a summary of what was found along the axes."""
-    assert states.admissible is not None
-    console = terminal.console()
-    console.print(
-        f"{states.region.size} points, of which {int((states.region != 4).sum())} have solutions"
-    )
-    for which, branch in enumerate((1, 2)):
-        console.print(
-            f"branch {branch}: {int(states.admissible[which].sum())} admissible, "
-            f"{int(states.stable[which].sum())} stable"
-        )
-    console.print("add --csv FILE for the numbers, --plot FILE for response curves, or --json")
-
-
-def point_figure(point: dict[str, Any], page: "Page") -> Any:
+def point_figure(states: "SteadyStates", page: "Page") -> Any:
     """Return the figure of the solutions at a point and of the map around it."""
     import numpy as np
 
@@ -261,11 +83,12 @@ def point_figure(point: dict[str, Any], page: "Page") -> Any:
     from rocksteady.dynamics.steady.states import compute_steady_orbit
     from rocksteady.show.figures.single import steady_figure
 
+    point = states.to_dict()
     a, w = point["amplitude"], point["frequency_ratio"]
     r, n = point["restitution"], point["order"]
     orbits = [
         (
-            f"branch {s['branch']}: {s['kind']}, {verdict(s)}",
+            f"branch {s['branch']}: {s['kind']}, {verdict(admissible=s['admissible'], neutral=s['neutral'], stable=s['stable'])}",
             compute_steady_orbit(a, w, r, order=n, branch=s["branch"]),
         )
         for s in point["solutions"]
@@ -277,6 +100,13 @@ def point_figure(point: dict[str, Any], page: "Page") -> Any:
     curves = compute_region_map(ratios, r, order=n)
     title = f"Symmetric steady states: A = {a:g}, Ω = {w:g}, restitution {r:g}, n = {n}"
     return steady_figure(orbits, curves, point=(w, a), title=title, page=page)
+
+
+def worth(solution: dict[str, Any]) -> str:
+    """Return the verdict on a solution in a word."""
+    from rocksteady.dynamics.steady.verdicts import verdict
+
+    return verdict(**{name: solution[name] for name in ("admissible", "neutral", "stable")})
 
 
 def curves_figure(

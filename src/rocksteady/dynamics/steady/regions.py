@@ -4,6 +4,7 @@ They are the curves along which these states begin to exist, change kind and los
 one along which the stable and unstable manifolds of the upright saddles first touch.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,9 +17,14 @@ from rocksteady.kernels.orbits.closed_form import fill_curves, symmetry_breaking
 from rocksteady.model.blocks.sides import restitution_value
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import LARGEST, in_range
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import number
+from rocksteady.results.result import Result
 
 Floats = NDArray[np.float64]
 
+BOUNDARIES = ("existence", "sign", "kind")
+"""Names of the boundaries of the regions."""
 REGIONS = {
     1: "one out-of-phase and one in-phase solution, both with positive phase",
     2: "one out-of-phase solution; the in-phase one has negative phase and is inadmissible",
@@ -30,8 +36,8 @@ REGIONS = {
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True, eq=False)
-class RegionBoundaries:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class RegionBoundaries(Result):
     """Amplitudes that bound the regions, as arrays of the inputs' broadcast shape.
 
     Attributes
@@ -42,11 +48,20 @@ class RegionBoundaries:
         Eq 24, P = Q: above it the phase of branch 2 is negative.
     kind
         Eq 25, Q = 1: above it branch 1 is out of phase.
+    frequency_ratio, restitution, order
+        The inputs, broadcast against each other.
     """
 
     existence: Floats
     sign: Floats
     kind: Floats
+    frequency_ratio: Floats
+    restitution: Floats
+    order: NDArray[np.int64]
+
+    def describe(self) -> Description:
+        """Return the ranges of the inputs and of the amplitudes."""
+        return _described("Boundaries of the regions", self, BOUNDARIES)
 
 
 @checked
@@ -72,12 +87,20 @@ def region_boundaries(
     0.70825 0.79129 1.58816
     """
     existence, sign, kind, _, _ = _curves(frequency_ratio, restitution, order)
-    return RegionBoundaries(existence=existence, sign=sign, kind=kind)
+    _, ratios, restitutions, orders = validated_grid(0.0, frequency_ratio, restitution, order)
+    return RegionBoundaries(
+        existence=existence,
+        sign=sign,
+        kind=kind,
+        frequency_ratio=ratios,
+        restitution=restitutions,
+        order=orders,
+    )
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True, eq=False)
-class RegionMap:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class RegionMap(Result):
     """Boundary curves in the plane of frequency and amplitude, for one restitution and order.
 
     Attributes
@@ -102,6 +125,11 @@ class RegionMap:
     kind: Floats
     symmetry_breaking: Floats
     heteroclinic: Floats
+
+    def describe(self) -> Description:
+        """Return the ranges of the frequency ratio and of the curves."""
+        names = (*BOUNDARIES, "symmetry_breaking", "heteroclinic")
+        return _described("Regions of steady states", self, names)
 
 
 @checked
@@ -290,6 +318,25 @@ def symmetry_breaking_frequency(amplitude: float, restitution: float, *, order: 
         if values[i] * values[i + 1] <= 0.0 and values[i] != 0.0
     ]
     return np.array(roots)
+
+
+def _described(
+    what: str, curves: RegionBoundaries | RegionMap, names: Sequence[str]
+) -> Description:
+    """Return curves as lists for JSON and by their ends for people."""
+
+    def fact(name: str) -> Fact:
+        values = np.asarray(getattr(curves, name))
+        low, high = float(np.nanmin(values)), float(np.nanmax(values))
+        text = number(low) if low == high else f"{number(low)} to {number(high)}"
+        return Fact(name, values.tolist(), name.replace("_", " "), text)
+
+    given = [fact(name) for name in ("frequency_ratio", "restitution", "order")]
+    headline = f"{what}: Ω {given[0].text}, restitution {given[1].text}, n = {given[2].text}"
+    facts = [*given, *map(fact, names), Fact("model", "linear", "model")]
+    return Description(
+        f"{headline}, linear model", facts, notes=["The curves are A = a/(alpha g)."]
+    )
 
 
 def _curves(

@@ -7,7 +7,7 @@ whether the block would pass through the floor on the way, and whether the motio
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from numbers import Integral
 from typing import TYPE_CHECKING, Any, Literal
@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import order_of_orbit, validated_grid
+from rocksteady.dynamics.steady._describing import describe_grid, describe_point, solution_rows
 from rocksteady.dynamics.steady.regions import REGIONS
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import sin
@@ -25,8 +26,12 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.arrays import scalar_of
 from rocksteady.model.checks.validation import finite, whole_number
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import quantity
+from rocksteady.results.result import Result
 
 if TYPE_CHECKING:
+    import pandas as pd
     import xarray
 
 Floats = NDArray[np.float64]
@@ -90,8 +95,8 @@ def refuse_asymmetric(block: Block | DimensionlessBlock, name: str, what: str) -
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True, eq=False)
-class SteadyStates:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class SteadyStates(Result):
     """Both symmetric steady states at each point of a grid.
 
     Arrays named below without a branch have the broadcast shape of the inputs, ``grid``; those of
@@ -119,6 +124,8 @@ class SteadyStates:
         `shapes`.  Of an inadmissible orbit that begins downwards it may be negative.
     admissible
         Whether the half cycle stays above the floor; None without `shapes`.
+    block
+        The block whose degrees, g and Hz stand beside; None for none.
     """
 
     amplitude: Floats
@@ -135,6 +142,7 @@ class SteadyStates:
     peak: Floats | None
     extrema: NDArray[np.int64] | None
     admissible: Bools | None
+    block: Block | None = None
 
     @cached_property
     def velocity(self) -> Floats:
@@ -194,6 +202,24 @@ class SteadyStates:
             message = "stability needs admissibility: call find_steady_states(..., shapes=True)"
             raise AttributeError(message)
         return self.admissible
+
+    def for_block(self, block: Block | DimensionlessBlock) -> "SteadyStates":
+        """Return the same states, described in the degrees, g and Hz of a block."""
+        return replace(self, block=block if isinstance(block, Block) else None)
+
+    def rows(self) -> list[dict[str, Any]]:
+        """Return a row a solution, in the order of the points."""
+        return solution_rows(self)
+
+    def to_dataframe(self) -> "pd.DataFrame":
+        """Return a row a solution, in the order of the points."""
+        import pandas as pd
+
+        return pd.DataFrame(self.rows())
+
+    def describe(self) -> Description:
+        """Return both solutions at one point, or what there is along the axes."""
+        return describe_point(self) if self.region.size == 1 else describe_grid(self)
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return everything as an xarray Dataset with dimensions branch and grid_0, grid_1, ...
@@ -328,8 +354,8 @@ def find_steady_states(
 
 
 @checked_result
-@dataclass(frozen=True, kw_only=True, eq=False)
-class SteadyOrbit:
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class SteadyOrbit(Result):
     """One period of a symmetric steady state, as arrays of shape (samples,).
 
     Attributes
@@ -340,6 +366,8 @@ class SteadyOrbit:
         u = theta/alpha, du/d(pt) and du/d(omega t); the second half is the first one mirrored.
     excitation
         Base acceleration in units of alpha g.
+    amplitude, frequency_ratio, restitution, order, branch
+        Which steady state it is.
     """
 
     tau: Floats
@@ -347,6 +375,30 @@ class SteadyOrbit:
     velocity: Floats
     velocity_tau: Floats
     excitation: Floats
+    amplitude: float
+    frequency_ratio: float
+    restitution: float
+    order: int
+    branch: int
+
+    def describe(self) -> Description:
+        """Return which steady state it is, and its extremes."""
+        given = {
+            name: getattr(self, name)
+            for name in ("amplitude", "frequency_ratio", "restitution", "order", "branch")
+        }
+        peak = float(np.abs(self.angle).max())
+        return Description(
+            f"Steady state, branch {self.branch}: A = {self.amplitude:.6g}, "
+            f"Ω = {self.frequency_ratio:.6g}, restitution {self.restitution:.6g}, "
+            f"n = {self.order}, linear model",
+            [
+                *(Fact(name, value) for name, value in given.items()),
+                Fact("samples", len(self.tau), "samples"),
+                Fact("peak", peak, "largest angle", quantity(peak, "alpha")),
+                Fact("model", "linear", "model"),
+            ],
+        )
 
 
 @checked
@@ -429,4 +481,9 @@ def compute_steady_orbit(
         velocity=velocity,
         velocity_tau=velocity / float(w),
         excitation=float(a) * sin(tau + orbit.phase),
+        amplitude=float(a),
+        frequency_ratio=float(w),
+        restitution=float(r),
+        order=int(n),
+        branch=which,
     )

@@ -1,0 +1,195 @@
+"""Facts of steady states, for texts, JSON and tables."""
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rocksteady.dynamics.steady.regions import REGIONS
+from rocksteady.dynamics.steady.verdicts import multipliers_text, verdict
+from rocksteady.model.facts import (
+    amplitude_text,
+    block_text,
+    block_values,
+    frequency_text,
+    lean_text,
+)
+from rocksteady.model.motions.segments import Harmonic
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, plural
+
+if TYPE_CHECKING:
+    from rocksteady.dynamics.steady.states import SteadyStates
+
+NO_SHAPES = "peaks, admissibility and stability need shapes=True"
+
+
+def point_values(states: "SteadyStates", index: tuple[int, ...]) -> dict[str, Any]:
+    """Return the solutions at a point, in SI too where a block is known."""
+    region, block = int(states.region[index]), states.block
+    values: dict[str, Any] = {
+        "amplitude": float(states.amplitude[index]),
+        "frequency_ratio": float(states.frequency_ratio[index]),
+        "restitution": float(states.restitution[index]),
+        "order": int(states.order[index]),
+        "region": region,
+        "region_meaning": REGIONS[region],
+        "boundaries": {
+            "existence": float(states.existence[index]),
+            "kind": float(states.kind[index]),
+            "sign": float(states.sign[index]),
+        },
+        "solutions": [],
+    }
+    if block is not None:
+        motion = Harmonic(amplitude=values["amplitude"], frequency_ratio=values["frequency_ratio"])
+        values["block"] = block_values(block)
+        values["accel_g"] = motion.acceleration_m_s2(block) / block.gravity
+        values["freq_hz"] = motion.frequency_hz(block)
+    if region != 4:
+        values["solutions"] = [_solution(states, (which, *index)) for which in (0, 1)]
+    return values
+
+
+def _solution(states: "SteadyStates", at: tuple[int, ...]) -> dict[str, Any]:
+    """Return one of the two solutions at a point; without shapes less is known."""
+    solution: dict[str, Any] = {
+        "branch": at[0] + 1,
+        "kind": "in-phase" if states.in_phase[at] else "out-of-phase",
+        "phase": float(states.phase[at]),
+        "velocity": float(states.velocity[at]),
+        "velocity_tau": float(states.velocity_tau[at]),
+        "peak": None,
+        "extrema": None,
+        "admissible": None,
+        "half_cycle_trace": float(states.trace[at]),
+        "half_cycle_multipliers": [complex(m) for m in states.multipliers[at]],
+        "stable": None,
+        "neutral": None,
+    }
+    if states.admissible is None or states.peak is None or states.extrema is None:
+        return solution
+    admissible = bool(states.admissible[at])
+    solution |= {
+        "peak": float(states.peak[at]),
+        "extrema": int(states.extrema[at]),
+        "admissible": admissible,
+        "stable": bool(states.stable[at]) if admissible else None,
+        "neutral": bool(states.neutral[at]) if admissible else None,
+    }
+    if states.block is not None:
+        solution["peak_rad"] = solution["peak"] * states.block.alpha
+    return solution
+
+
+def solution_rows(states: "SteadyStates") -> list[dict[str, Any]]:
+    """Return a row a solution, in the order of the points."""
+    rows: list[dict[str, Any]] = []
+    for index in np.ndindex(states.region.shape):
+        values = point_values(states, index)
+        shared = {
+            name: values[name]
+            for name in ("amplitude", "frequency_ratio", "restitution", "order", "region")
+        }
+        rows += [
+            {
+                **shared,
+                "branch": solution["branch"],
+                "kind": solution["kind"],
+                "phase_rad": solution["phase"],
+                **{name: solution[name] for name in ("velocity", "velocity_tau", "peak")},
+                **{name: solution[name] for name in ("extrema", "admissible", "stable")},
+                "half_cycle_trace": solution["half_cycle_trace"],
+            }
+            for solution in values["solutions"]
+        ]
+    return rows
+
+
+def worth(solution: dict[str, Any]) -> str:
+    """Return the verdict on a solution in a word; empty where it is not known."""
+    if solution["admissible"] is None:
+        return "not known"
+    return verdict(**{name: solution[name] for name in ("admissible", "neutral", "stable")})
+
+
+def describe_point(states: "SteadyStates") -> Description:
+    """Return the solutions at the only point of a grid, a column each."""
+    values = point_values(states, (0,) * states.region.ndim)
+    block, limits = states.block, values["boundaries"]
+    curves = f"existence {limits['existence']:.6f} (eq 23), kind {limits['kind']:.6f} (eq 25)"
+    place = f"A = {values['amplitude']:.6g}, Ω = {values['frequency_ratio']:.6g}"
+    words = {
+        "region": ("region", f"{values['region']}: {values['region_meaning']}"),
+        "boundaries": (
+            "boundaries in A",
+            f"{curves},\nsign {limits['sign']:.6f} (eq 24)",
+        ),
+    }
+    if block is not None:
+        amplitude, ratio = values["amplitude"], values["frequency_ratio"]
+        words |= {
+            "block": ("block", block_text(block)),
+            "accel_g": ("amplitude", amplitude_text(block, amplitude)),
+            "freq_hz": ("frequency", frequency_text(block, ratio)),
+        }
+    rows = [
+        {"label": label, **{str(s["branch"]): text(s) for s in values["solutions"]}}
+        for label, text in (
+            ("verdict", worth),
+            ("kind", lambda s: s["kind"]),
+            ("phase (rad)", lambda s: f"{s['phase']:.12f}"),
+            ("velocity du/d(pt)", lambda s: f"{s['velocity']:.12f}"),
+            ("velocity du/d(omega t)", lambda s: f"{s['velocity_tau']:.12f}"),
+            ("peak u", lambda s: "—" if s["peak"] is None else f"{s['peak']:.12f}"),
+            *(
+                [("peak", lambda s: lean_text(block, s["peak"]) if s["peak"] else "—")]
+                if block is not None
+                else []
+            ),
+            ("extrema in the half cycle", lambda s: str(s["extrema"])),
+            ("half-cycle multipliers", lambda s: multipliers_text(s["half_cycle_multipliers"], 6)),
+        )
+    ]
+    columns = [Column("label", "", left=True)]
+    columns += [Column(str(k), f"branch {k}", left=True) for k in (1, 2)]
+    return Description(
+        f"Symmetric steady states: {place}, restitution {values['restitution']:.6g}, "
+        f"n = {values['order']}, linear model",
+        [
+            *(Fact(key, value, *words.get(key, ())) for key, value in values.items()),
+            Fact("model", "linear"),
+        ],
+        [Table("", rows if values["solutions"] else (), columns)],
+    )
+
+
+def describe_grid(states: "SteadyStates") -> Description:
+    """Return what there is along the axes of a grid."""
+    points = [point_values(states, index) for index in np.ndindex(states.region.shape)]
+    existing = int((states.region != 4).sum())
+    facts = [Fact("", label="points", text=f"{states.region.size:,}, {existing:,} with solutions")]
+    if states.admissible is not None:
+        for which in (0, 1):
+            admissible, stable = (
+                int(each[which].sum()) for each in (states.admissible, states.stable)
+            )
+            text = f"{admissible:,} admissible, {stable:,} stable"
+            facts.append(Fact("", label=f"branch {which + 1}", text=text))
+    facts.append(Fact("model", "linear", "model"))
+    orders = sorted({int(n) for n in states.order.ravel()})
+    return Description(
+        f"Symmetric steady states at {plural(len(points), 'point')}: "
+        f"A {span(states.amplitude)}, Ω {span(states.frequency_ratio)}, "
+        f"restitution {span(states.restitution)}, n = {', '.join(map(str, orders))}, linear model",
+        facts,
+        [Table("points", points)],
+        ["plot response curves of one branch with compute_response_curve"],
+    )
+
+
+def span(values: Any) -> str:
+    """Return the ends of an array in a few words."""
+    flat = np.ravel(values)
+    low, high = (float(np.nanmin(flat)), float(np.nanmax(flat))) if flat.size else (math.nan,) * 2
+    return number(low) if low == high else f"{number(low)} to {number(high)}"
