@@ -88,7 +88,7 @@ def point_figure(states: "SteadyStates", page: "Page") -> Any:
     r, n = point["restitution"], point["order"]
     orbits = [
         (
-            f"branch {s['branch']}: {s['kind']}, {verdict(admissible=s['admissible'], neutral=s['neutral'], stable=s['stable'])}",
+            f"branch {s['branch']}: {s['kind']}, {worth(s)}",
             compute_steady_orbit(a, w, r, order=n, branch=s["branch"]),
         )
         for s in point["solutions"]

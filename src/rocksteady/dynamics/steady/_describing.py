@@ -123,7 +123,7 @@ def describe_point(states: "SteadyStates") -> Description:
         "region": ("region", f"{values['region']}: {values['region_meaning']}"),
         "boundaries": (
             "boundaries in A",
-            f"{curves},\nsign {limits['sign']:.6f} (eq 24)",
+            f"{curves}, sign {limits['sign']:.6f} (eq 24)",
         ),
     }
     if block is not None:
