@@ -1,12 +1,11 @@
 """Where the sweeps of a diagram begin, and what carries them."""
 
-import math
+from dataclasses import replace
 from typing import Any
 
 import pytest
 
-from rocksteady import DimensionlessBlock, ModelError, Rest, State, Steady, find_attractor
-from rocksteady.cli.commands.bifurcate import _sweep
+from rocksteady import DimensionlessBlock, ModelError, Rest, State, Steady
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.range import Range
 from rocksteady.cli.flags.sweep_start import SweepStart
@@ -21,28 +20,36 @@ SPAN = Range(
 
 
 @pytest.mark.parametrize(
-    ("flags", "value", "expected"),
+    ("flags", "expected"),
     [
-        ({}, 2.0, ("steady", Steady(), 0.0)),
-        ({}, 0.1, ("rest", Rest(), 0.0)),  # below the existence of steady states
-        ({"phase": 1.0}, 2.0, ("rest", Rest(), 1.0)),
-        ({"start": "rest", "order": 3}, 2.0, ("rest", Rest(), 0.0)),
-        ({"start": "steady:1", "kick": 1e-3}, 2.0, ("steady:1", Steady(kick=1e-3), 0.0)),
-        ({"start": "0.2,0.1"}, 2.0, ("0.2,0.1", State(angle=0.2, velocity=0.1), 0.0)),
-        ({"start": "0.2,tau=0.5"}, 2.0, ("0.2,tau=0.5", State(angle=0.2, velocity=2.0), 0.0)),
+        ({}, Steady()),
+        ({"order": 3, "side": "-"}, Steady(order=3, side=-1)),
+        ({"phase": 1.0}, Rest()),
+        ({"start": "rest", "order": 3}, Rest()),
+        ({"start": "0.2,0.1"}, State(angle=0.2, velocity=0.1)),
+        ({"start": "0.2,tau=0.5"}, State(angle=0.2, velocity=2.0)),
     ],
 )
-def test_a_sweep_begins_where_it_is_told_or_on_a_steady_state(
-    flags: dict[str, Any], value: float, expected: tuple[str, object, float]
+def test_a_sweep_begins_as_typed_or_on_a_steady_state(
+    flags: dict[str, Any], expected: object
 ) -> None:
-    assert SweepStart(**flags).begin(SPAN, value) == expected
+    assert SweepStart(**flags).chosen(SPAN) == expected
 
 
-def test_a_steady_state_that_is_asked_for_must_exist() -> None:
+def test_a_steady_state_that_is_typed_must_exist_at_both_ends() -> None:
     with pytest.raises(FlagError, match=r"'steady' is not accepted: .* there is none"):
-        SweepStart(start="steady").begin(SPAN, 0.1)
+        SweepStart(start="steady").chosen(SPAN)  # at 0.1 there is none
     with pytest.raises(ModelError):
-        SweepStart(start="steady:2").begin(SPAN, 0.1)
+        SweepStart(start="steady:2").chosen(SPAN)
+    there = replace(SPAN, values=(1.0, 2.0), amplitude=1.0)
+    assert SweepStart(start="steady:1", kick=1e-3).chosen(there) == Steady(kick=1e-3)
+
+
+def test_the_start_of_each_sweep_is_written_as_it_was_typed() -> None:
+    values = {"sweeps": [{"start": "steady", "values": 3}]}
+    assert SweepStart().as_given(values) == values
+    typed = SweepStart(start="steady:1").as_given(values)
+    assert typed == {"sweeps": [{"start": "steady:1", "values": 3}]}
 
 
 @pytest.mark.parametrize("flags", [{"start": "rest"}, {"phase": 0.0}, {"kick": 1e-3}])
@@ -50,23 +57,3 @@ def test_without_sweeps_what_only_they_have_is_refused(flags: dict[str, Any]) ->
     with pytest.raises(FlagError, match="without sweeps, it has no meaning; leave it out"):
         SweepStart(**flags).refuse("without sweeps")
     SweepStart(order=3, side="-").refuse("without sweeps")
-
-
-@pytest.mark.parametrize("upwards", [True, False])
-def test_a_sweep_goes_along_the_axis_from_its_first_value(upwards: bool) -> None:
-    start = SweepStart(start="0.2,0.1", phase=0.5)
-    found = _sweep(SPAN, start, 300, upwards=upwards)
-    values = SPAN.values if upwards else SPAN.values[::-1]
-    assert found.start == "0.2,0.1"
-    assert found.trail.values.tolist() == list(values)
-    bare, shaking = SPAN.at(values[0])
-    begun = State(angle=0.2, velocity=0.1)
-    alone = find_attractor(
-        bare,
-        type(shaking)(amplitude=values[0], frequency_ratio=4.0, phase=0.5),
-        start=begun,
-        max_cycles=300,
-    )
-    first = found.trail.attractors[0]
-    assert (first.kind, first.period, first.after) == (alone.kind, alone.period, alone.after)
-    assert math.isclose(first.growth, alone.growth)

@@ -7,18 +7,14 @@ import pytest
 
 from rocksteady import Block, DimensionlessBlock, Harmonic, Pulse, find_orbits
 from rocksteady.cli.present.shared import (
-    angle_text,
     block_text,
     block_values,
     case_text,
-    multipliers_text,
     orbit_values,
-    periods_text,
     plural,
     restitution_text,
     restitution_values,
     shaking_values,
-    worth,
 )
 from tests.cli.present.printed import as_json
 
@@ -105,15 +101,6 @@ def test_an_inadmissible_orbit_has_no_peaks() -> None:
 def test_the_words_of_numbers() -> None:
     assert plural(1, "impact") == "1 impact"
     assert plural(0, "impact") == "0 impacts"
-    assert periods_text(1, None) == "1 forcing period"
-    assert periods_text(3, 1.5) == "3 forcing periods, subharmonic, 1.5 s"
-    assert multipliers_text([0.5 + 0.25j, 0.5 - 0.25j], 2) == "0.50 +- 0.25i"
-    assert multipliers_text([-0.5 + 0j, 0.25 + 0j]) == "-0.5, 0.25"
-    assert angle_text(0.5, BARE) == "0.5 alpha"
-    assert angle_text(0.5, EVEN) == f"0.5 alpha = {0.5 * math.atan(1.0 / 3.0):.6g} rad"
-    assert worth(admissible=False, neutral=True, stable=True) == "inadmissible"
-    assert worth(admissible=True, neutral=True, stable=False) == "neutral"
-    assert worth(admissible=True, neutral=False, stable=False) == "unstable"
 
 
 def test_a_title_names_what_shakes_which_block() -> None:

@@ -295,7 +295,7 @@ CHAOS = (1.7347, 1.6633, 0.5)
 
 def test_a_chaotic_motion_is_aperiodic_and_two_motions_part_at_its_lyapunov_exponent() -> None:
     a, w, r = CHAOS
-    found = settled(a, w, r, cycles=6000)
+    found = settled(a, w, r, max_cycles=6000)
     assert found.kind is AttractorKind.APERIODIC
     assert found.orbit is None
     assert found.period is None
@@ -333,7 +333,7 @@ def test_a_chaotic_motion_is_aperiodic_and_two_motions_part_at_its_lyapunov_expo
 
 def test_a_chaotic_motion_has_the_exponent_of_any_start() -> None:
     exponents = [
-        settled(*CHAOS, phase=phase, cycles=20_000).lyapunov for phase in (0.0, 1.0, 3.0, 5.0)
+        settled(*CHAOS, phase=phase, max_cycles=20_000).lyapunov for phase in (0.0, 1.0, 3.0, 5.0)
     ]
     exponents = [one for one in exponents if math.isfinite(one)]
     assert len(exponents) >= 2

@@ -78,23 +78,6 @@ def orbit_values(orbit: "Orbit", block: Block | DimensionlessBlock) -> dict[str,
     return values
 
 
-def worth(*, admissible: bool, neutral: bool, stable: bool) -> str:
-    """Return the verdict on a solution in a word."""
-    if not admissible:
-        return "inadmissible"
-    if neutral:
-        return "neutral"
-    return "stable" if stable else "unstable"
-
-
-def multipliers_text(multipliers: list[complex], digits: int = 6) -> str:
-    """Return a pair of multipliers as people write it."""
-    first, second = multipliers
-    if first.imag != 0.0:
-        return f"{first.real:.{digits}f} +- {abs(first.imag):.{digits}f}i"
-    return f"{first.real:.{digits}g}, {second.real:.{digits}g}"
-
-
 def turned_text(processing: Sequence[str]) -> str:
     """Return the words of a title on a changed sign; none where it is as filed."""
     return " (sign changed)" if any(map(SIGN_CHANGED.match, processing)) else ""
@@ -134,18 +117,6 @@ def block_text(block: dict[str, Any]) -> str:
     if "negative" in block:  # four numbers leave no room for what else a title says
         return f"α = {block['alpha_rad']:.3g}/{block['negative']['alpha_rad']:.3g} rad"
     return f"α = {block['alpha_rad']:.4g} rad, p = {block['p_rad_s']:.4g} rad/s"
-
-
-def periods_text(period: int, seconds: float | None) -> str:
-    """Return how long an orbit is, and what that is called."""
-    text = "1 forcing period" if period == 1 else f"{period} forcing periods, subharmonic"
-    return text if seconds is None else f"{text}, {seconds:.6g} s"
-
-
-def angle_text(angle: float, block: Block | DimensionlessBlock) -> str:
-    """Return an angle in units of alpha, in radians too where the block has a size."""
-    text = f"{angle:.10g} alpha"
-    return f"{text} = {angle * block.alpha:.6g} rad" if isinstance(block, Block) else text
 
 
 def plural(count: int, thing: str) -> str:

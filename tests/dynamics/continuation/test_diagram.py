@@ -1,0 +1,237 @@
+"""Bifurcation diagrams: points, branches, sweeps and cascades, and how they describe themselves."""
+
+import json
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rocksteady import (
+    BifurcationDiagram,
+    Block,
+    BranchSearch,
+    DimensionlessBlock,
+    Harmonic,
+    InputError,
+    ModelError,
+    find_attractor,
+    find_bifurcations,
+    symmetry_breaking_frequency,
+)
+
+BARE = DimensionlessBlock(restitution=0.8)
+SIZED = Block.rectangle(width=0.4, height=1.2, restitution=0.8)
+MOTION = Harmonic(amplitude=2.0, frequency_ratio=1.95)
+WITHIN = (1.9, 2.0)
+SMALL = BranchSearch(max_period=1, max_impacts=2, doublings=0)
+
+
+@cache
+def diagram_of(block: Block | DimensionlessBlock, parameter: str) -> BifurcationDiagram:
+    """Return a small diagram about a symmetry breaking, without sweeps."""
+    ends = {"frequency_ratio": WITHIN, "amplitude": (1.95, 2.05), "restitution": (0.78, 0.82)}
+    return find_bifurcations(
+        block, MOTION, parameter, within=ends[parameter], values=0, search=SMALL
+    )
+
+
+def width(text: str) -> int:
+    return max(len(line) for line in text.splitlines())
+
+
+@pytest.mark.parametrize("parameter", ["amplitude", "frequency_ratio", "restitution"])
+def test_the_parameter_that_moves_has_no_one_value(parameter: str) -> None:
+    values = diagram_of(SIZED, parameter).to_dict()
+    assert values["parameter"] == parameter
+    others = {"amplitude", "frequency_ratio", "restitution"} - {parameter}
+    assert values[parameter] is None
+    assert None not in {values[other] for other in others}
+    assert (values["block"]["restitution"] is None) == (parameter == "restitution")
+    assert (values["accel_g"] is None) == (parameter == "amplitude")
+    assert (values["freq_hz"] is None) == (parameter == "frequency_ratio")
+    assert diagram_of(BARE, parameter).to_dict().keys() & {"block", "accel_g", "freq_hz"} == set()
+
+
+def test_a_bifurcation_on_two_branches_is_listed_once() -> None:
+    diagram = diagram_of(BARE, "frequency_ratio")
+    assert sum(len(branch.bifurcations) for branch in diagram.branches) == 2
+    (each,) = diagram.points
+    assert each.branches == (1, 2)
+    assert each.point.type == "symmetry-breaking"
+    exact = symmetry_breaking_frequency(2.0, 0.8)
+    assert np.abs(each.point.frequency_ratio - exact).min() < 1e-11
+    (values,) = diagram.to_dict()["points"]
+    assert (values["branch"], values["branches"]) == (1, [1, 2])
+    assert values["peaks"] == [each.highest, each.lowest]
+
+
+def test_a_block_with_a_size_has_points_in_si() -> None:
+    (bare,) = diagram_of(BARE, "frequency_ratio").to_dict()["points"]
+    (point,) = diagram_of(SIZED, "frequency_ratio").to_dict()["points"]
+    assert point.keys() - bare.keys() == {"accel_g", "freq_hz", "peaks_rad"}
+    motion = Harmonic.from_si(
+        SIZED, acceleration_m_s2=point["accel_g"] * SIZED.gravity, frequency_hz=point["freq_hz"]
+    )
+    assert motion.frequency_ratio == pytest.approx(point["frequency_ratio"])
+    assert point["peaks_rad"] == [SIZED.alpha * peak for peak in point["peaks"]]
+
+
+def test_of_mirror_images_the_one_that_leans_to_the_positive_side_is_listed() -> None:
+    diagram = diagram_of(BARE, "frequency_ratio")
+    symmetric, leaning = diagram.branches
+    assert symmetric.lean == 1.0
+    rows = [row for row in diagram.rows() if row["branch"] == 2]
+    assert len(rows) == len(leaning.points)
+    assert all(row["highest"] >= -row["lowest"] - 1e-12 > 0.0 for row in rows)
+    assert rows[-1]["highest"] > 0.01 - rows[-1]["lowest"]
+
+
+def test_a_branch_is_stable_where_its_points_are() -> None:
+    diagram = diagram_of(BARE, "frequency_ratio")
+    listed = diagram.to_dict()["branches"]
+    breaking = diagram.points[0].point.frequency_ratio
+    assert [each["branch"] for each in listed] == [1, 2]
+    symmetric, leaning = listed
+    assert symmetric["within"] == list(WITHIN)
+    assert (symmetric["symmetric"], leaning["symmetric"]) == (True, False)
+    ((low, high),) = symmetric["stable_ranges"]
+    assert (low, high) == (pytest.approx(breaking), WITHIN[1])
+    ((low, high),) = leaning["stable_ranges"]
+    assert (low, high) == (WITHIN[0], pytest.approx(breaking))
+    assert leaning["end"] == {"type": "end-of-range", "frequency_ratio": WITHIN[0]}
+
+
+@pytest.mark.parametrize("block", [BARE, SIZED])
+def test_there_is_a_row_a_point(block: Block | DimensionlessBlock) -> None:
+    diagram = diagram_of(block, "frequency_ratio")
+    frame = diagram.to_dataframe()
+    assert len(frame) == sum(len(branch.points) for branch in diagram.branches)
+    assert list(frame) == diagram.columns
+    assert len(diagram.columns) == 17 + (4 if block is SIZED else 0)
+    moduli = [
+        np.hypot(frame[f"multiplier_{n}_re"], frame[f"multiplier_{n}_im"]).to_numpy()
+        for n in (1, 2)
+    ]
+    inside = np.maximum(*moduli) < 1.0
+    regular = (frame["type"] == "regular").to_numpy()
+    assert regular.sum() > 10
+    assert (inside == frame["stable"].to_numpy())[regular].all()
+
+
+@pytest.mark.parametrize("parameter", ["frequency_ratio", "amplitude", "restitution"])
+@pytest.mark.parametrize("block", [BARE, SIZED])
+def test_the_summary_has_a_row_a_bifurcation_in_the_units_of_the_block(
+    block: Block | DimensionlessBlock, parameter: str
+) -> None:
+    diagram = diagram_of(block, parameter)
+    text = diagram.summary()
+    assert width(text) <= 80
+    assert "…" not in text
+    assert "2 branches up to 1 period and 2 impacts, 1 bifurcation" in text
+    (point,) = diagram.to_dict()["points"]
+    (row,) = (line for line in text.splitlines() if "symmetry breaking" in line)
+    assert f"{point[parameter]:.8f}" in row, "with the digits that are known"
+    unit = {"frequency_ratio": "freq_hz", "amplitude": "accel_g"}.get(parameter)
+    sized = block is SIZED and unit is not None
+    assert ("symmetric" in row) == (not sized), "the unit takes the place of the kind"
+    if sized:
+        assert f"{point[unit]:.6g}" in row
+    assert ("°" in row) == (block is SIZED)
+    assert len(repr(diagram)) < 160
+
+
+def test_sweeps_go_both_ways_and_keep_what_single_motions_settle_to() -> None:
+    diagram = find_bifurcations(
+        BARE, MOTION, "frequency_ratio", within=WITHIN, values=5, search=SMALL
+    )
+    up, down = diagram.sweeps
+    assert up.values.tolist() == down.values[::-1].tolist() == np.linspace(*WITHIN, 5).tolist()
+    assert (up.start_text, down.start_text) == ("steady", "steady")
+    alone = find_attractor(BARE, Harmonic(amplitude=2.0, frequency_ratio=1.9), start=up.start)
+    assert (up.attractors[0].kind, up.attractors[0].after) == (alone.kind, alone.after)
+    for sweep, values in zip(diagram.sweeps, diagram.to_dict()["sweeps"], strict=True):
+        assert values["direction"] == sweep.direction
+        assert sum(run["values"] for run in values["runs"]) == 5 == sum(values["counts"].values())
+        at = 0
+        for run in values["runs"]:
+            for each in sweep.attractors[at : at + run["values"]]:
+                assert (each.kind.value, each.period) == (run["kind"], run["period"])
+            at += run["values"]
+
+
+def test_a_sweep_begins_at_rest_where_there_is_no_steady_state() -> None:
+    diagram = find_bifurcations(
+        BARE,
+        Harmonic(amplitude=1.0, frequency_ratio=4.0),
+        "amplitude",
+        values=[0.1, 0.2],
+        search=SMALL,
+    )
+    assert diagram.within == (0.1, 0.2)
+    assert {sweep.start_text for sweep in diagram.sweeps} == {"rest"}
+
+
+def test_the_cascade_tends_to_feigenbaums_ratio() -> None:
+    diagram = find_bifurcations(
+        BARE,
+        MOTION,
+        "frequency_ratio",
+        within=(1.7, 2.1),
+        values=0,
+        search=BranchSearch(max_period=2, doublings=4),
+    )
+    assert diagram.cascade is not None
+    values = diagram.to_dict()["cascade"]
+    assert values["periods"] == [1, 2, 4, 8]
+    first, second, third, fourth = values["values"]
+    assert values["distances"] == pytest.approx([second - first, third - second, fourth - third])
+    assert values["ratios"][-1] == pytest.approx(4.6692, rel=0.06)
+    assert values["limit"] < fourth
+    text = diagram.summary()
+    assert f"{first:.12f}" in text
+    assert f"limit {values['limit']:.12f}" in text
+    assert len(repr(diagram.cascade)) < 160
+    assert "cascade" not in diagram_of(BARE, "frequency_ratio").to_dict()
+
+
+def test_a_diagram_is_drawn_in_one_line() -> None:
+    axes = diagram_of(BARE, "frequency_ratio").plot()
+    assert axes.get_xlim() == WITHIN
+    words = [entry.get_text() for entry in axes.get_legend().get_texts()]
+    assert "symmetry breaking" in words
+
+
+def test_a_diagram_becomes_json() -> None:
+    def plain(value: object) -> Any:
+        assert isinstance(value, complex)
+        return [value.real, value.imag]
+
+    values = diagram_of(SIZED, "amplitude").to_dict()
+    assert json.loads(json.dumps(values, default=plain))["within"] == [1.95, 2.05]
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"parameter": "phase"}, "parameter = 'phase'"),
+        ({"within": (2.0, 1.0)}, "within = "),
+        ({"within": (-1.0, 1.0)}, "frequency_ratio = -1"),
+        ({"values": -1}, "values = -1"),
+        ({"values": 30_000}, "values = 30000|values = 20001"),
+        ({"max_cycles": 0}, "max_cycles = 0"),
+    ],
+)
+def test_what_is_no_diagram_is_refused(change: dict[str, Any], message: str) -> None:
+    given = {"parameter": "frequency_ratio", "within": WITHIN, "values": 3, **change}
+    parameter = given.pop("parameter")
+    with pytest.raises(InputError, match=message):
+        find_bifurcations(BARE, MOTION, parameter, search=SMALL, **given)
+    with pytest.raises(InputError, match="max_impacts = 0"):
+        BranchSearch(max_impacts=0)
+
+
+def test_an_asymmetric_block_has_no_branches() -> None:
+    block = DimensionlessBlock(restitution=(0.9, 0.8))
+    with pytest.raises(ModelError, match="asymmetric"):
+        find_bifurcations(block, MOTION, "amplitude")
