@@ -97,6 +97,14 @@ def things() -> dict[str, Any]:
             bare, shaking, [0.5, 3.0], angles=few, velocities=few, cycles=5
         ),
         "trail": rs.sweep_attractor(bare, shaking, "amplitude", [1.9, 2.0], max_cycles=50),
+        "diagram": rs.find_bifurcations(
+            bare,
+            shaking,
+            "amplitude",
+            within=(1.9, 2.1),
+            values=2,
+            search=rs.BranchSearch(max_period=1, max_impacts=2, doublings=1),
+        ),
         "cascade": rs.DoublingCascade(parameter="amplitude", points=branch.points),
         "course": rs.integrate_record(record),
         "response": rs.compute_response_spectrum(record, [0.5, 1.0]),
@@ -321,7 +329,7 @@ def calls() -> dict[str, Call]:
         rs.plot_base: {"trajectory": run},
         rs.plot_basins: {"basins": t["basins"]},
         rs.plot_bifurcation_curves: {"curves": [[t["fold"], t["fold"]]]},
-        rs.plot_bifurcations: {"branches": [t["branch"]], "trails": [t["trail"]]},
+        rs.plot_bifurcations: {"diagram": [t["branch"]], "sweeps": [t["trail"]]},
         rs.plot_block: {"trajectory": run, "pt": 0.1},
         rs.plot_erosion: {"erosion": t["erosion"]},
         rs.plot_free_rocking: {"restitutions": [0.8], "impacts": 3},
@@ -369,6 +377,32 @@ def calls() -> dict[str, Call]:
         },
         rs.BasinFraction: {"label": 1, "states": 2, "share": 0.5, "low": 0.4, "high": 0.6},
         rs.Peak: {"value": 1.0, "t_s": 0.5},
+        rs.BranchSearch: {"order": 1, "max_impacts": 2},
+        rs.Bifurcation: {"point": t["fold"], "branches": (1,), "highest": 0.2, "lowest": -0.2},
+        rs.find_bifurcations: {
+            "block": bare, "motion": shaking, "parameter": "amplitude", "within": (1.9, 2.1),
+            "values": 2, "search": rs.BranchSearch(max_period=1, max_impacts=2, doublings=0),
+        },
+        t["states"].for_block: {"block": block},
+        t["attractor"].trajectory: {"last": 2},
+        **{
+            getattr(t[name], method): {}
+            for name, methods in (
+                ("attractor", ("describe", "rows", "to_dataframe")),
+                ("orbit", ("describe",)),
+                ("trail", ("describe", "run_rows", "table", "values_by_kind")),
+                ("branch", ("describe", "rows", "to_dataframe")),
+                ("point", ("describe",)),
+                ("cascade", ("describe", "values_by_name")),
+                ("diagram", ("describe", "rows", "to_dataframe")),
+                ("states", ("describe", "rows", "to_dataframe")),
+                ("steady", ("describe",)),
+                ("regions", ("describe",)),
+                ("boundaries", ("describe",)),
+                ("curve", ("describe",)),
+            )
+            for method in methods
+        },
         rs.Stretch: {"first": 0, "last": 1, "stable": True, "admissible": True},
         rs.Passage: fields(t["map_of_return"](t["state"])),
         rs.IntensityMeasures: fields(rs.measure_intensity(record, block)),
@@ -380,6 +414,7 @@ def calls() -> dict[str, Call]:
     }  # fmt: skip
     results = {
         rs.Attractor: "attractor", rs.AttractorSweep: "trail", rs.Basins: "basins",
+        rs.BifurcationDiagram: "diagram",
         rs.RegionBoundaries: "boundaries", rs.Branch: "branch", rs.BranchPoint: "point",
         rs.DoublingCascade: "cascade", rs.Erosion: "erosion", rs.IntegratedRecord: "course",
         rs.Orbit: "orbit", rs.OverturningWindows: "windows", rs.RegionMap: "regions",

@@ -9,11 +9,11 @@ from matplotlib.text import Text
 
 from rocksteady import (
     Block,
+    BranchSearch,
     DimensionlessBlock,
     Harmonic,
     Record,
     State,
-    Steady,
     Still,
     Trajectory,
     compute_basins,
@@ -24,14 +24,13 @@ from rocksteady import (
     compute_rocking_spectrum,
     compute_steady_orbit,
     find_attractor,
-    find_branches,
+    find_bifurcations,
     find_orbits,
     find_overturning_windows,
     integrate_record,
     map_attractors,
     simulate,
     summarise_spectra,
-    sweep_attractor,
 )
 from rocksteady.model.equations import Linear, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
@@ -87,18 +86,14 @@ def makers() -> dict[str, Callable[[Page], Figure]]:
     orbit = find_attractor(BARE, SHAKING).orbit
     assert orbit is not None
     starts = find_orbits(BARE, Harmonic(amplitude=2.0, frequency_ratio=2.2), max_period=1, seeds=2)
-    branches = find_branches(starts[:1], "frequency_ratio", (1.6, 2.4), max_period=2)
-    ways = (np.linspace(1.6, 2.4, 41), np.linspace(2.4, 1.6, 41))
-    trails = [
-        sweep_attractor(
-            BARE,
-            Harmonic(amplitude=2.0, frequency_ratio=2.0),
-            "frequency_ratio",
-            way,
-            start=Steady(),
-        )
-        for way in ways
-    ]
+    diagram = find_bifurcations(
+        BARE,
+        Harmonic(amplitude=2.0, frequency_ratio=2.0),
+        "frequency_ratio",
+        within=(1.6, 2.4),
+        values=41,
+        search=BranchSearch(max_period=2, doublings=0),
+    )
     eroded = compute_erosion(
         BARE,
         Harmonic(amplitude=1.0, frequency_ratio=2.0),
@@ -153,9 +148,7 @@ def makers() -> dict[str, Callable[[Page], Figure]]:
         "basins": lambda page: basins_figure(cells, TITLE, page),
         "erosion": lambda page: erosion_figure(eroded, [drop] if drop else (), TITLE, page),
         "overturning": lambda page: overturning_figure(windows, TITLE, page),
-        "bifurcation": lambda page: bifurcation_figure(
-            branches, trails, "frequency_ratio", title=TITLE, page=page
-        ),
+        "bifurcation": lambda page: bifurcation_figure(diagram, title=TITLE, page=page),
         "record": lambda page: record_figure(courses[:1], spectra[:1], TITLE, page),
         "records": lambda page: record_figure(courses, spectra, TITLE, page),
         "map": lambda page: map_figure(flat, TITLE, page),

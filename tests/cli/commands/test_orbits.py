@@ -120,7 +120,7 @@ def test_the_text_is_a_row_an_orbit_in_80_columns() -> None:
     rows = [line for line in lines if line.split()[0].isdigit() and line.split()[1].isdigit()]
     assert [int(row.split()[0]) for row in rows] == [*range(1, count + 1)]
     assert "12 periodic motions up to 3 periods and 6 impacts, 1 stable" in ran.out
-    for word in ("stable", "unstable", "inadmissible", "0.9004", "-0.4443", "0.394 +- 0.504i"):
+    for word in ("stable", "unstable", "inadmissible", "0.9004", "-0.4443", "0.394 ± 0.504i"):
         assert word in ran.out
 
 

@@ -232,6 +232,6 @@ def test_what_is_no_diagram_is_refused(change: dict[str, Any], message: str) -> 
 
 
 def test_an_asymmetric_block_has_no_branches() -> None:
-    block = DimensionlessBlock(restitution=(0.9, 0.8))
+    block = DimensionlessBlock(restitution=0.9, negative_restitution=0.8)
     with pytest.raises(ModelError, match="asymmetric"):
         find_bifurcations(block, MOTION, "amplitude")

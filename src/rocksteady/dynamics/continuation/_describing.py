@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.model.blocks.block import Block
@@ -11,8 +11,7 @@ from rocksteady.model.facts import AnyBlock
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.description import Column, Table
 
-if TYPE_CHECKING:
-    from rocksteady.dynamics.continuation.points import Branch, BranchPoint
+# The classes that use this module are named Any: to import them would close a circle.
 
 SHORT = {**SYMBOLS, "restitution": "delta"}
 """As headings have them."""
@@ -40,13 +39,13 @@ def in_si(block: AnyBlock, amplitude: float, frequency_ratio: float) -> dict[str
     }
 
 
-def extremes(point: "BranchPoint", lean: float = 1.0) -> list[float]:
+def extremes(point: Any, lean: float = 1.0) -> list[float]:
     """Return the highest and the lowest u of an orbit, or of its mirror image for a lean of -1."""
     peaks = lean * point.peaks
     return [float(peaks.max()), float(peaks.min())]
 
 
-def point_values(point: "BranchPoint", lean: float, block: AnyBlock) -> dict[str, Any]:
+def point_values(point: Any, lean: float, block: AnyBlock) -> dict[str, Any]:
     """Return a point of a branch in plain values, in SI too where the block has a size."""
     values: dict[str, Any] = {
         "type": point.type.value,
@@ -65,7 +64,7 @@ def point_values(point: "BranchPoint", lean: float, block: AnyBlock) -> dict[str
     return values
 
 
-def point_row(branch: int, point: "BranchPoint", lean: float, block: AnyBlock) -> dict[str, Any]:
+def point_row(branch: int, point: Any, lean: float, block: AnyBlock) -> dict[str, Any]:
     """Return the row of a point of a branch in a file."""
     first, second = (complex(m) for m in point.multipliers)
     high, low = extremes(point, lean)
@@ -94,7 +93,7 @@ def point_row(branch: int, point: "BranchPoint", lean: float, block: AnyBlock) -
     return row
 
 
-def branch_values(branch: "Branch") -> dict[str, Any]:
+def branch_values(branch: Any) -> dict[str, Any]:
     """Return what a branch is, its ends, and where it is stable."""
     name = branch.parameter
     begin, end = (

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from rocksteady.dynamics.history.start import ImpactState, Rest, Start, Steady
 from rocksteady.dynamics.steady.verdicts import multipliers_text, verdict
@@ -14,8 +14,7 @@ from rocksteady.outcomes import INFINITELY_MANY
 from rocksteady.results.description import Column, Fact, Table
 from rocksteady.results.numbers import number, plural, quantity
 
-if TYPE_CHECKING:
-    from rocksteady.dynamics.orbits.orbit import Orbit
+# The classes that use this module are named Any: to import them would close a circle.
 
 
 def motion_text(block: AnyBlock, motion: Harmonic) -> str:
@@ -71,7 +70,7 @@ def section_row(state: ImpactState, block: AnyBlock) -> dict[str, Any]:
     return row
 
 
-def orbit_values(orbit: "Orbit") -> dict[str, Any]:
+def orbit_values(orbit: Any) -> dict[str, Any]:
     """Return an orbit in plain values, in SI too where the block has a size."""
     values: dict[str, Any] = {
         "kind": orbit.kind,
@@ -100,7 +99,7 @@ def orbit_values(orbit: "Orbit") -> dict[str, Any]:
     }
 
 
-def worth(orbit: "Orbit") -> str:
+def worth(orbit: Any) -> str:
     """Return whether an orbit is a motion and stable, in a word."""
     return verdict(admissible=orbit.admissible, neutral=orbit.neutral, stable=orbit.stable)
 
@@ -110,7 +109,7 @@ def kind_text(kind: str, period: int | None) -> str:
     return f"{kind}, period {period}" if period is not None and period > 1 else kind
 
 
-def orbit_facts(orbit: "Orbit") -> list[Fact]:
+def orbit_facts(orbit: Any) -> list[Fact]:
     """Return what people read of an orbit; the values are those of `orbit_values`."""
     values, block = orbit_values(orbit), orbit.block
     period = "1 forcing period"
@@ -144,7 +143,7 @@ def peak_facts(peaks: Sequence[float] | None, block: AnyBlock) -> list[Fact]:
     ]
 
 
-def orbit_row(number_of: int, orbit: "Orbit") -> dict[str, Any]:
+def orbit_row(number_of: int, orbit: Any) -> dict[str, Any]:
     """Return the row of an orbit in a table: infinitely many impacts are -1."""
     first, second = (complex(m) for m in orbit.multipliers)
     begin, values = orbit.states[0], orbit_values(orbit)
@@ -187,7 +186,7 @@ def angle_columns(block: AnyBlock) -> list[Column]:
     return [Column("highest", "highest", plain), Column("lowest", "lowest", plain)]
 
 
-def orbits_table(orbits: "Sequence[Orbit]", *, most: int = 200) -> Table:
+def orbits_table(orbits: Sequence[Any], *, most: int = 200) -> Table:
     """Return a table of orbits: for people, and as rows of a file."""
     if not orbits:
         return Table("", ())

@@ -1,7 +1,7 @@
 """Facts of steady states, for texts, JSON and tables."""
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -18,13 +18,12 @@ from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
 
-if TYPE_CHECKING:
-    from rocksteady.dynamics.steady.states import SteadyStates
+# The classes that use this module are named Any: to import them would close a circle.
 
 NO_SHAPES = "peaks, admissibility and stability need shapes=True"
 
 
-def point_values(states: "SteadyStates", index: tuple[int, ...]) -> dict[str, Any]:
+def point_values(states: Any, index: tuple[int, ...]) -> dict[str, Any]:
     """Return the solutions at a point, in SI too where a block is known."""
     region, block = int(states.region[index]), states.block
     values: dict[str, Any] = {
@@ -51,7 +50,7 @@ def point_values(states: "SteadyStates", index: tuple[int, ...]) -> dict[str, An
     return values
 
 
-def _solution(states: "SteadyStates", at: tuple[int, ...]) -> dict[str, Any]:
+def _solution(states: Any, at: tuple[int, ...]) -> dict[str, Any]:
     """Return one of the two solutions at a point; without shapes less is known."""
     solution: dict[str, Any] = {
         "branch": at[0] + 1,
@@ -82,7 +81,7 @@ def _solution(states: "SteadyStates", at: tuple[int, ...]) -> dict[str, Any]:
     return solution
 
 
-def solution_rows(states: "SteadyStates") -> list[dict[str, Any]]:
+def solution_rows(states: Any) -> list[dict[str, Any]]:
     """Return a row a solution, in the order of the points."""
     rows: list[dict[str, Any]] = []
     for index in np.ndindex(states.region.shape):
@@ -113,7 +112,7 @@ def worth(solution: dict[str, Any]) -> str:
     return verdict(**{name: solution[name] for name in ("admissible", "neutral", "stable")})
 
 
-def describe_point(states: "SteadyStates") -> Description:
+def describe_point(states: Any) -> Description:
     """Return the solutions at the only point of a grid, a column each."""
     values = point_values(states, (0,) * states.region.ndim)
     block, limits = states.block, values["boundaries"]
@@ -164,7 +163,7 @@ def describe_point(states: "SteadyStates") -> Description:
     )
 
 
-def describe_grid(states: "SteadyStates") -> Description:
+def describe_grid(states: Any) -> Description:
     """Return what there is along the axes of a grid."""
     points = [point_values(states, index) for index in np.ndindex(states.region.shape)]
     existing = int((states.region != 4).sum())

@@ -261,10 +261,14 @@ def overturning_figure(
 
 
 def bifurcation_figure(
-    diagram: BifurcationDiagram, *, top: float | None = None, page: Page = SCREEN
+    diagram: BifurcationDiagram,
+    *,
+    top: float | None = None,
+    title: str = "",
+    page: Page = SCREEN,
 ) -> "Figure":
     """Return a figure of branches over a parameter, with sweeps beneath them."""
-    with page.figure(8.8, 4.8, diagram.describe().headline) as figure:
+    with page.figure(8.8, 4.8, title or diagram.describe().headline) as figure:
         axes = figure.add_subplot()
         if diagram.branches or diagram.sweeps:
             plot_bifurcations(diagram, ax=axes, top=top, legend=page.legend)
