@@ -19,8 +19,10 @@ from matplotlib.lines import Line2D
 
 from rocksteady import (
     AttractorSweep,
+    BifurcationDiagram,
     Branch,
     BranchPoint,
+    BranchSearch,
     DimensionlessBlock,
     Harmonic,
     InputError,
@@ -48,6 +50,21 @@ def over_amplitude() -> tuple[Branch, ...]:
     shaking = Harmonic(amplitude=1.0, frequency_ratio=2.0)
     starts = find_orbits(BARE, shaking, max_period=1, max_impacts=2, seeds=1)
     return find_branches(starts, "amplitude", (0.1, 3.0), max_period=2, max_impacts=6)
+
+
+def diagram_of(branches: tuple[Branch, ...], parameter: str) -> BifurcationDiagram:
+    """Return a diagram of branches without sweeps."""
+    return BifurcationDiagram(
+        block=BARE,
+        motion=Harmonic(amplitude=1.0, frequency_ratio=2.0),
+        parameter=parameter,
+        within=(0.1, 1.0),
+        search=BranchSearch(doublings=0),
+        branches=branches,
+        sweeps=(),
+        cascade=None,
+        complete=True,
+    )
 
 
 @cache
@@ -296,7 +313,7 @@ def test_branches_over_different_parameters_are_refused() -> None:
 
 
 def test_the_legend_of_the_figure_is_beside_the_axes_and_inside_the_figure() -> None:
-    figure = bifurcation_figure(over_amplitude(), (), "amplitude", title="title")
+    figure = bifurcation_figure(diagram_of(over_amplitude(), "amplitude"), title="title")
     assert figure.get_suptitle() == "title"
     figure.draw_without_rendering()
     axes = figure.axes[0]
@@ -307,7 +324,7 @@ def test_the_legend_of_the_figure_is_beside_the_axes_and_inside_the_figure() -> 
 
 
 def test_a_figure_of_nothing_says_so() -> None:
-    (axes,) = bifurcation_figure((), (), "restitution").axes
+    (axes,) = bifurcation_figure(diagram_of((), "restitution")).axes
     assert axes.get_xlabel() == palette.LABELS["restitution"]
     assert axes.texts[0].get_text() == "no periodic motion found"
 
