@@ -1,6 +1,7 @@
 """Attractors that several tests ask for, and a check of one by the return map alone."""
 
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -11,8 +12,19 @@ Start = Rest | State | Steady
 
 
 def settled(
-    amplitude: float, frequency: float, restitution: float, *, phase: float = 0.0, **more: object
+    amplitude: float,
+    frequency: float,
+    restitution: float,
+    *,
+    phase: float = 0.0,
+    side: int | None = None,
+    **more: object,
 ) -> Attractor:
+    """Return the attractor of a point; `side` is that of a `Steady` start."""
+    if side is not None:
+        start = more["start"]
+        assert isinstance(start, Steady)
+        more["start"] = replace(start, side=side)
     return find_attractor(
         DimensionlessBlock(restitution=restitution),
         Harmonic(amplitude=amplitude, frequency_ratio=frequency, phase=phase),

@@ -311,7 +311,7 @@ def calls() -> dict[str, Call]:
         rs.open_store: {"path": "kept.zarr"},
         rs.find_orbits: {
             "block": bare,
-            "shaking": shaking,
+            "motion": shaking,
             "max_period": 1,
             "max_impacts": 2,
             "seeds": 2,

@@ -147,7 +147,7 @@ def test_what_is_no_number_no_side_and_no_start_is_refused(
 def test_what_is_no_block_what_is_not_harmonic_and_where_no_orbit_is_is_refused() -> None:
     with pytest.raises(InputError, match=r"^block = 0\.8 "):
         find_attractor(0.8, Harmonic(amplitude=1.0, frequency_ratio=1.0))  # type: ignore[arg-type]
-    with pytest.raises(ModelError, match=r"^shaking = Still"):
+    with pytest.raises(ModelError, match=r"^motion = Still"):
         find_attractor(DimensionlessBlock(restitution=0.8), Still())  # type: ignore[arg-type]
     with pytest.raises(ModelError, match=r"^start = Steady"):
         settled(0.1, 4.0, 0.8, start=Steady())
@@ -296,7 +296,7 @@ def test_of_an_upright_block_the_reason_is_its_balance() -> None:
 
 
 def test_more_cycles_than_an_integer_holds_are_refused() -> None:
-    with pytest.raises(InputError, match=r"^cycles = "):
+    with pytest.raises(InputError, match=r"^max_cycles = "):
         settled(2.0, 4.0, 0.8, max_cycles=10**20)
 
 

@@ -119,7 +119,7 @@ def test_one_value_is_what_attractor_says() -> None:
 def test_a_mirrored_start_has_a_mirrored_trail() -> None:
     # At the first value the symmetric orbit is unstable, and left to a side that is named.
     values = np.linspace(1.93, 1.8, 6)
-    one, other = (trail("frequency_ratio", values, start=Steady(), side=side) for side in (1, -1))
+    one, other = (trail("frequency_ratio", values, start=Steady(side=side)) for side in (1, -1))
     assert one.kinds == other.kinds
     for mine, theirs, kind in zip(one.peaks, other.peaks, one.kinds, strict=True):
         if kind == "unsymmetric":
@@ -176,7 +176,7 @@ def test_of_an_orbit_with_rests_the_first_bounces_stand_for_all() -> None:
         ({"values": [1.0, math.nan]}, "amplitude = nan"),
         ({"values": [1.0, -1.0]}, "amplitude = -1.0"),
         ({"parameter": "frequency_ratio", "values": [0.0]}, "frequency_ratio = 0.0"),
-        ({"cycles": 0}, "cycles = 0"),
+        ({"max_cycles": 0}, "max_cycles = 0"),
         ({"start": 3}, "start = 3"),
         ({"block": None}, "block = None"),
     ],

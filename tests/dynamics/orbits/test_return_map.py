@@ -247,7 +247,7 @@ def test_steps_are_a_whole_number(steps: int) -> None:
 def test_what_is_no_block_and_what_is_not_harmonic_is_refused() -> None:
     with pytest.raises(InputError, match=r"^block = 0\.8 .*DimensionlessBlock"):
         ReturnMap(0.8, Harmonic(amplitude=1.0, frequency_ratio=1.0))  # type: ignore[arg-type]
-    with pytest.raises(ModelError, match=r"^shaking = Still.*Harmonic"):
+    with pytest.raises(ModelError, match=r"^motion = Still.*Harmonic"):
         ReturnMap(BARE, Still())  # type: ignore[arg-type]
 
 

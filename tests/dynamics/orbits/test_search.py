@@ -433,7 +433,7 @@ def test_what_is_no_number_of_anything_is_refused(values: dict[str, int], name: 
 def test_what_is_no_block_and_what_is_not_harmonic_is_refused() -> None:
     with pytest.raises(InputError, match=r"^block = 0\.8 "):
         find_orbits(0.8, Harmonic(amplitude=1.0, frequency_ratio=1.0))  # type: ignore[arg-type]
-    with pytest.raises(ModelError, match=r"^shaking = Still"):
+    with pytest.raises(ModelError, match=r"^motion = Still"):
         find_orbits(DimensionlessBlock(restitution=0.8), Still())  # type: ignore[arg-type]
 
 

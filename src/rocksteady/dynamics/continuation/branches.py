@@ -42,14 +42,14 @@ def find_branches(
     """Follow orbits over a parameter in both directions, and all branches that bifurcate from them.
 
     Of mirror images one is followed.  At a graze branches begin with the two new impacts in every
-    half of a symmetric orbit and in one alone, and in every period or in every other; those with
+    half of a symmetric orbit and in one alone, and in every period or in every other; branches with
     one touch in three periods or more are not looked for.
 
     Parameters
     ----------
     origins
         Orbits without rest, as `rocksteady.find_orbits` finds them, or points of other branches;
-        inadmissible ones and those that lie on a branch already followed are passed over.
+        inadmissible ones and orbits that lie on a branch already followed are passed over.
     parameter
         "amplitude", "frequency_ratio" or "restitution".
     within

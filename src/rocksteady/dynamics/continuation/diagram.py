@@ -148,7 +148,7 @@ class BifurcationDiagram(Result):
     sweeps
         Upwards and downwards; none without values.
     cascade
-        The longest; None where no branch comes to a period doubling, or none was asked for.
+        The longest; None where no branch comes to a period doubling, or `doublings` is 0.
     complete
         Whether all branches were followed: False where `max_branches` ended the work.
     """
@@ -371,7 +371,8 @@ def find_bifurcations(
     Examples
     --------
     >>> from rocksteady import DimensionlessBlock, Harmonic
-    >>> block, motion = DimensionlessBlock(restitution=0.8), Harmonic(2.0, 2.0)
+    >>> block = DimensionlessBlock(restitution=0.8)
+    >>> motion = Harmonic(amplitude=2.0, frequency_ratio=2.0)
     >>> diagram = find_bifurcations(block, motion, "frequency_ratio", within=(1.8, 2.4), values=7)
     >>> for each in diagram.points:
     ...     print(each.point.type, f"{each.point.frequency_ratio:.6f}", each.branches)
