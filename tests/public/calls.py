@@ -48,6 +48,7 @@ def things() -> dict[str, Any]:
     record = rs.Record(acceleration_m_s2=4.0 * np.sin(5.0 * t), dt_s=0.05, name="made")
     run = rs.simulate(block, shaking, cycles=3)
     pulse = rs.Pulse(shape="half-sine", amplitude=2.0, frequency_ratio=4.0)
+    pushed = rs.simulate(block, pulse)
     orbit = rs.find_attractor(bare, shaking, start=rs.Steady()).orbit
     assert orbit is not None
     (branch,) = rs.find_branches([orbit], "amplitude", (1.9, 2.1), largest_step=0.1, max_branches=1)
@@ -96,6 +97,8 @@ def things() -> dict[str, Any]:
         "erosion": rs.compute_erosion(
             bare, shaking, [0.5, 3.0], angles=few, velocities=few, cycles=5
         ),
+        "pushed": pushed,
+        "neighbours": rs.check_neighbours(pushed),
         "trail": rs.sweep_attractor(bare, shaking, "amplitude", [1.9, 2.0], max_cycles=50),
         "diagram": rs.find_bifurcations(
             bare,
@@ -221,6 +224,16 @@ def calls() -> dict[str, Call]:
         run.__call__: {"pt": [0.1, 0.2]},
         run.at_tau: {"tau": [0.1, 0.2]},
         run.at_time: {"t_s": [0.1, 0.2]},
+        run.state: {"pt": 0.2},
+        run.describe: {},
+        run.to_columns: {"samples": 10},
+        run.to_dataset: {"samples": 10},
+        block.describe: {},
+        bare.describe: {},
+        block.positive.to_dict: {},
+        rs.check_neighbours: {"trajectory": t["pushed"]},
+        t["neighbours"].describe: {},
+        rs.Neighbour: fields(t["neighbours"].cases[0]),
         run.base_acceleration: {"pt": [0.1, 0.2]},
         run.base_displacement: {"pt": [0.1, 0.2]},
         run.phase_path: {"per_unit": 10},
@@ -419,7 +432,7 @@ def calls() -> dict[str, Call]:
         rs.DoublingCascade: "cascade", rs.Erosion: "erosion", rs.IntegratedRecord: "course",
         rs.Orbit: "orbit", rs.OverturningWindows: "windows", rs.RegionMap: "regions",
         rs.ResponseCurve: "curve", rs.ResponseSpectrum: "response", rs.SteadyOrbit: "steady",
-        rs.SteadyStates: "states", rs.Trajectory: "run",
+        rs.SteadyStates: "states", rs.Trajectory: "run", rs.Neighbours: "neighbours",
     }  # fmt: skip
     table |= {kind: fields(t[name]) for kind, name in results.items()}
     table |= {rs.Flights: fields(run.flights), rs.Impacts: fields(run.impacts)}
@@ -444,7 +457,10 @@ def fields(thing: Any) -> dict[str, Any]:
 
 
 def label_of(function: Any) -> str:
-    """Return a name as the namespace has it."""
+    """Return a name as the namespace has it: a method is its object's, wherever it is defined."""
+    holder = getattr(function, "__self__", None)
+    if inspect.ismethod(function) and not inspect.isclass(holder):
+        return f"{type(holder).__name__}.{function.__name__}"
     return str(function.__qualname__)
 
 
@@ -459,7 +475,10 @@ def public_callables() -> set[str]:
             continue  # enumerations and errors
         found.add(label_of(thing))
         if inspect.isclass(thing) and not issubclass(thing, tuple):
-            for method, member in vars(thing).items():
+            # A base class of a private module is a part of the class.
+            bases = [base for base in thing.__mro__[1:] if "._" in base.__module__]
+            members = {method: vars(base)[method] for base in bases for method in vars(base)}
+            for method, member in (members | dict(vars(thing))).items():
                 routine = isinstance(member, classmethod | staticmethod) or inspect.isfunction(
                     member
                 )
