@@ -258,10 +258,12 @@ class OverturningWindows(Result):
     def _window_rows(self, rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
         """Yield a row a window, as files and people have it."""
         for row in rows:
+            head: dict[str, Any] = {
+                name: row[name] for name in ("frequency_ratio", "freq_hz") if name in row
+            }
             for mode in row["modes"]:
-                window = {key: row[key] for key in row if key in ("frequency_ratio", "freq_hz")}
                 low, high = mode["interval"]
-                window |= {"low": low, "high": high}
+                window: dict[str, Any] = {**head, "low": low, "high": high}
                 if isinstance(self.block, Block):
                     unit = self.block.uplift_acceleration / self.block.gravity
                     window |= {"low_g": low * unit, "high_g": high * unit}
