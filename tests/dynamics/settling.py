@@ -22,7 +22,7 @@ def settled(
 ) -> Attractor:
     """Return the attractor of a point; `side` is that of a `Steady` start."""
     if side is not None:
-        start = more["start"]
+        start = more.get("start", Steady())
         assert isinstance(start, Steady)
         more["start"] = replace(start, side=side)
     return find_attractor(

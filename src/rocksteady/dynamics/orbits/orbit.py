@@ -201,6 +201,7 @@ class Orbit(Result):
             ),
             sides=sides_of(self.block, self.model),
             rows=np.array(list(_course(self))),
+            model=self.model,
         )
 
     def describe(self) -> Description:
