@@ -32,6 +32,7 @@ use_plots(
         "Trajectory": "plot_trajectory",
         "attractor map": "plot_map",
         "fate map": "plot_map",
+        "rocking spectrum": "plot_rocking_spectrum",
     },
     __getattr__,
 )
@@ -39,5 +40,9 @@ use_describers(
     {
         "attractor map": ({"kind", "period", "after"}, "rocksteady.dynamics.maps._map_facts"),
         "fate map": ({"fate", "impacts"}, "rocksteady.dynamics.maps._map_facts"),
+        "rocking spectrum": (
+            {"status", "peak_angle", "peak_velocity"},
+            "rocksteady.seismic.spectra.describe",
+        ),
     }
 )

@@ -27,7 +27,7 @@ def test_a_one_record_one_rack_with_its_vertical() -> None:
 
     assert trajectory.status in (rs.Status.AT_REST, rs.Status.OVERTURNED)
     assert trajectory.model == rs.Nonlinear()
-    assert 0 <= neighbours.fall <= neighbours.runs == 21
+    assert 0 <= neighbours.fall <= neighbours.runs == 26
     assert "nonlinear" in trajectory.summary()
     assert isinstance(trajectory.plot(), Axes)
 
@@ -35,7 +35,7 @@ def test_a_one_record_one_rack_with_its_vertical() -> None:
         f"simulate --block server-rack --record {ACROSS} --vertical {UP} --json"
     ).json
     assert found["peak"] == trajectory.peak
-    assert found["neighbours"] == {"runs": 21, "fall": neighbours.fall}
+    assert found["neighbours"] == {"runs": 26, "fall": neighbours.fall}
     assert found["model"] == "nonlinear"
 
 

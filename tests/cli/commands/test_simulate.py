@@ -85,10 +85,10 @@ def test_a_pulse_on_a_real_block_has_neighbours_uplift_and_friction() -> None:
     run = simulate(block, pulse)
     found = check_neighbours(run)
     values, text = rocksteady(f"{command} --json").json, rocksteady(command).out
-    assert values["neighbours"] == {"runs": 21, "fall": found.fall}
+    assert values["neighbours"] == {"runs": 26, "fall": found.fall}
     assert values["friction_needed"] == pytest.approx(run.friction_needed)
     assert (values["uplift_g"], values["pga_g"]) == pytest.approx((math.tan(0.25), 2.0))
-    assert f"falls in {found.fall} of 21 neighbours" in " ".join(text.split())
+    assert f"falls in {found.fall} of 26 neighbours" in " ".join(text.split())
     assert ("not robust" in text) == (not found.agree)
     assert "neighbours" not in rocksteady(f"{SHAKEN} --json").json
 

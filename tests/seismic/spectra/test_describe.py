@@ -9,7 +9,7 @@ import xarray
 
 from rocksteady import Block, Status, compute_rocking_spectrum, simulate_many, summarise_spectra
 from rocksteady.results.rendering import as_text
-from rocksteady.seismic.spectra.describe import MOST_COLUMNS, describe_spectrum
+from rocksteady.seismic.spectra.describe import MOST_COLUMNS, describe
 from tests.seismic.grounds import ground
 
 ALPHA, PERIODS = [0.1, 0.2, 0.3], [1.0, 4.0]
@@ -22,7 +22,7 @@ def spectrum_of(records: int) -> xarray.Dataset:
 
 
 def test_there_is_a_row_a_cell() -> None:
-    values = describe_spectrum(spectrum_of(2)).to_dict()
+    values = describe(spectrum_of(2)).to_dict()
     assert values["cells"] == len(values["values"]) == 2 * 3 * 2
     for row in values["values"]:
         place = {"record": row["record"], "alpha": row["alpha_rad"], "period": row["period_s"]}
@@ -40,8 +40,8 @@ def test_there_is_a_row_a_cell() -> None:
 
 
 def test_a_suite_has_a_row_a_block_and_a_single_record_none() -> None:
-    assert "suite" not in describe_spectrum(spectrum_of(1)).to_dict()
-    values = describe_spectrum(spectrum_of(2)).to_dict()
+    assert "suite" not in describe(spectrum_of(1)).to_dict()
+    values = describe(spectrum_of(2)).to_dict()
     assert len(values["suite"]) == 3 * 2
     for row in values["suite"]:
         fell = [
@@ -56,7 +56,7 @@ def test_a_suite_has_a_row_a_block_and_a_single_record_none() -> None:
 
 def test_the_table_has_a_row_a_size_and_a_column_a_slenderness() -> None:
     spectrum = spectrum_of(1)
-    text = as_text(describe_spectrum(spectrum))
+    text = as_text(describe(spectrum))
     assert max(map(len, text.splitlines())) <= 80
     *_, heading, first, second = text.splitlines()
     assert all(f"{math.degrees(alpha):.3g}°" in heading for alpha in ALPHA)
@@ -74,7 +74,7 @@ def test_the_table_has_a_row_a_size_and_a_column_a_slenderness() -> None:
 
 
 def test_the_table_of_a_suite_has_medians_and_shares() -> None:
-    text = as_text(describe_spectrum(spectrum_of(2)))
+    text = as_text(describe(spectrum_of(2)))
     assert max(map(len, text.splitlines())) <= 80
     assert "median of the largest" in text
     for share in summarise_spectra(spectrum_of(2))["overturned"].values.ravel().tolist():
@@ -84,7 +84,7 @@ def test_the_table_of_a_suite_has_medians_and_shares() -> None:
 def test_of_many_blocks_some_are_shown_the_first_and_the_last_included() -> None:
     alpha, periods = np.linspace(0.1, 0.3, 11), np.linspace(1.0, 4.0, 50)
     spectrum = compute_rocking_spectrum(ground(1, 2.0), alpha=alpha, periods_s=periods)
-    described = describe_spectrum(spectrum)
+    described = describe(spectrum)
     assert len(described.to_dict()["values"]) == 550
     lines = as_text(described).splitlines()
     assert max(map(len, lines)) <= 80
@@ -97,10 +97,10 @@ def test_of_many_blocks_some_are_shown_the_first_and_the_last_included() -> None
 def test_the_headline_names_what_is_not_the_default() -> None:
     plain = spectrum_of(1)
     words = "Rocking spectrum: hut-0, Housner's restitution, nonlinear"
-    assert describe_spectrum(plain).headline == words
+    assert describe(plain).headline == words
     other = plain.assign_attrs(direction="reversed", vertical="up", restitution=0.85)
     other = other.assign_coords(scale=1.5)
-    assert describe_spectrum(other).headline == (
+    assert describe(other).headline == (
         "Rocking spectrum: hut-0 and vertical, scaled by 1.5, reversed, restitution 0.85, nonlinear"
     )
 
@@ -109,7 +109,7 @@ def test_runs_of_many_blocks_have_their_levels() -> None:
     blocks = [Block.rectangle(width=0.4, height=height) for height in (1.2, 1.6)]
     suite = [ground(1), ground(2, name="other")]
     result = simulate_many(blocks, suite, pga_g=[0.3, 0.6], reverse="both")
-    values = describe_spectrum(result).to_dict()
+    values = describe(result).to_dict()
     assert len(values["values"]) == 16
     for row in values["values"]:
         cell = result.sel(
@@ -120,9 +120,9 @@ def test_runs_of_many_blocks_have_their_levels() -> None:
         assert row["height_m"] == pytest.approx(float(cell.height))
     assert values["scale"] is None
     assert len(values["suite"]) == 8
-    assert "both directions" in describe_spectrum(result).headline
+    assert "both directions" in describe(result).headline
     leaning = Block.asymmetric(left=0.2, right=0.3, height=1.8)
-    single = describe_spectrum(simulate_many(leaning, ground()))
+    single = describe(simulate_many(leaning, ground()))
     assert len(single.to_dict()["values"]) == 1
     assert "peak_rad" not in single.to_dict()["values"][0]
     assert "1 block" in single.headline

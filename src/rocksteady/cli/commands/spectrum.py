@@ -165,7 +165,7 @@ def spectrum(
     motions, lifting = motions_of(recorded, reading)
 
     announce_compilation("records.record_fates")
-    from rocksteady.seismic.spectra.describe import describe_spectrum
+    from rocksteady.seismic.spectra.describe import describe
     from rocksteady.seismic.spectra.many import simulate_many
     from rocksteady.seismic.spectra.rocking import compute_rocking_spectrum
 
@@ -185,7 +185,7 @@ def spectrum(
             dataset = compute_rocking_spectrum(motions, **sizes, **kind, **common)
     dataset = dataset.load()
     dataset.attrs["direction"] = "reversed" if recorded.reverse else "as recorded"
-    described = describe_spectrum(dataset)
+    described = describe(dataset)
     names = zip(dataset["record"].values.tolist(), recorded.record or [], strict=True)
     values = {
         **described.to_dict(),

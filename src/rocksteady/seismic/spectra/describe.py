@@ -29,7 +29,7 @@ MEASURES = {
 """Coordinates of a block, and their keys."""
 
 
-def describe_spectrum(dataset: "xarray.Dataset") -> Description:
+def describe(dataset: "xarray.Dataset") -> Description:
     """Describe rocking spectra, or the runs of many blocks.
 
     Parameters
