@@ -1,5 +1,6 @@
 """One valid call of every public function, constructor and method, cheap enough to repeat."""
 
+import dataclasses
 import functools
 import inspect
 from collections.abc import Callable
@@ -36,6 +37,9 @@ class Call(NamedTuple):
 def square(amplitude: Any, **_: Any) -> dict[str, Any]:
     """Be a case function."""
     return {"value": np.asarray(amplitude, dtype=np.float64) ** 2}
+
+
+MANY = [field.name for field in dataclasses.fields(rs.Attractors)]
 
 
 @functools.cache
@@ -110,6 +114,7 @@ def things() -> dict[str, Any]:
         ),
         "cascade": rs.DoublingCascade(parameter="amplitude", points=branch.points),
         "course": rs.integrate_record(record),
+        "many": rs.find_attractors([0.5, 2.0], 4.0, 0.8, velocity=0.2, max_cycles=50),
         "response": rs.compute_response_spectrum(record, [0.5, 1.0]),
         "curve": rs.compute_response_curve(bare, 2.0, frequency_ratio=[3.0, 4.0]),
         "states": states,
@@ -253,6 +258,37 @@ def calls() -> dict[str, Call]:
         t["erosion"].measure: {"name": "integrity_factor"},
         t["erosion"].to_dataset: {},
         t["course"].time_of_arias: {"part": 0.5},
+        t["course"].describe: {},
+        t["course"].to_dataset: {},
+        t["response"].describe: {},
+        t["response"].to_dataset: {},
+        t["recording"].describe: {},
+        t["set"].describe: {},
+        t["set"].motions: {},
+        t["many"].are: {"kind": rs.AttractorKind.SYMMETRIC},
+        t["many"].start: {"index": 1},
+        rs.Attractors: {name: getattr(t["many"], name) for name in MANY},
+        rs.find_attractors: {
+            "amplitude": [0.5, 2.0],
+            "frequency_ratio": 4.0,
+            "restitution": 0.8,
+            "velocity": 0.2,
+            "max_cycles": 50,
+        },
+        rs.Axis.logarithmic: {"name": "amplitude", "start": 1.0, "stop": 8.0, "count": 4},
+        rs.Run().in_memory: {"reason": "it is kept in memory"},
+        t["store"].foreign_files: {},
+        rs.Installation(
+            system="Linux",
+            cpu_level=None,
+            kernels="python",
+            library=None,
+            target=None,
+            cache=None,
+            sources="0",
+            versions={"rocksteady": "1", "python": "3", "numpy": "2", "numba": None},
+            checks=(),
+        ).describe: {},
         t["windows"].at: {"index": 0},
         t["windows"].describe: {},
         t["windows"].to_dataframe: {},

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from rocksteady.errors import InputError
 from rocksteady.installation._recorded import Call, Difference, differences, loaded, replayed
 from rocksteady.kernels.machine_code.types import signature_of
 from rocksteady.results.description import Description, Fact, Table
@@ -193,6 +194,8 @@ def check_installation(*, repeat_calls: bool = True) -> Installation:
     """
     from rocksteady.kernels.entries import ENTRIES
 
+    if not isinstance(repeat_calls, bool):
+        raise InputError("repeat_calls", repeat_calls, "it must be True or False", "give True")
     checks = replay(loaded(RECORDED.read_bytes()), ENTRIES) if repeat_calls else ()
     return Installation(**_environment(), checks=checks)
 

@@ -43,6 +43,18 @@ def correct_baseline(recording: Recording, baseline: str) -> Recording:
     ------
     InputError
         If it is none of these.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> from rocksteady import read_recordings
+    >>> path = Path(tempfile.mkdtemp()) / "shock.csv"
+    >>> rows = ["time (s),acceleration (g)", "0,0", "0.01,0.2", "0.02,-0.1", "0.03,0"]
+    >>> _ = path.write_text(chr(10).join(rows))
+    >>> (recording,) = read_recordings(path)
+    >>> correct_baseline(recording, "mean").record.acceleration_m_s2.round(4)
+    array([-0.2452,  1.7162, -1.2258, -0.2452])
     """
     order = _order(baseline)
     if order is None:
@@ -88,6 +100,18 @@ def resample(
     InputError
         If the interval is not positive, leaves fewer than two samples or more than 2e7, or the
         method is not known.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> from rocksteady import read_recordings
+    >>> path = Path(tempfile.mkdtemp()) / "shock.csv"
+    >>> rows = ["time (s),acceleration (g)", "0,0", "0.01,0.2", "0.02,-0.1", "0.03,0"]
+    >>> _ = path.write_text(chr(10).join(rows))
+    >>> (recording,) = read_recordings(path)
+    >>> resample(recording, 0.005).record
+    Record(name='shock', samples=7, dt_s=0.005, peak_acceleration_m_s2=1.96133)
     """
     step = positive("dt_s", dt_s, hint="give the new time between samples in seconds")
     if method not in ("linear", "filtered"):

@@ -143,6 +143,16 @@ def read_record(
         As for `read_recordings`.
     InputError
         If the file holds several channels and none is chosen, or not the one that is.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> path = Path(tempfile.mkdtemp()) / "shock.csv"
+    >>> rows = ["time (s),acceleration (g)", "0,0", "0.01,0.2", "0.02,-0.1", "0.03,0"]
+    >>> _ = path.write_text(chr(10).join(rows))
+    >>> read_record(path)
+    Record(name='shock', samples=4, dt_s=0.01, peak_acceleration_m_s2=1.96133)
     """
     recordings = read_recordings(
         path, format=format, units=units, dt_s=dt_s, column=column, resample=resample

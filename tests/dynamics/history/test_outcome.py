@@ -225,7 +225,7 @@ def test_neighbours_are_those_of_the_page() -> None:
 
 def test_the_sign_is_a_neighbour_where_it_matters() -> None:
     body, ground = Block.asymmetric(left=0.15, right=0.25, height=1.2), GROUND.scaled(3.0)
-    tilt = State(angle=0.1, velocity=0.0)
+    tilt = State(angle=0.01, velocity=0.0)
     for block, start in ((body, Rest()), (STOCKY, tilt)):
         found = check_neighbours(simulate(block, ground, start=start))
         assert found.runs == 27

@@ -159,4 +159,4 @@ def test_what_is_refused(given: dict[str, Any], name: str) -> None:
     with pytest.raises(InputError, match=f"^{name} = "):
         compute_response_spectrum(noise(1), **given)
     with pytest.raises(InputError, match="ascend"):
-        average_spectral_acceleration(noise(1), 1.0, span=(3.0, 0.2))
+        average_spectral_acceleration(noise(1), 1.0, factors=(3.0, 0.2))

@@ -11,6 +11,7 @@ from rocksteady.dynamics.orbits.attractor import KINDS, MOST_CYCLES, kind_codes
 from rocksteady.errors import ModelError
 from rocksteady.kernels.batch import attractors as column
 from rocksteady.kernels.core.tables import RESTITUTION
+from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.outcomes import INFINITELY_MANY, NO_START, NO_START_LABEL, AttractorKind
 from rocksteady.sweep.cases.outputs import Output
@@ -34,6 +35,7 @@ KIND_OUTPUT = Output(
 )
 
 
+@checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Attractors:
     """Attractors of many motions, as arrays of shape (cells,).
@@ -80,14 +82,19 @@ class Attractors:
 
         Raises
         ------
+        InputError
+            If there is no motion of that number.
         ModelError
             If it has no orbit.
         """
-        if self.period[index] == 0:
+        most = len(self.period) - 1
+        hint = "give the number of a motion"
+        index = whole_number("index", index, at_least=0, at_most=max(most, 0), hint=hint)
+        if index > most or self.period[index] == 0:
             raise ModelError(
                 "index",
                 index,
-                f"that motion has no orbit: it is {self.labels[index]}",
+                "that motion has no orbit" + (f": it is {self.labels[index]}" if most >= 0 else ""),
                 "choose one whose period is above 0",
             )
         return ImpactState(

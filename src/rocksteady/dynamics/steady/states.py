@@ -228,7 +228,7 @@ class SteadyStates(Result):
         -------
         xarray.Dataset
             Inputs, region and boundaries over the grid; phase [rad], velocity and the rest over
-            branch and grid, those that need shapes only where there are any.
+            branch and grid; shapes only where they were computed.
 
         Examples
         --------

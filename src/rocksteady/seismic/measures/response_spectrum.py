@@ -210,7 +210,7 @@ def average_spectral_acceleration(
     period_s: float,
     *,
     damping: float = DAMPING,
-    span: tuple[float, float] = (0.2, 3.0),
+    factors: tuple[float, float] = (0.2, 3.0),
     count: int = 10,
 ) -> float:
     """Return Sa_avg [m/s^2], the geometric mean of PSA over a range of periods.
@@ -223,7 +223,7 @@ def average_spectral_acceleration(
         T [s].
     damping
         zeta, 1 being critical, in [0, 1); default 0.05.
-    span
+    factors
         First and last period over T, ascending; from 0.2 T to 3 T as [1]_ has it by default.
     count
         How many periods, from 2 to 1000.
@@ -248,9 +248,9 @@ def average_spectral_acceleration(
     middle = in_range("period_s", period_s, 0.0, LARGEST, hint=hint)
     count = whole_number("count", count, at_least=2, at_most=1000, hint="give 10")
     hint = "give two parts of T, as (0.2, 3.0)"
-    low, high = (in_range("span", end, 0.0, LARGEST, hint=hint) for end in span)
+    low, high = (in_range("factors", end, 0.0, LARGEST, hint=hint) for end in factors)
     if low >= high:
-        raise InputError("span", span, "its ends must ascend", "give (0.2, 3.0)")
+        raise InputError("factors", factors, "its ends must ascend", "give (0.2, 3.0)")
     periods = middle * np.linspace(low, high, count)
     found = compute_response_spectrum(record, periods, damping=damping)
     return exp(float(np.mean(log(found.pseudo_acceleration_m_s2))))

@@ -28,7 +28,7 @@ def export(dataset: "xarray.Dataset", file: Path | str) -> None:
 
         ``.csv`` has a row for each cell, the last axis fastest: its coordinates, then the outputs.
         Classes are written as the words of their flags, booleans as True and False, floats so that
-        reading them gives the same number, also nan.  It says nothing of units and attributes.
+        reading them gives the same number, also nan.  It has no units and attributes.
 
     Raises
     ------

@@ -74,7 +74,7 @@ class Store:
 
     def foreign_files(self) -> list[str]:
         """Return what lies in the folder and no sweep wrote: relative paths, in order."""
-        return others(self.folder)
+        return others(self.folder) if self.folder.is_dir() else []
 
     def check(self) -> None:
         """Refuse, before anything is computed, a place where nothing could be written.
