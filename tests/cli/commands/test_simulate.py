@@ -402,3 +402,16 @@ def test_a_disk_that_fills_leaves_no_film(tmp_path: Path, monkeypatch: pytest.Mo
 def test_what_explodes_is_refused_by_its_own_flag(flags: str, words: list[str]) -> None:
     line = refused(f"simulate {flags}")
     assert all(word in line for word in words), line
+
+
+def test_reverse_turns_a_pulse_round_and_needs_one_or_a_record() -> None:
+    block = "--left-m 0.2 --right-m 0.4 --height-m 1.6"
+    pulse = "--pulse one-sine --accel-m-s2 4 --freq-hz 1.2 --json"
+    plain = rocksteady(f"simulate {block} {pulse}").json
+    turned = rocksteady(f"simulate {block} {pulse} --reverse").json
+    mirrored = rocksteady(f"simulate --left-m 0.4 --right-m 0.2 --height-m 1.6 {pulse}").json
+    assert (plain["reversed"], turned["reversed"]) == (False, True)
+    assert turned["impacts"] == mirrored["impacts"]
+    assert turned["side_peaks"][::-1] == pytest.approx(mirrored["side_peaks"], rel=1e-6)
+    assert turned["side_peaks"] != plain["side_peaks"]
+    assert "without --record" in refused("simulate -A 2 -W 3 -r 0.8 --reverse")

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from numpy.typing import NDArray
 
-from rocksteady import Block, InputError, ModelError, Pulse
+from rocksteady import Block, InputError, ModelError, Pulse, scale_motion
 from rocksteady.dynamics.history.base_motion import base_acceleration, displacement_from_rest
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.model.motions.pulses import PULSES
@@ -216,3 +216,13 @@ def test_a_wavelet_that_would_need_too_many_lines_says_what_would_do() -> None:
     assert 1e-8 < better < 1e-5
     enough = dataclasses.replace(long, tolerance=100.0 * better).segments()
     assert 15_000 < len(enough) <= 20_000, "so many that ten times as many are the most"
+
+
+@pytest.mark.parametrize("shape", ["one-sine", "triangle", "type-c2", "ricker"])
+def test_a_reversed_pulse_is_its_mirror_image(shape: str) -> None:
+    pulse = Pulse(shape=shape, amplitude=2.0, frequency_ratio=3.0)
+    turned = dataclasses.replace(pulse, reverse=True)
+    assert turned.segments() == scale_motion(pulse, -1.0).segments()
+    assert (turned.duration, turned.amplitude) == (pulse.duration, pulse.amplitude)
+    with pytest.raises(InputError, match="reverse = 'yes' is not valid: it must be True or False"):
+        Pulse(shape=shape, amplitude=1.0, frequency_ratio=1.0, reverse="yes")  # type: ignore[arg-type]

@@ -102,7 +102,7 @@ def simulate(
     """Run `rocksteady simulate`; `HELP` is what its users read."""
     output.check()
     film.check(output, recorded.files)
-    of_record = recorded.given(reading)
+    of_record = recorded.given(reading, pulse=pulse.given)
     body = recorded.block(block) if of_record else block.described()
     motion: Motion | Record = Still()
     beside = None
@@ -117,7 +117,7 @@ def simulate(
         beside = None if lifting is None else recorded.scaled(lifting.record)
         notes = processing_values(across, lifting)
     elif pulse.given:
-        motion = pulse.of(shaking.at(body), phase=start.phase)
+        motion = pulse.of(shaking.at(body), phase=start.phase, reverse=recorded.reverse)
         refuse_cycles(cycles, "a pulse")
     elif shaking.given:
         motion = shaking.at(body, phase=start.first_phase)

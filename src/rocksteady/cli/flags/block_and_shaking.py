@@ -162,7 +162,7 @@ class PulseFlags:
             )
         return self.pulse is not None
 
-    def of(self, size: Harmonic, *, phase: float | None) -> Pulse:
+    def of(self, size: Harmonic, *, phase: float | None, reverse: bool = False) -> Pulse:
         """Return the pulse with the amplitude and the frequency of some shaking.
 
         Raises
@@ -176,6 +176,7 @@ class PulseFlags:
             frequency_ratio=size.frequency_ratio,
             oscillations=self.oscillations,
             phase=phase,
+            reverse=reverse,
         )
 
 

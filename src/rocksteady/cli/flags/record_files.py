@@ -70,7 +70,7 @@ Reverse = Annotated[
     bool,
     typer.Option(
         "--reverse",
-        help="Change the sign of --record: its positive values drive negative rotation.",
+        help="Change the sign of --record or --pulse: positive values drive negative rotation.",
         rich_help_panel=MOTION,
     ),
 ]
@@ -290,8 +290,15 @@ class RecordFlags:
         """The files that are read."""
         return [*(self.record or []), *([] if self.vertical is None else [self.vertical])]
 
-    def given(self, reading: ReadingFlags) -> bool:
+    def given(self, reading: ReadingFlags, *, pulse: bool = False) -> bool:
         """Return whether there is a record.
+
+        Parameters
+        ----------
+        reading
+            How it is read.
+        pulse
+            Whether there is a pulse, which --reverse reverses too.
 
         Raises
         ------
@@ -308,7 +315,7 @@ class RecordFlags:
         if self.record:
             return True
         own = {
-            "--reverse": self.reverse or None,
+            "--reverse": (self.reverse and not pulse) or None,
             "--scale": self.scale,
             "--pga-g": self.pga_g,
             "--vertical": self.vertical,

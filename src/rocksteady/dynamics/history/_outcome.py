@@ -99,6 +99,11 @@ def time_words(run: Described, pt: float) -> str:
     return f"{quantity(pt / run.block.p, 's')} ({', '.join(parts)})"
 
 
+def _pulse_words(pulse: Pulse) -> str:
+    """Return the name of a pulse."""
+    return f"a {'reversed ' if pulse.reverse else ''}{pulse.shape} pulse"
+
+
 def motion_words(run: Described) -> str:
     """Return the base motion in a few words."""
     motion, block = run.motion, run.block
@@ -106,7 +111,7 @@ def motion_words(run: Described) -> str:
         peak = quantity(motion.peak_acceleration_m_s2 / STANDARD_GRAVITY, "g")
         words = f"{motion.name or 'a record'} (PGA {peak})"
     elif isinstance(motion, Harmonic | Pulse):
-        words = "harmonic shaking" if isinstance(motion, Harmonic) else f"a {motion.shape} pulse"
+        words = "harmonic shaking" if isinstance(motion, Harmonic) else _pulse_words(motion)
         ratios = f"A = {number(motion.amplitude)}, Omega = {number(motion.frequency_ratio)}"
         if isinstance(block, Block):
             level = quantity(motion.acceleration_m_s2(block) / block.gravity, "g")
@@ -185,6 +190,7 @@ def _motion(run: Described) -> Iterator[Fact]:
         if isinstance(motion, Harmonic):
             yield Fact("phase", motion.phase)
         else:
+            yield Fact("reversed", motion.reverse)
             yield Fact("duration_pt", motion.duration)
             if isinstance(block, Block):
                 yield Fact("duration_s", motion.duration / block.p)

@@ -334,6 +334,13 @@ class Scenario:
                 "its phase and velocity belong to one cell of a map",
                 "start from Rest(), a State or a Steady",
             )
+        if isinstance(self.start, State) and self.start.phase is not None:
+            raise ModelError(
+                "start",
+                self.start,
+                "the phase of a map is that of its motion, or an axis",
+                'leave phase out of the State, or give axes={"phase": ...}',
+            )
         steady = isinstance(self.start, Steady)
         if steady:
             refuse_asymmetric(self.block, "start", "a steady state to start on")

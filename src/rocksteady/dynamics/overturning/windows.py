@@ -431,6 +431,7 @@ def _unit(pulse: Pulse | str, ratios: Floats) -> Pulse:
         "oscillations": given.oscillations,
         "phase": given.phase,
         "tolerance": given.tolerance,
+        "reverse": given.reverse,
     }
     for ratio in (ratios.min(), ratios.max()):
         Pulse(frequency_ratio=float(ratio), **shape)  # refuses what is outside its range

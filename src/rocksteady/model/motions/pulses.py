@@ -2,7 +2,7 @@
 
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from rocksteady.errors import InputError, ModelError
@@ -35,8 +35,8 @@ class Pulse:
     """A single pulse of base acceleration, followed by a still base.
 
     Positive acceleration drives positive rotation, as everywhere in the package; in [1]_ the
-    rotation has the opposite sign.  `scale_motion` turns a pulse round; `delay_motion`,
-    `join_motions` and `add_motions` put pulses together.
+    rotation has the opposite sign.  `delay_motion`, `join_motions` and `add_motions` put pulses
+    together.
 
     Parameters
     ----------
@@ -54,6 +54,8 @@ class Pulse:
     tolerance
         Wavelets are straight lines between samples, nowhere further from the wavelet than this part
         of the amplitude.  Other shapes are exact.
+    reverse
+        Whether the pulse has the other sign; default False.
 
     Raises
     ------
@@ -80,6 +82,7 @@ class Pulse:
     oscillations: float | None = None
     phase: float | None = None
     tolerance: float = 1e-6
+    reverse: bool = False
 
     def __post_init__(self) -> None:
         """Validate."""
@@ -91,6 +94,10 @@ class Pulse:
                 "there is no pulse of that name",
                 "choose one of " + ", ".join(PULSES) + ", or type-c4 to type-c99",
             )
+        sign: object = self.reverse
+        if not isinstance(sign, bool):
+            hint = "give True for a pulse of the other sign"
+            raise InputError("reverse", self.reverse, "it must be True or False", hint)
         # One place says what an amplitude may be.
         like = Harmonic(amplitude=self.amplitude, frequency_ratio=1.0)
         object.__setattr__(self, "amplitude", like.amplitude)
@@ -153,6 +160,7 @@ class Pulse:
         frequency_hz: float,
         oscillations: float | None = None,
         phase: float | None = None,
+        reverse: bool = False,
     ) -> "Pulse":
         """Return a pulse in the measures of a given block.
 
@@ -160,7 +168,7 @@ class Pulse:
         ----------
         block
             The block that is shaken; its alpha, p and g set the scales.
-        shape, oscillations, phase
+        shape, oscillations, phase, reverse
             As of the pulse.
         acceleration_m_s2
             Largest base acceleration [m/s^2].
@@ -189,6 +197,7 @@ class Pulse:
             frequency_ratio=felt.frequency_ratio,
             oscillations=oscillations,
             phase=phase,
+            reverse=reverse,
         )
 
     def acceleration_m_s2(self, block: Block) -> float:
@@ -211,6 +220,11 @@ class Pulse:
     @cached_property
     def _pieces(self) -> tuple[Segment, ...]:
         """The segments, made once."""
+        made = self._made()
+        return tuple(map(_turned, made)) if self.reverse else made
+
+    def _made(self) -> tuple[Segment, ...]:
+        """Return the segments of the pulse as its shape is defined."""
         a, w = self.amplitude, self.frequency_ratio
         if self.shape == "mavroeidis-papageorgiou":
             return _pulse_shapes.mavroeidis_papageorgiou(
@@ -225,6 +239,17 @@ class Pulse:
             return _pulse_shapes.ricker(a, w, antisymmetric=odd, tolerance=self.tolerance)
         n = _type_c(self.shape)
         return _pulse_shapes.type_c(n)(a, w) if n else _pulse_shapes.CLOSED[self.shape][0](a, w)
+
+
+def _turned(piece: Segment) -> Segment:
+    """Return a segment with the other sign."""
+    return replace(
+        piece,
+        constant=-piece.constant,
+        slope=-piece.slope,
+        amplitude=-piece.amplitude,
+        jump=-piece.jump,
+    )
 
 
 def _type_c(shape: str) -> int | None:
