@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.continuation._describing import cascade_notes, cascade_table
+from rocksteady.dynamics.continuation._branch_facts import cascade_notes, cascade_table
 from rocksteady.dynamics.continuation._family import LARGEST_STEP
 from rocksteady.dynamics.continuation._from_orbit import chain_at
 from rocksteady.dynamics.continuation.branch import follow_branch

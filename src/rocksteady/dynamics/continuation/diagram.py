@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
-from rocksteady.dynamics.continuation._describing import (
+from rocksteady.dynamics.continuation._branch_facts import (
     UNITS,
     bifurcations_table,
     branch_values,

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.continuation._chain import Chain
-from rocksteady.dynamics.continuation._describing import (
+from rocksteady.dynamics.continuation._branch_facts import (
     BARE,
     bifurcations_table,
     branch_values,
@@ -19,6 +18,7 @@ from rocksteady.dynamics.continuation._describing import (
     point_values,
     stable_text,
 )
+from rocksteady.dynamics.continuation._chain import Chain
 from rocksteady.dynamics.orbits.orbit import Orbit, modulus, orbit_from
 from rocksteady.dynamics.orbits.return_map import make_system, state_of
 from rocksteady.dynamics.parameters import SYMBOLS

@@ -12,7 +12,7 @@ from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.history.start import ImpactState, Rest, Start, State, initial_march
 from rocksteady.dynamics.history.trajectory import Trajectory
-from rocksteady.dynamics.orbits._describing import (
+from rocksteady.dynamics.orbits._orbit_facts import (
     case_facts,
     kind_text,
     orbit_facts,

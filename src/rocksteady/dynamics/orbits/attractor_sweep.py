@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.history.start import ImpactState, Rest, Start
-from rocksteady.dynamics.orbits._describing import kind_text, start_text
+from rocksteady.dynamics.orbits._orbit_facts import kind_text, start_text
 from rocksteady.dynamics.orbits.attractor import Attractor, cycles_value, find_attractor
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic, make_system, section_of

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.history.departure import nonlinear_half
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.history.start import ImpactState
-from rocksteady.dynamics.orbits._describing import case_facts, orbit_values, orbits_table, where
+from rocksteady.dynamics.orbits._orbit_facts import case_facts, orbit_values, orbits_table, where
 from rocksteady.dynamics.orbits.orbit import Orbit, orbit_from, ordered, squared
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic, make_system, section_of
 from rocksteady.dynamics.steady.states import find_steady_states

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import order_of_orbit, validated_grid
-from rocksteady.dynamics.steady._describing import describe_grid, describe_point, solution_rows
+from rocksteady.dynamics.steady._state_facts import describe_grid, describe_point, solution_rows
 from rocksteady.dynamics.steady.regions import REGIONS
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import sin
