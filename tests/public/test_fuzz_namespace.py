@@ -22,7 +22,8 @@ import xarray
 
 import rocksteady as rs
 from tests.public import junk
-from tests.public.calls import Call, calls, close_pictures, public_callables, things
+from tests.public.calls import Call, calls, close_pictures, public_callables
+from tests.public.things import things
 
 pytestmark = [
     pytest.mark.filterwarnings("ignore:Animation was deleted"),

@@ -1,0 +1,108 @@
+"""One of every class, made once, for the calls of the namespace."""
+
+import dataclasses
+import functools
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import rocksteady as rs
+
+
+def square(amplitude: Any, **_: Any) -> dict[str, Any]:
+    """Be a case function."""
+    return {"value": np.asarray(amplitude, dtype=np.float64) ** 2}
+
+
+MANY = [field.name for field in dataclasses.fields(rs.Attractors)]
+
+
+@functools.cache
+def things() -> dict[str, Any]:
+    """Return one of every class, made once."""
+    block = rs.Block.rectangle(width=0.4, height=1.2)
+    bare = rs.DimensionlessBlock(restitution=0.8)
+    shaking = rs.Harmonic(amplitude=2.0, frequency_ratio=4.0)
+    t = np.arange(60) * 0.05
+    record = rs.Record(acceleration_m_s2=4.0 * np.sin(5.0 * t), dt_s=0.05, name="made")
+    run = rs.simulate(block, shaking, cycles=3)
+    pulse = rs.Pulse(shape="half-sine", amplitude=2.0, frequency_ratio=4.0)
+    pushed = rs.simulate(block, pulse)
+    orbit = rs.find_attractor(bare, shaking, start=rs.Steady()).orbit
+    assert orbit is not None
+    (branch,) = rs.find_branches([orbit], "amplitude", (1.9, 2.1), largest_step=0.1, max_branches=1)
+    point = branch.points[0]
+    fold = rs.BranchPoint(type=rs.PointType.FOLD, arclength=0.0, chain=point.chain)
+    recording = rs.Recording(
+        record=record, format="peer", path=Path("made.AT2"), units_in_file="g", component="000"
+    )
+    spectrum = rs.compute_rocking_spectrum(record, alpha=[0.2, 0.3], periods_s=[1.0, 2.0])
+    other = rs.Record(acceleration_m_s2=np.array([0.0, 3.0, -3.0]), dt_s=0.2, name="other")
+    suite = rs.compute_rocking_spectrum([record, other], alpha=0.2, periods_s=[1.0, 2.0])
+    grid = rs.Grid(axes=(rs.Axis(name="amplitude", values=[1.0, 2.0]),))
+    maps = rs.map_attractors(
+        bare, axes={"amplitude": [1.0, 2.0], "frequency_ratio": [3.0, 4.0]}, max_cycles=50
+    )
+    few = [-0.5, 0.0, 0.5]
+    states = rs.find_steady_states(2.0, 4.0, 0.8)
+    for path in ("kept.zarr", "made.csv"):
+        if path.endswith("csv"):
+            Path(path).write_text("t (s),acc (m/s2)\n0,0\n0.1,1\n0.2,-1\n", encoding="utf-8")
+        else:
+            rs.evaluate(square, grid, (rs.Output(name="value"),), run=rs.Run(store=path))
+    return {
+        "block": block,
+        "bare": bare,
+        "shaking": shaking,
+        "record": record,
+        "run": run,
+        "pulse": pulse,
+        "orbit": orbit,
+        "doubling": rs.find_orbits(
+            bare, rs.Harmonic(amplitude=2.0, frequency_ratio=2.0), max_period=1
+        )[0],
+        "branch": branch,
+        "point": point,
+        "fold": fold,
+        "recording": recording,
+        "set": rs.RecordSet(name="made", horizontal=(recording,)),
+        "spectrum": spectrum,
+        "suite": suite,
+        "summary": rs.summarise_spectra(suite),
+        "grid": grid,
+        "output": rs.Output(name="value"),
+        "map": maps,
+        "basins": rs.compute_basins(bare, shaking, angles=few, velocities=few, max_cycles=20),
+        "erosion": rs.compute_erosion(
+            bare, shaking, [0.5, 3.0], angles=few, velocities=few, cycles=5
+        ),
+        "pushed": pushed,
+        "neighbours": rs.check_neighbours(pushed),
+        "trail": rs.sweep_attractor(bare, shaking, "amplitude", [1.9, 2.0], max_cycles=50),
+        "diagram": rs.find_bifurcations(
+            bare,
+            shaking,
+            "amplitude",
+            within=(1.9, 2.1),
+            values=2,
+            search=rs.BranchSearch(max_period=1, max_impacts=2, doublings=1),
+        ),
+        "cascade": rs.DoublingCascade(parameter="amplitude", points=branch.points),
+        "course": rs.integrate_record(record),
+        "many": rs.find_attractors([0.5, 2.0], 4.0, 0.8, velocity=0.2, max_cycles=50),
+        "response": rs.compute_response_spectrum(record, [0.5, 1.0]),
+        "curve": rs.compute_response_curve(bare, 2.0, frequency_ratio=[3.0, 4.0]),
+        "states": states,
+        "steady": rs.compute_steady_orbit(2.0, 4.0, 0.8, samples=11),
+        "regions": rs.compute_region_map([3.0, 4.0], 0.8),
+        "windows": rs.find_overturning_windows(
+            bare, "half-sine", [3.0, 3.5], within=(3.0, 4.0), resolution=0.1
+        ),
+        "attractor": rs.find_attractor(bare, shaking, max_cycles=50),
+        "state": rs.ImpactState(side=1, phase=0.5, speed=0.3),
+        "map_of_return": rs.ReturnMap(bare, shaking),
+        "store": rs.Store("new.zarr"),
+        "boundaries": rs.region_boundaries(4.0, 0.8),
+        "installation": rs.check_installation(),
+    }
