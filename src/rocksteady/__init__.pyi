@@ -10,12 +10,12 @@ from .dynamics.batch.attractors import Attractors as Attractors
 from .dynamics.batch.find_attractors import find_attractors as find_attractors
 from .dynamics.basins.labels import BasinAttractor as BasinAttractor
 from .dynamics.continuation.branch import follow_branch as follow_branch
+from .dynamics.continuation.branches import BranchSearch as BranchSearch
 from .dynamics.continuation.branches import find_branches as find_branches
 from .dynamics.continuation.cascade import DoublingCascade as DoublingCascade
 from .dynamics.continuation.cascade import find_cascade as find_cascade
 from .dynamics.continuation.diagram import Bifurcation as Bifurcation
 from .dynamics.continuation.diagram import BifurcationDiagram as BifurcationDiagram
-from .dynamics.continuation.diagram import BranchSearch as BranchSearch
 from .dynamics.continuation.diagram import find_bifurcations as find_bifurcations
 from .dynamics.continuation.loci import follow_bifurcation as follow_bifurcation
 from .dynamics.continuation.points import Branch as Branch

@@ -167,7 +167,8 @@ def bifurcate(
     sweeping = check_sweeps(span, start, no_sweeps=no_sweeps)
 
     announce_compilation("chains.fill_chain")
-    from rocksteady.dynamics.continuation.diagram import BranchSearch, find_bifurcations
+    from rocksteady.dynamics.continuation.branches import BranchSearch
+    from rocksteady.dynamics.continuation.diagram import find_bifurcations
 
     asked = BranchSearch(
         order=start.order,

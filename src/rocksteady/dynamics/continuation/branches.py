@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -17,7 +17,7 @@ from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.parameters import PARAMETERS
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import whole_number
+from rocksteady.model.checks.validation import odd_order, whole_number
 
 SAME = 1e-5
 """Difference of phases [rad] up to which two orbits are one."""
@@ -26,6 +26,59 @@ NEAR = 0.02
 SAME_PLACE = 1e-7
 """Difference of a parameter, relative to its range, up to which two bifurcations are one."""
 DEPARTURES = (PointType.SYMMETRY_BREAKING, PointType.PERIOD_DOUBLING, PointType.GRAZING)
+
+
+MOST = 1000
+"""Of periods and impacts, as `find_orbits` has it."""
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class BranchSearch:
+    """Which branches a bifurcation diagram has.
+
+    Parameters
+    ----------
+    order
+        n = 1, 3, 5, ... of the symmetric motions in closed form from which branches are followed.
+    max_period, max_impacts
+        Longest orbits that are branched off to [forcing periods, impacts]; by default 4 times the
+        order, and 12.
+    max_branches
+        After so many (default 100) no further one is begun at a bifurcation.
+    everywhere
+        Whether to start also from all motions that `find_orbits` finds at both ends of the range
+        and in its middle; they may be many.
+    doublings
+        Of the longest cascade (default 6, at most 8); 0 follows none.
+
+    Raises
+    ------
+    InputError
+        If a number is outside its range.
+    """
+
+    order: int = 1
+    max_period: int | None = None
+    max_impacts: int = 12
+    max_branches: int = 100
+    everywhere: bool = False
+    doublings: int = 6
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        hint = "give a whole number"
+        order = odd_order(self.order)
+        whole_number("order", order, at_least=1, at_most=MOST, hint="use 1, 3, 5, ...")
+        longest = min(4 * order, MOST) if self.max_period is None else self.max_period
+        for name, value, least, most in (
+            ("max_period", longest, 1, MOST),
+            ("max_impacts", self.max_impacts, 1, MOST),
+            ("max_branches", self.max_branches, 1, 10 * MOST),
+            ("doublings", self.doublings, 0, 8),
+        ):
+            whole = whole_number(name, value, at_least=least, at_most=most, hint=hint)
+            object.__setattr__(self, name, whole)
 
 
 @checked

@@ -21,7 +21,7 @@ from rocksteady.dynamics.continuation._branch_facts import (
     point_row,
     point_values,
 )
-from rocksteady.dynamics.continuation.branches import SAME_PLACE, find_branches
+from rocksteady.dynamics.continuation.branches import SAME_PLACE, BranchSearch, find_branches
 from rocksteady.dynamics.continuation.cascade import DoublingCascade, longest_cascade
 from rocksteady.dynamics.continuation.points import Branch, BranchPoint
 from rocksteady.dynamics.history.start import Rest, Start, Steady, initial_march
@@ -35,7 +35,7 @@ from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import is_pair, odd_order, whole_number
+from rocksteady.model.checks.validation import is_pair, whole_number
 from rocksteady.model.facts import block_text, block_values
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.description import Description, Fact
@@ -51,61 +51,10 @@ PLACES = 9
 """Values over the range at which closed forms are asked for orbits."""
 SAME_ANGLE = 1e-5
 """Difference of the highest |u| of one bifurcation on two branches."""
-MOST = 1000
-"""Of periods and impacts, as `find_orbits` has it."""
 LONGEST_SWEEP = 20_000
 """Values of a sweep; each takes about a millisecond, a motion that does not settle several."""
 VALUES = 400
 """Default number of values of a sweep."""
-
-
-@checked
-@dataclass(frozen=True, kw_only=True)
-class BranchSearch:
-    """Which branches a bifurcation diagram has.
-
-    Parameters
-    ----------
-    order
-        n = 1, 3, 5, ... of the symmetric motions in closed form from which branches are followed.
-    max_period, max_impacts
-        Longest orbits that are branched off to [forcing periods, impacts]; by default 4 times the
-        order, and 12.
-    max_branches
-        After so many (default 100) no further one is begun at a bifurcation.
-    everywhere
-        Whether to start also from all motions that `find_orbits` finds at both ends of the range
-        and in its middle; they may be many.
-    doublings
-        Of the longest cascade (default 6, at most 8); 0 follows none.
-
-    Raises
-    ------
-    InputError
-        If a number is outside its range.
-    """
-
-    order: int = 1
-    max_period: int | None = None
-    max_impacts: int = 12
-    max_branches: int = 100
-    everywhere: bool = False
-    doublings: int = 6
-
-    def __post_init__(self) -> None:
-        """Validate."""
-        hint = "give a whole number"
-        order = odd_order(self.order)
-        whole_number("order", order, at_least=1, at_most=MOST, hint="use 1, 3, 5, ...")
-        longest = min(4 * order, MOST) if self.max_period is None else self.max_period
-        for name, value, least, most in (
-            ("max_period", longest, 1, MOST),
-            ("max_impacts", self.max_impacts, 1, MOST),
-            ("max_branches", self.max_branches, 1, 10 * MOST),
-            ("doublings", self.doublings, 0, 8),
-        ):
-            whole = whole_number(name, value, at_least=least, at_most=most, hint=hint)
-            object.__setattr__(self, name, whole)
 
 
 @checked_result
