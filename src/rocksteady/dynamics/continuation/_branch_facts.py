@@ -7,9 +7,10 @@ from typing import Any
 from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.facts import AnyBlock
+from rocksteady.model.facts import AnyBlock, block_text, block_values
 from rocksteady.model.motions.segments import Harmonic
-from rocksteady.results.description import Column, Table
+from rocksteady.results.description import Column, Fact, Table
+from rocksteady.results.numbers import number
 
 # The classes that use this module are named Any: to import them would close a circle.
 
@@ -36,6 +37,60 @@ def in_si(block: AnyBlock, amplitude: float, frequency_ratio: float) -> dict[str
     return {
         "accel_g": motion.acceleration_m_s2(block) / block.gravity,
         "freq_hz": motion.frequency_hz(block),
+    }
+
+
+def case_text(
+    block: AnyBlock, motion: Harmonic, parameter: str, within: tuple[float, float]
+) -> str:
+    """Return the three parameters of a diagram in a few words."""
+    parts = []
+    for name, value in _fixed(block, motion, parameter).items():
+        symbol, equals = SYMBOLS[name], " " if name == "restitution" else " = "
+        if value is None:
+            parts.append(f"{symbol} from {within[0]:.6g} to {within[1]:.6g}")
+        else:
+            parts.append(f"{symbol}{equals}{value:.6g}")
+    return ", ".join(parts)
+
+
+def case_facts(
+    block: AnyBlock, motion: Harmonic, parameter: str, within: tuple[float, float]
+) -> list[Fact]:
+    """Return what moves in a diagram, between what, and what else is fixed."""
+    scales = {"amplitude": motion.amplitude, "frequency_ratio": motion.frequency_ratio}
+    over = f"{SYMBOLS[parameter]} from {number(within[0], 6)} to {number(within[1], 6)}"
+    fixed = _fixed(block, motion, parameter)
+    facts = [Fact(name, value) for name, value in fixed.items()]
+    if isinstance(block, Block):
+        values = block_values(block)
+        if parameter == "restitution":
+            values["restitution"] = None
+        facts.append(Fact("block", values, "block", block_text(block)))
+        si = in_si(block, **scales)
+        for name, (key, unit) in UNITS.items():
+            if name == parameter:
+                low, high = (number(in_si(block, **{**scales, name: end})[key]) for end in within)
+                over = f"{low} to {high} {unit} ({over})"
+                facts.append(Fact(key, None))
+            else:
+                label = {"g": "amplitude", "Hz": "frequency"}[unit]
+                facts.append(Fact(key, si[key], label, f"{number(si[key])} {unit}"))
+    return [
+        Fact("parameter", parameter),
+        Fact("within", list(within), "over", over),
+        *facts,
+        Fact("model", "linear", "model"),
+    ]
+
+
+def _fixed(block: AnyBlock, motion: Harmonic, parameter: str) -> dict[str, float | None]:
+    """Return the three parameters; None for the one that moves."""
+    return {
+        "amplitude": motion.amplitude,
+        "frequency_ratio": motion.frequency_ratio,
+        "restitution": block.dimensionless().restitution,
+        parameter: None,
     }
 
 

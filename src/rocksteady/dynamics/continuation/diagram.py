@@ -10,14 +10,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.dynamics.continuation._branch_facts import (
-    UNITS,
     bifurcations_table,
     branch_values,
     branches_table,
     cascade_notes,
     cascade_table,
+    case_facts,
+    case_text,
     extremes,
-    in_si,
     point_row,
     point_values,
 )
@@ -29,17 +29,16 @@ from rocksteady.dynamics.orbits.attractor_sweep import AttractorSweep, sweep_att
 from rocksteady.dynamics.orbits.orbit import Orbit
 from rocksteady.dynamics.orbits.return_map import bare_block, harmonic
 from rocksteady.dynamics.orbits.search import find_orbits
-from rocksteady.dynamics.parameters import PARAMETERS, SYMBOLS, moved_to
+from rocksteady.dynamics.parameters import PARAMETERS, moved_to
 from rocksteady.dynamics.steady.states import refuse_asymmetric
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import is_pair, whole_number
-from rocksteady.model.facts import block_text, block_values
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import number, plural
+from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
 
 if TYPE_CHECKING:
@@ -187,7 +186,7 @@ class BifurcationDiagram(Result):
             f"{plural(search.max_impacts, 'impact')}, {plural(len(points), 'bifurcation')}"
         )
         facts = [
-            *self._case(),
+            *case_facts(self.block, self.motion, parameter, self.within),
             Fact("order", search.order),
             Fact("max_period", search.max_period),
             Fact("max_impacts", search.max_impacts),
@@ -215,64 +214,8 @@ class BifurcationDiagram(Result):
             f"{unit}Of mirror images one is followed. Branches that hang together with none of the "
             "starts are missed: a search everywhere starts from more."
         )
-        return Description(f"Periodic motions: {self._text()}, linear model", facts, tables, notes)
-
-    def _own(self) -> dict[str, float | None]:
-        """Return the three parameters; None for the one that moves."""
-        return {
-            "amplitude": self.motion.amplitude,
-            "frequency_ratio": self.motion.frequency_ratio,
-            "restitution": self.block.dimensionless().restitution,
-            self.parameter: None,
-        }
-
-    def _text(self) -> str:
-        """Return all three parameters in a few words."""
-        parts = []
-        for name, value in self._own().items():
-            symbol, equals = SYMBOLS[name], " " if name == "restitution" else " = "
-            if value is None:
-                parts.append(f"{symbol} from {self.within[0]:.6g} to {self.within[1]:.6g}")
-            else:
-                parts.append(f"{symbol}{equals}{value:.6g}")
-        return ", ".join(parts)
-
-    def _case(self) -> list[Fact]:
-        """Return what moves, between what, and what else is fixed."""
-        own, unit = self._own(), UNITS.get(self.parameter, ("", ""))
-        si = in_si(self.block, self.motion.amplitude, self.motion.frequency_ratio)
-        ends = [
-            in_si(
-                self.block,
-                **{
-                    "amplitude": self.motion.amplitude,
-                    "frequency_ratio": self.motion.frequency_ratio,
-                    **({} if self.parameter == "restitution" else {self.parameter: end}),
-                },
-            )
-            for end in self.within
-        ]
-        over = f"{SYMBOLS[self.parameter]} from {number(self.within[0], 6)} to "
-        over += number(self.within[1], 6)
-        if si and unit[0]:
-            low, high = (number(end[unit[0]]) for end in ends)
-            over = f"{low} to {high} {unit[1]} ({over})"
-        facts = [
-            Fact("parameter", self.parameter),
-            Fact("within", list(self.within), "over", over),
-            *(Fact(name, value) for name, value in own.items()),
-        ]
-        if isinstance(self.block, Block):
-            values = block_values(self.block)
-            if self.parameter == "restitution":
-                values["restitution"] = None
-            facts.append(Fact("block", values, "block", block_text(self.block)))
-            for name, (key, symbol) in UNITS.items():
-                value = None if name == self.parameter else si[key]
-                label = "" if value is None else {"g": "amplitude", "Hz": "frequency"}[symbol]
-                text = "" if value is None else f"{number(value)} {symbol}"
-                facts.append(Fact(key, value, label, text))
-        return [*facts, Fact("model", "linear", "model")]
+        case = case_text(self.block, self.motion, parameter, self.within)
+        return Description(f"Periodic motions: {case}, linear model", facts, tables, notes)
 
 
 @checked

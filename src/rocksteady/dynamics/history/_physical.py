@@ -295,7 +295,7 @@ class Physical:
                 :, :, np.newaxis
             ],
         )
-        tilt, rate, turn = sign * block.alpha * states * [[1.0], [block.p], [block.p**2]]
+        tilt, rate, turn = sign * block.alpha * states * [[1.0], [block.p], [block.p * block.p]]
         left = alpha - tilt
         sine, cosine = sin(left), cos(left)
         index = self.rows[row, columns.ROW_SEGMENT].astype(np.int64)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.kernels.core import tables as columns
-from rocksteady.kernels.elementary.arrays import sin, sincos
+from rocksteady.kernels.elementary.arrays import acos, sin, sincos
 
 Floats = NDArray[np.float64]
 
@@ -109,7 +109,7 @@ def peak_acceleration(segments: Floats) -> float:
         at = np.array([0.0, lasting])
         if amplitude:
             # Where slope + amplitude frequency cos(turned) is 0.
-            level = np.arccos(np.clip(-slope / (amplitude * frequency), -1.0, 1.0))
+            level = acos(np.clip(-slope / (amplitude * frequency), -1.0, 1.0))
             turns = np.arange(
                 math.floor(phase / (2.0 * math.pi)),
                 math.ceil((phase + frequency * lasting) / (2.0 * math.pi)) + 1,

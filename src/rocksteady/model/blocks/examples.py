@@ -132,7 +132,7 @@ def _statue(ratio: Restitution, gravity: float) -> Block:
     left = sum(m * x for _, _, m, x, _ in boxes) / mass
     centre = sum(m * y for _, _, m, _, y in boxes) / mass
     inertia = sum(
-        m * ((b * b + h * h) / 12.0 + (x - left) ** 2 + (y - centre) ** 2)
+        m * ((b * b + h * h) / 12.0 + (x - left) * (x - left) + (y - centre) * (y - centre))
         for b, h, m, x, y in boxes
     )
     return Block.asymmetric(
