@@ -57,6 +57,20 @@ def test_text_has_what_people_read_in_80_columns() -> None:
     assert max(map(len, text.splitlines())) <= 80
 
 
+def test_no_name_of_others_controls_a_terminal_or_ends_a_line() -> None:
+    name = "a\nb\x1b[2J\u202e"
+    table = Table("rows", [{"name": name}], (Column("name", "name"),))
+    text = as_text(Description(name, [Fact("file", name, "file")], [table], [f"of {name[2:]}"]))
+    shown_name = r"a\nb\x1b[2J\u202e"
+    assert text.splitlines() == [
+        shown_name,
+        f"file  {shown_name}",
+        f"{'name':>{len(shown_name)}}",
+        shown_name,
+        f"of {shown_name[3:]}",
+    ]
+
+
 def test_html_has_what_text_has_and_escapes_it() -> None:
     page = Thing()._repr_html_()
     assert "a thing &amp; its &lt;state&gt;" in page

@@ -2,6 +2,8 @@
 falling block, and names of others shown as they are.
 """
 
+from dataclasses import replace
+
 import matplotlib as mpl
 
 mpl.use("Agg")
@@ -39,7 +41,7 @@ from rocksteady.show.style.escaping import literal
 from rocksteady.show.style.insets import crowd_of
 from rocksteady.show.style.page import Page
 from tests.show.drawn_figures import resting, rocking, shock
-from tests.show.plots.test_bifurcations import MARKS, over_frequency, sweeps
+from tests.show.plots.test_bifurcations import MARKS, diagram_of, over_frequency, sweeps
 
 BARE = DimensionlessBlock(restitution=0.8)
 NAMES = (
@@ -118,8 +120,9 @@ def test_bifurcations_low_on_a_wide_axis_have_a_logarithmic_one() -> None:
 
 def test_a_sweep_is_a_thin_rim_and_its_bars_have_a_name() -> None:
     assert max(size for _, _, size, _ in SWEEPS.values()) < 4.5
+    diagram = replace(diagram_of(over_frequency(), "frequency_ratio"), sweeps=sweeps())
     for page in (Page(), Page(width_mm=84.0)):
-        figure = bifurcation_figure(over_frequency(), sweeps(), "frequency_ratio", page=page)
+        figure = bifurcation_figure(diagram, page=page)
         figure.draw_without_rendering()
         (axes,) = (each for each in figure.axes if each.get_xlabel())
         names = [text for text in axes.texts if text.get_text() in ("up", "down")]

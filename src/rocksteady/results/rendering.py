@@ -1,6 +1,7 @@
 """Renderings of a description: text for terminals, HTML for notebooks and reports."""
 
 import textwrap
+import unicodedata
 from html import escape
 from typing import TYPE_CHECKING
 
@@ -20,6 +21,27 @@ STYLE = "border-collapse:collapse;font-variant-numeric:tabular-nums;margin:.4em 
 CELL = "padding:.15em .8em .15em 0;text-align:{};vertical-align:top"
 
 
+def printable(text: object, *, keep: str = "") -> str:
+    r"""Return a text with its unprintable characters escaped, such as a line end in a name.
+
+    Parameters
+    ----------
+    text
+        Or what has one, as a path.
+    keep
+        Characters that are left as they are.
+
+    Examples
+    --------
+    >>> print(printable("two\nlines and \u202eback"))
+    two\nlines and \u202eback
+    """
+    return "".join(
+        repr(letter)[1:-1] if _unprintable(letter) and letter not in keep else letter
+        for letter in str(text)
+    )
+
+
 def print_description(description: Description, console: "Console") -> None:
     """Print a description on a console: facts, tables, then notes, dimmed.
 
@@ -31,13 +53,16 @@ def print_description(description: Description, console: "Console") -> None:
         Of rich: of a terminal, or of a text in memory.
     """
     width = min(console.width, WIDTH)
-    console.print(textwrap.fill(description.headline, width), style="bold")
+    console.print(textwrap.fill(printable(description.headline), width), style="bold")
     facts = [fact for fact in description.facts if fact.label]
     indent = max((len(fact.label) for fact in facts), default=0) + 2
     for fact in facts:
         # A path is one word, and stays whole to be copied.
         lines = textwrap.wrap(
-            fact.words, width - indent, break_long_words=False, break_on_hyphens=False
+            printable(fact.words),
+            width - indent,
+            break_long_words=False,
+            break_on_hyphens=False,
         )
         console.print(f"{fact.label:<{indent}}" + f"\n{'':{indent}}".join(lines or [""]))
     for table in description.tables:
@@ -49,7 +74,7 @@ def print_description(description: Description, console: "Console") -> None:
         if table.remark:
             console.print(table.remark, style="dim")
     for note in description.notes:
-        lines = [textwrap.fill(line, width) for line in note.split("\n")]
+        lines = [textwrap.fill(line, width) for line in printable(note, keep="\n").split("\n")]
         console.print("\n".join(lines), style="dim")
 
 
@@ -114,5 +139,11 @@ def _rich(table: Table) -> "RichTable":
     for column in table.columns:
         rich.add_column(column.heading, justify="left" if column.left else "right", no_wrap=True)
     for row in table.shown:
-        rich.add_row(*(column.words(row) for column in table.columns))
+        rich.add_row(*(printable(column.words(row)) for column in table.columns))
     return rich
+
+
+def _unprintable(letter: str) -> bool:
+    """Return whether a character is a control, a lone surrogate, or the end of a line."""
+    category = unicodedata.category(letter)
+    return category[0] == "C" or category in ("Zl", "Zp")

@@ -13,7 +13,7 @@ import pytest
 
 from rocksteady.cli import app
 from rocksteady.cli.console import terminal
-from rocksteady.show.style.escaping import printable
+from rocksteady.results.rendering import printable
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
 

@@ -20,8 +20,7 @@ from rocksteady.errors import RecordFileError
 from rocksteady.model.blocks.block import Block
 from rocksteady.results.description import Column, Description, Table
 from rocksteady.results.numbers import plural
-from rocksteady.results.rendering import print_description
-from rocksteady.show.style.escaping import printable
+from rocksteady.results.rendering import print_description, printable
 from rocksteady.show.style.palette import shortened
 
 if TYPE_CHECKING:

@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.cli.console.progress import progress
+from rocksteady.results.rendering import printable
 from rocksteady.show.export.files import json_text, save_csv, save_figure, save_whole
-from rocksteady.show.style.escaping import printable
 
 if TYPE_CHECKING:
     import xarray

@@ -14,7 +14,7 @@ from contextlib import suppress
 from types import FrameType
 from typing import TYPE_CHECKING, Any, TextIO
 
-from rocksteady.show.style.escaping import printable
+from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
     from rich.console import Console

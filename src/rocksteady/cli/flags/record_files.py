@@ -16,7 +16,7 @@ from rocksteady.cli.flags.parsing import axis, single
 from rocksteady.errors import InputError, RecordFileError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.validation import LARGEST, in_range
-from rocksteady.show.style.escaping import printable
+from rocksteady.results.rendering import printable
 
 if TYPE_CHECKING:
     from rocksteady.model.motions.record import Record

@@ -16,8 +16,8 @@ from rocksteady.cli.flags import options
 from rocksteady.cli.flags.groups import OutputFlags, same_file
 from rocksteady.durable import place_of
 from rocksteady.errors import OutputError, UnfinishedError
+from rocksteady.results.rendering import printable
 from rocksteady.show.export.files import check_writable, impossible_name
-from rocksteady.show.style.escaping import printable
 
 if TYPE_CHECKING:
     from rocksteady.studies.parts import Parts

@@ -1,32 +1,12 @@
-"""Escaping of external names, such as file names, for terminals and figures."""
+"""Escaping of external names, such as file names, for figures."""
 
 import functools
 import textwrap
-import unicodedata
+
+from rocksteady.results.rendering import printable
 
 UNKNOWN = "\N{REPLACEMENT CHARACTER}"
 """Stands for a character that no font of a picture has."""
-
-
-def printable(text: object, *, keep: str = "") -> str:
-    r"""Return a text with its unprintable characters escaped, such as a line end in a name.
-
-    Parameters
-    ----------
-    text
-        Or what has one, as a path.
-    keep
-        Characters that are left as they are.
-
-    Examples
-    --------
-    >>> print(printable("two\nlines and \u202eback"))
-    two\nlines and \u202eback
-    """
-    return "".join(
-        repr(letter)[1:-1] if _unprintable(letter) and letter not in keep else letter
-        for letter in str(text)
-    )
 
 
 def literal(text: str, *, line: int | None = None) -> str:
@@ -64,9 +44,3 @@ def _characters() -> frozenset[int]:
     from matplotlib.font_manager import FontProperties, findfont, get_font
 
     return frozenset(get_font(findfont(FontProperties(family="DejaVu Sans"))).get_charmap())
-
-
-def _unprintable(letter: str) -> bool:
-    """Return whether a character is a control, a lone surrogate, or the end of a line."""
-    category = unicodedata.category(letter)
-    return category[0] == "C" or category in ("Zl", "Zp")
