@@ -250,7 +250,7 @@ def _with_slenderness(block: Block, factor: float) -> Block:
 def _tilted(side: Side, factor: float, gravity: float) -> Side:
     """Return a side with another alpha, at most half-way to a right angle."""
     alpha = min(factor * side.alpha, 0.5 * (side.alpha + 0.5 * math.pi))
-    gyration = max(gravity * side.radius / side.p**2 - side.radius**2, 0.0)
+    gyration = max(gravity * side.radius / (side.p * side.p) - side.radius * side.radius, 0.0)
     radius = side.centre_height / float(cos(alpha))
     p = math.sqrt(gravity * radius / (gyration + radius * radius))
     return replace(side, alpha=alpha, radius=radius, p=p)
