@@ -124,7 +124,9 @@ def test_an_interrupted_atlas_says_how_it_goes_on_and_does(
             raise AssertionError(message)
 
         monkeypatch.setattr("rocksteady.studies.atlas.analysis.columns.column", computed)
-        monkeypatch.setattr("rocksteady.studies.atlas.analysis.coexistence.settled_cells", computed)
+        monkeypatch.setattr(
+            "rocksteady.studies.atlas.analysis.coexistence.find_attractors", computed
+        )
     assert rocksteady(f"{TINY} --resume --out", folder).code == 0
     assert contents(folder) == whole
     assert not (folder / ".unfinished").exists()

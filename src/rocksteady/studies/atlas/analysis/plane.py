@@ -53,8 +53,8 @@ class Plane:
         """Validate, and keep the axes as read-only arrays."""
         block = DimensionlessBlock(restitution=self.restitution)
         if block.lossless:
-            valid = "without loss nothing is attracted"
-            hint = "give a ratio of velocities below 1, as 0.8"
+            valid = "it must lie in (0, 1)"
+            hint = "give a ratio of velocities below 1, as 0.8; without loss nothing is attracted"
             raise InputError("restitution", self.restitution, valid, hint)
         object.__setattr__(self, "restitution", block.restitution)
         for name in ("amplitude", "frequency_ratio"):
