@@ -35,7 +35,7 @@ from rocksteady.kernels.core import tables as columns_of
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.segments import Motion
 from tests.cli.motion_files import samples
-from tests.cli.present.printed import as_json, fits
+from tests.descriptions import as_json, fits
 
 BARE = DimensionlessBlock(restitution=0.8)
 ASYMMETRY = DimensionlessBlock(restitution=0.8, alpha_ratio=1.4, p_ratio=0.9)

@@ -10,12 +10,12 @@ import typer
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import print_json, write_csv, write_figure
 from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.console.titles import turned_text
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.parsing import axis
 from rocksteady.cli.flags.record_files import ReadingFlags, warn
-from rocksteady.cli.present.shared import turned_text
 from rocksteady.errors import RecordFileError
 from rocksteady.model.blocks.block import Block
 from rocksteady.results.description import Column, Description, Table

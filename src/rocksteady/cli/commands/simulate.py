@@ -15,6 +15,7 @@ from rocksteady.cli.console.outputs import (
     write_film,
 )
 from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.console.titles import case_text
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import (
     BlockFlags,
@@ -26,8 +27,6 @@ from rocksteady.cli.flags.block_and_shaking import (
 from rocksteady.cli.flags.groups import AnimationFlags, OutputFlags, grouped
 from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.cli.flags.start import StartFlags, refuse_without_shaking
-from rocksteady.cli.present.record_values import processing_values
-from rocksteady.cli.present.shared import case_text
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.validation import whole_number
@@ -115,7 +114,9 @@ def simulate(
         lifting = recorded.vertical_recording(reading, across)
         motion = across.record
         beside = None if lifting is None else recorded.scaled(lifting.record)
-        notes = processing_values(across, lifting)
+        notes = {"record_processing": list(across.processing)}
+        if lifting is not None:
+            notes["vertical_processing"] = list(lifting.processing)
     elif pulse.given:
         motion = pulse.of(shaking.at(body), phase=start.phase, reverse=recorded.reverse)
         refuse_cycles(cycles, "a pulse")

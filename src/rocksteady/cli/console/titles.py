@@ -1,0 +1,51 @@
+"""Titles of pictures: block, base motion and restitution in a few words."""
+
+import re
+from collections.abc import Sequence
+from typing import Any, Final
+
+from rocksteady.show.style.palette import shortened
+
+SIGN_CHANGED: Final = re.compile("sign changed: ")
+"""Beginning of the notes on a record whose sign is not that of its file."""
+
+
+def turned_text(processing: Sequence[str]) -> str:
+    """Return the words of a title on a changed sign; none where it is as filed."""
+    return " (sign changed)" if any(map(SIGN_CHANGED.match, processing)) else ""
+
+
+def case_text(values: dict[str, Any]) -> str:
+    """Return block and shaking in a few words, for a title."""
+    parts = [restitution_text(values)]
+    if "record" in values:
+        up = " and vertical" if "vertical" in values else ""
+        # A sign that is not the file's is no detail: the peak may be another one.
+        up += turned_text(values.get("vertical_processing", []))
+        parts.insert(0, f"{shortened(values['record'])}{up}, PGA {values['pga_g']:.3g} g")
+    elif "amplitude" in values:
+        parts.insert(0, f"A = {values['amplitude']:g}, Ω = {values['frequency_ratio']:g}")
+    else:
+        parts.insert(0, "free rocking")
+    if "pulse" in values:
+        parts.insert(0, f"{values['pulse']} pulse")
+    if "block" in values:
+        parts.append(block_text(values["block"]))
+    if values.get("model") == "nonlinear":
+        parts.append("nonlinear model")
+    return ", ".join(parts)
+
+
+def restitution_text(values: dict[str, Any]) -> str:
+    """Return what an impact leaves, of either impact where they differ."""
+    other = values.get("negative_restitution")
+    if other is None:
+        return f"restitution {values['restitution']:.4g}"
+    return f"restitution {values['restitution']:.3g}/{other:.3g}"
+
+
+def block_text(block: dict[str, Any]) -> str:
+    """Return slenderness and rate of a block; where its sides differ both slendernesses."""
+    if "negative" in block:  # four numbers leave no room for what else a title says
+        return f"α = {block['alpha_rad']:.3g}/{block['negative']['alpha_rad']:.3g} rad"
+    return f"α = {block['alpha_rad']:.4g} rad, p = {block['p_rad_s']:.4g} rad/s"

@@ -1,1 +1,0 @@
-"""How each result is printed: values for JSON, tables, lines of text."""
