@@ -32,6 +32,17 @@ DEFAULTS = {
     "gravity": "housner_restitution takes p and radius with g = 1",
 }
 """Arguments with more than one default, each with the reason."""
+UNITS = {
+    "_m_s2": "m/s^2",
+    "_rad_s": "rad/s",
+    "_m_s": "m/s",
+    "_rad": "rad",
+    "_hz": "Hz",
+    "_g": "g",
+    "_m": "m",
+    "_s": "s",
+}
+"""Units by the suffix of a name, the longer ones first."""
 PATTERNS = (
     r"\bis said\b|\bare said\b|\bsays nothing\b|\bnobody says\b",
     r"\btold\b|\basked for\b|\bis asked\b",
@@ -86,6 +97,33 @@ def test_one_argument_has_one_default() -> None:
                 defaults[parameter.name][repr(parameter.default)].append(name)
     several = {key: dict(found) for key, found in defaults.items() if len(found) > 1}
     assert {key: found for key, found in several.items() if key not in DEFAULTS} == {}
+
+
+def described_units() -> dict[str, dict[str, list[str]]]:
+    """The units in the descriptions of arguments that have one of their own, and who says so."""
+    units: dict[str, dict[str, list[str]]] = defaultdict(lambda: defaultdict(list))
+    for name, function in {**CALLS, **{name: getattr(rs, name) for name in CLASSES}}.items():
+        section = re.search(
+            r"Parameters\n-+\n(.*?)(\n\n[A-Z][a-z]+\n-+\n|\Z)", pydoc.getdoc(function), re.DOTALL
+        )
+        for argument, text in re.findall(
+            r"^(\w+)\n((?:    [^\n]*\n?|\n(?=    ))+)", section[1] if section else "", re.MULTILINE
+        ):
+            for unit in re.findall(
+                rf"\[({'|'.join(map(re.escape, UNITS.values()))})\b[^\]]*\]", text
+            ):
+                units[argument][unit].append(name)
+    return units
+
+
+def test_one_argument_has_one_unit_and_that_of_its_suffix() -> None:
+    units = described_units()
+    assert len(units) > 15
+    assert {name: found for name, found in units.items() if len(found) > 1} == {}
+    for name, found in units.items():
+        suffix = next((suffix for suffix in UNITS if name.endswith(suffix)), None)
+        if suffix is not None:
+            assert set(found) == {UNITS[suffix]}, name
 
 
 @pytest.mark.parametrize("name", [*FUNCTIONS, *CLASSES])

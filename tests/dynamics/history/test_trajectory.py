@@ -235,6 +235,21 @@ def test_a_block_gives_the_time_of_overturning_in_seconds() -> None:
     assert run.rest_time_pt is None
 
 
+def test_every_time_of_a_run_is_in_seconds_and_tau_too() -> None:
+    omega = 2.5  # of the shaking, over p = 3 rad/s
+    run = simulate(BLOCK, Harmonic(amplitude=1.001, frequency_ratio=omega), cycles=4)
+    bare = simulate(BLOCK.dimensionless(), run.motion, cycles=4)
+    let_go = free(BLOCK)
+    assert let_go.rest_time_pt is not None
+    assert let_go.rest_time_s == pytest.approx(let_go.rest_time_pt / 3.0, rel=1e-15)
+    assert let_go.rest_time_tau is None
+    assert run.end_time_s == pytest.approx(4.0 * 2.0 * math.pi / (omega * 3.0), rel=1e-14)
+    assert run.end_time_tau == pytest.approx(8.0 * math.pi, rel=1e-14)
+    assert (bare.end_time_s, bare.end_time_tau) == (None, run.end_time_tau)
+    resting = simulate(BLOCK, Harmonic(amplitude=0.5, frequency_ratio=omega), cycles=1)
+    assert (resting.rest_time_pt, resting.rest_time_s, resting.rest_time_tau) == (0.0, 0.0, 0.0)
+
+
 def test_what_does_not_overturn_has_no_such_time() -> None:
     run = rocking(BLOCK)
     assert [run.overturn_time_pt, run.overturn_time_s, run.overturn_time_tau] == [None, None, None]

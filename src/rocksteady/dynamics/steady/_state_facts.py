@@ -20,8 +20,6 @@ from rocksteady.results.numbers import number, plural
 
 # The classes that use this module are named Any: to import them would close a circle.
 
-NO_SHAPES = "peaks, admissibility and stability need shapes=True"
-
 
 def point_values(states: Any, index: tuple[int, ...]) -> dict[str, Any]:
     """Return the solutions at a point, in SI too where a block is known."""
