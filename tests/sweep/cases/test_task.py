@@ -22,17 +22,30 @@ def task_of(cases: Any, batch: int = 64) -> Task:
     return Task(cases=cases, grid=GRID, outputs=outputs, numbered=None, batch=batch)
 
 
-def test_calls_grow_while_they_are_short() -> None:
-    sizes: list[int] = []
+@pytest.mark.parametrize(
+    ("seconds_a_cell", "sizes"),
+    [
+        (0.0, [1, 8, 64, 64, 64]),
+        (1 / 8192, [1, 8, 64, 64, 64]),
+        (1 / 1024, [1, 8, 16, 16, 16]),
+        (1 / 512, [1, 2, 4, 8, 8]),
+        (1 / 64, [1, 1, 1, 1, 1]),
+    ],
+)
+def test_calls_grow_while_they_are_short(
+    seconds_a_cell: float, sizes: list[int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    called: list[int] = []
+    monkeypatch.setattr(f"{Task.__module__}.time.monotonic", lambda: seconds_a_cell * sum(called))
 
     def double(a: NDArray[np.float64]) -> dict[str, Any]:
-        sizes.append(len(a))
+        called.append(len(a))
         return {"double": 2.0 * a}
 
     answer = task_of(double).run((10, 1000), 60.0)
     assert answer.stop == 1000
-    assert sizes[:8] == [1, 8, 64, 64, 64, 64, 64, 64]
-    assert sum(sizes) == 990
+    assert called[:5] == sizes
+    assert sum(called) == 990
     assert answer.arrays["double"].dtype == np.float32
     assert answer.arrays["double"].tolist() == list(range(20, 2000, 2))
 
