@@ -9,7 +9,7 @@ from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
 from rocksteady.kernels.nonlinear._zeros import first_rise, first_zero, largest, last_rise
-from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS
+from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS, angle_at, third_bound
 
 Floats = NDArray[np.float64]
 
@@ -19,6 +19,11 @@ def space(given: Any) -> tuple[Floats, int]:
     work = np.zeros((WORK_ROWS, TERMS))
     work[0, : len(coefficients)] = coefficients
     return work, max(len(coefficients) - 1, 2)
+
+
+def first_zero_of(work: Floats, degree: int, step: float, pull: float = math.inf) -> float:
+    """First zero of a polynomial of whose bends nothing else is known than itself."""
+    return first_zero(work, degree, step, third_bound(work, degree, step), pull)
 
 
 def sampled_zero(polynomial: Polynomial, step: float) -> float:
@@ -44,7 +49,7 @@ def test_first_zeros_are_those_of_slow_sampling(seed: int) -> None:
             wild = -wild
         step = rng.uniform(0.1, 1.5)
         work, degree = space(wild.coef)
-        found, expected = first_zero(work, degree, step), sampled_zero(wild, step)
+        found, expected = first_zero_of(work, degree, step), sampled_zero(wild, step)
         inside = roots[(roots > 0.0) & (roots <= step)]
         if len(inside) == 0:
             assert found == expected == -1.0
@@ -60,7 +65,7 @@ def test_a_graze_is_found_however_shallow_and_no_more_than_that(place: float, de
     shape = Polynomial([-place, 1.0]) ** 2 * Polynomial([1.0, 1.0, 1.0])
     for sign in (-1.0, 1.0):
         work, degree = space((shape + sign * depth).coef)
-        found = first_zero(work, degree, 1.0)
+        found = first_zero_of(work, degree, 1.0)
         if sign > 0.0:
             assert found == -1.0
         else:
@@ -71,13 +76,13 @@ def test_a_graze_is_found_however_shallow_and_no_more_than_that(place: float, de
 @pytest.mark.parametrize("speed", [1.0, 1e-4, 1e-8, 1e-16, 1e-80])
 def test_a_bounce_keeps_its_digits_however_low(speed: float) -> None:
     work, degree = space(np.array([0.0, speed, -0.5]))
-    assert first_zero(work, degree, 3.0) == pytest.approx(2.0 * speed, rel=1e-15)
+    assert first_zero_of(work, degree, 3.0) == pytest.approx(2.0 * speed, rel=1e-15)
 
 
 def test_lifting_off_is_no_zero() -> None:
     work, degree = space(np.array([0.0, 0.0, 0.0, 1.0, -0.5]))
-    assert first_zero(work, degree, 1.0) == -1.0
-    assert first_zero(work, degree, 3.0) == pytest.approx(2.0, rel=1e-14)
+    assert first_zero_of(work, degree, 1.0) == -1.0
+    assert first_zero_of(work, degree, 3.0) == pytest.approx(2.0, rel=1e-14)
 
 
 @pytest.mark.parametrize("seed", range(20))
@@ -88,7 +93,9 @@ def test_levels_and_peaks_are_those_of_slow_sampling(seed: int) -> None:
     step = 2.0
     t = np.linspace(0.0, step, 200_001)
     y, v = curve(t), curve.deriv()(t)
-    top, fastest = largest(work, degree, step, 0.0, 0.0)
+    top, fastest = largest(
+        work, degree, step, third_bound(work, degree, step), *angle_at(work, degree, step), 0.0, 0.0
+    )
     assert top == pytest.approx(max(y.max(), 0.0), abs=1e-9)
     assert fastest == pytest.approx(np.abs(v).max(), abs=1e-8)
     level = float(rng.uniform(y.min(), y.max()))

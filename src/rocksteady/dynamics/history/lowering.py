@@ -56,7 +56,7 @@ def segment_table(
         row[columns.FREQUENCY] = segment.frequency
         row[columns.PHASE] = segment.phase if segment.frequency else 0.0
     table[:, columns.CEILING] = ceilings(table)
-    table[:, columns.ALIKE] = _alike(table)
+    table[:, columns.ALIKE] = samples_alike(table)
     return table
 
 
@@ -85,7 +85,7 @@ def record_table(record: Record, *, rate: float = 1.0, acceleration: float = 1.0
     table[:-1, columns.CONSTANT] = samples[:-1]
     table[:-1, columns.SLOPE] = np.diff(samples) / step
     table[:, columns.CEILING] = ceilings(table)
-    table[:, columns.ALIKE] = _alike(table)
+    table[:, columns.ALIKE] = samples_alike(table)
     return table
 
 
@@ -117,7 +117,7 @@ def _record_in_units_of(record: Record, block: Block | DimensionlessBlock | None
     return record_table(record, rate=block.p, acceleration=block.uplift_acceleration)
 
 
-def _alike(table: Floats) -> Floats:
+def samples_alike(table: Floats) -> Floats:
     """Return how many samples like it follow each segment at once."""
     lasting = table[:, columns.DURATION]
     plain = table[:, columns.FREQUENCY] == 0.0

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.history.base_motion import segment_starts
 from rocksteady.dynamics.history.lowering import (
     ceilings,
+    samples_alike,
     segment_table,
     side_attributes,
     side_table,
@@ -26,7 +27,7 @@ from rocksteady.model.motions.segments import Motion
 
 Floats = NDArray[np.float64]
 
-SHARE_OF_TOLERANCE = 1e-5
+SHARE_OF_TOLERANCE = 1e-4
 """What a step may leave out, over the tolerance: that of ten thousand steps stays below it."""
 
 SAME_TIME = 1e-9
@@ -140,7 +141,7 @@ def lifted_table(flat: Floats, lifted: Floats | None = None, share: float = 1.0)
     """
     if lifted is None:
         table = np.zeros((len(flat), columns.NONLINEAR_SEGMENT_COLUMNS))
-        table[:, : columns.ALIKE] = flat[:, : columns.ALIKE]
+        table[:, : columns.SEGMENT_COLUMNS] = flat
         return table
     starts, bends = segment_starts(flat), segment_starts(lifted)
     # A bend that rounding puts beside a start is at the start.
@@ -162,6 +163,7 @@ def lifted_table(flat: Floats, lifted: Floats | None = None, share: float = 1.0)
     table[:, columns.CONSTANT] += flat[index, columns.SLOPE] * since
     table[:, columns.PHASE] += flat[index, columns.FREQUENCY] * since
     table[:, columns.CEILING] = ceilings(table)
+    table[:, columns.ALIKE] = samples_alike(table)
     middle = np.append(0.5 * (cuts[:-1] + cuts[1:]), math.inf)
     above = np.searchsorted(bends, middle, side="right") - 1
     slope = lifted[above, columns.SLOPE]

@@ -106,6 +106,14 @@ def sincos_short(angle: float) -> tuple[float, float]:
 
 
 @inlined
+def small_sinc_cos(angle: float) -> tuple[float, float]:
+    """Return sin(angle)/angle and the cosine for |angle| <= pi/4, which is not checked."""
+    z = angle * angle
+    sinc = 1.0 + z * (SIXTH + z * _sine_series(z))
+    return sinc, 1.0 - z * (0.5 - z * _cosine_series(z))
+
+
+@inlined
 def sincos_near(angle: float) -> tuple[float, float]:
     """Return sine and cosine for |angle| <= 2e5, which is not checked.
 

@@ -39,7 +39,6 @@ from rocksteady.kernels.core.tables import (
     JUMP,
     LEAN,
     LEFT_OUT,
-    LIFT_SLOPE,
     LOST_CONTACT,
     NO_RETURN,
     OVERTURNED,
@@ -65,6 +64,8 @@ from rocksteady.kernels.march.rest import STILL, chatter_ends, next_uplift
 from rocksteady.kernels.nonlinear.drive import foot_forcing, jump_share, loss_of_contact, side_drive
 from rocksteady.kernels.nonlinear.flight import fly
 from rocksteady.kernels.nonlinear.proofs import bounces_end, point_of_no_return
+from rocksteady.kernels.nonlinear.samples import fly_through as fly_through_nonlinear
+from rocksteady.kernels.nonlinear.samples import rest_through as rest_through_nonlinear
 from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS
 
 
@@ -83,16 +84,62 @@ def side_forcing(segments: Floats, index: int, sides: Floats, side: int, elapsed
 
 
 @inlined
-def foot_of(
-    segments: Floats, index: int, sides: Floats, side: int, elapsed: float, nonlinear: bool
-) -> Forcing:
-    """Return the forcing of a block that stands on its base; the linear model's at any angle.
+def fly_on(
+    segments: Floats,
+    sides: Floats,
+    state: March,
+    limit: int,
+    rows: Floats,
+    peaks: Floats,
+    work: Floats,
+    nonlinear: bool,
+) -> tuple[int, float, float, int, bool]:
+    """Fly through the samples to come, in the model's own way.
 
     The model is an argument, so that each loop of the march holds its own case alone.
     """
     if nonlinear:
-        return foot_forcing(side_drive(segments, index, sides, side, elapsed))
-    return side_forcing(segments, index, sides, side, elapsed)
+        return fly_through_nonlinear(
+            segments,
+            sides,
+            state.side,
+            state.angle,
+            state.velocity,
+            state.segment,
+            state.flights,
+            limit,
+            rows,
+            peaks,
+            work,
+        )
+    return fly_through(
+        segments,
+        sides,
+        state.side,
+        state.angle,
+        state.velocity,
+        state.segment,
+        state.flights,
+        limit,
+        rows,
+        peaks,
+    )
+
+
+@inlined
+def rest_on(
+    segments: Floats,
+    sides: Floats,
+    segment: int,
+    flights: int,
+    limit: int,
+    rows: Floats,
+    nonlinear: bool,
+) -> tuple[int, int]:
+    """Rest through the samples to come, in the model's own way."""
+    if nonlinear:
+        return rest_through_nonlinear(segments, sides, segment, flights, limit, rows)
+    return rest_through(segments, sides, segment, flights, limit, rows)
 
 
 @allocating
@@ -188,8 +235,7 @@ def _march(
     since, contact_lost = 0.0, math.inf  # nonlinear model: time on the segment, and to its loss
 
     loaded = -1  # the segment that the following belong to
-    positive = foot_of(segments, segment, sides, ONE, 0.0, nonlinear)
-    negative = positive
+    positive = negative = side_forcing(segments, segment, sides, ONE, 0.0)
     frequency, sloped, endless = 0.0, False, False
     first_half, first_phase, end_half, end_phase = ZERO, 0.0, ZERO, 0.0
     sine, cosine, turned_side = 0.0, 1.0, False  # of the phase, known after an impact
@@ -204,10 +250,19 @@ def _march(
             if segments[segment, ALIKE] > 0.0 and phase == 0.0:
                 # Into the first sample that needs what follows: an impact, an uplift, a doubt.
                 if side == 0:
-                    segment, flights = rest_through(segments, sides, segment, flights, limit, rows)
+                    segment, flights = rest_on(
+                        segments, sides, segment, flights, limit, rows, nonlinear
+                    )
                 else:
-                    segment, angle, velocity, flights, fallen = fly_through(
-                        segments, sides, side, angle, velocity, segment, flights, limit, rows, peaks
+                    segment, angle, velocity, flights, fallen = fly_on(
+                        segments,
+                        sides,
+                        March(side, angle, velocity, segment, half, phase, impacts, flights),
+                        limit,
+                        rows,
+                        peaks,
+                        work,
+                        nonlinear,
                     )
                     if fallen:
                         return OVERTURNED, March(
@@ -218,8 +273,6 @@ def _march(
             loaded = segment
             frequency = segments[segment, FREQUENCY]
             sloped = segments[segment, SLOPE] != 0.0
-            if nonlinear and segments[segment, LIFT_SLOPE] != 0.0:
-                sloped = True
             contact_lost = loss_of_contact(segments, segment) if nonlinear else math.inf
             endless = segments[segment, DURATION] == math.inf
             first_half, first_phase = segment_start(segments, segment)
@@ -228,13 +281,14 @@ def _march(
                 end_half, end_phase = segment_end(segments, segment)
             # Not 0 where the march begins within a segment.
             since = elapsed_time(half, phase, first_half, first_phase, frequency)
-            positive = foot_of(segments, segment, sides, ONE, since, nonlinear)
-            negative = foot_of(segments, segment, sides, MINUS_ONE, since, nonlinear)
+            if not nonlinear:
+                positive = side_forcing(segments, segment, sides, ONE, since)
+                negative = side_forcing(segments, segment, sides, MINUS_ONE, since)
         elif sloped or nonlinear:
             since = elapsed_time(half, phase, first_half, first_phase, frequency)
-            if sloped:  # a slope is counted from the start of the flight
-                positive = foot_of(segments, segment, sides, ONE, since, nonlinear)
-                negative = foot_of(segments, segment, sides, MINUS_ONE, since, nonlinear)
+            if not nonlinear:  # a slope is counted from the start of the flight
+                positive = side_forcing(segments, segment, sides, ONE, since)
+                negative = side_forcing(segments, segment, sides, MINUS_ONE, since)
         span = elapsed_time(end_half, end_phase, half, phase, frequency)
         leaving = nonlinear and contact_lost - since < span
         if leaving:
@@ -242,6 +296,9 @@ def _march(
 
         # 1. At rest: wait for uplift, for the next segment, or for the end of the run.
         if side == 0:
+            if nonlinear:
+                positive = foot_forcing(side_drive(segments, segment, sides, ONE, since))
+                negative = foot_forcing(side_drive(segments, segment, sides, MINUS_ONE, since))
             side, wait = next_uplift(positive, negative, sides, half, phase, frequency, span)
             if side != 0 and wait == 0.0:
                 continue  # into flight, with angle and velocity 0
@@ -322,7 +379,7 @@ def _march(
                 seen_phase,
                 span * rate,
                 endless,
-                point_of_no_return(segments, segment, sides, side),
+                point_of_no_return(segments, segment, sides, side) if endless else math.inf,
                 lifting,
                 sides[0, LEFT_OUT],
                 peaks,
@@ -387,8 +444,10 @@ def _march(
         jump = segments[segment, JUMP] * (rate * rate)
         beyond = lean + segments[segment, CEILING]
         if nonlinear:
-            jump *= jump_share(sides, side, side * angle / lean)
-            beyond = lean * point_of_no_return(segments, segment, sides, side)
+            if jump != 0.0:
+                jump *= jump_share(sides, side, side * angle / lean)
+            if abs(angle) > lean:  # nearer than the point of balance it is not lost
+                beyond = lean * point_of_no_return(segments, segment, sides, side)
         velocity += jump
         if angle == 0.0:  # the velocity alone says where it goes
             side = int(np.sign(velocity))

@@ -11,9 +11,10 @@ one where its signs at the ends differ, and is cut there once more.  Between two
 is the only one.  A graze is a node itself, a minimum, whose height is known to rounding however
 flat it is.
 
-**Most pieces need no node.**  While ``y'' >= -q`` the motion stays above the parabola ``y + v t - q
+**Most steps need neither.**  While ``y'' >= -q`` the motion stays above the parabola ``y + v t - q
 t^2/2``, which is concave and so lowest at an end: where it is positive at the end of a piece (and y
-is positive) the piece has no zero, grazing ones included.
+is positive) the step has no zero, grazing ones included.  Where y'' < 0 or y' < 0 all over the step
+there is one zero at most, and there is one where y ends below zero.
 
 Halving ends at 2^-40 of the step: what y'' leaves open there is a change of y by M times the cube
 of that, far below its rounding.
@@ -106,24 +107,29 @@ def turning_point(
     return time
 
 
-@compiled
-def parabola(work: Floats, degree: int, low: float, level: float, falling: bool) -> float:
-    """Return about where y passes a level after `low`: where the parabola of its state there does.
+@inlined
+def root_of_parabola(above: float, velocity: float, bend: float, falling: bool) -> float:
+    """Return when ``above + velocity t + bend t^2/2`` first falls, or rises, through 0; or inf.
 
     A bounce is one but for its last digits.
     """
-    angle, velocity = angle_at(work, degree, low)
-    _, bend = speed_at(work, degree, low)
-    above = angle - level
     root = velocity * velocity - 2.0 * bend * above
     if root > 0.0:
         far = abs(velocity) + math.sqrt(root)
-        # The root of the parabola in the direction of the crossing, without cancellation.
+        # The root in the direction of the crossing, without cancellation.
         if falling == (velocity > 0.0) and bend != 0.0:
-            return low + far / abs(bend)
+            return far / abs(bend)
         if far > 0.0:
-            return low + 2.0 * abs(above) / far
+            return 2.0 * abs(above) / far
     return math.inf
+
+
+@compiled
+def parabola(work: Floats, degree: int, low: float, level: float, falling: bool) -> float:
+    """Return where the parabola of the state at `low` passes a level after it."""
+    angle, velocity = angle_at(work, degree, low)
+    _, bend = speed_at(work, degree, low)
+    return low + root_of_parabola(angle - level, velocity, bend, falling)
 
 
 @compiled
@@ -135,8 +141,9 @@ def crossing(
     level: float,
     falling: bool,
     guess: float,
+    bend: float,
 ) -> float:
-    """Return the one time in (low, high] at which y passes a level."""
+    """Return the one time in (low, high] at which y passes a level; |y''| is at most `bend`."""
     time = guess if low < guess <= high else high
     for _ in range(ITERATIONS):
         angle, velocity = angle_at(work, degree, time)
@@ -144,9 +151,19 @@ def crossing(
             low = time
         else:
             high = time
-        near = time - (angle - level) / velocity if velocity != 0.0 else math.inf
-        if abs(near - time) <= 4e-16 * time:
+        move = (angle - level) / velocity if velocity != 0.0 else math.inf
+        near = time - move
+        # What Newton's next step would move, y'' move^2/(2 y'), is below rounding.
+        if bend * move * move <= 4e-16 * near * abs(velocity) and low <= near <= high:
+            return near
+        if abs(move) <= 4e-16 * time:
             break
+        if abs(move) < 0.1 * time and bend * abs(move) < 0.1 * abs(velocity):
+            # The next term of the inverse series (Chebyshev), y'' from its first terms.
+            bending = 2.0 * work[ANGLE, 2] + time * (
+                6.0 * work[ANGLE, 3] + time * (12.0 * work[ANGLE, 4] + time * 20.0 * work[ANGLE, 5])
+            )
+            near -= 0.5 * bending / velocity * move * move
         if not (low < near <= high):
             near = 0.5 * (low + high)
             if not (low < near < high):
@@ -158,22 +175,35 @@ def crossing(
 
 @inlined
 def stays_above(angle: float, velocity: float, bend: float, width: float) -> bool:
-    """Return whether y is proved positive over a piece on which y'' is at least `bend`."""
+    """Return whether y is proved positive over a piece on which y'' is at least `bend`.
+
+    At its start y is positive, or zero and rising.
+    """
     fall = -0.5 * min(bend, 0.0) * width * width
-    return angle > 0.0 and (angle - MARGIN * angle) + velocity * width > fall * (1.0 + MARGIN)
+    moved = (angle - MARGIN * angle) + velocity * width
+    return (angle > 0.0 or velocity > 0.0) and moved > fall * (1.0 + MARGIN)
 
 
 @compiled
-def first_zero(work: Floats, degree: int, step: float) -> float:
+def first_zero(work: Floats, degree: int, step: float, third: float, pull: float) -> float:
     """Return the first time in (0, step] at which y is zero, or -1.
 
-    y starts above zero, or at zero with y' >= 0; a zero at the start does not count.
+    y starts above zero, or at zero with y' >= 0; a zero at the start does not count.  |y'''| is at
+    most `third`, and y'' at least -`pull` as long as y >= 0.
     """
     angle, velocity = work[ANGLE, 0], work[ANGLE, 1]
-    if degree < HIGHEST:  # a short way, as between two samples
-        third = third_bound(work, degree, step)
-        if stays_above(angle, velocity, 2.0 * work[ANGLE, 2] - third * step, step):
+    bend = 2.0 * work[ANGLE, 2]
+    most, least = bend + third * step, bend - third * step
+    if stays_above(angle, velocity, max(least, -pull), step):
+        return -1.0
+    largest_bend = abs(bend) + third * step
+    concave = most < 0.0 and (angle > 0.0 or velocity > 0.0)
+    falling = angle > 0.0 and velocity + max(most, 0.0) * step < 0.0
+    if concave or falling:  # one zero at most, and the end says whether it is there
+        if angle_at(work, degree, step)[0] > 0.0:
             return -1.0
+        guess = root_of_parabola(angle, velocity, bend, TRUE)
+        return crossing(work, degree, 0.0, step, 0.0, TRUE, guess, largest_bend)
     # What starts in an impact, or lifts off, has zeros at the start, which are divided out.
     dropped = 0 if angle > 0.0 else 1 if velocity > 0.0 else 2
     doubt = control_points(work, degree, step, dropped)
@@ -181,8 +211,7 @@ def first_zero(work: Floats, degree: int, step: float) -> float:
     if change == NO_CHANGE and work[POINTS, 0] > 0.0:
         return -1.0
     if change == FALLS:
-        return crossing(work, degree, 0.0, step, 0.0, TRUE, place * step)
-    third = third_bound(work, degree, step)
+        return crossing(work, degree, 0.0, step, 0.0, TRUE, place * step, largest_bend)
     start, width = 0.0, step
     while start < step:
         end, later, later_velocity, width = next_node(
@@ -194,9 +223,8 @@ def first_zero(work: Floats, degree: int, step: float) -> float:
                 return start
             if later == 0.0:
                 return end
-            return crossing(
-                work, degree, start, end, 0.0, TRUE, parabola(work, degree, start, 0.0, TRUE)
-            )
+            guess = parabola(work, degree, start, 0.0, TRUE)
+            return crossing(work, degree, start, end, 0.0, TRUE, guess, largest_bend)
         start, angle, velocity = end, later, later_velocity
     return -1.0
 
@@ -211,9 +239,9 @@ def first_rise(work: Floats, degree: int, step: float, level: float) -> float:
     while start < step:
         end, angle, velocity, width = next_node(work, degree, step, third, start, velocity, width)
         if angle >= level:
-            return crossing(
-                work, degree, start, end, level, FALSE, parabola(work, degree, start, level, FALSE)
-            )
+            guess = parabola(work, degree, start, level, FALSE)
+            bend = 2.0 * abs(work[ANGLE, 2]) + third * step
+            return crossing(work, degree, start, end, level, FALSE, guess, bend)
         start = end
     return -1.0
 
@@ -229,21 +257,38 @@ def last_rise(work: Floats, degree: int, step: float, level: float) -> float:
     while start < step:
         end, later, velocity, width = next_node(work, degree, step, third, start, velocity, width)
         if angle <= level < later:
-            last = crossing(
-                work, degree, start, end, level, FALSE, parabola(work, degree, start, level, FALSE)
-            )
+            guess = parabola(work, degree, start, level, FALSE)
+            bend = 2.0 * abs(work[ANGLE, 2]) + third * step
+            last = crossing(work, degree, start, end, level, FALSE, guess, bend)
         start, angle = end, later
     return last
 
 
 @compiled
 def largest(
-    work: Floats, degree: int, step: float, angle: float, speed: float
+    work: Floats,
+    degree: int,
+    step: float,
+    third: float,
+    later: float,
+    velocity: float,
+    angle: float,
+    speed: float,
 ) -> tuple[float, float]:
-    """Return the largest y and |y'| over the step; `angle` and `speed` where these are larger."""
-    later, velocity = angle_at(work, degree, step)
+    """Return the largest y and |y'| over the step; `angle` and `speed` where these are larger.
+
+    y and y' are `later` and `velocity` at its end, |y'''| is at most `third`.
+    """
     angle = max(angle, work[ANGLE, 0], later)
     speed = max(speed, abs(work[ANGLE, 1]), abs(velocity))
+    bend, change_of_bend = 2.0 * work[ANGLE, 2], third * step
+    steady = abs(bend) > change_of_bend  # y'' keeps its sign
+    climbs = work[ANGLE, 1] > 0.0 and velocity < 0.0
+    if steady and not climbs:
+        return angle, speed  # y' is largest at an end, and so is y
+    fastest = max(abs(work[ANGLE, 1]), abs(velocity)) + step * (abs(bend) + change_of_bend)
+    if fastest <= speed and max(work[ANGLE, 0], later) + step * fastest <= angle:
+        return angle, speed
     doubt = control_points(work, degree, step, ZERO)
     _, most = hull(work, CONTROL_POINTS)
     differences(work, CONTROL_POINTS)  # from here on of y', over HIGHEST/step

@@ -33,7 +33,7 @@ from rocksteady.kernels.core.tables import (
     Floats,
 )
 from rocksteady.kernels.elementary.circular import cos, sincos_near
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.machine_code.types import Floats2
 
 WEIGHTLESS = 1e-14
@@ -90,6 +90,18 @@ def acceleration(drive: Drive, time: float, angle: float, sine: float) -> float:
     weight = 1.0 + drive.lift + drive.lift_slope * time
     sine_of_tilt, cosine_of_tilt = sincos_near(tilt)
     return h * cosine_of_tilt - weight * sine_of_tilt / drive.alpha
+
+
+@inlined
+def hardest_pull(drive: Drive, time: float, step: float) -> float:
+    """Return an upper bound of -y'' over a step from `time` on, as long as y >= 0.
+
+    There ``sin(alpha (1 - y))/alpha <= 1``.
+    """
+    end = time + step
+    h = max(abs(drive.constant + drive.slope * time), abs(drive.constant + drive.slope * end))
+    weight = 1.0 + max(drive.lift + drive.lift_slope * time, drive.lift + drive.lift_slope * end)
+    return (h + drive.amplitude + weight) * (1.0 + 1e-9)
 
 
 @compiled

@@ -15,9 +15,9 @@ from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.linear.zeros import Zero
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.nonlinear._zeros import first_rise, first_zero, largest
-from rocksteady.kernels.nonlinear.drive import Drive
+from rocksteady.kernels.nonlinear.drive import Drive, hardest_pull
 from rocksteady.kernels.nonlinear.proofs import HALF_PI, falls_on_still_base
-from rocksteady.kernels.nonlinear.series import angle_at, angle_bound, expand
+from rocksteady.kernels.nonlinear.series import ANGLE, angle_at, expand, third_bound
 
 LONGEST_STEP = 1e12
 """Of a block that stands upright to the last bit."""
@@ -107,7 +107,9 @@ def fly(
     time, cycle = 0.0, 0
     watch = len(peaks) > 0
     here = phase
-    sine, cosine = sincos_near(phase)
+    sine, cosine = 0.0, 1.0
+    if drive.frequency > 0.0:
+        sine, cosine = sincos_near(phase)
     while True:
         if angle >= flat:
             return Zero(NO_RETURN, time, cycle, here, sine, cosine, angle, velocity)
@@ -129,21 +131,30 @@ def fly(
             work,
         )
         event = SPAN_END
-        zero = first_zero(work, degree, step)
+        third = third_bound(work, degree, step)
+        zero = first_zero(work, degree, step, third, hardest_pull(drive, time, step))
         ends = step if zero < 0.0 else zero
         if zero >= 0.0:
             event = FOUND
-        if angle_bound(work, degree, ends) >= flat:
+        bend = 2.0 * abs(work[ANGLE, 2]) + third * step
+        if angle + ends * (max(velocity, 0.0) + 0.5 * bend * ends) >= flat:
             fallen = first_rise(work, degree, ends, flat)
             if fallen >= 0.0:
                 event, ends = NO_RETURN, fallen
+        angle, velocity = angle_at(work, degree, ends)
         if watch:
             top_angle, top_speed = largest(
-                work, degree, ends, peaks[PEAK_ANGLE], peaks[PEAK_SPEED] / (lean * rate)
+                work,
+                degree,
+                ends,
+                third,
+                angle,
+                velocity,
+                peaks[PEAK_ANGLE],
+                peaks[PEAK_SPEED] / (lean * rate),
             )
             peaks[PEAK_ANGLE] = top_angle
             peaks[PEAK_SPEED] = max(peaks[PEAK_SPEED], top_speed * lean * rate)
-        angle, velocity = angle_at(work, degree, ends)
         time = span if event == SPAN_END and step >= left else time + ends
         if drive.frequency > 0.0:
             cycle, here = phase_at(drive, phase, time)

@@ -34,7 +34,7 @@ from rocksteady.kernels.core.tables import (
 from rocksteady.kernels.elementary.circular import sin, sincos_near
 from rocksteady.kernels.elementary.inverse import atan2
 from rocksteady.kernels.machine_code.compilation import compiled
-from rocksteady.kernels.nonlinear.drive import Drive, foot_forcing, side_drive
+from rocksteady.kernels.nonlinear.drive import Drive, acceleration, foot_forcing, side_drive
 
 HALF_PI = 0.5 * math.pi
 
@@ -126,9 +126,12 @@ def bounces_settle(
     """
     if restitution >= 1.0:
         return False
-    pull_here: float = -largest_forcing(foot_forcing(here), phase_here, 0.0)
-    pull_there = -largest_forcing(foot_forcing(there), phase_there, 0.0)
-    if pull_here <= speed_here or pull_there <= speed_there:
+    # Most impacts are decided here.
+    pull_here: float = -acceleration(here, 0.0, 0.0, sin(phase_here))
+    if pull_here <= speed_here:
+        return False
+    pull_there = -acceleration(there, 0.0, 0.0, sin(phase_there))
+    if pull_there <= speed_there:
         return False
     window = (
         4.0

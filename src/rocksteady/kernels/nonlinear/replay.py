@@ -15,7 +15,7 @@ from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.nonlinear._zeros import largest, last_rise
 from rocksteady.kernels.nonlinear.drive import Drive
 from rocksteady.kernels.nonlinear.flight import phase_at, reach_of
-from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS, angle_at, expand
+from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS, angle_at, expand, third_bound
 
 
 class Leg(NamedTuple):
@@ -81,7 +81,11 @@ def peaks_of(
     work = np.empty((WORK_ROWS, TERMS))
     leg = leg_from(drive, phase, 0.0, angle, velocity, span, left_out, work)
     while True:
-        top_angle, top_speed = largest(work, leg.degree, leg.step, top_angle, top_speed)
+        third = third_bound(work, leg.degree, leg.step)
+        later, after = angle_at(work, leg.degree, leg.step)
+        top_angle, top_speed = largest(
+            work, leg.degree, leg.step, third, later, after, top_angle, top_speed
+        )
         if leg.start + leg.step >= span:
             return top_angle, top_speed
         leg = leg_after(leg, drive, phase, span, left_out, work)

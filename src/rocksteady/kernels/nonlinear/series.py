@@ -19,15 +19,26 @@ and M. Zou, Experimental Mathematics 14, 99-117 (2005).
 
 import math
 
+import numpy as np
+
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.elementary.exponential import exp_clamped
 from rocksteady.kernels.elementary.logarithm import LN2, LOG2_DOUBT, low_log2
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.nonlinear.drive import Drive
+from rocksteady.kernels.nonlinear.short import DEGREE, fill_short, short_step
 
 TERMS = 24
 HIGHEST = TERMS - 1  # degree of the longest polynomial
+ROW = 31  # mask of an index into a row
+
+SHARED = np.array([1.0 / (n + 1) for n in range(TERMS)])
+"""1/(n + 1)."""
+TWICE_SHARED = np.array([0.0, 0.0] + [1.0 / (n * (n - 1)) for n in range(2, TERMS)])
+"""1/(n (n - 1))."""
+THRICE = np.array([float(n * (n - 1) * (n - 2)) for n in range(TERMS)])
+"""n (n - 1) (n - 2)."""
 
 # Rows of the working space, shape (6, TERMS).
 ANGLE = 0  # coefficients of y: what the other modules read
@@ -41,6 +52,42 @@ WORK_ROWS = 6
 
 @compiled
 def expand(
+    drive: Drive,
+    time: float,
+    angle: float,
+    velocity: float,
+    sine: float,
+    cosine: float,
+    lifting: bool,
+    reach: float,
+    left_out: float,
+    work: Floats,
+) -> tuple[int, float]:
+    """Fill the coefficients of y by a short step where one does, or else by the series.
+
+    Parameters and results are those of `expand_series`, which fills all rows.
+    """
+    if drive.frequency == 0.0:
+        short = short_step(
+            drive.alpha,
+            drive.constant + drive.slope * time,
+            drive.slope,
+            1.0 + drive.lift + drive.lift_slope * time,
+            drive.lift_slope,
+            angle,
+            velocity,
+            lifting,
+            reach,
+            left_out,
+        )
+        if short.exact:
+            fill_short(short, angle, velocity, work)
+            return DEGREE, reach
+    return expand_series(drive, time, angle, velocity, sine, cosine, lifting, reach, left_out, work)
+
+
+@compiled
+def expand_series(
     drive: Drive,
     time: float,
     angle: float,
@@ -86,23 +133,20 @@ def expand(
     work[ANGLE, 1] = work[SPEED, 0] = velocity
     work[SINE, 0], work[COSINE, 0] = sincos_near(tilt)
     work[SINE, 0] /= drive.alpha
-    # The derivatives of the sinusoid over the factorials, two by two.
-    swing_even, swing_odd = drive.amplitude * sine, drive.amplitude * drive.frequency * cosine
-    work[SHAKING, 0] = drive.constant + drive.slope * time + swing_even
-    work[SHAKING, 1] = drive.slope + swing_odd
+    swing, swing_speed = drive.amplitude * sine, drive.amplitude * drive.frequency * cosine
+    work[SHAKING, 0] = drive.constant + drive.slope * time + swing
+    work[SHAKING, 1] = drive.slope + swing_speed
+    if shaken:  # the derivatives of the sinusoid over the factorials, two by two
+        turn = -drive.frequency * drive.frequency
+        for n in range(2, HIGHEST - 1, 2):
+            swing *= turn * TWICE_SHARED[n]
+            swing_speed *= turn * TWICE_SHARED[n + 1]
+            work[SHAKING, n], work[SHAKING, n + 1] = swing, swing_speed
     power = reach  # reach^(n + 1)
     largest = max(abs(angle), abs(velocity) * reach)
     small = 0  # terms in a row that are negligible at the reach
     for n in range(HIGHEST - 1):
         if shaken:
-            if n >= 2:
-                turn = -drive.frequency * drive.frequency / (n * (n - 1))
-                if n % 2 == 0:
-                    swing_even *= turn
-                    work[SHAKING, n] = swing_even
-                else:
-                    swing_odd *= turn
-                    work[SHAKING, n] = swing_odd
             force, by_cosine, by_sine = sums_of_three(work, n)
         else:
             by_cosine, by_sine = sums_of_two(work, n)
@@ -114,11 +158,11 @@ def expand(
             force -= drive.lift_slope * work[SINE, n - 1]
         if n == 0 and lifting:
             force = max(force, 0.0)
-        share = 1.0 / (n + 1)
+        share = SHARED[n]
         work[SINE, n + 1] = -by_cosine * share
         work[COSINE, n + 1] = square * by_sine * share
         work[SPEED, n + 1] = force * share
-        work[ANGLE, n + 2] = force * share / (n + 2)
+        work[ANGLE, n + 2] = force * TWICE_SHARED[n + 2]
         power *= reach
         term = abs(work[ANGLE, n + 2]) * power
         if n < 2:
@@ -140,12 +184,15 @@ def sums_of_three(work: Floats, n: int) -> tuple[float, float, float]:
     by_sine = work[SPEED, 0] * work[SINE, n]
     odd_force = odd_by_cosine = odd_by_sine = 0.0
     for j in range(1, n, 2):
-        odd_force += work[SHAKING, j] * work[COSINE, n - j]
-        odd_by_cosine += work[SPEED, j] * work[COSINE, n - j]
-        odd_by_sine += work[SPEED, j] * work[SINE, n - j]
-        force += work[SHAKING, j + 1] * work[COSINE, n - j - 1]
-        by_cosine += work[SPEED, j + 1] * work[COSINE, n - j - 1]
-        by_sine += work[SPEED, j + 1] * work[SINE, n - j - 1]
+        # Masks change nothing; they tell the compiler that no index is negative.
+        odd, even = j & ROW, (j + 1) & ROW
+        from_odd, from_even = (n - j) & ROW, (n - j - 1) & ROW
+        odd_force += work[SHAKING, odd] * work[COSINE, from_odd]
+        odd_by_cosine += work[SPEED, odd] * work[COSINE, from_odd]
+        odd_by_sine += work[SPEED, odd] * work[SINE, from_odd]
+        force += work[SHAKING, even] * work[COSINE, from_even]
+        by_cosine += work[SPEED, even] * work[COSINE, from_even]
+        by_sine += work[SPEED, even] * work[SINE, from_even]
     if n % 2 == 1:
         odd_force += work[SHAKING, n] * work[COSINE, 0]
         odd_by_cosine += work[SPEED, n] * work[COSINE, 0]
@@ -160,10 +207,12 @@ def sums_of_two(work: Floats, n: int) -> tuple[float, float]:
     by_sine = work[SPEED, 0] * work[SINE, n]
     odd_by_cosine = odd_by_sine = 0.0
     for j in range(1, n, 2):
-        odd_by_cosine += work[SPEED, j] * work[COSINE, n - j]
-        odd_by_sine += work[SPEED, j] * work[SINE, n - j]
-        by_cosine += work[SPEED, j + 1] * work[COSINE, n - j - 1]
-        by_sine += work[SPEED, j + 1] * work[SINE, n - j - 1]
+        odd, even = j & ROW, (j + 1) & ROW
+        from_odd, from_even = (n - j) & ROW, (n - j - 1) & ROW
+        odd_by_cosine += work[SPEED, odd] * work[COSINE, from_odd]
+        odd_by_sine += work[SPEED, odd] * work[SINE, from_odd]
+        by_cosine += work[SPEED, even] * work[COSINE, from_even]
+        by_sine += work[SPEED, even] * work[SINE, from_even]
     if n % 2 == 1:
         odd_by_cosine += work[SPEED, n] * work[COSINE, 0]
         odd_by_sine += work[SPEED, n] * work[SINE, 0]
@@ -223,12 +272,13 @@ def bend_at(work: Floats, degree: int, time: float) -> tuple[float, float]:
     return bend, third
 
 
-@compiled
+@inlined
 def third_bound(work: Floats, degree: int, step: float) -> float:
     """Return an upper bound of |y'''| of the polynomial over the step."""
-    bound = 0.0
-    for n in range(degree, 2, -1):
-        bound = bound * step + n * (n - 1) * (n - 2) * abs(work[ANGLE, n])
+    bound, power = 0.0, 1.0
+    for n in range(3, degree + 1):
+        bound += THRICE[n & ROW] * power * abs(work[ANGLE, n & ROW])
+        power *= step
     return bound
 
 
