@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import pytest
 
+from rocksteady.errors import ModelError
 from rocksteady.results.description import Column, Description, Fact, Table, shown
 from rocksteady.results.rendering import as_html, as_text
 from rocksteady.results.result import Result
@@ -59,16 +60,24 @@ def test_text_has_what_people_read_in_80_columns() -> None:
 
 def test_no_name_of_others_controls_a_terminal_or_ends_a_line() -> None:
     name = "a\nb\x1b[2J\u202e"
-    table = Table("rows", [{"name": name}], (Column("name", "name"),))
-    text = as_text(Description(name, [Fact("file", name, "file")], [table], [f"of {name[2:]}"]))
+    table = Table("rows", [{"name": name}], (Column("name", name),), title=name)
+    text = as_text(Description(name, [Fact("file", name, name)], [table], [f"of {name[2:]}"]))
     shown_name = r"a\nb\x1b[2J\u202e"
     assert text.splitlines() == [
         shown_name,
-        f"file  {shown_name}",
-        f"{'name':>{len(shown_name)}}",
-        shown_name,
+        f"{shown_name}  {shown_name}",
+        *[shown_name] * 3,
         f"of {shown_name[3:]}",
     ]
+
+
+def test_no_name_of_others_controls_a_page() -> None:
+    name = "a\nb\x1b[2J\u202e"
+    table = Table("rows", [{"name": name}], (Column("name", name),), title=name)
+    page = as_html(Description(name, [Fact("file", name, name)], [table], [f"of {name[2:]}"]))
+    assert page.count(r"a\nb\x1b[2J\u202e") == 6
+    assert r"<p>of b\x1b[2J\u202e</p>" in page
+    assert not {"\n", "\x1b", "\u202e"} & set(page)
 
 
 def test_html_has_what_text_has_and_escapes_it() -> None:
@@ -98,9 +107,20 @@ def test_repr_is_one_line() -> None:
     assert repr(Thing()) == "<Thing: a thing & its <state>>"
 
 
-def test_a_result_without_a_picture_names_what_there_is() -> None:
-    with pytest.raises(TypeError, match=r"a Thing has no plot; summary\(\)"):
+def test_a_result_without_a_picture_names_those_with_one() -> None:
+    with pytest.raises(ModelError) as refused:
         Thing().plot()
+    assert str(refused.value).startswith("plot has no picture of a Thing: ")
+    for kind in ("Basins", "Trajectory", "attractor map"):
+        assert kind in refused.value.valid
+
+
+def test_what_does_not_describe_itself_is_no_result() -> None:
+    class Mute(Result):
+        pass
+
+    with pytest.raises(TypeError, match="abstract"):
+        Mute()  # type: ignore[abstract]
 
 
 @pytest.mark.parametrize(

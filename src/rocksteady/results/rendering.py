@@ -3,7 +3,7 @@
 import textwrap
 import unicodedata
 from html import escape
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from rocksteady.results.description import Description, Table
 
@@ -54,9 +54,9 @@ def print_description(description: Description, console: "Console") -> None:
     """
     width = min(console.width, WIDTH)
     console.print(textwrap.fill(printable(description.headline), width), style="bold")
-    facts = [fact for fact in description.facts if fact.label]
-    indent = max((len(fact.label) for fact in facts), default=0) + 2
-    for fact in facts:
+    facts = [(printable(fact.label), fact) for fact in description.facts if fact.label]
+    indent = max((len(label) for label, _ in facts), default=0) + 2
+    for label, fact in facts:
         # A path is one word, and stays whole to be copied.
         lines = textwrap.wrap(
             printable(fact.words),
@@ -64,12 +64,12 @@ def print_description(description: Description, console: "Console") -> None:
             break_long_words=False,
             break_on_hyphens=False,
         )
-        console.print(f"{fact.label:<{indent}}" + f"\n{'':{indent}}".join(lines or [""]))
+        console.print(f"{label:<{indent}}" + f"\n{'':{indent}}".join(lines or [""]))
     for table in description.tables:
         if not (table.columns and table.rows):
             continue
         if table.title:
-            console.print(table.title)
+            console.print(printable(table.title))
         console.print(_rich(table))
         if table.remark:
             console.print(table.remark, style="dim")
@@ -92,7 +92,7 @@ def as_text(description: Description) -> str:
 
 def as_html(description: Description) -> str:
     """Return a description as HTML: a caption, the facts, the tables, the notes."""
-    parts = [f'<div class="rocksteady"><strong>{escape(description.headline)}</strong>']
+    parts = [f'<div class="rocksteady"><strong>{_words(description.headline)}</strong>']
     rows = [
         f"<tr>{_cell('th', fact.label, 'left')}{_cell('td', fact.words, 'left')}</tr>"
         for fact in description.facts
@@ -101,7 +101,7 @@ def as_html(description: Description) -> str:
     if rows:
         parts.append(f'<table style="{STYLE}">{"".join(rows)}</table>')
     parts += [_table(table) for table in description.tables if table.columns and table.rows]
-    parts += [f"<p>{escape(note)}</p>" for note in description.notes]
+    parts += [f"<p>{_words(note, keep=chr(10))}</p>" for note in description.notes]
     return "".join(parts) + "</div>"
 
 
@@ -120,14 +120,19 @@ def _table(table: Table) -> str:
         + "</tr>"
         for row in table.shown
     )
-    caption = f"<caption>{escape(table.title)}</caption>" if table.title else ""
-    remark = f"<p>{escape(table.remark)}</p>" if table.remark else ""
+    caption = f"<caption>{_words(table.title)}</caption>" if table.title else ""
+    remark = f"<p>{_words(table.remark)}</p>" if table.remark else ""
     return f'<table style="{STYLE}">{caption}<tr>{head}</tr>{body}</table>{remark}'
 
 
 def _cell(tag: str, words: str, side: str) -> str:
     """Return a cell of a table."""
-    return f'<{tag} style="{CELL.format(side)}">{escape(words)}</{tag}>'
+    return f'<{tag} style="{CELL.format(side)}">{_words(words)}</{tag}>'
+
+
+def _words(text: str, *, keep: str = "") -> str:
+    """Return a text for HTML, without its mark-up and its unprintable characters."""
+    return escape(printable(text, keep=keep))
 
 
 def _rich(table: Table) -> "RichTable":
@@ -137,7 +142,8 @@ def _rich(table: Table) -> "RichTable":
     gap = 2 if len(table.columns) < MANY else 1
     rich = RichTable(box=None, pad_edge=False, padding=(0, gap, 0, 0))
     for column in table.columns:
-        rich.add_column(column.heading, justify="left" if column.left else "right", no_wrap=True)
+        side: Literal["left", "right"] = "left" if column.left else "right"
+        rich.add_column(printable(column.heading), justify=side, no_wrap=True)
     for row in table.shown:
         rich.add_row(*(printable(column.words(row)) for column in table.columns))
     return rich

@@ -1,24 +1,26 @@
 """Base class of results: repr, summary, HTML, JSON and plot, all from one description."""
 
 import functools
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from rocksteady.errors import ModelError, Words
 from rocksteady.results.description import Description
 from rocksteady.results.rendering import as_html, as_text
 
 _plots: dict[str, Callable[[], Any]] = {}
 
 
-class Result:
+class Result(ABC):
     """A result that describes itself.
 
     A subclass defines `describe`; the rest follows from it.
     """
 
+    @abstractmethod
     def describe(self) -> Description:
         """Return the facts, tables and notes of the result."""
-        raise NotImplementedError
 
     def summary(self) -> str:
         """Return the result as text of 80 columns, as the command prints it."""
@@ -62,11 +64,15 @@ def plotting_function(kind: str) -> Callable[..., Any]:
 
     Raises
     ------
-    TypeError
+    ModelError
         If none does.
     """
     if kind not in _plots:
-        message = f"a {kind} has no plot; summary() shows it as text"
-        raise TypeError(message)
+        raise ModelError(
+            "plot",
+            Words(f"has no picture of a {kind}"),
+            f"there are pictures of {', '.join(sorted(_plots))}",
+            "read summary()",
+        )
     function: Callable[..., Any] = _plots[kind]()
     return function

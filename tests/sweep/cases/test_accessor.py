@@ -7,6 +7,7 @@ import pytest
 import xarray as xr
 
 from rocksteady import Axis, Grid, Output, Run, evaluate, open_store
+from rocksteady.errors import ModelError
 from rocksteady.sweep.cases import accessor
 from rocksteady.sweep.cases.accessor import class_counts, flags_of, slabs
 from tests.descriptions import fits
@@ -42,7 +43,7 @@ def test_a_result_of_any_question_has_its_ranges_and_its_classes() -> None:
     assert ["tall", "9", "75.00", "%"] in [line.split() for line in text.splitlines()]
     assert "<td" in data.rocksteady._repr_html_()
     assert data.tall.attrs["infinitely_many"] == -1
-    with pytest.raises(TypeError, match="has no plot"):
+    with pytest.raises(ModelError, match="plot has no picture of a Dataset of no known kind"):
         data.rocksteady.plot()
 
 
