@@ -3,9 +3,12 @@
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rocksteady.results.numbers import number
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 MOST_ROWS = 24
 """Default largest number of rows of a table that a text or a page shows."""
@@ -126,6 +129,21 @@ class Description:
         values = {fact.key: fact.value for fact in self.facts if fact.key}
         tables = {table.key: [dict(row) for row in table.rows] for table in self.tables}
         return values | {key: rows for key, rows in tables.items() if key}
+
+    def to_dataframe(self) -> "pd.DataFrame":
+        """Return the rows of the first table; without a table one row, of the plain facts."""
+        import pandas as pd
+
+        if self.tables:
+            table = self.tables[0]
+        else:
+            facts = {fact.key: fact.value for fact in self.facts if fact.key}
+            lists = [key for key, value in facts.items() if isinstance(value, list | dict)]
+            table = Table("", [{key: facts[key] for key in facts if key not in lists}])
+        # Of numbers that do not exist pandas makes a column of numbers if they are nan.
+        rows = [[math.nan if value is None else value for value in row] for row in table.records()]
+        names = table.header or list(dict.fromkeys(column.key for column in table.columns))
+        return pd.DataFrame(rows, columns=names)
 
 
 def shown(value: object) -> str:

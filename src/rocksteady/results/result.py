@@ -1,13 +1,16 @@
-"""Base class of results: repr, summary, HTML, JSON and plot, all from one description."""
+"""Base class of results: repr, summary, HTML, JSON, rows and plot, all from one description."""
 
 import functools
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rocksteady.errors import ModelError, Words
 from rocksteady.results.description import Description
 from rocksteady.results.rendering import as_html, as_text
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 _plots: dict[str, Callable[[], Any]] = {}
 
@@ -29,6 +32,10 @@ class Result(ABC):
     def to_dict(self) -> dict[str, Any]:
         """Return the result as plain values under the names of the command's JSON."""
         return self.describe().to_dict()
+
+    def to_dataframe(self) -> "pd.DataFrame":
+        """Return the rows of the result; without a table one row, of its plain facts."""
+        return self.describe().to_dataframe()
 
     def plot(self, *arguments: Any, **options: Any) -> Any:
         """Plot the result; arguments and axes are those of the function `plot_*` of its kind."""

@@ -244,7 +244,7 @@ def cascade_table(cascade: dict[str, Any], parameter: str) -> Table:
     """Return the doublings of a cascade for people."""
     count = len(cascade["values"])
     rows = [
-        {"period": period, "value": value, "distance": distance, "ratio": ratio}
+        {"period": period, parameter: value, "distance": distance, "ratio": ratio}
         for period, value, distance, ratio in zip(
             cascade["periods"],
             cascade["values"],
@@ -255,7 +255,7 @@ def cascade_table(cascade: dict[str, Any], parameter: str) -> Table:
     ]
     columns = [
         Column("period", "period", lambda period: f"{period} -> {2 * period}"),
-        Column("value", SHORT[parameter], lambda value: f"{value:.12f}"),
+        Column(parameter, SHORT[parameter], lambda value: f"{value:.12f}"),
         Column("distance", "distance", lambda d: "" if d is None else f"{abs(d):.3e}"),
         Column("ratio", "ratio", lambda r: "" if r is None else f"{r:.4f}"),
     ]

@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import groupby
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -28,6 +28,9 @@ from rocksteady.outcomes import AttractorKind
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 Floats = NDArray[np.float64]
 
@@ -110,6 +113,20 @@ class AttractorSweep(Result):
                 }
             )
         return rows
+
+    def to_dataframe(self) -> "pd.DataFrame":
+        """Return a row a value: what the motion settles to there, and its extremes."""
+        import pandas as pd
+
+        peaks = [found.peaks or (math.nan, math.nan) for found in self.attractors]
+        frame = pd.DataFrame(peaks, columns=["highest", "lowest"])
+        frame.insert(0, self.parameter, self.values)
+        frame.insert(1, "kind", self.kinds)
+        frame.insert(2, "period", pd.array(self.periods, dtype="Int64"))
+        if isinstance(self.block, Block):
+            frame["highest_rad"] = frame.highest * self.block.alpha
+            frame["lowest_rad"] = frame.lowest * self.block.alpha
+        return frame
 
     def values_by_kind(self) -> dict[str, int]:
         """Return how many values settle to each kind of motion."""

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,7 @@ from rocksteady.dynamics.orbits._orbit_facts import (
     case_facts,
     kind_text,
     orbit_facts,
+    section_row,
     where,
     worth,
 )
@@ -34,6 +36,9 @@ from rocksteady.model.motions.segments import Harmonic
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Description
 from rocksteady.results.result import Result
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 Floats = NDArray[np.float64]
 
@@ -212,6 +217,12 @@ class Orbit(Result):
         return Description(
             headline, [*orbit_facts(self), *case_facts(self.block, self.motion, self.model)]
         )
+
+    def to_dataframe(self) -> "pd.DataFrame":
+        """Return a row an impact, in order."""
+        import pandas as pd
+
+        return pd.DataFrame([section_row(state, self.block) for state in self.states])
 
 
 def orbit_from(

@@ -42,7 +42,6 @@ from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
-    import pandas as pd
     import xarray
 
 Floats = NDArray[np.float64]
@@ -222,7 +221,7 @@ class OverturningWindows(Result):
                 "ended before all of them."
             )
         headline = f"Overturning: {pulse.shape} pulse, {case_text(block)}, {self.model.name} model"
-        return Description(headline, facts, [Table("windows", rows), windows], notes)
+        return Description(headline, facts, [windows, Table("windows", rows)], notes)
 
     def _row(self, index: int) -> dict[str, Any]:
         """Return all that is known at one of the frequencies."""
@@ -294,13 +293,6 @@ class OverturningWindows(Result):
                 Column("high_g", "to g"),
             ]
         return columns
-
-    def to_dataframe(self) -> "pd.DataFrame":
-        """Return a row a window: frequency, ends, impacts, side, and whether it is endless."""
-        import pandas as pd
-
-        table = self.describe().tables[1]
-        return pd.DataFrame(list(table.rows), columns=table.header or ["frequency_ratio"])
 
 
 @checked

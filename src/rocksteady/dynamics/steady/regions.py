@@ -17,7 +17,7 @@ from rocksteady.kernels.orbits.closed_form import fill_curves, symmetry_breaking
 from rocksteady.model.blocks.sides import restitution_value
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import LARGEST, in_range
-from rocksteady.results.description import Description, Fact
+from rocksteady.results.description import Description, Fact, Table
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
 
@@ -323,7 +323,7 @@ def symmetry_breaking_frequency(amplitude: float, restitution: float, *, order: 
 def _described(
     what: str, curves: RegionBoundaries | RegionMap, names: Sequence[str]
 ) -> Description:
-    """Return curves as lists for JSON and by their ends for people."""
+    """Return curves as lists for JSON, as rows, and by their ends for people."""
 
     def fact(name: str) -> Fact:
         values = np.asarray(getattr(curves, name))
@@ -333,9 +333,16 @@ def _described(
 
     given = [fact(name) for name in ("frequency_ratio", "restitution", "order")]
     headline = f"{what}: Ω {given[0].text}, restitution {given[1].text}, n = {given[2].text}"
-    facts = [*given, *map(fact, names), Fact("model", "linear", "model")]
+    facts = [*given, *map(fact, names)]
+    columns = np.broadcast_arrays(*(np.asarray(each.value) for each in facts))
+    keys = [each.key for each in facts]
+    points = zip(*(column.ravel().tolist() for column in columns), strict=True)
+    rows = [dict(zip(keys, point, strict=True)) for point in points]
     return Description(
-        f"{headline}, linear model", facts, notes=["The curves are A = a/(alpha g)."]
+        f"{headline}, linear model",
+        [*facts, Fact("model", "linear", "model")],
+        [Table("", rows)],
+        ["The curves are A = a/(alpha g)."],
     )
 
 

@@ -400,6 +400,13 @@ class SteadyOrbit(Result):
             ],
         )
 
+    def to_dataframe(self) -> "pd.DataFrame":
+        """Return a row a sample."""
+        import pandas as pd
+
+        names = ("tau", "angle", "velocity", "velocity_tau", "excitation")
+        return pd.DataFrame({name: getattr(self, name) for name in names})
+
 
 @checked
 def compute_steady_orbit(

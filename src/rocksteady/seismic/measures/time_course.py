@@ -23,6 +23,7 @@ from rocksteady.results.numbers import length, number
 from rocksteady.results.result import Result
 
 if TYPE_CHECKING:
+    import pandas as pd
     import xarray
 
 Floats = NDArray[np.float64]
@@ -166,6 +167,10 @@ class IntegratedRecord(Result):
             coords={"t_s": ("t_s", self.t_s, {"units": "s"})},
             attrs={"record": self.record.name or ""},
         )
+
+    def to_dataframe(self) -> "pd.DataFrame":
+        """Return a row a sample."""
+        return self.to_dataset().to_dataframe().reset_index()
 
     @property
     def drifts(self) -> bool:

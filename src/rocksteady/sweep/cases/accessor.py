@@ -4,7 +4,7 @@ Importing this module registers it with xarray, as every function does that make
 """
 
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
@@ -13,6 +13,9 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.gridded import described, kind_of
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result, plotting_function
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 SLAB = 4_000_000
 """Cells that are read from a store at once."""
@@ -34,6 +37,10 @@ class Gridded(Result):
     def describe(self) -> Description:
         """Return the facts of the dataset, by its kind; of any other those of its variables."""
         return described(self._dataset) or outputs_described(self._dataset)
+
+    def to_dataframe(self) -> "pd.DataFrame":
+        """Return a row a cell."""
+        return self._dataset.to_dataframe().reset_index()
 
     def plot(self, *arguments: Any, **options: Any) -> Any:
         """Plot the dataset; arguments are those of the function `plot_*` of its kind."""

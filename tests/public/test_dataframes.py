@@ -1,0 +1,86 @@
+"""Results as data frames: their numbers are those of the objects, and their columns are numeric."""
+
+import contextlib
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+import rocksteady as rs
+from rocksteady.results.result import Result
+from tests.public.things import things
+
+NUMBERS: dict[str, tuple[Callable[[Any], Any], str]] = {
+    "basins": (lambda found: found.label.ravel(), "label"),
+    "boundaries": (lambda found: [found.kind.item()], "kind"),
+    "cascade": (lambda found: found.values, "amplitude"),
+    "course": (lambda found: found.velocity_m_s, "velocity_m_s"),
+    "curve": (lambda found: found.peak, "peak"),
+    "erosion": (lambda found: found.integrity_factor, "integrity_factor"),
+    "neighbours": (lambda found: [each.peak for each in found.cases], "peak"),
+    "orbit": (lambda found: [state.speed for state in found.states], "speed_per_pivot_time"),
+    "pushed": (lambda found: [found.friction_needed], "friction_needed"),
+    "regions": (lambda found: found.heteroclinic, "heteroclinic"),
+    "response": (lambda found: found.pseudo_velocity_m_s, "pseudo_velocity_m_s"),
+    "set": (lambda found: [found.horizontal[0].record.dt_s], "dt_s"),
+    "steady": (lambda found: found.angle, "angle"),
+    "trail": (lambda found: [each.peaks[1] for each in found.attractors], "lowest"),
+    "windows": (lambda found: found.low[np.isfinite(found.low)], "low"),
+}
+"""By name of a thing: what one of its columns holds."""
+
+
+@pytest.fixture(scope="module", name="made")
+def _made(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    """One of every class, made anew: what is kept has its files in a folder of other tests."""
+    with contextlib.chdir(tmp_path_factory.mktemp("things")):
+        made: dict[str, Any] = things.__wrapped__()
+    return made
+
+
+@pytest.mark.parametrize("name", NUMBERS)
+def test_a_column_has_the_numbers_of_the_result(name: str, made: dict[str, Any]) -> None:
+    numbers, column = NUMBERS[name]
+    result = made[name]
+    assert result.to_dataframe()[column].tolist() == pytest.approx(list(numbers(result)))
+
+
+def test_every_result_has_rows_and_no_column_mixes_numbers_with_other_things(
+    made: dict[str, Any],
+) -> None:
+    results = {name: each for name, each in made.items() if isinstance(each, Result)}
+    assert set(NUMBERS) < set(results)
+    for name, result in results.items():
+        frame = result.to_dataframe()
+        assert len(frame) > 0, name
+        assert frame.columns.is_unique, name
+        assert [str(column) for column in frame] == list(frame), name
+        for column in (column for column in frame if frame[column].dtype.kind == "O"):
+            kinds = {type(value) for value in frame[column].dropna()}
+            assert kinds <= {str} or kinds == {bool}, (name, column, kinds)
+
+
+def test_a_result_without_a_table_is_one_row_of_its_plain_facts(made: dict[str, Any]) -> None:
+    record = made["record"]
+    found = rs.measure_intensity(record)
+    values = {key: [value] for key, value in found.to_dict().items()}
+    assert found.to_dataframe().to_dict("list") == values
+    assert values["pga_m_s2"] == [pytest.approx(np.abs(record.acceleration_m_s2).max())]
+
+
+def test_no_rows_keep_their_columns(made: dict[str, Any]) -> None:
+    frame = rs.find_overturning_windows(
+        made["bare"], "half-sine", [8.0], within=(0.1, 0.2)
+    ).to_dataframe()
+    assert len(frame) == 0
+    assert {"frequency_ratio", "low", "high"} <= set(frame)
+
+
+def test_a_gridded_result_is_a_row_a_cell(made: dict[str, Any]) -> None:
+    found = made["map"]
+    frame = found.rocksteady.to_dataframe()
+    assert len(frame) == found.kind.size
+    assert frame.set_index(["amplitude", "frequency_ratio"]).highest.loc[
+        (2.0, 3.0)
+    ] == pytest.approx(found.highest.sel(amplitude=2.0, frequency_ratio=3.0).item())
