@@ -148,3 +148,15 @@ def test_the_examples_in_the_help_run(tmp_path: Path, monkeypatch: pytest.Monkey
         # Fewer frequencies show the same.
         assert rocksteady(re.sub(r":200\b|:25\b", ":10", example)).code == 0, example
     assert len(list(tmp_path.iterdir())) == 2
+
+
+def test_a_reversed_pulse_is_the_same_pulse_for_the_mirrored_block() -> None:
+    point = "overturn --pulse one-sine --freq-hz 1 --model linear --json --height-m 1.2"
+    other = rocksteady(f"{point} --left-m 0.25 --right-m 0.15 --accel-g 1").json
+    values = rocksteady(f"{point} --left-m 0.15 --right-m 0.25 --accel-g 1 --reverse").json
+    (row,), (mirrored,) = values["windows"], other["windows"]
+    assert (values["reversed"], other["reversed"]) == (True, False)
+    assert row["intervals_g"] != []
+    for ends, like in zip(row["intervals_g"], mirrored["intervals_g"], strict=True):
+        assert ends == pytest.approx(like, rel=1e-9)
+    assert [mode["side"] for mode in row["modes"]] == [-mode["side"] for mode in mirrored["modes"]]

@@ -14,6 +14,7 @@ from rocksteady import (
     Linear,
     Nonlinear,
     OverturningWindows,
+    Pulse,
     find_overturning_windows,
     overturning_threshold,
 )
@@ -74,6 +75,17 @@ def test_a_closed_form_stands_beside_its_windows_in_the_linear_model_alone() -> 
     nonlinear = windows_of(block, "rectangle", model=Nonlinear())
     assert {row["closed_form"] for row in nonlinear.to_dict()["windows"]} == {None}
     assert "nonlinear model" in repr(nonlinear)
+
+
+@pytest.mark.parametrize("reverse", [False, True])
+def test_the_closed_form_is_that_of_the_side_that_the_pulse_lifts(reverse: bool) -> None:
+    pulse = Pulse(shape="rectangle", amplitude=1.0, frequency_ratio=1.0, reverse=reverse)
+    found = find_overturning_windows(LEANING, pulse, [2.0], within=(0.2, 9.0), model=Linear())
+    (row,) = found.to_dict()["windows"]
+    (without,) = (mode for mode in row["modes"] if mode["impacts"] == 0)
+    assert without["interval"][0] == pytest.approx(row["closed_form"], rel=1e-9)
+    assert without["side"] == (-1 if reverse else 1)
+    assert ("reversed rectangle pulse" in repr(found)) == reverse == found.to_dict()["reversed"]
 
 
 @pytest.mark.parametrize("block", [BARE, LEANING])

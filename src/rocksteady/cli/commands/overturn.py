@@ -101,6 +101,14 @@ PhaseFlag = Annotated[
         rich_help_panel=options.MOTION,
     ),
 ]
+Reverse = Annotated[
+    bool,
+    typer.Option(
+        "--reverse",
+        help="Change the sign of the pulse: it lifts the block about the other edge first.",
+        rich_help_panel=options.MOTION,
+    ),
+]
 Resolution = Annotated[
     float | None,
     typer.Option(
@@ -125,6 +133,7 @@ def overturn(
     accel_g: RangeG = None,
     freq_hz: HertzAxis = None,
     phase: PhaseFlag = None,
+    reverse: Reverse = False,
     resolution: Resolution = None,
     model: options.Model = None,
 ) -> None:
@@ -141,7 +150,8 @@ def overturn(
     # The flags of the frequency are those of every shaking; its size is a range here.
     size = ShakingFlags(amplitude="1", frequency_ratio=frequency_ratio, freq_hz=freq_hz)
     ratios = sorted(set(size.of(body)[1]))
-    shape = pulse.of(Harmonic(amplitude=1.0, frequency_ratio=ratios[0]), phase=phase)
+    unit = Harmonic(amplitude=1.0, frequency_ratio=ratios[0])
+    shape = pulse.of(unit, phase=phase, reverse=reverse)
     within = _range(body, amplitude, accel_g)
     if output.plot is not None and len(ratios) < 2:
         raise FlagError(

@@ -18,7 +18,7 @@ from rocksteady.dynamics.overturning._cases import (
     uplifts_of,
     windows_at,
 )
-from rocksteady.dynamics.overturning.thresholds import THRESHOLDS, overturning_threshold
+from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -176,6 +176,7 @@ class OverturningWindows(Result):
             },
             attrs={
                 "pulse": self.pulse.shape,
+                "reversed": int(self.pulse.reverse),
                 "model": self.model.name,
                 **side_attributes(self.block),
                 "within": list(self.within),
@@ -191,7 +192,8 @@ class OverturningWindows(Result):
             Fact("block", block_values(block), "block", block_text(block))
             if isinstance(block, Block)
             else Fact("", label="block", text=block_text(block)),
-            Fact("pulse", pulse.shape, "pulse"),
+            Fact("pulse", pulse.shape, "pulse", self._pulse_text),
+            Fact("reversed", pulse.reverse),
             Fact("oscillations", pulse.oscillations),
             Fact("phase", pulse.phase),
             Fact("model", self.model.name, "model"),
@@ -220,15 +222,22 @@ class OverturningWindows(Result):
                 f"At {unsettled} of the frequencies there are so many windows that the search was "
                 "ended before all of them."
             )
-        headline = f"Overturning: {pulse.shape} pulse, {case_text(block)}, {self.model.name} model"
+        headline = (
+            f"Overturning: {self._pulse_text} pulse, {case_text(block)}, {self.model.name} model"
+        )
         return Description(headline, facts, [windows, Table("windows", rows)], notes)
+
+    @property
+    def _pulse_text(self) -> str:
+        """The pulse in a word or two."""
+        return f"reversed {self.pulse.shape}" if self.pulse.reverse else self.pulse.shape
 
     def _row(self, index: int) -> dict[str, Any]:
         """Return all that is known at one of the frequencies."""
         ratio, intervals = float(self.frequency_ratio[index]), self.intervals(index)
         closed = None
         if self.pulse.shape in THRESHOLDS and isinstance(self.model, Linear):
-            closed = float(overturning_threshold(self.pulse.shape, ratio))
+            closed = float(threshold_without_impact(self.block, self.pulse, ratio))
         row: dict[str, Any] = {
             "frequency_ratio": ratio,
             "intervals": [list(ends) for ends in intervals],
@@ -406,6 +415,27 @@ def find_overturning_windows(
         undecided=data["undecided"].values.astype(np.int64),
         unsettled=data["unsettled"].values.astype(np.int64),
     )
+
+
+def threshold_without_impact(
+    block: Block | DimensionlessBlock, pulse: Pulse, frequency_ratios: ArrayLike
+) -> Floats:
+    """Return `overturning_threshold` for the side that a pulse lifts first, in A of the positive.
+
+    Parameters
+    ----------
+    block
+        Of the negative side, which a reversed pulse lifts, alpha and p count.
+    pulse
+        Its shape and sign count.
+    frequency_ratios
+        Omega = omega/p of the positive side.
+    """
+    _, alpha_ratio, p_ratio = block.dimensionless().sides[int(pulse.reverse)]
+    # Without the bounds of `overturning_threshold`, which hold for the positive side.
+    threshold = np.vectorize(THRESHOLDS[pulse.shape], otypes=[np.float64])
+    found: Floats = alpha_ratio * threshold(np.asarray(frequency_ratios) / p_ratio)
+    return found
 
 
 def _unit(pulse: Pulse | str, ratios: Floats) -> Pulse:

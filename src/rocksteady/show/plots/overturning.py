@@ -10,8 +10,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.overturning.free_rocking import free_rocking_peaks, free_rocking_period
-from rocksteady.dynamics.overturning.thresholds import THRESHOLDS, overturning_threshold
-from rocksteady.dynamics.overturning.windows import OverturningWindow, OverturningWindows
+from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
+from rocksteady.dynamics.overturning.windows import (
+    OverturningWindow,
+    OverturningWindows,
+    threshold_without_impact,
+)
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Linear
@@ -126,7 +130,7 @@ def plot_overturning(
         fine = spread(w[0], w[-1], 400)
         (line,) = axes.plot(
             fine,
-            overturning_threshold(windows.pulse.shape, fine),
+            threshold_without_impact(windows.block, windows.pulse, fine),
             color=inks.ink,
             lw=1.4,
             ls="-" if isinstance(windows.model, Linear) else palette.DASHES[1],
