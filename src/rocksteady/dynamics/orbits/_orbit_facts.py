@@ -123,7 +123,7 @@ def orbit_facts(orbit: Any) -> list[Fact]:
     words = {
         "period": ("period", period),
         "impacts_per_period": ("impacts", impacts),
-        "multipliers": ("multipliers", multipliers_text(values["multipliers"], 6)),
+        "multipliers": ("multipliers", multipliers_text(values["multipliers"])),
     }
     if orbit.rest_phases:
         words["rest_phases"] = ("comes to rest", plural(orbit.rest_phases, "time") + " in a period")

@@ -15,7 +15,7 @@ from rocksteady.model.facts import (
     lean_text,
 )
 from rocksteady.model.motions.segments import Harmonic
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.description import Column, Description, Fact, Table, shown
 from rocksteady.results.numbers import number, plural
 
 # The classes that use this module are named Any: to import them would close a circle.
@@ -114,13 +114,13 @@ def describe_point(states: Any) -> Description:
     """Return the solutions at the only point of a grid, a column each."""
     values = point_values(states, (0,) * states.region.ndim)
     block, limits = states.block, values["boundaries"]
-    curves = f"existence {limits['existence']:.6f} (eq 23), kind {limits['kind']:.6f} (eq 25)"
+    existence, kind, sign = (number(limits[name]) for name in ("existence", "kind", "sign"))
     place = f"A = {values['amplitude']:.6g}, Ω = {values['frequency_ratio']:.6g}"
     words = {
         "region": ("region", f"{values['region']}: {values['region_meaning']}"),
         "boundaries": (
             "boundaries in A",
-            f"{curves}, sign {limits['sign']:.6f} (eq 24)",
+            f"existence {existence} (eq 23), kind {kind} (eq 25), sign {sign} (eq 24)",
         ),
     }
     if block is not None:
@@ -135,17 +135,17 @@ def describe_point(states: Any) -> Description:
         for label, text in (
             ("verdict", worth),
             ("kind", lambda s: s["kind"]),
-            ("phase (rad)", lambda s: f"{s['phase']:.12f}"),
-            ("velocity du/d(pt)", lambda s: f"{s['velocity']:.12f}"),
-            ("velocity du/d(omega t)", lambda s: f"{s['velocity_tau']:.12f}"),
-            ("peak u", lambda s: "—" if s["peak"] is None else f"{s['peak']:.12f}"),
+            ("phase (rad)", lambda s: number(s["phase"])),
+            ("velocity du/d(pt)", lambda s: number(s["velocity"])),
+            ("velocity du/d(omega t)", lambda s: number(s["velocity_tau"])),
+            ("peak u", lambda s: shown(s["peak"])),
             *(
                 [("peak", lambda s: lean_text(block, s["peak"]) if s["peak"] else "—")]
                 if block is not None
                 else []
             ),
             ("extrema in the half cycle", lambda s: str(s["extrema"])),
-            ("half-cycle multipliers", lambda s: multipliers_text(s["half_cycle_multipliers"], 6)),
+            ("half-cycle multipliers", lambda s: multipliers_text(s["half_cycle_multipliers"])),
         )
     ]
     columns = [Column("label", "", left=True)]

@@ -12,7 +12,7 @@ def verdict(*, admissible: bool, neutral: bool | None, stable: bool | None) -> s
     return "stable" if stable else "unstable"
 
 
-def multipliers_text(multipliers: Iterable[complex], digits: int = 3) -> str:
+def multipliers_text(multipliers: Iterable[complex]) -> str:
     """Return a pair of multipliers as people write it.
 
     Examples
@@ -22,8 +22,8 @@ def multipliers_text(multipliers: Iterable[complex], digits: int = 3) -> str:
     """
     first, second = (complex(value) for value in multipliers)
     if first.imag != 0.0:
-        return f"{first.real:.{digits}f} ± {abs(first.imag):.{digits}f}i"
-    text = f"{first.real:.{digits}g}, {second.real:.{digits}g}"
+        return f"{first.real:.3f} ± {abs(first.imag):.3f}i"
+    text = f"{first.real:.3g}, {second.real:.3g}"
     for sign in ("-", "+"):  # 1e-06 is 1e-6, and 1e+06 is 1e6
         text = text.replace(f"e{sign}0", f"e{sign}")
     return text.replace("e+", "e")
