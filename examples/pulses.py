@@ -1,9 +1,11 @@
 """Every named pulse, impulses, a sum and a synthetic motion: base acceleration and velocity.
 
-Writes docs/images/pulses.png; run it from the root of the repository.
+Writes pulses.png into the folder that is given, by default the current one:
+python examples/pulses.py docs/images
 """
 
 import math
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -41,7 +43,8 @@ def draw(axes: Axes, title: str, motion: Motion, end: float) -> None:
     axes.set_xlim(times[0], times[-1])
 
 
-def main() -> None:
+def main(folder: Path) -> None:
+    folder.mkdir(parents=True, exist_ok=True)
     panels: list[tuple[str, Motion, float]] = []
     for name in PULSES:
         pulse = rs.Pulse(shape=name, amplitude=1.0, frequency_ratio=1.0, tolerance=1e-4)
@@ -65,8 +68,8 @@ def main() -> None:
         for axes in grid[:, 0]:
             axes.set_ylabel(r"$a/a_{\max}$,  $\omega v/a_{\max}$")
         grid[-1, 1].legend(loc="lower right")
-        figure.savefig(Path("docs/images/pulses.png"), dpi=130)
+        figure.savefig(folder / "pulses.png", dpi=130)
 
 
 if __name__ == "__main__":
-    main()
+    main(Path(*sys.argv[1:2]))

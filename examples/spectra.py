@@ -1,9 +1,10 @@
 """Rocking spectra of a made-up near-fault record and of a suite of such records.
 
-Writes docs/images/spectrum.png and docs/images/spectrum-suite.png; run it from the root of the
-repository.
+Writes spectrum.png and spectrum-suite.png into the folder that is given, by default the current
+one: python examples/spectra.py docs/images
 """
 
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -32,7 +33,8 @@ def near_fault(seed: int) -> rs.Record:
     return rs.Record(acceleration_m_s2=values, dt_s=STEP, name=f"near fault {seed}")
 
 
-def main() -> None:
+def main(folder: Path) -> None:
+    folder.mkdir(parents=True, exist_ok=True)
     periods = np.linspace(0.5, 8.0, 600)
     record = near_fault(1)
     with palette.style():
@@ -46,15 +48,15 @@ def main() -> None:
             record, alpha=np.linspace(0.08, 0.45, 240), periods_s=periods[::2]
         )
         rs.plot_spectrum_map(plane, right)
-        figure.savefig(Path("docs/images/spectrum.png"), dpi=150)
+        figure.savefig(folder / "spectrum.png", dpi=150)
     suite = rs.compute_rocking_spectrum(
         [near_fault(seed) for seed in range(1, 41)],
         alpha=np.radians([10.0, 15.0, 20.0]),
         periods_s=np.linspace(0.5, 8.0, 200),
     )
     figure = suite_figure(rs.summarise_spectra(suite))
-    figure.savefig(Path("docs/images/spectrum-suite.png"), dpi=150)
+    figure.savefig(folder / "spectrum-suite.png", dpi=150)
 
 
 if __name__ == "__main__":
-    main()
+    main(Path(*sys.argv[1:2]))

@@ -5,6 +5,7 @@ below it; each command line runs; what pages name is there.
 import ast
 import itertools
 import math
+import os
 import re
 import shlex
 import subprocess
@@ -212,3 +213,24 @@ def test_what_the_table_of_questions_names_is_where_it_says() -> None:
             assert (folder / path).exists(), path
             wanted = {name for name in names if name}
             assert not wanted or wanted <= defined_in(folder / path), (path, wanted)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("example", sorted((ROOT / "examples").glob("*.py")), ids=lambda p: p.stem)
+def test_an_example_draws_the_pictures_that_pages_show(example: Path, tmp_path: Path) -> None:
+    ran = subprocess.run(
+        [sys.executable, example],
+        cwd=tmp_path,
+        env={**os.environ, "MPLBACKEND": "Agg"},
+        capture_output=True,
+        check=False,
+    )
+    assert ran.returncode == 0, ran.stderr
+    drawn = {picture.name for picture in tmp_path.iterdir()}
+    shown = {
+        Path(paragraphs[0]).name
+        for text in PAGES.values()
+        for paragraphs in re.findall(r"\]\(([\w./-]+\.png)\)\n\n([^\n]+(\n[^\n]+)*)", text)
+        if f"examples/{example.name}" in paragraphs[1]
+    }
+    assert drawn == shown
