@@ -34,6 +34,7 @@ from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import INCOMPLETE
 from rocksteady.cli.console.refusals import OncePerFlag
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
+from rocksteady.cli.flags.parsing import no_number
 from rocksteady.errors import RocksteadyError, UnfinishedError
 
 HELP = (
@@ -45,6 +46,9 @@ USAGE, INTERNAL, INTERRUPTED = 2, 101, 130
 OUTPUT_LOST = "standard output cannot be written"
 LONGEST_MESSAGE = 400
 """Characters of what typer finds wrong, which shows arguments whole."""
+
+NO_NUMBER = "should be a valid number"
+"""What typer finds of a text that is none."""
 
 app = typer.Typer(
     name="rocksteady",
@@ -187,7 +191,10 @@ def _usage_error(error: TyperException, arguments: list[str]) -> int:
     context = getattr(error, "ctx", None)
     path = context.command_path if context is not None else "rocksteady"
     message = " ".join(error.format_message().split()).rstrip(".")
-    given = _given(getattr(getattr(error, "param", None), "opts", []), arguments)
+    flags = getattr(getattr(error, "param", None), "opts", [])
+    given = _given(flags, arguments)
+    if given is not None and NO_NUMBER in message:
+        return _complain(str(no_number("/".join(flags), given)))
     if given is not None:
         message = f"{message} (given: {given!r})"
     if len(message) > LONGEST_MESSAGE:

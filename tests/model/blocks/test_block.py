@@ -221,6 +221,20 @@ def test_what_the_equation_of_motion_sees_of_a_block_is_its_restitution() -> Non
     assert bare.sides == ((0.77, 1.0, 1.0), (0.77, 1.0, 1.0))
 
 
+def test_a_block_that_is_no_rectangle_is_not_described_as_one() -> None:
+    sizes = {"left": 0.25, "right": 0.25, "height": 1.0}  # twice that of the mass centre
+    outline = (0.5**2 + 2.0**2) / 12.0  # of 0.5 x 2 m
+    low = Block.asymmetric(**sizes, gyration=outline**0.5)
+    assert "0.5 m wide block with its mass centre at 0.5 m, " in repr(low)
+    assert "<td" in low._repr_html_()
+    assert "x" not in low.summary()
+    assert "0.5 x 1 m block" in repr(Block.asymmetric(**sizes))
+    alike = Block.asymmetric(**sizes, gyration=((0.5**2 + 1.0) / 12.0) ** 0.5)
+    assert "0.5 x 1 m block" in repr(alike)
+    moved = Block.asymmetric(left=0.2, right=0.3, height=1.0, gravity=1.6)
+    assert "0.5 x 1 m block" in repr(moved)
+
+
 def test_a_notebook_shows_the_numbers_of_a_block() -> None:
     block = Block.from_p(alpha=0.25, p=2.14, restitution=0.9)
     table = block._repr_html_()

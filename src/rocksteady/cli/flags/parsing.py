@@ -9,6 +9,17 @@ from rocksteady.model.blocks.sides import Restitution, Restitutions
 from rocksteady.sweep.cases.spacing import in_equal_ratios
 
 MOST_AXIS_POINTS = 1_000_000
+UNITS = {
+    "-m-s2": "m/s^2",
+    "-rad-s": "rad/s",
+    "-rad": "radians",
+    "-deg": "degrees",
+    "-hz": "Hz",
+    "-g": "g",
+    "-m": "metres",
+    "-s": "seconds",
+}
+"""Units by the ends of flags, the longer ones first."""
 
 
 def decimal(text: str) -> float:
@@ -35,7 +46,14 @@ def number(flag: str, text: str) -> float:
     try:
         return decimal(text)
     except ValueError:
-        raise InputError(flag, text, "it must be a number", "write it as 2 or 0.35") from None
+        raise no_number(flag, text) from None
+
+
+def no_number(flag: str, text: str) -> InputError:
+    """Return the error of a text that is no number, with the unit that the flag's name has."""
+    unit = next((words for suffix, words in UNITS.items() if flag.endswith(suffix)), None)
+    hint = f"give it in {unit}, without the unit, as 0.35" if unit else "write it as 2 or 0.35"
+    return InputError(flag, text, "it must be a number", hint)
 
 
 def axis(flag: str, text: str) -> list[float]:

@@ -5,19 +5,30 @@ from rocksteady.model.blocks.sides import Side
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import angle, length, number, quantity
 
+ROUNDED = 1e-6
+"""Relative difference of moments of inertia that are the same."""
 
-def description_of(positive: Side, negative: Side) -> Description:
-    """Return the facts of a block of two sides."""
+
+def description_of(positive: Side, negative: Side, gravity: float) -> Description:
+    """Return the facts of a block of two sides.
+
+    A rectangle has a width and a height; of any other body the height is not known.
+    """
     symmetric = positive == negative
     width, height = positive.distance + negative.distance, 2.0 * positive.centre_height
     sides = (positive, negative)[: 1 if symmetric else 2]
     alphas = " and ".join(angle(side.alpha) for side in sides)
     impacts = dict.fromkeys(number(side.restitution) for side in sides)
     restitutions = " and ".join(impacts)
-    size = f"{number(width)} x {number(height)} m"
+    size = f"{number(width)} x {number(height)} m block"
+    lengths = Fact("", label="size", text=f"{length(width)} x {length(height)}")
+    if not _rectangular(positive, width, height, gravity):
+        centre = 0.5 * height
+        size = f"{number(width)} m wide block with its mass centre at {number(centre)} m"
+        lengths = Fact("", label="base", text=f"{length(width)}, mass centre {length(centre)} up")
     uplifts = " and ".join(quantity(tan(side.alpha), "g") for side in sides)
     facts = [
-        Fact("", label="size", text=f"{length(width)} x {length(height)}"),
+        lengths,
         Fact("alpha_rad", positive.alpha, "slenderness alpha", alphas),
         Fact("radius_m", positive.radius, "radius R", _each(sides, "radius", "m")),
         Fact("p_rad_s", positive.p, "frequency p", _each(sides, "p", "rad/s")),
@@ -32,9 +43,13 @@ def description_of(positive: Side, negative: Side) -> Description:
             Fact("height_m", height),
             Fact("negative", negative.to_dict()),
         ]
-    return Description(
-        headline=f"{size} block, alpha {alphas}, restitution {restitutions}", facts=facts
-    )
+    return Description(headline=f"{size}, alpha {alphas}, restitution {restitutions}", facts=facts)
+
+
+def _rectangular(side: Side, width: float, height: float, gravity: float) -> bool:
+    """Return whether a side's p is that of a homogeneous rectangle with its mass in mid-height."""
+    inertia = (width * width + height * height) / 12.0 + side.radius * side.radius
+    return abs(side.p * side.p * inertia / (gravity * side.radius) - 1.0) < ROUNDED
 
 
 def _each(sides: tuple[Side, ...], name: str, unit: str) -> str:

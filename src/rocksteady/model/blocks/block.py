@@ -496,4 +496,4 @@ class Block(Result):
 
     def describe(self) -> Description:
         """Return its size, slenderness and rates, for people and under the names of JSON."""
-        return description_of(self.positive, self.negative)
+        return description_of(self.positive, self.negative, self.gravity)
