@@ -102,6 +102,13 @@ def test_a_mask_a_unit_and_no_number_are_refused_everywhere(call: Any) -> None:
             call(array)
 
 
+@pytest.mark.parametrize("within", [5, "ab", (1.9,), (1.0, 2.0, 3.0)])
+def test_what_is_no_pair_is_refused_with_a_pair(within: Any) -> None:
+    block, motion = DimensionlessBlock(restitution=0.8), Harmonic(amplitude=2.0, frequency_ratio=4)
+    with pytest.raises(InputError, match=r"within = .* 2 values; give a pair, as \(1.0, 2.0\)$"):
+        rocksteady.find_bifurcations(block, motion, "amplitude", within=within)
+
+
 def test_scalars_keep_neither_a_mask_nor_a_unit() -> None:
     values: tuple[Any, ...] = (
         np.ma.masked,

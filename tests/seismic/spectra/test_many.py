@@ -153,7 +153,10 @@ def test_the_summary_of_a_suite_counts_those_that_fall() -> None:
         ({"pga_g": 0.3, "scales": 2.0}, "both given"),
         ({"pga_g": 0.0}, "pga_g"),
         ({"pga_g": []}, "pga_g"),
+        ({"pga_g": [0.3, 0.3]}, "pga_g = .* once"),
+        ({"scales": [[1.0, 2.0]]}, "scales = .* a list of numbers"),
         ({"scales": -1.0}, "scales"),
+        ({"motions": [None]}, "it must be a Record or a BaseMotion; read one"),
         ({"reverse": "twice"}, "reverse"),
     ],
 )

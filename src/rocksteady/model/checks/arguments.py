@@ -390,7 +390,9 @@ def _either(fits: Sequence[Fit | None]) -> Fit | None:
             plain = _plain(name, value)
             if plain is None or isinstance(plain, Number | str):
                 return plain
-        clauses = dict.fromkeys(valid.removeprefix("it must be ") for valid, _ in unfit)
+        # A check of items may have found several kinds itself.
+        kinds = (valid.removeprefix("it must be ").split(" or ") for valid, _ in unfit)
+        clauses = dict.fromkeys(kind for several in kinds for kind in several)
         raise UnfitError("it must be " + " or ".join(clauses), unfit[-1 if numeric else 0][1])
 
     return fit
@@ -399,11 +401,12 @@ def _either(fits: Sequence[Fit | None]) -> Fit | None:
 def _row(fits: Sequence[Fit | None]) -> Fit:
     """Return the check of a tuple of a fixed length, as (low, high)."""
     words = f"it must be a tuple of {len(fits)} values"
+    hint = "give a pair, as (1.0, 2.0)" if len(fits) == 2 else "give a list of as many"
 
     def fit(name: str, value: Any) -> Any:
-        items = _listed(name, value, words, len(fits) + 1)
+        items = _listed(name, value, words, len(fits) + 1, hint)
         if len(items) != len(fits):
-            raise UnfitError(words, "give (" + ", ".join(["..."] * len(fits)) + ")")
+            raise UnfitError(words, hint)
         return tuple(_item(one, name, item) for one, item in zip(fits, items, strict=True))
 
     return fit
@@ -425,15 +428,17 @@ def _items(one: Fit | None, *, lazily: bool) -> Fit:
     return fit
 
 
-def _listed(name: str, value: Any, words: str, most: int) -> list[Any]:
+def _listed(
+    name: str, value: Any, words: str, most: int, hint: str = "give a list of them"
+) -> list[Any]:
     """Return the first items of an iterable that is no text and no mapping."""
     if isinstance(value, str | bytes | bytearray | Mapping | type):
-        raise UnfitError(words, "give a list of them")
+        raise UnfitError(words, hint)
     refuse_mask_and_unit(name, value)
     try:
         return list(islice(value, most))
     except Exception:  # noqa: BLE001 - not iterable, or its own code fails
-        raise UnfitError(words, "give a list of them") from None
+        raise UnfitError(words, hint) from None
 
 
 def _item(one: Fit | None, name: str, item: Any) -> Any:

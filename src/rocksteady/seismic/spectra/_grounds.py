@@ -77,12 +77,17 @@ def axis_values(name: str, given: ArrayLike) -> list[float]:
     Raises
     ------
     InputError
-        If they are no numbers, or none.
+        If they are no numbers, or none, no list, or one is there twice.
     """
-    values: list[float] = np.atleast_1d(real_array(name, given)).tolist()
-    if not values:
-        raise InputError(name, given, "it must have one value or more", "give one")
-    return values
+    values = np.atleast_1d(real_array(name, given))
+    if values.ndim > 1 or not values.size:
+        raise InputError(
+            name, given, "it must be a number or a list of numbers", "give one value or more"
+        )
+    if len(np.unique(values)) < len(values):
+        raise InputError(name, given, "it may have each value once", "leave the repetition out")
+    found: list[float] = values.tolist()
+    return found
 
 
 def scale_values(given: ArrayLike) -> list[float]:
