@@ -124,24 +124,6 @@ def test_a_bad_order_is_one_line_with_the_value(
         assert needle in line, line
 
 
-@pytest.mark.parametrize(
-    ("flag", "unit"),
-    [
-        ("--width-m", "metres"),
-        ("--offset-m", "metres"),
-        ("--accel-m-s2", "m/s^2"),
-        ("--pga-g", "g"),
-        ("--freq-hz", "Hz"),
-        ("--alpha-rad", "radians"),
-    ],
-)
-def test_a_unit_that_is_typed_in_is_refused_with_that_of_the_flag(flag: str, unit: str) -> None:
-    size = "" if flag == "--width-m" else "--width-m 0.5"
-    shaking = "--accel-g 1" if flag == "--freq-hz" else "--freq-hz 2"
-    line = refused(f"simulate {size} --height-m 2 {shaking} {flag} 600mm")
-    assert f"{flag} = '600mm' is not valid: it must be a number; give it in {unit}, " in line
-
-
 def test_an_unknown_command_is_one_line() -> None:
     assert "'stedy'" in refused("stedy -A 2")
 

@@ -73,6 +73,15 @@ class Nonlinear:
 Model = Linear | Nonlinear
 
 
+class OfLinear:
+    """What only the linear model has: a part of the classes of its results."""
+
+    @property
+    def model(self) -> Model:
+        """`Linear()`, the equations of motion that hold."""
+        return Linear()
+
+
 def chosen_model(model: object, block: Block | DimensionlessBlock, motion: object = None) -> Model:
     """Return the equations of motion that hold, chosen where none are given.
 

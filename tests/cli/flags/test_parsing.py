@@ -18,6 +18,7 @@ from rocksteady.cli.flags.parsing import (
     restitution_from,
     single,
 )
+from tests.cli.program import refused
 
 ends = st.floats(-1e6, 1e6)
 positive_ends = st.floats(1e-6, 1e6)
@@ -120,3 +121,21 @@ def test_a_single_value_is_no_axis() -> None:
         single("amplitude", [2.0, 3.0])
     with pytest.raises(FlagError, match=r"^--scale has 3 values"):
         single("--scale", [1.0, 2.0, 3.0])
+
+
+@pytest.mark.parametrize(
+    ("flag", "unit"),
+    [
+        ("--width-m", "metres"),
+        ("--offset-m", "metres"),
+        ("--accel-m-s2", "m/s^2"),
+        ("--pga-g", "g"),
+        ("--freq-hz", "Hz"),
+        ("--alpha-rad", "radians"),
+    ],
+)
+def test_a_unit_that_is_typed_in_is_refused_with_that_of_the_flag(flag: str, unit: str) -> None:
+    size = "" if flag == "--width-m" else "--width-m 0.5"
+    shaking = "--accel-g 1" if flag == "--freq-hz" else "--freq-hz 2"
+    line = refused(f"simulate {size} --height-m 2 {shaking} {flag} 600mm")
+    assert f"{flag} = '600mm' is not valid: it must be a number; give it in {unit}, " in line

@@ -18,6 +18,7 @@ from rocksteady.dynamics.parameters import SYMBOLS
 from rocksteady.errors import ModelError, Words
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import whole_number
+from rocksteady.model.equations import OfLinear
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
@@ -34,7 +35,7 @@ SHRINKING = 0.5
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class DoublingCascade(Result):
+class DoublingCascade(OfLinear, Result):
     """Period doublings, each on the branch created by the previous one.
 
     Attributes

@@ -36,6 +36,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import is_pair, whole_number
+from rocksteady.model.equations import OfLinear
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import plural
@@ -80,7 +81,7 @@ class Bifurcation:
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class BifurcationDiagram(Result):
+class BifurcationDiagram(OfLinear, Result):
     """Periodic motions over a parameter, with their bifurcations, sweeps and cascade.
 
     Attributes

@@ -27,7 +27,7 @@ from rocksteady.errors import ModelError
 from rocksteady.kernels.orbits import periodic
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked_result
-from rocksteady.model.equations import Linear
+from rocksteady.model.equations import Linear, OfLinear
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, plural
@@ -91,7 +91,7 @@ MARGINAL = BIFURCATIONS[:3]
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class BranchPoint(Result):
+class BranchPoint(OfLinear, Result):
     """A periodic orbit on a branch.
 
     Attributes
@@ -271,7 +271,7 @@ class Stretch:
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class Branch(Result):
+class Branch(OfLinear, Result):
     """A periodic orbit followed over a parameter.
 
     Attributes

@@ -12,6 +12,7 @@ from rocksteady.kernels.elementary.arrays import cos
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.sides import Side
 from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.equations import Model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.model.motions.segments import (
@@ -83,6 +84,11 @@ class Neighbours(Result):
     cases: tuple[Neighbour, ...]
 
     @property
+    def model(self) -> Model:
+        """The equations of motion of all of them."""
+        return self.case.model
+
+    @property
     def runs(self) -> int:
         """Number of neighbours."""
         return len(self.cases)
@@ -142,7 +148,7 @@ class Neighbours(Result):
             }
             for each in self.cases
         ]
-        model = self.case.model.name
+        model = self.model.name
         return Description(
             f"{self.fact.text}, {model} model",
             facts=[

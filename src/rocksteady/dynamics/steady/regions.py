@@ -17,6 +17,7 @@ from rocksteady.kernels.orbits.closed_form import fill_curves, symmetry_breaking
 from rocksteady.model.blocks.sides import restitution_value
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import LARGEST, in_range
+from rocksteady.model.equations import OfLinear
 from rocksteady.results.description import Description, Fact, Table
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
@@ -37,7 +38,7 @@ REGIONS = {
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class RegionBoundaries(Result):
+class RegionBoundaries(OfLinear, Result):
     """Amplitudes that bound the regions, as arrays of the inputs' broadcast shape.
 
     Attributes
@@ -100,7 +101,7 @@ def region_boundaries(
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class RegionMap(Result):
+class RegionMap(OfLinear, Result):
     """Boundary curves in the plane of frequency and amplitude, for one restitution and order.
 
     Attributes

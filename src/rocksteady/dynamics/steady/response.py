@@ -19,6 +19,7 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import positive
+from rocksteady.model.equations import OfLinear
 from rocksteady.model.facts import (
     amplitude_text,
     block_text,
@@ -35,7 +36,7 @@ Floats = NDArray[np.float64]
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class ResponseCurve(Result):
+class ResponseCurve(OfLinear, Result):
     """Peak of one branch against frequency, as arrays of shape (frequencies,).
 
     Attributes

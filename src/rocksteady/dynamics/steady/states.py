@@ -26,6 +26,7 @@ from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.arrays import scalar_of
 from rocksteady.model.checks.validation import finite, whole_number
+from rocksteady.model.equations import OfLinear
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import quantity
 from rocksteady.results.result import Result
@@ -96,7 +97,7 @@ def refuse_asymmetric(block: Block | DimensionlessBlock, name: str, what: str) -
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class SteadyStates(Result):
+class SteadyStates(OfLinear, Result):
     """Both symmetric steady states at each point of a grid.
 
     Arrays named below without a branch have the broadcast shape of the inputs, ``grid``; those of
@@ -355,7 +356,7 @@ def find_steady_states(
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class SteadyOrbit(Result):
+class SteadyOrbit(OfLinear, Result):
     """One period of a symmetric steady state, as arrays of shape (samples,).
 
     Attributes

@@ -1,4 +1,4 @@
-"""Results as data frames: their numbers are those of the objects, and their columns are numeric."""
+"""What every result has: rows of a data frame, whose columns are numeric, and its model."""
 
 import contextlib
 from collections.abc import Callable
@@ -84,3 +84,11 @@ def test_a_gridded_result_is_a_row_a_cell(made: dict[str, Any]) -> None:
     assert frame.set_index(["amplitude", "frequency_ratio"]).highest.loc[
         (2.0, 3.0)
     ] == pytest.approx(found.highest.sel(amplitude=2.0, frequency_ratio=3.0).item())
+
+
+def test_a_result_whose_json_names_the_model_has_it(made: dict[str, Any]) -> None:
+    results: dict[str, Any] = {n: each for n, each in made.items() if isinstance(each, Result)}
+    named = {name: each.to_dict().get("model") for name, each in results.items()}
+    models = {name: results[name].model.name for name, model in named.items() if model}
+    assert models == {name: model for name, model in named.items() if model}
+    assert {"boundaries", "branch", "cascade", "curve", "diagram", "neighbours"} <= set(models)
