@@ -92,3 +92,9 @@ def test_a_result_whose_json_names_the_model_has_it(made: dict[str, Any]) -> Non
     models = {name: results[name].model.name for name, model in named.items() if model}
     assert models == {name: model for name, model in named.items() if model}
     assert {"boundaries", "branch", "cascade", "curve", "diagram", "neighbours"} <= set(models)
+
+
+def test_all_neighbours_are_listed(made: dict[str, Any]) -> None:
+    text = made["neighbours"].summary()
+    assert "more rows" not in text
+    assert text.count("at-rest") + text.count("overturned") == 26 + 1

@@ -156,7 +156,7 @@ class Neighbours(Result):
                 Fact("status", self.case.status.label, "the given case"),
                 self.fact,
             ],
-            tables=[Table("cases", rows, columns)],
+            tables=[Table("cases", rows, columns, most=len(rows))],
             notes=self.notes,
         )
 
