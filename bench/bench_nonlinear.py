@@ -1,4 +1,4 @@
-"""The nonlinear model: B1 with a slenderness, an earthquake, and a general solver on some cells.
+"""The nonlinear model: B1 with a slenderness, records, and a general solver on some cells.
 
 Blocks have alpha = 0.2 and the tolerance is the default.  The solver is DOP853 with an event for
 each impact, as accurate as the march; it runs cells that do not overturn.
@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from bench.bench_march import CYCLES, RESTITUTION, THINNED, Cells, cells, note
-from rocksteady import Block, Record, Status
+from bench.bench_march import CYCLES, RESTITUTION, THINNED, UNITS, Cells, cells, note
+from rocksteady import Block, Record, Run, State, Status, map_fates
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.kernels.batch.harmonic import fates_of_sides
 from rocksteady.kernels.core.tables import ROW_COLUMNS, March
@@ -84,6 +84,31 @@ def test_march_b1(benchmark: Any) -> None:
 
 
 @pytest.mark.benchmark(group="nonlinear", timer=time.process_time)
+def test_map_fates_b1(benchmark: Any) -> None:
+    """The same cells as a user maps them, in one thread."""
+    unit = cells("B1", THINNED)
+    found = benchmark.pedantic(
+        map_fates,
+        args=(BLOCK,),
+        kwargs={
+            "axes": {
+                "amplitude": np.unique(unit.amplitude),
+                "frequency_ratio": np.unique(unit.frequency_ratio),
+            },
+            "start": State(angle=0.0, velocity=UNITS["B1"]),
+            "cycles": CYCLES,
+            "model": Nonlinear(),
+            "run": Run(executor="serial"),
+        },
+        rounds=5,
+        warmup_rounds=1,
+    )
+    unit.status[:] = found.fate.to_numpy().ravel()
+    unit.impacts[:] = found.impacts.to_numpy().ravel()
+    note(benchmark, unit)
+
+
+@pytest.mark.benchmark(group="nonlinear", timer=time.process_time)
 def test_march_some(benchmark: Any) -> None:
     """The march on the cells of the solver, for the ratio of the two."""
     unit = some_that_stand()
@@ -100,16 +125,24 @@ def test_solver_some(benchmark: Any) -> None:
 
 
 @pytest.mark.parametrize("way", ["plain", "with peaks"])
+@pytest.mark.parametrize("name", ["flight", "earthquake"])
 @pytest.mark.benchmark(group="nonlinear", timer=time.process_time)
-def test_earthquake(benchmark: Any, way: str) -> None:
-    """The coloured noise of the linear model's benchmark, on a block that lifts at 2 m/s^2."""
-    values = synthetic(np.random.default_rng(1940), 5400, 0.01, 3.4)
-    block = Block.from_p(alpha=math.atan(2.0 / 9.80665), p=2.0, restitution=0.9)
-    segments = nonlinear_segment_table(Record(acceleration_m_s2=values, dt_s=0.01), block)
+def test_record(benchmark: Any, name: str, way: str) -> None:
+    """The noise of the linear model's benchmarks, in flight and on a block of 2 m/s^2."""
+    rng = np.random.default_rng(1940)
+    if name == "flight":
+        # The block is so slow that the record is over before it comes down.
+        record = Record(acceleration_m_s2=rng.normal(0.0, 0.01, 100_000), dt_s=0.001)
+        block = Block.from_p(alpha=0.2, p=0.005, restitution=0.9)
+        start, stop = March(1, 0.5, 0.0, 0, 0, 0.0, 0, 0), 0.0
+    else:
+        record = Record(acceleration_m_s2=synthetic(rng, 5400, 0.01, 3.4), dt_s=0.01)
+        block = Block.from_p(alpha=math.atan(2.0 / 9.80665), p=2.0, restitution=0.9)
+        start, stop = March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0), 1e15
+    segments = nonlinear_segment_table(record, block)
     none = np.zeros((0, ROW_COLUMNS))
-    start = March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0)
     sides = sides_of(block, Nonlinear())
-    arguments = (segments, sides, start, 0, 1e15, 1e-8, 10**9, none)
+    arguments = (segments, sides, start, 0, stop, 1e-8, 10**9, none)
     peaks = np.zeros(2 if way == "with peaks" else 0)
     _, end = march(*arguments, peaks)
     benchmark.pedantic(march, args=(*arguments, peaks), rounds=20, warmup_rounds=1)

@@ -18,6 +18,7 @@ from rich.table import Table
 
 ROOT = Path(__file__).resolve().parent.parent
 NEEDED_RATIO = 20.0
+SAMPLE_AIMS = {"flight, plain": "aim 25 ns", "earthquake, with peaks": "aim 90 ns"}
 PACKAGES = ("rocksteady", "numba", "numpy", "pytest-benchmark")
 
 # The sections of the page, in their order; `make bench-peers` writes the second.
@@ -52,13 +53,15 @@ symmetric orbit of A = 2, restitution 0.8 over Omega, with multipliers and admis
 point; **cascade**: the doublings that end near Omega = 1.7717. **Basins**, **erosion**, **map**:
 elapsed time on all cores. Basins are 200 x 200 states over 200 periods, periodic at A = 1,
 Omega = 2, restitution 0.8 and chaotic at A = 6, Omega = 6, restitution 0.25; the erosion has 17
-amplitudes up to 1.6 at Omega = 2, restitution 0.9, with 200 x 200 states over 100 periods each; the
-map has the axes of the attractors. **Sweeps**: one map of attractors from rest, restitution 0.8, A
-from 1.2 to 6, Omega from 0.5 to 8, up to 2000 periods, in each of the ways to compute and to keep
-it; and what the engine costs where a cell costs nothing. **Nonlinear**: blocks of alpha = 0.2 with
-the default tolerance, every fourth cell of either axis of B1 and the earthquake-like noise above;
-some cells that stand beside scipy's DOP853 (rtol 1e-12, an event for each impact, Python
-functions), which finds as many impacts in {solved} of them.
+amplitudes up to 1.6 at Omega = 2, restitution 0.9, with 200 x 200 states over 100 periods each, or
+30 x 30 of a block of alpha = 0.2 in either model; the map has the axes of the attractors, and the
+attractors of B1 its parameters and start. **Sweeps**: one map of attractors from rest, restitution
+0.8, A from 1.2 to 6, Omega from 0.5 to 8, up to 2000 periods, in each of the ways to compute and to
+keep it; and what the engine costs where a cell costs nothing. **Nonlinear**: blocks of alpha = 0.2
+with the default tolerance, every fourth cell of either axis of B1, by the march and as a map of
+fates in one thread, the windows of a Ricker pulse, and the noise above in flight and as an
+earthquake; some cells that stand beside scipy's DOP853 (rtol 1e-12, an event for each impact,
+Python functions), which finds as many impacts in {solved} of them.
 """
 
 
@@ -82,7 +85,6 @@ def main(source: Path, target: Path) -> None:
     alone = {
         "orbits": orbits_line,
         "continuation": continuation_line,
-        "grids": grid_line,
         "overturning": overturning_line,
         "spectra": spectra_line,
     }
@@ -115,6 +117,8 @@ def main(source: Path, target: Path) -> None:
             lines.append(nonlinear_line(name, b, results))
         elif group in alone:
             lines.append(alone[group](name, b))
+        elif group == "grids":
+            lines.append(grid_line(name, b, results))
         elif group == "sweeps":
             lines.append(sweep_line(name, b, results[group, "map[one thread]"]))
         elif group == "start":
@@ -132,12 +136,15 @@ def overturning_line(name: str, result: dict[str, Any]) -> Line:
     """Return the row of the windows of one pulse."""
     seconds, frequencies = result["stats"]["median"], result["extra_info"]["frequencies"]
     shape = name.removeprefix("windows[").removesuffix("]")
+    nonlinear = name == "windows_nonlinear"
+    if nonlinear:
+        shape = "ricker, nonlinear"
     return Line(
         f"windows of {shape}, {frequencies} frequencies",
         duration(seconds),
         f"{1e3 * seconds / frequencies:.1f} ms a frequency",
         "",
-        "guide 10 s",
+        f"200 in {200 * seconds / frequencies:.1f} s; aim 15 s" if nonlinear else "guide 10 s",
     )
 
 
@@ -147,21 +154,29 @@ def nonlinear_line(
     """Return a row of the nonlinear model; that of the general solver beside the march's."""
     info, seconds = result["extra_info"], result["stats"]["median"]
     if "samples" in info:
-        way = name.removeprefix("earthquake[").removesuffix("]")
+        # As "record[earthquake-with peaks]".
+        case = name.removeprefix("record[").removesuffix("]").replace("-", ", ")
+        each, impacts = 1e9 * seconds / info["samples"], info["impacts"]
         return Line(
-            f"nonlinear, {info['samples']} samples, earthquake, {way}",
+            f"nonlinear, {info['samples']} samples, {case}",
             duration(seconds),
-            f"{1e9 * seconds / info['samples']:.0f} ns a sample",
-            f"{1e9 * seconds / info['impacts']:.0f} ns",
-            "",
+            f"{each:.0f} ns a sample",
+            f"{1e9 * seconds / impacts:.0f} ns" if impacts else "",
+            SAMPLE_AIMS.get(case, ""),
         )
     label = {
         "march_b1": "nonlinear march B1, every fourth cell",
+        "map_fates_b1": "nonlinear map of fates B1, every fourth cell",
         "march_some": f"nonlinear march, {info['trajectories']} cells that stand",
         "solver_some": "DOP853 on these cells",
     }[name]
     ratio = seconds / results["nonlinear", "march_some"]["stats"]["median"]
-    return march_line(label, result, f"{ratio:.0f} x slower" if name == "solver_some" else "")
+    against = {
+        "march_b1": "aim 80 µs",
+        "map_fates_b1": "aim 20 µs",
+        "solver_some": f"{ratio:.0f} x slower",
+    }
+    return march_line(label, result, against.get(name, ""))
 
 
 def spectra_line(name: str, result: dict[str, Any]) -> Line:
@@ -215,12 +230,21 @@ def continuation_line(name: str, result: dict[str, Any]) -> Line:
     return Line(f"branch of {points} points", duration(seconds), each, "", "guide 2 s")
 
 
-def grid_line(name: str, result: dict[str, Any]) -> Line:
-    """Return the row of many cases in threads."""
+def grid_line(
+    name: str, result: dict[str, Any], results: dict[tuple[str, str], dict[str, Any]]
+) -> Line:
+    """Return the row of many cases in threads; the erosion of one model beside the other."""
     cells, seconds = result["extra_info"]["cells"], result["stats"]["median"]
     label, _, kind = name.removesuffix("]").partition("[")
-    what = f"{label.replace('_', ' ')}{', ' if kind else ''}{kind}, {cells} cells"
-    goal = "" if label == "erosion" else "guide 5 s"
+    what = (
+        f"{label.replace('_', ' ').replace('b1', 'B1')}{', ' if kind else ''}{kind}, {cells} cells"
+    )
+    goal = "" if "erosion" in label else "guide 5 s"
+    if kind == "nonlinear":
+        linear = results["grids", f"{label}[linear]"]["stats"]["median"]
+        goal = f"{seconds / linear:.0f} x linear; aim 10 x"
+    elif label == "attractors_of_b1":
+        goal = f"10^6 in {1e6 * seconds / cells:.1f} s; aim 3.5 s"
     return Line(what, duration(seconds), f"{1e6 * seconds / cells:.1f} µs a cell", "", goal)
 
 

@@ -6,8 +6,6 @@ solver that is not installed, or that fails, has a row that says so.
 
 import importlib
 import json
-import statistics
-import time
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +13,10 @@ import numpy as np
 from pytest_benchmark.plugin import pytest_benchmark_generate_machine_info
 from rich.console import Console
 
-from bench.peers import kernel, report
+from bench.peers import kernel, nonlinear, report
+from bench.peers.runs import measured, noted, set_up
 from bench.peers.truth import Truth, share
-from bench.peers.work import OVERTURNED, Cells, Outcome, Peer, cells
+from bench.peers.work import OVERTURNED, Cells, Outcome, cells
 from bench.report import ROOT
 
 SOLVERS = {
@@ -29,8 +28,6 @@ SOLVERS = {
 }
 CHECKED, DIGITS = 4, 60  # every so many-th cell is marched once more in so many digits
 DOUBTED, MORE_DIGITS = 12, 120  # and every so many-th in more, as are cells in dispute
-QUICK = 10.0  # seconds below which a solver runs three times
-OWN_RUNS = 5  # of the package, before and again after each solver
 
 
 def main(target: Path, page: Path) -> None:
@@ -44,31 +41,23 @@ def main(target: Path, page: Path) -> None:
     compared: list[tuple[dict[str, Any], Cells, Outcome]] = []
     package: list[tuple[dict[str, Any], Outcome]] = []
     for module, name in SOLVERS.items():
-        say(name)
-        try:
-            began = time.process_time()
-            peers = importlib.import_module(f"bench.peers.{module}").peers()
-            setup = time.process_time() - began
+        with noted(name, rows, say):
+            peers, setup = set_up(importlib.import_module(f"bench.peers.{module}").peers)
             for peer in peers:
                 say(f"  {peer.name}")
                 own = cells(peer.thinned)
-                row, outcome = measured(peer, own)
+                row, outcome = measured(peer, own, kernel.run)
                 rows.append(row)
                 if module == "kernel":
                     package.append((row, outcome))
                     continue
-                row["setup_s"] = setup / len(peers)
+                row["setup_s"] = setup
                 if peer.truth is not None:
                     linear = truth.overturned[own.index]
                     row.update(contact_agreement(peer.truth(own), outcome, linear))
                 else:
                     disputed |= truth.disputed(own, outcome)
                     compared.append((row, own, outcome))
-        except ImportError:
-            rows.append({"name": name, "failed": "not installed"})
-        except Exception as error:  # noqa: BLE001 - the others still run, and the row says why
-            say(f"  {error!r}")
-            rows.append({"name": name, "failed": f"failed: {type(error).__name__}"})
     say(f"{len(disputed)} cells in {MORE_DIGITS} digits")
     truth.settle(sorted(disputed), MORE_DIGITS)
     for row, own, outcome in compared:
@@ -81,6 +70,7 @@ def main(target: Path, page: Path) -> None:
         "rested": int(truth.rested.sum()),
         "check": check | {"disputed": len(disputed)},
         "rows": rows,
+        "nonlinear": nonlinear.compare(say),
     }
     target.parent.mkdir(parents=True, exist_ok=True)
     target.write_text(json.dumps(data, indent=1, default=str) + "\n", encoding="utf-8")
@@ -100,28 +90,6 @@ def checked(truth: Truth) -> dict[str, Any]:
         # As texts, because a cell without impacts has NaN for the phase of its last one.
         "unchanged": sum(str(again[cell]) == str(fates[cell]) for cell in few),
     }
-
-
-def measured(peer: Peer, own: Cells) -> tuple[dict[str, Any], Outcome]:
-    """Run one solver on its cells, with the package on the same cells before and after it."""
-    package = [kernel.run(own).seconds for _ in range(OWN_RUNS)]
-    runs = [peer.run(own)]
-    while runs[0].seconds < QUICK and len(runs) < 3:
-        runs.append(peer.run(own))
-    package += [kernel.run(own).seconds for _ in range(OWN_RUNS)]
-    ours = statistics.median(package)
-    # Of the package itself the same runs, so that it is 1.0 times as fast as itself.
-    seconds = ours if peer.run is kernel.run else statistics.median(run.seconds for run in runs)
-    return {
-        "name": peer.name,
-        "version": peer.version,
-        "settings": peer.settings,
-        "cells": len(own.index),
-        "us": 1e6 * seconds / len(own.index),
-        "ours_us": 1e6 * ours / len(own.index),
-        "ratio": seconds / ours,
-        "remark": runs[-1].remark,
-    }, runs[-1]
 
 
 def contact_agreement(right: Outcome, outcome: Outcome, linear: Any) -> dict[str, Any]:

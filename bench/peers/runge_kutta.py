@@ -14,7 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bench.peers.work import (
+    ALPHA,
     CYCLES,
+    LINEAR,
     OVERTURNED,
     RESTITUTION,
     ROCKING,
@@ -24,25 +26,37 @@ from bench.peers.work import (
     Cells,
     Outcome,
     Peer,
+    lost_angle,
     uplift,
+    uplift_share,
 )
 
 BISECTIONS = 52
-LINEAR = 0.0  # the alpha that stands for the linear model
 
 compiled_uplift = numba.njit(uplift)
+compiled_lost_angle = numba.njit(lost_angle)
 
 
 def peers() -> list[Peer]:
     """Return the march with a coarse and with a fine step, compiled."""
-    fates(np.ones(1), np.ones(1), 10, 1, LINEAR)
+    return peers_of(LINEAR)
+
+
+def nonlinear_peers() -> list[Peer]:
+    """Return the same for the nonlinear equation of motion."""
+    return peers_of(ALPHA)
+
+
+def peers_of(alpha: float) -> list[Peer]:
+    """Return the march of blocks of one alpha."""
+    fates(np.ones(1), np.ones(1), 10, 1, alpha, 1.0)
     return [
         Peer(
             name=f"Runge-Kutta 4, {steps} steps a period",
             version=f"numba {version('numba')}",
             settings="fixed step, bisection on the cubic of the step",
             thinned=thinned,
-            run=partial(run, steps=steps),
+            run=partial(run, steps=steps, alpha=alpha),
         )
         for steps, thinned in ((100, 1), (2000, 4))
     ]
@@ -51,7 +65,9 @@ def peers() -> list[Peer]:
 def run(cells: Cells, steps: int, alpha: float = LINEAR) -> Outcome:
     """March the cells; with `alpha` a rectangle in its nonlinear equation of motion."""
     began = time.process_time()
-    status, impacts, last = fates(cells.amplitude, cells.frequency_ratio, steps, CYCLES, alpha)
+    status, impacts, last = fates(
+        cells.amplitude, cells.frequency_ratio, steps, CYCLES, alpha, uplift_share(alpha)
+    )
     seconds = time.process_time() - began
     return Outcome(status=status, impacts=impacts, last_phase=last, seconds=seconds)
 
@@ -63,13 +79,16 @@ def fates(
     steps: int,
     cycles: int,
     alpha: float,
+    share: float,
 ) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.float64]]:
     """Return status, number of impacts and phase of the last one, of each cell."""
     count = len(amplitude)
     status, impacts = np.zeros(count, np.int64), np.zeros(count, np.int64)
     last = np.full(count, np.nan)
     for i in range(count):
-        status[i], impacts[i], tau = fate(amplitude[i], frequency_ratio[i], steps, cycles, alpha)
+        status[i], impacts[i], tau = fate(
+            amplitude[i], frequency_ratio[i], steps, cycles, alpha, share
+        )
         if impacts[i] > 0:
             last[i] = tau % TURN
     return status, impacts, last
@@ -77,12 +96,12 @@ def fates(
 
 @numba.njit(error_model="numpy")
 def fate(
-    amplitude: float, frequency: float, steps: int, cycles: int, alpha: float
+    amplitude: float, frequency: float, steps: int, cycles: int, alpha: float, share: float
 ) -> tuple[int, int, float]:
     """Return status, number of impacts and Omega s of the last one."""
     h, turned = TURN / (frequency * steps), TURN / steps
     end, tau, last = TURN * cycles, 0.0, 0.0
-    fallen = 1.0 + amplitude if alpha == LINEAR else 0.5 * math.pi / alpha
+    lost, strength = compiled_lost_angle(amplitude, alpha), amplitude * share
     side, y, v, impacts = 1.0, 0.0, START_VELOCITY, 0
     while tau < end:
         k1 = pull(y, side * amplitude * math.sin(tau), alpha)
@@ -95,7 +114,7 @@ def fate(
         v_next = v + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)
         if y_next > 0.0:
             y, v, tau = y_next, v_next, tau + turned
-            if y > fallen and v > 0.0:
+            if y > lost and v > 0.0:
                 return OVERTURNED, impacts, last
             continue
         s = descent(y, h * v, y_next, h * v_next)
@@ -107,8 +126,8 @@ def fate(
         y, v, side = 0.0, -RESTITUTION * landing, -side
         impacts += 1
         last = tau
-        if v < SLOW and amplitude * abs(math.sin(tau)) < 1.0:
-            tau, lifting = compiled_uplift(amplitude, tau)
+        if v < SLOW and strength * abs(math.sin(tau)) < 1.0:
+            tau, lifting = compiled_uplift(strength, tau)
             side, v = float(lifting), SLOW
     return ROCKING, impacts, last
 

@@ -15,7 +15,9 @@ from typing import Any
 import numpy as np
 
 from bench.peers.work import (
+    ALPHA,
     CYCLES,
+    LINEAR,
     OVERTURNED,
     RESTITUTION,
     ROCKING,
@@ -26,64 +28,90 @@ from bench.peers.work import (
     Outcome,
     Peer,
     uplift,
+    uplift_share,
 )
 
 AMPLITUDE, FREQUENCY, STANDS_ON, MOVES = 0, 1, 2, 3  # parameters of the equation
 COOLDOWN = 1e-12
+EXACT, COARSE = 2.0**-52, 1e-10
 IMPACT, FELL = -1, -2  # how heyoka names the terminal event that stopped it
 
 
 def peers() -> list[Peer]:
     """Return the integrator of one trajectory and that of as many as fit the vector registers."""
+    return peers_of(LINEAR, EXACT)
+
+
+def nonlinear_peers() -> list[Peer]:
+    """Return the same for the nonlinear equation of motion, to rounding and to a tolerance."""
+    return [*peers_of(ALPHA, EXACT), *peers_of(ALPHA, COARSE)]
+
+
+def peers_of(alpha: float, tolerance: float) -> list[Peer]:
+    """Return the integrators for blocks of one alpha."""
     import heyoka
 
     lanes = heyoka.recommended_simd_size()
-    settings = f"tolerance 2.2e-16, fast_math, terminal events with cooldown {COOLDOWN}"
+    settings = f"tolerance {tolerance:.2g}, fast_math, terminal events with cooldown {COOLDOWN}"
     return [
         Peer(
             name="heyoka",
             version=version("heyoka"),
             settings=f"taylor_adaptive, {settings}",
             thinned=1,
-            run=Single().run,
+            run=Single(alpha, tolerance).run,
         ),
         Peer(
             name="heyoka, batch",
             version=version("heyoka"),
             settings=f"taylor_adaptive_batch of {lanes}, {settings}",
             thinned=1,
-            run=Batch(lanes).run,
+            run=Batch(lanes, alpha, tolerance).run,
         ),
     ]
 
 
-def system(event: Callable[..., Any], impact: Callable[..., bool], fell: Any) -> dict[str, Any]:
+def system(
+    event: Callable[..., Any],
+    impact: Callable[..., bool],
+    fell: Any,
+    alpha: float,
+    tolerance: float,
+) -> dict[str, Any]:
     """Return equations and events, with the side, and a switch that stops the motion."""
     import heyoka as hy
 
     x, v = hy.make_vars("x", "v")
     amplitude, frequency, side, moves = (hy.par[i] for i in range(4))
-    pull = moves * (x - side + amplitude * hy.sin(frequency * hy.time))
-    # Above 1 + A and rising it can never come back.
-    beyond = side * x - (1.0 + amplitude)
+    base = amplitude * hy.sin(frequency * hy.time)
+    # Above a certain angle and rising it can never come back.
+    if alpha == LINEAR:
+        pull, lost = x - side + base, 1.0 + amplitude
+    else:
+        tilt = alpha - alpha * side * x
+        pull = base * hy.cos(tilt) - side * hy.sin(tilt) / alpha
+        lost = 1.0 + hy.atan(alpha * amplitude) / alpha
+    beyond = side * x - lost
     rising = {"direction": hy.event_direction.positive}
     return {
-        "sys": [(x, v), (v, pull)],
+        "sys": [(x, v), (v, moves * pull)],
         "t_events": [
             event(x, callback=impact, cooldown=COOLDOWN),
             event(beyond, **rising, **({"callback": fell} if fell else {})),
         ],
         "fast_math": True,
+        "tol": tolerance,
     }
 
 
 class Single:
     """One trajectory after the other."""
 
-    def __init__(self) -> None:
+    def __init__(self, alpha: float, tolerance: float) -> None:
         import heyoka as hy
 
-        made = system(hy.t_event, self.impact_callback(), None)
+        self.share = uplift_share(alpha)
+        made = system(hy.t_event, self.impact_callback(), None, alpha, tolerance)
         self.solver = hy.taylor_adaptive(state=[0.0, 0.0], pars=[1.0] * 4, **made)
         self.state, self.pars = self.solver.state, self.solver.pars
         self.began = self.last = 0.0
@@ -101,7 +129,7 @@ class Single:
             pars[STANDS_ON] = -pars[STANDS_ON]
             self.impacts += 1
             self.last = now
-            return abs(state[1]) > SLOW or lifted(pars, now)
+            return abs(state[1]) > SLOW or lifted(pars, now, self.share)
 
         return impact
 
@@ -133,7 +161,7 @@ class Single:
                 return OVERTURNED
             if outcome != IMPACT:
                 return ROCKING
-            tau, side = uplift(amplitude, frequency * solver.time)
+            tau, side = uplift(self.share * amplitude, frequency * solver.time)
             if tau >= TURN * CYCLES:
                 return ROCKING
             solver.time = self.began = tau / frequency
@@ -144,10 +172,13 @@ class Single:
 class Batch:
     """Several trajectories side by side in vector registers."""
 
-    def __init__(self, lanes: int) -> None:
+    def __init__(self, lanes: int, alpha: float, tolerance: float) -> None:
         import heyoka as hy
 
-        made = system(hy.t_event_batch, self.impact_callback(), self.fall_callback())
+        self.share = uplift_share(alpha)
+        made = system(
+            hy.t_event_batch, self.impact_callback(), self.fall_callback(), alpha, tolerance
+        )
         zeros, ones = np.zeros((2, lanes)), np.ones((4, lanes))
         self.lanes = lanes
         self.solver = hy.taylor_adaptive_batch(state=zeros, pars=ones, **made)
@@ -168,7 +199,7 @@ class Batch:
             pars[STANDS_ON, lane] = -pars[STANDS_ON, lane]
             self.impacts[lane] += 1
             self.last[lane] = now
-            if abs(state[1, lane]) > SLOW or lifted(pars[:, lane], now):
+            if abs(state[1, lane]) > SLOW or lifted(pars[:, lane], now, self.share):
                 return True
             self.rests[lane] = True
             return False
@@ -226,7 +257,7 @@ class Batch:
                 return
             times = self.time.copy()
             for lane in np.flatnonzero(self.rests):
-                tau, side = uplift(amplitude[lane], frequency[lane] * times[lane])
+                tau, side = uplift(self.share * amplitude[lane], frequency[lane] * times[lane])
                 if tau >= TURN * CYCLES:
                     self.freeze(lane)
                     continue
@@ -238,6 +269,6 @@ class Batch:
             solver.set_time(times)
 
 
-def lifted(pars: np.ndarray, now: float) -> bool:
+def lifted(pars: np.ndarray, now: float, share: float) -> bool:
     """Return whether the base pulls harder than gravity."""
-    return bool(pars[AMPLITUDE] * abs(math.sin(pars[FREQUENCY] * now)) >= 1.0)
+    return bool(share * pars[AMPLITUDE] * abs(math.sin(pars[FREQUENCY] * now)) >= 1.0)

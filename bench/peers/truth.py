@@ -53,17 +53,15 @@ class Truth:
     def agreement(self, own: Cells, outcome: Outcome) -> dict[str, object]:
         """Return what a solver got right."""
         at = own.index
-        counted = ~self.rested[at]
-        same = outcome.impacts == self.impacts[at]
-        found: dict[str, object] = {
-            "same_class": share((outcome.status == OVERTURNED) == self.overturned[at]),
-            "same_impacts": share(same[counted]),
-        }
-        if outcome.last_phase is not None:
-            compared = counted & same & (self.impacts[at] > 0)
-            off = apart(outcome.last_phase, self.last_phase[at])[compared]
-            found["last_impact"] = {"median": float(np.median(off)), "largest": float(off.max())}
-        return found
+        return agreement(
+            overturned=self.overturned[at],
+            impacts=self.impacts[at],
+            last_phase=self.last_phase[at],
+            counted=~self.rested[at],
+            status=outcome.status,
+            found_impacts=outcome.impacts,
+            found_phase=outcome.last_phase,
+        )
 
     def own_agreement(self, outcome: Outcome) -> dict[str, object]:
         """Return what the package got right among the cells that were settled without it."""
@@ -79,6 +77,28 @@ class Truth:
                 seconds=outcome.seconds,
             ),
         )
+
+
+def agreement(
+    *,
+    overturned: NDArray[np.bool_],
+    impacts: NDArray[np.int64],
+    last_phase: NDArray[np.float64],
+    counted: NDArray[np.bool_],
+    status: NDArray[np.int64],
+    found_impacts: NDArray[np.int64],
+    found_phase: NDArray[np.float64] | None,
+) -> dict[str, object]:
+    """Return what a solver got right, from what is right and what it found, one value a cell."""
+    same = found_impacts == impacts
+    found: dict[str, object] = {
+        "same_class": share((status == OVERTURNED) == overturned),
+        "same_impacts": share(same[counted]),
+    }
+    if found_phase is not None:
+        off = apart(found_phase, last_phase)[counted & same & (impacts > 0)]
+        found["last_impact"] = {"median": float(np.median(off)), "largest": float(off.max())}
+    return found
 
 
 def share(right: NDArray[np.bool_]) -> float:

@@ -21,6 +21,8 @@ RESTITUTION = 0.8
 START_VELOCITY = 0.3  # d(theta/alpha)/d(pt), at angle 0 and phase 0
 SLOW = 1e-8  # velocity after an impact below which a bounce counts as rest, with the base calm
 TURN = 2.0 * math.pi
+LINEAR = 0.0  # the alpha that stands for the linear model
+ALPHA = 0.2  # of the blocks in the nonlinear one
 
 ROCKING = int(Status.ROCKING)
 AT_REST = int(Status.AT_REST)
@@ -56,7 +58,7 @@ class Peer:
     settings: str
     thinned: int  # it runs every so many-th cell of either axis
     run: Callable[[Cells], Outcome]
-    # What decides whether a class is right, where it is not the linear model of all the others.
+    # What decides whether a class is right, where it is the equation of this solver alone.
     truth: Callable[[Cells], Outcome] | None = None
 
 
@@ -71,8 +73,23 @@ def cells(thinned: int = 1) -> Cells:
     )
 
 
+def lost_angle(amplitude: float, alpha: float) -> float:
+    """Return the angle over alpha from which a rising block can never come back."""
+    if alpha == LINEAR:
+        return 1.0 + amplitude
+    return 1.0 + math.atan(alpha * amplitude) / alpha
+
+
+def uplift_share(alpha: float) -> float:
+    """Return the factor of an amplitude that makes the uplift of a block happen at 1."""
+    return 1.0 if alpha == LINEAR else alpha / math.tan(alpha)
+
+
 def uplift(amplitude: float, tau: float) -> tuple[float, int]:
-    """Return when (in Omega s) a block at rest lifts next, and on which side it then stands."""
+    """Return when (in Omega s) a block at rest lifts next, and on which side it then stands.
+
+    The amplitude is over that of uplift.
+    """
     if amplitude <= 1.0:
         return math.inf, 1
     rise = math.asin(1.0 / amplitude)
