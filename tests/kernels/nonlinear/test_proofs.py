@@ -475,7 +475,7 @@ def test_the_verdict_on_chatter_is_the_same_in_the_units_of_any_reference() -> N
 
 
 def test_chatter_that_is_proved_to_end_does_within_the_span_and_before_an_uplift() -> None:
-    for drawn, speed, span in bordering(26, 24):
+    for drawn, speed, span in bordering(26, 20):
         assert drawn.ends(speed, span)
         assert not drawn.ends(speed, span * (1.0 - 1e-12))
         assert rests(drawn, speed, span), drawn
@@ -485,7 +485,7 @@ def test_the_proof_that_chatter_ends_is_none_too_weak() -> None:
     # It is sufficient, not necessary.  Half of the chatter no longer ends when it is 8 times as
     # fast, and half of it takes more than a third of the span.
     speeds, spans = [], []
-    for drawn, speed, span in bordering(27, 5):
+    for drawn, speed, span in bordering(27, 4):
         speeds.append(next(k for k in range(1, 20) if not rests(drawn, 2.0**k * speed, 1e3)))
         spans.append(next(k for k in range(1, 20) if not rests(drawn, speed, span / 1.5**k)))
     assert np.median(speeds) <= 3.0
