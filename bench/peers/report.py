@@ -174,7 +174,7 @@ def shortfalls(rows: list[dict[str, Any]], aims: dict[str, float]) -> list[str]:
             if row["name"].startswith(AGAINST)
         ]
         if ratios and min(ratios) < aim:
-            reached = " and ".join(f"{ratio:.0f}" for ratio in ratios)
+            reached = " and ".join(f"{ratio:.3g}" for ratio in ratios)
             lines.append(
                 f"Short of its aim: {AGAINST} takes {reached} times as long as *{name}*; aimed at "
                 f"are {aim:.0f} times."
