@@ -1,17 +1,27 @@
-"""How Hypothesis runs in every test; continuous integration keeps its own fixed seed."""
+"""How Hypothesis runs in every test, from the same seed each time; what Ctrl-C does in one."""
 
 import os
+import signal
 
 from hypothesis import HealthCheck, settings
 
-# No deadline: the first call of a kernel compiles it, and no deadline foresees that.
-settings.register_profile("compiled", settings.default, deadline=None)
+COMPILED = settings(
+    # No deadline: the first call of a kernel compiles it, and a machine may have much else to do.
+    deadline=None,
+    # The same examples in each run, so that no run fails by chance.
+    derandomize=True,
+    database=None,
+    print_blob=True,
+)
+settings.register_profile("compiled", COMPILED)
 # Without compilation each call is some hundred times slower, so that fewer have to do.
 settings.register_profile(
-    "plain",
-    settings.default,
-    deadline=None,
-    max_examples=20,
-    suppress_health_check=[HealthCheck.too_slow],
+    "plain", COMPILED, max_examples=20, suppress_health_check=[HealthCheck.too_slow]
 )
+# Other examples in each run, ten times as many: `pytest --hypothesis-profile=search`.
+settings.register_profile("search", COMPILED, derandomize=False, max_examples=1000)
 settings.load_profile("plain" if os.environ.get("ROCKSTEADY_KERNELS") == "python" else "compiled")
+
+# A script that has started the tests in its background has SIGINT ignored, in all that they start.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)

@@ -1,11 +1,11 @@
 """The loop over cases: any executor, workers and chunks give the same; nothing is swallowed."""
 
+import concurrent.futures
 import functools
 import json
 import re
 import signal
 import threading
-import time
 from typing import Any
 
 import numpy as np
@@ -20,6 +20,7 @@ from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.executors import _threads
 from rocksteady.sweep.run import Run
 
 Floats = NDArray[np.float64]
@@ -155,25 +156,39 @@ def test_arguments_are_validated(arguments: dict[str, Any], valid: str) -> None:
 
 
 @pytest.mark.parametrize("executor", ["threads", "serial"])
-def test_an_interruption_cancels_what_has_not_begun(executor: str) -> None:
+def test_an_interruption_cancels_what_has_not_begun(
+    executor: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     begun: list[float] = []
+    submitted, came = threading.Event(), threading.Event()
 
-    def slow(a: Floats, b: Floats, c: Floats) -> Found:
+    def wait(*arguments: Any, **options: Any) -> Any:
+        submitted.set()
+        return concurrent.futures.wait(*arguments, **options)
+
+    def note(*_: object) -> None:
+        came.set()
+        raise KeyboardInterrupt
+
+    def interrupting(a: Floats, b: Floats, c: Floats) -> Found:
         begun.append(float(a[0]))
         if len(begun) == 3:
-            signal.raise_signal(signal.SIGINT) if executor == "serial" else interrupt()
-        time.sleep(0.01)
+            assert executor == "serial" or submitted.wait(60.0)
+            signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
+        if len(begun) >= 3 and executor == "threads":
+            came.wait(60.0)  # the other cells follow the interruption, on a slow machine too
         return some(a, b, c)
 
-    def interrupt() -> None:
-        signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
-
-    with pytest.raises(KeyboardInterrupt):
-        evaluate(slow, GRID, OUTPUTS, run=Run(executor=executor, workers=2), batch=1)
-    after = len(begun)
-    assert after < GRID.size
-    time.sleep(0.05)
-    assert len(begun) == after  # nothing goes on behind one's back
+    monkeypatch.setattr(_threads, "wait", wait)
+    usual = signal.signal(signal.SIGINT, note)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            evaluate(interrupting, GRID, OUTPUTS, run=Run(executor=executor, workers=2), batch=1)
+    finally:
+        signal.signal(signal.SIGINT, usual)
+    assert 3 <= len(begun) < GRID.size
+    # Nothing goes on behind one's back.
+    assert not [thread for thread in threading.enumerate() if thread.name.startswith("sweep")]
 
 
 def test_progress_is_told_in_the_calling_thread() -> None:

@@ -184,8 +184,6 @@ def test_a_sweep_that_a_signal_ends_says_how_it_goes_on(
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
-        # Python ignores SIGINT where a script has started the tests in its background.
-        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL) and None,  # noqa: PLW1509
     )
     done = tmp_path / "out.zarr" / "done" / "c"
     while running.poll() is None and not (done.is_dir() and any(done.iterdir())):

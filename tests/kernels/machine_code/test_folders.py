@@ -48,8 +48,9 @@ def test_the_last_two_versions_used_are_kept(tmp_path: Path) -> None:
 
 def test_a_version_counts_as_used_from_now_on(tmp_path: Path) -> None:
     folder = version(tmp_path, NAMES[0], LONG_AGO)
+    before = time.time() - 1.0  # the kernel stamps files with a clock of coarser ticks
     prune(folder)
-    assert time.time() - folder.stat().st_mtime < 60.0
+    assert before <= folder.stat().st_mtime <= time.time()
 
 
 def test_versions_that_a_process_of_the_last_day_has_used_are_kept(tmp_path: Path) -> None:

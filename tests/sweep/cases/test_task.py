@@ -1,7 +1,6 @@
 """A task: as far as a time lasts, call by call, and never less than one call."""
 
 import math
-import time
 from typing import Any
 
 import numpy as np
@@ -50,15 +49,21 @@ def test_calls_grow_while_they_are_short(
     assert answer.arrays["double"].tolist() == list(range(20, 2000, 2))
 
 
-@pytest.mark.parametrize("seconds", [0.0, 0.05])
-def test_slow_cells_are_left_to_others_when_the_time_is_over(seconds: float) -> None:
+@pytest.mark.parametrize(("seconds", "calls"), [(0.0, 1), (1 / 64, 1), (3 / 64, 3), (0.05, 4)])
+def test_slow_cells_are_left_to_others_when_the_time_is_over(
+    seconds: float, calls: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    called: list[int] = []
+    monkeypatch.setattr(f"{Task.__module__}.time.monotonic", lambda: sum(called) / 64)
+
     def slow(a: NDArray[np.float64]) -> dict[str, Any]:
-        time.sleep(0.02 * len(a))
+        called.append(len(a))
         return {"double": 2.0 * a}
 
     answer = task_of(slow).run((0, 1000), seconds)
-    assert 1 <= answer.stop <= 4
-    assert len(answer.arrays["double"]) == answer.stop
+    assert called == [1] * calls
+    assert answer.stop == calls
+    assert answer.arrays["double"].tolist() == list(range(0, 2 * calls, 2))
 
 
 @pytest.mark.parametrize(

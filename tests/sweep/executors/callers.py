@@ -17,7 +17,7 @@ from rocksteady.sweep.evaluate import evaluate
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.run import Run
-from tests.sweep.executors.cases import slow, GRID, OUTPUTS
+from tests.sweep.executors.cases import held, slow, GRID, OUTPUTS
 
 def mine(a, b):
     return slow(a, b)
@@ -28,6 +28,8 @@ def told(cells):
 
 executor = sys.argv[1] if len(sys.argv) > 1 else "dask"
 """
+ENDLESS = SCRIPT.replace("slow(a, b)", "held(a, b, gate='/no/such/file')")
+"""The same of cells that never end, so that it cannot have ended before it is disturbed."""
 RUN = (
     "data = evaluate(mine, GRID, OUTPUTS, batch=4,"
     " run=Run(executor=executor, workers=2, progress=told))\n"
@@ -55,7 +57,7 @@ def started(
 
 @contextmanager
 def within(seconds: int) -> Iterator[None]:
-    """Raise where something hangs."""
+    """Raise where something hangs, even on a machine with much else to do."""
 
     def late(*_: object) -> None:
         raise TimeoutError(f"not done within {seconds} seconds")

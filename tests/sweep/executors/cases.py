@@ -41,6 +41,13 @@ def slow(a: Floats, b: Floats, *, seconds: float = 0.002) -> Found:
     return some(a, b)
 
 
+def held(a: Floats, b: Floats, *, gate: str) -> Found:
+    """Compute the first half of the cells at once, the others as soon as there is a file."""
+    while (a > GRID.axes[0].points[14]).any() and not Path(gate).exists():
+        time.sleep(0.01)
+    return some(a, b)
+
+
 def failing(a: Floats, b: Floats, *, kind: str) -> Found:
     if (b == 13.0).any():
         if kind == "ours":

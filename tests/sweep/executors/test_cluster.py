@@ -18,6 +18,7 @@ import distributed
 import numpy as np
 import psutil
 import pytest
+import xarray
 
 from rocksteady.errors import InputError, UnfinishedError
 from rocksteady.sweep.cases import inputs
@@ -95,10 +96,9 @@ def test_nothing_stays_at_the_scheduler(local_cluster: Local, address: str) -> N
         plugins = [name for name in dask_scheduler.worker_plugins if "rocksteady" in name]
         return len(dask_scheduler.tasks), len(plugins)
 
-    deadline = time.monotonic() + 5
-    while local_cluster.client.run_on_scheduler(left) != (0, 0) and time.monotonic() < deadline:
-        time.sleep(0.05)
-    assert local_cluster.client.run_on_scheduler(left) == (0, 0)
+    with within(120):
+        while local_cluster.client.run_on_scheduler(left) != (0, 0):
+            time.sleep(0.05)
 
 
 @pytest.mark.parametrize("kind", ["ours", "another"])
@@ -200,19 +200,28 @@ def test_one_is_told_that_all_workers_have_gone_and_goes_on_with_new_ones(
 ) -> None:
     monkeypatch.setattr(_remote, "PATIENCE", 0.5)
     monkeypatch.setattr(_remote, "LOOKED", 0.1)
+    killed: list[int] = []
     with Local(1) as cluster:
         cluster.client.wait_for_workers(1)
-        killed = threading.Timer(0.5, cluster._workers._processes[0].kill)
-        replaced = threading.Timer(1.5, cluster.check_workers, kwargs={"progress": True})
-        killed.start()
-        replaced.start()
-        with pytest.warns(UserWarning, match="no worker for 0"):
-            found = evaluate(
-                functools.partial(slow, seconds=0.003),
-                GRID,
-                OUTPUTS,
-                run=Run(executor=cluster.address),
-            )
+
+        def kill(cells: int) -> None:
+            if cells and not killed:
+                killed.append(cells)
+                cluster._workers._processes[0].kill()
+
+        def replace(warned: pytest.WarningsRecorder) -> None:
+            while not len(warned):
+                time.sleep(0.01)
+            cluster.check_workers(progress=True)
+
+        def computed(warned: pytest.WarningsRecorder) -> xarray.Dataset:
+            threading.Thread(target=replace, args=(warned,), daemon=True).start()
+            run = Run(executor=cluster.address, progress=kill)
+            return evaluate(slow, GRID, OUTPUTS, run=run, batch=5)
+
+        with within(120), pytest.warns(UserWarning, match="no worker for 0") as warned:
+            found = computed(warned)
+    assert 0 < killed[0] < GRID.size
     assert np.array_equal(found["sum"].values, evaluate(some, GRID, OUTPUTS)["sum"].values)
 
 
@@ -259,7 +268,7 @@ def test_an_answer_that_is_lost_with_the_last_worker_is_computed_again(
             cluster.check_workers(progress=True)
 
     with ExitStack() as stack:
-        stack.enter_context(within(60))
+        stack.enter_context(within(120))
         executor = "dask"
         if not ours:
             cluster = stack.enter_context(Local(1))
@@ -337,19 +346,18 @@ if __name__ == "__main__":
 """
 
 
-def test_a_cluster_that_is_lost_says_so() -> None:
-    with started(LOSABLE, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
+def test_a_cluster_that_is_lost_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    # An hour, which nobody waits who does not try to connect again.
+    monkeypatch.setattr(_remote, "ANSWERED", 3600.0)
+    with within(120), started(LOSABLE, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
         assert process.stdout is not None
         executor = process.stdout.readline().strip()
-        lost: list[float] = []
 
         def kill(cells: int) -> None:
-            if cells and not lost:
-                lost.append(time.monotonic())
+            if cells:
                 process.kill()
 
         with pytest.raises(UnfinishedError) as caught:
             evaluate(slow, GRID, OUTPUTS, run=Run(executor=executor, progress=kill), batch=5)
-        assert time.monotonic() - lost[0] < 5
     assert str(caught.value).startswith(f"executor = '{executor}' is not finished: the connection")
     assert "\n" not in str(caught.value)

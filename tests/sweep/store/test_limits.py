@@ -125,7 +125,7 @@ def test_a_second_process_is_refused_until_the_first_is_no_more(
         "def told(cells):\n"
         "    print(cells, flush=True)\n"
         "    if cells == 100:\n"
-        "        time.sleep(60)\n"
+        "        time.sleep(3600)\n"
         "store = Store(Path(sys.argv[1]), chunk=100)\n"
         "how = Run(executor='serial', store=store, progress=told)\n"
         "evaluate(some, GRID, OUTPUTS, run=how, batch=100)\n"
