@@ -21,6 +21,7 @@ MAKEFLAGS += --no-builtin-rules
 # The same result from any shell: what another environment, a user's pip settings or a debugging
 # session has exported must reach neither the installation nor the checks.
 unexport VIRTUAL_ENV CONDA_PREFIX PYTHONHOME PYTHONPATH PYTHONSTARTUP PYTHONWARNINGS PYTHONOPTIMIZE
+unexport PYTHONDONTWRITEBYTECODE
 unexport PIP_TARGET PIP_PREFIX PIP_ROOT PIP_CONSTRAINT PIP_REQUIREMENT PIP_NO_DEPS PIP_DRY_RUN
 unexport MYPYPATH NUMBA_DISABLE_JIT ROCKSTEADY_KERNELS
 export PIP_USER := 0
@@ -69,11 +70,11 @@ layers: .venv ## import-linter: who may import whom
 
 .PHONY: tests
 tests: .venv library ## pytest, kernels from the library (MARKS= runs the slow ones too)
-	$(BIN)/python -m pytest -n $(WORKERS) -m "$(MARKS)"
+	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -m "$(MARKS)"
 
 .PHONY: tests-python
 tests-python: .venv ## the kernels' tests once more as plain Python
-	ROCKSTEADY_KERNELS=python $(BIN)/python -m pytest tests/kernels -n $(WORKERS)
+	ROCKSTEADY_KERNELS=python $(BIN)/python -m pytest tests/kernels -n $(WORKERS) --dist worksteal
 
 .PHONY: tests-jit
 tests-jit: .venv ## pytest, kernels compiled by numba

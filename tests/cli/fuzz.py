@@ -190,6 +190,8 @@ def command_line(draw: random.Random, number: int) -> list[str]:
     if draw.random() < 0.02:
         return draw.choices([*JUNK, *COMMANDS, "--help", "--version", "-h"], k=draw.randrange(4))
     path = draw.choice(list(COMMANDS))
+    if path == "doctor" and draw.random() < 0.8:  # half of the time, for two flags
+        path = draw.choice(list(COMMANDS))
     parameters = COMMANDS[path].params
     usual = list(draw.choice(USUAL.get(path, [[]]))) if draw.random() < 0.9 or path in LONG else []
     words = list(usual)

@@ -249,12 +249,8 @@ def test_help_names_every_flag_with_its_meaning(
         assert unit in ran.out, unit
 
 
-@commands
-def test_the_examples_in_the_help_run(
-    command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    at2(tmp_path / "RSN77_PUL164.AT2", samples())
+def examples_of(command: str) -> list[str]:
+    """Return the command lines in the help of a command."""
     modules = {
         "steady": steady,
         "simulate": simulate,
@@ -264,10 +260,32 @@ def test_the_examples_in_the_help_run(
         "bifurcate": bifurcate,
         "map": maps,
     }
-    examples = re.findall(r"^rocksteady (.*)$", modules[command].EXAMPLES, flags=re.MULTILINE)
-    assert len(examples) >= 3
-    for example in examples:
-        assert rocksteady(example).code == 0, example
+    found = re.findall(r"^rocksteady (.*)$", modules[command].EXAMPLES, flags=re.MULTILINE)
+    assert len(found) >= 3
+    return found
+
+
+@pytest.fixture
+def beside_a_record(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Work in a folder with the record that the examples name."""
+    monkeypatch.chdir(tmp_path)
+    at2(tmp_path / "RSN77_PUL164.AT2", samples())
+
+
+@commands
+@pytest.mark.usefixtures("beside_a_record")
+def test_the_examples_in_the_help_run_on_coarser_axes(command: str) -> None:
+    for example in examples_of(command):
+        coarser = re.sub(r":(\d+)(?=[ ,]|$)", lambda n: f":{min(int(n[1]), 12)}", example)
+        assert rocksteady(coarser).code == 0, coarser
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("beside_a_record")
+def test_the_examples_in_the_help_run() -> None:
+    for command in SHAKEN:
+        for example in examples_of(command):
+            assert rocksteady(example).code == 0, example
 
 
 def test_the_program_alone_shows_its_help() -> None:

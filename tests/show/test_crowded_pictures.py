@@ -222,8 +222,9 @@ def test_a_name_from_outside_is_shown_as_it_is(name: str) -> None:
     figure = film_of(run, speed=1.0).figure
     for text in (*legend.get_texts(), *figure.texts):
         assert "$" not in text.get_text().replace(r"\$", ""), "no mathematics"
+    drawn = simulation_figure(rocking(), name)
     for kind in ("png", "svg", "pdf"):
-        assert figure_bytes(simulation_figure(rocking(), name), kind)
+        assert figure_bytes(drawn, kind)
 
 
 def test_text_that_is_no_mathematics_stays_what_it_is() -> None:

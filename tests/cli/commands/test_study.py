@@ -17,6 +17,7 @@ from tests.studies.atlas.small import small, tiny
 
 PROGRESS = re.compile(r"(computing|drawing): \d+ of \d+ \(\d+ %\), .+")
 AXES = "-A 0.4:8:16 -W 0.6:12:20"
+DRAWN = ("draw_families", "draw_coexistence", "draw_from_rest")
 
 
 @pytest.fixture
@@ -29,7 +30,7 @@ def ready(monkeypatch: pytest.MonkeyPatch) -> Atlas:
         return small()
 
     monkeypatch.setattr(module, "atlas", ready_atlas)
-    for name in ("draw_families", "draw_coexistence", "draw_from_rest"):
+    for name in DRAWN:
         monkeypatch.setattr(module, name, tiny)
     return small()
 
@@ -98,10 +99,24 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
     return contents(folder)
 
 
+@pytest.fixture(scope="module")
+def plain(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
+    """The same with pictures that cost nothing: nearly all the time goes into pictures."""
+    folder = tmp_path_factory.mktemp("plain") / "out"
+    with pytest.MonkeyPatch.context() as patched:
+        for name in DRAWN:
+            patched.setattr(module, name, tiny)
+        assert rocksteady(f"{TINY} --out", folder).code == 0
+    return contents(folder)
+
+
 @pytest.mark.parametrize("step", ["coexistence", "from_rest", "report_html"])
 def test_an_interrupted_atlas_says_how_it_goes_on_and_does(
-    step: str, whole: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    step: str, plain: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    for name in DRAWN:
+        monkeypatch.setattr(module, name, tiny)
+
     def interrupted(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
@@ -128,7 +143,7 @@ def test_an_interrupted_atlas_says_how_it_goes_on_and_does(
             "rocksteady.studies.atlas.analysis.coexistence.find_attractors", computed
         )
     assert rocksteady(f"{TINY} --resume --out", folder).code == 0
-    assert contents(folder) == whole
+    assert contents(folder) == plain
     assert not (folder / ".unfinished").exists()
 
 
@@ -143,11 +158,13 @@ def test_a_folder_of_parts_that_no_study_described_is_refused(name: str, tmp_pat
 
 
 def test_force_begins_an_interrupted_atlas_anew(
-    whole: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    plain: dict[str, bytes], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def interrupted(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
+    for name in DRAWN:
+        monkeypatch.setattr(module, name, tiny)
     folder = tmp_path / "out"
     with monkeypatch.context() as patched:
         patched.setattr(module, "from_rest", interrupted)
@@ -159,7 +176,7 @@ def test_force_begins_an_interrupted_atlas_anew(
         assert "thesis.txt" in refused(f"{TINY} {flag} --out", folder)
     inside.unlink()
     assert rocksteady(f"{TINY} --force --out", folder).code == 0
-    assert contents(folder) == whole
+    assert contents(folder) == plain
     assert [file.name for file in (folder / ".unfinished").iterdir()] == ["mine.txt"]
 
 

