@@ -20,7 +20,6 @@ from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.cases.outputs import Output
 from rocksteady.sweep.evaluate import evaluate
-from rocksteady.sweep.executors import _threads
 from rocksteady.sweep.run import Run
 
 Floats = NDArray[np.float64]
@@ -179,7 +178,7 @@ def test_an_interruption_cancels_what_has_not_begun(
             came.wait(60.0)  # the other cells follow the interruption, on a slow machine too
         return some(a, b, c)
 
-    monkeypatch.setattr(_threads, "wait", wait)
+    monkeypatch.setattr("rocksteady.sweep.executors._threads.wait", wait)
     usual = signal.signal(signal.SIGINT, note)
     try:
         with pytest.raises(KeyboardInterrupt):
