@@ -35,6 +35,7 @@ from rocksteady.kernels.elementary.loops import (
     fill_tanh,
 )
 from rocksteady.kernels.lanes.driver import lane_fates
+from rocksteady.kernels.lanes.settling import lane_attractors
 from rocksteady.kernels.linear.oscillator import fill_oscillator
 from rocksteady.kernels.machine_code.compilation import Kernel, cache_folder
 from rocksteady.kernels.march.march import march
@@ -90,6 +91,7 @@ _KERNELS: tuple[Any, ...] = (
     fates_of_sides,
     lane_fates,
     settle_cells,
+    lane_attractors,
     fill_clocks,
     record_fates,
     pulse_fates,

@@ -6,11 +6,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.history.lowering import alike
 from rocksteady.dynamics.history.start import ImpactState
 from rocksteady.dynamics.orbits.attractor import KINDS, MOST_CYCLES, kind_codes
 from rocksteady.errors import ModelError
 from rocksteady.kernels.batch import attractors as column
-from rocksteady.kernels.core.tables import RESTITUTION
+from rocksteady.kernels.core.tables import RESTITUTION, SIDE_COLUMNS
+from rocksteady.kernels.lanes.settling import LEFT_OVER, lane_attractors
 from rocksteady.model.checks.arguments import checked_result
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.outcomes import INFINITELY_MANY, NO_START, NO_START_LABEL, AttractorKind
@@ -118,6 +120,9 @@ def settled_cells(
 ) -> Attractors:
     """Return what motions settle to, each from its own state.
 
+    Symmetric blocks are followed side by side in the linear model, until they are near an orbit,
+    all others one by one: a cell's answer depends on nothing but the cell.
+
     Parameters
     ----------
     amplitude, frequency_ratio
@@ -135,19 +140,22 @@ def settled_cells(
     real = np.empty((cells, column.REAL_COLUMNS))
     # A view of it would be read-only, which is another type to the kernel.
     tables = np.broadcast_to(sides, (cells, *sides.shape[-2:])).copy()
-    column.settle_cells(
-        amplitude,
-        frequency_ratio,
-        tables,
-        begin.side,
-        begin.angle,
-        begin.velocity,
-        begin.half_cycles,
-        begin.phase,
-        cycles,
-        whole,
-        real,
-    )
+    states = begin.side, begin.angle, begin.velocity, begin.half_cycles, begin.phase
+    # Lanes know the linear model alone, which is told by the columns of its sides.
+    same = np.flatnonzero(alike(tables) & (tables.shape[2] == SIDE_COLUMNS))
+    whole[:, column.OUTCOME] = LEFT_OVER
+    for in_lanes in (True, False):
+        left = same if in_lanes else np.flatnonzero(whole[:, column.OUTCOME] == LEFT_OVER)
+        if cells and not len(left):  # without any cells at all both are to be loaded
+            continue
+        each = [array[left] for array in (amplitude, frequency_ratio, tables, *states)]
+        found = whole[left], real[left]
+        if in_lanes:
+            each[2] = each[2][:, 0, RESTITUTION].copy()
+            lane_attractors(*each, cycles, *found)
+        else:
+            column.settle_cells(*each, cycles, *found)
+        whole[left], real[left] = found
     kind = kind_codes(
         whole[:, column.OUTCOME],
         whole[:, column.SYMMETRIC],

@@ -18,8 +18,8 @@ from rocksteady.kernels.orbits.periodic import (
     measured,
     state_at,
 )
-from rocksteady.kernels.orbits.return_map import make_system
-from rocksteady.kernels.orbits.settle import LONGEST_ORBIT, MEMORY, PERIODIC, settle
+from rocksteady.kernels.orbits.return_map import System, make_system
+from rocksteady.kernels.orbits.settle import LONGEST_ORBIT, MEMORY, PERIODIC, Settled, settle
 
 # Columns of the whole numbers of a cell.
 OUTCOME = 0
@@ -92,30 +92,38 @@ def settle_cells(
             memory,
             table,
         )
-        whole[i, :] = 0
-        real[i, :] = math.nan
-        whole[i, OUTCOME] = found.outcome
-        whole[i, AFTER] = found.after
-        real[i, LYAPUNOV] = found.lyapunov
-        real[i, LEAST] = found.least
-        if found.outcome != PERIODIC:
-            continue
-        passages, periods = found.passages, found.periods
-        # As for one orbit alone: the times that it leaves are where the peaks are searched from.
-        measured(system, passages, periods, table)
-        fill_peaks(system, passages, table)
-        highest = lowest = 0.0
-        for k in range(passages):
-            here, there = table[k, PEAK], table[k, OTHER_PEAK]
-            if table[k, SIDE] < 0.0:
-                here, there = there, here
-            highest, lowest = max(highest, here), max(lowest, there)
-        state = state_at(table, ZERO)
-        whole[i, ORBIT_SIDE] = state.side
-        whole[i, PASSAGES] = passages
-        whole[i, PERIODS] = periods
-        whole[i, RESTS] = found.rests
-        whole[i, SYMMETRIC] = 1 if is_symmetric(system, table, passages, periods) else 0
-        real[i, ORBIT_PHASE] = (state.half_cycles % 2) * math.pi + state.phase
-        real[i, ORBIT_SPEED] = state.speed
-        real[i, HIGHEST], real[i, LOWEST] = highest, 0.0 - lowest
+        note_attractor(system, found, table, whole, real, i)
+
+
+@compiled
+def note_attractor(
+    system: System, found: Settled, table: Floats2, whole: Integers2, real: Floats2, cell: int
+) -> None:
+    """Write what a cell settles to, whose orbit, if it has one, is in a table."""
+    whole[cell, :] = 0
+    real[cell, :] = math.nan
+    whole[cell, OUTCOME] = found.outcome
+    whole[cell, AFTER] = found.after
+    real[cell, LYAPUNOV] = found.lyapunov
+    real[cell, LEAST] = found.least
+    if found.outcome != PERIODIC:
+        return
+    passages, periods = found.passages, found.periods
+    # As for one orbit alone: the times that it leaves are where the peaks are searched from.
+    measured(system, passages, periods, table)
+    fill_peaks(system, passages, table)
+    highest = lowest = 0.0
+    for k in range(passages):
+        here, there = table[k, PEAK], table[k, OTHER_PEAK]
+        if table[k, SIDE] < 0.0:
+            here, there = there, here
+        highest, lowest = max(highest, here), max(lowest, there)
+    state = state_at(table, ZERO)
+    whole[cell, ORBIT_SIDE] = state.side
+    whole[cell, PASSAGES] = passages
+    whole[cell, PERIODS] = periods
+    whole[cell, RESTS] = found.rests
+    whole[cell, SYMMETRIC] = 1 if is_symmetric(system, table, passages, periods) else 0
+    real[cell, ORBIT_PHASE] = (state.half_cycles % 2) * math.pi + state.phase
+    real[cell, ORBIT_SPEED] = state.speed
+    real[cell, HIGHEST], real[cell, LOWEST] = highest, 0.0 - lowest

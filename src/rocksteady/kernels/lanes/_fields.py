@@ -14,6 +14,9 @@ LEAVE = 4.0  # for the march: one flight
 ENDED = 5.0  # the run is over, in mid flight
 FALLEN = 6.0
 RESTED = 7.0  # for the march, at rest
+LOOKING = 7.25  # at the start of a flight: is there an orbit near?
+SETTLED = 7.5  # the same: it has come to the orbit that it was to settle to ...
+ASTRAY = 7.75  # ... or not
 DOWN = 8.0  # the end of a piece with r < 0 is to be looked at
 UP = 9.0  # the same with r > 0
 POLISH = 14.0  # from a guess; the steps are counted on, to one of the `LAST_STEPS`
@@ -82,8 +85,9 @@ SPECIALS_BITS = 32
     REF_VELOCITY,
     REF_LEFT,
     REF_IMPACTS,
-) = range(0, 52 * LANES, LANES)
-FIELDS = 52
+    LIMIT,
+) = range(0, 53 * LANES, LANES)
+FIELDS = 53
 
 LOSS = 2.0**-49  # sixteen roundings: what a computed number may be off, in units of its terms
 FARTHEST = 100.0  # further ahead nothing is known: squares of what has grown are to stay finite

@@ -32,21 +32,22 @@ from rocksteady.kernels.lanes._fields import (
     LANES,
     LEAVE,
     MANY,
-    NODES_BITS,
     RESTED,
-    SHORT,
-    SHORTS_BITS,
-    SPECIALS_BITS,
     STAGE,
     STOP,
-    VELOCITY,
     WAITING_BITS,
-    weight,
 )
-from rocksteady.kernels.lanes._launching import begin_special, launch
 from rocksteady.kernels.lanes._loading import at_the_end, load, put_lane, taken
-from rocksteady.kernels.lanes._newton import approach, bounce, fly, land, shake
 from rocksteady.kernels.lanes._nodes import node_decision, node_state
+from rocksteady.kernels.lanes._passes import (
+    WAITING,
+    at_nodes,
+    begin,
+    census,
+    fill_empty,
+    in_flight,
+    step,
+)
 from rocksteady.kernels.lanes._periods import LEAPT, compare, leap
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
@@ -55,21 +56,7 @@ from rocksteady.kernels.march.rest import STILL
 
 Integers = NDArray[np.int64]
 
-# A loop over few lanes costs as much as over all: they are let gather ...
-GATHERED = 10
-WAITING = 3
-SPECIALS = 6
-PATIENCE = 4  # ... but for no more than so many passes where others would go on without end
 ROUNDS = 4096  # passes from one look at the numbers of impacts to the next
-
-
-@compiled
-def census(lanes: Floats) -> int:
-    """Count the lanes of each kind of stage."""
-    count = 0
-    for j in range(LANES):
-        count += weight(lanes[STAGE + j])
-    return count
 
 
 @allocating
@@ -112,9 +99,7 @@ def lane_fates(
     sides[:, LEAN] = 1.0
     sides[:, RATE] = 1.0
     lanes = np.zeros(FIELDS * LANES)
-    for j in range(LANES):  # empty ones fly too, and come to no harm
-        load(lanes, j, ZERO, 0.0, 1.0, 0.5, 0.0)
-        lanes[VELOCITY + j] = 1.0
+    fill_empty(lanes)
     count = len(amplitude)
     fresh = ZERO  # the next cell
     busy = 0  # lanes that are not empty
@@ -123,9 +108,6 @@ def lane_fates(
     rounds = 0
     numbers = census(lanes)
     while True:
-        flying = numbers & MANY
-        nodes = (numbers >> NODES_BITS) & MANY
-        shorts = (numbers >> SHORTS_BITS) & MANY
         waiting = (numbers >> WAITING_BITS) & MANY
         if fresh < count:
             waiting += LANES - busy
@@ -135,7 +117,7 @@ def lane_fates(
                 if exhausted(lanes, j, most):
                     lanes[STAGE + j] = LEAVE
                     waiting = WAITING
-        if waiting >= WAITING or flying + nodes + shorts == 0:
+        if waiting >= WAITING or not in_flight(numbers):
             for j in range(LANES):
                 if LEAVE <= lanes[STAGE + j] < DOWN:
                     cell = int(lanes[CELL + j])
@@ -186,32 +168,15 @@ def lane_fates(
                     busy += 1
             if busy == 0:
                 return
-        elif nodes > 0 and (nodes >= GATHERED or nodes >= flying):
+        elif at_nodes(numbers):
             node_state(lanes)
             numbers = node_decision(lanes)
             continue
         else:
-            shake(lanes)
-            fly(lanes)
-            below = SHORT
-            bounces += 1
-            if shorts > 0 and (shorts >= GATHERED or shorts >= flying or bounces >= PATIENCE):
-                bounce(lanes)
-                below = math.inf
-                bounces = 0
-            approach(lanes)
-            land(lanes, below)
+            bounces = step(lanes, numbers, bounces)
         if leaping and compare(lanes, most) > 0:
             leap(lanes)
-        numbers = launch(lanes)
-        specials = numbers >> SPECIALS_BITS
-        delays += 1
-        if specials > 0 and (
-            specials >= SPECIALS or specials >= numbers & MANY or delays >= PATIENCE
-        ):
-            begin_special(lanes)
-            numbers = census(lanes)
-            delays = 0
+        numbers, delays = begin(lanes, delays)
 
 
 @compiled

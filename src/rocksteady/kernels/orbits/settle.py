@@ -18,6 +18,7 @@ from rocksteady.kernels.elementary.logarithm import LN2, log
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.machine_code.types import Floats2
 from rocksteady.kernels.orbits.periodic import (
+    Fixed,
     distance,
     loss,
     multipliers,
@@ -93,6 +94,15 @@ class Settled(NamedTuple):
     least: float  # the smaller of its values over the two last quarters of an unsettled run
     after: int  # forcing periods until it was recognised, or until the end
     growth: float  # logarithm of the largest growth of a small difference on the way
+
+
+class Near(NamedTuple):
+    """A search for a stable orbit near a state."""
+
+    found: bool
+    orbit: Section
+    largest: float  # modulus of its multipliers
+    fixed: Fixed
 
 
 class Stretch(NamedTuple):
@@ -284,25 +294,69 @@ def recognised(
         searches += 1
         if searches > SEARCHES:
             break
-        fixed = polish(system, last, passages, periods, table)
-        orbit = state_at(table, ZERO)
-        if not fixed.found or fixed.grazes > 0 or distance(orbit, last) > 10.0 * NEAR:
+        near = stable_orbit(system, last, passages, periods, table)
+        if not near.found:
             continue
-        determinant = loss(system, orbit.side, passages, fixed.rests)
-        first, _ = multipliers(fixed.jacobian, determinant)
-        largest = hypot(first.real, first.imag)
-        # Without loss nothing is attracted, whatever rounding makes of a modulus of 1.
-        if not (determinant < 1.0 and largest < 1.0):
-            continue
-        if not arrives(system, last, orbit, passages, largest):
+        if not arrives(system, last, near.orbit, passages, near.largest):
             return nothing  # what comes next are multiples of it
-        first, of = primitive(table, passages, periods)
-        exponent = log(largest) / periods if largest > 0.0 else -math.inf
-        rests = fixed.rests * first // passages
-        return Settled(
-            PERIODIC, orbit, first, of, fixed.residual, rests, exponent, exponent, passed, growth
-        )
+        return settled_to(near, passages, periods, passed, growth, table)
     return nothing
+
+
+@compiled
+def stable_orbit(
+    system: System, last: Section, passages: int, periods: int, table: Floats2
+) -> Near:
+    """Look for a stable orbit without rest near a state, and leave it in a table."""
+    fixed = polish(system, last, passages, periods, table)
+    orbit = state_at(table, ZERO)
+    if not fixed.found or fixed.grazes > 0 or distance(orbit, last) > 10.0 * NEAR:
+        return Near(False, orbit, math.inf, fixed)
+    determinant = loss(system, orbit.side, passages, fixed.rests)
+    first, _ = multipliers(fixed.jacobian, determinant)
+    largest = hypot(first.real, first.imag)
+    # Without loss nothing is attracted, whatever rounding makes of a modulus of 1.
+    return Near(determinant < 1.0 and largest < 1.0, orbit, largest, fixed)
+
+
+@compiled
+def settled_to(
+    near: Near, passages: int, periods: int, passed: int, growth: float, table: Floats
+) -> Settled:
+    """Return what a motion settles to that comes back after so many passages and periods."""
+    first, of = primitive(table, passages, periods)
+    exponent = log(near.largest) / periods if near.largest > 0.0 else -math.inf
+    rests = near.fixed.rests * first // passages
+    return Settled(
+        PERIODIC,
+        near.orbit,
+        first,
+        of,
+        near.fixed.residual,
+        rests,
+        exponent,
+        exponent,
+        passed,
+        growth,
+    )
+
+
+@compiled
+def returns_to(passages: int, largest: float) -> int:
+    """Return for how many returns the approach to a stable orbit is followed."""
+    return min(MOST_RETURNS, 20 + int(30.0 / (1.0 - largest)), MOST_PASSAGES // passages)
+
+
+@compiled
+def farthest_from(near: float) -> float:
+    """Return the distance from an orbit at which a motion that was near is lost to it."""
+    return 100.0 * near + ARRIVED
+
+
+@compiled
+def returns_to_halve(largest: float) -> float:
+    """Return in how many returns the distance to an orbit halves."""
+    return -LN2 / log(largest) if largest > 0.0 else 0.0
 
 
 @compiled
@@ -314,8 +368,7 @@ def arrives(system: System, state: Section, orbit: Section, passages: int, large
     of higher order in the distance: it was less than the linear part and only becomes smaller.
     """
     near = distance(orbit, state)
-    returns = min(MOST_RETURNS, 20 + int(30.0 / (1.0 - largest)), MOST_PASSAGES // passages)
-    halving = -LN2 / log(largest) if largest > 0.0 else 0.0
+    returns, halving = returns_to(passages, largest), returns_to_halve(largest)
     half, since = 0.5 * near, 0
     for count in range(returns):
         apart = distance(orbit, state)
@@ -326,7 +379,7 @@ def arrives(system: System, state: Section, orbit: Section, passages: int, large
             return True
         if apart <= half or apart > 2.0 * half:  # at first it may grow
             half, since = 0.5 * apart, count
-        if apart > 100.0 * near + ARRIVED:
+        if apart > farthest_from(near):
             return False
         for _ in range(passages):
             step = next_passage(system, state, -1.0)

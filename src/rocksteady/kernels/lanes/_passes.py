@@ -1,0 +1,87 @@
+"""One pass over all lanes: which of the loops are worth their time, and in what order they run."""
+
+import math
+
+from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.core.typed import ZERO
+from rocksteady.kernels.lanes._fields import (
+    LANES,
+    MANY,
+    NODES_BITS,
+    SHORT,
+    SHORTS_BITS,
+    SPECIALS_BITS,
+    STAGE,
+    VELOCITY,
+    weight,
+)
+from rocksteady.kernels.lanes._launching import begin_special, launch
+from rocksteady.kernels.lanes._loading import load
+from rocksteady.kernels.lanes._newton import approach, bounce, fly, land, shake
+from rocksteady.kernels.machine_code.compilation import compiled
+
+# A loop over few lanes costs as much as over all: they are let gather ...
+GATHERED = 10
+WAITING = 3
+SPECIALS = 6
+PATIENCE = 4  # ... but for no more than so many passes where others would go on without end
+
+
+@compiled
+def fill_empty(lanes: Floats) -> None:
+    """Fill lanes with a cell that has none: empty ones fly too, and come to no harm."""
+    for j in range(LANES):
+        load(lanes, j, ZERO, 0.0, 1.0, 0.5, 0.0)
+        lanes[VELOCITY + j] = 1.0
+
+
+@compiled
+def census(lanes: Floats) -> int:
+    """Count the lanes of each kind of stage."""
+    count = 0
+    for j in range(LANES):
+        count += weight(lanes[STAGE + j])
+    return count
+
+
+@compiled
+def in_flight(numbers: int) -> bool:
+    """Return whether any lane of a census goes on without help."""
+    nodes, shorts = (numbers >> NODES_BITS) & MANY, (numbers >> SHORTS_BITS) & MANY
+    return (numbers & MANY) + nodes + shorts > 0
+
+
+@compiled
+def at_nodes(numbers: int) -> bool:
+    """Return whether so many lanes of a census are at nodes that their loop is worth its time."""
+    nodes = (numbers >> NODES_BITS) & MANY
+    return nodes > 0 and (nodes >= GATHERED or nodes >= numbers & MANY)
+
+
+@compiled
+def step(lanes: Floats, numbers: int, bounces: int) -> int:
+    """Take a step towards the impacts of a census; return passes since one at short bounces."""
+    flying, shorts = numbers & MANY, (numbers >> SHORTS_BITS) & MANY
+    shake(lanes)
+    fly(lanes)
+    below = SHORT
+    bounces += 1
+    if shorts > 0 and (shorts >= GATHERED or shorts >= flying or bounces >= PATIENCE):
+        bounce(lanes)
+        below = math.inf
+        bounces = 0
+    approach(lanes)
+    land(lanes, below)
+    return bounces
+
+
+@compiled
+def begin(lanes: Floats, delays: int) -> tuple[int, int]:
+    """Begin flights from the floor; return the census and passes since one at special flights."""
+    numbers = launch(lanes)
+    specials = numbers >> SPECIALS_BITS
+    delays += 1
+    if specials > 0 and (specials >= SPECIALS or specials >= numbers & MANY or delays >= PATIENCE):
+        begin_special(lanes)
+        return census(lanes), 0
+    return numbers, delays

@@ -1,0 +1,331 @@
+"""Attractors of symmetric blocks: motions side by side until they settle, orbits one by one.
+
+`lane_attractors` does what `rocksteady.kernels.batch.attractors.settle_cells` does, for the cells
+whose motion overturns or settles to an orbit without rest.  A lane remembers its last states
+after impacts and looks at the same times as `rocksteady.kernels.orbits.settle.settle` whether it
+has come back near one of them.  If so, the scalar code finds the orbit and judges it, and the lane
+flies on until it arrives there.  Whatever else happens (a rest, a motion that does not settle, a
+return that leads to no stable orbit) is left to the scalar code from the start: a cell that the
+lanes settle has the answer of the scalar code, but for roundings on the way to the orbit.
+"""
+
+import math
+
+import numpy as np
+
+from rocksteady.kernels.batch.attractors import OUTCOME, note_attractor
+from rocksteady.kernels.core.clock import side_phase
+from rocksteady.kernels.core.forcing import TWO_PI
+from rocksteady.kernels.core.tables import LEAN, RATE, RESTITUTION, Floats, March
+from rocksteady.kernels.core.typed import MINUS_ONE, ONE, ZERO
+from rocksteady.kernels.lanes._arrival import FAR, LOOK, NEXT, remember, watch
+from rocksteady.kernels.lanes._fields import (
+    CELL,
+    DOWN,
+    EMPTY,
+    FALLEN,
+    FIELDS,
+    IMPACTS,
+    LAG,
+    LANDED,
+    LANES,
+    LAUNCH,
+    LEAVE,
+    LEFT,
+    LIMIT,
+    LOOKING,
+    MANY,
+    PHASE,
+    REF_PHASE,
+    REF_VELOCITY,
+    SETTLED,
+    STAGE,
+    VELOCITY,
+    WAITING_BITS,
+    WIDEST,
+)
+from rocksteady.kernels.lanes._loading import load, put_lane, taken
+from rocksteady.kernels.lanes._nodes import node_decision, node_state
+from rocksteady.kernels.lanes._passes import (
+    WAITING,
+    at_nodes,
+    begin,
+    census,
+    fill_empty,
+    in_flight,
+    step,
+)
+from rocksteady.kernels.machine_code.compilation import allocating, compiled
+from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1, Integers2
+from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS, SMALLEST_SPEED, distance
+from rocksteady.kernels.orbits.return_map import (
+    FALL,
+    IMPACT,
+    STAY,
+    UPLIFT,
+    Jacobian,
+    Section,
+    System,
+    first_passage,
+    make_system,
+    next_passage,
+)
+from rocksteady.kernels.orbits.settle import (
+    ARRIVED,
+    FALLS,
+    FIRST_LOOK,
+    MEMORY,
+    NEAR,
+    SLOW,
+    STAYS,
+    arrives,
+    farthest_from,
+    returns_to,
+    returns_to_halve,
+    settled_to,
+    stable_orbit,
+    unsettled,
+)
+
+LEFT_OVER = MINUS_ONE
+"""Outcome of a cell that the lanes leave to `settle_cells`."""
+MOST_IMPACTS = 10_000
+"""Impacts after which a motion without an orbit in sight is left over."""
+TRIES = 3
+"""Returns of one look that may lead to no stable orbit, before the motion is left over."""
+TAME = 50.0
+"""Sum of the moduli of an orbit's Jacobian up to which no small difference near it grows by 100,
+from which on `settle` looks for no orbit."""
+
+
+@allocating
+def lane_attractors(
+    amplitude: Floats1,
+    frequency_ratio: Floats1,
+    restitution: Floats1,
+    side: Integers1,
+    angle: Floats1,
+    velocity: Floats1,
+    half_cycles: Integers1,
+    phase: Floats1,
+    cycles: int,
+    whole: Integers2,
+    real: Floats2,
+) -> None:
+    """Follow motions of symmetric blocks until it is known what they settle to.
+
+    Parameters
+    ----------
+    amplitude, frequency_ratio, restitution
+        One value a cell, shape (cells,).
+    side, angle, velocity, half_cycles, phase, cycles
+        As for `rocksteady.kernels.batch.attractors.settle_cells`.
+    whole, real
+        Receive its columns; of a cell that is left over OUTCOME is LEFT_OVER and the rest means
+        nothing.
+    """
+    sides = np.zeros((2, 3))
+    sides[:, LEAN] = 1.0
+    sides[:, RATE] = 1.0
+    memory, table = np.empty((LANES, MEMORY, 3)), np.empty((MEMORY, ORBIT_COLUMNS))
+    lanes = np.zeros(FIELDS * LANES)
+    fill_empty(lanes)
+    count = len(amplitude)
+    fresh = ZERO  # the next cell
+    busy = 0  # lanes that are not empty
+    bounces = ZERO  # passes since the last look at short bounces ...
+    delays = ZERO  # ... and at special flights
+    numbers = census(lanes)
+    while True:
+        waiting = (numbers >> WAITING_BITS) & MANY
+        if fresh < count:
+            waiting += LANES - busy
+        if waiting >= WAITING or not in_flight(numbers):
+            for j in range(LANES):
+                if LEAVE <= lanes[STAGE + j] < DOWN:
+                    cell = int(lanes[CELL + j])
+                    sides[:, RESTITUTION] = restitution[cell]
+                    system = make_system(amplitude[cell], frequency_ratio[cell], sides)
+                    start = half_cycles[cell]
+                    if attended(lanes, j, memory, system, start, cycles, table, whole, real):
+                        lanes[STAGE + j] = EMPTY
+                        busy -= 1
+                while lanes[STAGE + j] == EMPTY and fresh < count:
+                    cell = fresh
+                    fresh += 1
+                    load(
+                        lanes,
+                        j,
+                        cell,
+                        amplitude[cell],
+                        frequency_ratio[cell],
+                        restitution[cell],
+                        0.0,
+                    )
+                    half = half_cycles[cell]
+                    toward = side[cell] * velocity[cell]
+                    if angle[cell] == 0.0 and toward > 0.0:
+                        flight = Section(side[cell], half, phase[cell], toward)
+                        put_section(lanes, j, flight, half + FAR, ZERO)
+                        lanes[STAGE + j] = LAUNCH
+                    else:
+                        sides[:, RESTITUTION] = restitution[cell]
+                        system = make_system(amplitude[cell], frequency_ratio[cell], sides)
+                        first = first_passage(
+                            system, side[cell], half, phase[cell], angle[cell], velocity[cell]
+                        )
+                        after = (first.state.half_cycles - half) // 2
+                        if first.kind in (FALL, STAY):
+                            outcome = FALLS if first.kind == FALL else STAYS
+                            found = unsettled(outcome, first.state, math.nan, math.nan, after, 0.0)
+                            note_attractor(system, found, table, whole, real, cell)
+                            continue
+                        if first.kind not in (IMPACT, UPLIFT):
+                            whole[cell, OUTCOME] = LEFT_OVER
+                            continue
+                        put_section(lanes, j, first.state, half + FAR, ONE)
+                    lanes[LOOK + j] = 2.0 * min(FIRST_LOOK, cycles)
+                    lanes[NEXT + j] = math.inf
+                    lanes[LIMIT + j] = MOST_IMPACTS
+                    lanes[REF_PHASE + j], lanes[REF_VELOCITY + j] = 0.0, 1.0
+                    busy += 1
+            if busy == 0:
+                return
+        elif at_nodes(numbers):
+            node_state(lanes)
+            numbers = node_decision(lanes)
+            continue
+        else:
+            bounces = step(lanes, numbers, bounces)
+        remember(lanes, memory)
+        watch(lanes)
+        numbers, delays = begin(lanes, delays)
+
+
+@compiled
+def put_section(lanes: Floats, j: int, state: Section, end_half: int, impacts: int) -> None:
+    """Give a lane a state after so many impacts."""
+    velocity = state.side * state.speed
+    put_lane(
+        lanes,
+        j,
+        March(state.side, 0.0, velocity, ZERO, state.half_cycles, state.phase, impacts, ZERO),
+        end_half,
+    )
+    lanes[STAGE + j] = LANDED
+
+
+@compiled
+def attended(
+    lanes: Floats,
+    j: int,
+    memory: Floats3,
+    system: System,
+    start: int,
+    cycles: int,
+    table: Floats2,
+    whole: Integers2,
+    real: Floats2,
+) -> bool:
+    """Help a waiting lane on; return whether its motion is over, with its row written."""
+    stage = lanes[STAGE + j]
+    if stage == SETTLED:  # its row was written when the orbit was found
+        return True
+    cell = int(lanes[CELL + j])
+    taken_up = taken(lanes, j, start + FAR)
+    here = Section(taken_up.side, taken_up.half_cycles, taken_up.phase, abs(taken_up.velocity))
+    passed = (here.half_cycles - start) // 2
+    falls = stage == FALLEN
+    if stage == LOOKING:
+        return looked(lanes, j, memory, system, here, passed, cycles, table, whole, real)
+    if stage == LEAVE:
+        after = next_passage(system, here, -1.0)
+        if after.kind == IMPACT:
+            put_section(lanes, j, after.state, start + FAR, taken_up.impacts + 1)
+            return False
+        falls = after.kind == FALL
+    if falls and lanes[LAG + j] == 0.0:
+        found = unsettled(FALLS, here, math.nan, math.nan, passed, 0.0)
+        note_attractor(system, found, table, whole, real, cell)
+        return True
+    whole[cell, OUTCOME] = LEFT_OVER
+    return True
+
+
+@compiled
+def looked(
+    lanes: Floats,
+    j: int,
+    memory: Floats3,
+    system: System,
+    last: Section,
+    passed: int,
+    cycles: int,
+    table: Floats2,
+    whole: Integers2,
+    real: Floats2,
+) -> bool:
+    """Look for an orbit as `settle` does; return whether the motion is over.
+
+    The row of an orbit is written here, before the motion has arrived.
+    """
+    cell = int(lanes[CELL + j])
+    count = int(lanes[IMPACTS + j])
+    phase, left, velocity = lanes[PHASE + j], lanes[LEFT + j], lanes[VELOCITY + j]
+    tries = 0
+    # The states on the same side; a motion without rest changes sides with each impact.
+    for passages in range(2, min(count, MEMORY), 2):
+        row = (count - 1 - passages) % MEMORY
+        between = (memory[j, row, 1] - left) * math.pi + (phase - memory[j, row, 0])
+        periods = round(between / TWO_PI)
+        slower = abs(memory[j, row, 2] - velocity) / max(memory[j, row, 2], SMALLEST_SPEED)
+        if max(abs(between - TWO_PI * periods), slower) > NEAR or periods < 1:
+            continue
+        near = stable_orbit(system, last, passages, periods, table)
+        if not near.found:
+            tries += 1
+            if tries == TRIES:
+                whole[cell, OUTCOME] = LEFT_OVER
+                return True
+            continue
+        found = settled_to(near, passages, periods, passed, 0.0, table)
+        note_attractor(system, found, table, whole, real, cell)
+        apart = distance(near.orbit, last)
+        if size(near.fixed.jacobian) > TAME:
+            whole[cell, OUTCOME] = LEFT_OVER
+            return True
+        if apart <= ARRIVED:
+            return True
+        if returns_to_halve(near.largest) > SLOW:
+            if not arrives(system, last, near.orbit, passages, near.largest):
+                whole[cell, OUTCOME] = LEFT_OVER
+            return True
+        orbit = near.orbit
+        lanes[REF_PHASE + j], _ = side_phase(
+            orbit.half_cycles, orbit.phase, orbit.side, system.frequency
+        )
+        lanes[REF_VELOCITY + j] = orbit.speed
+        lanes[WIDEST + j] = farthest_from(apart)
+        lanes[LAG + j] = passages
+        lanes[NEXT + j] = count + passages
+        lanes[LIMIT + j] = count + (returns_to(passages, near.largest) - 1) * passages
+        lanes[LOOK + j] = math.inf
+        lanes[STAGE + j] = LAUNCH
+        return False
+    if passed >= cycles:
+        whole[cell, OUTCOME] = LEFT_OVER
+        return True
+    lanes[LOOK + j] = 2.0 * min(passed + passed // 2, cycles)
+    lanes[STAGE + j] = LAUNCH
+    return False
+
+
+@compiled
+def size(jacobian: Jacobian) -> float:
+    """Return the sum of the moduli of a Jacobian, no less than what it makes of any direction."""
+    return (
+        abs(jacobian.phase_by_phase)
+        + abs(jacobian.phase_by_speed)
+        + abs(jacobian.speed_by_phase)
+        + abs(jacobian.speed_by_speed)
+    )
