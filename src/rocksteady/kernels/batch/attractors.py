@@ -92,6 +92,9 @@ def settle_cells(
             memory,
             table,
         )
+        if found.outcome == PERIODIC:
+            # As for one orbit alone: its times are where the peaks are searched from.
+            measured(system, found.passages, found.periods, table)
         note_attractor(system, found, table, whole, real, i)
 
 
@@ -99,7 +102,7 @@ def settle_cells(
 def note_attractor(
     system: System, found: Settled, table: Floats2, whole: Integers2, real: Floats2, cell: int
 ) -> None:
-    """Write what a cell settles to, whose orbit, if it has one, is in a table."""
+    """Write what a cell settles to, whose orbit, if it has one, is in a table and measured."""
     whole[cell, :] = 0
     real[cell, :] = math.nan
     whole[cell, OUTCOME] = found.outcome
@@ -109,8 +112,6 @@ def note_attractor(
     if found.outcome != PERIODIC:
         return
     passages, periods = found.passages, found.periods
-    # As for one orbit alone: the times that it leaves are where the peaks are searched from.
-    measured(system, passages, periods, table)
     fill_peaks(system, passages, table)
     highest = lowest = 0.0
     for k in range(passages):

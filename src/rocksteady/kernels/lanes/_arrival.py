@@ -25,52 +25,60 @@ from rocksteady.kernels.lanes._fields import (
     SETTLED,
     STAGE,
     VELOCITY,
-    WIDEST,
 )
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.machine_code.types import Floats3
 from rocksteady.kernels.orbits.periodic import SMALLEST_SPEED
-from rocksteady.kernels.orbits.settle import ARRIVED, MEMORY
+from rocksteady.kernels.orbits.settle import MEMORY, NEAR
 
 FAR = 2**40
 """Half cycles of a run, which is to have no end; even, and with room in a double for a phase."""
+CLOSE = 1e-8
+"""Distance of a state from the one a return earlier at which the orbit is computed."""
+LOST = 10.0 * NEAR
+"""The same, at which a motion has lost its way to an orbit."""
 
 # Other uses of fields: no lane that looks for an orbit leaps over periods.
 LOOK = REF_LEFT  # half cycles since the start from which on a state is looked at
-NEXT = REF_IMPACTS  # impacts at which the distance to the orbit is looked at
+NEXT = REF_IMPACTS  # impacts at which the motion is next back; REF_PHASE, REF_VELOCITY: the last
 
 
 @compiled
 def remember(lanes: Floats, memory: Floats3) -> None:
-    """Keep the states of lanes that have just landed, while no orbit is known."""
+    """Keep the states of lanes, each in the row of its last impact."""
     for j in range(LANES):
-        if lanes[STAGE + j] == LANDED and lanes[LAG + j] == 0.0:
-            row = (int(lanes[IMPACTS + j]) - 1) % MEMORY
-            memory[j, row, 0] = lanes[PHASE + j]
-            memory[j, row, 1] = lanes[LEFT + j]
-            memory[j, row, 2] = lanes[VELOCITY + j]
+        row = (int(lanes[IMPACTS + j]) - 1) & (MEMORY - 1)
+        memory[j, row, 0] = lanes[PHASE + j]
+        memory[j, row, 1] = lanes[LEFT + j]
+        memory[j, row, 2] = lanes[VELOCITY + j]
 
 
 @compiled
 def watch(lanes: Floats) -> None:
-    """Stop lanes that are to look for an orbit, have arrived, gone astray or come to rest."""
+    """Stop lanes that are to look for an orbit, come back close enough, go astray or rest."""
     for j in range(LANES):
         stage = lanes[STAGE + j]
         phase = lanes[PHASE + j]
         velocity = lanes[VELOCITY + j]
         impacts = lanes[IMPACTS + j]
+        limit = lanes[LIMIT + j]
+        ref_phase = lanes[REF_PHASE + j]
+        ref_velocity = lanes[REF_VELOCITY + j]
         landed = stage == LANDED
         rests = (stage == LAUNCH) & (velocity == 0.0)
         halves = (FAR - lanes[LEFT + j]) + np.floor(phase * (1.0 / math.pi))
         due = landed & (halves >= lanes[LOOK + j])
         back = landed & (impacts == lanes[NEXT + j])
         # As `rocksteady.kernels.orbits.periodic.distance` has it.
-        turned = phase - lanes[REF_PHASE + j]
+        turned = phase - ref_phase
         turned -= TWO_PI * nearest_whole(turned * (1.0 / TWO_PI))
-        speed = lanes[REF_VELOCITY + j]
-        apart = max(abs(turned), abs(velocity - speed) / max(speed, SMALLEST_SPEED))
-        astray = (landed & (impacts > lanes[LIMIT + j])) | (back & (apart > lanes[WIDEST + j]))
+        slower = abs(velocity - ref_velocity)
+        apart = max(abs(turned), slower / max(ref_velocity, SMALLEST_SPEED))
+        astray = back & (apart > LOST)
+        over = landed & (lanes[LAG + j] == 0.0) & (impacts > limit)
         onward = LOOKING if due else stage
-        onward = ASTRAY if astray | rests else onward
-        lanes[STAGE + j] = SETTLED if back & (apart <= ARRIVED) else onward
+        onward = SETTLED if back & ((apart <= CLOSE) | (impacts >= limit)) else onward
+        lanes[STAGE + j] = ASTRAY if astray | over | rests else onward
+        lanes[REF_PHASE + j] = phase if back else ref_phase
+        lanes[REF_VELOCITY + j] = velocity if back else ref_velocity
         lanes[NEXT + j] += lanes[LAG + j] if back else 0.0

@@ -3,10 +3,11 @@
 `lane_attractors` does what `rocksteady.kernels.batch.attractors.settle_cells` does, for the cells
 whose motion overturns or settles to an orbit without rest.  A lane remembers its last states
 after impacts and looks at the same times as `rocksteady.kernels.orbits.settle.settle` whether it
-has come back near one of them.  If so, the scalar code finds the orbit and judges it, and the lane
-flies on until it arrives there.  Whatever else happens (a rest, a motion that does not settle, a
-return that leads to no stable orbit) is left to the scalar code from the start: a cell that the
-lanes settle has the answer of the scalar code, but for roundings on the way to the orbit.
+has come back near one of them.  If so it flies on, until it comes back much closer; then the scalar
+code finds the orbit, in a step or two of Newton's method, and judges it (`belongs`).  Whatever else
+happens (a rest, a motion that does not settle, a return that leads to no stable orbit) is left to
+the scalar code from the start: a cell that the lanes settle has the answer of the scalar code, but
+for roundings on the way to the orbit.
 """
 
 import math
@@ -42,7 +43,6 @@ from rocksteady.kernels.lanes._fields import (
     STAGE,
     VELOCITY,
     WAITING_BITS,
-    WIDEST,
 )
 from rocksteady.kernels.lanes._loading import load, put_lane, taken
 from rocksteady.kernels.lanes._nodes import node_decision, node_state
@@ -76,12 +76,10 @@ from rocksteady.kernels.orbits.settle import (
     FIRST_LOOK,
     MEMORY,
     NEAR,
-    SLOW,
     STAYS,
+    Near,
     arrives,
-    farthest_from,
     returns_to,
-    returns_to_halve,
     settled_to,
     stable_orbit,
     unsettled,
@@ -91,11 +89,23 @@ LEFT_OVER = MINUS_ONE
 """Outcome of a cell that the lanes leave to `settle_cells`."""
 MOST_IMPACTS = 10_000
 """Impacts after which a motion without an orbit in sight is left over."""
-TRIES = 3
-"""Returns of one look that may lead to no stable orbit, before the motion is left over."""
+MOST_RETURNS = 100
+"""Returns after a look for which an orbit is approached; then it is computed from afar."""
+BENT = 0.3
+"""Part of the distance to an orbit by which what bends the map may displace it."""
 TAME = 50.0
 """Sum of the moduli of an orbit's Jacobian up to which no small difference near it grows by 100,
 from which on `settle` looks for no orbit."""
+
+# Columns of what is known of a return that is watched.
+PERIODS = 0
+PASSED = 1  # forcing periods until the look
+FIRST = 2  # impacts at the look
+PHASE_THEN = 3  # the state at the look ...
+VELOCITY_THEN = 4
+PHASE_BEFORE = 5  # ... and the one that it came back to
+VELOCITY_BEFORE = 6
+RETURN_COLUMNS = 7
 
 
 @allocating
@@ -127,7 +137,8 @@ def lane_attractors(
     sides = np.zeros((2, 3))
     sides[:, LEAN] = 1.0
     sides[:, RATE] = 1.0
-    memory, table = np.empty((LANES, MEMORY, 3)), np.empty((MEMORY, ORBIT_COLUMNS))
+    memory, returns = np.empty((LANES, MEMORY, 3)), np.empty((LANES, RETURN_COLUMNS))
+    table = np.empty((MEMORY, ORBIT_COLUMNS))
     lanes = np.zeros(FIELDS * LANES)
     fill_empty(lanes)
     count = len(amplitude)
@@ -147,7 +158,9 @@ def lane_attractors(
                     sides[:, RESTITUTION] = restitution[cell]
                     system = make_system(amplitude[cell], frequency_ratio[cell], sides)
                     start = half_cycles[cell]
-                    if attended(lanes, j, memory, system, start, cycles, table, whole, real):
+                    if attended(
+                        lanes, j, memory, returns, system, start, cycles, table, whole, real
+                    ):
                         lanes[STAGE + j] = EMPTY
                         busy -= 1
                 while lanes[STAGE + j] == EMPTY and fresh < count:
@@ -220,6 +233,7 @@ def attended(
     lanes: Floats,
     j: int,
     memory: Floats3,
+    returns: Floats2,
     system: System,
     start: int,
     cycles: int,
@@ -229,22 +243,34 @@ def attended(
 ) -> bool:
     """Help a waiting lane on; return whether its motion is over, with its row written."""
     stage = lanes[STAGE + j]
-    if stage == SETTLED:  # its row was written when the orbit was found
-        return True
     cell = int(lanes[CELL + j])
     taken_up = taken(lanes, j, start + FAR)
     here = Section(taken_up.side, taken_up.half_cycles, taken_up.phase, abs(taken_up.velocity))
     passed = (here.half_cycles - start) // 2
-    falls = stage == FALLEN
-    if stage == LOOKING:
-        return looked(lanes, j, memory, system, here, passed, cycles, table, whole, real)
+    falls = stage == FALLEN and lanes[LAG + j] == 0.0
     if stage == LEAVE:
         after = next_passage(system, here, -1.0)
         if after.kind == IMPACT:
             put_section(lanes, j, after.state, start + FAR, taken_up.impacts + 1)
             return False
-        falls = after.kind == FALL
-    if falls and lanes[LAG + j] == 0.0:
+        falls = after.kind == FALL and lanes[LAG + j] == 0.0
+    if stage == LOOKING:
+        if returning(lanes, j, memory, returns, passed):
+            lanes[STAGE + j] = LAUNCH
+            return False
+        if passed < cycles:
+            lanes[LOOK + j] = 2.0 * min(passed + passed // 2, cycles)
+            lanes[STAGE + j] = LAUNCH
+            return False
+    if stage == SETTLED:
+        passages, periods = int(lanes[LAG + j]), int(returns[j, PERIODS])
+        near = stable_orbit(system, here, passages, periods, table)
+        if near.found and belongs(lanes, j, returns, system, here, near):
+            passed = int(returns[j, PASSED])
+            found = settled_to(near, passages, periods, passed, 0.0, table)
+            note_attractor(system, found, table, whole, real, cell)
+            return True
+    if falls:
         found = unsettled(FALLS, here, math.nan, math.nan, passed, 0.0)
         note_attractor(system, found, table, whole, real, cell)
         return True
@@ -253,71 +279,76 @@ def attended(
 
 
 @compiled
-def looked(
-    lanes: Floats,
-    j: int,
-    memory: Floats3,
-    system: System,
-    last: Section,
-    passed: int,
-    cycles: int,
-    table: Floats2,
-    whole: Integers2,
-    real: Floats2,
-) -> bool:
-    """Look for an orbit as `settle` does; return whether the motion is over.
+def returning(lanes: Floats, j: int, memory: Floats3, returns: Floats2, passed: int) -> bool:
+    """Return whether a lane has come back near an earlier state, from now on to be watched.
 
-    The row of an orbit is written here, before the motion has arrived.
+    As `settle` looks, but that the orbit is left to be found when the motion is nearer.
     """
-    cell = int(lanes[CELL + j])
     count = int(lanes[IMPACTS + j])
     phase, left, velocity = lanes[PHASE + j], lanes[LEFT + j], lanes[VELOCITY + j]
-    tries = 0
     # The states on the same side; a motion without rest changes sides with each impact.
     for passages in range(2, min(count, MEMORY), 2):
-        row = (count - 1 - passages) % MEMORY
-        between = (memory[j, row, 1] - left) * math.pi + (phase - memory[j, row, 0])
+        row = (count - 1 - passages) & (MEMORY - 1)
+        earlier_phase, earlier_velocity = memory[j, row, 0], memory[j, row, 2]
+        between = (memory[j, row, 1] - left) * math.pi + (phase - earlier_phase)
         periods = round(between / TWO_PI)
-        slower = abs(memory[j, row, 2] - velocity) / max(memory[j, row, 2], SMALLEST_SPEED)
+        slower = abs(earlier_velocity - velocity) / max(earlier_velocity, SMALLEST_SPEED)
         if max(abs(between - TWO_PI * periods), slower) > NEAR or periods < 1:
             continue
-        near = stable_orbit(system, last, passages, periods, table)
-        if not near.found:
-            tries += 1
-            if tries == TRIES:
-                whole[cell, OUTCOME] = LEFT_OVER
-                return True
-            continue
-        found = settled_to(near, passages, periods, passed, 0.0, table)
-        note_attractor(system, found, table, whole, real, cell)
-        apart = distance(near.orbit, last)
-        if size(near.fixed.jacobian) > TAME:
-            whole[cell, OUTCOME] = LEFT_OVER
-            return True
-        if apart <= ARRIVED:
-            return True
-        if returns_to_halve(near.largest) > SLOW:
-            if not arrives(system, last, near.orbit, passages, near.largest):
-                whole[cell, OUTCOME] = LEFT_OVER
-            return True
-        orbit = near.orbit
-        lanes[REF_PHASE + j], _ = side_phase(
-            orbit.half_cycles, orbit.phase, orbit.side, system.frequency
-        )
-        lanes[REF_VELOCITY + j] = orbit.speed
-        lanes[WIDEST + j] = farthest_from(apart)
+        returns[j, PERIODS], returns[j, PASSED], returns[j, FIRST] = periods, passed, count
+        returns[j, PHASE_THEN], returns[j, VELOCITY_THEN] = phase, velocity
+        returns[j, PHASE_BEFORE], returns[j, VELOCITY_BEFORE] = earlier_phase, earlier_velocity
+        lanes[REF_PHASE + j], lanes[REF_VELOCITY + j] = phase, velocity
         lanes[LAG + j] = passages
         lanes[NEXT + j] = count + passages
-        lanes[LIMIT + j] = count + (returns_to(passages, near.largest) - 1) * passages
+        lanes[LIMIT + j] = count + MOST_RETURNS * passages
         lanes[LOOK + j] = math.inf
-        lanes[STAGE + j] = LAUNCH
-        return False
-    if passed >= cycles:
-        whole[cell, OUTCOME] = LEFT_OVER
         return True
-    lanes[LOOK + j] = 2.0 * min(passed + passed // 2, cycles)
-    lanes[STAGE + j] = LAUNCH
     return False
+
+
+@compiled
+def belongs(
+    lanes: Floats, j: int, returns: Floats2, system: System, here: Section, near: Near
+) -> bool:
+    """Return whether `settle` would have found a stable orbit at the look, and the motion arrives.
+
+    Newton's method from the state at the look leads there if what bends the map, measured on the
+    return before the look, displaces the fixed point by a part of the distance to it only.
+    """
+    orbit, jacobian = near.orbit, near.fixed.jacobian
+    if size(jacobian) > TAME:
+        return False
+    phase, _ = side_phase(orbit.half_cycles, orbit.phase, orbit.side, system.frequency)
+    then_phase = turned(returns[j, PHASE_THEN] - phase)
+    then_speed = returns[j, VELOCITY_THEN] - orbit.speed
+    before_phase = turned(returns[j, PHASE_BEFORE] - phase)
+    before_speed = returns[j, VELOCITY_BEFORE] - orbit.speed
+    bent_phase = then_phase - (
+        jacobian.phase_by_phase * before_phase + jacobian.phase_by_speed * before_speed
+    )
+    bent_speed = then_speed - (
+        jacobian.speed_by_phase * before_phase + jacobian.speed_by_speed * before_speed
+    )
+    a, b = jacobian.phase_by_phase - 1.0, jacobian.phase_by_speed
+    c, d = jacobian.speed_by_phase, jacobian.speed_by_speed - 1.0
+    determinant = a * d - b * c  # (1 - mu_1)(1 - mu_2) > 0 of a stable orbit
+    unit = max(orbit.speed, SMALLEST_SPEED)
+    off = max(abs(d * bent_phase - b * bent_speed), abs(a * bent_speed - c * bent_phase) / unit)
+    apart = max(abs(then_phase), abs(then_speed) / unit)
+    if apart > 10.0 * NEAR or off > determinant * max(BENT * apart, ARRIVED):
+        return False
+    passages = int(lanes[LAG + j])
+    since = (int(lanes[IMPACTS + j]) - int(returns[j, FIRST])) // passages
+    if since >= returns_to(passages, near.largest):
+        return False
+    return distance(orbit, here) <= ARRIVED or arrives(system, here, orbit, passages, near.largest)
+
+
+@compiled
+def turned(phase: float) -> float:
+    """Return a phase less the nearest whole turns."""
+    return phase - TWO_PI * round(phase / TWO_PI)
 
 
 @compiled

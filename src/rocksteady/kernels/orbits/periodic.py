@@ -27,10 +27,12 @@ from rocksteady.kernels.orbits.return_map import (
     STUCK,
     UPLIFT,
     Jacobian,
+    Passage,
     Section,
     System,
     guess_after,
     highest_after,
+    highest_of,
     identity,
     like_sides,
     next_passage,
@@ -108,22 +110,32 @@ def distance(one: Section, other: Section) -> float:
 
 
 @compiled
-def laid_out(system: System, state: Section, passages: int, table: Floats) -> bool:
-    """Fill a table with the states that follow one; False where there are not so many.
+def laid_out(system: System, state: Section, passages: int, periods: int, table: Floats2) -> Fixed:
+    """Fill a table with the states that follow one, as `measured` leaves it.
 
     From an uplift on they are those that any motion takes, to the last bit: near the end of a
     chatter a rounding decides how many bounces there are, and on what follows.
     """
     state = Section(state.side, state.half_cycles % 2, state.phase, state.speed)
+    first = shifted_halves(state, 2 * periods)
+    total = identity()
+    residual = 0.0
+    rests = grazes = 0
     guess = -1.0
     for k in range(passages):
         put(table, k, state)
-        table[k, TIME] = guess  # from which `measured` finds the same impact, to the last bit
         step = next_passage(system, state, guess)
         if step.kind in (FALL, STAY, STUCK):
-            return False
+            return Fixed(False, math.inf, total, rests, grazes)
+        rests += 1 if step.kind == UPLIFT else 0
+        grazes += 1 if step.kind == GRAZE else 0
+        target = first if k + 1 == passages else step.state
+        if step.state.side != target.side:
+            return Fixed(False, math.inf, total, rests, grazes)
+        residual = max(residual, missed(table, k, step, target))
+        total = product(step.jacobian, total)
         state, guess = step.state, guess_after(step)
-    return state.side == int(table[0, SIDE])
+    return Fixed(residual <= CLOSED, residual, total, rests, grazes)
 
 
 @compiled
@@ -139,24 +151,35 @@ def measured(system: System, passages: int, periods: int, table: Floats2) -> Fix
             return Fixed(False, math.inf, total, rests, grazes)
         rests += 1 if step.kind == UPLIFT else 0
         grazes += 1 if step.kind == GRAZE else 0
-        last = k + 1 == passages
-        target = state_at(table, 0 if last else k + 1)
-        if last:
-            halves = target.half_cycles + 2 * periods
-            target = Section(target.side, halves, target.phase, target.speed)
+        if k + 1 == passages:
+            target = shifted_halves(state_at(table, ZERO), 2 * periods)
+        else:
+            target = state_at(table, k + 1)
         if step.state.side != target.side:
             return Fixed(False, math.inf, total, rests, grazes)
-        phase = phase_between(target, step.state)
-        speed = step.state.speed - target.speed
-        residual = max(residual, abs(phase), abs(speed) / max(target.speed, SMALLEST_SPEED))
+        residual = max(residual, missed(table, k, step, target))
         total = product(step.jacobian, total)
-        table[k, TIME], table[k, LANDING] = step.time, step.landing
-        table[k, PHASE_BY_PHASE] = step.jacobian.phase_by_phase
-        table[k, PHASE_BY_SPEED] = step.jacobian.phase_by_speed
-        table[k, SPEED_BY_PHASE] = step.jacobian.speed_by_phase
-        table[k, SPEED_BY_SPEED] = step.jacobian.speed_by_speed
-        table[k, PHASE_ERROR], table[k, SPEED_ERROR] = phase, speed
     return Fixed(residual <= CLOSED, residual, total, rests, grazes)
+
+
+@compiled
+def shifted_halves(state: Section, halves: int) -> Section:
+    """Return a state some half cycles later."""
+    return Section(state.side, state.half_cycles + halves, state.phase, state.speed)
+
+
+@compiled
+def missed(table: Floats2, row: int, step: Passage, target: Section) -> float:
+    """Write a passage into its row of a table; return by what it misses the next state."""
+    phase = phase_between(target, step.state)
+    speed = step.state.speed - target.speed
+    table[row, TIME], table[row, LANDING] = step.time, step.landing
+    table[row, PHASE_BY_PHASE] = step.jacobian.phase_by_phase
+    table[row, PHASE_BY_SPEED] = step.jacobian.phase_by_speed
+    table[row, SPEED_BY_PHASE] = step.jacobian.speed_by_phase
+    table[row, SPEED_BY_SPEED] = step.jacobian.speed_by_speed
+    table[row, PHASE_ERROR], table[row, SPEED_ERROR] = phase, speed
+    return max(abs(phase), abs(speed) / max(target.speed, SMALLEST_SPEED))
 
 
 @compiled
@@ -222,9 +245,7 @@ def polish(system: System, state: Section, passages: int, periods: int, table: F
         Room, shape (m or more, ORBIT_COLUMNS).
     """
     nothing = Fixed(False, math.inf, identity(), 0, 0)
-    if not laid_out(system, state, passages, table):
-        return nothing
-    found = measured(system, passages, periods, table)
+    found = laid_out(system, state, passages, periods, table)
     if state.speed == 0.0 and found.found and found.rests > 0:
         # From an uplift to the same again there is nothing to improve: a step of Newton's method
         # would only carry roundings along, and on a long way between two rests they grow too far.
@@ -310,9 +331,12 @@ def mirror(state: Section, half_cycles: int) -> Section:
 
 @compiled
 def fill_peaks(system: System, passages: int, table: Floats2) -> None:
-    """Fill the largest |theta|/alpha of each passage of an orbit."""
+    """Fill the largest |theta|/alpha of each passage of an orbit that has been measured."""
     for k in range(passages):
         state = state_at(table, k)
+        if table[k, LANDING] > 0.0:
+            table[k, PEAK], table[k, OTHER_PEAK] = highest_of(system, state, table[k, TIME]), 0.0
+            continue
         step = next_passage(system, state, table[k, TIME])
         table[k, PEAK], table[k, OTHER_PEAK] = highest_after(system, state, step)
 

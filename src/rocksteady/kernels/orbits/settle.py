@@ -348,18 +348,6 @@ def returns_to(passages: int, largest: float) -> int:
 
 
 @compiled
-def farthest_from(near: float) -> float:
-    """Return the distance from an orbit at which a motion that was near is lost to it."""
-    return 100.0 * near + ARRIVED
-
-
-@compiled
-def returns_to_halve(largest: float) -> float:
-    """Return in how many returns the distance to an orbit halves."""
-    return -LN2 / log(largest) if largest > 0.0 else 0.0
-
-
-@compiled
 def arrives(system: System, state: Section, orbit: Section, passages: int, largest: float) -> bool:
     """Return whether the motion comes to within `ARRIVED` of an orbit by following it on.
 
@@ -368,7 +356,8 @@ def arrives(system: System, state: Section, orbit: Section, passages: int, large
     of higher order in the distance: it was less than the linear part and only becomes smaller.
     """
     near = distance(orbit, state)
-    returns, halving = returns_to(passages, largest), returns_to_halve(largest)
+    returns = returns_to(passages, largest)
+    halving = -LN2 / log(largest) if largest > 0.0 else 0.0
     half, since = 0.5 * near, 0
     for count in range(returns):
         apart = distance(orbit, state)
@@ -379,7 +368,7 @@ def arrives(system: System, state: Section, orbit: Section, passages: int, large
             return True
         if apart <= half or apart > 2.0 * half:  # at first it may grow
             half, since = 0.5 * apart, count
-        if apart > farthest_from(near):
+        if apart > 100.0 * near + ARRIVED:
             return False
         for _ in range(passages):
             step = next_passage(system, state, -1.0)
