@@ -3,10 +3,10 @@
 `lane_attractors` does what `rocksteady.kernels.batch.attractors.settle_cells` does, for the cells
 whose motion overturns or settles to an orbit without rest.  A lane remembers its last states
 after impacts and looks at the same times as `rocksteady.kernels.orbits.settle.settle` whether it
-has come back near one of them.  If so it flies on, until it comes back much closer; then the scalar
-code finds the orbit, in a step or two of Newton's method, and judges it (`belongs`).  Whatever else
-happens (a rest, a motion that does not settle, a return that leads to no stable orbit) is left to
-the scalar code from the start: a cell that the lanes settle has the answer of the scalar code, but
+has come back near one of them.  If so it flies on, until it comes back much closer; the scalar
+code then finds the orbit in a step or two of Newton's method and judges it (`computed`).  Whatever
+else happens (a rest, a motion that does not settle, a return that leads to no stable orbit) is
+left to the scalar code from the start: a cell that the lanes settle has the answer of that, but
 for roundings on the way to the orbit.
 """
 
@@ -15,7 +15,7 @@ import math
 import numpy as np
 
 from rocksteady.kernels.batch.attractors import OUTCOME, note_attractor
-from rocksteady.kernels.core.clock import side_phase
+from rocksteady.kernels.core.clock import clock, side_phase
 from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.tables import LEAN, RATE, RESTITUTION, Floats, March
 from rocksteady.kernels.core.typed import MINUS_ONE, ONE, ZERO
@@ -93,9 +93,9 @@ MOST_RETURNS = 100
 """Returns after a look for which an orbit is approached; then it is computed from afar."""
 BENT = 0.3
 """Part of the distance to an orbit by which what bends the map may displace it."""
-TAME = 50.0
-"""Sum of the moduli of an orbit's Jacobian up to which no small difference near it grows by 100,
-from which on `settle` looks for no orbit."""
+TAME = 80.0
+"""Growth of a small difference over a return to an orbit up to which it is below 100 nearby, from
+which on `settle` looks for no orbit."""
 
 # Columns of what is known of a return that is watched.
 PERIODS = 0
@@ -262,14 +262,8 @@ def attended(
             lanes[LOOK + j] = 2.0 * min(passed + passed // 2, cycles)
             lanes[STAGE + j] = LAUNCH
             return False
-    if stage == SETTLED:
-        passages, periods = int(lanes[LAG + j]), int(returns[j, PERIODS])
-        near = stable_orbit(system, here, passages, periods, table)
-        if near.found and belongs(lanes, j, returns, system, here, near):
-            passed = int(returns[j, PASSED])
-            found = settled_to(near, passages, periods, passed, 0.0, table)
-            note_attractor(system, found, table, whole, real, cell)
-            return True
+    if stage == SETTLED and computed(lanes, j, returns, system, here, table, whole, real):
+        return True
     if falls:
         found = unsettled(FALLS, here, math.nan, math.nan, passed, 0.0)
         note_attractor(system, found, table, whole, real, cell)
@@ -308,17 +302,47 @@ def returning(lanes: Floats, j: int, memory: Floats3, returns: Floats2, passed: 
 
 
 @compiled
-def belongs(
-    lanes: Floats, j: int, returns: Floats2, system: System, here: Section, near: Near
+def computed(
+    lanes: Floats,
+    j: int,
+    returns: Floats2,
+    system: System,
+    here: Section,
+    table: Floats2,
+    whole: Integers2,
+    real: Floats2,
 ) -> bool:
-    """Return whether `settle` would have found a stable orbit at the look, and the motion arrives.
+    """Return whether a motion that is close settles to what `settle` would find; write it."""
+    passages, periods = int(lanes[LAG + j]), int(returns[j, PERIODS])
+    near = stable_orbit(system, here, passages, periods, table)
+    if near.found and not in_reach(returns, j, system, near):
+        turns, phase = clock(returns[j, PHASE_THEN])
+        half = turns if here.side > 0 else turns + 1
+        then = Section(here.side, half, phase, returns[j, VELOCITY_THEN])
+        near = stable_orbit(system, then, passages, periods, table)
+    if not near.found or growth_over(near.fixed.jacobian) > TAME:
+        return False
+    since = (int(lanes[IMPACTS + j]) - int(returns[j, FIRST])) // passages
+    if since >= returns_to(passages, near.largest):
+        return False
+    if distance(near.orbit, here) > ARRIVED and not arrives(
+        system, here, near.orbit, passages, near.largest
+    ):
+        return False
+    passed = int(returns[j, PASSED])
+    found = settled_to(near, passages, periods, passed, 0.0, table)
+    note_attractor(system, found, table, whole, real, int(lanes[CELL + j]))
+    return True
 
-    Newton's method from the state at the look leads there if what bends the map, measured on the
-    return before the look, displaces the fixed point by a part of the distance to it only.
+
+@compiled
+def in_reach(returns: Floats, j: int, system: System, near: Near) -> bool:
+    """Return whether Newton's method leads from the state at the look to an orbit.
+
+    It does if what bends the map, measured on the return before the look, displaces the fixed point
+    by a part of the distance to it only.
     """
     orbit, jacobian = near.orbit, near.fixed.jacobian
-    if size(jacobian) > TAME:
-        return False
     phase, _ = side_phase(orbit.half_cycles, orbit.phase, orbit.side, system.frequency)
     then_phase = turned(returns[j, PHASE_THEN] - phase)
     then_speed = returns[j, VELOCITY_THEN] - orbit.speed
@@ -336,13 +360,7 @@ def belongs(
     unit = max(orbit.speed, SMALLEST_SPEED)
     off = max(abs(d * bent_phase - b * bent_speed), abs(a * bent_speed - c * bent_phase) / unit)
     apart = max(abs(then_phase), abs(then_speed) / unit)
-    if apart > 10.0 * NEAR or off > determinant * max(BENT * apart, ARRIVED):
-        return False
-    passages = int(lanes[LAG + j])
-    since = (int(lanes[IMPACTS + j]) - int(returns[j, FIRST])) // passages
-    if since >= returns_to(passages, near.largest):
-        return False
-    return distance(orbit, here) <= ARRIVED or arrives(system, here, orbit, passages, near.largest)
+    return apart <= 10.0 * NEAR and off <= determinant * max(BENT * apart, ARRIVED)
 
 
 @compiled
@@ -352,11 +370,11 @@ def turned(phase: float) -> float:
 
 
 @compiled
-def size(jacobian: Jacobian) -> float:
-    """Return the sum of the moduli of a Jacobian, no less than what it makes of any direction."""
-    return (
-        abs(jacobian.phase_by_phase)
-        + abs(jacobian.phase_by_speed)
-        + abs(jacobian.speed_by_phase)
-        + abs(jacobian.speed_by_speed)
+def growth_over(jacobian: Jacobian) -> float:
+    """Return a bound of how much longer a Jacobian makes any direction (Frobenius)."""
+    return math.sqrt(
+        jacobian.phase_by_phase**2
+        + jacobian.phase_by_speed**2
+        + jacobian.speed_by_phase**2
+        + jacobian.speed_by_speed**2
     )
