@@ -1,4 +1,8 @@
-"""Attractors of arrays of motions: each as `find_attractor` finds it alone, to the last bit."""
+"""Attractors of arrays of motions: each as `find_attractor` finds it alone.
+
+One by one that is so to the last bit; in lanes, those of symmetric blocks in the linear model, to
+rounding on the way.
+"""
 
 import math
 from dataclasses import replace
@@ -44,8 +48,11 @@ def test_each_cell_is_the_attractor_of_its_motion_alone(model: Model) -> None:
         alone = find_attractor(block, shaking, start=start, max_cycles=CYCLES, model=model)
         assert KINDS[found.kind[at]] == alone.kind
         assert found.after[at] == alone.after
-        np.testing.assert_array_equal(found.lyapunov[at], alone.lyapunov)
+        # Without an orbit, and of one that rests, the motion was followed alone.
         orbit = alone.orbit
+        alike = model == Linear() and block.symmetric
+        error = 1e-9 if alike and orbit is not None and not orbit.rest_phases else 0.0
+        np.testing.assert_allclose(found.lyapunov[at], alone.lyapunov, rtol=0.0, atol=error)
         if orbit is None:
             assert (found.period[at], found.impacts[at], found.side[at]) == (0, 0, 0)
             extremum = 0.0 if alone.kind == "rest" else math.nan
@@ -54,11 +61,15 @@ def test_each_cell_is_the_attractor_of_its_motion_alone(model: Model) -> None:
         assert (found.period[at], found.passages[at]) == (orbit.period, len(orbit.states))
         assert found.rests[at] == orbit.rest_phases
         assert found.impacts[at] == (-1 if orbit.rest_phases else len(orbit.states))
-        assert (found.highest[at], found.lowest[at]) == (orbit.highest, orbit.lowest)
         first = orbit.states[0]
-        assert (found.side[at], found.speed[at]) == (first.side, first.speed)
-        assert math.remainder(found.phase[at] - first.phase, 2.0 * math.pi) == pytest.approx(
-            0.0, abs=1e-15
+        assert found.side[at] == first.side
+        turned = math.remainder(found.phase[at] - first.phase, 2.0 * math.pi)
+        assert turned == pytest.approx(0.0, abs=1e-15 + error)
+        np.testing.assert_allclose(
+            [found.highest[at], found.lowest[at], found.speed[at]],
+            [orbit.highest, orbit.lowest, first.speed],
+            rtol=0.0,
+            atol=error,
         )
     kinds = {KINDS[code].value for code in found.kind}
     assert {"symmetric", "unsymmetric", "rest", "overturned"} <= kinds
@@ -136,7 +147,7 @@ def test_the_longer_motions_are_followed_the_fewer_make_a_piece() -> None:
     assert [batch_size(cycles) for cycles in (1, 500, 2000, 20_000, 1_000_000)] == [
         1024,
         1024,
-        256,
-        25,
+        512,
+        51,
         1,
     ]

@@ -12,7 +12,8 @@ from tools.aot.calls.__main__ import large_calls, small_calls
 from tools.aot.calls.drawn import MOTIONS, Drawn
 from tools.aot.calls.recorder import Recorder
 
-CELLS = {"fates_of_sides", "lane_fates", "settle_cells", "pulse_fates", "record_fates"}
+LANES = {"lane_fates", "lane_attractors"}
+CELLS = LANES | {"fates_of_sides", "settle_cells", "pulse_fates", "record_fates"}
 POINTS = {"fill_steady", "fill_curves"}
 
 pytestmark = pytest.mark.skipif(PLAIN, reason="takes minutes uncompiled")
@@ -31,7 +32,7 @@ def test_large_calls_are_of_every_kernel_of_cells_in_both_models() -> None:
         largest = max(np.asarray(leaf).shape[0] for leaf in call.after if np.ndim(leaf))
         sizes.setdefault(call.entry, []).append(largest)
     assert set(sizes) >= CELLS | POINTS
-    for name in CELLS - {"lane_fates", "record_fates"}:
+    for name in CELLS - LANES - {"record_fates"}:
         assert sorted(sizes[name]) == [50, 1000], name
     assert all(check.equal for check in replay(calls, ENTRIES))
     (fates, _) = (call for call in calls if call.entry == "fates_of_sides")

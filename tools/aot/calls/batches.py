@@ -72,7 +72,11 @@ def record_attractors(
     side = np.where(angle != 0.0, np.sign(angle), np.sign(velocity)).astype(np.int64)
     whole = np.zeros((count, WHOLE_COLUMNS), np.int64)
     real = np.zeros((count, REAL_COLUMNS))
-    call("settle_cells", a, w, sides, side, angle, velocity, half, rest, 100, whole, real)
+    begin = side, angle, velocity, half, rest
+    call("settle_cells", a, w, sides, *begin, 100, whole, real)
+    if not nonlinear:
+        r = sides[:, 0, RESTITUTION].copy()
+        call("lane_attractors", a, w, r, *begin, 100, 0 * whole, 0.0 * real)
 
 
 def record_steady_states(call: Recorder, name: str, count: int, *, shapes: bool) -> None:

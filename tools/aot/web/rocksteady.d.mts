@@ -134,6 +134,8 @@ export interface Kernels {
   lane_fates(amplitude: Floats, frequency_ratio: Floats, restitution: Floats, angle: Floats, velocity: Floats, phase: Floats, cycles: number, leaping: boolean, most: number, status: Integers, impacts: Integers, final: Floats): void;
   /** Follow motions until it is known what they settle to. */
   settle_cells(amplitude: Floats, frequency_ratio: Floats, sides: Floats, side: Integers, angle: Floats, velocity: Floats, half_cycles: Integers, phase: Floats, cycles: number, whole: Integers, real: Floats): void;
+  /** Follow motions of symmetric blocks until it is known what they settle to. */
+  lane_attractors(amplitude: Floats, frequency_ratio: Floats, restitution: Floats, side: Integers, angle: Floats, velocity: Floats, half_cycles: Integers, phase: Floats, cycles: number, whole: Integers, real: Floats): void;
   /** Split phases into whole half cycles and rests in [0, pi), all of shape (cells,). */
   fill_clocks(phase: Floats, half_cycles: Integers, rest: Floats): void;
   /** March blocks from rest through one motion and note how each fares. */
@@ -202,7 +204,7 @@ export interface Kernels {
   multipliers(jacobian: Jacobian, determinant: number): [[number, number], [number, number]];
   /** Return the exact determinant of the Jacobian of an orbit that starts towards a side. */
   loss(system: System, side: number, passages: number, rests: number): number;
-  /** Fill the largest |theta|/alpha of each passage of an orbit. */
+  /** Fill the largest |theta|/alpha of each passage of an orbit that has been measured. */
   fill_peaks(system: System, passages: number, table: Floats): void;
   /** Return whether half of an orbit turns it into its mirror image. */
   is_symmetric(system: System, table: Floats, passages: number, periods: number): boolean;

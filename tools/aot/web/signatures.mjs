@@ -17,6 +17,7 @@ export const signatures = {
   fates_of_sides: { takes: ['f1', 'f1', 'f3', 'f1', 'f1', 'f1', 'i', 'i', 'i1', 'i1', 'f2'], gives: null },
   lane_fates: { takes: ['f1', 'f1', 'f1', 'f1', 'f1', 'f1', 'i', 'b', 'i', 'i1', 'i1', 'f2'], gives: null },
   settle_cells: { takes: ['f1', 'f1', 'f3', 'i1', 'f1', 'f1', 'i1', 'f1', 'i', 'i2', 'f2'], gives: null },
+  lane_attractors: { takes: ['f1', 'f1', 'f1', 'i1', 'f1', 'f1', 'i1', 'f1', 'i', 'i2', 'f2'], gives: null },
   fill_clocks: { takes: ['f1', 'i1', 'f1'], gives: null },
   record_fates: { takes: ['f2', 'f3', 'f1', 'i', 'i1', 'i1', 'f2'], gives: null },
   pulse_fates: { takes: ['f2', 'f2', 'f1', 'f1', 'f', 'i', 'i1', 'i1', 'i1', 'i1', 'f1'], gives: null },

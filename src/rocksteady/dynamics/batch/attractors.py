@@ -28,8 +28,8 @@ KIND_FLAGS = {
 
 BATCH = 1024
 """The most motions that the kernel follows in one call,"""
-MOST_PERIODS = 512_000
-"""and the forcing periods that they may take together: half a second where all are chaotic,
+MOST_PERIODS = 1_024_000
+"""and the forcing periods that they may take together: a second or two where all are chaotic,
 for which an interruption waits."""
 
 KIND_OUTPUT = Output(
@@ -140,7 +140,6 @@ def settled_cells(
     real = np.empty((cells, column.REAL_COLUMNS))
     # A view of it would be read-only, which is another type to the kernel.
     tables = np.broadcast_to(sides, (cells, *sides.shape[-2:])).copy()
-    states = begin.side, begin.angle, begin.velocity, begin.half_cycles, begin.phase
     # Lanes know the linear model alone, which is told by the columns of its sides.
     same = np.flatnonzero(alike(tables) & (tables.shape[2] == SIDE_COLUMNS))
     whole[:, column.OUTCOME] = LEFT_OVER
@@ -148,13 +147,39 @@ def settled_cells(
         left = same if in_lanes else np.flatnonzero(whole[:, column.OUTCOME] == LEFT_OVER)
         if cells and not len(left):  # without any cells at all both are to be loaded
             continue
-        each = [array[left] for array in (amplitude, frequency_ratio, tables, *states)]
+        a, w, blocks, start = (
+            amplitude[left],
+            frequency_ratio[left],
+            tables[left],
+            begin.taken(left),
+        )
         found = whole[left], real[left]
         if in_lanes:
-            each[2] = each[2][:, 0, RESTITUTION].copy()
-            lane_attractors(*each, cycles, *found)
+            lane_attractors(
+                a,
+                w,
+                blocks[:, 0, RESTITUTION].copy(),
+                start.side,
+                start.angle,
+                start.velocity,
+                start.half_cycles,
+                start.phase,
+                cycles,
+                *found,
+            )
         else:
-            column.settle_cells(*each, cycles, *found)
+            column.settle_cells(
+                a,
+                w,
+                blocks,
+                start.side,
+                start.angle,
+                start.velocity,
+                start.half_cycles,
+                start.phase,
+                cycles,
+                *found,
+            )
         whole[left], real[left] = found
     kind = kind_codes(
         whole[:, column.OUTCOME],
@@ -206,6 +231,16 @@ class InitialStates:
     velocity: Floats
     half_cycles: Integers
     phase: Floats
+
+    def taken(self, cells: Integers) -> "InitialStates":
+        """Return the states of some cells, by their numbers."""
+        return InitialStates(
+            side=self.side[cells],
+            angle=self.angle[cells],
+            velocity=self.velocity[cells],
+            half_cycles=self.half_cycles[cells],
+            phase=self.phase[cells],
+        )
 
     @classmethod
     def of(

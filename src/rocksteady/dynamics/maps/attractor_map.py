@@ -43,7 +43,8 @@ def map_attractors(
 ) -> "xarray.Dataset":
     """Compute the attractor of a block over a grid of parameters.
 
-    Every cell is what `find_attractor` finds at that point, to the last bit.
+    Every cell is what `find_attractor` finds at that point.  Orbits agree to rounding; where small
+    differences grow beyond 1e10 on the way, rounding may choose another one.
 
     Parameters
     ----------

@@ -8,7 +8,8 @@ never depends on the lanes beside it, so neither does the result, to the last bi
 
 The parts: `_fields` the fields and stages of a lane, `_exp_sincos` exponential and sine, `_newton`
 steps towards an impact, `_launching` what a flight begins with, `_nodes` whether a piece has an
-impact, `_periods` motions that have become periodic, `driver` the loop that drives them.
+impact, `_passes` the order of these loops, `_periods` motions that have become periodic, `driver`
+the loop that drives them; `_arrival` and `settling` motions that are followed to their orbits.
 
 **No impact can be missed.**  A lane decides only what the argument of `kernels.linear.zeros`
 settles with room to spare; any other flight is left to the scalar `march`, and the lane goes on
@@ -70,4 +71,23 @@ rounding and grow.  One that came to within 1e-11 of an unstable orbit along its
 would, as would one that passes a fold as slowly; their share of all starts is of that size.  After
 a rest the block lifts off at the node with velocity 0, a state without a past: the second uplift
 proves the period.
+
+**Orbits.**  `settling.lane_attractors` answers as `kernels.orbits.settle.settle` does.  A lane
+remembers its last states and looks, at the same times, for an earlier one within 0.01: m impacts
+and n periods ago.  The scalar code then polishes an orbit from the last state and follows the
+motion until it has come to within 1e-7 of it.  In the lanes that order is reversed: the motion is
+followed first, until a return differs from the one before by 1e-8 (or for `MOST_RETURNS`), which
+costs little side by side, and the orbit is polished from there, a step or two away.  Its
+stability, its arrival and its symmetry are judged by the same code.
+
+That the scalar code would have found the same orbit at the look is not taken for granted.  With the
+orbit O and its Jacobian J at hand, the two states x and x' = P(x) of the look show what bends the
+map: ``e = (x' - O) - J (x - O)``.  Where x' is within 0.03 of O and ``(1 - J)^-1 e`` is less than a
+tenth of that distance, Newton's method contracts from x' to O.  Elsewhere it is carried out from
+x', as the scalar code does, and its orbit is the one that counts.  The scalar code looks for no
+orbit where a small difference grows 100-fold over a return: a cell whose |J| is above 80 is left to
+it, as are all rests, whose number of bounces depends on the proof that ends them, motions that do
+not settle and returns that lead to no stable orbit.  The share on B1 is 0.2 per cent.  So a cell
+has the same kind, period, impacts and time of recognition as the scalar code gives it, and the same
+orbit to rounding, but for cells where small differences have grown by 1e10 or more on the way.
 """

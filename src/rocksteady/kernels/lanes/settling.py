@@ -91,8 +91,10 @@ MOST_IMPACTS = 10_000
 """Impacts after which a motion without an orbit in sight is left over."""
 MOST_RETURNS = 100
 """Returns after a look for which an orbit is approached; then it is computed from afar."""
-BENT = 0.3
-"""Part of the distance to an orbit by which what bends the map may displace it."""
+WITHIN = 3.0 * NEAR
+"""Distance to an orbit from which Newton's method is taken to lead there ..."""
+BENT = 0.1
+"""... if what bends the map displaces the orbit by this part of the distance at most."""
 TAME = 80.0
 """Growth of a small difference over a return to an orbit up to which it is below 100 nearby, from
 which on `settle` looks for no orbit."""
@@ -360,7 +362,7 @@ def in_reach(returns: Floats, j: int, system: System, near: Near) -> bool:
     unit = max(orbit.speed, SMALLEST_SPEED)
     off = max(abs(d * bent_phase - b * bent_speed), abs(a * bent_speed - c * bent_phase) / unit)
     apart = max(abs(then_phase), abs(then_speed) / unit)
-    return apart <= 10.0 * NEAR and off <= determinant * max(BENT * apart, ARRIVED)
+    return bool(apart <= WITHIN and off <= determinant * max(BENT * apart, ARRIVED))
 
 
 @compiled
@@ -372,9 +374,6 @@ def turned(phase: float) -> float:
 @compiled
 def growth_over(jacobian: Jacobian) -> float:
     """Return a bound of how much longer a Jacobian makes any direction (Frobenius)."""
-    return math.sqrt(
-        jacobian.phase_by_phase**2
-        + jacobian.phase_by_speed**2
-        + jacobian.speed_by_phase**2
-        + jacobian.speed_by_speed**2
-    )
+    a, b = jacobian.phase_by_phase, jacobian.phase_by_speed
+    c, d = jacobian.speed_by_phase, jacobian.speed_by_speed
+    return math.sqrt((a * a + b * b) + (c * c + d * d))

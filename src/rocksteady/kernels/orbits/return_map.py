@@ -118,7 +118,9 @@ def make_system(amplitude: float, frequency: float, sides: Floats2) -> System:
         positive, negative = foot_forcing(here), foot_forcing(there)
     else:
         positive = make_forcing(-1.0, 0.0, size_here, turn_here)
-        negative = make_forcing(-1.0, 0.0, size_there, turn_there)
+        negative = positive
+        if size_there != size_here or turn_there != turn_here:
+            negative = make_forcing(-1.0, 0.0, size_there, turn_there)
     return System(
         positive,
         negative,

@@ -1,0 +1,294 @@
+"""Attractors found in lanes: those of the scalar code, whichever cells share the lanes."""
+
+import math
+from concurrent.futures import ThreadPoolExecutor
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.kernels.batch.attractors import (
+    AFTER,
+    HIGHEST,
+    LOWEST,
+    LYAPUNOV,
+    ORBIT_PHASE,
+    ORBIT_SIDE,
+    ORBIT_SPEED,
+    OUTCOME,
+    PASSAGES,
+    PERIODS,
+    REAL_COLUMNS,
+    RESTS,
+    SYMMETRIC,
+    WHOLE_COLUMNS,
+    fill_clocks,
+    settle_cells,
+)
+from rocksteady.kernels.core.tables import RESTITUTION
+from rocksteady.kernels.lanes.settling import LEFT_OVER, lane_attractors
+from rocksteady.kernels.orbits.closed_form import symmetric_orbit
+from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS
+from rocksteady.kernels.orbits.return_map import make_system
+from rocksteady.kernels.orbits.settle import (
+    FALLS,
+    LONGEST_ORBIT,
+    MEMORY,
+    PERIODIC,
+    STAYS,
+    UNSETTLED,
+    settle,
+)
+from tests.kernels.tables import both_sides
+from tests.strategies import PLAIN, sample_size
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+DIGITS_LOST = math.log(1e10)
+"""Growth of a small difference from which on two computations may part: one rounding becomes as
+large as the differences by which `settle` decides."""
+
+
+class Cells(NamedTuple):
+    amplitude: Floats
+    frequency: Floats
+    restitution: Floats
+    side: Integers
+    angle: Floats
+    velocity: Floats
+    half_cycles: Integers
+    phase: Floats
+
+    def some(self, chosen: Integers) -> "Cells":
+        a, w, r, side, angle, velocity, half, phase = self
+        return Cells(
+            a[chosen],
+            w[chosen],
+            r[chosen],
+            side[chosen],
+            angle[chosen],
+            velocity[chosen],
+            half[chosen],
+            phase[chosen],
+        )
+
+
+class Rows(NamedTuple):
+    whole: Integers
+    real: Floats
+
+
+def empty(count: int) -> Rows:
+    return Rows(np.zeros((count, WHOLE_COLUMNS), np.int64), np.zeros((count, REAL_COLUMNS)))
+
+
+def by_lanes(cells: Cells, cycles: int) -> Rows:
+    found = empty(len(cells.amplitude))
+    lane_attractors(*cells, cycles, *found)
+    return found
+
+
+def one_by_one(cells: Cells, cycles: int) -> Rows:
+    found = empty(len(cells.amplitude))
+    sides = np.ones((len(cells.amplitude), 2, 3))
+    sides[:, :, RESTITUTION] = cells.restitution[:, np.newaxis]
+    a, w, _, side, angle, velocity, half, phase = cells
+    settle_cells(a, w, sides, side, angle, velocity, half, phase, cycles, *found)
+    return found
+
+
+def unit(count: int) -> Cells:
+    """Return work unit B1 on a grid of count x count."""
+    w, a = np.meshgrid(np.linspace(1.0, 12.0, count), np.linspace(1.0, 6.0, count))
+    return starting(a.ravel(), w.ravel(), 0.8, 0.0, 0.3, 0.0)
+
+
+def starting(*columns: ArrayLike) -> Cells:
+    """Return cells of amplitude, frequency, restitution, angle, velocity and any phase."""
+    given = np.broadcast_arrays(*(np.asarray(column, dtype=np.float64) for column in columns))
+    a, w, r, angle, velocity, phase = (column.copy() for column in given)
+    half, rest = np.zeros(len(a), np.int64), np.zeros(len(a))
+    fill_clocks(phase, half, rest)
+    side = np.sign(np.where(angle != 0.0, angle, velocity)).astype(np.int64)
+    return Cells(a, w, r, side, angle, velocity, half, rest)
+
+
+def random_cells(seed: int, count: int) -> Cells:
+    """Return blocks at rest, leaning and in flight; below, at and above uplift; slow and fast."""
+    rng = np.random.default_rng(seed)
+    some = rng.random((3, count))
+    a = np.where(some[0] < 0.2, rng.uniform(0.8, 1.2, count), rng.uniform(0.9, 7.0, count))
+    w = 10.0 ** rng.uniform(-0.3, 1.3, count)
+    angle = np.where(some[1] < 0.4, rng.uniform(-0.7, 0.7, count), 0.0)
+    velocity = np.where(some[2] < 0.7, rng.normal(0.0, 0.4, count), 0.0)
+    r = rng.uniform(0.2, 0.97, count)
+    return starting(a, w, r, angle, velocity, rng.uniform(-10.0, 10.0, count))
+
+
+def growth(cells: Cells, cell: int, cycles: int) -> float:
+    """Return the logarithm of the largest growth of a small difference on the way of a cell."""
+    memory, table = np.zeros((MEMORY, ORBIT_COLUMNS)), np.zeros((LONGEST_ORBIT, ORBIT_COLUMNS))
+    a, w, r, side, angle, velocity, half, phase = (column[cell].item() for column in cells)
+    system = make_system(a, w, both_sides(r))
+    return settle(system, side, half, phase, angle, velocity, cycles, memory, table).growth
+
+
+def check_against_scalar(cells: Cells, cycles: int) -> tuple[int, int]:
+    """Hold the lanes against the scalar code; return how many they leave, and how many differ.
+
+    Cells may differ only where rounding decides.
+    """
+    lanes, plain = by_lanes(cells, cycles), one_by_one(cells, cycles)
+    done = lanes.whole[:, OUTCOME] != LEFT_OVER
+    differ = done & (lanes.whole != plain.whole).any(axis=1)
+    for cell in np.flatnonzero(differ):
+        assert growth(cells, int(cell), cycles) > DIGITS_LOST, cell
+    same = done & ~differ
+    orbits = same & (plain.whole[:, OUTCOME] == PERIODIC)
+    for column, tolerance in (
+        (ORBIT_SPEED, 1e-9),
+        (HIGHEST, 1e-9),
+        (LOWEST, 1e-9),
+        (LYAPUNOV, 1e-8),
+    ):
+        assert np.abs(lanes.real[orbits, column] - plain.real[orbits, column]).max() < tolerance
+    turn = 2.0 * math.pi
+    turned = lanes.real[orbits, ORBIT_PHASE] - plain.real[orbits, ORBIT_PHASE]
+    assert np.abs(turned - turn * np.round(turned / turn)).max() < 1e-9
+    assert np.isnan(lanes.real[same & ~orbits]).all()
+    # What the lanes do not settle they leave: rests, and what does not settle at all.
+    assert not (plain.whole[same, RESTS] > 0).any()
+    assert set(plain.whole[same, OUTCOME].tolist()) == {PERIODIC, FALLS}
+    return int(np.count_nonzero(~done)), int(np.count_nonzero(differ))
+
+
+def test_random_cells_settle_as_one_by_one() -> None:
+    count = sample_size(6000, 40)
+    left, differ = check_against_scalar(random_cells(1, count), sample_size(200, 40))
+    assert 0 < left < 0.2 * count
+    assert differ < 2e-3 * count
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(PLAIN, reason="half a million motions need compiled code")
+def test_half_a_million_cells_settle_as_one_by_one() -> None:
+    for seed in range(10, 35):
+        left, differ = check_against_scalar(random_cells(seed, 20_000), 200)
+        assert left < 3000
+        assert differ < 40
+
+
+@pytest.mark.skipif(PLAIN, reason="ten thousand motions need compiled code")
+def test_work_unit_b1_settles_as_one_by_one() -> None:
+    left, differ = check_against_scalar(unit(100), 2000)
+    assert left < 100
+    assert differ <= 1
+
+
+def test_rests_still_blocks_and_chaos_are_left_over() -> None:
+    a = np.array([0.5, 1.01, 1.7347, 2.0, 6.0])
+    w = np.array([2.0, 2.0, 1.6633, 4.0, 1.0])
+    r = np.array([0.8, 0.8, 0.5, 0.8, 0.8])
+    cells = starting(a, w, r, 0.0, [0.3, 0.0, 0.0, 0.3, 0.3], 0.0)
+    lanes, plain = by_lanes(cells, 100), one_by_one(cells, 100)
+    assert plain.whole[:, OUTCOME].tolist() == [STAYS, PERIODIC, UNSETTLED, PERIODIC, FALLS]
+    assert plain.whole[1, RESTS] == 2
+    assert lanes.whole[:, OUTCOME].tolist() == [LEFT_OVER] * 3 + [PERIODIC, FALLS]
+
+
+def test_near_a_stable_orbit_a_motion_settles_to_its_closed_form() -> None:
+    for amplitude, frequency, r, order in (
+        (2.0, 4.0, 0.8, 1),
+        (2.0, 6.0, 0.8, 3),
+        (3.0, 8.0, 0.95, 3),
+    ):
+        orbit = symmetric_orbit(amplitude, frequency, r, order, 1)
+        speed = frequency * orbit.velocity
+        cells = starting([amplitude], frequency, r, 0.0, 1.003 * speed, orbit.phase + 2e-3)
+        whole, real = (part[0] for part in by_lanes(cells, 2000))
+        assert (whole[OUTCOME], whole[PASSAGES], whole[PERIODS]) == (PERIODIC, 2, order)
+        assert whole[SYMMETRIC] == 1
+        assert real[ORBIT_SPEED] == pytest.approx(speed, rel=1e-11)
+        seen = real[ORBIT_PHASE] + (0.0 if whole[ORBIT_SIDE] > 0 else math.pi)
+        assert math.remainder(seen - orbit.phase, 2.0 * math.pi) == pytest.approx(0.0, abs=1e-11)
+        root = np.abs(np.roots([1.0, -orbit.trace, r**2])).max()
+        assert real[LYAPUNOV] == pytest.approx(2.0 * math.log(root) / order, rel=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("amplitude", "frequency", "order", "branch"),
+    [(1.0, 2.0, 1, 2), (2.0, 5.0, 3, 2), (2.0, 1.9, 1, 1)],
+)
+def test_a_motion_that_starts_on_an_unstable_orbit_never_settles_to_that(
+    amplitude: float, frequency: float, order: int, branch: int
+) -> None:
+    orbit = symmetric_orbit(amplitude, frequency, 0.8, order, branch)
+    speed = frequency * orbit.velocity
+    cells = starting([amplitude], frequency, 0.8, 0.0, speed, orbit.phase)
+    whole, real = (part[0] for part in by_lanes(cells, 2000))
+    assert whole[OUTCOME] in (PERIODIC, FALLS, LEFT_OVER)
+    if whole[OUTCOME] == PERIODIC:
+        assert abs(real[ORBIT_SPEED] - speed) > 1e-3 * speed
+
+
+def test_neighbours_change_nothing() -> None:
+    cells = random_cells(3, sample_size(1000, 20))
+    cycles = sample_size(100, 30)
+    whole = by_lanes(cells, cycles)
+    order = np.random.default_rng(0).permutation(len(cells.amplitude))
+    kept = whole.whole[:, OUTCOME] != LEFT_OVER
+
+    def same(found: Rows, chosen: Integers) -> bool:
+        rows = Rows(whole.whole[chosen], whole.real[chosen])
+        assert np.array_equal(found.whole[:, OUTCOME], rows.whole[:, OUTCOME])
+        on = kept[chosen]
+        assert np.array_equal(found.whole[on], rows.whole[on])
+        return np.array_equal(found.real[on], rows.real[on], equal_nan=True)
+
+    assert same(by_lanes(cells.some(order), cycles), order)
+    for threads in (2, 3):
+        parts = [np.arange(k, len(order), threads) for k in range(threads)]
+        with ThreadPoolExecutor(threads) as pool:
+            found = list(pool.map(lambda part: by_lanes(cells.some(part), cycles), parts))
+        assert all(same(rows, part) for rows, part in zip(found, parts, strict=True))
+
+
+def test_a_mirrored_start_settles_to_the_mirror_image() -> None:
+    cells = random_cells(4, sample_size(1000, 20))
+    image = cells._replace(
+        side=-cells.side,
+        angle=-cells.angle,
+        velocity=-cells.velocity,
+        half_cycles=cells.half_cycles + 1,
+    )
+    cycles = sample_size(100, 30)
+    one, other = by_lanes(cells, cycles), by_lanes(image, cycles)
+    on = one.whole[:, OUTCOME] != LEFT_OVER
+    assert np.array_equal(on, other.whole[:, OUTCOME] != LEFT_OVER)
+    for column in (OUTCOME, PASSAGES, PERIODS, SYMMETRIC, AFTER):
+        assert np.array_equal(one.whole[on, column], other.whole[on, column])
+    assert np.array_equal(one.whole[on, ORBIT_SIDE], -other.whole[on, ORBIT_SIDE])
+    assert np.array_equal(one.real[on, HIGHEST], -other.real[on, LOWEST], equal_nan=True)
+    assert np.array_equal(one.real[on, ORBIT_SPEED], other.real[on, ORBIT_SPEED], equal_nan=True)
+
+
+@pytest.mark.parametrize("cycles", [1, 3, 16])
+def test_few_periods_are_as_many_as_one_by_one(cycles: int) -> None:
+    cells = random_cells(5, sample_size(2000, 20))
+    lanes, plain = by_lanes(cells, cycles), one_by_one(cells, cycles)
+    on = lanes.whole[:, OUTCOME] != LEFT_OVER
+    assert on.any()
+    assert np.array_equal(lanes.whole[on], plain.whole[on])
+
+
+@pytest.mark.skipif(PLAIN, reason="many small bounces need compiled code")
+def test_bounces_without_loss_are_left_over() -> None:
+    a = np.array([0.5, 2.0])
+    cells = starting(a, np.array([0.01, 4.0]), 1.0, 0.0, 1e-3, 0.0)
+    assert by_lanes(cells, 200).whole[:, OUTCOME].tolist() == [LEFT_OVER] * 2
+
+
+def test_no_cells_at_all() -> None:
+    by_lanes(unit(2).some(np.zeros(0, np.int64)), 10)
