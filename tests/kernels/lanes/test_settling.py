@@ -160,7 +160,7 @@ def check_against_scalar(cells: Cells, cycles: int) -> tuple[int, int]:
     assert np.isnan(lanes.real[same & ~orbits]).all()
     # What the lanes do not settle they leave: rests, and what does not settle at all.
     assert not (plain.whole[same, RESTS] > 0).any()
-    assert set(plain.whole[same, OUTCOME].tolist()) == {PERIODIC, FALLS}
+    assert {PERIODIC, FALLS} <= set(plain.whole[same, OUTCOME].tolist()) <= {PERIODIC, FALLS, STAYS}
     return int(np.count_nonzero(~done)), int(np.count_nonzero(differ))
 
 
@@ -285,8 +285,7 @@ def test_few_periods_are_as_many_as_one_by_one(cycles: int) -> None:
 
 @pytest.mark.skipif(PLAIN, reason="many small bounces need compiled code")
 def test_bounces_without_loss_are_left_over() -> None:
-    a = np.array([0.5, 2.0])
-    cells = starting(a, np.array([0.01, 4.0]), 1.0, 0.0, 1e-3, 0.0)
+    cells = starting([0.5, 0.5], [0.01, 4.0], 1.0, 0.0, 1e-3, 0.0)
     assert by_lanes(cells, 200).whole[:, OUTCOME].tolist() == [LEFT_OVER] * 2
 
 
