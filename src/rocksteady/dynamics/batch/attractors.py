@@ -29,7 +29,7 @@ KIND_FLAGS = {
 BATCH = 1024
 """The most motions that the kernel follows in one call,"""
 MOST_PERIODS = 1_024_000
-"""and the forcing periods that they may take together: a second or two where all are chaotic,
+"""and the forcing periods that they may take together: a few seconds where all are chaotic,
 for which an interruption waits."""
 
 KIND_OUTPUT = Output(

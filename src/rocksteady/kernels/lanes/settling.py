@@ -57,7 +57,15 @@ from rocksteady.kernels.lanes._passes import (
 )
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1, Integers2
-from rocksteady.kernels.orbits.periodic import ORBIT_COLUMNS, SMALLEST_SPEED, distance
+from rocksteady.kernels.orbits.periodic import (
+    ORBIT_COLUMNS,
+    SMALLEST_SPEED,
+    Fixed,
+    distance,
+    laid_out,
+    measured,
+    moved,
+)
 from rocksteady.kernels.orbits.return_map import (
     FALL,
     IMPACT,
@@ -79,6 +87,7 @@ from rocksteady.kernels.orbits.settle import (
     STAYS,
     Near,
     arrives,
+    judged,
     returns_to,
     settled_to,
     stable_orbit,
@@ -95,6 +104,10 @@ WITHIN = 3.0 * NEAR
 """Distance to an orbit from which Newton's method is taken to lead there ..."""
 BENT = 0.1
 """... if what bends the map displaces the orbit by this part of the distance at most."""
+STEPS = 4
+"""Most steps of Newton's method from a state that is close."""
+ROUNDING = 4e-15
+"""Residual of an orbit that is due to rounding."""
 TAME = 80.0
 """Growth of a small difference over a return to an orbit up to which it is below 100 nearby, from
 which on `settle` looks for no orbit."""
@@ -316,7 +329,7 @@ def computed(
 ) -> bool:
     """Return whether a motion that is close settles to what `settle` would find; write it."""
     passages, periods = int(lanes[LAG + j]), int(returns[j, PERIODS])
-    near = stable_orbit(system, here, passages, periods, table)
+    near = judged(system, here, passages, refined(system, here, passages, periods, table), table)
     if near.found and not in_reach(returns, j, system, near):
         turns, phase = clock(returns[j, PHASE_THEN])
         half = turns if here.side > 0 else turns + 1
@@ -335,6 +348,19 @@ def computed(
     found = settled_to(near, passages, periods, passed, 0.0, table)
     note_attractor(system, found, table, whole, real, int(lanes[CELL + j]))
     return True
+
+
+@compiled
+def refined(system: System, state: Section, passages: int, periods: int, table: Floats2) -> Fixed:
+    """Find the orbit next to a state, as `polish` does, in no more steps than that takes."""
+    found = laid_out(system, state, passages, periods, table)
+    for _ in range(STEPS):
+        if found.residual <= ROUNDING or not math.isfinite(found.residual):
+            break
+        if not moved(table, passages, found.jacobian):
+            return Fixed(False, math.inf, found.jacobian, found.rests, found.grazes)
+        found = measured(system, passages, periods, table)
+    return found
 
 
 @compiled

@@ -308,7 +308,12 @@ def stable_orbit(
     system: System, last: Section, passages: int, periods: int, table: Floats2
 ) -> Near:
     """Look for a stable orbit without rest near a state, and leave it in a table."""
-    fixed = polish(system, last, passages, periods, table)
+    return judged(system, last, passages, polish(system, last, passages, periods, table), table)
+
+
+@compiled
+def judged(system: System, last: Section, passages: int, fixed: Fixed, table: Floats2) -> Near:
+    """Return whether the orbit in a table, found from a state, is near, without rest and stable."""
     orbit = state_at(table, ZERO)
     if not fixed.found or fixed.grazes > 0 or distance(orbit, last) > 10.0 * NEAR:
         return Near(False, orbit, math.inf, fixed)
