@@ -76,7 +76,7 @@ def record_attractors(
     call("settle_cells", a, w, sides, *begin, 100, whole, real)
     if not nonlinear:
         r = sides[:, 0, RESTITUTION].copy()
-        call("lane_attractors", a, w, r, *begin, 100, 0 * whole, 0.0 * real)
+        call("lane_attractors", a, w, r, *begin, 100, np.zeros_like(whole), np.zeros_like(real))
 
 
 def record_steady_states(call: Recorder, name: str, count: int, *, shapes: bool) -> None:
