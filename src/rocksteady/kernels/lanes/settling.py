@@ -156,6 +156,8 @@ def lane_attractors(
     table = np.empty((MEMORY, ORBIT_COLUMNS))
     lanes = np.zeros(FIELDS * LANES)
     fill_empty(lanes)
+    lanes[REF_PHASE : REF_PHASE + LANES] = 0.0
+    lanes[REF_VELOCITY : REF_VELOCITY + LANES] = 1.0
     count = len(amplitude)
     fresh = ZERO  # the next cell
     busy = 0  # lanes that are not empty
