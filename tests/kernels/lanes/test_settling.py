@@ -151,7 +151,7 @@ def check_against_scalar(cells: Cells, cycles: int) -> tuple[int, int]:
         (ORBIT_SPEED, 1e-9),
         (HIGHEST, 1e-9),
         (LOWEST, 1e-9),
-        (LYAPUNOV, 1e-8),
+        (LYAPUNOV, 1e-6),
     ):
         assert np.abs(lanes.real[orbits, column] - plain.real[orbits, column]).max() < tolerance
     turn = 2.0 * math.pi
