@@ -27,7 +27,7 @@ from rocksteady.model.motions.segments import Motion
 
 Floats = NDArray[np.float64]
 
-SHARE_OF_TOLERANCE = 1e-4
+SHARE_OF_TOLERANCE = 1e-5
 """What a step may leave out, over the tolerance: that of ten thousand steps stays below it."""
 
 SAME_TIME = 1e-9

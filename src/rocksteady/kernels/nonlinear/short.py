@@ -31,8 +31,6 @@ from rocksteady.kernels.machine_code.compilation import inlined
 DEGREE = 8
 ANGLE = 0
 """Row of the working space that holds the coefficients of y."""
-PART = 0.1
-"""Of what a step may leave out: a flight takes many short ones."""
 LONGEST = 0.25
 """Longest step: beyond it the terms left out of the estimate would count."""
 SMALL = 0.785
@@ -130,7 +128,7 @@ def short_step(
         squared * (0.5 * abs(force)),
         squared * step * (abs(third) * (1.0 / 6.0)),
     )
-    allowed = PART * left_out * largest
+    allowed = left_out * largest
     sixth_power = squared * squared * squared
     exact = beyond * (sixth_power * step) * (1.0 / 5040.0) <= allowed
     seventh = tail
