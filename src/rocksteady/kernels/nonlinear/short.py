@@ -17,9 +17,11 @@ its closed form.  What stands beside that here is of the order of alpha^2.  The 
 are taken from it, so that the step's polynomial has degree 8.
 
 **Error.**  What is left out is mainly ``(y^(7) - E y^(5)) t^7/5040``, whose bracket is ``5 E' y^(4)
-+ 6 E'' y^(3) + 4 E''' F`` but for smaller terms; of the next orders ``E' y^(5) t`` and, of the
-closed form, ``E^2 y^(5) t^2/72``.  The sum of the moduli is the estimate.  The error of a random
-step is a tenth of it to four times as much, and hardly ever more.
++ 6 E'' y^(3) + 4 E''' F + E'''' v`` but for smaller terms, and of the closed form ``E^2 y^(5)
+t^9/362880``.  At the start any of these may be zero, as at a turning point or where the block lifts
+off.  So the sum of their moduli is the estimate, each modulus with a fifth of what the next one
+adds over the step.  The error is hardly ever more: of a million random steps about ten had more
+than twice as much, none more than four times.
 """
 
 from typing import NamedTuple
@@ -33,6 +35,8 @@ ANGLE = 0
 """Row of the working space that holds the coefficients of y."""
 LONGEST = 0.25
 """Longest step: beyond it the terms left out of the estimate would count."""
+ONWARD = 0.2
+"""Part of a step over which the moduli of the estimate grow: t^n n!/(8 ... (n + 7)) is less."""
 SMALL = 0.785
 """Largest angle of `small_sinc_cos`, a little below pi/4."""
 
@@ -116,11 +120,26 @@ def short_step(
     twisting = square * (v * (drift * v + fourth) + force * (change + 3.0 * third))  # -E'''
     squared = step * step
     tail = stiffness * fifth
+    # Moduli on the way, as at the start itself any of them may be zero.
+    onward = ONWARD * step
+    eighth = abs(stiffness * sixth)
+    fourths = abs(fourth) + onward * abs(fifth)
+    thirds = abs(third) + onward * fourths
+    pulls = abs(force) + onward * thirds
+    speeds = abs(v) + onward * pulls
+    turns = square * (speeds * (abs(change) + thirds) + pulls * pulls)
+    stiffens = abs(stiffening) + onward * turns
+    twists = square * (
+        speeds * (abs(drift) * speeds + fourths) + pulls * (abs(change) + 3.0 * thirds)
+    )
+    fifths = abs(fifth) + onward * abs(sixth)
+    swings = square * (speeds * fifths + 4.0 * (fourths * pulls) + 3.0 * (thirds * thirds))
     beyond = (
-        5.0 * abs(stiffening * fourth)
-        + 6.0 * abs(turning * third)
-        + 4.0 * abs(twisting * force)
-        + step * (abs(stiffening * fifth) + (1.0 / 72.0) * step * abs(stiffness * tail))
+        5.0 * stiffens * fourths
+        + 6.0 * turns * thirds
+        + 4.0 * twists * pulls
+        + speeds * swings
+        + squared * (abs(stiffness) * (abs(tail) + onward * eighth) * (1.0 / 72.0))
     )
     largest = max(
         abs(angle),
@@ -147,11 +166,11 @@ def short_step(
             - 3.0 * (square * (change * (v * third)))
         )
         beyond = (
-            6.0 * abs(stiffening * fifth)
-            + 10.0 * abs(turning * fourth)
-            + 10.0 * abs(twisting * third)
-            + 5.0 * abs((sway + swing) * force)
-            + step * (abs(stiffening * sixth) + (1.0 / 9.0) * abs(stiffness * seventh))
+            6.0 * stiffens * fifths
+            + 10.0 * turns * fourths
+            + 10.0 * twists * thirds
+            + 5.0 * (abs(sway) + swings) * pulls
+            + step * (abs(stiffness) * (abs(seventh) + onward * eighth) * (1.0 / 9.0))
         )
         exact = beyond * (sixth_power * squared) * (1.0 / 40320.0) <= allowed
     return ShortStep(
