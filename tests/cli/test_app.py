@@ -16,6 +16,7 @@ from rocksteady.cli import app
 from rocksteady.cli.commands import attractor, basins, bifurcate, maps, orbits, simulate, steady
 from rocksteady.cli.console import terminal
 from rocksteady.kernels.machine_code import compilation
+from tests.cli.bad_input import BAD_INPUT
 from tests.cli.motion_files import at2, samples
 from tests.cli.program import refused, rocksteady
 
@@ -49,56 +50,7 @@ def process(*arguments: str, **environment: str) -> subprocess.CompletedProcess[
 @commands
 @pytest.mark.parametrize(
     ("given", "needles"),
-    [
-        ("-A -1 -W 4 -r 0.8", ["--amplitude/-A", "-1.0", "0, 1e+50"]),
-        ("-A nan -W 4 -r 0.8", ["--amplitude/-A", "nan"]),
-        ("-A inf -W 4 -r 0.8", ["--amplitude/-A", "inf"]),
-        ("-A 1e308 -W 4 -r 0.8", ["--amplitude/-A", "1e+308"]),
-        ("-A two -W 4 -r 0.8", ["--amplitude/-A", "'two'"]),
-        ("-A 2 -W 0 -r 0.8", ["--frequency-ratio/-W", "0.0"]),
-        ("-A 2 -W -4 -r 0.8", ["--frequency-ratio/-W", "-4.0"]),
-        ("-A 2 -W nan -r 0.8", ["--frequency-ratio/-W", "nan"]),
-        ("-A 2 -W inf -r 0.8", ["--frequency-ratio/-W", "inf"]),
-        ("-A 2 -W 4 -r 0", ["--restitution/-r", "0.0", "(0, 1]"]),
-        ("-A 2 -W 4 -r 1.2", ["--restitution/-r", "1.2", "(0, 1]"]),
-        ("-A 2 -W 4 -r -0.8", ["--restitution/-r", "-0.8", "(0, 1]"]),
-        ("-A 2 -W 4 -r nan", ["--restitution/-r", "nan", "(0, 1]"]),
-        ("-A 2 -W 4 -r bouncy", ["--restitution/-r", "'bouncy'", "housner"]),
-        ("-A 2 -W 4 -r housner", ["--restitution/-r", "'housner'", "block"]),
-        ("-A 2 -W 4", ["--restitution/-r", "not given", "-r 0.8"]),
-        ("-A 2 -r 0.8", ["--frequency-ratio/-W and --freq-hz", "neither given"]),
-        ("-W 4 -r 0.8", ["--amplitude/-A and --accel-g", "neither given"]),
-        ("-A 2 -W 4 -r 0.8 --accel-g 0.3", ["--accel-g", "0.3", "block"]),
-        ("-A 2 -W 4 -r 0.8 --freq-hz 2", ["--freq-hz", "'2'", "block"]),
-        ("-A 2 --accel-g 1 -W 4 --block tso-wong-1989", ["--accel-g", "both"]),
-        ("-A 2 -W 4 --freq-hz 1 --block tso-wong-1989", ["--freq-hz", "both"]),
-        ("--accel-g -0.4 -W 4 --block tso-wong-1989", ["--accel-g", "-0.4"]),
-        ("--accel-g nan -W 4 --block tso-wong-1989", ["--accel-g", "nan"]),
-        ("-A 2 --freq-hz 0 --block tso-wong-1989", ["--freq-hz", "0.0"]),
-        ("-A 2 --freq-hz 1e9 --block tso-wong-1989", ["--freq-hz", "1000000000.0", "p = 6.28"]),
-        ("-A 2 -W 4 --block pyramid", ["--block", "'pyramid'", "tso-wong-1989"]),
-        ("-A 2 -W 4 --width-m 1", ["--width-m", "pair"]),
-        ("-A 2 -W 4 --alpha-rad 0.2", ["--alpha-rad", "pair"]),
-        ("-A 2 -W 4 --width-m 1 --radius-m 1", ["--width-m --radius-m", "pair"]),
-        (
-            "-A 2 -W 4 --width-m 1 --height-m 2 --alpha-rad 0.2",
-            ["--width-m --height-m --alpha-rad", "pair"],
-        ),
-        ("-A 2 -W 4 --block tso-wong-1989 --width-m 1", ["--block --width-m"]),
-        ("-A 2 -W 4 --width-m -1 --height-m 2", ["--width-m", "-1.0"]),
-        ("-A 2 -W 4 --width-m 1 --height-m 0", ["--height-m", "0.0"]),
-        ("-A 2 -W 4 --width-m nan --height-m 1", ["--width-m", "nan"]),
-        ("-A 2 -W 4 --width-m wide --height-m 1", ["--width-m", "'wide'"]),
-        ("-A 2 -W 4 --width-m 3 --height-m 1", ["--width-m", "3.0", "Housner"]),
-        ("-A 2 -W 4 --alpha-rad 1.6 --radius-m 1", ["--alpha-rad", "1.6"]),
-        ("-A 2 -W 4 --alpha-rad 0 --radius-m 1", ["--alpha-rad", "0.0"]),
-        ("-A 2 -W 4 --alpha-rad 0.2 --radius-m inf", ["--radius-m", "inf"]),
-        ("-A 2 -W 4 --alpha-rad 0.2 --p-rad-s 0", ["--p-rad-s", "0.0"]),
-        ("-A 2 -W 4 --alpha-rad 0.2 --p-rad-s 2 --gravity-m-s2 0", ["--gravity-m-s2", "0.0"]),
-        ("-A 2 -W 4 -r 0.8 --plto a.png", ["--plto", "--help"]),
-        ("-A 2 -W 4 -r 0.8 extra", ["extra", "--help"]),
-        ("-A", ["-A", "--help"]),
-    ],
+    BAD_INPUT,
 )
 def test_bad_input_is_one_line_with_the_value(command: str, given: str, needles: list[str]) -> None:
     line = refused(f"{command} {given}")

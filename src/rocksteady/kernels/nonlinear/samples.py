@@ -27,18 +27,18 @@ from rocksteady.kernels.core.tables import (
 from rocksteady.kernels.core.typed import FALSE, ONE, ZERO
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.machine_code.compilation import compiled
-from rocksteady.kernels.nonlinear._zeros import MARGIN, largest, stays_above
-from rocksteady.kernels.nonlinear.drive import WEIGHTLESS, Drive
-from rocksteady.kernels.nonlinear.flight import reach_of
-from rocksteady.kernels.nonlinear.proofs import HALF_PI, point_of_no_return
-from rocksteady.kernels.nonlinear.series import ANGLE, angle_at, expand_series, third_bound
-from rocksteady.kernels.nonlinear.short import (
+from rocksteady.kernels.nonlinear._short import (
     DEGREE,
     fill_short,
     short_step,
     state_after,
     third_of,
 )
+from rocksteady.kernels.nonlinear._zeros import MARGIN, largest, stays_above
+from rocksteady.kernels.nonlinear.drive import WEIGHTLESS, Drive
+from rocksteady.kernels.nonlinear.flight import reach_of
+from rocksteady.kernels.nonlinear.proofs import HALF_PI, point_of_no_return
+from rocksteady.kernels.nonlinear.series import ANGLE, angle_at, expand_series, third_bound
 
 
 @compiled

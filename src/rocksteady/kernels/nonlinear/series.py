@@ -26,8 +26,8 @@ from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.elementary.exponential import exp_clamped
 from rocksteady.kernels.elementary.logarithm import LN2, LOG2_DOUBT, low_log2
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
+from rocksteady.kernels.nonlinear._short import DEGREE, fill_short, short_step
 from rocksteady.kernels.nonlinear.drive import Drive
-from rocksteady.kernels.nonlinear.short import DEGREE, fill_short, short_step
 
 TERMS = 24
 HIGHEST = TERMS - 1  # degree of the longest polynomial
