@@ -1,0 +1,1 @@
+"""Harmonic sweeps of symmetric blocks in the nonlinear model, in vector registers."""

@@ -1,0 +1,88 @@
+"""Fields and Taylor rows of the lanes, as offsets into one flat array, and the stages of a lane."""
+
+# 16 or fewer lanes would be unrolled and stay scalar; more than 32 leave the first cache.
+LANES = 32
+
+HIGHEST = 23
+"""Degree of a step's polynomial."""
+TERMS = HIGHEST + 1
+
+# Stages of a lane.
+EMPTY = 0.0
+FLYING = 1.0
+LANDED = 2.0  # flying, from an impact that is to be compared with earlier ones
+SLOW = 3.0  # the same, and so slow that it may come to rest
+LEAVE = 4.0  # for the march: one flight
+ENDED = 5.0  # the run is over, in mid flight
+FALLEN = 6.0
+GIVEN_UP = 7.0
+
+# Fields of the lanes.
+(
+    FORCE,  # accumulators of a coefficient of h C, ...
+    BY_COSINE,  # ... of y' C ...
+    BY_SINE,  # ... and of y' S
+    STAGE,
+    CELL,
+    ALPHA,
+    INVERSE,  # 1/alpha
+    SQUARE,  # alpha^2
+    AMPLITUDE,
+    FREQUENCY,
+    SWING_RATE,
+    TURN,  # -Omega^2
+    ALLOWED,  # log2 of what a step may leave out
+    DELTA,
+    LOST,
+    FLAT,
+    FOOT_SINE,
+    FOOT_SWING,
+    DRIFT,
+    CALMING,
+    STOP,
+    LEFT,
+    IMPACTS,
+    PHASE,
+    START_ANGLE,
+    VELOCITY,
+    TIME,
+    ANGLE,
+    SPEED,
+    LIMIT,
+    HALVINGS,
+    STEP,
+    LAST,
+    TOTAL,
+    POWER,
+    CHANGES,
+    BEFORE,
+    ABOVE,
+    BELOW,
+    PLACE,
+    LOW,
+    HIGH,
+    OPEN,
+    VALUE,
+    SLOPE,
+    LAG,
+    WIDEST,
+    LIFTED,
+    REF_PHASE,
+    REF_VELOCITY,
+    REF_LEFT,
+    REF_IMPACTS,
+) = range(0, 52 * LANES, LANES)
+FIELDS = 52
+
+# Rows of Taylor coefficients, one for each power of time.
+SHAKING = FIELDS * LANES  # of h
+SPEEDS = SHAKING + TERMS * LANES  # of y'
+COSINES = SPEEDS + TERMS * LANES  # of C
+SINES = COSINES + TERMS * LANES  # of S
+SIZE = SINES + TERMS * LANES
+# Once the coefficients are known, two of them make room.
+TAYLOR = SINES  # of y, times powers of the step
+POINTS = SHAKING  # of its control points
+
+OFFSETS = (1 << 20) - 1
+"""A mask by which the compiler sees that an offset is not negative."""

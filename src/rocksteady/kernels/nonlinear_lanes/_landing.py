@@ -1,0 +1,208 @@
+"""Ends of all lanes' steps: the zero of a polynomial, and the flight or impact that follows."""
+
+from rocksteady.kernels.core.clock import PI_HIGH, PI_LOW
+from rocksteady.kernels.core.forcing import HALF_PI, TWO_PI
+from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.elementary.bits import ROUND
+from rocksteady.kernels.elementary.circular import sincos_short
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
+from rocksteady.kernels.nonlinear_lanes._fields import (
+    ABOVE,
+    ANGLE,
+    BELOW,
+    CALMING,
+    CHANGES,
+    DELTA,
+    DRIFT,
+    ENDED,
+    FALLEN,
+    FLAT,
+    FLYING,
+    FOOT_SINE,
+    FOOT_SWING,
+    FREQUENCY,
+    GIVEN_UP,
+    HALVINGS,
+    HIGH,
+    HIGHEST,
+    IMPACTS,
+    LAG,
+    LANDED,
+    LANES,
+    LAST,
+    LEAVE,
+    LEFT,
+    LIFTED,
+    LIMIT,
+    LOST,
+    LOW,
+    OFFSETS,
+    OPEN,
+    PHASE,
+    PLACE,
+    SLOPE,
+    SLOW,
+    SPEED,
+    STAGE,
+    START_ANGLE,
+    STEP,
+    TAYLOR,
+    TIME,
+    TOTAL,
+    VALUE,
+    VELOCITY,
+)
+from rocksteady.kernels.nonlinear_lanes._periods import LEAPT
+
+CLOSE = 1e-12
+"""Newton's step, over the place, after which the next would be below rounding."""
+ITERATIONS = 12
+MOST_HALVINGS = 5.0
+"""Of a step, after which the march is to decide."""
+NO_LIMIT = 1e300
+
+
+@compiled
+def evaluate(lanes: Floats) -> None:
+    """Find y and its derivative by the part of the step at `PLACE`."""
+    for k in range(LANES):
+        lanes[VALUE + k] = lanes[TAYLOR + HIGHEST * LANES + k]
+        lanes[SLOPE + k] = 0.0
+    for n in range(HIGHEST - 4, 0, -4):
+        here = (n * LANES) & OFFSETS
+        for k in range(LANES):
+            x = lanes[PLACE + k]
+            value, slope = lanes[VALUE + k], lanes[SLOPE + k]
+            slope = slope * x + value
+            value = value * x + lanes[TAYLOR + here + 3 * LANES + k]
+            slope = slope * x + value
+            value = value * x + lanes[TAYLOR + here + 2 * LANES + k]
+            slope = slope * x + value
+            value = value * x + lanes[TAYLOR + here + LANES + k]
+            slope = slope * x + value
+            value = value * x + lanes[TAYLOR + here + k]
+            lanes[VALUE + k], lanes[SLOPE + k] = value, slope
+    for k in range(LANES):
+        x = lanes[PLACE + k]
+        value, slope = lanes[VALUE + k], lanes[SLOPE + k]
+        slope = slope * x + value
+        value = value * x + lanes[TAYLOR + 2 * LANES + k]
+        slope = slope * x + value
+        value = value * x + lanes[TAYLOR + LANES + k]
+        slope = slope * x + value
+        value = value * x + lanes[TAYLOR + k]
+        lanes[VALUE + k], lanes[SLOPE + k] = value, slope
+
+
+@compiled
+def find_places(lanes: Floats) -> None:
+    """Find the one zero of each polynomial that has one, and the state there or at the end."""
+    for k in range(LANES):
+        single = lanes[CHANGES + k] == 1.0
+        above = lanes[ABOVE + k]
+        guess = (lanes[PLACE + k] + above / (above - lanes[BELOW + k])) * (1.0 / HIGHEST)
+        lanes[PLACE + k] = guess if single else 1.0
+        lanes[LOW + k] = 0.0
+        lanes[HIGH + k] = 1.0
+        flies = (lanes[STAGE + k] > 0.0) & (lanes[STAGE + k] <= LANDED)
+        lanes[OPEN + k] = 1.0 if single & flies else 0.0
+    evaluate(lanes)
+    for _ in range(ITERATIONS):
+        if improve(lanes) == 0:
+            break
+        evaluate(lanes)
+
+
+@inlined
+def improve(lanes: Floats) -> int:
+    """Take Newton's step in lanes that have not arrived; return how many have not."""
+    count = 0
+    for k in range(LANES):
+        x = lanes[PLACE + k]
+        value, slope = lanes[VALUE + k], lanes[SLOPE + k]
+        searching = lanes[OPEN + k] > 0.0
+        low = x if value > 0.0 else lanes[LOW + k]
+        high = lanes[HIGH + k] if value > 0.0 else x
+        step = value / slope
+        near = x - step
+        arrived = searching & (abs(step) <= CLOSE * x)
+        inside = (near > low) & (near < high)
+        near = near if inside else 0.5 * (low + high)
+        # What is left moves the velocity by less than its rounding.
+        low = x - step if arrived else low
+        lanes[LOW + k] = low if searching else lanes[LOW + k]
+        lanes[HIGH + k] = high if searching else lanes[HIGH + k]
+        onwards = searching & (not arrived)
+        lanes[PLACE + k] = near if onwards else x
+        lanes[OPEN + k] = 1.0 if onwards else 0.0
+        count += 1 if onwards else 0
+    return count
+
+
+@compiled
+def finish(lanes: Floats, most: int) -> int:
+    """Move all lanes to the end of their steps; return how many wait for what loops do not do."""
+    count = 0
+    for k in range(LANES):
+        stage = lanes[STAGE + k]
+        flies = (stage > 0.0) & (stage <= LANDED)
+        changes = lanes[CHANGES + k]
+        step = lanes[STEP + k]
+        old, frequency = lanes[PHASE + k], lanes[FREQUENCY + k]
+        start, delta = lanes[TIME + k], lanes[DELTA + k]
+        # TOTAL is a part of the sum of the terms' moduli.
+        settled = flies & (lanes[OPEN + k] == 0.0) & (lanes[TOTAL + k] < lanes[FLAT + k])
+        passes = settled & (changes == 0.0)
+        lands = settled & (changes == 1.0)
+        halves = flies & (not passes) & (not lands)
+        place = lanes[LOW + k] if lands else lanes[PLACE + k]
+        time = start + place * step
+        slope = lanes[SLOPE + k] / step
+        # Onwards in the air.
+        angle, speed = lanes[VALUE + k], slope
+        ended = passes & (lanes[LAST + k] > 0.0)
+        fallen = passes & (not ended) & (angle > lanes[LOST + k]) & (speed >= 0.0)
+        sunk = passes & (not (angle > 0.0))
+        # An impact.
+        velocity = -delta * min(slope, 0.0)
+        phase = old + frequency * time
+        turns = (phase - HALF_PI) * (1.0 / TWO_PI) - 0.5
+        half_cycles = 2.0 * ((turns + ROUND) - ROUND) + 1.0
+        phase = (phase - half_cycles * PI_HIGH) - half_cycles * PI_LOW
+        sine, _ = sincos_short(phase)
+        pull = lanes[FOOT_SINE + k] - lanes[FOOT_SWING + k] * abs(sine)
+        slow = lands & (
+            (velocity == 0.0)
+            | (
+                (velocity < pull)
+                & (lanes[DRIFT + k] * velocity <= lanes[CALMING + k] * (pull * pull))
+            )
+        )
+        impacts = lanes[IMPACTS + k] + (1.0 if lands else 0.0)
+        exhausted = flies & (impacts > most) & (lanes[LAG + k] != LEAPT)
+        halvings = lanes[HALVINGS + k] + 1.0 if halves else 0.0
+        left_open = halvings > MOST_HALVINGS
+        following = LANDED if lands else FLYING
+        following = SLOW if slow else following
+        following = ENDED if ended else following
+        following = FALLEN if fallen else following
+        following = LEAVE if sunk | left_open else following
+        following = GIVEN_UP if exhausted else following
+        following = following if flies else stage
+        lanes[STAGE + k] = following
+        lanes[LIMIT + k] = 0.5 * step if halves else NO_LIMIT
+        lanes[HALVINGS + k] = halvings
+        lanes[IMPACTS + k] = impacts
+        lanes[PHASE + k] = phase if lands else old
+        lanes[LEFT + k] -= half_cycles if lands else 0.0
+        lanes[START_ANGLE + k] = 0.0 if lands else lanes[START_ANGLE + k]
+        lanes[VELOCITY + k] = velocity if lands else lanes[VELOCITY + k]
+        lanes[LIFTED + k] = 0.0
+        on = time if passes else start
+        lanes[TIME + k] = 0.0 if lands else on
+        high = angle if passes else lanes[ANGLE + k]
+        lanes[ANGLE + k] = 0.0 if lands else high
+        fast = speed if passes else lanes[SPEED + k]
+        lanes[SPEED + k] = velocity if lands else fast
+        count += 1 if (following > LANDED) | (following == 0.0) else 0
+    return count

@@ -1,0 +1,286 @@
+"""Loop that assigns cells to lanes, and passes undecided motions on to the march."""
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.kernels.batch.harmonic import harmonic_segment
+from rocksteady.kernels.core.clock import clock, elapsed_time, side_phase
+from rocksteady.kernels.core.tables import (
+    FREQUENCY,
+    NONLINEAR_SEGMENT_COLUMNS,
+    OVERTURNED,
+    ROCKING,
+    ROW_COLUMNS,
+    UNDECIDED,
+    Floats,
+    March,
+)
+from rocksteady.kernels.core.typed import FALSE, ONE, ZERO
+from rocksteady.kernels.machine_code.compilation import allocating, compiled
+from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
+from rocksteady.kernels.march.march import march
+from rocksteady.kernels.nonlinear.proofs import bounces_end
+from rocksteady.kernels.nonlinear_lanes._fields import (
+    CELL,
+    EMPTY,
+    ENDED,
+    FALLEN,
+    GIVEN_UP,
+    LANES,
+    LEAVE,
+    SIZE,
+    SLOW,
+    STAGE,
+    STOP,
+)
+from rocksteady.kernels.nonlinear_lanes._landing import find_places, finish
+from rocksteady.kernels.nonlinear_lanes._loading import at_the_end, load, put_lane, taken
+from rocksteady.kernels.nonlinear_lanes._periods import compare, leap
+from rocksteady.kernels.nonlinear_lanes._series import expand
+from rocksteady.kernels.nonlinear_lanes._steps import count_changes, measure, scale
+
+Integers = NDArray[np.int64]
+
+FASTEST = 1e6
+"""Frequency ratio up to which no Taylor coefficient can leave the range of numbers."""
+CACHE_LINE = 64
+
+
+@allocating
+def nonlinear_lane_fates(
+    amplitude: Floats1,
+    frequency_ratio: Floats1,
+    sides: Floats3,
+    angle: Floats1,
+    velocity: Floats1,
+    phase: Floats1,
+    cycles: int,
+    leaping: bool,
+    most: int,
+    status: Integers1,
+    impacts: Integers1,
+    final: Floats2,
+) -> None:
+    """March symmetric blocks under harmonic shaking in the nonlinear model; note how each ends.
+
+    Fates are those of `kernels.batch.harmonic.fates_of_sides`, but where the tolerance decides;
+    impacts too but for those of chatter.
+
+    Parameters
+    ----------
+    amplitude, frequency_ratio, angle, velocity, phase
+        One value a cell, shape (cells,); `velocity` is d(theta/alpha)/ds.
+    sides
+        Of the block of each cell, both alike, shape (cells, 2, 5).
+    cycles
+        Forcing periods to run, at least 1.
+    leaping
+        Whether to leap over the periods of a motion that has become periodic.
+    most
+        Impacts after which a motion is given up as UNDECIDED, those leapt over not counted.
+    status, impacts, final
+        Receive the status code, the number of impacts and, in shape (cells, 3), the final angle,
+        velocity and phase.
+    """
+    segments = np.zeros((1, NONLINEAR_SEGMENT_COLUMNS))
+    room = np.zeros(SIZE + CACHE_LINE // 8)
+    ahead = (-room.ctypes.data % CACHE_LINE) // 8
+    lanes = room[ahead : ahead + SIZE]
+    count = len(amplitude)
+    if count == 0:
+        return
+    for k in range(LANES):  # empty ones fly too, and come to no harm
+        load(lanes, k, ZERO, 1.0, 1.0, sides[0, 0], 0.0)
+        put_lane(lanes, k, March(1, 0.5, 0.0, 0, 0, 0.0, 0, 0), 2, FALSE)
+        lanes[STAGE + k] = EMPTY
+    fresh = ZERO  # the next cell
+    busy = 0  # lanes that are not empty
+    waiting = LANES
+    while True:
+        if waiting > 0:
+            for k in range(LANES):
+                stage = lanes[STAGE + k]
+                if stage >= SLOW:
+                    cell = int(lanes[CELL + k])
+                    half, stop = clock(phase[cell])
+                    end_half = half + 2 * cycles
+                    harmonic_segment(
+                        segments, amplitude[cell], frequency_ratio[cell], phase[cell]
+                    )
+                    code, state, lifted = settled(
+                        lanes, k, segments, sides[cell], end_half, stop, most
+                    )
+                    if code == UNDECIDED and state.impacts <= most:
+                        put_lane(lanes, k, state, end_half, lifted)
+                    else:
+                        note(status, impacts, final, cell, code, state, most)
+                        lanes[STAGE + k] = EMPTY
+                        busy -= 1
+                while lanes[STAGE + k] == EMPTY and fresh < count:
+                    cell = fresh
+                    fresh += 1
+                    half, start_phase = clock(phase[cell])
+                    end_half = half + 2 * cycles
+                    side = 1
+                    if angle[cell] < 0.0 or (angle[cell] == 0.0 and velocity[cell] < 0.0):
+                        side = -1
+                    elif angle[cell] == 0.0 and velocity[cell] == 0.0:
+                        side = 0
+                    code, lifted = UNDECIDED, False
+                    state = March(side, angle[cell], velocity[cell], 0, half, start_phase, 0, 0)
+                    too_fast = frequency_ratio[cell] > FASTEST
+                    if side == 0 or too_fast:
+                        harmonic_segment(
+                            segments, amplitude[cell], frequency_ratio[cell], phase[cell]
+                        )
+                        code, state, lifted = onwards(
+                            segments,
+                            sides[cell],
+                            state,
+                            end_half,
+                            start_phase,
+                            most,
+                            most if too_fast else ONE,
+                            False,
+                        )
+                    if code != UNDECIDED or state.impacts > most:
+                        note(status, impacts, final, cell, code, state, most)
+                        continue
+                    load(
+                        lanes,
+                        k,
+                        cell,
+                        amplitude[cell],
+                        frequency_ratio[cell],
+                        sides[cell, 0],
+                        start_phase,
+                    )
+                    put_lane(lanes, k, state, end_half, lifted)
+                    if lanes[STAGE + k] == FALLEN:
+                        note(status, impacts, final, cell, OVERTURNED, state, most)
+                        lanes[STAGE + k] = EMPTY
+                        continue
+                    busy += 1
+            if busy == 0:
+                return
+        if leaping and compare(lanes, most) > 0:
+            leap(lanes)
+        expand(lanes)
+        measure(lanes)
+        scale(lanes)
+        count_changes(lanes)
+        find_places(lanes)
+        waiting = finish(lanes, most)
+        if fresh == count:
+            waiting -= LANES - busy
+
+
+@allocating
+def settled(
+    lanes: Floats,
+    k: int,
+    segments: Floats,
+    sides: Floats,
+    end_half: int,
+    stop: float,
+    most: int,
+) -> tuple[int, March, bool]:
+    """Return how the run of a waiting lane ended, or its next flight (UNDECIDED)."""
+    stage = lanes[STAGE + k]
+    state = taken(lanes, k, end_half)
+    if stage == FALLEN:
+        return OVERTURNED, state, False
+    if stage == ENDED:
+        return ROCKING, at_the_end(lanes, k, end_half), False
+    if stage == GIVEN_UP:
+        return UNDECIDED, state, False
+    flights = 1 if stage == LEAVE else 0
+    return onwards(segments, sides, state, end_half, stop, most, flights, stage == SLOW)
+
+
+@allocating
+def onwards(
+    segments: Floats,
+    sides: Floats,
+    start: March,
+    end_half: int,
+    stop: float,
+    most: int,
+    flights: int,
+    bounced: bool,
+) -> tuple[int, March, bool]:
+    """March until a lane can go on (UNDECIDED), or to the end.
+
+    Parameters
+    ----------
+    segments, sides
+        Tables of the march.
+    start
+        State to march from.
+    end_half, stop
+        Half cycles and phase of the end.
+    most
+        Impacts after which the motion is given up.
+    flights
+        Flights that the march has to take, at least.
+    bounced
+        Whether the block comes from an impact, so that it may come to rest.
+
+    Returns
+    -------
+    tuple
+        Status, state, and whether the last flight has come from a rest.
+    """
+    rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
+    state, lifted = start, False
+    while state.impacts <= most:
+        if bounced and comes_to_rest(segments, sides, state, end_half, stop):
+            state = March(0, 0.0, 0.0, 0, state.half_cycles, state.phase, state.impacts, 0)
+        flies = state.side != 0 and (state.angle != 0.0 or state.velocity != 0.0)
+        if flies and flights == 0:
+            break
+        lifted = not flies
+        limit = state.flights + max(flights, 1)
+        impacts = state.impacts
+        code, state = march(segments, sides, state, end_half, stop, math.inf, limit, rows, peaks)
+        if code != UNDECIDED:
+            return code, state, lifted
+        bounced = state.impacts > impacts
+        flights = 0
+    return UNDECIDED, state, lifted
+
+
+@compiled
+def comes_to_rest(
+    segments: Floats, sides: Floats, state: March, end_half: int, stop: float
+) -> bool:
+    """Return whether the march would prove that the bounces which follow an impact die out."""
+    half, phase, side = state.half_cycles, state.phase, state.side
+    frequency = segments[0, FREQUENCY]
+    here, _ = side_phase(half, phase, side, frequency)
+    there, _ = side_phase(half, phase, -side, frequency)
+    span = elapsed_time(end_half, stop, half, phase, frequency)
+    return bounces_end(segments, ZERO, sides, side, 0.0, abs(state.velocity), here, there, span)
+
+
+@compiled
+def note(
+    status: Integers,
+    impacts: Integers,
+    final: Floats,
+    cell: int,
+    code: int,
+    state: March,
+    most: int,
+) -> None:
+    """Write how a cell ended."""
+    status[cell] = code
+    impacts[cell] = state.impacts
+    final[cell, 0] = state.angle
+    final[cell, 1] = state.velocity
+    final[cell, 2] = state.phase
+    if code == UNDECIDED:
+        impacts[cell] = most
+        final[cell] = math.nan
