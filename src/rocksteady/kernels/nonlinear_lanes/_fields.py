@@ -6,6 +6,8 @@ LANES = 32
 HIGHEST = 23
 """Degree of a step's polynomial."""
 TERMS = HIGHEST + 1
+TOP = 10
+"""Degree up to which its signs are looked at; the terms above are a doubt about them."""
 
 # Stages of a lane.
 EMPTY = 0.0
@@ -52,12 +54,11 @@ GIVEN_UP = 7.0
     HALVINGS,
     STEP,
     LAST,
-    TOTAL,
+    TOTAL,  # of the moduli of the terms up to the TOP, ...
+    REST,  # ... of those above ...
+    CURVING,  # ... and of the terms of y''
     POWER,
     CHANGES,
-    BEFORE,
-    ABOVE,
-    BELOW,
     PLACE,
     LOW,
     HIGH,
@@ -71,8 +72,8 @@ GIVEN_UP = 7.0
     REF_VELOCITY,
     REF_LEFT,
     REF_IMPACTS,
-) = range(0, 52 * LANES, LANES)
-FIELDS = 52
+) = range(0, 51 * LANES, LANES)
+FIELDS = 51
 
 # Rows of Taylor coefficients, one for each power of time.
 SHAKING = FIELDS * LANES  # of h

@@ -7,11 +7,10 @@ from rocksteady.kernels.elementary.bits import ROUND
 from rocksteady.kernels.elementary.circular import sincos_short
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.nonlinear_lanes._fields import (
-    ABOVE,
     ANGLE,
-    BELOW,
     CALMING,
     CHANGES,
+    CURVING,
     DELTA,
     DRIFT,
     ENDED,
@@ -40,6 +39,7 @@ from rocksteady.kernels.nonlinear_lanes._fields import (
     OPEN,
     PHASE,
     PLACE,
+    REST,
     SLOPE,
     SLOW,
     SPEED,
@@ -53,6 +53,7 @@ from rocksteady.kernels.nonlinear_lanes._fields import (
     VELOCITY,
 )
 from rocksteady.kernels.nonlinear_lanes._periods import LEAPT
+from rocksteady.kernels.nonlinear_lanes._signs import approach
 
 CLOSE = 1e-12
 """Newton's step, over the place, after which the next would be below rounding."""
@@ -63,7 +64,23 @@ NO_LIMIT = 1e300
 
 
 @compiled
-def evaluate(lanes: Floats) -> None:
+def find_places(lanes: Floats) -> None:
+    """Find the one zero of each polynomial that has one, and the state there or at the end."""
+    approach(lanes)
+    for k in range(LANES):
+        single = lanes[CHANGES + k] == 1.0
+        stage = lanes[STAGE + k]
+        lanes[LOW + k] = 0.0
+        lanes[HIGH + k] = 1.0
+        lanes[OPEN + k] = 1.0 if single & (stage > 0.0) & (stage <= LANDED) else 0.0
+    for _ in range(ITERATIONS):
+        all_terms_there(lanes)
+        if improve(lanes) == 0:
+            break
+
+
+@compiled
+def all_terms_there(lanes: Floats) -> None:
     """Find y and its derivative by the part of the step at `PLACE`."""
     for k in range(LANES):
         lanes[VALUE + k] = lanes[TAYLOR + HIGHEST * LANES + k]
@@ -94,25 +111,6 @@ def evaluate(lanes: Floats) -> None:
         lanes[VALUE + k], lanes[SLOPE + k] = value, slope
 
 
-@compiled
-def find_places(lanes: Floats) -> None:
-    """Find the one zero of each polynomial that has one, and the state there or at the end."""
-    for k in range(LANES):
-        single = lanes[CHANGES + k] == 1.0
-        above = lanes[ABOVE + k]
-        guess = (lanes[PLACE + k] + above / (above - lanes[BELOW + k])) * (1.0 / HIGHEST)
-        lanes[PLACE + k] = guess if single else 1.0
-        lanes[LOW + k] = 0.0
-        lanes[HIGH + k] = 1.0
-        flies = (lanes[STAGE + k] > 0.0) & (lanes[STAGE + k] <= LANDED)
-        lanes[OPEN + k] = 1.0 if single & flies else 0.0
-    evaluate(lanes)
-    for _ in range(ITERATIONS):
-        if improve(lanes) == 0:
-            break
-        evaluate(lanes)
-
-
 @inlined
 def improve(lanes: Floats) -> int:
     """Take Newton's step in lanes that have not arrived; return how many have not."""
@@ -121,8 +119,9 @@ def improve(lanes: Floats) -> int:
         x = lanes[PLACE + k]
         value, slope = lanes[VALUE + k], lanes[SLOPE + k]
         searching = lanes[OPEN + k] > 0.0
-        low = x if value > 0.0 else lanes[LOW + k]
-        high = lanes[HIGH + k] if value > 0.0 else x
+        old_low, old_high = lanes[LOW + k], lanes[HIGH + k]
+        low = x if value > 0.0 else old_low
+        high = old_high if value > 0.0 else x
         step = value / slope
         near = x - step
         arrived = searching & (abs(step) <= CLOSE * x)
@@ -130,8 +129,8 @@ def improve(lanes: Floats) -> int:
         near = near if inside else 0.5 * (low + high)
         # What is left moves the velocity by less than its rounding.
         low = x - step if arrived else low
-        lanes[LOW + k] = low if searching else lanes[LOW + k]
-        lanes[HIGH + k] = high if searching else lanes[HIGH + k]
+        lanes[LOW + k] = low if searching else old_low
+        lanes[HIGH + k] = high if searching else old_high
         onwards = searching & (not arrived)
         lanes[PLACE + k] = near if onwards else x
         lanes[OPEN + k] = 1.0 if onwards else 0.0
@@ -149,15 +148,25 @@ def finish(lanes: Floats, most: int) -> int:
         changes = lanes[CHANGES + k]
         step = lanes[STEP + k]
         old, frequency = lanes[PHASE + k], lanes[FREQUENCY + k]
+        old_angle, old_speed = lanes[ANGLE + k], lanes[SPEED + k]
+        start_angle, start_velocity = lanes[START_ANGLE + k], lanes[VELOCITY + k]
+        halvings = lanes[HALVINGS + k]
+        root, place = lanes[LOW + k], lanes[PLACE + k]
         start, delta = lanes[TIME + k], lanes[DELTA + k]
-        # TOTAL is a part of the sum of the terms' moduli.
         settled = flies & (lanes[OPEN + k] == 0.0) & (lanes[TOTAL + k] < lanes[FLAT + k])
         passes = settled & (changes == 0.0)
-        lands = settled & (changes == 1.0)
+        # No other zero is near.
+        fall = lanes[SLOPE + k]
+        far = min(root, -fall / lanes[CURVING + k])
+        beyond = min(root + far, 1.0)
+        square = beyond * beyond
+        fourth = square * square
+        doubt = lanes[REST + k] * (fourth * fourth * square)
+        lands = settled & (changes == 1.0) & (-fall * far > 4.0 * doubt)
         halves = flies & (not passes) & (not lands)
-        place = lanes[LOW + k] if lands else lanes[PLACE + k]
+        place = root if lands else place
         time = start + place * step
-        slope = lanes[SLOPE + k] / step
+        slope = fall / step
         # Onwards in the air.
         angle, speed = lanes[VALUE + k], slope
         ended = passes & (lanes[LAST + k] > 0.0)
@@ -180,7 +189,7 @@ def finish(lanes: Floats, most: int) -> int:
         )
         impacts = lanes[IMPACTS + k] + (1.0 if lands else 0.0)
         exhausted = flies & (impacts > most) & (lanes[LAG + k] != LEAPT)
-        halvings = lanes[HALVINGS + k] + 1.0 if halves else 0.0
+        halvings = halvings + 1.0 if halves else 0.0
         left_open = halvings > MOST_HALVINGS
         following = LANDED if lands else FLYING
         following = SLOW if slow else following
@@ -195,14 +204,14 @@ def finish(lanes: Floats, most: int) -> int:
         lanes[IMPACTS + k] = impacts
         lanes[PHASE + k] = phase if lands else old
         lanes[LEFT + k] -= half_cycles if lands else 0.0
-        lanes[START_ANGLE + k] = 0.0 if lands else lanes[START_ANGLE + k]
-        lanes[VELOCITY + k] = velocity if lands else lanes[VELOCITY + k]
+        lanes[START_ANGLE + k] = 0.0 if lands else start_angle
+        lanes[VELOCITY + k] = velocity if lands else start_velocity
         lanes[LIFTED + k] = 0.0
         on = time if passes else start
         lanes[TIME + k] = 0.0 if lands else on
-        high = angle if passes else lanes[ANGLE + k]
+        high = angle if passes else old_angle
         lanes[ANGLE + k] = 0.0 if lands else high
-        fast = speed if passes else lanes[SPEED + k]
+        fast = speed if passes else old_speed
         lanes[SPEED + k] = velocity if lands else fast
         count += 1 if (following > LANDED) | (following == 0.0) else 0
     return count

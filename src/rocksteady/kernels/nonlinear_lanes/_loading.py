@@ -48,7 +48,6 @@ from rocksteady.kernels.nonlinear_lanes._fields import (
     VELOCITY,
 )
 from rocksteady.kernels.nonlinear_lanes._landing import NO_LIMIT
-from rocksteady.kernels.nonlinear_lanes._steps import ROUNDING
 from rocksteady.kernels.nonlinear.proofs import HALF_PI
 
 DOUBT = 1.0 + 1e-9
@@ -76,7 +75,7 @@ def load(
     flat = HALF_PI / alpha
     lanes[LOST + k] = lost
     # A block that lies on its side may be lost no sooner: then the march looks for the instant.
-    lanes[FLAT + k] = ROUNDING * flat if lost >= flat else math.inf
+    lanes[FLAT + k] = flat if lost >= flat else math.inf
     sine, cosine = sincos_near(alpha)
     lanes[FOOT_SINE + k] = sine / alpha
     lanes[FOOT_SWING + k] = amplitude * cosine

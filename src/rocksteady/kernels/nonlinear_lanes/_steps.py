@@ -1,4 +1,4 @@
-"""Lengths of all lanes' steps, and whether a step has no impact or one."""
+"""Lengths of all lanes' steps, and the terms of y over them."""
 
 import math
 
@@ -9,12 +9,9 @@ from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.bits import ROUND, ROUND_BITS, bits_of, float_of
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.nonlinear_lanes._fields import (
-    ABOVE,
     ALLOWED,
     ANGLE,
-    BEFORE,
-    BELOW,
-    CHANGES,
+    CURVING,
     FREQUENCY,
     HIGHEST,
     LANES,
@@ -23,28 +20,27 @@ from rocksteady.kernels.nonlinear_lanes._fields import (
     LIMIT,
     OFFSETS,
     PHASE,
-    PLACE,
     POINTS,
     POWER,
+    REST,
     SPEEDS,
     STEP,
     STOP,
     TAYLOR,
     TERMS,
     TIME,
+    TOP,
     TOTAL,
 )
 
 LONGEST = 8.0
 """Longest step of use."""
-ROUNDING = 1e-14
-"""As in `rocksteady.kernels.nonlinear._bernstein`: of some 24 additions."""
 UNIT = 2.0**-40
 BIAS = 1023.0
 LOG2_DOUBT = 0.0861
 """What the logarithm below may be too small by, and the exponential too large."""
-DIVISORS = np.array([float(math.comb(HIGHEST, i)) for i in range(TERMS)])
-"""Of Taylor terms; the row of the triangle."""
+DIVISORS = np.array([float(math.comb(TOP, i)) for i in range(TOP + 1)])
+"""Of Taylor terms in the control points."""
 
 
 @inlined
@@ -100,59 +96,32 @@ def scale(lanes: Floats) -> None:
         lanes[TAYLOR + k] = angle
         lanes[POINTS + k] = angle
         lanes[TOTAL + k] = abs(angle)
+        lanes[REST + k] = 0.0
+        lanes[CURVING + k] = 0.0
         lanes[POWER + k] = 1.0
-    for i in range(1, TERMS):
+    for i in range(1, TOP + 1):
         here = (i * LANES) & OFFSETS
         share = 1.0 / i
         part = 1.0 / DIVISORS[i]
+        curving = float(i * (i - 1))
         for k in range(LANES):
             power = lanes[POWER + k] * lanes[STEP + k]
             term = lanes[SPEEDS - LANES + here + k] * power * share
+            size = abs(term)
             lanes[POWER + k] = power
             lanes[TAYLOR + here + k] = term
             lanes[POINTS + here + k] = term * part
-            lanes[TOTAL + k] += abs(term)
-
-
-@compiled
-def count_changes(lanes: Floats) -> None:
-    """Count the changes of sign of the control points; a doubtful sign counts for many.
-
-    With ``p_i = c_i T^i/C(N, i)`` the points are ``b_j = sum C(j, i) p_i``: sums along the
-    triangle.  A flight from the floor has b_0 = 0, and the others have the signs of those of y/t.
-    """
-    for k in range(LANES):
-        lanes[CHANGES + k] = 0.0
-        lanes[BEFORE + k] = max(lanes[ANGLE + k], 1e-300)
-        lanes[ABOVE + k] = 1.0
-        lanes[BELOW + k] = 0.0
-        lanes[PLACE + k] = 0.0
-        lanes[TOTAL + k] *= ROUNDING
-    for j in range(1, TERMS):
-        count = TERMS - j  # sums of the row
-        pairs = count // 2
-        for i in range(0, 2 * pairs, 2):
-            here = (i * LANES) & OFFSETS
-            for k in range(LANES):
-                middle = lanes[POINTS + here + LANES + k]
-                lanes[POINTS + here + k] += middle
-                lanes[POINTS + here + LANES + k] = middle + lanes[POINTS + here + 2 * LANES + k]
-        if count % 2 == 1:
-            here = ((count - 1) * LANES) & OFFSETS
-            for k in range(LANES):
-                lanes[POINTS + here + k] += lanes[POINTS + here + LANES + k]
-        note_change(lanes, j)
-
-
-@inlined
-def note_change(lanes: Floats, j: int) -> None:
-    """Compare the sign of point j with that before it."""
-    for k in range(LANES):
-        point, before = lanes[POINTS + k], lanes[BEFORE + k]
-        changed = (point > 0.0) != (before > 0.0)
-        more = 1.0 if changed else 0.0
-        lanes[CHANGES + k] += more if abs(point) > lanes[TOTAL + k] else 4.0
-        lanes[ABOVE + k] = before if changed else lanes[ABOVE + k]
-        lanes[BELOW + k] = point if changed else lanes[BELOW + k]
-        lanes[PLACE + k] = (j - 1.0) if changed else lanes[PLACE + k]
-        lanes[BEFORE + k] = point
+            lanes[TOTAL + k] += size
+            lanes[CURVING + k] += size * curving
+    for i in range(TOP + 1, TERMS):
+        here = (i * LANES) & OFFSETS
+        share = 1.0 / i
+        curving = float(i * (i - 1))
+        for k in range(LANES):
+            power = lanes[POWER + k] * lanes[STEP + k]
+            term = lanes[SPEEDS - LANES + here + k] * power * share
+            size = abs(term)
+            lanes[POWER + k] = power
+            lanes[TAYLOR + here + k] = term
+            lanes[REST + k] += size
+            lanes[CURVING + k] += size * curving

@@ -39,7 +39,8 @@ from rocksteady.kernels.nonlinear_lanes._landing import find_places, finish
 from rocksteady.kernels.nonlinear_lanes._loading import at_the_end, load, put_lane, taken
 from rocksteady.kernels.nonlinear_lanes._periods import compare, leap
 from rocksteady.kernels.nonlinear_lanes._series import expand
-from rocksteady.kernels.nonlinear_lanes._steps import count_changes, measure, scale
+from rocksteady.kernels.nonlinear_lanes._signs import count_changes
+from rocksteady.kernels.nonlinear_lanes._steps import measure, scale
 
 Integers = NDArray[np.int64]
 
@@ -106,9 +107,7 @@ def nonlinear_lane_fates(
                     cell = int(lanes[CELL + k])
                     half, stop = clock(phase[cell])
                     end_half = half + 2 * cycles
-                    harmonic_segment(
-                        segments, amplitude[cell], frequency_ratio[cell], phase[cell]
-                    )
+                    harmonic_segment(segments, amplitude[cell], frequency_ratio[cell], phase[cell])
                     code, state, lifted = settled(
                         lanes, k, segments, sides[cell], end_half, stop, most
                     )

@@ -1,0 +1,178 @@
+"""Signs of all lanes' steps: no impact, one, or a step that is too long to tell."""
+
+from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
+from rocksteady.kernels.nonlinear_lanes._fields import (
+    ANGLE,
+    CHANGES,
+    LANES,
+    PLACE,
+    POINTS,
+    REST,
+    TAYLOR,
+    TOP,
+    TOTAL,
+)
+
+ROUNDING = 1e-14
+"""As in `rocksteady.kernels.nonlinear._bernstein`, of as many terms."""
+MANY = 4.0
+"""What a doubtful sign counts for."""
+LEAST = 1e-300
+STEPS = 3
+"""Newton's, of which the third is as good as the terms are."""
+CLOSEST = 1e-3
+"""Part of the guess below which no step may lead."""
+
+
+@compiled
+def count_changes(lanes: Floats) -> None:
+    """Count changes of sign of the control points, and guess where the first zero is.
+
+    With ``p_i = c_i T^i/C(N, i)`` the points are ``b_j = sum C(j, i) p_i``: sums along the
+    triangle.  A flight from the floor has b_0 = 0, and the others have the signs of those of y/t.
+    """
+    for k in range(LANES):
+        p0, p1 = lanes[POINTS + k], lanes[POINTS + LANES + k]
+        p2, p3 = lanes[POINTS + 2 * LANES + k], lanes[POINTS + 3 * LANES + k]
+        p4, p5 = lanes[POINTS + 4 * LANES + k], lanes[POINTS + 5 * LANES + k]
+        p6, p7 = lanes[POINTS + 6 * LANES + k], lanes[POINTS + 7 * LANES + k]
+        p8, p9 = lanes[POINTS + 8 * LANES + k], lanes[POINTS + 9 * LANES + k]
+        p10 = lanes[POINTS + 10 * LANES + k]
+        off = ROUNDING * (lanes[TOTAL + k] + lanes[REST + k])
+        before = max(lanes[ANGLE + k], LEAST)
+        changes, change, above, below = 0.0, 0.0, 1.0, 0.0
+        p0, p1, p2, p3, p4, p5, p6, p7, p8, p9 = (
+            p0 + p1,
+            p1 + p2,
+            p2 + p3,
+            p3 + p4,
+            p4 + p5,
+            p5 + p6,
+            p6 + p7,
+            p7 + p8,
+            p8 + p9,
+            p9 + p10,
+        )
+        changes, change, above, below, before = noted(
+            p0, 1.0, off, changes, change, above, below, before
+        )
+        p0, p1, p2, p3, p4, p5, p6, p7, p8 = (
+            p0 + p1,
+            p1 + p2,
+            p2 + p3,
+            p3 + p4,
+            p4 + p5,
+            p5 + p6,
+            p6 + p7,
+            p7 + p8,
+            p8 + p9,
+        )
+        changes, change, above, below, before = noted(
+            p0, 2.0, off, changes, change, above, below, before
+        )
+        p0, p1, p2, p3, p4, p5, p6, p7 = (
+            p0 + p1,
+            p1 + p2,
+            p2 + p3,
+            p3 + p4,
+            p4 + p5,
+            p5 + p6,
+            p6 + p7,
+            p7 + p8,
+        )
+        changes, change, above, below, before = noted(
+            p0, 3.0, off, changes, change, above, below, before
+        )
+        p0, p1, p2, p3, p4, p5, p6 = p0 + p1, p1 + p2, p2 + p3, p3 + p4, p4 + p5, p5 + p6, p6 + p7
+        changes, change, above, below, before = noted(
+            p0, 4.0, off, changes, change, above, below, before
+        )
+        p0, p1, p2, p3, p4, p5 = p0 + p1, p1 + p2, p2 + p3, p3 + p4, p4 + p5, p5 + p6
+        changes, change, above, below, before = noted(
+            p0, 5.0, off, changes, change, above, below, before
+        )
+        p0, p1, p2, p3, p4 = p0 + p1, p1 + p2, p2 + p3, p3 + p4, p4 + p5
+        changes, change, above, below, before = noted(
+            p0, 6.0, off, changes, change, above, below, before
+        )
+        p0, p1, p2, p3 = p0 + p1, p1 + p2, p2 + p3, p3 + p4
+        changes, change, above, below, before = noted(
+            p0, 7.0, off, changes, change, above, below, before
+        )
+        p0, p1, p2 = p0 + p1, p1 + p2, p2 + p3
+        changes, change, above, below, before = noted(
+            p0, 8.0, off, changes, change, above, below, before
+        )
+        p0, p1 = p0 + p1, p1 + p2
+        changes, change, above, below, before = noted(
+            p0, 9.0, off, changes, change, above, below, before
+        )
+        p0 = p0 + p1
+        changes, change, above, below, before = noted(
+            p0, 10.0, off + lanes[REST + k], changes, change, above, below, before
+        )
+        lanes[CHANGES + k] = changes
+        guess = (change - 1.0 + above / (above - below)) * (1.0 / TOP)
+        lanes[PLACE + k] = guess if changes == 1.0 else 1.0
+
+
+@inlined
+def noted(
+    point: float,
+    number: float,
+    off: float,
+    changes: float,
+    change: float,
+    above: float,
+    below: float,
+    before: float,
+) -> tuple[float, float, float, float, float]:
+    """Compare the sign of a point with that before it; `change` is the number of the last change."""
+    changed = (point > 0.0) != (before > 0.0)
+    more = 1.0 if changed else 0.0
+    return (
+        changes + (more if abs(point) > off else MANY),
+        number if changed else change,
+        before if changed else above,
+        point if changed else below,
+        point,
+    )
+
+
+@compiled
+def approach(lanes: Floats) -> None:
+    """Take Newton's steps towards the zero, from the terms up to the TOP."""
+    for k in range(LANES):
+        a0, a1 = lanes[TAYLOR + k], lanes[TAYLOR + LANES + k]
+        a2, a3 = lanes[TAYLOR + 2 * LANES + k], lanes[TAYLOR + 3 * LANES + k]
+        a4, a5 = lanes[TAYLOR + 4 * LANES + k], lanes[TAYLOR + 5 * LANES + k]
+        a6, a7 = lanes[TAYLOR + 6 * LANES + k], lanes[TAYLOR + 7 * LANES + k]
+        a8, a9 = lanes[TAYLOR + 8 * LANES + k], lanes[TAYLOR + 9 * LANES + k]
+        a10 = lanes[TAYLOR + 10 * LANES + k]
+        single = lanes[CHANGES + k] == 1.0
+        guess = lanes[PLACE + k]
+        place = guess
+        for _ in range(STEPS):
+            value, slope = a10 * place + a9, a10
+            slope = slope * place + value
+            value = value * place + a8
+            slope = slope * place + value
+            value = value * place + a7
+            slope = slope * place + value
+            value = value * place + a6
+            slope = slope * place + value
+            value = value * place + a5
+            slope = slope * place + value
+            value = value * place + a4
+            slope = slope * place + value
+            value = value * place + a3
+            slope = slope * place + value
+            value = value * place + a2
+            slope = slope * place + value
+            value = value * place + a1
+            slope = slope * place + value
+            value = value * place + a0
+            near = place - value / slope
+            place = near if (near > CLOSEST * guess) & (near < 1.0) else 0.5 * (place + guess)
+        lanes[PLACE + k] = place if single else guess
