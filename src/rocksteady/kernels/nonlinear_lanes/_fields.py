@@ -53,7 +53,7 @@ GIVEN_UP = 7.0
     LIMIT,
     HALVINGS,
     STEP,
-    LAST,
+    REMAINING,  # side time to the end of the run
     TOTAL,  # of the moduli of the terms up to the TOP, ...
     REST,  # ... of those above ...
     CURVING,  # ... and of the terms of y''

@@ -28,7 +28,6 @@ from rocksteady.kernels.nonlinear_lanes._fields import (
     LAG,
     LANDED,
     LANES,
-    LAST,
     LEAVE,
     LEFT,
     LIFTED,
@@ -39,6 +38,7 @@ from rocksteady.kernels.nonlinear_lanes._fields import (
     OPEN,
     PHASE,
     PLACE,
+    REMAINING,
     REST,
     SLOPE,
     SLOW,
@@ -54,6 +54,7 @@ from rocksteady.kernels.nonlinear_lanes._fields import (
 )
 from rocksteady.kernels.nonlinear_lanes._periods import LEAPT
 from rocksteady.kernels.nonlinear_lanes._signs import approach
+from rocksteady.kernels.nonlinear_lanes._steps import LONGEST
 
 CLOSE = 1e-12
 """Newton's step, over the place, after which the next would be below rounding."""
@@ -169,8 +170,12 @@ def finish(lanes: Floats, most: int) -> int:
         slope = fall / step
         # Onwards in the air.
         angle, speed = lanes[VALUE + k], slope
-        ended = passes & (lanes[LAST + k] > 0.0)
-        fallen = passes & (not ended) & (angle > lanes[LOST + k]) & (speed >= 0.0)
+        ended = passes & (lanes[REMAINING + k] <= step)
+        lost = passes & (angle > lanes[LOST + k]) & (speed >= 0.0)
+        # The march sees a loss at the ends of its own steps, none of which is longer than LONGEST.
+        left = lanes[REMAINING + k] - step
+        unseen = lost & (left < LONGEST)
+        fallen = lost & (not unseen)
         sunk = passes & (not (angle > 0.0))
         # An impact.
         velocity = -delta * min(slope, 0.0)
@@ -195,7 +200,7 @@ def finish(lanes: Floats, most: int) -> int:
         following = SLOW if slow else following
         following = ENDED if ended else following
         following = FALLEN if fallen else following
-        following = LEAVE if sunk | left_open else following
+        following = LEAVE if sunk | left_open | unseen else following
         following = GIVEN_UP if exhausted else following
         following = following if flies else stage
         lanes[STAGE + k] = following

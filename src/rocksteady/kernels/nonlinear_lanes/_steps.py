@@ -15,13 +15,13 @@ from rocksteady.kernels.nonlinear_lanes._fields import (
     FREQUENCY,
     HIGHEST,
     LANES,
-    LAST,
     LEFT,
     LIMIT,
     OFFSETS,
     PHASE,
     POINTS,
     POWER,
+    REMAINING,
     REST,
     SPEEDS,
     STEP,
@@ -84,7 +84,7 @@ def measure(lanes: Floats) -> None:
         turned = (lanes[LEFT + k] * PI_HIGH + lanes[STOP + k]) - lanes[PHASE + k]
         left = turned / lanes[FREQUENCY + k] - lanes[TIME + k]
         reach = min(min(holds, LONGEST), lanes[LIMIT + k])
-        lanes[LAST + k] = 1.0 if left <= reach else 0.0
+        lanes[REMAINING + k] = left
         lanes[STEP + k] = min(left, reach)
 
 
