@@ -67,13 +67,12 @@ GIVEN_UP = 7.0
     SLOPE,
     LAG,
     WIDEST,
-    LIFTED,
     REF_PHASE,
     REF_VELOCITY,
     REF_LEFT,
     REF_IMPACTS,
-) = range(0, 51 * LANES, LANES)
-FIELDS = 51
+) = range(0, 50 * LANES, LANES)
+FIELDS = 50
 
 # Rows of Taylor coefficients, one for each power of time.
 SHAKING = FIELDS * LANES  # of h

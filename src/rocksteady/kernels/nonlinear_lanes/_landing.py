@@ -30,7 +30,6 @@ from rocksteady.kernels.nonlinear_lanes._fields import (
     LANES,
     LEAVE,
     LEFT,
-    LIFTED,
     LIMIT,
     LOST,
     LOW,
@@ -211,7 +210,6 @@ def finish(lanes: Floats, most: int) -> int:
         lanes[LEFT + k] -= half_cycles if lands else 0.0
         lanes[START_ANGLE + k] = 0.0 if lands else start_angle
         lanes[VELOCITY + k] = velocity if lands else start_velocity
-        lanes[LIFTED + k] = 0.0
         on = time if passes else start
         lanes[TIME + k] = 0.0 if lands else on
         high = angle if passes else old_angle

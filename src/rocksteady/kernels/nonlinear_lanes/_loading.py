@@ -9,6 +9,7 @@ from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.elementary.inverse import atan2
 from rocksteady.kernels.elementary.logarithm import LN2, log
 from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.nonlinear.proofs import HALF_PI
 from rocksteady.kernels.nonlinear_lanes._fields import (
     ALLOWED,
     ALPHA,
@@ -30,7 +31,6 @@ from rocksteady.kernels.nonlinear_lanes._fields import (
     LAG,
     LANDED,
     LEFT,
-    LIFTED,
     LIMIT,
     LOST,
     PHASE,
@@ -48,7 +48,6 @@ from rocksteady.kernels.nonlinear_lanes._fields import (
     VELOCITY,
 )
 from rocksteady.kernels.nonlinear_lanes._landing import NO_LIMIT
-from rocksteady.kernels.nonlinear.proofs import HALF_PI
 
 DOUBT = 1.0 + 1e-9
 """By which what lanes ask of a slow bounce is weaker than what the proof of rest does."""
@@ -91,8 +90,8 @@ def load(
 
 
 @compiled
-def put_lane(lanes: Floats, k: int, state: March, end_half: int, lifted: bool) -> None:
-    """Give a lane the state of a march in flight; `lifted` if it has come from a rest."""
+def put_lane(lanes: Floats, k: int, state: March, end_half: int) -> None:
+    """Give a lane the state of a march in flight."""
     phase, moved = side_phase(state.half_cycles, state.phase, state.side, lanes[FREQUENCY + k])
     angle, velocity = state.side * state.angle, state.side * state.velocity
     lanes[PHASE + k] = phase
@@ -103,7 +102,6 @@ def put_lane(lanes: Floats, k: int, state: March, end_half: int, lifted: bool) -
     lanes[IMPACTS + k] = state.impacts
     lanes[LIMIT + k] = NO_LIMIT
     lanes[HALVINGS + k] = 0.0
-    lanes[LIFTED + k] = 1.0 if lifted else 0.0
     lanes[STAGE + k] = LANDED if angle == 0.0 else FLYING
     if angle >= HALF_PI / lanes[ALPHA + k] or (angle > lanes[LOST + k] and velocity >= 0.0):
         lanes[STAGE + k] = FALLEN

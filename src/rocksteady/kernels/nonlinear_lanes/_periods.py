@@ -3,13 +3,13 @@
 import numpy as np
 
 from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.nonlinear_lanes._fields import (
     IMPACTS,
     LAG,
     LANDED,
     LANES,
     LEFT,
-    LIFTED,
     PHASE,
     REF_IMPACTS,
     REF_LEFT,
@@ -20,7 +20,6 @@ from rocksteady.kernels.nonlinear_lanes._fields import (
     VELOCITY,
     WIDEST,
 )
-from rocksteady.kernels.machine_code.compilation import compiled
 
 NEAR = 0.05  # phase and velocity that have come back as closely are watched ...
 SAME = 1e-11  # ... until they repeat to this, each time more closely ...
@@ -54,8 +53,8 @@ def compare(lanes: Floats, most: int) -> int:
         searching = lag == 0.0
         due = since == lag
         near = gap < NEAR
-        lifting = lanes[LIFTED + j] > 0.0  # from a rest
-        # Chatter too comes back as closely, and a block that has lifted off to its next impact: at once.
+        lifting = velocity == 0.0
+        # Chatter too comes back as closely, and a block that just lifts to its node: at once.
         later = lanes[REF_LEFT + j] > lanes[LEFT + j]
         widest = gap if searching else max(gap, lanes[WIDEST + j])
         periodic = (landed & later) & (

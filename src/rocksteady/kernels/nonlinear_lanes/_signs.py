@@ -9,6 +9,7 @@ from rocksteady.kernels.nonlinear_lanes._fields import (
     PLACE,
     POINTS,
     REST,
+    SPEED,
     TAYLOR,
     TOP,
     TOTAL,
@@ -19,10 +20,15 @@ ROUNDING = 1e-14
 MANY = 4.0
 """What a doubtful sign counts for."""
 LEAST = 1e-300
+LARGEST = 1e300
 STEPS = 3
 """Newton's, of which the third is as good as the terms are."""
 CLOSEST = 1e-3
 """Part of the guess below which no step may lead."""
+
+
+Found = tuple[float, float, float, float, float]
+"""Changes of sign, number of the last, the points before and after it, and the last point."""
 
 
 @compiled
@@ -31,6 +37,7 @@ def count_changes(lanes: Floats) -> None:
 
     With ``p_i = c_i T^i/C(N, i)`` the points are ``b_j = sum C(j, i) p_i``: sums along the
     triangle.  A flight from the floor has b_0 = 0, and the others have the signs of those of y/t.
+    Lifting off, b_1 = 0 and b_2 is not negative, whatever rounding says.
     """
     for k in range(LANES):
         p0, p1 = lanes[POINTS + k], lanes[POINTS + LANES + k]
@@ -39,96 +46,49 @@ def count_changes(lanes: Floats) -> None:
         p6, p7 = lanes[POINTS + 6 * LANES + k], lanes[POINTS + 7 * LANES + k]
         p8, p9 = lanes[POINTS + 8 * LANES + k], lanes[POINTS + 9 * LANES + k]
         p10 = lanes[POINTS + 10 * LANES + k]
+        lifting = (lanes[ANGLE + k] == 0.0) & (lanes[SPEED + k] == 0.0)
         off = ROUNDING * (lanes[TOTAL + k] + lanes[REST + k])
-        before = max(lanes[ANGLE + k], LEAST)
-        changes, change, above, below = 0.0, 0.0, 1.0, 0.0
-        p0, p1, p2, p3, p4, p5, p6, p7, p8, p9 = (
-            p0 + p1,
-            p1 + p2,
-            p2 + p3,
-            p3 + p4,
-            p4 + p5,
-            p5 + p6,
-            p6 + p7,
-            p7 + p8,
-            p8 + p9,
-            p9 + p10,
-        )
-        changes, change, above, below, before = noted(
-            p0, 1.0, off, changes, change, above, below, before
-        )
-        p0, p1, p2, p3, p4, p5, p6, p7, p8 = (
-            p0 + p1,
-            p1 + p2,
-            p2 + p3,
-            p3 + p4,
-            p4 + p5,
-            p5 + p6,
-            p6 + p7,
-            p7 + p8,
-            p8 + p9,
-        )
-        changes, change, above, below, before = noted(
-            p0, 2.0, off, changes, change, above, below, before
-        )
-        p0, p1, p2, p3, p4, p5, p6, p7 = (
-            p0 + p1,
-            p1 + p2,
-            p2 + p3,
-            p3 + p4,
-            p4 + p5,
-            p5 + p6,
-            p6 + p7,
-            p7 + p8,
-        )
-        changes, change, above, below, before = noted(
-            p0, 3.0, off, changes, change, above, below, before
-        )
-        p0, p1, p2, p3, p4, p5, p6 = p0 + p1, p1 + p2, p2 + p3, p3 + p4, p4 + p5, p5 + p6, p6 + p7
-        changes, change, above, below, before = noted(
-            p0, 4.0, off, changes, change, above, below, before
-        )
-        p0, p1, p2, p3, p4, p5 = p0 + p1, p1 + p2, p2 + p3, p3 + p4, p4 + p5, p5 + p6
-        changes, change, above, below, before = noted(
-            p0, 5.0, off, changes, change, above, below, before
-        )
-        p0, p1, p2, p3, p4 = p0 + p1, p1 + p2, p2 + p3, p3 + p4, p4 + p5
-        changes, change, above, below, before = noted(
-            p0, 6.0, off, changes, change, above, below, before
-        )
+        start = -1.0 if lifting else off
+        floor = LEAST if lifting else -LARGEST
+        found = (0.0, 0.0, 1.0, 0.0, max(lanes[ANGLE + k], LEAST))
         p0, p1, p2, p3 = p0 + p1, p1 + p2, p2 + p3, p3 + p4
-        changes, change, above, below, before = noted(
-            p0, 7.0, off, changes, change, above, below, before
-        )
+        p4, p5, p6, p7 = p4 + p5, p5 + p6, p6 + p7, p7 + p8
+        p8, p9 = p8 + p9, p9 + p10
+        found = noted(max(p0, floor), 1.0, start, found)
+        p0, p1, p2, p3 = p0 + p1, p1 + p2, p2 + p3, p3 + p4
+        p4, p5, p6, p7 = p4 + p5, p5 + p6, p6 + p7, p7 + p8
+        p8 += p9
+        found = noted(max(p0, floor), 2.0, start, found)
+        p0, p1, p2, p3 = p0 + p1, p1 + p2, p2 + p3, p3 + p4
+        p4, p5, p6, p7 = p4 + p5, p5 + p6, p6 + p7, p7 + p8
+        found = noted(p0, 3.0, off, found)
+        p0, p1, p2, p3 = p0 + p1, p1 + p2, p2 + p3, p3 + p4
+        p4, p5, p6 = p4 + p5, p5 + p6, p6 + p7
+        found = noted(p0, 4.0, off, found)
+        p0, p1, p2, p3 = p0 + p1, p1 + p2, p2 + p3, p3 + p4
+        p4, p5 = p4 + p5, p5 + p6
+        found = noted(p0, 5.0, off, found)
+        p0, p1, p2, p3 = p0 + p1, p1 + p2, p2 + p3, p3 + p4
+        p4 += p5
+        found = noted(p0, 6.0, off, found)
+        p0, p1, p2, p3 = p0 + p1, p1 + p2, p2 + p3, p3 + p4
+        found = noted(p0, 7.0, off, found)
         p0, p1, p2 = p0 + p1, p1 + p2, p2 + p3
-        changes, change, above, below, before = noted(
-            p0, 8.0, off, changes, change, above, below, before
-        )
+        found = noted(p0, 8.0, off, found)
         p0, p1 = p0 + p1, p1 + p2
-        changes, change, above, below, before = noted(
-            p0, 9.0, off, changes, change, above, below, before
-        )
-        p0 = p0 + p1
-        changes, change, above, below, before = noted(
-            p0, 10.0, off + lanes[REST + k], changes, change, above, below, before
-        )
+        found = noted(p0, 9.0, off, found)
+        p0 += p1
+        found = noted(p0, 10.0, off + lanes[REST + k], found)
+        changes, change, above, below, _ = found
         lanes[CHANGES + k] = changes
         guess = (change - 1.0 + above / (above - below)) * (1.0 / TOP)
         lanes[PLACE + k] = guess if changes == 1.0 else 1.0
 
 
 @inlined
-def noted(
-    point: float,
-    number: float,
-    off: float,
-    changes: float,
-    change: float,
-    above: float,
-    below: float,
-    before: float,
-) -> tuple[float, float, float, float, float]:
-    """Compare the sign of a point with that before it; `change` is the number of the last change."""
+def noted(point: float, number: float, off: float, found: Found) -> Found:
+    """Compare the sign of a point with that of the one before."""
+    changes, change, above, below, before = found
     changed = (point > 0.0) != (before > 0.0)
     more = 1.0 if changed else 0.0
     return (

@@ -35,6 +35,8 @@ from rocksteady.kernels.nonlinear_lanes._fields import (
 
 LONGEST = 8.0
 """Longest step of use."""
+LEAST, MOST = -500.0, 3.5
+"""Of log2 of a step."""
 UNIT = 2.0**-40
 BIAS = 1023.0
 LOG2_DOUBT = 0.0861
@@ -55,11 +57,23 @@ def high_exp2(x: float) -> float:
     return float_of((bits_of((x + BIAS) * (1.0 / UNIT) + ROUND) - ROUND_BITS) << 12)
 
 
+@inlined
+def longest(
+    angle: float, velocity: float, bend: float, third: float, last: float, degree: float
+) -> float:
+    """Return log2 of the step at which the last term is as large as the first ones allow."""
+    return max(
+        (angle - last) / degree,
+        (velocity - last) / (degree - 1.0),
+        (bend - last) / (degree - 2.0),
+        (third - last) / (degree - 3.0),
+    )
+
+
 @compiled
 def measure(lanes: Floats) -> None:
     """Find how far each polynomial serves, by the rule of `rocksteady.kernels.nonlinear.series`."""
     for k in range(LANES):
-        # Of y_i; log2 of i is left out where it makes the step shorter.
         angle = low_log2(lanes[ANGLE + k])
         velocity = low_log2(lanes[SPEEDS + k])
         bend = low_log2(lanes[SPEEDS + LANES + k] * (1.0 / 2.0))
@@ -67,23 +81,12 @@ def measure(lanes: Floats) -> None:
         last = low_log2(lanes[SPEEDS + (HIGHEST - 1) * LANES + k] * (1.0 / HIGHEST))
         before = low_log2(lanes[SPEEDS + (HIGHEST - 2) * LANES + k] * (1.0 / (HIGHEST - 1)))
         allowed = lanes[ALLOWED + k] - LOG2_DOUBT
-        last -= allowed
-        before -= allowed
-        by_last = max(
-            max((angle - last) * (1.0 / HIGHEST), (velocity - last) * (1.0 / (HIGHEST - 1))),
-            max((bend - last) * (1.0 / (HIGHEST - 2)), (third - last) * (1.0 / (HIGHEST - 3))),
-        )
-        by_before = max(
-            max(
-                (angle - before) * (1.0 / (HIGHEST - 1)),
-                (velocity - before) * (1.0 / (HIGHEST - 2)),
-            ),
-            max((bend - before) * (1.0 / (HIGHEST - 3)), (third - before) * (1.0 / (HIGHEST - 4))),
-        )
-        holds = high_exp2(min(max(min(by_last, by_before) - LOG2_DOUBT, -500.0), 3.5))
+        by_last = longest(angle, velocity, bend, third, last - allowed, float(HIGHEST))
+        by_before = longest(angle, velocity, bend, third, before - allowed, HIGHEST - 1.0)
+        holds = high_exp2(min(max(min(by_last, by_before) - LOG2_DOUBT, LEAST), MOST))
         turned = (lanes[LEFT + k] * PI_HIGH + lanes[STOP + k]) - lanes[PHASE + k]
         left = turned / lanes[FREQUENCY + k] - lanes[TIME + k]
-        reach = min(min(holds, LONGEST), lanes[LIMIT + k])
+        reach = min(holds, LONGEST, lanes[LIMIT + k])
         lanes[REMAINING + k] = left
         lanes[STEP + k] = min(left, reach)
 

@@ -17,7 +17,7 @@ from rocksteady.kernels.core.tables import (
     Floats,
     March,
 )
-from rocksteady.kernels.core.typed import FALSE, ONE, ZERO
+from rocksteady.kernels.core.typed import ONE, ZERO
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
 from rocksteady.kernels.march.march import march
@@ -33,7 +33,6 @@ from rocksteady.kernels.nonlinear_lanes._fields import (
     SIZE,
     SLOW,
     STAGE,
-    STOP,
 )
 from rocksteady.kernels.nonlinear_lanes._landing import find_places, finish
 from rocksteady.kernels.nonlinear_lanes._loading import at_the_end, load, put_lane, taken
@@ -94,7 +93,7 @@ def nonlinear_lane_fates(
         return
     for k in range(LANES):  # empty ones fly too, and come to no harm
         load(lanes, k, ZERO, 1.0, 1.0, sides[0, 0], 0.0)
-        put_lane(lanes, k, March(1, 0.5, 0.0, 0, 0, 0.0, 0, 0), 2, FALSE)
+        put_lane(lanes, k, March(1, 0.5, 0.0, 0, 0, 0.0, 0, 0), 2)
         lanes[STAGE + k] = EMPTY
     fresh = ZERO  # the next cell
     busy = 0  # lanes that are not empty
@@ -108,11 +107,9 @@ def nonlinear_lane_fates(
                     half, stop = clock(phase[cell])
                     end_half = half + 2 * cycles
                     harmonic_segment(segments, amplitude[cell], frequency_ratio[cell], phase[cell])
-                    code, state, lifted = settled(
-                        lanes, k, segments, sides[cell], end_half, stop, most
-                    )
+                    code, state = settled(lanes, k, segments, sides[cell], end_half, stop, most)
                     if code == UNDECIDED and state.impacts <= most:
-                        put_lane(lanes, k, state, end_half, lifted)
+                        put_lane(lanes, k, state, end_half)
                     else:
                         note(status, impacts, final, cell, code, state, most)
                         lanes[STAGE + k] = EMPTY
@@ -127,14 +124,14 @@ def nonlinear_lane_fates(
                         side = -1
                     elif angle[cell] == 0.0 and velocity[cell] == 0.0:
                         side = 0
-                    code, lifted = UNDECIDED, False
+                    code = UNDECIDED
                     state = March(side, angle[cell], velocity[cell], 0, half, start_phase, 0, 0)
                     too_fast = frequency_ratio[cell] > FASTEST
                     if side == 0 or too_fast:
                         harmonic_segment(
                             segments, amplitude[cell], frequency_ratio[cell], phase[cell]
                         )
-                        code, state, lifted = onwards(
+                        code, state = onwards(
                             segments,
                             sides[cell],
                             state,
@@ -156,7 +153,7 @@ def nonlinear_lane_fates(
                         sides[cell, 0],
                         start_phase,
                     )
-                    put_lane(lanes, k, state, end_half, lifted)
+                    put_lane(lanes, k, state, end_half)
                     if lanes[STAGE + k] == FALLEN:
                         note(status, impacts, final, cell, OVERTURNED, state, most)
                         lanes[STAGE + k] = EMPTY
@@ -185,16 +182,16 @@ def settled(
     end_half: int,
     stop: float,
     most: int,
-) -> tuple[int, March, bool]:
+) -> tuple[int, March]:
     """Return how the run of a waiting lane ended, or its next flight (UNDECIDED)."""
     stage = lanes[STAGE + k]
     state = taken(lanes, k, end_half)
     if stage == FALLEN:
-        return OVERTURNED, state, False
+        return OVERTURNED, state
     if stage == ENDED:
-        return ROCKING, at_the_end(lanes, k, end_half), False
+        return ROCKING, at_the_end(lanes, k, end_half)
     if stage == GIVEN_UP:
-        return UNDECIDED, state, False
+        return UNDECIDED, state
     flights = 1 if stage == LEAVE else 0
     return onwards(segments, sides, state, end_half, stop, most, flights, stage == SLOW)
 
@@ -209,7 +206,7 @@ def onwards(
     most: int,
     flights: int,
     bounced: bool,
-) -> tuple[int, March, bool]:
+) -> tuple[int, March]:
     """March until a lane can go on (UNDECIDED), or to the end.
 
     Parameters
@@ -230,25 +227,25 @@ def onwards(
     Returns
     -------
     tuple
-        Status, state, and whether the last flight has come from a rest.
+        Status and state.
     """
     rows, peaks = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
-    state, lifted = start, False
+    state, lifting = start, False
     while state.impacts <= most:
         if bounced and comes_to_rest(segments, sides, state, end_half, stop):
             state = March(0, 0.0, 0.0, 0, state.half_cycles, state.phase, state.impacts, 0)
-        flies = state.side != 0 and (state.angle != 0.0 or state.velocity != 0.0)
+        flies = state.angle != 0.0 or state.velocity != 0.0 or lifting
         if flies and flights == 0:
             break
-        lifted = not flies
         limit = state.flights + max(flights, 1)
-        impacts = state.impacts
-        code, state = march(segments, sides, state, end_half, stop, math.inf, limit, rows, peaks)
+        before = state
+        code, state = march(segments, sides, before, end_half, stop, math.inf, limit, rows, peaks)
         if code != UNDECIDED:
-            return code, state, lifted
-        bounced = state.impacts > impacts
+            return code, state
+        bounced = state.impacts > before.impacts
+        lifting = before.side == 0 and not bounced
         flights = 0
-    return UNDECIDED, state, lifted
+    return UNDECIDED, state
 
 
 @compiled
