@@ -46,6 +46,7 @@ from rocksteady.kernels.march.replay import (
     recorded_peaks,
 )
 from rocksteady.kernels.nonlinear.drive import jump_share
+from rocksteady.kernels.nonlinear_lanes.driver import nonlinear_lane_fates
 from rocksteady.kernels.orbits.chains import (
     fill_arcs,
     fill_chain,
@@ -90,6 +91,7 @@ _KERNELS: tuple[Any, ...] = (
     # Batches.
     fates_of_sides,
     lane_fates,
+    nonlinear_lane_fates,
     settle_cells,
     lane_attractors,
     fill_clocks,

@@ -41,10 +41,13 @@ def record_fates(call: Recorder, name: str, count: int, *, nonlinear: bool, leap
     sides = drawn.sides(count, nonlinear=nonlinear)
     cycles = int(drawn.between(20, 60))
     call("fates_of_sides", a, w, sides, angle, velocity, phase, cycles, MOST, *_fates(count))
+    start = angle, velocity, phase, cycles, leaping, MOST
     if nonlinear:
+        sides[:, 1] = sides[:, 0]
+        call("nonlinear_lane_fates", a, w, sides, *start, *_fates(count))
         return
     r = sides[:, 0, RESTITUTION].copy()
-    call("lane_fates", a, w, r, angle, velocity, phase, cycles, leaping, MOST, *_fates(count))
+    call("lane_fates", a, w, r, *start, *_fates(count))
 
 
 def record_attractors(

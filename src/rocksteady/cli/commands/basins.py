@@ -128,8 +128,10 @@ def basins(
     eroding = len(amplitudes) > 1
     if cycles is not None:
         chosen["cycles" if eroding else "max_cycles"] = cycles
-    in_lanes = eroding and equations.name == "linear" and body.symmetric
-    kernel = "driver.lane_fates" if in_lanes else "harmonic.fates_of_sides"
+    kernel = "harmonic.fates_of_sides"
+    if body.symmetric:
+        linear = equations.name == "linear"
+        kernel = "driver.lane_fates" if linear else "driver.nonlinear_lane_fates"
     announce_compilation(kernel if eroding else "attractors.settle_cells")
     from rocksteady.dynamics.basins.basins import compute_basins
     from rocksteady.dynamics.basins.erosion import compute_erosion

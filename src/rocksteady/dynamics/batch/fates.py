@@ -7,6 +7,7 @@ from rocksteady.dynamics.history.lowering import alike
 from rocksteady.kernels.batch.harmonic import fates_of_sides
 from rocksteady.kernels.core.tables import RESTITUTION, SIDE_COLUMNS
 from rocksteady.kernels.lanes.driver import lane_fates
+from rocksteady.kernels.nonlinear_lanes.driver import nonlinear_lane_fates
 from rocksteady.outcomes import Status
 
 Floats = NDArray[np.float64]
@@ -37,8 +38,8 @@ def ends_of(
 ) -> tuple[Integers, Integers]:
     """Return how motions end, and their numbers of impacts.
 
-    Symmetric blocks are followed side by side in the linear model, all others one by one: a cell's
-    answer depends on nothing but the cell.
+    Symmetric blocks are followed side by side, others one by one: a cell's answer depends on
+    nothing but the cell.
 
     Parameters
     ----------
@@ -60,8 +61,8 @@ def ends_of(
     """
     count = len(amplitude)
     status, impacts = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int64)
-    # Lanes know the linear model alone, which is told by the columns of its sides.
-    same = alike(sides) & (sides.shape[2] == SIDE_COLUMNS)
+    linear = sides.shape[2] == SIDE_COLUMNS
+    same = alike(sides)
     for in_lanes, cells in ((True, same), (False, ~same)):
         if count and not cells.any():  # without any cells at all both are to be loaded
             continue
@@ -69,15 +70,14 @@ def ends_of(
         final = np.empty((found.shape[1], 3))
         shaken = amplitude[cells], frequency_ratio[cells]
         begin = angle[cells], velocity[cells], phase[cells]
-        if in_lanes:
-            ratio = sides[cells, 0, RESTITUTION]
-            lane_fates(
-                *shaken, ratio, *begin, cycles, True, MOST_IMPACTS, found[0], found[1], final
-            )
+        ends = found[0], found[1], final
+        limits = cycles, True, MOST_IMPACTS
+        if in_lanes and linear:
+            lane_fates(*shaken, sides[cells, 0, RESTITUTION], *begin, *limits, *ends)
+        elif in_lanes:
+            nonlinear_lane_fates(*shaken, sides[cells], *begin, *limits, *ends)
         else:
-            fates_of_sides(
-                *shaken, sides[cells], *begin, cycles, MOST_IMPACTS, found[0], found[1], final
-            )
+            fates_of_sides(*shaken, sides[cells], *begin, cycles, MOST_IMPACTS, *ends)
         status[cells], impacts[cells] = found
     return status, impacts
 

@@ -1,1 +1,48 @@
-"""Harmonic sweeps of symmetric blocks in the nonlinear model, in vector registers."""
+"""Harmonic sweeps of symmetric blocks in the nonlinear model, several trajectories at once.
+
+`driver.nonlinear_lane_fates` does what `rocksteady.kernels.batch.harmonic.fates_of_sides` does.
+As in `rocksteady.kernels.lanes` every lane carries one trajectory at its own stage, loops over all
+lanes have selects in place of branches, and what a lane does never depends on the lanes beside it.
+Every pass takes all lanes one Taylor step further; steps of all lanes cost alike.
+
+The parts: `_fields` the fields of a lane and its rows of coefficients, `_series` the coefficients,
+`_steps` the length of a step, `_signs` whether it has an impact, `_landing` the impact and what
+follows it, `_periods` motions that have become periodic, `_loading` the way in and out, `driver`
+the loop that drives them.
+
+**Steps.**  Coefficients and step are those of `rocksteady.kernels.nonlinear.series`, but that the
+degree is always the highest and the step is shorter, by 7 per cent at most.
+
+**No impact can be missed.**  Let x be the part of the step T, N the `TOP`, q the Taylor polynomial
+of y up to x^N, R the sum of the moduli of the terms above: ``|y - q| <= R x^N``.  In Bernstein's
+basis of degree N the polynomials ``q - R x^N`` and ``q + R x^N`` differ from q in the last control
+point alone, so that all three have the same row of signs where that point is larger than R.
+
+* No change of sign, from plus: ``y >= q - R x^N > 0``, and the step has no impact.
+* One change: both polynomials have one zero in the step, and ``|q| <= R x^N`` only between the two.
+  y has no zero elsewhere, and one there at least.  Let x_0 be the one that Newton's method finds,
+  ``f = -dy/dx`` in it, M the sum of the moduli of the terms of the second derivative, and
+  ``w = min(x_0, f/M)``.  Within w of x_0 the polynomial falls, and at both ends of that piece
+  ``|y| >= f w/2``.  Where that is more than ``2 R (x_0 + w)^N`` both ends lie outside the two
+  zeros, and x_0 is the only zero of the step.
+* All else, a sign in doubt among it: the lane takes half of the step instead.  After five halvings
+  it is left to the scalar `march` for one flight.
+
+A flight from the floor has ``b_0 = 0``; the other points are those of y/x, each times a positive
+number.  A block that lifts off from a rest has ``y' = 0`` and ``y'' >= 0``: b_1 is 0, b_2 not
+negative.
+
+**Overturning.**  A block is lost where the march says so, beyond the point of no return and moving
+away.  The march looks at the ends of its own steps: where the run ends before it must have come to
+such an end, it decides.  So it does where a block that lies on its side may not have been lost
+before (``alpha + atan(alpha A) >= pi/2``).
+
+**Rest.**  After an impact with velocity v the proof of `rocksteady.kernels.nonlinear.proofs` takes
+a window ``4 v/(c_0 (1 - delta))``, c_0 being the pull of now on the side where that is less.  It
+asks for ``2 v/c <= (1 - kappa)`` times that window with ``c <= c_0``, so that
+``kappa <= (1 + delta)/2``, and ``kappa^2 >= delta^2 (1 + 4 D v/c_0^2)`` with D the largest drift.
+Only where ``4 D delta^2 v <= ((1 + delta)^2/4 - delta^2) c_0^2`` and ``v < c_0`` is the proof
+itself asked; the march waits for the uplift.
+
+**Periods** are found and leapt over as in `rocksteady.kernels.lanes`.
+"""
