@@ -16,6 +16,7 @@ const Fixed = { found: 'b', residual: 'f', jacobian: Jacobian, rests: 'i', graze
 export const signatures = {
   fates_of_sides: { takes: ['f1', 'f1', 'f3', 'f1', 'f1', 'f1', 'i', 'i', 'i1', 'i1', 'f2'], gives: null },
   lane_fates: { takes: ['f1', 'f1', 'f1', 'f1', 'f1', 'f1', 'i', 'b', 'i', 'i1', 'i1', 'f2'], gives: null },
+  nonlinear_lane_fates: { takes: ['f1', 'f1', 'f3', 'f1', 'f1', 'f1', 'i', 'b', 'i', 'i1', 'i1', 'f2'], gives: null },
   settle_cells: { takes: ['f1', 'f1', 'f3', 'i1', 'f1', 'f1', 'i1', 'f1', 'i', 'i2', 'f2'], gives: null },
   lane_attractors: { takes: ['f1', 'f1', 'f1', 'i1', 'f1', 'f1', 'i1', 'f1', 'i', 'i2', 'f2'], gives: null },
   fill_clocks: { takes: ['f1', 'i1', 'f1'], gives: null },
