@@ -1,0 +1,49 @@
+"""Lanes in flight, with the coefficients and the signs of their next step."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.kernels.core.tables import ALPHA, LEFT_OUT, NONLINEAR_SIDE_COLUMNS, March
+from rocksteady.kernels.nonlinear_lanes._fields import LANES, SIZE, TAYLOR, TERMS
+from rocksteady.kernels.nonlinear_lanes._loading import load, put_lane
+from rocksteady.kernels.nonlinear_lanes._series import expand
+from rocksteady.kernels.nonlinear_lanes._signs import count_changes
+from rocksteady.kernels.nonlinear_lanes._steps import measure, scale
+
+Floats = NDArray[np.float64]
+
+PART = 1e-15
+"""What a step leaves out."""
+
+
+def in_flight(rng: np.random.Generator) -> Floats:
+    """Return lanes of random blocks, half of them just off the floor."""
+    lanes = np.zeros(SIZE)
+    side = np.ones(NONLINEAR_SIDE_COLUMNS)
+    side[LEFT_OUT] = PART
+    for k in range(LANES):
+        side[0] = rng.uniform(0.2, 1.0)
+        side[ALPHA] = np.exp(rng.uniform(np.log(0.01), 0.3))
+        load(lanes, k, k, rng.uniform(0.0, 8.0), np.exp(rng.uniform(-2.0, 3.0)), side, 0.0)
+        angle = 0.0 if k % 2 else rng.uniform(0.01, 0.8)
+        velocity = np.exp(rng.uniform(-6.0, 0.0)) if k % 2 else rng.normal()
+        state = March(1, angle, velocity, 0, 0, rng.uniform(0.0, 3.14), 0, 0)
+        put_lane(lanes, k, state, 1000)
+    return lanes
+
+
+def one_step(lanes: Floats) -> None:
+    """Find the step of each lane, and what its signs say."""
+    expand(lanes)
+    measure(lanes)
+    scale(lanes)
+    count_changes(lanes)
+
+
+def field(lanes: Floats, offset: int) -> Floats:
+    return lanes[offset : offset + LANES]
+
+
+def polynomials(lanes: Floats) -> Floats:
+    """Return the terms of y at the ends of the steps, shape (terms, lanes)."""
+    return lanes[TAYLOR : TAYLOR + TERMS * LANES].reshape(TERMS, LANES)
