@@ -18,6 +18,7 @@ from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table
 from rocksteady.kernels.batch.harmonic import fates_of_sides
 from rocksteady.kernels.core.tables import ROW_COLUMNS, March
 from rocksteady.kernels.march.march import march
+from rocksteady.kernels.nonlinear_lanes.driver import nonlinear_lane_fates
 from rocksteady.model.equations import Nonlinear
 from tests.dynamics.full_integrator import impacts_by_integrator
 from tests.kernels.fates import NO_LIMIT
@@ -37,6 +38,24 @@ def run(unit: Cells) -> None:
         unit.velocity,
         unit.zeros,
         CYCLES,
+        NO_LIMIT,
+        unit.status,
+        unit.impacts,
+        np.empty((count, 3)),
+    )
+
+
+def run_lanes(unit: Cells) -> None:
+    count = unit.amplitude.size
+    nonlinear_lane_fates(
+        unit.amplitude,
+        unit.frequency_ratio,
+        np.broadcast_to(sides_of(BLOCK, Nonlinear()), (count, 2, 5)).copy(),
+        unit.zeros,
+        unit.velocity,
+        unit.zeros,
+        CYCLES,
+        True,
         NO_LIMIT,
         unit.status,
         unit.impacts,
@@ -84,6 +103,7 @@ def test_march_b1(benchmark: Any) -> None:
 
 
 @pytest.mark.benchmark(group="nonlinear", timer=time.process_time)
+<<<<<<< ours
 def test_map_fates_b1(benchmark: Any) -> None:
     """The same cells as a user maps them, in one thread."""
     unit = cells("B1", THINNED)
@@ -109,6 +129,17 @@ def test_map_fates_b1(benchmark: Any) -> None:
 
 
 @pytest.mark.benchmark(group="nonlinear", timer=time.process_time)
+||||||| base
+=======
+def test_lanes_b1(benchmark: Any) -> None:
+    """The same, side by side and with leaps over periods: what `map_fates` does."""
+    unit = cells("B1", THINNED)
+    benchmark.pedantic(run_lanes, args=(unit,), rounds=5, warmup_rounds=1)
+    note(benchmark, unit)
+
+
+@pytest.mark.benchmark(group="nonlinear", timer=time.process_time)
+>>>>>>> theirs
 def test_march_some(benchmark: Any) -> None:
     """The march on the cells of the solver, for the ratio of the two."""
     unit = some_that_stand()

@@ -103,7 +103,8 @@ def maps(
         )
     run = sweep.run(force=output.force)
 
-    announce_compilation("driver.lane_fates" if fate else "attractors.settle_cells")
+    lanes = "driver.lane_fates" if equations.name == "linear" else "driver.nonlinear_lane_fates"
+    announce_compilation(lanes if fate else "attractors.settle_cells")
     from rocksteady.dynamics.maps.attractor_map import map_attractors
     from rocksteady.dynamics.maps.fate_map import map_fates
 

@@ -5,9 +5,10 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.lowering import alike
 from rocksteady.kernels.batch.harmonic import fates_of_sides
-from rocksteady.kernels.core.tables import RESTITUTION, SIDE_COLUMNS
+from rocksteady.kernels.core.tables import NONLINEAR_SIDE_COLUMNS, RESTITUTION, SIDE_COLUMNS
 from rocksteady.kernels.lanes.driver import lane_fates
 from rocksteady.kernels.nonlinear_lanes.driver import nonlinear_lane_fates
+from rocksteady.model.equations import Linear, Model
 from rocksteady.outcomes import Status
 
 Floats = NDArray[np.float64]
@@ -87,13 +88,14 @@ def batch_size(cycles: int) -> int:
     return max(1, min(BATCH, MOST_PERIODS // cycles))
 
 
-def load_kernel() -> None:
-    """Load the kernel, or compile it, so that what is timed afterwards is computation alone."""
+def load_kernel(model: Model) -> None:
+    """Load the kernels, or compile them, so that what is timed afterwards is computation alone."""
     nothing = np.empty(0)
+    columns = SIDE_COLUMNS if isinstance(model, Linear) else NONLINEAR_SIDE_COLUMNS
     ends_of(
         amplitude=nothing,
         frequency_ratio=nothing,
-        sides=np.empty((0, 2, 3)),
+        sides=np.empty((0, 2, columns)),
         angle=nothing,
         velocity=nothing,
         phase=nothing,

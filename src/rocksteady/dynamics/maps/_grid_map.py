@@ -54,7 +54,7 @@ class Question:
     classes: tuple[str, ...]
     counted: str
     batch: Callable[[int], int]
-    load: Callable[[], None]
+    load: Callable[[Model], None]
 
 
 def map_of(
@@ -85,7 +85,7 @@ def map_of(
     )
     scenario.check({axis.name: axis.points for axis in grid.axes})
     periods = periods_value(question.counted, cycles)
-    question.load()
+    question.load(scenario.model)
     cases = functools.partial(question.cases, scenario=scenario, cycles=periods)
     how: dict[str, Any] = {
         "run": run,

@@ -138,5 +138,5 @@ ATTRACTORS = Question(
     classes=("kind", "period", "impacts"),
     counted="max_cycles",
     batch=batch_size,
-    load=load_kernel,
+    load=lambda _: load_kernel(),
 )

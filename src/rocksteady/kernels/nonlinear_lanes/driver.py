@@ -141,7 +141,7 @@ def nonlinear_lane_fates(
                             most if too_fast else ONE,
                             False,
                         )
-                    if code != UNDECIDED or state.impacts > most:
+                    if code != UNDECIDED or too_fast or state.impacts > most:
                         note(status, impacts, final, cell, code, state, most)
                         continue
                     load(
