@@ -245,7 +245,7 @@ def test_bounces_without_end_are_given_up(leaping: bool) -> None:
 
 
 @pytest.mark.skipif(PLAIN, reason="many bounces need compiled code")
-@pytest.mark.parametrize("over", [1.0 - 1e-9, 1.0, 1.0 + 1e-12, 1.001, 1.1])
+@pytest.mark.parametrize("over", [1.0 - 1e-9, 1.0 + 1e-7, 1.001, 1.1])
 @pytest.mark.parametrize("frequency", [0.05, 4.0, 100.0, 1e7])
 @pytest.mark.parametrize("restitution", [0.0, 0.5, 0.9])
 def test_chatter_beside_uplift(over: float, frequency: float, restitution: float) -> None:
