@@ -18,7 +18,7 @@ from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table
 from rocksteady.kernels.batch.harmonic import fates_of_sides
 from rocksteady.kernels.core.tables import ROW_COLUMNS, March
 from rocksteady.kernels.march.march import march
-from rocksteady.kernels.nonlinear_lanes.driver import nonlinear_lane_fates
+from rocksteady.kernels.nonlinear_lanes.loop import nonlinear_lane_fates
 from rocksteady.model.equations import Nonlinear
 from tests.dynamics.full_integrator import impacts_by_integrator
 from tests.kernels.fates import NO_LIMIT

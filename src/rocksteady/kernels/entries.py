@@ -46,7 +46,7 @@ from rocksteady.kernels.march.replay import (
     recorded_peaks,
 )
 from rocksteady.kernels.nonlinear.drive import jump_share
-from rocksteady.kernels.nonlinear_lanes.driver import nonlinear_lane_fates
+from rocksteady.kernels.nonlinear_lanes.loop import nonlinear_lane_fates
 from rocksteady.kernels.orbits.chains import (
     fill_arcs,
     fill_chain,

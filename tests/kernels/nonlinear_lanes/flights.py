@@ -4,11 +4,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.kernels.core.tables import ALPHA, LEFT_OUT, NONLINEAR_SIDE_COLUMNS, March
-from rocksteady.kernels.nonlinear_lanes._fields import LANES, SIZE, TAYLOR, TERMS
-from rocksteady.kernels.nonlinear_lanes._loading import load, put_lane
-from rocksteady.kernels.nonlinear_lanes._series import expand
+from rocksteady.kernels.nonlinear_lanes._coefficients import expand
+from rocksteady.kernels.nonlinear_lanes._layout import LANES, SIZE, TAYLOR, TERMS
 from rocksteady.kernels.nonlinear_lanes._signs import count_changes
 from rocksteady.kernels.nonlinear_lanes._steps import measure, scale
+from rocksteady.kernels.nonlinear_lanes._transfer import load, put_lane
 
 Floats = NDArray[np.float64]
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from rocksteady.kernels.nonlinear_lanes._fields import ANGLE, CHANGES, PLACE
-from rocksteady.kernels.nonlinear_lanes._landing import find_places
+from rocksteady.kernels.nonlinear_lanes._ends import find_places
+from rocksteady.kernels.nonlinear_lanes._layout import ANGLE, CHANGES, PLACE
 from tests.kernels.nonlinear_lanes.flights import field, in_flight, one_step, polynomials
 from tests.strategies import sample_size
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from rocksteady.kernels.nonlinear_lanes._fields import LANES, SPEEDS, STEP, TERMS
-from rocksteady.kernels.nonlinear_lanes._series import expand
+from rocksteady.kernels.nonlinear_lanes._coefficients import expand
+from rocksteady.kernels.nonlinear_lanes._layout import LANES, SPEEDS, STEP, TERMS
 from rocksteady.kernels.nonlinear_lanes._steps import LONGEST, high_exp2, low_log2
 from tests.kernels.nonlinear_lanes.flights import PART, field, in_flight, one_step, polynomials
 

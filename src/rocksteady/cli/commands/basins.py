@@ -131,7 +131,7 @@ def basins(
     kernel = "harmonic.fates_of_sides"
     if body.symmetric:
         linear = equations.name == "linear"
-        kernel = "driver.lane_fates" if linear else "driver.nonlinear_lane_fates"
+        kernel = "driver.lane_fates" if linear else "loop.nonlinear_lane_fates"
     announce_compilation(kernel if eroding else "attractors.settle_cells")
     from rocksteady.dynamics.basins.basins import compute_basins
     from rocksteady.dynamics.basins.erosion import compute_erosion

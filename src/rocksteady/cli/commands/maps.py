@@ -103,7 +103,7 @@ def maps(
         )
     run = sweep.run(force=output.force)
 
-    lanes = "driver.lane_fates" if equations.name == "linear" else "driver.nonlinear_lane_fates"
+    lanes = "driver.lane_fates" if equations.name == "linear" else "loop.nonlinear_lane_fates"
     announce_compilation(lanes if fate else "attractors.settle_cells")
     from rocksteady.dynamics.maps.attractor_map import map_attractors
     from rocksteady.dynamics.maps.fate_map import map_fates

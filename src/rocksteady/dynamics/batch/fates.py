@@ -7,7 +7,7 @@ from rocksteady.dynamics.history.lowering import alike
 from rocksteady.kernels.batch.harmonic import fates_of_sides
 from rocksteady.kernels.core.tables import NONLINEAR_SIDE_COLUMNS, RESTITUTION, SIDE_COLUMNS
 from rocksteady.kernels.lanes.driver import lane_fates
-from rocksteady.kernels.nonlinear_lanes.driver import nonlinear_lane_fates
+from rocksteady.kernels.nonlinear_lanes.loop import nonlinear_lane_fates
 from rocksteady.model.equations import Linear, Model
 from rocksteady.outcomes import Status
 

@@ -1,14 +1,14 @@
 """Harmonic sweeps of symmetric blocks in the nonlinear model, several trajectories at once.
 
-`driver.nonlinear_lane_fates` does what `rocksteady.kernels.batch.harmonic.fates_of_sides` does.
+`loop.nonlinear_lane_fates` does what `rocksteady.kernels.batch.harmonic.fates_of_sides` does.
 As in `rocksteady.kernels.lanes` every lane carries one trajectory at its own stage, loops over all
 lanes have selects in place of branches, and what a lane does never depends on the lanes beside it.
 Every pass takes all lanes one Taylor step further; steps of all lanes cost alike.
 
-The parts: `_fields` the fields of a lane and its rows of coefficients, `_series` the coefficients,
-`_steps` the length of a step, `_signs` whether it has an impact, `_landing` the impact and what
-follows it, `_periods` motions that have become periodic, `_loading` the way in and out, `driver`
-the loop that drives them.
+The parts: `_layout` the fields of a lane and its rows of coefficients, `_coefficients` of y,
+`_steps` the length of a step, `_signs` whether it has an impact, `_ends` the impact and what
+follows it, `_leaps` motions that have become periodic, `_transfer` the way in and out, `loop`
+what drives them.
 
 **Steps.**  Coefficients and step are those of `rocksteady.kernels.nonlinear.series`, but that the
 degree is always the highest and the step is shorter, by 7 per cent at most.

@@ -2,7 +2,7 @@
 
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
-from rocksteady.kernels.nonlinear_lanes._fields import (
+from rocksteady.kernels.nonlinear_lanes._layout import (
     ANGLE,
     CHANGES,
     LANES,

@@ -8,7 +8,7 @@ from rocksteady.kernels.core.clock import PI_HIGH
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.bits import ROUND, ROUND_BITS, bits_of, float_of
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
-from rocksteady.kernels.nonlinear_lanes._fields import (
+from rocksteady.kernels.nonlinear_lanes._layout import (
     ALLOWED,
     ANGLE,
     CURVING,

@@ -3,7 +3,7 @@
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.circular import sincos_short
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
-from rocksteady.kernels.nonlinear_lanes._fields import (
+from rocksteady.kernels.nonlinear_lanes._layout import (
     ALPHA,
     AMPLITUDE,
     ANGLE,

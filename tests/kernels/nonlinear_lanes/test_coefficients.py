@@ -10,7 +10,9 @@ from rocksteady.kernels.nonlinear.drive import Drive
 from rocksteady.kernels.nonlinear.series import ANGLE as Y
 from rocksteady.kernels.nonlinear.series import WORK_ROWS
 from rocksteady.kernels.nonlinear.series import expand as expand_one
-from rocksteady.kernels.nonlinear_lanes._fields import (
+from rocksteady.kernels.nonlinear_lanes._coefficients import expand
+from rocksteady.kernels.nonlinear_lanes._ends import finish
+from rocksteady.kernels.nonlinear_lanes._layout import (
     ALPHA,
     AMPLITUDE,
     ANGLE,
@@ -22,8 +24,6 @@ from rocksteady.kernels.nonlinear_lanes._fields import (
     SPEEDS,
     TERMS,
 )
-from rocksteady.kernels.nonlinear_lanes._landing import finish
-from rocksteady.kernels.nonlinear_lanes._series import expand
 from tests.kernels.nonlinear_lanes.flights import PART, field, in_flight
 from tests.strategies import PLAIN
 

@@ -10,7 +10,8 @@ from rocksteady.kernels.elementary.inverse import atan2
 from rocksteady.kernels.elementary.logarithm import LN2, log
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.nonlinear.proofs import HALF_PI
-from rocksteady.kernels.nonlinear_lanes._fields import (
+from rocksteady.kernels.nonlinear_lanes._ends import NO_LIMIT
+from rocksteady.kernels.nonlinear_lanes._layout import (
     ALLOWED,
     ALPHA,
     AMPLITUDE,
@@ -47,7 +48,6 @@ from rocksteady.kernels.nonlinear_lanes._fields import (
     TURN,
     VELOCITY,
 )
-from rocksteady.kernels.nonlinear_lanes._landing import NO_LIMIT
 
 DOUBT = 1.0 + 1e-9
 """By which what lanes ask of a slow bounce is weaker than what the proof of rest does."""

@@ -6,7 +6,7 @@ from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.bits import ROUND
 from rocksteady.kernels.elementary.circular import sincos_short
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
-from rocksteady.kernels.nonlinear_lanes._fields import (
+from rocksteady.kernels.nonlinear_lanes._layout import (
     ANGLE,
     CALMING,
     CHANGES,
@@ -51,7 +51,7 @@ from rocksteady.kernels.nonlinear_lanes._fields import (
     VALUE,
     VELOCITY,
 )
-from rocksteady.kernels.nonlinear_lanes._periods import LEAPT
+from rocksteady.kernels.nonlinear_lanes._leaps import LEAPT
 from rocksteady.kernels.nonlinear_lanes._signs import approach
 from rocksteady.kernels.nonlinear_lanes._steps import LONGEST
 

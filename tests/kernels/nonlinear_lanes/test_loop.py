@@ -20,7 +20,7 @@ from rocksteady.kernels.core.tables import (
     ROCKING,
     UNDECIDED,
 )
-from rocksteady.kernels.nonlinear_lanes.driver import nonlinear_lane_fates
+from rocksteady.kernels.nonlinear_lanes.loop import nonlinear_lane_fates
 from tests.dynamics.full_integrator import impacts_by_integrator
 from tests.strategies import PLAIN, sample_size
 

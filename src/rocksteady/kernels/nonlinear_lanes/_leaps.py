@@ -4,7 +4,7 @@ import numpy as np
 
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.machine_code.compilation import compiled
-from rocksteady.kernels.nonlinear_lanes._fields import (
+from rocksteady.kernels.nonlinear_lanes._layout import (
     IMPACTS,
     LAG,
     LANDED,

@@ -22,7 +22,9 @@ from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.nonlinear.proofs import bounces_end
-from rocksteady.kernels.nonlinear_lanes._fields import (
+from rocksteady.kernels.nonlinear_lanes._coefficients import expand
+from rocksteady.kernels.nonlinear_lanes._ends import find_places, finish
+from rocksteady.kernels.nonlinear_lanes._layout import (
     CELL,
     EMPTY,
     ENDED,
@@ -34,12 +36,10 @@ from rocksteady.kernels.nonlinear_lanes._fields import (
     SLOW,
     STAGE,
 )
-from rocksteady.kernels.nonlinear_lanes._landing import find_places, finish
-from rocksteady.kernels.nonlinear_lanes._loading import at_the_end, load, put_lane, taken
-from rocksteady.kernels.nonlinear_lanes._periods import compare, leap
-from rocksteady.kernels.nonlinear_lanes._series import expand
+from rocksteady.kernels.nonlinear_lanes._leaps import compare, leap
 from rocksteady.kernels.nonlinear_lanes._signs import count_changes
 from rocksteady.kernels.nonlinear_lanes._steps import measure, scale
+from rocksteady.kernels.nonlinear_lanes._transfer import at_the_end, load, put_lane, taken
 
 Integers = NDArray[np.int64]
 
