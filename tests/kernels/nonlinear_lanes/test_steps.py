@@ -20,7 +20,7 @@ def test_the_last_two_terms_are_as_small_as_asked_for() -> None:
         free = field(lanes, STEP) < LONGEST
         # 8 per cent of the step are a factor of 6 in the last term.
         assert (share[free] >= PART / 6.0).all()
-        used += np.count_nonzero(free)
+        used += int(np.count_nonzero(free))
     assert used > LANES
 
 

@@ -71,14 +71,28 @@ def ends_of(
         final = np.empty((found.shape[1], 3))
         shaken = amplitude[cells], frequency_ratio[cells]
         begin = angle[cells], velocity[cells], phase[cells]
-        ends = found[0], found[1], final
-        limits = cycles, True, MOST_IMPACTS
+        ends, impact_counts = found
         if in_lanes and linear:
-            lane_fates(*shaken, sides[cells, 0, RESTITUTION], *begin, *limits, *ends)
+            ratio = sides[cells, 0, RESTITUTION]
+            lane_fates(
+                *shaken, ratio, *begin, cycles, True, MOST_IMPACTS, ends, impact_counts, final
+            )
         elif in_lanes:
-            nonlinear_lane_fates(*shaken, sides[cells], *begin, *limits, *ends)
+            nonlinear_lane_fates(
+                *shaken,
+                sides[cells],
+                *begin,
+                cycles,
+                True,
+                MOST_IMPACTS,
+                ends,
+                impact_counts,
+                final,
+            )
         else:
-            fates_of_sides(*shaken, sides[cells], *begin, cycles, MOST_IMPACTS, *ends)
+            fates_of_sides(
+                *shaken, sides[cells], *begin, cycles, MOST_IMPACTS, ends, impact_counts, final
+            )
         status[cells], impacts[cells] = found
     return status, impacts
 
