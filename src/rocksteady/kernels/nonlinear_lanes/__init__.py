@@ -35,7 +35,7 @@ negative.
 **Overturning.**  A block is lost where the march says so, beyond the point of no return and moving
 away.  The march looks at the ends of its own steps: where the run ends before it must have come to
 such an end, it decides.  So it does where a block that lies on its side may not have been lost
-before (``alpha + atan(alpha A) >= pi/2``).
+before (``alpha + atan(alpha A) >= pi/2``), and of all of a run on a still base.
 
 **Rest.**  After an impact with velocity v the proof of `rocksteady.kernels.nonlinear.proofs` takes
 a window ``4 v/(c_0 (1 - delta))``, c_0 being the pull of now on the side where that is less.  It

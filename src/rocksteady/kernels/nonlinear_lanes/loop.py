@@ -126,8 +126,9 @@ def nonlinear_lane_fates(
                         side = 0
                     code = UNDECIDED
                     state = March(side, angle[cell], velocity[cell], 0, half, start_phase, 0, 0)
-                    too_fast = frequency_ratio[cell] > FASTEST
-                    if side == 0 or too_fast:
+                    # On a still base energy proves an overturning, which only the march looks at.
+                    alone = frequency_ratio[cell] > FASTEST or amplitude[cell] == 0.0
+                    if side == 0 or alone:
                         harmonic_segment(
                             segments, amplitude[cell], frequency_ratio[cell], phase[cell]
                         )
@@ -138,10 +139,10 @@ def nonlinear_lane_fates(
                             end_half,
                             start_phase,
                             most,
-                            most if too_fast else ONE,
+                            most if alone else ONE,
                             False,
                         )
-                    if code != UNDECIDED or too_fast or state.impacts > most:
+                    if code != UNDECIDED or alone or state.impacts > most:
                         note(status, impacts, final, cell, code, state, most)
                         continue
                     load(
