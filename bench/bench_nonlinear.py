@@ -103,7 +103,6 @@ def test_march_b1(benchmark: Any) -> None:
 
 
 @pytest.mark.benchmark(group="nonlinear", timer=time.process_time)
-<<<<<<< ours
 def test_map_fates_b1(benchmark: Any) -> None:
     """The same cells as a user maps them, in one thread."""
     unit = cells("B1", THINNED)
@@ -129,8 +128,6 @@ def test_map_fates_b1(benchmark: Any) -> None:
 
 
 @pytest.mark.benchmark(group="nonlinear", timer=time.process_time)
-||||||| base
-=======
 def test_lanes_b1(benchmark: Any) -> None:
     """The same, side by side and with leaps over periods: what `map_fates` does."""
     unit = cells("B1", THINNED)
@@ -139,7 +136,6 @@ def test_lanes_b1(benchmark: Any) -> None:
 
 
 @pytest.mark.benchmark(group="nonlinear", timer=time.process_time)
->>>>>>> theirs
 def test_march_some(benchmark: Any) -> None:
     """The march on the cells of the solver, for the ratio of the two."""
     unit = some_that_stand()
