@@ -79,6 +79,14 @@ def test_a_bounce_keeps_its_digits_however_low(speed: float) -> None:
     assert first_zero_of(work, degree, 3.0) == pytest.approx(2.0 * speed, rel=1e-15)
 
 
+@pytest.mark.parametrize("rest", [0.0, 1e-300, 1e-22, 1e-16])
+def test_lifting_off_where_nothing_pulls_yet_is_no_zero_either(rest: float) -> None:
+    work, degree = space([0.0, 0.0, rest, 0.4, -0.3, 0.05])
+    assert first_zero_of(work, degree, 0.8) == -1.0
+    expected = (0.3 - math.sqrt(0.3**2 - 4.0 * 0.05 * 0.4)) / 0.1  # 0.4 - 0.3 t + 0.05 t^2 = 0
+    assert first_zero_of(work, degree, 2.5) == pytest.approx(expected, rel=1e-13)
+
+
 def test_lifting_off_is_no_zero() -> None:
     work, degree = space(np.array([0.0, 0.0, 0.0, 1.0, -0.5]))
     assert first_zero_of(work, degree, 1.0) == -1.0

@@ -206,10 +206,17 @@ def first_zero(work: Floats, degree: int, step: float, third: float, pull: float
         return crossing(work, degree, 0.0, step, 0.0, TRUE, guess, largest_bend)
     # What starts in an impact, or lifts off, has zeros at the start, which are divided out.
     dropped = 0 if angle > 0.0 else 1 if velocity > 0.0 else 2
-    doubt = control_points(work, degree, step, dropped)
-    change, place = change_of_sign(work, CONTROL_POINTS, doubt)
-    if change == NO_CHANGE and work[POINTS, 0] > 0.0:
-        return -1.0
+    if dropped == 2 and work[ANGLE, 2] >= 0.0:
+        # It lifts off where y'' is zero but for rounding: y is at least what follows over t^3.
+        dropped = 3
+    while True:
+        doubt = control_points(work, degree, step, dropped)
+        change, place = change_of_sign(work, CONTROL_POINTS, doubt)
+        if change == NO_CHANGE and work[POINTS, 0] > 0.0:
+            return -1.0
+        if dropped < 3:
+            break
+        dropped = 2
     if change == FALLS:
         return crossing(work, degree, 0.0, step, 0.0, TRUE, place * step, largest_bend)
     start, width = 0.0, step
