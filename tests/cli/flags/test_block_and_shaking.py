@@ -70,10 +70,19 @@ def test_flags_describe_the_block_of_the_constructors(
     [
         ({}, "--restitution/-r is not given"),
         ({"gravity_m_s2": 9.8, "restitution": "0.8"}, "without a block gravity has no meaning"),
-        ({"width_m": "0.4"}, "^--width-m alone describe no block"),
-        ({"width_m": "0.4", "radius_m": "1"}, "^--width-m --radius-m alone describe no block"),
-        ({"left_m": 0.15, "height_m": "1.2"}, "alone describe no block"),
-        ({"block": "tso-wong-1989", "height_m": "1.2"}, "^--block --height-m alone describe"),
+        ({"width_m": "0.4"}, "^no block is described by --width-m alone"),
+        (
+            {"width_m": "0.4", "radius_m": "1"},
+            "^no block is described by --width-m --radius-m alone",
+        ),
+        (
+            {"left_m": 0.15, "height_m": "1.2"},
+            "^no block is described by --height-m --left-m alone",
+        ),
+        (
+            {"block": "tso-wong-1989", "height_m": "1.2"},
+            "^no block is described by --block --height-m alone",
+        ),
         ({"width_m": "0.3:0.4:3", "height_m": "1.2"}, "--width-m has 3 values"),
         ({"width_m": "-1", "height_m": "1.2"}, "width = -1"),
         ({"left_m": -0.1, "right_m": 0.25, "height_m": "1.2"}, "left = -0.1"),
@@ -207,9 +216,15 @@ def test_a_mass_centre_off_the_middle_is_an_asymmetric_block() -> None:
         ({"width_m": "0.5", "height_m": "1.8", "offset_m": 0.25}, "--offset-m"),
         ({"width_m": "0.5", "height_m": "1.8", "mass_centre_height_m": 2.0}, "--mass-centre"),
         ({"width_m": "-0.5", "height_m": "1.8", "offset_m": 0.1}, "width"),
-        ({"width_m": "0.5", "offset_m": 0.1}, "--offset-m alone describe no block"),
-        ({"offset_m": 0.1}, "--offset-m alone describe no block"),
-        ({"block": "server-rack", "offset_m": 0.1}, "describe no block"),
+        (
+            {"width_m": "0.5", "offset_m": 0.1},
+            "^no block is described by --width-m --offset-m alone",
+        ),
+        ({"offset_m": 0.1}, "^no block is described by --offset-m alone"),
+        (
+            {"block": "server-rack", "offset_m": 0.1},
+            "^no block is described by --block --offset-m alone",
+        ),
     ],
 )
 def test_what_has_no_mass_centre_there_is_refused(flags: dict[str, Any], words: str) -> None:

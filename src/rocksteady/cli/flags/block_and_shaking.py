@@ -241,7 +241,7 @@ class BlockFlags:
         if block is None:
             flags_given = " ".join(["--block", *given] if self.block is not None else given)
             raise FlagError(
-                finding=f"{flags_given} alone describe no block",
+                finding=f"no block is described by {flags_given} alone",
                 valid="it is described by --width-m with --height-m (and --offset-m, "
                 "--mass-centre-height-m), by --alpha-rad with "
                 "--radius-m, by --alpha-rad with --p-rad-s, by --left-m and --right-m with "
