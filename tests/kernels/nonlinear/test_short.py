@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from rocksteady.kernels.nonlinear.drive import Drive
 from rocksteady.kernels.nonlinear.series import HIGHEST, TERMS, WORK_ROWS, expand_series
 from rocksteady.kernels.nonlinear.short import (
+    ANGLE,
     DEGREE,
     LONGEST,
     ShortStep,
@@ -31,7 +32,8 @@ mp.dps = 50
 def coefficients(short: ShortStep, angle: float, velocity: float) -> Floats:
     work = np.zeros((WORK_ROWS, TERMS))
     fill_short(short, angle, velocity, work)
-    return work[0]
+    row: Floats = work[ANGLE]
+    return row
 
 
 def stepped(drive: Drive, angle: float, velocity: float, step: float, left_out: float) -> ShortStep:
