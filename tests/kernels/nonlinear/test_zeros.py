@@ -1,15 +1,27 @@
-"""Zeros, levels and extrema of a step's polynomial against slow sampling and known roots."""
+"""Zeros, levels and extrema of a step's polynomial against slow sampling and proved roots."""
 
 import math
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 import pytest
+from flint import fmpz_poly
 from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
 from rocksteady.kernels.nonlinear._zeros import first_rise, first_zero, largest, last_rise
-from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS, angle_at, third_bound
+from rocksteady.kernels.nonlinear.drive import Drive, hardest_pull
+from rocksteady.kernels.nonlinear.series import (
+    HIGHEST,
+    TERMS,
+    WORK_ROWS,
+    angle_at,
+    expand,
+    third_bound,
+)
+from rocksteady.kernels.nonlinear.short import DEGREE
+from tests.strategies import inner_sample_size
 
 Floats = NDArray[np.float64]
 
@@ -113,3 +125,130 @@ def test_levels_and_peaks_are_those_of_slow_sampling(seed: int) -> None:
     if y[0] < level:
         first = t[rises[0]] if len(rises) else -1.0
         assert first_rise(work, degree, step, level) == pytest.approx(first, abs=2e-5)
+
+
+# ------------------------------------------- polynomials of flights, against proved roots
+
+
+def exact_roots(work: Floats, degree: int, step: float) -> list[float]:
+    """Return the zeros in (0, step], but for zeros at the start, isolated by exact arithmetic."""
+    fractions = [Fraction(float(c)) for c in work[0, : degree + 1]]
+    while fractions and fractions[0] == 0:
+        del fractions[0]
+    # In units of a power of two near the step, so that the integers stay short.
+    unit = Fraction(2) ** math.frexp(step)[1]
+    scaled = [c * unit**n for n, c in enumerate(fractions)]
+    common = max(c.denominator for c in scaled)
+    polynomial: Any = fmpz_poly([int(c * common) for c in scaled])
+    found = polynomial.complex_roots()
+    times = [float(root.real) * float(unit) for root, _ in found if root.imag == 0]
+    return sorted(t for t in times if 0.0 < t <= step)
+
+
+def doubt_of(work: Floats, degree: int, time: float) -> float:
+    """Return what rounding may make of y at a time."""
+    return 1e-14 * float(np.abs(work[0, : degree + 1]) @ time ** np.arange(degree + 1.0))
+
+
+def lowest(work: Floats, degree: int, step: float) -> float:
+    curve = Polynomial(work[0, : degree + 1])
+    turns = curve.deriv().roots()
+    inside = turns.real[(np.abs(turns.imag) < 1e-9) & (turns.real > 0.0) & (turns.real < step)]
+    return float(min(curve(np.append(inside, step))))
+
+
+def drawn_step(
+    rng: np.random.Generator, back: bool
+) -> tuple[Drive, float, float, tuple[float, float], float, float]:
+    """Return a drive, y and y', sine and cosine of the shaking, a step and what it leaves out.
+
+    What is thrown `back` comes down fast upon a base that pulls it up again.
+    """
+    shaken = rng.random() < 0.5
+    alpha = math.exp(rng.uniform(math.log(0.003), math.log(1.3)))
+    drive = Drive(
+        alpha,
+        rng.uniform(1.5, 4.0) if back else 2.0 * rng.normal(),
+        10.0 * rng.normal(),
+        rng.uniform(0.0, 5.0) if shaken and not back else 0.3 * shaken,
+        rng.uniform(0.3, 40.0) if shaken else 0.0,
+        0.3 * rng.normal() if rng.random() < 0.5 else 0.0,
+        rng.normal() if rng.random() < 0.5 else 0.0,
+    )
+    phase = rng.uniform(0.0, 6.0)
+    reach = math.exp(rng.uniform(math.log(0.01), math.log(3.0 if shaken else 0.25)))
+    velocity = float(rng.normal())
+    if back:
+        velocity = -reach * rng.uniform(0.2, 1.5)
+    angle = abs(velocity) * reach * rng.uniform(0.0, 2.0)
+    if rng.random() < 0.2 and not back:
+        angle, velocity = 0.0, abs(velocity)
+    return drive, angle, velocity, (math.sin(phase), math.cos(phase)), reach, 1e-15
+
+
+def verdict_is_exact(work: Floats, degree: int, step: float, pull: float) -> bool | None:
+    """Compare the first zero with the proved one; return whether there is one, None in doubt."""
+    third = third_bound(work, degree, step)
+    found = first_zero(work, degree, step, third, pull)
+    assert found == -1.0 or 0.0 < found <= step
+    roots = exact_roots(work, degree, step)
+    curve = Polynomial(work[0, : degree + 1])
+    if not roots:
+        # A zero where there is none is one that rounding makes, at the floor.
+        assert found < 0.0 or abs(curve(found)) <= doubt_of(work, degree, found)
+        return False if found < 0.0 else None
+    first = roots[0]
+    if found < 0.0:
+        assert lowest(work, degree, step) >= -doubt_of(work, degree, step)
+        return None
+    slope = abs(curve.deriv()(first))
+    if doubt_of(work, degree, first) > 1e-3 * slope * first:
+        assert abs(curve(found)) <= doubt_of(work, degree, found)
+        return None
+    rounding = 0.04 * doubt_of(work, degree, first) / slope  # two roundings of its terms
+    grazing = abs(curve.deriv(2)(first)) * rounding > 0.1 * slope
+    if not grazing:
+        assert abs(found - first) <= 2.0 * math.ulp(first) + 2.0 * rounding
+    assert abs(found - first) <= 100.0 * rounding + 2.0 * math.ulp(first)
+    return True
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_first_zeros_of_flights_are_the_proved_ones(seed: int) -> None:
+    rng = np.random.default_rng(900 + seed)
+    hits = misses = 0
+    degrees = set()
+    for _ in range(inner_sample_size(600, 30)):
+        drive, angle, velocity, swing, reach, left_out = drawn_step(rng, rng.random() < 0.5)
+        work = np.zeros((WORK_ROWS, TERMS))
+        degree, step = expand(drive, 0.0, angle, velocity, *swing, False, reach, left_out, work)
+        degrees.add(degree)
+        for pull in (math.inf, hardest_pull(drive, 0.0, step)):
+            verdict = verdict_is_exact(work, degree, step, pull)
+            hits, misses = hits + (verdict is True), misses + (verdict is False)
+    assert {DEGREE, HIGHEST} <= degrees
+    assert min(hits, misses) > 30
+
+
+@pytest.mark.parametrize("depth", [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-12, 1e-13, 1e-14])
+def test_flights_that_graze_touch_or_pass_as_their_polynomials_do(depth: float) -> None:
+    rng = np.random.default_rng(round(-100.0 * math.log10(depth)))
+    verdicts: list[bool | None] = []
+    for case in range(inner_sample_size(200, 20)):
+        drive, angle, velocity, swing, reach, left_out = drawn_step(rng, True)
+        work = np.zeros((WORK_ROWS, TERMS))
+        degree, step = DEGREE, reach
+        aim = depth * abs(velocity) * reach * (-1.0 if case % 2 else 1.0)
+        for _ in range(6):  # set it down by as much as its lowest point misses the aim
+            degree, step = expand(drive, 0.0, angle, velocity, *swing, False, reach, left_out, work)
+            angle += aim - lowest(work, degree, step)
+        if angle <= 0.0:
+            continue
+        for pull in (math.inf, hardest_pull(drive, 0.0, step)):
+            verdict = verdict_is_exact(work, degree, step, pull)
+            verdicts.append(verdict)
+            if depth > 1e-12 and lowest(work, degree, step) * aim > 0.0:
+                assert verdict is (aim < 0.0)
+    assert len(verdicts) > 30
+    if depth > 1e-12:
+        assert min(verdicts.count(True), verdicts.count(False)) > 10

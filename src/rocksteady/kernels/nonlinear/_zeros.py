@@ -154,7 +154,7 @@ def crossing(
         move = (angle - level) / velocity if velocity != 0.0 else math.inf
         near = time - move
         # What Newton's next step would move, y'' move^2/(2 y'), is below rounding.
-        if bend * move * move <= 4e-16 * near * abs(velocity) and low <= near <= high:
+        if low <= near <= high and bend * move * move <= 4e-16 * near * abs(velocity):
             return near
         if abs(move) <= 4e-16 * time:
             break
