@@ -8,9 +8,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady.kernels.nonlinear.drive import Drive
-from rocksteady.kernels.nonlinear.series import HIGHEST, TERMS, WORK_ROWS, expand_series
-from rocksteady.kernels.nonlinear.short import (
+from rocksteady.kernels.nonlinear._short import (
     ANGLE,
     DEGREE,
     LONGEST,
@@ -20,6 +18,8 @@ from rocksteady.kernels.nonlinear.short import (
     state_after,
     third_of,
 )
+from rocksteady.kernels.nonlinear.drive import Drive
+from rocksteady.kernels.nonlinear.series import HIGHEST, TERMS, WORK_ROWS, expand_series
 from tests.strategies import inner_sample_size
 
 Floats = NDArray[np.float64]

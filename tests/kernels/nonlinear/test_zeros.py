@@ -10,6 +10,7 @@ from flint import fmpz_poly
 from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
+from rocksteady.kernels.nonlinear._short import DEGREE
 from rocksteady.kernels.nonlinear._zeros import first_rise, first_zero, largest, last_rise
 from rocksteady.kernels.nonlinear.drive import Drive, hardest_pull
 from rocksteady.kernels.nonlinear.series import (
@@ -20,7 +21,6 @@ from rocksteady.kernels.nonlinear.series import (
     expand,
     third_bound,
 )
-from rocksteady.kernels.nonlinear.short import DEGREE
 from tests.strategies import inner_sample_size
 
 Floats = NDArray[np.float64]
