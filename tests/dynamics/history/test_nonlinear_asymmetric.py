@@ -279,3 +279,14 @@ def test_cells_of_maps_are_single_answers() -> None:
                 assert int(fates.impacts[i, j]) == len(run.impacts)
     own = map_attractors(BLOCK, shaking, axes={"phase": [0.0, 1.0]}, model=Nonlinear())
     assert own.attrs["negative_restitution"] == 0.9
+
+
+@pytest.mark.parametrize("restitution", [(1.0, 0.3), (0.3, 1.0)])
+def test_a_block_that_loses_on_one_side_alone_comes_to_rest(
+    restitution: tuple[float, float],
+) -> None:
+    block = Block.from_p(alpha=0.3, p=2.0).with_restitution(restitution)
+    run = simulate(block, Still(), start=State(angle=0.5, velocity=0.0), model=Nonlinear())
+    assert run.status is Status.AT_REST
+    linear = simulate(block, Still(), start=State(angle=0.5, velocity=0.0), model=Linear())
+    assert len(run.impacts) == pytest.approx(len(linear.impacts), rel=0.1)

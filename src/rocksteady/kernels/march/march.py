@@ -342,7 +342,7 @@ def _march(
             bounced = False
             if nonlinear:
                 there_phase, _ = side_phase(half, phase, -side, frequency)
-                dies_out = bounces_end(
+                dies_out = abs(velocity) < STILL * lean * rate or bounces_end(
                     segments,
                     segment,
                     sides,

@@ -164,5 +164,3 @@ def fly(
         if event == NO_RETURN:
             return Zero(NO_RETURN, time, cycle, here, sine, cosine, angle, velocity)
         angle = max(angle, 0.0)
-        if time == span:
-            return Zero(SPAN_END, span, cycle, here, sine, cosine, angle, velocity)
