@@ -133,6 +133,6 @@ def approach(lanes: Floats) -> None:
             value = value * place + a1
             slope = slope * place + value
             value = value * place + a0
-            near = place - value / slope
+            near = place - value / slope if slope != 0.0 else 2.0  # flat: out of range
             place = near if (near > CLOSEST * guess) & (near < 1.0) else 0.5 * (place + guess)
         lanes[PLACE + k] = place if single else guess
