@@ -21,6 +21,9 @@ from rocksteady.kernels.core.tables import (
 from tests.kernels.nonlinear.balls import BITS, Base, horner, natural_step, seen
 from tests.kernels.tables import Piece, both_sides, one_by_one, run, sampled, table
 from tests.records import synthetic
+from tests.strategies import PLAIN
+
+pytestmark = pytest.mark.skipif(PLAIN, reason="takes minutes uncompiled")
 
 Floats = NDArray[np.float64]
 Impact = tuple[Any, Any]  # time and velocity after it

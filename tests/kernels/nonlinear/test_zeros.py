@@ -227,7 +227,7 @@ def test_first_zeros_of_flights_are_the_proved_ones(seed: int) -> None:
             verdict = verdict_is_exact(work, degree, step, pull)
             hits, misses = hits + (verdict is True), misses + (verdict is False)
     assert {DEGREE, HIGHEST} <= degrees
-    assert min(hits, misses) > 30
+    assert min(hits, misses) > inner_sample_size(30, 3)
 
 
 @pytest.mark.parametrize("depth", [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-12, 1e-13, 1e-14])
@@ -249,6 +249,6 @@ def test_flights_that_graze_touch_or_pass_as_their_polynomials_do(depth: float) 
             verdicts.append(verdict)
             if depth > 1e-12 and lowest(work, degree, step) * aim > 0.0:
                 assert verdict is (aim < 0.0)
-    assert len(verdicts) > 30
+    assert len(verdicts) > inner_sample_size(30, 10)
     if depth > 1e-12:
         assert min(verdicts.count(True), verdicts.count(False)) > 10
