@@ -24,6 +24,9 @@ from rocksteady.kernels.nonlinear_lanes.loop import nonlinear_lane_fates
 from tests.dynamics.full_integrator import impacts_by_integrator
 from tests.strategies import PLAIN, sample_size
 
+# Lanes that are idle compute as well, whatever comes of it, and selects leave it out.
+pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")
+
 Floats = NDArray[np.float64]
 
 TOLERANCE = 1e-10
@@ -143,7 +146,7 @@ def check_random_runs(seed: int, count: int, cycles: int, leaping: bool) -> None
     largest = np.max(apart / (1.0 + np.abs(plain.final)), axis=1)[same]
     assert np.quantile(largest, 0.5) < 1e-14
     assert np.quantile(largest, sample_size(0.95, 0.8)) < 1e-10
-    assert set(plain.status.tolist()) >= {ROCKING, OVERTURNED}
+    assert set(plain.status.tolist()) >= sample_size({ROCKING, OVERTURNED}, {ROCKING})
 
 
 @pytest.mark.parametrize(("cycles", "leaping"), [(3, False), (30, True)])
