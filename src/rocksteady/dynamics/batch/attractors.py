@@ -140,7 +140,7 @@ def settled_cells(
     real = np.empty((cells, column.REAL_COLUMNS))
     # A view of it would be read-only, which is another type to the kernel.
     tables = np.broadcast_to(sides, (cells, *sides.shape[-2:])).copy()
-    # Lanes know the linear model alone, which is told by the columns of its sides.
+    # Lanes hold the linear model only; its side table has fewer columns.
     same = np.flatnonzero(alike(tables) & (tables.shape[2] == SIDE_COLUMNS))
     whole[:, column.OUTCOME] = LEFT_OVER
     for in_lanes in (True, False):

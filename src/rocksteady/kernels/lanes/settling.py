@@ -112,7 +112,7 @@ TAME = 80.0
 """Growth of a small difference over a return to an orbit up to which it is below 100 nearby, from
 which on `settle` looks for no orbit."""
 
-# Columns of what is known of a return that is watched.
+# Columns of the table of watched returns.
 PERIODS = 0
 PASSED = 1  # forcing periods until the look
 FIRST = 2  # impacts at the look

@@ -33,7 +33,7 @@ MANTISSA = 2**52 - 1
 
 @compiled
 def compare(lanes: Floats, most: int) -> int:
-    """Compare states after impacts with earlier ones; count those that are periodic.
+    """Compare states after impacts with earlier ones and count the periodic lanes.
 
     A motion with more impacts than `most` is not: it is to be given up.
     """
