@@ -48,7 +48,8 @@ from rocksteady.kernels.lanes._passes import (
     in_flight,
     step,
 )
-from rocksteady.kernels.lanes._periods import LEAPT, compare, leap
+from rocksteady.kernels.lanes._periods import compare, leap
+from rocksteady.kernels.lanes.returns import LEAPT
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
 from rocksteady.kernels.march.march import march

@@ -5,6 +5,7 @@ from rocksteady.kernels.core.forcing import HALF_PI, TWO_PI
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.bits import ROUND
 from rocksteady.kernels.elementary.circular import sincos_short
+from rocksteady.kernels.lanes.returns import LEAPT
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.nonlinear_lanes._layout import (
     ANGLE,
@@ -51,7 +52,6 @@ from rocksteady.kernels.nonlinear_lanes._layout import (
     VALUE,
     VELOCITY,
 )
-from rocksteady.kernels.nonlinear_lanes._leaps import LEAPT
 from rocksteady.kernels.nonlinear_lanes._signs import approach
 from rocksteady.kernels.nonlinear_lanes._steps import LONGEST
 
