@@ -43,6 +43,7 @@ from rocksteady.kernels.nonlinear.series import (
     angle_at,
     angle_bound,
     bend_at,
+    root_of_parabola,
     speed_at,
     third_bound,
 )
@@ -105,23 +106,6 @@ def turning_point(
             break
         time = near
     return time
-
-
-@inlined
-def root_of_parabola(above: float, velocity: float, bend: float, falling: bool) -> float:
-    """Return when ``above + velocity t + bend t^2/2`` first falls, or rises, through 0; or inf.
-
-    A bounce is one but for its last digits.
-    """
-    root = velocity * velocity - 2.0 * bend * above
-    if root > 0.0:
-        far = abs(velocity) + math.sqrt(root)
-        # The root in the direction of the crossing, without cancellation.
-        if falling == (velocity > 0.0) and bend != 0.0:
-            return far / abs(bend)
-        if far > 0.0:
-            return 2.0 * abs(above) / far
-    return math.inf
 
 
 @compiled

@@ -89,6 +89,8 @@ def fly_through(
             bend, third = 2.0 * short.second, third_of(short, h)
             later_y, later_v = state_after(short, y, v, h)
         else:
+            if y + h * (v + h * (short.second + h * short.third)) <= 0.0:
+                break  # it lands
             drive = Drive(alpha, shaking, shaking_slope, 0.0, 0.0, lift, lift_slope)
             degree, step = expand_series(
                 drive, 0.0, y, v, 0.0, 1.0, FALSE, reach_of(v, h), left_out, work

@@ -22,6 +22,7 @@ import math
 import numpy as np
 
 from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.core.typed import TRUE
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.elementary.exponential import exp_clamped
 from rocksteady.kernels.elementary.logarithm import LN2, LOG2_DOUBT, low_log2
@@ -40,6 +41,9 @@ TWICE_SHARED = np.array([0.0, 0.0] + [1.0 / (n * (n - 1)) for n in range(2, TERM
 THRICE = np.array([float(n * (n - 1) * (n - 2)) for n in range(TERMS)])
 """n (n - 1) (n - 2)."""
 
+BEYOND = 1.1
+"""Length of a step to a zero that is only known roughly, over the time to it."""
+
 # Rows of the working space, shape (6, TERMS).
 ANGLE = 0  # coefficients of y: what the other modules read
 SPEED = 1  # of y'
@@ -48,6 +52,23 @@ COSINE = 3  # of C
 SHAKING = 4  # of h
 POINTS = 5  # control points of `rocksteady.kernels.nonlinear._bernstein`
 WORK_ROWS = 6
+
+
+@inlined
+def root_of_parabola(above: float, velocity: float, bend: float, falling: bool) -> float:
+    """Return when ``above + velocity t + bend t^2/2`` first falls, or rises, through 0; or inf.
+
+    A bounce is one but for its last digits.
+    """
+    root = velocity * velocity - 2.0 * bend * above
+    if root > 0.0:
+        far = abs(velocity) + math.sqrt(root)
+        # The root in the direction of the crossing, without cancellation.
+        if falling == (velocity > 0.0) and bend != 0.0:
+            return far / abs(bend)
+        if far > 0.0:
+            return 2.0 * abs(above) / far
+    return math.inf
 
 
 @compiled
@@ -68,11 +89,13 @@ def expand(
     Parameters and results are those of `expand_series`, which fills all rows.
     """
     if drive.frequency == 0.0:
+        shaking = drive.constant + drive.slope * time
+        weight = 1.0 + drive.lift + drive.lift_slope * time
         short = short_step(
             drive.alpha,
-            drive.constant + drive.slope * time,
+            shaking,
             drive.slope,
-            1.0 + drive.lift + drive.lift_slope * time,
+            weight,
             drive.lift_slope,
             angle,
             velocity,
@@ -80,9 +103,26 @@ def expand(
             reach,
             left_out,
         )
+        step = reach
+        if not short.exact:
+            # The next zero is nearer than that, it may be.
+            step = BEYOND * root_of_parabola(angle, velocity, 2.0 * short.second, TRUE)
+            if step < reach:
+                short = short_step(
+                    drive.alpha,
+                    shaking,
+                    drive.slope,
+                    weight,
+                    drive.lift_slope,
+                    angle,
+                    velocity,
+                    lifting,
+                    step,
+                    left_out,
+                )
         if short.exact:
             fill_short(short, angle, velocity, work)
-            return DEGREE, reach
+            return DEGREE, step
     return expand_series(drive, time, angle, velocity, sine, cosine, lifting, reach, left_out, work)
 
 
