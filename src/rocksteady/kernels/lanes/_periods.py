@@ -1,5 +1,6 @@
 """Detection of periodic motions in lanes, whose whole periods are then skipped."""
 
+from rocksteady.kernels.core.returns import PERIODIC, Reference, compared, leapt
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.lanes._fields import (
     IMPACTS,
@@ -16,7 +17,6 @@ from rocksteady.kernels.lanes._fields import (
     VELOCITY,
     WIDEST,
 )
-from rocksteady.kernels.lanes.returns import PERIODIC, Reference, compared, leapt
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from rocksteady.kernels.batch.harmonic import harmonic_segment
 from rocksteady.kernels.core.clock import clock
+from rocksteady.kernels.core.returns import LEAPT
 from rocksteady.kernels.core.tables import (
     LEAN,
     OVERTURNED,
@@ -49,7 +50,6 @@ from rocksteady.kernels.lanes._passes import (
     step,
 )
 from rocksteady.kernels.lanes._periods import compare, leap
-from rocksteady.kernels.lanes.returns import LEAPT
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Integers1
 from rocksteady.kernels.march.march import march

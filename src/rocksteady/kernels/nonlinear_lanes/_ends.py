@@ -2,10 +2,10 @@
 
 from rocksteady.kernels.core.clock import PI_HIGH, PI_LOW
 from rocksteady.kernels.core.forcing import HALF_PI, TWO_PI
+from rocksteady.kernels.core.returns import LEAPT
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.bits import ROUND
 from rocksteady.kernels.elementary.circular import sincos_short
-from rocksteady.kernels.lanes.returns import LEAPT
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.nonlinear_lanes._layout import (
     ANGLE,

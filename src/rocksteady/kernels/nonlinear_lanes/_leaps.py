@@ -1,7 +1,7 @@
 """Detection of periodic motions in lanes, whose whole periods are then skipped."""
 
+from rocksteady.kernels.core.returns import PERIODIC, Reference, compared, leapt
 from rocksteady.kernels.core.tables import Floats
-from rocksteady.kernels.lanes.returns import PERIODIC, Reference, compared, leapt
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.nonlinear_lanes._layout import (
     IMPACTS,
