@@ -90,7 +90,7 @@ def test_what_is_no_model_is_refused_with_what_to_give() -> None:
         chosen_model(Nonlinear(), BARE)
 
 
-@pytest.mark.parametrize("tolerance", [0.0, 1e-12, 0.1, float("nan"), "fine"])
+@pytest.mark.parametrize("tolerance", [0.0, 1e-14, 0.1, float("nan"), "fine"])
 def test_a_tolerance_has_limits(tolerance: float) -> None:
     with pytest.raises(InputError, match="tolerance"):
         Nonlinear(tolerance=tolerance)

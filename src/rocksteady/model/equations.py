@@ -13,7 +13,7 @@ from rocksteady.model.motions.segments import Harmonic
 TOLERANCE = 1e-10
 """Default relative error that a motion may have."""
 
-LEAST_TOLERANCE = 1e-11
+LEAST_TOLERANCE = 1e-13
 LARGEST_TOLERANCE = 1e-3
 
 
@@ -36,7 +36,7 @@ class Nonlinear:
     Parameters
     ----------
     tolerance
-        The error that the motion may have, as a part of it, from 1e-11 to 1e-3.  Each step leaves
+        The error that the motion may have, as a part of it, from 1e-13 to 1e-3.  Each step leaves
         out 1e-5 of that at most.  Errors grow as the motion itself spreads.
 
     Raises

@@ -3,9 +3,14 @@
 import math
 
 import numpy as np
+import pytest
 
 from rocksteady.kernels.batch.harmonic import fates_of_sides
-from rocksteady.kernels.core.tables import OVERTURNED, ROCKING
+from rocksteady.kernels.core.tables import NO_RETURN, OVERTURNED, ROCKING
+from rocksteady.kernels.core.typed import FALSE, TRUE
+from rocksteady.kernels.nonlinear.drive import Drive
+from rocksteady.kernels.nonlinear.flight import fly
+from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS
 from tests.strategies import sample_size
 
 ALPHA = 0.3
@@ -30,3 +35,22 @@ def test_a_run_that_ends_beyond_the_point_of_no_return_has_overturned() -> None:
     assert np.abs(final[status == ROCKING, 0]).max(initial=0.0) < 0.5 * math.pi / ALPHA
     if cells > 100:
         assert min(np.count_nonzero(status == code) for code in (ROCKING, OVERTURNED)) > 1000
+
+
+@pytest.mark.parametrize("amplitude", [1e10, 1e20, 1e30, 1e40, 1e50])
+@pytest.mark.parametrize("alpha", [0.001, 0.3, 1.5])
+def test_shaking_beyond_all_bounds_throws_a_block_over_at_once(
+    amplitude: float, alpha: float
+) -> None:
+    """Held by its weight against A sin(W t), it lies on its side after some (1/(A W))^(1/3)."""
+    drive = Drive(alpha, 0.0, 0.0, amplitude, 2.0, 0.0, 0.0)
+    zero = fly(
+        drive, 0.0, 0.0, 0.0, 1.0, FALSE, math.inf, TRUE, 1e-15, np.empty(0), 1.0, 1.0,
+        np.empty((WORK_ROWS, TERMS)),
+    )  # fmt: skip
+    assert zero.event == NO_RETURN
+    assert zero.angle == pytest.approx(0.5 * math.pi / alpha, rel=1e-9)
+    # Of y'' = A W t cos(alpha (1 - y)), times between those with the cosine at its ends.
+    least = (6.0 * 0.5 * math.pi / alpha / (2.0 * amplitude)) ** (1.0 / 3.0)
+    assert zero.time > least * (1.0 - 1e-6)
+    assert zero.time < 3.0 * least / math.cos(alpha)

@@ -13,7 +13,7 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.linear.zeros import Zero
-from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.nonlinear._zeros import first_rise, first_zero, largest
 from rocksteady.kernels.nonlinear.drive import Drive, hardest_pull
 from rocksteady.kernels.nonlinear.proofs import HALF_PI, falls_on_still_base
@@ -24,6 +24,9 @@ LONGEST_STEP = 1e12
 LONGEST_MOVING_STEP = 8.0
 """Of one that moves.  Only beside the upright position, by less than rounding, might a step be
 longer; in it the motion would grow so much that its nodes lay too close together to be counted."""
+
+FAR = 8.0
+"""Angle, over that of lying on the side, to which a step may lead."""
 
 
 @compiled
@@ -40,6 +43,23 @@ def phase_at(drive: Drive, phase: float, time: float) -> tuple[int, float]:
         return 0, turned
     cycle = int((turned + HALF_PI) / TWO_PI)
     return cycle, turned - TWO_PI * cycle
+
+
+@inlined
+def third_and_step(work: Floats, degree: int, step: float, far: float) -> tuple[float, float]:
+    """Return an upper bound of |y'''| over a step, and the step halved until y stays below `far`.
+
+    Far beyond that a polynomial turns too often for its zeros to be told apart.
+    """
+    third = third_bound(work, degree, step)
+    while (
+        abs(work[ANGLE, 0])
+        + step * (abs(work[ANGLE, 1]) + step * (abs(work[ANGLE, 2]) + step * third))
+        > far
+    ):
+        step *= 0.5
+        third = third_bound(work, degree, step)
+    return third, step
 
 
 @compiled
@@ -131,7 +151,7 @@ def fly(
             work,
         )
         event = SPAN_END
-        third = third_bound(work, degree, step)
+        third, step = third_and_step(work, degree, step, FAR * flat)
         zero = first_zero(work, degree, step, third, hardest_pull(drive, time, step))
         ends = step if zero < 0.0 else zero
         if zero >= 0.0:

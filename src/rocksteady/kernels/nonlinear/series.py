@@ -41,6 +41,8 @@ TWICE_SHARED = np.array([0.0, 0.0] + [1.0 / (n * (n - 1)) for n in range(2, TERM
 THRICE = np.array([float(n * (n - 1) * (n - 2)) for n in range(TERMS)])
 """n (n - 1) (n - 2)."""
 
+HUGE = 1e200
+"""Coefficients from which on no more are worked out: the next might overflow."""
 BEYOND = 1.1
 """Length of a step to a zero that is only known roughly, over the time to it."""
 
@@ -203,6 +205,8 @@ def expand_series(
         work[COSINE, n + 1] = square * by_sine * share
         work[SPEED, n + 1] = force * share
         work[ANGLE, n + 2] = force * TWICE_SHARED[n + 2]
+        if not abs(work[ANGLE, n + 2]) < HUGE:
+            return n + 1, min(reach, _step(left_out, n + 1, work))
         power *= reach
         term = abs(work[ANGLE, n + 2]) * power
         if n < 2:
@@ -213,7 +217,7 @@ def expand_series(
                 return n + 2, reach
         else:
             small = 0
-    return HIGHEST, min(reach, _step(left_out, work))
+    return HIGHEST, min(reach, _step(left_out, HIGHEST, work))
 
 
 @inlined
@@ -260,7 +264,7 @@ def sums_of_two(work: Floats, n: int) -> tuple[float, float]:
 
 
 @compiled
-def _step(left_out: float, work: Floats) -> float:
+def _step(left_out: float, degree: int, work: Floats) -> float:
     """Return the step at which the last two terms are just negligible; e^700 without motion."""
     # In logarithms: of the smallest that each of the first four terms lets the last ones be.
     part = low_log2(left_out)
@@ -269,7 +273,7 @@ def _step(left_out: float, work: Floats) -> float:
     bend = low_log2(abs(work[ANGLE, 2])) + part
     third = low_log2(abs(work[ANGLE, 3])) + part
     step = math.inf
-    for n in range(HIGHEST - 1, HIGHEST + 1):
+    for n in range(degree - 1, degree + 1):
         if work[ANGLE, n] != 0.0:
             last = low_log2(abs(work[ANGLE, n])) + LOG2_DOUBT
             holds = max(
