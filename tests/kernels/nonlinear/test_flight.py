@@ -46,7 +46,7 @@ def test_shaking_beyond_all_bounds_throws_a_block_over_at_once(
     drive = Drive(alpha, 0.0, 0.0, amplitude, 2.0, 0.0, 0.0)
     zero = fly(
         drive, 0.0, 0.0, 0.0, 1.0, FALSE, math.inf, TRUE, 1e-15, np.empty(0), 1.0, 1.0,
-        np.empty((WORK_ROWS, TERMS)),
+        np.empty((WORK_ROWS, TERMS)), np.empty((0, TERMS)),
     )  # fmt: skip
     assert zero.event == NO_RETURN
     assert zero.angle == pytest.approx(0.5 * math.pi / alpha, rel=1e-9)

@@ -217,5 +217,6 @@ def speed_at_the_floor(segments: Floats, sides: Floats, last: March) -> float:
         lean,
         rate,
         np.empty((WORK_ROWS, TERMS)),
+        np.empty((0, TERMS)),
     )
     return max(zero.velocity, 0.0) / -over_the_top(sides, row, 0.0)

@@ -386,6 +386,7 @@ def _march(
                 lean,
                 rate,
                 work,
+                work[:0],
             )
             duration = zero.time / rate
         else:

@@ -14,6 +14,7 @@ from rocksteady.kernels.core.tables import (
 from rocksteady.kernels.elementary.circular import sincos_near
 from rocksteady.kernels.linear.zeros import Zero
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
+from rocksteady.kernels.nonlinear._variation import advance, begin
 from rocksteady.kernels.nonlinear._zeros import first_rise, first_zero, largest
 from rocksteady.kernels.nonlinear.drive import Drive, hardest_pull
 from rocksteady.kernels.nonlinear.proofs import HALF_PI, falls_on_still_base
@@ -89,6 +90,7 @@ def fly(
     lean: float,
     rate: float,
     work: Floats,
+    course: Floats,
 ) -> Zero:
     """Fly from a state to the first zero, to the end of the span or until the block is lost.
 
@@ -116,6 +118,9 @@ def fly(
         Of the side; they convert its speed.
     work
         Working space, shape (6, 24).
+    course
+        Working space of the derivatives by the state at the start, shape (7, 48), which are left
+        in its first row; or of shape (0, ...).  They are for endless harmonic shaking.
 
     Returns
     -------
@@ -125,7 +130,9 @@ def fly(
     """
     flat = HALF_PI / drive.alpha
     time, cycle = 0.0, 0
-    watch = len(peaks) > 0
+    watch, varied = len(peaks) > 0, len(course) > 0
+    if varied:
+        begin(course)
     here = phase
     sine, cosine = 0.0, 1.0
     if drive.frequency > 0.0:
@@ -162,6 +169,8 @@ def fly(
             if fallen >= 0.0:
                 event, ends = NO_RETURN, fallen
         angle, velocity = angle_at(work, degree, ends)
+        if varied:
+            advance(drive, work, degree, ends, course)
         if watch:
             top_angle, top_speed = largest(
                 work,

@@ -258,8 +258,9 @@ def passage_of(
     """Return the passage at the end of a flight on the side of a row."""
     side = 1 if row == 0 else -1
     lifting = flight.angle == 0.0 and flight.velocity == 0.0
+    derivative = (0.0, 0.0, 0.0, 0.0)
     if system.left_out > 0.0:
-        zero = fly_to_landing(
+        zero, derivative = fly_to_landing(
             drive_of(system, row),
             flight.angle,
             flight.velocity,
@@ -286,7 +287,7 @@ def passage_of(
         return Passage(GRAZE, after, zero.time / rate, landing, Jacobian(0.0, 0.0, 0.0, 0.0))
     if system.left_out > 0.0:
         j11, j12, j21, j22 = landing_derivative(
-            drive_of(system, row), restitution, flight.velocity, flight.phase, zero, system.left_out
+            drive_of(system, row), restitution, flight.phase, zero, derivative
         )
     else:
         j11, j12, j21, j22 = landing_jacobian(
