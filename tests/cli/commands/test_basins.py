@@ -209,6 +209,10 @@ def test_an_interval_is_that_of_drawn_states_alone() -> None:
         ("-r 0.9", "driver.lane_fates"),
         ("--left-m 0.15 --right-m 0.25 --height-m 1.2", "harmonic.fates_of_sides"),
         ("--width-m 0.4 --height-m 1.2 --model nonlinear", "loop.nonlinear_lane_fates"),
+        (
+            "--left-m 0.15 --right-m 0.25 --height-m 1.2 --model nonlinear",
+            "loop.nonlinear_lane_fates",
+        ),
     ],
 )
 def test_what_an_erosion_compiles_first_is_what_it_calls(

@@ -128,10 +128,9 @@ def basins(
     eroding = len(amplitudes) > 1
     if cycles is not None:
         chosen["cycles" if eroding else "max_cycles"] = cycles
-    kernel = "harmonic.fates_of_sides"
-    if body.symmetric:
-        linear = equations.name == "linear"
-        kernel = "driver.lane_fates" if linear else "loop.nonlinear_lane_fates"
+    kernel = "driver.lane_fates" if body.symmetric else "harmonic.fates_of_sides"
+    if equations.name == "nonlinear":
+        kernel = "loop.nonlinear_lane_fates"
     announce_compilation(kernel if eroding else "attractors.settle_cells")
     from rocksteady.dynamics.basins.basins import compute_basins
     from rocksteady.dynamics.basins.erosion import compute_erosion

@@ -39,8 +39,8 @@ def ends_of(
 ) -> tuple[Integers, Integers]:
     """Return how motions end, and their numbers of impacts.
 
-    Symmetric blocks are followed side by side, others one by one: a cell's answer depends on
-    nothing but the cell.
+    Motions are followed side by side, but for those of unsymmetric blocks in the linear model: a
+    cell's answer depends on nothing but the cell.
 
     Parameters
     ----------
@@ -62,7 +62,23 @@ def ends_of(
     """
     count = len(amplitude)
     status, impacts = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int64)
-    linear = sides.shape[2] == SIDE_COLUMNS
+    if sides.shape[2] == NONLINEAR_SIDE_COLUMNS:
+        nonlinear_lane_fates(
+            # Kernels take no views.
+            amplitude.copy(),
+            frequency_ratio.copy(),
+            sides.copy(),
+            angle.copy(),
+            velocity.copy(),
+            phase.copy(),
+            cycles,
+            True,
+            MOST_IMPACTS,
+            status,
+            impacts,
+            np.empty((count, 3)),
+        )
+        return status, impacts
     same = alike(sides)
     for in_lanes, cells in ((True, same), (False, ~same)):
         if count and not cells.any():  # without any cells at all both are to be loaded
@@ -71,28 +87,12 @@ def ends_of(
         final = np.empty((found.shape[1], 3))
         shaken = amplitude[cells], frequency_ratio[cells]
         begin = angle[cells], velocity[cells], phase[cells]
-        ends, impact_counts = found
-        if in_lanes and linear:
+        ends, counts = found
+        if in_lanes:
             ratio = sides[cells, 0, RESTITUTION]
-            lane_fates(
-                *shaken, ratio, *begin, cycles, True, MOST_IMPACTS, ends, impact_counts, final
-            )
-        elif in_lanes:
-            nonlinear_lane_fates(
-                *shaken,
-                sides[cells],
-                *begin,
-                cycles,
-                True,
-                MOST_IMPACTS,
-                ends,
-                impact_counts,
-                final,
-            )
+            lane_fates(*shaken, ratio, *begin, cycles, True, MOST_IMPACTS, ends, counts, final)
         else:
-            fates_of_sides(
-                *shaken, sides[cells], *begin, cycles, MOST_IMPACTS, ends, impact_counts, final
-            )
+            fates_of_sides(*shaken, sides[cells], *begin, cycles, MOST_IMPACTS, ends, counts, final)
         status[cells], impacts[cells] = found
     return status, impacts
 

@@ -8,6 +8,7 @@ from rocksteady.kernels.elementary.bits import ROUND
 from rocksteady.kernels.elementary.circular import sincos_short
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.nonlinear_lanes._layout import (
+    ACROSS,
     ANGLE,
     CALMING,
     CHANGES,
@@ -36,10 +37,12 @@ from rocksteady.kernels.nonlinear_lanes._layout import (
     LOW,
     OFFSETS,
     OPEN,
+    OTHER,
     PHASE,
     PLACE,
     REMAINING,
     REST,
+    SIDE,
     SLOPE,
     SLOW,
     SPEED,
@@ -176,21 +179,24 @@ def finish(lanes: Floats, most: int) -> int:
         unseen = lost & (left < LONGEST)
         fallen = lost & (not unseen)
         sunk = passes & (not (angle > 0.0))
+        stuck = passes & (time == start) & (not ended)
         # An impact.
-        velocity = -delta * min(slope, 0.0)
+        rebound = -delta * min(slope, 0.0)
+        velocity = rebound * lanes[ACROSS + k]
         phase = old + frequency * time
         turns = (phase - HALF_PI) * (1.0 / TWO_PI) - 0.5
         half_cycles = 2.0 * ((turns + ROUND) - ROUND) + 1.0
         phase = (phase - half_cycles * PI_HIGH) - half_cycles * PI_LOW
         sine, _ = sincos_short(phase)
-        pull = lanes[FOOT_SINE + k] - lanes[FOOT_SWING + k] * abs(sine)
-        slow = lands & (
-            (velocity == 0.0)
-            | (
-                (velocity < pull)
-                & (lanes[DRIFT + k] * velocity <= lanes[CALMING + k] * (pull * pull))
-            )
+        # What holds the block down, on the side that it has left and on that which it is on now.
+        calming = lanes[CALMING + k]
+        behind = lanes[FOOT_SINE + k] + lanes[FOOT_SWING + k] * sine
+        pull = lanes[OTHER + FOOT_SINE + k] - lanes[OTHER + FOOT_SWING + k] * sine
+        calm_behind = (rebound < behind) & (
+            lanes[DRIFT + k] * rebound <= calming * (behind * behind)
         )
+        calm = (velocity < pull) & (lanes[OTHER + DRIFT + k] * velocity <= calming * (pull * pull))
+        slow = lands & ((velocity == 0.0) | (calm_behind & calm))
         impacts = lanes[IMPACTS + k] + (1.0 if lands else 0.0)
         exhausted = flies & (impacts > most) & (lanes[LAG + k] != LEAPT)
         halvings = halvings + 1.0 if halves else 0.0
@@ -199,9 +205,11 @@ def finish(lanes: Floats, most: int) -> int:
         following = SLOW if slow else following
         following = ENDED if ended else following
         following = FALLEN if fallen else following
-        following = LEAVE if sunk | left_open | unseen else following
+        following = LEAVE if sunk | left_open | unseen | stuck else following
         following = GIVEN_UP if exhausted else following
         following = following if flies else stage
+        side = lanes[SIDE + k]
+        lanes[SIDE + k] = -side if lands else side
         lanes[STAGE + k] = following
         lanes[LIMIT + k] = 0.5 * step if halves else NO_LIMIT
         lanes[HALVINGS + k] = halvings

@@ -19,13 +19,8 @@ ENDED = 5.0  # the run is over, in mid flight
 FALLEN = 6.0
 GIVEN_UP = 7.0
 
-# Fields of the lanes.
+# Fields of the side that a lane's block is on.
 (
-    FORCE,  # accumulators of a coefficient of h C, ...
-    BY_COSINE,  # ... of y' C ...
-    BY_SINE,  # ... and of y' S
-    STAGE,
-    CELL,
     ALPHA,
     INVERSE,  # 1/alpha
     SQUARE,  # alpha^2
@@ -33,13 +28,30 @@ GIVEN_UP = 7.0
     FREQUENCY,
     SWING_RATE,
     TURN,  # -Omega^2
-    ALLOWED,  # log2 of what a step may leave out
+    LEAN,
+    UNIT,  # of velocity: lean times rate
+    ACROSS,  # this unit over that of the other side
     DELTA,
     LOST,
     FLAT,
     FOOT_SINE,
     FOOT_SWING,
     DRIFT,
+) = range(0, 16 * LANES, LANES)
+SIDED = 16 * LANES
+OTHER = SIDED
+"""How much farther on the fields of the other side are."""
+
+# Fields of a lane.
+(
+    FORCE,  # accumulators of a coefficient of h C, ...
+    BY_COSINE,  # ... of y' C ...
+    BY_SINE,  # ... and of y' S
+    STAGE,
+    CELL,
+    SIDE,
+    APART,  # what is added to a phase on the one side, taken off it on the other, to tell them
+    ALLOWED,  # log2 of what a step may leave out
     CALMING,
     STOP,
     LEFT,
@@ -71,8 +83,8 @@ GIVEN_UP = 7.0
     REF_VELOCITY,
     REF_LEFT,
     REF_IMPACTS,
-) = range(0, 50 * LANES, LANES)
-FIELDS = 50
+) = range(2 * SIDED, 2 * SIDED + 39 * LANES, LANES)
+FIELDS = 2 * SIDED // LANES + 39
 
 # Rows of Taylor coefficients, one for each power of time.
 SHAKING = FIELDS * LANES  # of h

@@ -4,6 +4,7 @@ from rocksteady.kernels.core.returns import PERIODIC, Reference, compared, leapt
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 from rocksteady.kernels.nonlinear_lanes._layout import (
+    APART,
     IMPACTS,
     LAG,
     LANDED,
@@ -14,6 +15,7 @@ from rocksteady.kernels.nonlinear_lanes._layout import (
     REF_LEFT,
     REF_PHASE,
     REF_VELOCITY,
+    SIDE,
     SLOW,
     STAGE,
     VELOCITY,
@@ -38,7 +40,9 @@ def reference_of(lanes: Floats, j: int) -> Reference:
 def compare(lanes: Floats, most: int) -> int:
     """Compare states after impacts with earlier ones and count the periodic lanes.
 
-    A motion with more impacts than `most` is not: it is to be given up.
+    A motion with more impacts than `most` is not: it is to be given up.  A state of an unlike block
+    returns on its own side alone; `APART` keeps the phases of the two farther apart than any two
+    states that are near.
     """
     count = 0
     for j in range(LANES):
@@ -49,7 +53,7 @@ def compare(lanes: Floats, most: int) -> int:
         then = compared(
             reference,
             landed & (reference.lag >= 0.0) & (impacts <= most),
-            lanes[PHASE + j],
+            lanes[PHASE + j] + lanes[APART + j] * lanes[SIDE + j],
             lanes[VELOCITY + j],
             lanes[LEFT + j],
             impacts,
@@ -68,7 +72,9 @@ def compare(lanes: Floats, most: int) -> int:
 def leap(lanes: Floats) -> None:
     """Leap over all but the last whole period of the lanes that have become periodic."""
     for j in range(LANES):
-        left, impacts, lag = leapt(reference_of(lanes, j), lanes[LEFT + j], lanes[IMPACTS + j])
+        before, side = lanes[LEFT + j], lanes[SIDE + j]
+        left, impacts, lag = leapt(reference_of(lanes, j), before, lanes[IMPACTS + j])
+        lanes[SIDE + j] = -side if (before - left) % 2.0 == 1.0 else side
         lanes[LEFT + j] = left
         lanes[IMPACTS + j] = impacts
         lanes[LAG + j] = lag

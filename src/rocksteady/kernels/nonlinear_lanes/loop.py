@@ -11,6 +11,7 @@ from rocksteady.kernels.core.tables import (
     FREQUENCY,
     NONLINEAR_SEGMENT_COLUMNS,
     OVERTURNED,
+    RATE,
     ROCKING,
     ROW_COLUMNS,
     UNDECIDED,
@@ -25,6 +26,7 @@ from rocksteady.kernels.nonlinear.proofs import bounces_end
 from rocksteady.kernels.nonlinear_lanes._coefficients import expand
 from rocksteady.kernels.nonlinear_lanes._ends import find_places, finish
 from rocksteady.kernels.nonlinear_lanes._layout import (
+    APART,
     CELL,
     EMPTY,
     ENDED,
@@ -37,6 +39,7 @@ from rocksteady.kernels.nonlinear_lanes._layout import (
     STAGE,
 )
 from rocksteady.kernels.nonlinear_lanes._leaps import compare, leap
+from rocksteady.kernels.nonlinear_lanes._sides import change_sides
 from rocksteady.kernels.nonlinear_lanes._signs import count_changes
 from rocksteady.kernels.nonlinear_lanes._steps import measure, scale
 from rocksteady.kernels.nonlinear_lanes._transfer import at_the_end, load, put_lane, taken
@@ -63,7 +66,7 @@ def nonlinear_lane_fates(
     impacts: Integers1,
     final: Floats2,
 ) -> None:
-    """March symmetric blocks under harmonic shaking in the nonlinear model; note how each ends.
+    """March blocks under harmonic shaking in the nonlinear model; note how each ends.
 
     Fates are those of `kernels.batch.harmonic.fates_of_sides`, but where the tolerance decides;
     impacts too but for those of chatter.
@@ -73,7 +76,7 @@ def nonlinear_lane_fates(
     amplitude, frequency_ratio, angle, velocity, phase
         One value a cell, shape (cells,); `velocity` is d(theta/alpha)/ds.
     sides
-        Of the block of each cell, both alike, shape (cells, 2, 5).
+        Of the block of each cell, shape (cells, 2, 5).
     cycles
         Forcing periods to run, at least 1.
     leaping
@@ -92,9 +95,10 @@ def nonlinear_lane_fates(
     if count == 0:
         return
     for k in range(LANES):  # empty ones fly too, and come to no harm
-        load(lanes, k, ZERO, 1.0, 1.0, sides[0, 0], 0.0)
+        load(lanes, k, ZERO, 1.0, 1.0, sides[0], 0.0)
         put_lane(lanes, k, March(1, 0.5, 0.0, 0, 0, 0.0, 0, 0), 2)
         lanes[STAGE + k] = EMPTY
+    two_sided = False  # whether any lane has had an unlike block
     fresh = ZERO  # the next cell
     busy = 0  # lanes that are not empty
     waiting = LANES
@@ -127,7 +131,8 @@ def nonlinear_lane_fates(
                     code = UNDECIDED
                     state = March(side, angle[cell], velocity[cell], 0, half, start_phase, 0, 0)
                     # On a still base energy proves an overturning, which only the march looks at.
-                    alone = frequency_ratio[cell] > FASTEST or amplitude[cell] == 0.0
+                    slowest = min(sides[cell, 0, RATE], sides[cell, 1, RATE])
+                    alone = frequency_ratio[cell] > FASTEST * slowest or amplitude[cell] == 0.0
                     if side == 0 or alone:
                         harmonic_segment(
                             segments, amplitude[cell], frequency_ratio[cell], phase[cell]
@@ -151,9 +156,10 @@ def nonlinear_lane_fates(
                         cell,
                         amplitude[cell],
                         frequency_ratio[cell],
-                        sides[cell, 0],
+                        sides[cell],
                         start_phase,
                     )
+                    two_sided = two_sided or lanes[APART + k] > 0.0
                     put_lane(lanes, k, state, end_half)
                     if lanes[STAGE + k] == FALLEN:
                         note(status, impacts, final, cell, OVERTURNED, state, most)
@@ -170,6 +176,8 @@ def nonlinear_lane_fates(
         count_changes(lanes)
         find_places(lanes)
         waiting = finish(lanes, most)
+        if two_sided:
+            change_sides(lanes)
         if fresh == count:
             waiting -= LANES - busy
 

@@ -1,0 +1,124 @@
+"""Constants of the two sides of a block, those of the side it is on first."""
+
+import math
+
+from rocksteady.kernels.core.tables import ALPHA as SIDE_ALPHA
+from rocksteady.kernels.core.tables import LEAN as SIDE_LEAN
+from rocksteady.kernels.core.tables import RATE, RESTITUTION, Floats
+from rocksteady.kernels.elementary.circular import sincos_near
+from rocksteady.kernels.elementary.inverse import atan2
+from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.nonlinear.proofs import HALF_PI
+from rocksteady.kernels.nonlinear_lanes._layout import (
+    ACROSS,
+    ALPHA,
+    AMPLITUDE,
+    APART,
+    DELTA,
+    DRIFT,
+    FLAT,
+    FOOT_SINE,
+    FOOT_SWING,
+    FREQUENCY,
+    INVERSE,
+    LANDED,
+    LANES,
+    LEAN,
+    LOST,
+    OFFSETS,
+    OTHER,
+    SIDE,
+    SIDED,
+    SLOW,
+    SQUARE,
+    STAGE,
+    SWING_RATE,
+    TURN,
+    UNIT,
+)
+
+FAR = 8.0
+"""Of the phases on the two sides of an unlike block, so that no state on one is like the other."""
+
+
+@compiled
+def unlike(sides: Floats) -> bool:
+    """Return whether the two sides of a block differ."""
+    found = False
+    for column in range(sides.shape[1]):
+        found = found or sides[0, column] != sides[1, column]
+    return found
+
+
+@compiled
+def load_sides(
+    lanes: Floats, k: int, amplitude: float, frequency: float, sides: Floats, delta: float
+) -> None:
+    """Give a lane the constants of both sides, the positive one first.
+
+    `delta` is the larger restitution of the two.
+    """
+    load_side(lanes, k, amplitude, frequency, sides, 0, delta)
+    load_side(lanes, k + OTHER, amplitude, frequency, sides, 1, delta)
+    lanes[SIDE + k] = 1.0
+    lanes[APART + k] = FAR if unlike(sides) else 0.0
+
+
+@compiled
+def load_side(
+    lanes: Floats,
+    k: int,
+    amplitude: float,
+    frequency: float,
+    sides: Floats,
+    row: int,
+    delta: float,
+) -> None:
+    """Fill the constants of one side, with shaking in its units."""
+    alpha: float = sides[row, SIDE_ALPHA]
+    unit: float = sides[row, SIDE_LEAN] * sides[row, RATE]
+    amplitude /= sides[row, SIDE_LEAN]
+    frequency /= sides[row, RATE]
+    lanes[ALPHA + k] = alpha
+    lanes[INVERSE + k] = 1.0 / alpha
+    lanes[SQUARE + k] = alpha * alpha
+    lanes[AMPLITUDE + k] = amplitude
+    lanes[FREQUENCY + k] = frequency
+    lanes[SWING_RATE + k] = amplitude * frequency
+    lanes[TURN + k] = -frequency * frequency
+    lanes[LEAN + k] = sides[row, SIDE_LEAN]
+    lanes[UNIT + k] = unit
+    lanes[ACROSS + k] = unit / (sides[1 - row, SIDE_LEAN] * sides[1 - row, RATE])
+    lanes[DELTA + k] = sides[row, RESTITUTION]
+    lost = 1.0 + atan2(alpha * amplitude, 1.0) / alpha
+    flat = HALF_PI / alpha
+    lanes[LOST + k] = lost
+    # A block that lies on its side may be lost no sooner: then the march looks for the instant.
+    lanes[FLAT + k] = flat if lost >= flat else math.inf
+    sine, cosine = sincos_near(alpha)
+    lanes[FOOT_SINE + k] = sine / alpha
+    lanes[FOOT_SWING + k] = amplitude * cosine
+    drift = amplitude * frequency * (cosine + alpha * sine)
+    lanes[DRIFT + k] = 4.0 * drift * (delta * delta)
+
+
+@compiled
+def change_sides(lanes: Floats) -> None:
+    """Give the lanes that have just landed the constants of the side that they are on now."""
+    for field in range(0, SIDED, LANES):
+        here = field & OFFSETS
+        for k in range(LANES):
+            stage = lanes[STAGE + k]
+            landed = (stage == LANDED) | (stage == SLOW)
+            left, reached = lanes[here + k], lanes[OTHER + here + k]
+            lanes[here + k] = reached if landed else left
+            lanes[OTHER + here + k] = left if landed else reached
+
+
+@compiled
+def turn_to(lanes: Floats, k: int, side: int) -> None:
+    """Give a lane the constants of this side."""
+    if side != lanes[SIDE + k]:
+        lanes[SIDE + k] = side
+        for field in range(k, SIDED, LANES):
+            lanes[field], lanes[OTHER + field] = lanes[OTHER + field], lanes[field]
