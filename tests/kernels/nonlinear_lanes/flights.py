@@ -1,9 +1,17 @@
-"""Lanes in flight, with the coefficients and the signs of their next step."""
+"""Lanes in flight on either side, with the coefficients and the signs of their next step."""
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.kernels.core.tables import ALPHA, LEFT_OUT, NONLINEAR_SIDE_COLUMNS, March
+from rocksteady.kernels.core.tables import (
+    ALPHA,
+    LEAN,
+    LEFT_OUT,
+    NONLINEAR_SIDE_COLUMNS,
+    RATE,
+    RESTITUTION,
+    March,
+)
 from rocksteady.kernels.nonlinear_lanes._coefficients import expand
 from rocksteady.kernels.nonlinear_lanes._layout import LANES, SIZE, TAYLOR, TERMS
 from rocksteady.kernels.nonlinear_lanes._signs import count_changes
@@ -17,17 +25,19 @@ PART = 1e-15
 
 
 def in_flight(rng: np.random.Generator) -> Floats:
-    """Return lanes of random blocks, half of them just off the floor."""
+    """Return lanes of random blocks with unlike sides, half of them just off the floor."""
     lanes = np.zeros(SIZE)
-    side = np.ones(NONLINEAR_SIDE_COLUMNS)
-    side[LEFT_OUT] = PART
+    sides = np.ones((2, NONLINEAR_SIDE_COLUMNS))
+    sides[:, LEFT_OUT] = PART
     for k in range(LANES):
-        side[0] = rng.uniform(0.2, 1.0)
-        side[ALPHA] = np.exp(rng.uniform(np.log(0.01), 0.3))
-        load(lanes, k, k, rng.uniform(0.0, 8.0), np.exp(rng.uniform(-2.0, 3.0)), side, 0.0)
+        sides[:, RESTITUTION] = rng.uniform(0.2, 1.0, 2)
+        sides[:, ALPHA] = np.exp(rng.uniform(np.log(0.01), 0.3, 2))
+        sides[:, LEAN : RATE + 1] = rng.uniform(0.7, 1.4, (2, 2))
+        load(lanes, k, k, rng.uniform(0.0, 8.0), np.exp(rng.uniform(-2.0, 3.0)), sides, 0.0)
         angle = 0.0 if k % 2 else rng.uniform(0.01, 0.8)
         velocity = np.exp(rng.uniform(-6.0, 0.0)) if k % 2 else rng.normal()
-        state = March(1, angle, velocity, 0, 0, rng.uniform(0.0, 3.14), 0, 0)
+        side = 1 if k % 3 else -1
+        state = March(side, side * angle, side * velocity, 0, 0, rng.uniform(0.0, 3.14), 0, 0)
         put_lane(lanes, k, state, 1000)
     return lanes
 
