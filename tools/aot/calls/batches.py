@@ -43,7 +43,6 @@ def record_fates(call: Recorder, name: str, count: int, *, nonlinear: bool, leap
     call("fates_of_sides", a, w, sides, angle, velocity, phase, cycles, MOST, *_fates(count))
     start = angle, velocity, phase, cycles, leaping, MOST
     if nonlinear:
-        sides[:, 1] = sides[:, 0]
         call("nonlinear_lane_fates", a, w, sides, *start, *_fates(count))
         return
     r = sides[:, 0, RESTITUTION].copy()

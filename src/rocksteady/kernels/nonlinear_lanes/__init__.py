@@ -1,14 +1,14 @@
-"""Harmonic sweeps of symmetric blocks in the nonlinear model, several trajectories at once.
+"""Harmonic sweeps in the nonlinear model, several trajectories at once.
 
 `loop.nonlinear_lane_fates` does what `rocksteady.kernels.batch.harmonic.fates_of_sides` does.
 As in `rocksteady.kernels.lanes` every lane carries one trajectory at its own stage, loops over all
 lanes have selects in place of branches, and what a lane does never depends on the lanes beside it.
 Every pass takes all lanes one Taylor step further; steps of all lanes cost alike.
 
-The parts: `_layout` the fields of a lane and its rows of coefficients, `_coefficients` of y,
-`_steps` the length of a step, `_signs` whether it has an impact, `_ends` the impact and what
-follows it, `_leaps` motions that have become periodic, `_transfer` the way in and out, `loop`
-what drives them.
+The parts: `_layout` the fields of a lane and its rows of coefficients, `_two_sides` the constants
+of the two sides, `_coefficients` of y, `_steps` the length of a step, `_signs` whether it has an
+impact, `_ends` the impact and what follows it, `_leaps` motions that have become periodic,
+`_transfer` the way in and out, `loop` what drives them.
 
 **Steps.**  Coefficients and step are those of `rocksteady.kernels.nonlinear.series`, but that the
 degree is always the highest and the step is shorter, by 7 per cent at most.
@@ -37,12 +37,26 @@ away.  The march looks at the ends of its own steps: where the run ends before i
 such an end, it decides.  So it does where a block that lies on its side may not have been lost
 before (``alpha + atan(alpha A) >= pi/2``), and of all of a run on a still base.
 
-**Rest.**  After an impact with velocity v the proof of `rocksteady.kernels.nonlinear.proofs` takes
-a window ``4 v/(c_0 (1 - delta))``, c_0 being the pull of now on the side where that is less.  It
-asks for ``2 v/c <= (1 - kappa)`` times that window with ``c <= c_0``, so that
-``kappa <= (1 + delta)/2``, and ``kappa^2 >= delta^2 (1 + 4 D v/c_0^2)`` with D the largest drift.
-Only where ``4 D delta^2 v <= ((1 + delta)^2/4 - delta^2) c_0^2`` and ``v < c_0`` is the proof
-itself asked; the march waits for the uplift.
+**Two sides.**  A lane flies in the units of the side that its block is on: y in that side's alpha,
+time by its p.  It holds the constants of both sides, and `_two_sides.change_sides` exchanges them
+in the lanes that have just landed; phase and half cycles count alike on both.  While all blocks are
+symmetric nothing is exchanged.
 
-**Periods** are found and leapt over as in `rocksteady.kernels.lanes`.
+**Rest.**  After an impact the proof of `rocksteady.kernels.nonlinear.proofs` looks at both sides,
+each in its own units: velocity v, pull of now c_0, largest drift D, rate p; delta is the larger
+restitution.  Its window is 4/(1 - delta) times the larger ``v/(c_0 p)``.  It asks for ``2 v/(c p)
+<= (1 - kappa)`` times that window with ``c <= c_0``, so that ``kappa <= (1 + delta)/2``, and
+``kappa^2 >= delta^2 (1 + 4 D v/c_0^2)`` on each side.  Only where ``4 D delta^2 v <= ((1 +
+delta)^2/4 - delta^2) c_0^2`` and ``v < c_0`` on both is the proof itself asked; the march waits for
+the uplift.
+
+**Periods** are found and leapt over as in `rocksteady.kernels.lanes`, by states just after an
+impact: phase seen from the side of the flight to come, and velocity.  The base motion seen from one
+side is that seen from the other, half a cycle later.  On a symmetric block both sides obey one
+equation, so that equal states, on whichever sides, have equal futures but for the mirror.  On an
+unlike one they have equal futures if the side is the same; then equal phases lie whole cycles
+apart, an even number of half cycles, and all that follows repeats.  On different sides they prove
+nothing: of sides that differ in restitution alone both lift off in equal states, and bounce on in
+ways of their own.  So the phases of the two sides of an unlike block are set apart by more than any
+two phases differ, 2 pi, and a state is compared with those on its own side alone.
 """

@@ -38,7 +38,7 @@ from rocksteady.kernels.nonlinear_lanes._layout import (
     UNIT,
     VELOCITY,
 )
-from rocksteady.kernels.nonlinear_lanes._sides import load_sides, turn_to
+from rocksteady.kernels.nonlinear_lanes._two_sides import load_sides, turn_to
 
 DOUBT = 1.0 + 1e-9
 """By which what lanes ask of a slow bounce is weaker than what the proof of rest does."""

@@ -39,10 +39,10 @@ from rocksteady.kernels.nonlinear_lanes._layout import (
     STAGE,
 )
 from rocksteady.kernels.nonlinear_lanes._leaps import compare, leap
-from rocksteady.kernels.nonlinear_lanes._sides import change_sides
 from rocksteady.kernels.nonlinear_lanes._signs import count_changes
 from rocksteady.kernels.nonlinear_lanes._steps import measure, scale
 from rocksteady.kernels.nonlinear_lanes._transfer import at_the_end, load, put_lane, taken
+from rocksteady.kernels.nonlinear_lanes._two_sides import change_sides
 
 Integers = NDArray[np.int64]
 
