@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +18,8 @@ CellRange = tuple[int, int]
 
 LONG_ENOUGH = 0.01
 """Seconds of a call beside which what it costs to make one does not count."""
+TOO_LONG = 0.04
+"""Seconds of a call after which the next one takes fewer cells."""
 GROWTH = 8
 """How many times as many cells the next call takes where even that will be short."""
 
@@ -54,26 +56,32 @@ class Task:
     outputs: tuple[Output, ...]
     numbered: str | None
     batch: int
+    _size: list[int] = field(default_factory=lambda: [1], init=False, repr=False)
+    """Of the next call, in cells: what a job has learnt serves the ones that follow."""
 
     def run(self, job: CellRange, seconds: float) -> Answer:
         """Compute the cells of a job until its time is over.
 
-        Calls begin with one cell and take more each time, as long as they are short.  At least one
-        call is made.  The cells that are left go back to the queue, so that no worker waits for
-        another one that has met slow cells.
+        The first call of all takes one cell; the next ones take more as long as they are short, and
+        fewer after a long one.  At least one call is made.  The cells that are left go back to the
+        queue, so that no worker waits for another one that has met slow cells.
         """
         began = time.monotonic()
         first, stop = job
-        here, many = first, 1
+        here, many = first, self._size[0]
         found: list[dict[str, Array]] = []
         while here < stop and (not found or time.monotonic() - began < seconds):
             called = time.monotonic()
             last = min(here + many, stop)
             found.append(self._call(here, last))
+            whole = last - here == many
             here = last
             took = time.monotonic() - called
-            if took < LONG_ENOUGH:
+            if took >= TOO_LONG:
+                many = max(many // 2, 1)
+            elif took < LONG_ENOUGH and whole:
                 many = min((GROWTH if GROWTH * took < LONG_ENOUGH else 2) * many, self.batch)
+        self._size[0] = many
         names = [output.name for output in self.outputs]
         joined = {name: np.concatenate([part[name] for part in found]) for name in names}
         return Answer(job, here, joined)
