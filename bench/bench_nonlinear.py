@@ -1,7 +1,8 @@
 """The nonlinear model: B1 with a slenderness, records, and a general solver on some cells.
 
-Blocks have alpha = 0.2 and the tolerance is the default.  The solver is DOP853 with an event for
-each impact, as accurate as the march; it runs cells that do not overturn.
+Blocks have alpha = 0.2, but for one with unlike sides, and the tolerance is the default.  The
+solver is DOP853 with an event for each impact, as accurate as the march; it runs cells that do not
+overturn.
 """
 
 import math
@@ -25,15 +26,17 @@ from tests.kernels.fates import NO_LIMIT
 from tests.records import synthetic
 
 BLOCK = Block.from_p(alpha=0.2, p=1.0, restitution=RESTITUTION)
+UNLIKE = Block.asymmetric(left=0.15, right=0.25, height=1.2, restitution=RESTITUTION)
 SOLVED = 6  # cells that the general solver runs
+blocks = pytest.mark.parametrize("block", [BLOCK, UNLIKE], ids=["symmetric", "unlike sides"])
 
 
-def run(unit: Cells) -> None:
+def run(unit: Cells, block: Block = BLOCK) -> None:
     count = unit.amplitude.size
     fates_of_sides(
         unit.amplitude,
         unit.frequency_ratio,
-        np.broadcast_to(sides_of(BLOCK, Nonlinear()), (count, 2, 5)).copy(),
+        np.broadcast_to(sides_of(block, Nonlinear()), (count, 2, 5)).copy(),
         unit.zeros,
         unit.velocity,
         unit.zeros,
@@ -45,12 +48,12 @@ def run(unit: Cells) -> None:
     )
 
 
-def run_lanes(unit: Cells) -> None:
+def run_lanes(unit: Cells, block: Block) -> None:
     count = unit.amplitude.size
     nonlinear_lane_fates(
         unit.amplitude,
         unit.frequency_ratio,
-        np.broadcast_to(sides_of(BLOCK, Nonlinear()), (count, 2, 5)).copy(),
+        np.broadcast_to(sides_of(block, Nonlinear()), (count, 2, 5)).copy(),
         unit.zeros,
         unit.velocity,
         unit.zeros,
@@ -95,10 +98,11 @@ def run_solver(unit: Cells) -> NDArray[np.int64]:
     return np.array(found)
 
 
+@blocks
 @pytest.mark.benchmark(group="nonlinear", timer=time.process_time)
-def test_march_b1(benchmark: Any) -> None:
+def test_march_b1(benchmark: Any, block: Block) -> None:
     unit = cells("B1", THINNED)
-    benchmark.pedantic(run, args=(unit,), rounds=5, warmup_rounds=1)
+    benchmark.pedantic(run, args=(unit, block), rounds=5, warmup_rounds=1)
     note(benchmark, unit)
 
 
@@ -127,11 +131,12 @@ def test_map_fates_b1(benchmark: Any) -> None:
     note(benchmark, unit)
 
 
+@blocks
 @pytest.mark.benchmark(group="nonlinear", timer=time.process_time)
-def test_lanes_b1(benchmark: Any) -> None:
+def test_lanes_b1(benchmark: Any, block: Block) -> None:
     """The same, side by side and with leaps over periods: what `map_fates` does."""
     unit = cells("B1", THINNED)
-    benchmark.pedantic(run_lanes, args=(unit,), rounds=5, warmup_rounds=1)
+    benchmark.pedantic(run_lanes, args=(unit, block), rounds=5, warmup_rounds=1)
     note(benchmark, unit)
 
 

@@ -58,8 +58,9 @@ amplitudes up to 1.6 at Omega = 2, restitution 0.9, with 200 x 200 states over 1
 attractors of B1 its parameters and start. **Sweeps**: one map of attractors from rest, restitution
 0.8, A from 1.2 to 6, Omega from 0.5 to 8, up to 2000 periods, in each of the ways to compute and to
 keep it; and what the engine costs where a cell costs nothing. **Nonlinear**: blocks of alpha = 0.2
-with the default tolerance, every fourth cell of either axis of B1, by the march and as a map of
-fates in one thread, the windows of a Ricker pulse, and the noise above in flight and as an
+with the default tolerance, every fourth cell of either axis of B1, by the march, in lanes and as a
+map of fates in one thread, the same cells with a block whose sides differ (0.15 and 0.25 m, height
+1.2 m), the windows of a Ricker pulse, and the noise above in flight and as an
 earthquake; some cells that stand beside scipy's DOP853 (rtol 1e-12, an event for each impact,
 Python functions), which finds as many impacts in {solved} of them.
 """
@@ -165,14 +166,18 @@ def nonlinear_line(
             SAMPLE_AIMS.get(case, ""),
         )
     label = {
-        "march_b1": "nonlinear march B1, every fourth cell",
+        "march_b1[symmetric]": "nonlinear march B1, every fourth cell",
+        "march_b1[unlike sides]": "the same, sides unlike",
+        "lanes_b1[symmetric]": "nonlinear lanes, leaping, B1, every fourth cell",
+        "lanes_b1[unlike sides]": "the same, sides unlike",
         "map_fates_b1": "nonlinear map of fates B1, every fourth cell",
         "march_some": f"nonlinear march, {info['trajectories']} cells that stand",
         "solver_some": "DOP853 on these cells",
     }[name]
     ratio = seconds / results["nonlinear", "march_some"]["stats"]["median"]
     against = {
-        "march_b1": "aim 80 µs",
+        "march_b1[symmetric]": "aim 80 µs",
+        "lanes_b1[symmetric]": "aim 20 µs",
         "map_fates_b1": "aim 20 µs",
         "solver_some": f"{ratio:.0f} x slower",
     }
