@@ -323,6 +323,21 @@ def test_bounces_without_end_are_given_up(leaping: bool) -> None:
         assert np.isnan(found.final[-1]).all()
 
 
+def test_after_an_impact_without_rebound_the_side_lifts_that_the_base_lifts() -> None:
+    """It is not always the one that the block would have bounced to."""
+    count = sample_size(4000, 24)
+    rng = np.random.default_rng(7)
+    amplitude, frequency = rng.uniform(1.2, 6.0, count), rng.uniform(0.5, 8.0, count)
+    alpha = np.exp(rng.uniform(-6.0, -1.0, count))
+    phase = rng.uniform(0.0, 6.0, count)
+    cells = cells_of(amplitude, frequency, 0.0, alpha, rng.normal(0.0, 0.4, count), phase=phase)
+    cells = with_unlike_sides(cells, rng, 0.5)
+    lanes, plain = by_lanes(cells, 2), one_by_one(cells, 2)
+    assert np.count_nonzero(lanes.status != plain.status) <= 1
+    assert np.count_nonzero(lanes.impacts != plain.impacts) <= 4
+    assert np.count_nonzero(plain.impacts > 1) > count // 3
+
+
 @pytest.mark.skipif(PLAIN, reason="many bounces need compiled code")
 @pytest.mark.parametrize("over", [1.0 - 1e-9, 1.0 + 1e-7, 1.001, 1.1])
 @pytest.mark.parametrize("frequency", [0.05, 4.0, 100.0, 1e7])

@@ -7,6 +7,7 @@ from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.elementary.bits import ROUND
 from rocksteady.kernels.elementary.circular import sincos_short
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
+from rocksteady.kernels.march.rest import STILL
 from rocksteady.kernels.nonlinear_lanes._layout import (
     ACROSS,
     ANGLE,
@@ -196,7 +197,7 @@ def finish(lanes: Floats, most: int) -> int:
             lanes[DRIFT + k] * rebound <= calming * (behind * behind)
         )
         calm = (velocity < pull) & (lanes[OTHER + DRIFT + k] * velocity <= calming * (pull * pull))
-        slow = lands & ((velocity == 0.0) | (calm_behind & calm))
+        slow = lands & ((velocity < STILL) | (calm_behind & calm))
         impacts = lanes[IMPACTS + k] + (1.0 if lands else 0.0)
         exhausted = flies & (impacts > most) & (lanes[LAG + k] != LEAPT)
         halvings = halvings + 1.0 if halves else 0.0

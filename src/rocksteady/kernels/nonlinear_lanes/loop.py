@@ -9,6 +9,7 @@ from rocksteady.kernels.batch.harmonic import harmonic_segment
 from rocksteady.kernels.core.clock import clock, elapsed_time, side_phase
 from rocksteady.kernels.core.tables import (
     FREQUENCY,
+    LEAN,
     NONLINEAR_SEGMENT_COLUMNS,
     OVERTURNED,
     RATE,
@@ -22,6 +23,7 @@ from rocksteady.kernels.core.typed import ONE, ZERO
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
 from rocksteady.kernels.march.march import march
+from rocksteady.kernels.march.rest import STILL
 from rocksteady.kernels.nonlinear.proofs import bounces_end
 from rocksteady.kernels.nonlinear_lanes._coefficients import expand
 from rocksteady.kernels.nonlinear_lanes._ends import find_places, finish
@@ -261,8 +263,11 @@ def onwards(
 def comes_to_rest(
     segments: Floats, sides: Floats, state: March, end_half: int, stop: float
 ) -> bool:
-    """Return whether the march would prove that the bounces which follow an impact die out."""
+    """Return whether the march would find that the bounces which follow an impact die out."""
     half, phase, side = state.half_cycles, state.phase, state.side
+    row = 0 if side > 0 else 1
+    if abs(state.velocity) < STILL * sides[row, LEAN] * sides[row, RATE]:
+        return True
     frequency = segments[0, FREQUENCY]
     here, _ = side_phase(half, phase, side, frequency)
     there, _ = side_phase(half, phase, -side, frequency)
