@@ -3,8 +3,9 @@
 Rows are not kept: what a spectrum asks for is the status, the impacts and the two peaks.  Chatter
 comes to rest as soon as that is proved, which leaves out impacts of no effect and no peak.
 
-A block that falls is marched once more, with rows, because its peaks are those until it passes its
-slenderness for good, and only the proof of its fall says which passage was the last.
+Of a block that falls the last flight is marched once more, with rows, because its peaks are those
+until it passes its slenderness for good, and only the proof of its fall says which passage was the
+last.
 """
 
 import math
@@ -12,14 +13,18 @@ import math
 import numpy as np
 
 from rocksteady.kernels.core.tables import (
+    FLOOR_ANGLE,
+    FLOOR_COLUMNS,
+    FLOOR_FLIGHTS,
+    FLOOR_SPEED,
     LEAN,
     OVERTURNED,
     PEAK_ANGLE,
-    PEAK_COLUMNS,
     PEAK_SPEED,
     RATE,
     ROW_COLUMNS,
     March,
+    kept_floor,
 )
 from rocksteady.kernels.core.typed import ZERO
 from rocksteady.kernels.machine_code.compilation import allocating
@@ -62,7 +67,7 @@ def record_fates(
         positive side's alpha and p, until the end or overturning.
     """
     none, nothing = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
-    peak = np.zeros(PEAK_COLUMNS)
+    peak = np.zeros(FLOOR_COLUMNS)
     start = March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0)
     for i in range(len(sides)):
         own = sides[i]
@@ -72,9 +77,11 @@ def record_fates(
         status[i], end = march(segments, own, start, ZERO, stop, math.inf, limit, none, peak)
         impacts[i] = end.impacts
         if status[i] == OVERTURNED:
-            rows = np.zeros((end.flights, ROW_COLUMNS))
-            march(segments, own, start, ZERO, stop, math.inf, limit, rows, nothing)
+            rows = np.zeros((end.flights - int(peak[FLOOR_FLIGHTS]), ROW_COLUMNS))
+            floor = kept_floor(peak)
+            march(segments, own, floor, ZERO, stop, math.inf, limit, rows, nothing)
             positive, negative, speed = peaks_until_overturning(segments, own, rows)
-            peak[PEAK_ANGLE], peak[PEAK_SPEED] = max(positive, negative), speed
+            peak[PEAK_ANGLE] = max(peak[FLOOR_ANGLE], positive, negative)
+            peak[PEAK_SPEED] = max(peak[FLOOR_SPEED], speed)
         peaks[i, PEAK_ANGLE] = peak[PEAK_ANGLE]
         peaks[i, PEAK_SPEED] = peak[PEAK_SPEED] / unit

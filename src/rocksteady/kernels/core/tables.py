@@ -73,6 +73,17 @@ ENDED_BY_UPLIFT = 3
 PEAK_ANGLE = 0  # largest |theta|/alpha, each side in its own alpha
 PEAK_SPEED = 1  # largest |velocity|, in reference units
 PEAK_COLUMNS = 2
+# And, where there is room for it, of the last time that it was on the floor:
+FLOOR_ANGLE = 2  # the two peaks up to then
+FLOOR_SPEED = 3
+FLOOR_SIDE = 4  # and the state, but for its angle, which is 0
+FLOOR_VELOCITY = 5
+FLOOR_SEGMENT = 6
+FLOOR_HALF_CYCLES = 7
+FLOOR_PHASE = 8
+FLOOR_IMPACTS = 9
+FLOOR_FLIGHTS = 10
+FLOOR_COLUMNS = 11
 
 ROCKING = int(Status.ROCKING)
 AT_REST = int(Status.AT_REST)
@@ -92,6 +103,34 @@ class March(NamedTuple):
     phase: float  # within the half cycle, or time within a segment without sinusoid
     impacts: int
     flights: int  # flights and rests: the rows that a record of the march has
+
+
+@inlined
+def keep_floor(peaks: Floats, state: March) -> None:
+    """Keep a state on the floor, and the peaks so far."""
+    peaks[FLOOR_ANGLE], peaks[FLOOR_SPEED] = peaks[PEAK_ANGLE], peaks[PEAK_SPEED]
+    peaks[FLOOR_SIDE] = state.side
+    peaks[FLOOR_VELOCITY] = state.velocity
+    peaks[FLOOR_SEGMENT] = state.segment
+    peaks[FLOOR_HALF_CYCLES] = state.half_cycles
+    peaks[FLOOR_PHASE] = state.phase
+    peaks[FLOOR_IMPACTS] = state.impacts
+    peaks[FLOOR_FLIGHTS] = state.flights
+
+
+@inlined
+def kept_floor(peaks: Floats) -> March:
+    """Return the state on the floor that was kept last, its flights counted from there."""
+    return March(
+        int(peaks[FLOOR_SIDE]),
+        0.0,
+        peaks[FLOOR_VELOCITY],
+        int(peaks[FLOOR_SEGMENT]),
+        int(peaks[FLOOR_HALF_CYCLES]),
+        peaks[FLOOR_PHASE],
+        int(peaks[FLOOR_IMPACTS]),
+        0,
+    )
 
 
 @inlined

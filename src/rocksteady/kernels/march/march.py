@@ -34,6 +34,7 @@ from rocksteady.kernels.core.tables import (
     DURATION,
     ENDED_BY_SPAN,
     ENDED_BY_UPLIFT,
+    FLOOR_COLUMNS,
     FOUND,
     FREQUENCY,
     JUMP,
@@ -50,6 +51,7 @@ from rocksteady.kernels.core.tables import (
     Floats,
     March,
     is_nonlinear,
+    keep_floor,
     write_row,
 )
 from rocksteady.kernels.core.typed import FALSE, MINUS_ONE, ONE, TRUE, ZERO
@@ -176,7 +178,8 @@ def march(
     peaks
         Array of shape (2,) in which the largest |theta|/alpha of either side and the largest
         |velocity| are kept, those that it comes with included, up to the end or the proof of
-        overturning; or of shape (0,).
+        overturning; or of shape (0,).  In shape (11,) they are followed by what
+        `kernels.core.tables.keep_floor` keeps: from there the last flight can be marched again.
 
     Returns
     -------
@@ -230,7 +233,7 @@ def _march(
     side, angle, velocity = start.side, start.angle, start.velocity
     segment, half, phase = start.segment, start.half_cycles, start.phase
     impacts, flights = start.impacts, start.flights
-    record, watch = len(rows) > 0, len(peaks) > 0
+    record, watch, keeps_floor = len(rows) > 0, len(peaks) > 0, len(peaks) >= FLOOR_COLUMNS
     last = len(segments) - 1
     since, contact_lost = 0.0, math.inf  # nonlinear model: time on the segment, and to its loss
 
@@ -244,6 +247,8 @@ def _march(
     bounced = False  # off an impact so slow that the block may be coming to rest
 
     while True:
+        if keeps_floor and angle == 0.0:
+            keep_floor(peaks, March(side, angle, velocity, segment, half, phase, impacts, flights))
         if flights >= limit:
             return UNDECIDED, March(side, angle, velocity, segment, half, phase, impacts, flights)
         if segment != loaded:
