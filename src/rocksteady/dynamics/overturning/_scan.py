@@ -21,8 +21,8 @@ ways, each of which adds amplitudes to those that have been tried:
    are `FINE`.  Of a cusp, as the square root of a graze makes it, no more than 1.4 times as much is
    hidden between two amplitudes; what rounding and straight lines do to the margin is no hump.
 
-What is left are neighbours of different fate, which bisection brings together to rounding, at the
-ends of the widest windows.  So a
+What is left are neighbours of different fate, which are brought together to rounding at the ends of
+the widest windows (`rocksteady.dynamics.overturning._borders`).  So a
 window, or a gap in one, is missed only if the margin has between two neighbours a hump that neither
 itineraries nor slopes nor maxima around it announce, and that is narrower than the grid's step, or
 than `FINE` in a doubtful place.  No bound on the slope is known: where flights graze it has none.
@@ -38,6 +38,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.dynamics.overturning._borders import next_amplitudes
 from rocksteady.kernels.elementary.arrays import log, log1p
 from rocksteady.sweep.cases.spacing import in_equal_ratios
 
@@ -131,7 +132,8 @@ def scan(
     while doubtful.size and left:
         width = np.diff(amplitude)[doubtful] / amplitude[doubtful + 1]
         where = np.sort(doubtful[np.argsort(-width, kind="stable")[:left]])
-        amplitude, fates = _with_middles(looked, amplitude, fates, where)
+        middles = 0.5 * (amplitude[where] + amplitude[where + 1])
+        amplitude, fates = _with(looked, amplitude, fates, middles)
         left -= len(where)
         doubtful = np.flatnonzero(_doubtful(amplitude, fates))
     if rough is not None:
@@ -216,15 +218,14 @@ def _differ(fates: Fates, *, during: bool) -> NDArray[np.bool_]:
     return found
 
 
-def _with_middles(
-    follow: Callable[[Floats], Fates], amplitude: Floats, fates: Fates, where: Integers
+def _with(
+    follow: Callable[[Floats], Fates], amplitude: Floats, fates: Fates, more: Floats
 ) -> tuple[Floats, Fates]:
-    """Return amplitudes and fates with the middle of some intervals among them."""
-    middle = 0.5 * (amplitude[where] + amplitude[where + 1])
-    more, count = follow(middle), len(amplitude)
-    order = np.insert(np.arange(count), where + 1, np.arange(count, count + len(where)))
-    merged = (np.concatenate([column, new])[order] for column, new in zip(fates, more, strict=True))
-    return np.concatenate([amplitude, middle])[order], Fates(*merged)
+    """Return amplitudes and fates with more of them in their places."""
+    merged = np.concatenate([amplitude, more])
+    order = np.argsort(merged)
+    columns = zip(fates, follow(more), strict=True)
+    return merged[order], Fates(*(np.concatenate(both)[order] for both in columns))
 
 
 def _windows(
@@ -237,12 +238,10 @@ def _windows(
 ) -> Found:
     """Return the windows that amplitudes close enough show, the borders of the widest to rounding.
 
-    All intervals whose ends differ are halved together; where a third way turns up between two,
-    both halves go on.
+    All intervals whose ends differ are cut together; where a third way turns up between two, both
+    parts go on.
     """
     tried, undecided = len(amplitude), int((~fates.decided).sum())
-    kept = _kept(fates)
-    amplitude, fates = amplitude[kept], _at(fates, kept)
     while True:
         where = np.flatnonzero(_differ(fates, during=False))
         starts = np.concatenate([[0], where + 1])
@@ -252,19 +251,15 @@ def _windows(
         apart = where[(wide[:-1] | wide[1:]) & _apart(amplitude, where, closest)]
         if not apart.size:
             break
-        amplitude, fates = _with_middles(follow, amplitude, fates, apart)
-        tried += len(apart)
+        more = next_amplitudes(amplitude, fates.margin, fates.overturns, apart, closest)
+        amplitude, fates = _with(follow, amplitude, fates, more)
+        tried += len(more)
     starts, stops = starts[falls], stops[falls]
     # A window begins at the first amplitude known to be in it.  Two that touch share the border.
     low, high = amplitude[starts], amplitude[stops]
     touching = np.flatnonzero(starts[1:] == stops[:-1] + 1)
     high[touching] = low[touching + 1]
     return Found(low, high, fates.impacts[starts], fates.side[starts], undecided, tried, left)
-
-
-def _at(fates: Fates, places: Integers) -> Fates:
-    """Return some of the fates."""
-    return Fates._make(column[places] for column in fates)
 
 
 def _kept(fates: Fates) -> Integers:
