@@ -19,7 +19,7 @@ def test_the_lines_keep_their_tolerance_and_are_no_more_than_that_takes(
     w: float, phase: float, tolerance: float, duration: float
 ) -> None:
     lines = polyline(
-        lambda s: np.sin(w * s + phase), duration, curvature=w * w, tolerance=tolerance, size=2.0
+        lambda s: np.sin(w * s + phase), [(duration, w * w)], tolerance=tolerance, size=2.0
     )
     s = np.linspace(0.0, duration, 20_011)[:-1]
     error = acceleration(Piecewise(pieces=lines), s) - 2.0 * np.sin(w * s + phase)
@@ -30,8 +30,17 @@ def test_the_lines_keep_their_tolerance_and_are_no_more_than_that_takes(
         assert (w * longer) ** 2 / 8.0 > tolerance * (1.0 - 1e-9), "one line less would not do"
 
 
+def test_each_part_has_lines_of_its_own_length_within_the_tolerance() -> None:
+    lines = polyline(lambda s: s**4, [(0.5, 3.0), (0.5, 12.0)], tolerance=1e-5)
+    s = np.linspace(0.0, 1.0, 20_011)[:-1]
+    assert np.abs(acceleration(Piecewise(pieces=lines), s) - s**4).max() <= 1e-5
+    first, second = (0.5 / math.ceil(0.5 * math.sqrt(bend / 8e-5)) for bend in (3.0, 12.0))
+    assert {line.duration for line in lines} == {first, second}
+    assert math.fsum(line.duration for line in lines) == pytest.approx(1.0, rel=1e-12)
+
+
 def test_a_motion_without_curvature_is_one_line() -> None:
-    (line,) = polyline(lambda s: 1.0 + 2.0 * s, 3.0, curvature=0.0, tolerance=1e-6)
+    (line,) = polyline(lambda s: 1.0 + 2.0 * s, [(3.0, 0.0)], tolerance=1e-6)
     assert (line.duration, line.constant, line.slope) == (3.0, 1.0, 2.0)
 
 
@@ -45,4 +54,4 @@ def test_too_many_lines_are_refused_before_they_are_made() -> None:
     with pytest.raises(
         InputError, match=r"^tolerance = 1e-12 .*1e\+06 straight.*give 2.5e-11 or more"
     ):
-        polyline(np.sin, 1.0, curvature=8.0, tolerance=1e-12)
+        polyline(np.sin, [(0.5, 8.0), (0.5, 8.0)], tolerance=1e-12)

@@ -4,7 +4,7 @@ No other module samples a base motion.
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from rocksteady.errors import InputError
@@ -39,25 +39,23 @@ def straight_lines(values: "Floats", step: float) -> tuple[Segment, ...]:
 
 def polyline(
     acceleration: "Callable[[Floats], Floats]",
-    duration: float,
+    parts: Sequence[tuple[float, float]],
     *,
-    curvature: float,
     tolerance: float,
     size: float = 1.0,
 ) -> tuple[Segment, ...]:
     """Return straight lines that are nowhere further than a tolerance from a smooth motion.
 
-    A chord over a time h misses a function by at most ``max|a''| h^2 / 8``.  The lines are of one
-    length, the longest that keeps this bound below the tolerance.
+    A chord over a time h misses a function by at most ``max|a''| h^2 / 8``.  The lines of a part
+    are of one length, the longest that keeps this bound below the tolerance.
 
     Parameters
     ----------
     acceleration
-        Base acceleration in units of alpha g, at an array of pivot times from 0 to `duration`.
-    duration
-        Pivot time p t.
-    curvature
-        An upper bound of its second derivative's size.
+        Base acceleration in units of alpha g, at an array of pivot times from 0 on.
+    parts
+        Of the motion, in order: the pivot time that each lasts, and an upper bound of the size of
+        its second derivative there.
     tolerance
         In units of alpha g.
     size
@@ -71,21 +69,26 @@ def polyline(
     Examples
     --------
     >>> import numpy as np
-    >>> lines = polyline(lambda s: np.sin(s), 2.0, curvature=1.0, tolerance=1e-4)
+    >>> lines = polyline(lambda s: np.sin(s), [(2.0, 1.0)], tolerance=1e-4)
     >>> len(lines), round(1.0 * lines[0].duration ** 2 / 8.0, 6)
     (71, 9.9e-05)
     """
     import numpy as np
 
-    needed = duration * math.sqrt(curvature / (8.0 * tolerance))
-    if needed > MOST_LINES:
-        excess = needed / MOST_LINES
+    needed = [time * math.sqrt(curvature / (8.0 * tolerance)) for time, curvature in parts]
+    if sum(needed) > MOST_LINES:
+        excess = sum(needed) / MOST_LINES
         raise InputError(
             "tolerance",
             tolerance,
-            f"{needed:.3g} straight lines would be needed, and {MOST_LINES} are the most",
+            f"{sum(needed):.3g} straight lines would be needed, and {MOST_LINES} are the most",
             f"give {tolerance * excess * excess:.2g} or more, or a shorter motion",
         )
-    count = max(1, math.ceil(needed))
-    values = size * acceleration(np.linspace(0.0, duration, count + 1))
-    return straight_lines(values, duration / count)
+    lines: tuple[Segment, ...] = ()
+    start = 0.0
+    for (time, _), least in zip(parts, needed, strict=True):
+        count = max(1, math.ceil(least))
+        values = size * acceleration(np.linspace(start, start + time, count + 1))
+        lines += straight_lines(values, time / count)
+        start += time
+    return lines

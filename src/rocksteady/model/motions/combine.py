@@ -258,7 +258,7 @@ def _sum(
             return np.asarray(total)
 
         curvature = math.fsum(hypot(*shares) * w * w for w, shares in phasors.items())
-        first, *others = polyline(together, duration, curvature=curvature, tolerance=tolerance)
+        first, *others = polyline(together, [(duration, curvature)], tolerance=tolerance)
         return replace(first, jump=jump), *others
     frequency, (one, other) = next(iter(phasors.items())) if phasors else (0.0, (0.0, 0.0))
     return (
