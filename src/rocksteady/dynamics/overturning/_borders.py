@@ -3,13 +3,17 @@
 Where the block falls at one end of an interval and stands at the other, the margin has a zero
 inside, to which its chord leads.  With s the chord's slope and q the part of it by which those of
 the two intervals beside it differ from s, the zero of a smooth margin is no further from that of
-the chord than q/4 of the interval.  Two amplitudes, q of the interval before the chord's zero and q
-after it, enclose it with room to spare; of a short interval q is as small as the interval, so that
-the next two enclose it to rounding.
+the chord than q/4 of the interval.  Two amplitudes, 4 q of the interval before the chord's zero and
+4 q after it, enclose it with room to spare; of a short interval q is as small as the interval, so
+that the next two enclose it to rounding.
 
-Where the slopes differ much (a kink, a wide interval, rounding) the interval is halved, and two
-more amplitudes enclose the zero of the line through the two at either side, which often are close
-together.  Borders between two ways of falling are no zeros: there halving is all.
+Where the slopes differ much (a kink, a wide interval, rounding) the interval is halved.  Two more
+amplitudes of a wide one enclose the zero of the line through the two at either side, which often
+are close together.  Borders between two ways of falling are no zeros: there halving is all.
+
+Where rounding decides the fates, those of two amplitudes may come in the wrong order and make a
+window of one amplitude.  So the two are kept apart by what rounding makes of q, and by some units
+in the last place, and no line is followed in a narrow interval.
 """
 
 import numpy as np
@@ -17,8 +21,14 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
-STRAIGHT = 0.25
+STRAIGHT = 0.06
 """Part of a chord's slope by which those beside it may differ if it is to be followed."""
+ROOM = 4.0
+"""Distance from the chord's zero, as a part of the interval and of q."""
+NEAREST = 32.0
+"""The same in units in the last place."""
+WIDE = 1e-9
+"""Part of an amplitude; in narrower intervals no line from one side is followed."""
 LEAST = 1e-4
 """Least distance from the chord's zero, as a part of the interval: rounding has its share in q."""
 AROUND = 0.25
@@ -58,9 +68,10 @@ def next_amplitudes(
         crosses = falls[where] != falls[where + 1]
         straight = crosses & (q < STRAIGHT)
         zero = low - m[1] / chord
-        away = np.maximum(np.maximum(q, LEAST) * width, 0.25 * closest * high)
+        least = np.maximum(0.25 * closest * high, NEAREST * np.spacing(high))
+        away = np.maximum(np.maximum(ROOM * q, LEAST) * width, least)
         rising, sinking = -m[1] / before, m[2] / after  # how far the lines' zeros are from the ends
-        bent, half = crosses & ~straight, 0.5 * width
+        bent, half = crosses & ~straight & (width > WIDE * high), 0.5 * width
         from_low = bent & (rising > 0.0) & (rising < half)
         from_high = bent & (sinking > 0.0) & (sinking < half)
         tries = [

@@ -13,7 +13,7 @@ from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.dynamics.overturning._scan import Fates, Found, scan
 from rocksteady.kernels.batch.pulses import pulse_fates
-from rocksteady.kernels.core.tables import ALPHA, CEILING, LEAN, is_nonlinear
+from rocksteady.kernels.core.tables import ALPHA, CEILING, LEAN, LEFT_OUT, is_nonlinear
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -34,6 +34,8 @@ ROUGH = 1e-4
 The windows of lines that differ so little are the same but for those that are about as narrow.  The
 linear model is fast enough without.
 """
+ROUGH_LEFT_OUT = 1e-9
+"""What a step may leave out of the motion in such a search."""
 CLOSEST = 1e-12
 """Part of an amplitude to which a border is wanted in the nonlinear model, whose steps stay within
 1e-10 of the motion: what is closer has no meaning."""
@@ -75,10 +77,12 @@ def windows_at(
     """Return the windows at some frequencies."""
     table, sides = _tables(block, model, pulse)
     uplifts = uplifts_of(sides)
-    lines = table
+    lines, quick = table, sides
     if isinstance(model, Nonlinear) and len(table) > MOST_LINES:
         tolerance = max(ROUGH, pulse.tolerance)
         lines, _ = _tables(block, model, replace(pulse, tolerance=tolerance))
+        quick = sides.copy()
+        quick[:, LEFT_OUT] = np.maximum(sides[:, LEFT_OUT], ROUGH_LEFT_OUT)
     found = {
         output.name: np.full(
             len(frequency_ratio), np.nan if output.dtype.kind == "f" else 0, output.dtype
@@ -87,10 +91,9 @@ def windows_at(
     }
     for cell, ratio in enumerate(frequency_ratio.tolist()):
         follow, rough = (
-            functools.partial(_follow, ratio=ratio, table=rows, sides=sides)
-            for rows in (table, lines)
+            functools.partial(_follow, ratio=ratio, table=rows, sides=own)
+            for rows, own in ((table, sides), (lines, quick))
         )
-        quick = None if lines is table else rough
         windows = scan(
             follow,
             low,
@@ -98,7 +101,7 @@ def windows_at(
             resolution,
             uplifts=uplifts,
             keep=MOST_WINDOWS,
-            rough=quick,
+            rough=None if lines is table else rough,
             closest=CLOSEST if isinstance(model, Nonlinear) else 0.0,
         )
         _keep(found, cell, windows)

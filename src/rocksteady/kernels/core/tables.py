@@ -106,6 +106,15 @@ class March(NamedTuple):
 
 
 @inlined
+def end_of_run(segments: Floats, index: int) -> int:
+    """Return the segment that follows the samples alike; the table's last one is none of them."""
+    last = index + int(segments[index, ALIKE])
+    if last + 1 == len(segments) or segments[last + 1, JUMP] != 0.0:
+        return last
+    return last + 1
+
+
+@inlined
 def keep_floor(peaks: Floats, state: March) -> None:
     """Keep a state on the floor, and the peaks so far."""
     peaks[FLOOR_ANGLE], peaks[FLOOR_SPEED] = peaks[PEAK_ANGLE], peaks[PEAK_SPEED]

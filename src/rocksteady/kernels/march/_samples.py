@@ -28,7 +28,6 @@ from typing import NamedTuple
 
 from rocksteady.kernels.core.forcing import make_forcing
 from rocksteady.kernels.core.tables import (
-    ALIKE,
     CEILING,
     CONSTANT,
     DURATION,
@@ -39,6 +38,7 @@ from rocksteady.kernels.core.tables import (
     RATE,
     SLOPE,
     Floats,
+    end_of_run,
     write_row,
 )
 from rocksteady.kernels.core.typed import ZERO
@@ -111,7 +111,7 @@ def fly_through(
     top_angle = top_speed = 0.0
     if watch:
         top_angle, top_speed = peaks[PEAK_ANGLE], peaks[PEAK_SPEED] / (lean * rate)
-    stop = segment + min(int(segments[segment, ALIKE]), limit - flights)
+    stop = min(end_of_run(segments, segment), segment + limit - flights)
     first, fallen = segment, False
     while segment < stop:
         start = pull * segments[segment, CONSTANT] - 1.0
@@ -181,7 +181,7 @@ def rest_through(
     above, below = sides[0, LEAN], -sides[1, LEAN]
     duration = segments[segment, DURATION]
     record = len(rows) > 0
-    stop = segment + min(int(segments[segment, ALIKE]), limit - flights)
+    stop = min(end_of_run(segments, segment), segment + limit - flights)
     while segment < stop:
         start = segments[segment, CONSTANT]
         end = start + segments[segment, SLOPE] * duration

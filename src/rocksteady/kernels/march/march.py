@@ -50,6 +50,7 @@ from rocksteady.kernels.core.tables import (
     UNDECIDED,
     Floats,
     March,
+    end_of_run,
     is_nonlinear,
     keep_floor,
     write_row,
@@ -254,6 +255,7 @@ def _march(
         if segment != loaded:
             if segments[segment, ALIKE] > 0.0 and phase == 0.0:
                 # Into the first sample that needs what follows: an impact, an uplift, a doubt.
+                behind = end_of_run(segments, segment)
                 if side == 0:
                     segment, flights = rest_on(
                         segments, sides, segment, flights, limit, rows, nonlinear
@@ -273,6 +275,9 @@ def _march(
                         return OVERTURNED, March(
                             side, angle, velocity, segment, half, phase, impacts, flights
                         )
+                if segment == behind:
+                    half, phase = segment_start(segments, segment)
+                    continue
                 if flights >= limit:
                     continue
             loaded = segment

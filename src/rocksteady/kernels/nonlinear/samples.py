@@ -8,7 +8,6 @@ or one of low slenderness, the series takes its place.
 """
 
 from rocksteady.kernels.core.tables import (
-    ALIKE,
     ALPHA,
     CONSTANT,
     DURATION,
@@ -22,6 +21,7 @@ from rocksteady.kernels.core.tables import (
     RATE,
     SLOPE,
     Floats,
+    end_of_run,
     write_row,
 )
 from rocksteady.kernels.core.typed import FALSE, ONE, ZERO
@@ -72,7 +72,7 @@ def fly_through(
     top_angle = top_speed = 0.0
     if watch:
         top_angle, top_speed = peaks[PEAK_ANGLE], peaks[PEAK_SPEED] / (lean * rate)
-    stop = segment + min(int(segments[segment, ALIKE]), limit - flights)
+    stop = min(end_of_run(segments, segment), segment + limit - flights)
     first, fallen = segment, False
     while segment < stop:
         shaking = pull * segments[segment, CONSTANT]
@@ -164,7 +164,7 @@ def rest_through(
     above, below = uplift_at(sides, ZERO), -uplift_at(sides, ONE)
     duration = segments[segment, DURATION]
     record = len(rows) > 0
-    stop = segment + min(int(segments[segment, ALIKE]), limit - flights)
+    stop = min(end_of_run(segments, segment), segment + limit - flights)
     while segment < stop:
         start, weight = segments[segment, CONSTANT], 1.0 + segments[segment, LIFT]
         end = start + segments[segment, SLOPE] * duration

@@ -179,10 +179,11 @@ def ricker(a: float, w: float, *, antisymmetric: bool, tolerance: float) -> Piec
         return u * (u * u - 3.0) * bell / peak if antisymmetric else (1.0 - u * u) * bell
 
     def bend(u: float) -> float:
-        bell = exp(-0.5 * u * u)
+        square = u * u
+        bell = exp(-0.5 * square)
         if antisymmetric:
-            return abs(u * (u**4 - 10.0 * u * u + 15.0)) * bell / peak
-        return abs(u**4 - 6.0 * u * u + 3.0) * bell
+            return abs(u * (square * (square - 10.0) + 15.0)) * bell / peak
+        return abs(square * (square - 6.0) + 3.0) * bell
 
     def steepest(low: float, high: float) -> float:
         bends = BENDS[antisymmetric]
