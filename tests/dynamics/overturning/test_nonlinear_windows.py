@@ -234,3 +234,13 @@ def test_where_nobody_says_the_search_goes_beyond_uplift() -> None:
     )
     assert other.within[1] == pytest.approx(2.0 * math.tan(1.56) / 1.56)  # where 20 lifts nothing
     assert other.intervals(0)
+
+
+@pytest.mark.parametrize("ratio", [1.99734, 5.39448])
+def test_no_window_of_a_wavelet_is_lost_between_its_rough_and_its_fine_lines(ratio: float) -> None:
+    block = Block.from_p(alpha=0.2, p=1.0, restitution=0.9)
+    intervals = nonlinear(block, "ricker", ratio).intervals(0)
+    for amplitude in np.geomspace(1.02, 19.9, 12).tolist():
+        pulse = Pulse(shape="ricker", amplitude=amplitude, frequency_ratio=ratio)
+        fallen = simulate(block, pulse, model=Nonlinear()).status == Status.OVERTURNED
+        assert fallen == any(low <= amplitude <= high for low, high in intervals)

@@ -116,6 +116,26 @@ def test_a_rough_search_ends_at_the_borders_of_the_fine_fates() -> None:
     assert high == pytest.approx(4.3, rel=1e-14)
 
 
+@pytest.mark.parametrize("wider", [1e-3, -1e-3])
+def test_a_window_that_a_rough_search_takes_for_too_wide_or_narrow_is_found(wider: float) -> None:
+    # All that the search tries beside the borders is then on the same side of them.
+    def window(half: float) -> Callable[[Floats], Fates]:
+        return fates_of(lambda a: half - np.abs(a - 4.0))
+
+    found = scan(window(0.3), 1.0, 20.0, 0.01, rough=window(0.3 + wider))
+    ((low, high),) = ends(found)
+    assert (low, high) == (pytest.approx(3.7, rel=1e-14), pytest.approx(4.3, rel=1e-14))
+    gap = scan(
+        fates_of(lambda a: np.abs(a - 4.0) - 0.3),
+        1.0,
+        20.0,
+        0.01,
+        rough=fates_of(lambda a: np.abs(a - 4.0) - 0.3 - wider),
+    )
+    assert ends(gap)[0][1] == pytest.approx(3.7, rel=1e-14)
+    assert ends(gap)[1][0] == pytest.approx(4.3, rel=1e-14)
+
+
 def test_the_grid_is_close_at_every_uplift() -> None:
     grid = first_grid(0.0, 5.0, 0.01, (1.05, 1.4))
     assert (grid[0], grid[1]) == (0.0, 1.05)

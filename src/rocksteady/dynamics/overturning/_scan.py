@@ -137,7 +137,7 @@ def scan(
         left -= len(where)
         doubtful = np.flatnonzero(_doubtful(amplitude, fates))
     if rough is not None:
-        amplitude = amplitude[_kept(fates)]
+        amplitude = amplitude[_kept(amplitude, fates)]
         fates = follow(amplitude)
     return _windows(follow, amplitude, fates, len(doubtful), keep, closest)
 
@@ -262,10 +262,17 @@ def _windows(
     return Found(low, high, fates.impacts[starts], fates.side[starts], undecided, tried, left)
 
 
-def _kept(fates: Fates) -> Integers:
-    """Return the places of the ends and of both sides of every border: they say it all."""
+def _kept(amplitude: Floats, fates: Fates) -> Integers:
+    """Return the places of the ends, of both sides of every border, and of a middle between.
+
+    Where both borders of a stretch are off by more than their distance from what was tried beside
+    them, its middle is what shows it.
+    """
     where = np.flatnonzero(_differ(fates, during=False))
-    return np.unique(np.concatenate([[0, len(fates.overturns) - 1], where, where + 1]))
+    starts = np.concatenate([[0], where + 1])
+    stops = np.concatenate([where, [len(amplitude) - 1]])
+    middles = np.searchsorted(amplitude, 0.5 * (amplitude[starts] + amplitude[stops]))
+    return np.unique(np.concatenate([starts, stops, middles]))
 
 
 def _may_be_widest(
