@@ -206,3 +206,30 @@ def test_the_peaks_of_a_fall_are_those_when_it_passes_the_slenderness() -> None:
     status, impacts, peaks = fates(sampled(values, STEP), plain(0.5 * one, one, one))
     assert (status[0], impacts[0]) == (OVERTURNED, 0)
     assert peaks[0].tolist() == [1.0, pytest.approx(2.0 * math.sqrt(1.25), rel=1e-12)]
+
+
+@pytest.mark.parametrize("nonlinear", [False, True])
+def test_the_peaks_of_a_fall_are_those_of_all_its_flights_up_to_the_last_passage(
+    nonlinear: bool,
+) -> None:
+    count = sample_size(150, 4)
+    sides = blocks(count, nonlinear=nonlinear, alike=False)
+    sides[:, :, RATE] *= 2.0
+    segments = table(record(150, 6.0), STEP, nonlinear=nonlinear)
+    status, _, peaks = fates(segments, sides)
+    falls = turned = 0
+    for i in np.flatnonzero(status == OVERTURNED):
+        tables = (segments, sides[i], March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0), 0)
+        stop = AFTERWARDS / sides[i, 0, RATE]
+        _, end = march(*tables, stop, math.inf, PLENTY, np.zeros((0, 8)), np.zeros(0))
+        rows = np.zeros((end.flights, 8))
+        march(*tables, stop, math.inf, PLENTY, rows, np.zeros(0))
+        *angles, speed = peaks_until_overturning(segments, sides[i], rows)
+        unit = sides[i, 0, LEAN] * sides[i, 0, RATE]
+        np.testing.assert_allclose(peaks[i], [max(angles), speed / unit], rtol=1e-13)
+        lean = np.where(rows[:, 3] > 0.0, sides[i, 0, LEAN], sides[i, 1, LEAN])
+        beyond, inwards = np.abs(rows[:, 4]) > lean, rows[:, 3] * rows[:, 5] < 0.0
+        turned += bool((beyond & inwards).any())
+        falls += 1
+    if count > 10:
+        assert falls > turned > 0

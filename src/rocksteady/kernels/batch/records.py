@@ -3,9 +3,10 @@
 Rows are not kept: what a spectrum asks for is the status, the impacts and the two peaks.  Chatter
 comes to rest as soon as that is proved, which leaves out impacts of no effect and no peak.
 
-Of a block that falls the last flight is marched once more, with rows, because its peaks are those
-until it passes its slenderness for good, and only the proof of its fall says which passage was the
-last.
+The peaks of a block that falls are those until it passes its slenderness for good, and only the
+proof of its fall says which passage was the last.  So the march keeps its last passage, and that
+flight alone is marched once more, with its row; all flights are where the block has turned back
+since, above its slenderness or just below it.
 """
 
 import math
@@ -13,18 +14,18 @@ import math
 import numpy as np
 
 from rocksteady.kernels.core.tables import (
-    FLOOR_ANGLE,
-    FLOOR_COLUMNS,
-    FLOOR_FLIGHTS,
-    FLOOR_SPEED,
+    BEFORE_ANGLE,
+    BEFORE_SPEED,
     LEAN,
     OVERTURNED,
+    PASSAGE_COLUMNS,
+    PASSING_AGAIN,
     PEAK_ANGLE,
     PEAK_SPEED,
     RATE,
     ROW_COLUMNS,
     March,
-    kept_floor,
+    kept_passage,
 )
 from rocksteady.kernels.core.typed import ZERO
 from rocksteady.kernels.machine_code.compilation import allocating
@@ -67,7 +68,7 @@ def record_fates(
         positive side's alpha and p, until the end or overturning.
     """
     none, nothing = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
-    peak = np.zeros(FLOOR_COLUMNS)
+    peak = np.zeros(PASSAGE_COLUMNS)
     start = March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0)
     for i in range(len(sides)):
         own = sides[i]
@@ -77,11 +78,13 @@ def record_fates(
         status[i], end = march(segments, own, start, ZERO, stop, math.inf, limit, none, peak)
         impacts[i] = end.impacts
         if status[i] == OVERTURNED:
-            rows = np.zeros((end.flights - int(peak[FLOOR_FLIGHTS]), ROW_COLUMNS))
-            floor = kept_floor(peak)
-            march(segments, own, floor, ZERO, stop, math.inf, limit, rows, nothing)
+            again, most = start, end.flights
+            if peak[PASSING_AGAIN] == 0.0:
+                again, most = kept_passage(peak), 1
+            rows = np.zeros((most, ROW_COLUMNS))
+            march(segments, own, again, ZERO, stop, math.inf, most, rows, nothing)
             positive, negative, speed = peaks_until_overturning(segments, own, rows)
-            peak[PEAK_ANGLE] = max(peak[FLOOR_ANGLE], positive, negative)
-            peak[PEAK_SPEED] = max(peak[FLOOR_SPEED], speed)
+            peak[PEAK_ANGLE] = max(peak[BEFORE_ANGLE], positive, negative)
+            peak[PEAK_SPEED] = max(peak[BEFORE_SPEED], speed)
         peaks[i, PEAK_ANGLE] = peak[PEAK_ANGLE]
         peaks[i, PEAK_SPEED] = peak[PEAK_SPEED] / unit

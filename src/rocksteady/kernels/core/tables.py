@@ -73,17 +73,17 @@ ENDED_BY_UPLIFT = 3
 PEAK_ANGLE = 0  # largest |theta|/alpha, each side in its own alpha
 PEAK_SPEED = 1  # largest |velocity|, in reference units
 PEAK_COLUMNS = 2
-# And, where there is room for it, of the last time that it was on the floor:
-FLOOR_ANGLE = 2  # the two peaks up to then
-FLOOR_SPEED = 3
-FLOOR_SIDE = 4  # and the state, but for its angle, which is 0
-FLOOR_VELOCITY = 5
-FLOOR_SEGMENT = 6
-FLOOR_HALF_CYCLES = 7
-FLOOR_PHASE = 8
-FLOOR_IMPACTS = 9
-FLOOR_FLIGHTS = 10
-FLOOR_COLUMNS = 11
+# And, where there is room for it, the flight or sample that last rose above the slenderness:
+BEFORE_ANGLE = 2  # the peaks before it
+BEFORE_SPEED = 3
+PASSING_SIDE = 4  # the state at its start
+PASSING_ANGLE = 5
+PASSING_VELOCITY = 6
+PASSING_SEGMENT = 7
+PASSING_HALF_CYCLES = 8
+PASSING_PHASE = 9
+PASSING_AGAIN = 10  # 1 where the block has turned back above the slenderness since, or below it
+PASSAGE_COLUMNS = 11
 
 ROCKING = int(Status.ROCKING)
 AT_REST = int(Status.AT_REST)
@@ -115,29 +115,44 @@ def end_of_run(segments: Floats, index: int) -> int:
 
 
 @inlined
-def keep_floor(peaks: Floats, state: March) -> None:
-    """Keep a state on the floor, and the peaks so far."""
-    peaks[FLOOR_ANGLE], peaks[FLOOR_SPEED] = peaks[PEAK_ANGLE], peaks[PEAK_SPEED]
-    peaks[FLOOR_SIDE] = state.side
-    peaks[FLOOR_VELOCITY] = state.velocity
-    peaks[FLOOR_SEGMENT] = state.segment
-    peaks[FLOOR_HALF_CYCLES] = state.half_cycles
-    peaks[FLOOR_PHASE] = state.phase
-    peaks[FLOOR_IMPACTS] = state.impacts
-    peaks[FLOOR_FLIGHTS] = state.flights
+def keep_passage(
+    peaks: Floats,
+    state: March,
+    top_angle: float,
+    top_speed: float,
+    angle: float,
+    velocity: float,
+    later_angle: float,
+    later_velocity: float,
+) -> None:
+    """Keep a flight that rises above its slenderness, and the peaks before it.
+
+    Angle and velocity at its start and its end are in units of the side.
+    """
+    if later_angle <= 1.0:
+        return
+    if angle <= 1.0:
+        peaks[BEFORE_ANGLE], peaks[BEFORE_SPEED] = top_angle, top_speed
+        peaks[PASSING_SIDE] = state.side
+        peaks[PASSING_ANGLE], peaks[PASSING_VELOCITY] = state.angle, state.velocity
+        peaks[PASSING_SEGMENT] = state.segment
+        peaks[PASSING_HALF_CYCLES], peaks[PASSING_PHASE] = state.half_cycles, state.phase
+        peaks[PASSING_AGAIN] = 0.0
+    elif velocity < 0.0 and later_velocity >= 0.0:
+        peaks[PASSING_AGAIN] = 1.0
 
 
 @inlined
-def kept_floor(peaks: Floats) -> March:
-    """Return the state on the floor that was kept last, its flights counted from there."""
+def kept_passage(peaks: Floats) -> March:
+    """Return the state at the start of the flight that was kept."""
     return March(
-        int(peaks[FLOOR_SIDE]),
-        0.0,
-        peaks[FLOOR_VELOCITY],
-        int(peaks[FLOOR_SEGMENT]),
-        int(peaks[FLOOR_HALF_CYCLES]),
-        peaks[FLOOR_PHASE],
-        int(peaks[FLOOR_IMPACTS]),
+        int(peaks[PASSING_SIDE]),
+        peaks[PASSING_ANGLE],
+        peaks[PASSING_VELOCITY],
+        int(peaks[PASSING_SEGMENT]),
+        int(peaks[PASSING_HALF_CYCLES]),
+        peaks[PASSING_PHASE],
+        0,
         0,
     )
 

@@ -33,12 +33,15 @@ from rocksteady.kernels.core.tables import (
     DURATION,
     ENDED_BY_SPAN,
     LEAN,
+    PASSAGE_COLUMNS,
     PEAK_ANGLE,
     PEAK_SPEED,
     RATE,
     SLOPE,
     Floats,
+    March,
     end_of_run,
+    keep_passage,
     write_row,
 )
 from rocksteady.kernels.core.typed import ZERO
@@ -107,7 +110,7 @@ def fly_through(
     stride = make_stride(h)
     pull = side / lean
     y, v = side * angle / lean, side * velocity / (lean * rate)
-    record, watch = len(rows) > 0, len(peaks) > 0
+    record, watch, keeps = len(rows) > 0, len(peaks) > 0, len(peaks) >= PASSAGE_COLUMNS
     top_angle = top_speed = 0.0
     if watch:
         top_angle, top_speed = peaks[PEAK_ANGLE], peaks[PEAK_SPEED] / (lean * rate)
@@ -137,6 +140,17 @@ def fly_through(
                 side * v * lean * rate,
                 duration,
                 ENDED_BY_SPAN,
+            )
+        if keeps and later_y > 1.0:
+            keep_passage(
+                peaks,
+                March(side, side * y * lean, side * v * lean * rate, segment, 0, 0.0, 0, flights),
+                top_angle,
+                max(peaks[PEAK_SPEED], top_speed * lean * rate),
+                y,
+                v,
+                later_y,
+                later_v,
             )
         if watch:
             here, there = y + start, later_y + (start + change)

@@ -34,7 +34,6 @@ from rocksteady.kernels.core.tables import (
     DURATION,
     ENDED_BY_SPAN,
     ENDED_BY_UPLIFT,
-    FLOOR_COLUMNS,
     FOUND,
     FREQUENCY,
     JUMP,
@@ -43,6 +42,9 @@ from rocksteady.kernels.core.tables import (
     LOST_CONTACT,
     NO_RETURN,
     OVERTURNED,
+    PASSAGE_COLUMNS,
+    PEAK_ANGLE,
+    PEAK_SPEED,
     RATE,
     RESTITUTION,
     ROCKING,
@@ -52,7 +54,7 @@ from rocksteady.kernels.core.tables import (
     March,
     end_of_run,
     is_nonlinear,
-    keep_floor,
+    keep_passage,
     write_row,
 )
 from rocksteady.kernels.core.typed import FALSE, MINUS_ONE, ONE, TRUE, ZERO
@@ -180,7 +182,7 @@ def march(
         Array of shape (2,) in which the largest |theta|/alpha of either side and the largest
         |velocity| are kept, those that it comes with included, up to the end or the proof of
         overturning; or of shape (0,).  In shape (11,) they are followed by what
-        `kernels.core.tables.keep_floor` keeps: from there the last flight can be marched again.
+        `kernels.core.tables.keep_passage` keeps.
 
     Returns
     -------
@@ -234,7 +236,7 @@ def _march(
     side, angle, velocity = start.side, start.angle, start.velocity
     segment, half, phase = start.segment, start.half_cycles, start.phase
     impacts, flights = start.impacts, start.flights
-    record, watch, keeps_floor = len(rows) > 0, len(peaks) > 0, len(peaks) >= FLOOR_COLUMNS
+    record, watch, keeps = len(rows) > 0, len(peaks) > 0, len(peaks) >= PASSAGE_COLUMNS
     last = len(segments) - 1
     since, contact_lost = 0.0, math.inf  # nonlinear model: time on the segment, and to its loss
 
@@ -248,8 +250,6 @@ def _march(
     bounced = False  # off an impact so slow that the block may be coming to rest
 
     while True:
-        if keeps_floor and angle == 0.0:
-            keep_floor(peaks, March(side, angle, velocity, segment, half, phase, impacts, flights))
         if flights >= limit:
             return UNDECIDED, March(side, angle, velocity, segment, half, phase, impacts, flights)
         if segment != loaded:
@@ -380,6 +380,9 @@ def _march(
                 velocity = 0.0
                 side = 0
                 continue
+        top_angle = top_speed = 0.0
+        if keeps:
+            top_angle, top_speed = peaks[PEAK_ANGLE], peaks[PEAK_SPEED]
         lifting = angle == 0.0 and velocity == 0.0
         if nonlinear:
             zero = fly(
@@ -417,6 +420,18 @@ def _march(
                 rows, flights, segment, half, phase, side, angle, velocity, duration, zero.event
             )
         flights += 1
+        if keeps and zero.event != FOUND:
+            lost = zero.event == NO_RETURN
+            keep_passage(
+                peaks,
+                March(side, angle, velocity, segment, half, phase, impacts, flights),
+                top_angle,
+                top_speed,
+                side * angle / lean,
+                side * velocity,
+                math.inf if lost else zero.angle,
+                math.inf if lost else zero.velocity,
+            )
         if zero.event == NO_RETURN:
             return OVERTURNED, March(side, angle, velocity, segment, half, phase, impacts, flights)
 

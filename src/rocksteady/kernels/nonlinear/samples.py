@@ -16,12 +16,15 @@ from rocksteady.kernels.core.tables import (
     LEFT_OUT,
     LIFT,
     LIFT_SLOPE,
+    PASSAGE_COLUMNS,
     PEAK_ANGLE,
     PEAK_SPEED,
     RATE,
     SLOPE,
     Floats,
+    March,
     end_of_run,
+    keep_passage,
     write_row,
 )
 from rocksteady.kernels.core.typed import FALSE, ONE, ZERO
@@ -68,7 +71,7 @@ def fly_through(
     slowing = 1.0 / rate
     flat = HALF_PI / alpha
     y, v = side * angle / lean, side * velocity / (lean * rate)
-    record, watch = len(rows) > 0, len(peaks) > 0
+    record, watch, keeps = len(rows) > 0, len(peaks) > 0, len(peaks) >= PASSAGE_COLUMNS
     top_angle = top_speed = 0.0
     if watch:
         top_angle, top_speed = peaks[PEAK_ANGLE], peaks[PEAK_SPEED] / (lean * rate)
@@ -117,6 +120,17 @@ def fly_through(
                 side * v * lean * rate,
                 segments[segment, DURATION],
                 ENDED_BY_SPAN,
+            )
+        if keeps and later_y > 1.0:
+            keep_passage(
+                peaks,
+                March(side, side * y * lean, side * v * lean * rate, segment, 0, 0.0, 0, flights),
+                top_angle,
+                max(peaks[PEAK_SPEED], top_speed * lean * rate),
+                y,
+                v,
+                later_y,
+                later_v,
             )
         if watch and (fastest > top_speed or highest > top_angle):
             if abs(bend) <= third * h or (v > 0.0 and later_v < 0.0):
