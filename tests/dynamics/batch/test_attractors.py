@@ -145,9 +145,9 @@ def test_the_codes_of_the_kinds_are_kept_for_ever() -> None:
 
 def test_the_longer_motions_are_followed_the_fewer_make_a_piece() -> None:
     assert [batch_size(cycles) for cycles in (1, 500, 2000, 20_000, 1_000_000)] == [
-        1024,
-        1024,
-        512,
-        51,
-        1,
+        4096,
+        4096,
+        2048,
+        204,
+        4,
     ]

@@ -26,11 +26,12 @@ KIND_FLAGS = {
     NO_START: NO_START_LABEL,
 }
 
-BATCH = 1024
+BATCH = 4096
 """The most motions that the kernel follows in one call,"""
-MOST_PERIODS = 1_024_000
-"""and the forcing periods that they may take together: a few seconds where all are chaotic,
-for which an interruption waits."""
+MOST_PERIODS = 4_096_000
+"""and the forcing periods that they may take together: some seconds where many are chaotic, for
+which an interruption waits.  Calls grow only while they are short, so that such cells come in large
+numbers only where quick ones go before them."""
 
 KIND_OUTPUT = Output(
     name="kind", dtype=np.int8, long_name="what the motion settles to", flags=KIND_FLAGS

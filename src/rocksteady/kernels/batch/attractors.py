@@ -95,6 +95,7 @@ def settle_cells(
         if found.outcome == PERIODIC:
             # As for one orbit alone: its times are where the peaks are searched from.
             measured(system, found.passages, found.periods, table)
+            fill_peaks(system, found.passages, table)
         note_attractor(system, found, table, whole, real, i)
 
 
@@ -102,7 +103,7 @@ def settle_cells(
 def note_attractor(
     system: System, found: Settled, table: Floats2, whole: Integers2, real: Floats2, cell: int
 ) -> None:
-    """Write what a cell settles to, whose orbit, if it has one, is in a table and measured."""
+    """Write what a cell settles to, whose orbit, if it has one, is in a table with its peaks."""
     whole[cell, :] = 0
     real[cell, :] = math.nan
     whole[cell, OUTCOME] = found.outcome
@@ -112,7 +113,6 @@ def note_attractor(
     if found.outcome != PERIODIC:
         return
     passages, periods = found.passages, found.periods
-    fill_peaks(system, passages, table)
     highest = lowest = 0.0
     for k in range(passages):
         here, there = table[k, PEAK], table[k, OTHER_PEAK]

@@ -21,11 +21,14 @@ from rocksteady.kernels.core.tables import LEAN, RATE, RESTITUTION, Floats, Marc
 from rocksteady.kernels.core.typed import MINUS_ONE, ONE, ZERO
 from rocksteady.kernels.lanes._arrival import FAR, LOOK, NEXT, remember, watch
 from rocksteady.kernels.lanes._fields import (
+    AMPLITUDE,
     CELL,
+    DELTA,
     DOWN,
     EMPTY,
     FALLEN,
     FIELDS,
+    FREQUENCY,
     IMPACTS,
     LAG,
     LANDED,
@@ -41,6 +44,7 @@ from rocksteady.kernels.lanes._fields import (
     REF_VELOCITY,
     SETTLED,
     STAGE,
+    TIME,
     VELOCITY,
     WAITING_BITS,
 )
@@ -61,10 +65,14 @@ from rocksteady.kernels.orbits.periodic import (
     ORBIT_COLUMNS,
     SMALLEST_SPEED,
     Fixed,
+    closed_after,
     distance,
+    fill_peaks,
     laid_out,
-    measured,
+    mirror,
     moved,
+    put,
+    state_at,
 )
 from rocksteady.kernels.orbits.return_map import (
     FALL,
@@ -75,8 +83,10 @@ from rocksteady.kernels.orbits.return_map import (
     Section,
     System,
     first_passage,
+    identity,
     make_system,
     next_passage,
+    product,
 )
 from rocksteady.kernels.orbits.settle import (
     ARRIVED,
@@ -96,7 +106,7 @@ from rocksteady.kernels.orbits.settle import (
 
 LEFT_OVER = MINUS_ONE
 """Outcome of a cell that the lanes leave to `settle_cells`."""
-MOST_IMPACTS = 10_000
+MOST_IMPACTS = 3000
 """Impacts after which a motion without an orbit in sight is left over."""
 MOST_RETURNS = 100
 """Returns after a look for which an orbit is approached; then it is computed from afar."""
@@ -106,6 +116,8 @@ BENT = 0.1
 """... if what bends the map displaces the orbit by this part of the distance at most."""
 STEPS = 4
 """Most steps of Newton's method from a state that is close."""
+ALIKE = 1e-6
+"""Distance of a state from the mirror image half a return earlier of which that is made use."""
 ROUNDING = 4e-15
 """Residual of an orbit that is due to rounding."""
 TAME = 80.0
@@ -171,12 +183,9 @@ def lane_attractors(
         if waiting >= WAITING or not in_flight(numbers):
             for j in range(LANES):
                 if LEAVE <= lanes[STAGE + j] < DOWN:
-                    cell = int(lanes[CELL + j])
-                    sides[:, RESTITUTION] = restitution[cell]
-                    system = make_system(amplitude[cell], frequency_ratio[cell], sides)
-                    start = half_cycles[cell]
+                    start = half_cycles[int(lanes[CELL + j])]
                     if attended(
-                        lanes, j, memory, returns, system, start, cycles, table, whole, real
+                        lanes, j, memory, returns, sides, start, cycles, table, whole, real
                     ):
                         lanes[STAGE + j] = EMPTY
                         busy -= 1
@@ -251,7 +260,7 @@ def attended(
     j: int,
     memory: Floats3,
     returns: Floats2,
-    system: System,
+    sides: Floats2,
     start: int,
     cycles: int,
     table: Floats2,
@@ -265,12 +274,6 @@ def attended(
     here = Section(taken_up.side, taken_up.half_cycles, taken_up.phase, abs(taken_up.velocity))
     passed = (here.half_cycles - start) // 2
     falls = stage == FALLEN and lanes[LAG + j] == 0.0
-    if stage == LEAVE:
-        after = next_passage(system, here, -1.0)
-        if after.kind == IMPACT:
-            put_section(lanes, j, after.state, start + FAR, taken_up.impacts + 1)
-            return False
-        falls = after.kind == FALL and lanes[LAG + j] == 0.0
     if stage == LOOKING:
         if returning(lanes, j, memory, returns, passed):
             lanes[STAGE + j] = LAUNCH
@@ -279,7 +282,15 @@ def attended(
             lanes[LOOK + j] = 2.0 * min(passed + passed // 2, cycles)
             lanes[STAGE + j] = LAUNCH
             return False
-    if stage == SETTLED and computed(lanes, j, returns, system, here, table, whole, real):
+    sides[:, RESTITUTION] = lanes[DELTA + j]
+    system = make_system(lanes[AMPLITUDE + j], lanes[FREQUENCY + j], sides)
+    if stage == LEAVE:
+        after = next_passage(system, here, -1.0)
+        if after.kind == IMPACT:
+            put_section(lanes, j, after.state, start + FAR, taken_up.impacts + 1)
+            return False
+        falls = after.kind == FALL and lanes[LAG + j] == 0.0
+    if stage == SETTLED and computed(lanes, j, memory, returns, system, here, table, whole, real):
         return True
     if falls:
         found = unsettled(FALLS, here, math.nan, math.nan, passed, 0.0)
@@ -322,6 +333,7 @@ def returning(lanes: Floats, j: int, memory: Floats3, returns: Floats2, passed: 
 def computed(
     lanes: Floats,
     j: int,
+    memory: Floats3,
     returns: Floats2,
     system: System,
     here: Section,
@@ -331,8 +343,21 @@ def computed(
 ) -> bool:
     """Return whether a motion that is close settles to what `settle` would find; write it."""
     passages, periods = int(lanes[LAG + j]), int(returns[j, PERIODS])
-    near = judged(system, here, passages, refined(system, here, passages, periods, table), table)
+    guess = lanes[TIME + j]
+    # Of an orbit that is its own mirror image one half is enough.
+    folded = mirrored(lanes, j, memory, passages, periods)
+    near = Near(False, here, math.inf, Fixed(False, math.inf, identity(), ZERO, ZERO))
+    if folded:
+        fixed = refined(system, here, passages // 2, periods, guess, table)
+        whole_way = product(fixed.jacobian, fixed.jacobian)
+        fixed = Fixed(fixed.found, fixed.residual, whole_way, 2 * fixed.rests, 2 * fixed.grazes)
+        near = judged(system, here, passages, fixed, table)
+    if not near.found:
+        folded = False
+        fixed = refined(system, here, passages, 2 * periods, guess, table)
+        near = judged(system, here, passages, fixed, table)
     if near.found and not in_reach(returns, j, system, near):
+        folded = False
         turns, phase = clock(returns[j, PHASE_THEN])
         half = turns if here.side > 0 else turns + 1
         then = Section(here.side, half, phase, returns[j, VELOCITY_THEN])
@@ -347,21 +372,52 @@ def computed(
     ):
         return False
     passed = int(returns[j, PASSED])
+    if folded:
+        fill_peaks(system, passages // 2, table)
+        unfold(table, passages // 2, periods)
+    else:
+        fill_peaks(system, passages, table)
     found = settled_to(near, passages, periods, passed, 0.0, table)
     note_attractor(system, found, table, whole, real, int(lanes[CELL + j]))
     return True
 
 
 @compiled
-def refined(system: System, state: Section, passages: int, periods: int, table: Floats2) -> Fixed:
+def mirrored(lanes: Floats, j: int, memory: Floats3, passages: int, periods: int) -> bool:
+    """Return whether half of a return was nearly the mirror image of the other half."""
+    half = passages // 2
+    if half % 2 == 0 or periods % 2 == 0:
+        return False
+    row = (int(lanes[IMPACTS + j]) - 1 - half) & (MEMORY - 1)
+    # As seen from the side of the flight a mirror image is the same state.
+    between = (memory[j, row, 1] - lanes[LEFT + j]) * math.pi
+    between += (lanes[PHASE + j] - memory[j, row, 0]) - periods * math.pi
+    velocity, earlier = lanes[VELOCITY + j], memory[j, row, 2]
+    slower = abs(earlier - velocity) / max(earlier, SMALLEST_SPEED)
+    return bool(max(abs(between), slower) < ALIKE)
+
+
+@compiled
+def unfold(table: Floats, half: int, periods: int) -> None:
+    """Fill in the second half of an orbit, the mirror image of the first."""
+    for k in range(half):
+        for column in range(ORBIT_COLUMNS):
+            table[half + k, column] = table[k, column]
+        put(table, half + k, mirror(state_at(table, k), periods))
+
+
+@compiled
+def refined(
+    system: System, state: Section, passages: int, halves: int, guess: float, table: Floats2
+) -> Fixed:
     """Find the orbit next to a state, as `polish` does, in no more steps than that takes."""
-    found = laid_out(system, state, passages, periods, table)
+    found = laid_out(system, state, passages, halves, guess, table)
     for _ in range(STEPS):
         if found.residual <= ROUNDING or not math.isfinite(found.residual):
             break
         if not moved(table, passages, found.jacobian):
             return Fixed(False, math.inf, found.jacobian, found.rests, found.grazes)
-        found = measured(system, passages, periods, table)
+        found = closed_after(system, passages, halves, table)
     return found
 
 

@@ -110,18 +110,20 @@ def distance(one: Section, other: Section) -> float:
 
 
 @compiled
-def laid_out(system: System, state: Section, passages: int, periods: int, table: Floats2) -> Fixed:
-    """Fill a table with the states that follow one, as `measured` leaves it.
+def laid_out(
+    system: System, state: Section, passages: int, halves: int, guess: float, table: Floats2
+) -> Fixed:
+    """Fill a table with the states that follow one, as `closed_after` leaves it.
 
-    From an uplift on they are those that any motion takes, to the last bit: near the end of a
-    chatter a rounding decides how many bounces there are, and on what follows.
+    `guess` is a time near which the first impact may be.  From an uplift on the states are those
+    that any motion takes, to the last bit: near the end of a chatter a rounding decides how many
+    bounces there are, and on what follows.
     """
     state = Section(state.side, state.half_cycles % 2, state.phase, state.speed)
-    first = shifted_halves(state, 2 * periods)
+    first = later(state, halves)
     total = identity()
     residual = 0.0
     rests = grazes = 0
-    guess = -1.0
     for k in range(passages):
         put(table, k, state)
         step = next_passage(system, state, guess)
@@ -141,6 +143,12 @@ def laid_out(system: System, state: Section, passages: int, periods: int, table:
 @compiled
 def measured(system: System, passages: int, periods: int, table: Floats2) -> Fixed:
     """Return by what the states of a table fail to be an orbit, and fill in its derivatives."""
+    return closed_after(system, passages, 2 * periods, table)
+
+
+@compiled
+def closed_after(system: System, passages: int, halves: int, table: Floats2) -> Fixed:
+    """Do so for states that come back after so many half periods, odd ones to the mirror image."""
     total = identity()
     residual = 0.0
     rests = grazes = 0
@@ -152,7 +160,7 @@ def measured(system: System, passages: int, periods: int, table: Floats2) -> Fix
         rests += 1 if step.kind == UPLIFT else 0
         grazes += 1 if step.kind == GRAZE else 0
         if k + 1 == passages:
-            target = shifted_halves(state_at(table, ZERO), 2 * periods)
+            target = later(state_at(table, ZERO), halves)
         else:
             target = state_at(table, k + 1)
         if step.state.side != target.side:
@@ -163,8 +171,10 @@ def measured(system: System, passages: int, periods: int, table: Floats2) -> Fix
 
 
 @compiled
-def shifted_halves(state: Section, halves: int) -> Section:
-    """Return a state some half cycles later."""
+def later(state: Section, halves: int) -> Section:
+    """Return a state some half periods later; after an odd number of them its mirror image."""
+    if halves % 2 == 1:
+        return mirror(state, halves)
     return Section(state.side, state.half_cycles + halves, state.phase, state.speed)
 
 
@@ -245,7 +255,7 @@ def polish(system: System, state: Section, passages: int, periods: int, table: F
         Room, shape (m or more, ORBIT_COLUMNS).
     """
     nothing = Fixed(False, math.inf, identity(), 0, 0)
-    found = laid_out(system, state, passages, periods, table)
+    found = laid_out(system, state, passages, 2 * periods, -1.0, table)
     if state.speed == 0.0 and found.found and found.rests > 0:
         # From an uplift to the same again there is nothing to improve: a step of Newton's method
         # would only carry roundings along, and on a long way between two rests they grow too far.

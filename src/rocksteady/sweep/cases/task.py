@@ -16,7 +16,7 @@ Cases = Callable[..., Mapping[str, Array]]
 CellRange = tuple[int, int]
 """First cell, and the one after the last."""
 
-LONG_ENOUGH = 0.01
+LONG_ENOUGH = 0.02
 """Seconds of a call beside which what it costs to make one does not count."""
 TOO_LONG = 0.04
 """Seconds of a call after which the next one takes fewer cells."""

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from rocksteady.sweep.cases.queue import JOBS_SUBMITTED, Pool, Queue, usable_cores
 from rocksteady.sweep.cases.task import Answer, Task
 
-SECONDS = 0.05
+SECONDS = 0.2
 """Time of a job: progress is reported after each, and an interruption waits for running jobs."""
 
 
