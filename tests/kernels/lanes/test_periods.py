@@ -7,9 +7,24 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.kernels.core.tables import OVERTURNED, ROCKING
+from rocksteady.kernels.core.tables import OVERTURNED, ROCKING, UNDECIDED
+from rocksteady.kernels.lanes._fields import (
+    AREA,
+    BEFORE_PHASE,
+    BEFORE_VELOCITY,
+    COSINE,
+    FIELDS,
+    LANES,
+    LAST_PHASE,
+    LAST_VELOCITY,
+    PHASE,
+    SINE,
+    TRACE,
+    VELOCITY,
+)
+from rocksteady.kernels.lanes._law import draw_near
 from rocksteady.kernels.lanes.driver import lane_fates
-from rocksteady.kernels.orbits.closed_form import symmetric_orbit
+from rocksteady.kernels.orbits.closed_form import half_cycle_jacobian, symmetric_orbit
 from tests.kernels.fates import NO_LIMIT, harmonic_fates
 from tests.strategies import PLAIN
 
@@ -90,8 +105,9 @@ def test_a_million_cycles_cost_as_much_as_a_thousand() -> None:
     assert impacts[0] == pytest.approx(2 * 10**12, abs=30)
 
 
-def test_an_unstable_orbit_is_no_end() -> None:
-    """A motion that starts on one, to the last digit, must leave it as a full run does."""
+@pytest.mark.parametrize("aside", [0.0, 1e-5, 1e-3])
+def test_an_unstable_orbit_is_no_end(aside: float) -> None:
+    """A motion that starts on one, or beside it along its stable direction, must leave it."""
     checked = 0
     for amplitude in np.linspace(1.0, 3.0, 21):
         for branch in (0, 1):
@@ -99,7 +115,11 @@ def test_an_unstable_orbit_is_no_end() -> None:
             speed = 4.0 * orbit.velocity
             if not (math.isfinite(speed) and speed > 0.0):
                 continue
-            cells = filled(amplitude, 4.0, 0.8, speed, orbit.phase % (2.0 * math.pi))
+            jacobian = half_cycle_jacobian(amplitude, 4.0, 0.8, 1, orbit)
+            roots, directions = np.linalg.eig(np.reshape(jacobian, (2, 2)))
+            stable = np.real(directions[:, np.argmin(np.abs(roots))])
+            start_phase = (orbit.phase + aside * stable[0]) % (2.0 * math.pi)
+            cells = filled(amplitude, 4.0, 0.8, speed + aside * stable[1], start_phase)
             if run(cells, 3, False)[0] != ROCKING:
                 continue
             start, after = run(cells, 3, False), run(cells, 2000, False)
@@ -111,6 +131,44 @@ def test_an_unstable_orbit_is_no_end() -> None:
             stayed = leapt[0] == ROCKING and np.abs(start[2] - leapt[2]).max() < 1e-3
             assert not stayed, (amplitude, branch)
     assert checked >= 5
+
+
+def test_a_motion_is_leapt_long_before_it_repeats() -> None:
+    """Limits on the impacts that are flown tell when: a motion beyond them is given up."""
+    orbit = symmetric_orbit(2.0, 4.0, 0.8, 1, 1)
+    largest = np.abs(np.roots([1.0, -orbit.trace, 0.8**2])).max()
+    impacts_per_digit = -math.log(10.0) / math.log(largest)
+    cells = filled(2.0, 4.0, 0.8, 0.3, 0.0)
+    for most, ending in ((9 * impacts_per_digit, ROCKING), (4 * impacts_per_digit, UNDECIDED)):
+        found = np.zeros(1, np.int64), np.zeros(1, np.int64), np.zeros((1, 3))
+        a, w, r, angle, velocity, phase = cells
+        lane_fates(a, w, r, angle, velocity, phase, 10**6, True, int(most), *found)
+        assert found[0][0] == ending
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [(0.7, 0.6), (0.9, 0.1), (-0.8, 0.5), (0.55 + 0.6j, 0.55 - 0.6j), (0.95j, -0.95j)],
+)
+@pytest.mark.parametrize("times", [1, 7, 64, 3000])
+def test_returns_that_are_leapt_follow_the_linear_law(
+    first: complex, second: complex, times: int
+) -> None:
+    basis = np.array([[1.0, 0.3], [-0.4, 2.0]])
+    mean, half = (first + second).real / 2.0, ((first - second) / 2.0) ** 2
+    law = basis @ np.array([[mean, half.real], [1.0, mean]]) @ np.linalg.inv(basis)
+    fixed, state = np.array([1.0, 0.5]), np.array([1.0 + 3e-6, 0.5 - 1e-6])
+    states = [fixed + np.linalg.matrix_power(law, k) @ (state - fixed) for k in range(4)]
+    lanes = np.zeros(FIELDS * LANES)
+    lanes[TRACE], lanes[AREA] = (first + second).real, (first * second).real
+    lanes[BEFORE_PHASE], lanes[BEFORE_VELOCITY] = states[2] - states[1]
+    lanes[LAST_PHASE], lanes[LAST_VELOCITY] = states[3] - states[2]
+    lanes[PHASE], lanes[VELOCITY] = states[3]
+    draw_near(lanes, 0, float(times))
+    there = fixed + np.linalg.matrix_power(law, 3 + times) @ (state - fixed)
+    assert [lanes[PHASE], lanes[VELOCITY]] == pytest.approx(there, abs=2e-14)
+    assert lanes[SINE] == pytest.approx(math.sin(there[0]), abs=2e-14)
+    assert lanes[COSINE] == pytest.approx(math.cos(there[0]), abs=2e-14)
 
 
 def test_a_conservative_block_never_leaps() -> None:

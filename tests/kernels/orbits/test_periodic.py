@@ -17,6 +17,7 @@ from rocksteady.kernels.orbits.periodic import (
     SPEED,
     TIME,
     Fixed,
+    closed_after,
     distance,
     fill_peaks,
     is_symmetric,
@@ -260,6 +261,22 @@ def test_what_states_miss_of_an_orbit_is_their_distance_from_where_the_map_leads
     # A table whose next state is on the wrong side is no orbit at all.
     put(table, 1, first)
     assert measured(system, 2, 1, table).residual == math.inf
+
+
+@pytest.mark.parametrize("order", [1, 3])
+def test_half_of_a_symmetric_orbit_closes_on_its_mirror_image(order: int) -> None:
+    system, table, whole = even_system(2.0, 6.0, 0.8), room(2), room(2)
+    first, _ = closed_form(2.0, 6.0, 0.8, order)
+    put(table, 0, first)
+    half = closed_after(system, 1, order, table)
+    assert half.residual < 1e-13
+    put(whole, 0, first)
+    put(whole, 1, mirror(first, order))
+    both = measured(system, 2, order, whole).jacobian
+    twice = np.linalg.matrix_power(np.reshape(half.jacobian, (2, 2)), 2)
+    assert np.reshape(both, (2, 2)) == pytest.approx(twice, rel=1e-10)
+    # A full period later it is the state itself, and one flight does not lead there.
+    assert closed_after(system, 1, 2 * order, table).residual == math.inf
 
 
 @given(

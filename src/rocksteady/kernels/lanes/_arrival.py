@@ -9,6 +9,7 @@ from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.lanes._exp_sincos import nearest_whole
 from rocksteady.kernels.lanes._fields import (
     ASTRAY,
+    DELTA,
     IMPACTS,
     LAG,
     LANDED,
@@ -25,7 +26,9 @@ from rocksteady.kernels.lanes._fields import (
     SETTLED,
     STAGE,
     VELOCITY,
+    WIDEST,
 )
+from rocksteady.kernels.lanes._law import Law, after_return, law_of, put_law
 from rocksteady.kernels.machine_code.compilation import compiled
 from rocksteady.kernels.machine_code.types import Floats3
 from rocksteady.kernels.orbits.periodic import SMALLEST_SPEED
@@ -41,6 +44,7 @@ LOST = 10.0 * NEAR
 # Other uses of fields: no lane that looks for an orbit leaps over periods.
 LOOK = REF_LEFT  # half cycles since the start from which on a state is looked at
 NEXT = REF_IMPACTS  # impacts at which the motion is next back; REF_PHASE, REF_VELOCITY: the last
+KNOWN_LAW = WIDEST  # whether the law of the returns is that of a stable orbit
 
 
 @compiled
@@ -72,12 +76,40 @@ def watch(lanes: Floats) -> None:
         # As `rocksteady.kernels.orbits.periodic.distance` has it.
         turned = phase - ref_phase
         turned -= TWO_PI * nearest_whole(turned * (1.0 / TWO_PI))
-        slower = abs(velocity - ref_velocity)
-        apart = max(abs(turned), slower / max(ref_velocity, SMALLEST_SPEED))
+        faster = velocity - ref_velocity
+        apart = max(abs(turned), abs(faster) / max(ref_velocity, SMALLEST_SPEED))
+        law = law_of(lanes, j)
+        delta = lanes[DELTA + j]
+        law, attracted = after_return(
+            Law(
+                law.trace,
+                law.area * (delta * delta if landed else 1.0),
+                law.last_phase,
+                law.last_velocity,
+                law.before_phase,
+                law.before_velocity,
+            ),
+            back,
+            turned if back else 0.0,
+            faster if back else 0.0,
+        )
+        put_law(
+            lanes,
+            j,
+            Law(
+                law.trace,
+                1.0 if back & (not attracted) else law.area,
+                law.last_phase,
+                law.last_velocity,
+                law.before_phase,
+                law.before_velocity,
+            ),
+        )
+        lanes[KNOWN_LAW + j] = 1.0 if attracted else lanes[KNOWN_LAW + j]
         astray = back & (apart > LOST)
         over = landed & (lanes[LAG + j] == 0.0) & (impacts > limit)
         onward = LOOKING if due else stage
-        onward = SETTLED if back & ((apart <= CLOSE) | (impacts >= limit)) else onward
+        onward = SETTLED if back & (attracted | (apart <= CLOSE) | (impacts >= limit)) else onward
         lanes[STAGE + j] = ASTRAY if astray | over | rests else onward
         lanes[REF_PHASE + j] = phase if back else ref_phase
         lanes[REF_VELOCITY + j] = velocity if back else ref_velocity

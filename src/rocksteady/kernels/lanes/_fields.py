@@ -86,8 +86,14 @@ SPECIALS_BITS = 32
     REF_LEFT,
     REF_IMPACTS,
     LIMIT,
-) = range(0, 53 * LANES, LANES)
-FIELDS = 53
+    AREA,
+    TRACE,
+    LAST_PHASE,
+    LAST_VELOCITY,
+    BEFORE_PHASE,
+    BEFORE_VELOCITY,
+) = range(0, 59 * LANES, LANES)
+FIELDS = 59
 
 LOSS = 2.0**-49  # sixteen roundings: what a computed number may be off, in units of its terms
 FARTHEST = 100.0  # further ahead nothing is known: squares of what has grown are to stay finite

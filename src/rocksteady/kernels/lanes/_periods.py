@@ -3,6 +3,7 @@
 from rocksteady.kernels.core.returns import PERIODIC, Reference, compared, leapt
 from rocksteady.kernels.core.tables import Floats
 from rocksteady.kernels.lanes._fields import (
+    DELTA,
     IMPACTS,
     LAG,
     LANDED,
@@ -14,10 +15,14 @@ from rocksteady.kernels.lanes._fields import (
     REF_PHASE,
     REF_VELOCITY,
     STAGE,
+    UNKNOWN,
     VELOCITY,
     WIDEST,
 )
+from rocksteady.kernels.lanes._law import Law, after_return, draw_near, law_of, put_law
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
+
+ATTRACTED = -3.0  # what has become of a lag, as `PERIODIC`: the motion surely settles to an orbit
 
 
 @inlined
@@ -44,22 +49,53 @@ def compare(lanes: Floats, most: int) -> int:
         stage = lanes[STAGE + j]
         reference = reference_of(lanes, j)
         impacts = lanes[IMPACTS + j]
+        phase, velocity = lanes[PHASE + j], lanes[VELOCITY + j]
+        left = lanes[LEFT + j]
         launched = (stage > 0.0) & (stage <= LANDED)
-        then = compared(
-            reference,
-            launched & (reference.lag >= 0.0) & (impacts <= most),
-            lanes[PHASE + j],
-            lanes[VELOCITY + j],
-            lanes[LEFT + j],
-            impacts,
+        compares = launched & (reference.lag >= 0.0) & (impacts <= most)
+        then = compared(reference, compares, phase, velocity, left, impacts)
+        back = compares & (reference.lag > 0.0) & (impacts - reference.impacts == reference.lag)
+        law = law_of(lanes, j)
+        delta = lanes[DELTA + j]
+        area = law.area * (delta * delta if stage == LANDED else 1.0)
+        # Of a flight by the march it is not counted.
+        area = UNKNOWN if launched & (stage < LANDED) else area
+        law, attracted = after_return(
+            Law(
+                law.trace,
+                area,
+                law.last_phase,
+                law.last_velocity,
+                law.before_phase,
+                law.before_velocity,
+            ),
+            back,
+            phase - reference.phase if back else 0.0,
+            velocity - reference.velocity if back else 0.0,
+        )
+        attracted &= (reference.left > left) & (then.lag > 0.0)
+        afresh = then.lag != reference.lag
+        marked = (then.impacts != reference.impacts) & (not attracted)
+        put_law(
+            lanes,
+            j,
+            Law(
+                UNKNOWN if afresh else law.trace,
+                1.0 if marked else law.area,
+                0.0 if afresh else law.last_phase,
+                0.0 if afresh else law.last_velocity,
+                0.0 if afresh else law.before_phase,
+                0.0 if afresh else law.before_velocity,
+            ),
         )
         lanes[REF_PHASE + j] = then.phase
         lanes[REF_VELOCITY + j] = then.velocity
-        lanes[REF_LEFT + j] = then.left
-        lanes[REF_IMPACTS + j] = then.impacts
-        lanes[LAG + j] = then.lag
+        lanes[REF_LEFT + j] = reference.left if attracted else then.left
+        lanes[REF_IMPACTS + j] = reference.impacts if attracted else then.impacts
+        lag = ATTRACTED if attracted else then.lag
+        lanes[LAG + j] = lag
         lanes[WIDEST + j] = then.widest
-        count += 1 if then.lag == PERIODIC else 0
+        count += 1 if (lag == PERIODIC) | (lag == ATTRACTED) else 0
     return count
 
 
@@ -67,7 +103,12 @@ def compare(lanes: Floats, most: int) -> int:
 def leap(lanes: Floats) -> None:
     """Leap over all but the last whole period of the lanes that have become periodic."""
     for j in range(LANES):
-        left, impacts, lag = leapt(reference_of(lanes, j), lanes[LEFT + j], lanes[IMPACTS + j])
-        lanes[LEFT + j] = left
-        lanes[IMPACTS + j] = impacts
-        lanes[LAG + j] = lag
+        lag = lanes[LAG + j]
+        if lag == ATTRACTED:
+            lanes[LAG + j] = PERIODIC
+        left, period = lanes[LEFT + j], lanes[REF_LEFT + j] - lanes[LEFT + j]
+        lanes[LEFT + j], lanes[IMPACTS + j], lanes[LAG + j] = leapt(
+            reference_of(lanes, j), left, lanes[IMPACTS + j]
+        )
+        if lag == ATTRACTED:
+            draw_near(lanes, j, (left - lanes[LEFT + j]) / period)

@@ -19,7 +19,7 @@ from rocksteady.kernels.core.clock import clock, side_phase
 from rocksteady.kernels.core.forcing import TWO_PI
 from rocksteady.kernels.core.tables import LEAN, RATE, RESTITUTION, Floats, March
 from rocksteady.kernels.core.typed import MINUS_ONE, ONE, ZERO
-from rocksteady.kernels.lanes._arrival import FAR, LOOK, NEXT, remember, watch
+from rocksteady.kernels.lanes._arrival import FAR, KNOWN_LAW, LOOK, NEXT, remember, watch
 from rocksteady.kernels.lanes._fields import (
     AMPLITUDE,
     CELL,
@@ -45,9 +45,11 @@ from rocksteady.kernels.lanes._fields import (
     SETTLED,
     STAGE,
     TIME,
+    UNKNOWN,
     VELOCITY,
     WAITING_BITS,
 )
+from rocksteady.kernels.lanes._law import Law, draw_near, put_law
 from rocksteady.kernels.lanes._loading import load, put_lane, taken
 from rocksteady.kernels.lanes._nodes import node_decision, node_state
 from rocksteady.kernels.lanes._passes import (
@@ -116,7 +118,7 @@ BENT = 0.1
 """... if what bends the map displaces the orbit by this part of the distance at most."""
 STEPS = 4
 """Most steps of Newton's method from a state that is close."""
-ALIKE = 1e-6
+ALIKE = 1e-5
 """Distance of a state from the mirror image half a return earlier of which that is made use."""
 ROUNDING = 4e-15
 """Residual of an orbit that is due to rounding."""
@@ -270,6 +272,8 @@ def attended(
     """Help a waiting lane on; return whether its motion is over, with its row written."""
     stage = lanes[STAGE + j]
     cell = int(lanes[CELL + j])
+    if stage == SETTLED and lanes[KNOWN_LAW + j] > 0.0:
+        draw_near(lanes, j, math.inf)
     taken_up = taken(lanes, j, start + FAR)
     here = Section(taken_up.side, taken_up.half_cycles, taken_up.phase, abs(taken_up.velocity))
     passed = (here.half_cycles - start) // 2
@@ -322,6 +326,8 @@ def returning(lanes: Floats, j: int, memory: Floats3, returns: Floats2, passed: 
         returns[j, PHASE_BEFORE], returns[j, VELOCITY_BEFORE] = earlier_phase, earlier_velocity
         lanes[REF_PHASE + j], lanes[REF_VELOCITY + j] = phase, velocity
         lanes[LAG + j] = passages
+        put_law(lanes, j, Law(UNKNOWN, 1.0, 0.0, 0.0, 0.0, 0.0))
+        lanes[KNOWN_LAW + j] = 0.0
         lanes[NEXT + j] = count + passages
         lanes[LIMIT + j] = count + MOST_RETURNS * passages
         lanes[LOOK + j] = math.inf

@@ -1,0 +1,140 @@
+"""Linear law that returns near an orbit follow, by which it is known before they repeat."""
+
+import math
+from typing import NamedTuple
+
+from rocksteady.kernels.core.tables import Floats
+from rocksteady.kernels.elementary.circular import sincos_near
+from rocksteady.kernels.lanes._fields import (
+    AREA,
+    BEFORE_PHASE,
+    BEFORE_VELOCITY,
+    COSINE,
+    LAST_PHASE,
+    LAST_VELOCITY,
+    PHASE,
+    SINE,
+    TRACE,
+    UNKNOWN,
+    VELOCITY,
+)
+from rocksteady.kernels.machine_code.compilation import compiled, inlined
+
+CLOSE = 1e-5  # returns as close are held against the law ...
+EXACT = 1e-12  # ... which is to foretell them to this part of 1 + D - |T| ...
+BENT = 1e-4  # ... and to this part of them
+ROOM = 0.05  # between 1 + D and |T|, and between D and 1
+NEGLIGIBLE = 1e-11  # part of such differences that adds nothing to a state
+
+
+class Law(NamedTuple):
+    """The law of a lane, and the differences of its last returns."""
+
+    trace: float  # as fitted to the last returns; UNKNOWN before
+    area: float  # what is left of 1 since the last return
+    last_phase: float
+    last_velocity: float
+    before_phase: float
+    before_velocity: float
+
+
+@inlined
+def law_of(lanes: Floats, j: int) -> Law:
+    """Return the law of a lane."""
+    return Law(
+        lanes[TRACE + j],
+        lanes[AREA + j],
+        lanes[LAST_PHASE + j],
+        lanes[LAST_VELOCITY + j],
+        lanes[BEFORE_PHASE + j],
+        lanes[BEFORE_VELOCITY + j],
+    )
+
+
+@inlined
+def put_law(lanes: Floats, j: int, law: Law) -> None:
+    """Give a lane its law."""
+    lanes[TRACE + j] = law.trace
+    lanes[AREA + j] = law.area
+    lanes[LAST_PHASE + j] = law.last_phase
+    lanes[LAST_VELOCITY + j] = law.last_velocity
+    lanes[BEFORE_PHASE + j] = law.before_phase
+    lanes[BEFORE_VELOCITY + j] = law.before_velocity
+
+
+@inlined
+def after_return(law: Law, back: bool, further: float, faster: float) -> tuple[Law, bool]:
+    """Return the law after a return, and whether it is surely that of a stable orbit nearby.
+
+    `back` is false where there is no return; the differences of it are to be 0 then.
+    """
+    along_phase = further + law.area * law.before_phase
+    along_velocity = faster + law.area * law.before_velocity
+    square = law.last_phase * law.last_phase + law.last_velocity * law.last_velocity
+    fits = back & (square > 0.0)
+    fitted = along_phase * law.last_phase + along_velocity * law.last_velocity
+    divisor = square if fits else 1.0
+    fitted = fitted / divisor if fits else UNKNOWN
+    foretold = abs(law.trace) < 2.0
+    trace = law.trace if foretold else 0.0
+    off = max(
+        abs(along_phase - trace * law.last_phase), abs(along_velocity - trace * law.last_velocity)
+    )
+    gap = max(abs(further), abs(faster))
+    room = 1.0 + law.area - abs(trace)
+    attracted = (
+        fits
+        & foretold
+        & (gap < CLOSE)
+        & (room >= ROOM)
+        & (law.area <= 1.0 - ROOM)
+        & (off <= EXACT * room)
+        & (off <= BENT * gap)
+    )
+    then = Law(
+        fitted if back & (not attracted) else law.trace,
+        law.area,
+        further if back else law.last_phase,
+        faster if back else law.last_velocity,
+        law.last_phase if back else law.before_phase,
+        law.last_velocity if back else law.before_velocity,
+    )
+    return then, attracted
+
+
+@compiled
+def draw_near(lanes: Floats, j: int, times: float) -> None:
+    """Bring a lane as near to its orbit as so many returns would, by the linear law of them."""
+    trace, area = lanes[TRACE + j], lanes[AREA + j]
+    phase, velocity = lanes[LAST_PHASE + j], lanes[LAST_VELOCITY + j]
+    before_phase, before_velocity = lanes[BEFORE_PHASE + j], lanes[BEFORE_VELOCITY + j]
+    further = faster = 0.0
+    if fades(trace, area, times):
+        # The sum of all differences to come.
+        room = 1.0 + area - trace
+        further = ((trace - area) * phase - area * before_phase) / room
+        faster = ((trace - area) * velocity - area * before_velocity) / room
+        times = 0.0
+    while times > 0.0:
+        next_phase = trace * phase - area * before_phase
+        next_velocity = trace * velocity - area * before_velocity
+        before_phase, before_velocity = phase, velocity
+        phase, velocity = next_phase, next_velocity
+        further += phase
+        faster += velocity
+        times -= 1.0
+    lanes[PHASE + j] += further
+    lanes[VELOCITY + j] += faster
+    lanes[SINE + j], lanes[COSINE + j] = sincos_near(lanes[PHASE + j])
+
+
+@compiled
+def fades(trace: float, area: float, times: float) -> bool:
+    """Return whether what is left of a difference after so many returns is negligible."""
+    root = trace * trace - 4.0 * area
+    largest = 0.5 * (abs(trace) + math.sqrt(root)) if root > 0.0 else math.sqrt(area)
+    count = 1.0
+    while 2.0 * count <= times and largest > NEGLIGIBLE:
+        largest *= largest
+        count *= 2.0
+    return largest <= NEGLIGIBLE
