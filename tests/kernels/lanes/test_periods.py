@@ -16,10 +16,11 @@ from rocksteady.kernels.lanes._fields import (
     FIELDS,
     LANES,
     LAST_PHASE,
+    LAST_SQUARE,
     LAST_VELOCITY,
     PHASE,
+    PRODUCT,
     SINE,
-    TRACE,
     VELOCITY,
 )
 from rocksteady.kernels.lanes._law import draw_near
@@ -160,7 +161,8 @@ def test_returns_that_are_leapt_follow_the_linear_law(
     fixed, state = np.array([1.0, 0.5]), np.array([1.0 + 3e-6, 0.5 - 1e-6])
     states = [fixed + np.linalg.matrix_power(law, k) @ (state - fixed) for k in range(4)]
     lanes = np.zeros(FIELDS * LANES)
-    lanes[TRACE], lanes[AREA] = (first + second).real, (first * second).real
+    lanes[PRODUCT], lanes[LAST_SQUARE] = 3.0 * (first + second).real, 3.0
+    lanes[AREA] = (first * second).real
     lanes[BEFORE_PHASE], lanes[BEFORE_VELOCITY] = states[2] - states[1]
     lanes[LAST_PHASE], lanes[LAST_VELOCITY] = states[3] - states[2]
     lanes[PHASE], lanes[VELOCITY] = states[3]

@@ -47,5 +47,6 @@ def test_cells_that_were_not_computed_come_first() -> None:
     queue = Queue([(0, 10), (10, 20)], workers=1, batch=10)
     job = queue.next()
     assert job == (0, 10)
-    queue.put_back(Answer((0, 10), 4, {}))
+    queue.put_back(Answer((0, 10), 4, {}, 32))
+    assert queue.many == 32
     assert queue.next() == (4, 10)

@@ -49,25 +49,31 @@ def test_calls_grow_while_they_are_short(
     assert answer.arrays["double"].tolist() == list(range(20, 2000, 2))
 
 
-def test_a_job_goes_on_with_calls_as_large_as_the_last_one_had(
+@pytest.mark.parametrize(
+    ("seconds_a_cell", "many", "sizes", "next_many"),
+    [
+        (1 / 1024, 2, [2, 4, 8, 16, 16], 2),
+        (1 / 1024, 500, [64, 64], 8),
+        (1 / 256, 32, [32, 1, 2], 1),
+    ],
+)
+def test_a_job_begins_where_another_has_come_to(
+    seconds_a_cell: float,
+    many: int,
+    sizes: list[int],
+    next_many: int,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     called: list[int] = []
-    slow, now = 500.0, [0.0]
-    monkeypatch.setattr(f"{Task.__module__}.time.monotonic", lambda: now[0])
+    monkeypatch.setattr(f"{Task.__module__}.time.monotonic", lambda: seconds_a_cell * sum(called))
 
     def double(a: NDArray[np.float64]) -> dict[str, Any]:
         called.append(len(a))
-        now[0] += np.sum(np.where(a < slow, 1 / 8192, 1 / 64))
         return {"double": 2.0 * a}
 
-    task = task_of(double)
-    assert task.run((0, 140), 60.0).stop == 140
-    assert called == [1, 8, 64, 64, 3]
-    task.run((140, 270), 60.0)
-    assert called[5:] == [64, 64, 2]
-    task.run((500, 660), 60.0)
-    assert called[8:] == [64, 32, 16, 8, 4, *[2] * 18]
+    answer = task_of(double).run((0, sum(sizes)), 60.0, many)
+    assert called == sizes
+    assert answer.many == next_many
 
 
 @pytest.mark.parametrize(("seconds", "calls"), [(0.0, 1), (1 / 64, 1), (3 / 64, 3), (0.05, 4)])

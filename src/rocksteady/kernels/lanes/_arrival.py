@@ -82,7 +82,8 @@ def watch(lanes: Floats) -> None:
         delta = lanes[DELTA + j]
         law, attracted = after_return(
             Law(
-                law.trace,
+                law.product,
+                law.square,
                 law.area * (delta * delta if landed else 1.0),
                 law.last_phase,
                 law.last_velocity,
@@ -97,7 +98,8 @@ def watch(lanes: Floats) -> None:
             lanes,
             j,
             Law(
-                law.trace,
+                law.product,
+                law.square,
                 1.0 if back & (not attracted) else law.area,
                 law.last_phase,
                 law.last_velocity,

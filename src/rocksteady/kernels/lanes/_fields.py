@@ -87,13 +87,14 @@ SPECIALS_BITS = 32
     REF_IMPACTS,
     LIMIT,
     AREA,
-    TRACE,
+    PRODUCT,
+    LAST_SQUARE,
     LAST_PHASE,
     LAST_VELOCITY,
     BEFORE_PHASE,
     BEFORE_VELOCITY,
-) = range(0, 59 * LANES, LANES)
-FIELDS = 59
+) = range(0, 60 * LANES, LANES)
+FIELDS = 60
 
 LOSS = 2.0**-49  # sixteen roundings: what a computed number may be off, in units of its terms
 FARTHEST = 100.0  # further ahead nothing is known: squares of what has grown are to stay finite

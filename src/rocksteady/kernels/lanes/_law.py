@@ -11,17 +11,17 @@ from rocksteady.kernels.lanes._fields import (
     BEFORE_VELOCITY,
     COSINE,
     LAST_PHASE,
+    LAST_SQUARE,
     LAST_VELOCITY,
     PHASE,
+    PRODUCT,
     SINE,
-    TRACE,
-    UNKNOWN,
     VELOCITY,
 )
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 CLOSE = 1e-5  # returns as close are held against the law ...
-EXACT = 1e-12  # ... which is to foretell them to this part of 1 + D - |T| ...
+EXACT = 3e-12  # ... which is to foretell them to this part of 1 + D - |T| ...
 BENT = 1e-4  # ... and to this part of them
 ROOM = 0.05  # between 1 + D and |T|, and between D and 1
 NEGLIGIBLE = 1e-11  # part of such differences that adds nothing to a state
@@ -30,7 +30,8 @@ NEGLIGIBLE = 1e-11  # part of such differences that adds nothing to a state
 class Law(NamedTuple):
     """The law of a lane, and the differences of its last returns."""
 
-    trace: float  # as fitted to the last returns; UNKNOWN before
+    product: float  # T, as fitted to the last returns, is this ...
+    square: float  # ... over this, which is 0 before
     area: float  # what is left of 1 since the last return
     last_phase: float
     last_velocity: float
@@ -42,7 +43,8 @@ class Law(NamedTuple):
 def law_of(lanes: Floats, j: int) -> Law:
     """Return the law of a lane."""
     return Law(
-        lanes[TRACE + j],
+        lanes[PRODUCT + j],
+        lanes[LAST_SQUARE + j],
         lanes[AREA + j],
         lanes[LAST_PHASE + j],
         lanes[LAST_VELOCITY + j],
@@ -54,7 +56,8 @@ def law_of(lanes: Floats, j: int) -> Law:
 @inlined
 def put_law(lanes: Floats, j: int, law: Law) -> None:
     """Give a lane its law."""
-    lanes[TRACE + j] = law.trace
+    lanes[PRODUCT + j] = law.product
+    lanes[LAST_SQUARE + j] = law.square
     lanes[AREA + j] = law.area
     lanes[LAST_PHASE + j] = law.last_phase
     lanes[LAST_VELOCITY + j] = law.last_velocity
@@ -71,28 +74,27 @@ def after_return(law: Law, back: bool, further: float, faster: float) -> tuple[L
     along_phase = further + law.area * law.before_phase
     along_velocity = faster + law.area * law.before_velocity
     square = law.last_phase * law.last_phase + law.last_velocity * law.last_velocity
-    fits = back & (square > 0.0)
-    fitted = along_phase * law.last_phase + along_velocity * law.last_velocity
-    divisor = square if fits else 1.0
-    fitted = fitted / divisor if fits else UNKNOWN
-    foretold = abs(law.trace) < 2.0
-    trace = law.trace if foretold else 0.0
+    product = along_phase * law.last_phase + along_velocity * law.last_velocity
+    # All in units of the square, which saves a division.
     off = max(
-        abs(along_phase - trace * law.last_phase), abs(along_velocity - trace * law.last_velocity)
+        abs(along_phase * law.square - law.product * law.last_phase),
+        abs(along_velocity * law.square - law.product * law.last_velocity),
     )
     gap = max(abs(further), abs(faster))
-    room = 1.0 + law.area - abs(trace)
+    room = (1.0 + law.area) * law.square - abs(law.product)
     attracted = (
-        fits
-        & foretold
+        back
+        & (law.square > 0.0)
         & (gap < CLOSE)
-        & (room >= ROOM)
+        & (room >= ROOM * law.square)
         & (law.area <= 1.0 - ROOM)
         & (off <= EXACT * room)
-        & (off <= BENT * gap)
+        & (off <= BENT * gap * law.square)
     )
+    fitted = back & (not attracted)
     then = Law(
-        fitted if back & (not attracted) else law.trace,
+        product if fitted else law.product,
+        square if fitted else law.square,
         law.area,
         further if back else law.last_phase,
         faster if back else law.last_velocity,
@@ -105,7 +107,7 @@ def after_return(law: Law, back: bool, further: float, faster: float) -> tuple[L
 @compiled
 def draw_near(lanes: Floats, j: int, times: float) -> None:
     """Bring a lane as near to its orbit as so many returns would, by the linear law of them."""
-    trace, area = lanes[TRACE + j], lanes[AREA + j]
+    trace, area = lanes[PRODUCT + j] / lanes[LAST_SQUARE + j], lanes[AREA + j]
     phase, velocity = lanes[LAST_PHASE + j], lanes[LAST_VELOCITY + j]
     before_phase, before_velocity = lanes[BEFORE_PHASE + j], lanes[BEFORE_VELOCITY + j]
     further = faster = 0.0

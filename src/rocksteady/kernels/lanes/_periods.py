@@ -62,7 +62,8 @@ def compare(lanes: Floats, most: int) -> int:
         area = UNKNOWN if launched & (stage < LANDED) else area
         law, attracted = after_return(
             Law(
-                law.trace,
+                law.product,
+                law.square,
                 area,
                 law.last_phase,
                 law.last_velocity,
@@ -80,7 +81,8 @@ def compare(lanes: Floats, most: int) -> int:
             lanes,
             j,
             Law(
-                UNKNOWN if afresh else law.trace,
+                law.product,
+                0.0 if afresh else law.square,
                 1.0 if marked else law.area,
                 0.0 if afresh else law.last_phase,
                 0.0 if afresh else law.last_velocity,

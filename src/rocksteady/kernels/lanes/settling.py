@@ -45,7 +45,6 @@ from rocksteady.kernels.lanes._fields import (
     SETTLED,
     STAGE,
     TIME,
-    UNKNOWN,
     VELOCITY,
     WAITING_BITS,
 )
@@ -326,7 +325,7 @@ def returning(lanes: Floats, j: int, memory: Floats3, returns: Floats2, passed: 
         returns[j, PHASE_BEFORE], returns[j, VELOCITY_BEFORE] = earlier_phase, earlier_velocity
         lanes[REF_PHASE + j], lanes[REF_VELOCITY + j] = phase, velocity
         lanes[LAG + j] = passages
-        put_law(lanes, j, Law(UNKNOWN, 1.0, 0.0, 0.0, 0.0, 0.0))
+        put_law(lanes, j, Law(0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0))
         lanes[KNOWN_LAW + j] = 0.0
         lanes[NEXT + j] = count + passages
         lanes[LIMIT + j] = count + MOST_RETURNS * passages

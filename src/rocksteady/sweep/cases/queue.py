@@ -30,12 +30,15 @@ class Queue:
     ----------
     left
         Number of cells in the queue.
+    many
+        Cells with which the calls of the next job may begin, by the last answer.
     """
 
     def __init__(self, ranges: Sequence[CellRange], *, workers: int, batch: int) -> None:
         self._ranges = deque(ranges)
         self._most_jobs = JOBS_LEFT * workers
         self._batch = batch
+        self.many = 1
         self.left = sum(stop - first for first, stop in ranges)
 
     def next(self) -> CellRange | None:
@@ -52,6 +55,7 @@ class Queue:
 
     def put_back(self, answer: Answer) -> None:
         """Put the cells of a job that were not computed at the front of the queue."""
+        self.many = answer.many
         stop = answer.job[1]
         if answer.stop < stop:
             self._ranges.appendleft((answer.stop, stop))

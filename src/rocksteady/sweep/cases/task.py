@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -16,10 +16,8 @@ Cases = Callable[..., Mapping[str, Array]]
 CellRange = tuple[int, int]
 """First cell, and the one after the last."""
 
-LONG_ENOUGH = 0.02
+LONG_ENOUGH = 0.01
 """Seconds of a call beside which what it costs to make one does not count."""
-TOO_LONG = 0.04
-"""Seconds of a call after which the next one takes fewer cells."""
 GROWTH = 8
 """How many times as many cells the next call takes where even that will be short."""
 
@@ -33,6 +31,8 @@ class Answer(NamedTuple):
     """First cell that was not computed; the end of the job if all were."""
     arrays: dict[str, Array]
     """Array of shape (stop - job[0],) for each output."""
+    many: int = 1
+    """Cells with which the calls of another job may begin."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -56,35 +56,31 @@ class Task:
     outputs: tuple[Output, ...]
     numbered: str | None
     batch: int
-    _size: list[int] = field(default_factory=lambda: [1], init=False, repr=False)
-    """Of the next call, in cells: what a job has learnt serves the ones that follow."""
 
-    def run(self, job: CellRange, seconds: float) -> Answer:
+    def run(self, job: CellRange, seconds: float, many: int = 1) -> Answer:
         """Compute the cells of a job until its time is over.
 
-        The first call of all takes one cell; the next ones take more as long as they are short, and
-        fewer after a long one.  At least one call is made.  The cells that are left go back to the
-        queue, so that no worker waits for another one that has met slow cells.
+        Calls begin with `many` cells (default one) and take more each time, as long as they are
+        short.  At least one call is made.  The cells that are left go back to the queue, so that no
+        worker waits for another one that has met slow cells.
         """
         began = time.monotonic()
         first, stop = job
-        here, many = first, self._size[0]
+        here, many = first, min(many, self.batch)
         found: list[dict[str, Array]] = []
         while here < stop and (not found or time.monotonic() - began < seconds):
             called = time.monotonic()
             last = min(here + many, stop)
             found.append(self._call(here, last))
-            whole = last - here == many
             here = last
             took = time.monotonic() - called
-            if took >= TOO_LONG:
-                many = max(many // 2, 1)
-            elif took < LONG_ENOUGH and whole:
+            if took < LONG_ENOUGH:
                 many = min((GROWTH if GROWTH * took < LONG_ENOUGH else 2) * many, self.batch)
-        self._size[0] = many
+            elif took > GROWTH * LONG_ENOUGH:
+                many = 1
         names = [output.name for output in self.outputs]
         joined = {name: np.concatenate([part[name] for part in found]) for name in names}
-        return Answer(job, here, joined)
+        return Answer(job, here, joined, max(many // GROWTH, 1))
 
     def _call(self, first: int, stop: int) -> dict[str, Array]:
         """Return what the case function finds in some cells."""

@@ -17,7 +17,7 @@ def serial_pool(task: Task, _workers: int | None = None) -> Iterator[Pool]:
 
     def answers(queue: Queue) -> Generator[Answer, None, None]:
         while (job := queue.next()) is not None:
-            answer = task.run(job, SECONDS)
+            answer = task.run(job, SECONDS, queue.many)
             queue.put_back(answer)
             yield answer
 
@@ -34,7 +34,7 @@ def thread_pool(task: Task, workers: int | None) -> Iterator[Pool]:
         submitted: list[Future[Answer]] = []  # in the order of their jobs
         while True:
             while len(submitted) < JOBS_SUBMITTED * count and (job := queue.next()) is not None:
-                submitted.append(threads.submit(task.run, job, SECONDS))
+                submitted.append(threads.submit(task.run, job, SECONDS, queue.many))
             if not submitted:
                 return
             ended = wait(submitted, return_when=FIRST_COMPLETED).done
