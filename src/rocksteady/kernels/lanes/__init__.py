@@ -78,7 +78,7 @@ successive returns follow the linear law ``d_3 = T d_2 - D d_1`` with the trace 
 of the Jacobian, whatever its directions (Cayley and Hamilton).  D is known: a flight conserves the
 area v dv dpsi and an impact takes delta^2 of it, so that ``D = delta^(2m)`` over the m impacts of a
 return.  T is fitted to three differences and then held against the next one: where the law
-foretells that to within ``3e-12 (1 + D - |T|)`` and to 1e-4 of itself, T is as good.  Both
+foretells that to within ``1e-12 (1 + D - |T|)`` and to 1e-4 of itself, T is as good.  Both
 multipliers are less than 1 if ``D < 1`` and ``|T| < 1 + D`` (Jury); 0.05 is left between them.  So
 the fixed point of the law is there, at 40 times the last difference at most, and attracts.  What
 the law leaves out was a 10^-4th of the difference; it is of higher order in the distance and falls

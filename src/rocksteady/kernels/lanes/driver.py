@@ -78,7 +78,7 @@ def lane_fates(
     """March symmetric blocks under harmonic shaking and note how each ends.
 
     Fates are those of `kernels.batch.harmonic.fates_of_sides`; impacts too but for those of
-    chatter; final states agree to rounding, which a chaotic motion amplifies, and to 1e-11 after a
+    chatter; final states agree to rounding, which a chaotic motion amplifies, and to 1e-9 after a
     leap.
 
     Parameters
