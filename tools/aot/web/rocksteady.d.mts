@@ -132,7 +132,7 @@ export interface Kernels {
   fates_of_sides(amplitude: Floats, frequency_ratio: Floats, sides: Floats, angle: Floats, velocity: Floats, phase: Floats, cycles: number, most: number, status: Integers, impacts: Integers, final: Floats): void;
   /** March symmetric blocks under harmonic shaking and note how each ends. */
   lane_fates(amplitude: Floats, frequency_ratio: Floats, restitution: Floats, angle: Floats, velocity: Floats, phase: Floats, cycles: number, leaping: boolean, most: number, status: Integers, impacts: Integers, final: Floats): void;
-  /** March symmetric blocks under harmonic shaking in the nonlinear model; note how each ends. */
+  /** March blocks under harmonic shaking in the nonlinear model; note how each ends. */
   nonlinear_lane_fates(amplitude: Floats, frequency_ratio: Floats, sides: Floats, angle: Floats, velocity: Floats, phase: Floats, cycles: number, leaping: boolean, most: number, status: Integers, impacts: Integers, final: Floats): void;
   /** Follow motions until it is known what they settle to. */
   settle_cells(amplitude: Floats, frequency_ratio: Floats, sides: Floats, side: Integers, angle: Floats, velocity: Floats, half_cycles: Integers, phase: Floats, cycles: number, whole: Integers, real: Floats): void;

@@ -8,9 +8,9 @@ never depends on the lanes beside it, so neither does the result, to the last bi
 
 The parts: `_fields` the fields and stages of a lane, `_exp_sincos` exponential and sine, `_newton`
 steps towards an impact, `_launching` what a flight begins with, `_nodes` whether a piece has an
-impact, `_passes` the order of these loops, `_periods` motions that have become periodic, `_law` how these are known early, `driver`
-the loop that drives them; `_arrival` and
-`settling` motions that are followed to their orbits.
+impact, `_passes` the order of these loops, `_periods` motions that have become periodic, `_law` how
+these are known early, `driver` the loop that drives them; `_arrival` and `settling` motions that
+are followed to their orbits.
 
 **No impact can be missed.**  A lane decides only what the argument of `kernels.linear.zeros`
 settles with room to spare; any other flight is left to the scalar `march`, and the lane goes on
@@ -99,8 +99,7 @@ motion until it has come to within 1e-7 of it.  In the lanes that order is rever
 followed first, until the law of its returns is that of a stable orbit, as above, or one of them
 differs from the one before by 1e-8 (or for `MOST_RETURNS`).  That costs little side by side, and
 the orbit is polished from there, a step or two away.  Of an orbit that is its own mirror image this
-is done for one half.  Its
-stability, its arrival and its symmetry are judged by the same code.
+is done for one half.  Its stability, its arrival and its symmetry are judged by the same code.
 
 That the scalar code would have found the same orbit at the look is not taken for granted.  With the
 orbit O and its Jacobian J at hand, the two states x and x' = P(x) of the look show what bends the
