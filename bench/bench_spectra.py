@@ -14,7 +14,7 @@ GUIDES = {Linear(): 0.5, Nonlinear(): 3.0}
 
 
 @pytest.mark.parametrize("vertical", [False, True], ids=["", "vertical"])
-@pytest.mark.parametrize("model", GUIDES)
+@pytest.mark.parametrize("model", GUIDES, ids=[model.name for model in GUIDES])
 @pytest.mark.benchmark(group="spectra", timer=time.perf_counter)
 def test_spectrum(benchmark: Any, model: Any, vertical: bool) -> None:
     if isinstance(model, Linear) and vertical:
