@@ -17,7 +17,7 @@ MANTISSA = 2**52 - 1
 
 
 class Reference(NamedTuple):
-    """An earlier state after an impact, and what is known of the return to it."""
+    """An earlier state after an impact, with which later states are compared."""
 
     phase: float
     velocity: float

@@ -32,7 +32,7 @@ class Law(NamedTuple):
 
     product: float  # T, as fitted to the last returns, is this ...
     square: float  # ... over this, which is 0 before
-    area: float  # what is left of 1 since the last return
+    area: float  # part to which the impacts since the last return have reduced areas
     last_phase: float
     last_velocity: float
     before_phase: float
@@ -132,7 +132,7 @@ def draw_near(lanes: Floats, j: int, times: float) -> None:
 
 @compiled
 def fades(trace: float, area: float, times: float) -> bool:
-    """Return whether what is left of a difference after so many returns is negligible."""
+    """Return whether differences become negligible within a number of returns."""
     root = trace * trace - 4.0 * area
     largest = 0.5 * (abs(trace) + math.sqrt(root)) if root > 0.0 else math.sqrt(area)
     count = 1.0

@@ -93,38 +93,27 @@ def expand(
     if drive.frequency == 0.0:
         shaking = drive.constant + drive.slope * time
         weight = 1.0 + drive.lift + drive.lift_slope * time
-        short = short_step(
-            drive.alpha,
-            shaking,
-            drive.slope,
-            weight,
-            drive.lift_slope,
-            angle,
-            velocity,
-            lifting,
-            reach,
-            left_out,
-        )
         step = reach
-        if not short.exact:
-            # The next zero is nearer than that, it may be.
+        for _ in range(2):
+            short = short_step(
+                drive.alpha,
+                shaking,
+                drive.slope,
+                weight,
+                drive.lift_slope,
+                angle,
+                velocity,
+                lifting,
+                step,
+                left_out,
+            )
+            if short.exact:
+                fill_short(short, angle, velocity, work)
+                return DEGREE, step
+            # A shorter one, up to the next zero, may be exact.
             step = BEYOND * root_of_parabola(angle, velocity, 2.0 * short.second, TRUE)
-            if step < reach:
-                short = short_step(
-                    drive.alpha,
-                    shaking,
-                    drive.slope,
-                    weight,
-                    drive.lift_slope,
-                    angle,
-                    velocity,
-                    lifting,
-                    step,
-                    left_out,
-                )
-        if short.exact:
-            fill_short(short, angle, velocity, work)
-            return DEGREE, step
+            if not step < reach:
+                break
     return expand_series(drive, time, angle, velocity, sine, cosine, lifting, reach, left_out, work)
 
 
