@@ -9,7 +9,7 @@ import pytest
 from rocksteady import Block, Record, Status, Trajectory, simulate
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.seismic.spectra._batch import (
+from rocksteady.seismic.spectra.batch import (
     Fared,
     GroundShaking,
     rectangles_in_si,

@@ -14,13 +14,13 @@ from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.equations import Model, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
-from rocksteady.seismic.spectra._batch import (
+from rocksteady.seismic.spectra.batch import (
     OUTPUTS,
     load_kernel,
     shaken_fates,
     sides_in_si,
 )
-from rocksteady.seismic.spectra._grounds import (
+from rocksteady.seismic.spectra.grounds import (
     axis_values,
     check_grounds,
     grounds_of,

@@ -15,8 +15,8 @@ from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import Model, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
-from rocksteady.seismic.spectra._batch import OUTPUTS, load_kernel, rectangles_in_si, shaken_fates
-from rocksteady.seismic.spectra._grounds import (
+from rocksteady.seismic.spectra.batch import OUTPUTS, load_kernel, rectangles_in_si, shaken_fates
+from rocksteady.seismic.spectra.grounds import (
     axis_values,
     check_grounds,
     grounds_of,

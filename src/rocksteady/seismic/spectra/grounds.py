@@ -15,7 +15,7 @@ from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.equations import Linear, Model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
-from rocksteady.seismic.spectra._batch import GroundShaking
+from rocksteady.seismic.spectra.batch import GroundShaking
 
 
 def grounds_of(motions: Record | BaseMotion | Sequence[Record | BaseMotion]) -> list[GroundShaking]:

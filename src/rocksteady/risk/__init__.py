@@ -1,0 +1,1 @@
+"""Whether an object falls: ensembles, fragility, code screens, hazard and risk."""
