@@ -109,6 +109,11 @@ from .records.processing import correct_baseline as correct_baseline
 from .records.processing import resample as resample
 from .records.read import read_record as read_record
 from .records.read import read_recordings as read_recordings
+from .risk.fits.bands import Bands as Bands
+from .risk.fits.fragility_curve import FragilityCurve as FragilityCurve
+from .risk.fits.fragility_curve import fit_curve as fit_curve
+from .risk.fits.two_stages import TwoStageCurve as TwoStageCurve
+from .risk.fits.two_stages import fit_two_stages as fit_two_stages
 from .seismic.measures.intensity import IntensityMeasures as IntensityMeasures
 from .seismic.measures.intensity import measure_intensity as measure_intensity
 from .seismic.measures.response_spectrum import ResponseSpectrum as ResponseSpectrum

@@ -1,0 +1,50 @@
+"""Options of the confidence bands."""
+
+from dataclasses import dataclass
+
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import in_range, whole_number
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class Bands:
+    """Hold the options of a bootstrap by record.
+
+    Attributes
+    ----------
+    confidence
+        Of the bands, in (0, 1); default 0.9.
+    replicates
+        Suites that are drawn from the records, with replacement; default 1000, at least 100.
+    seed
+        Of the draws, a whole number from 0; default 0.
+
+    Raises
+    ------
+    InputError
+        If a number is outside its range.
+
+    Examples
+    --------
+    >>> from rocksteady import Bands
+    >>> Bands(confidence=0.95)
+    Bands(confidence=0.95, replicates=1000, seed=0)
+    """
+
+    confidence: float = 0.9
+    replicates: int = 1000
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        """Check every number."""
+        hint = "give a share, as 0.9"
+        values = {
+            "confidence": in_range("confidence", self.confidence, 0.0, 1.0, "()", hint=hint),
+            "replicates": whole_number(
+                "replicates", self.replicates, at_least=100, at_most=1_000_000, hint="give 1000"
+            ),
+            "seed": whole_number("seed", self.seed, at_least=0, hint="give a whole number, as 0"),
+        }
+        for name, value in values.items():
+            object.__setattr__(self, name, value)

@@ -1,0 +1,349 @@
+"""Fragility curves by maximum likelihood: the probability of an event against intensity."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import number, plural
+from rocksteady.results.result import Result
+from rocksteady.risk.fits._likelihood import family_of
+from rocksteady.risk.fits._maximum import Maximum, maximum_of
+from rocksteady.risk.fits._observations import counts_of, values_of
+from rocksteady.risk.fits._status import ALWAYS, FITTED, NEVER, NOT_RISING, SEPARATED
+from rocksteady.risk.fits._stripes import Row, compare_stripes, stripe_table
+from rocksteady.risk.fits._values import intensities, listed, plain, share_value, value_words
+from rocksteady.risk.fits.bands import Bands
+
+Floats = NDArray[np.float64]
+FEW_RECORDS = 22
+"""Below it a curve is warned of."""
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, repr=False, eq=False)
+class FragilityCurve(Result):
+    """Hold a fragility curve, from `rocksteady.fit_curve`.
+
+    Attributes
+    ----------
+    family
+        "lognormal" or "logistic".
+    status
+        "fitted"; "separated": a step; "never" and "always": without a failure, without a survival;
+        "not-rising": failures lie at no higher intensities than survivals, and no curve is forced.
+    median
+        Intensity of probability .5; of a step the geometric mean of its two sides; NaN without a
+        curve.
+    beta
+        Standard deviation of ln im (lognormal) or its scale (logistic); 0 of a step, NaN without.
+    step
+        Highest intensity with a survival and lowest with a failure; None unless separated.
+    log_likelihood
+        Of single trials: binomial coefficients are left out, so that grouping does not matter.
+    deviance
+        Twice the log-likelihood that the shares at each distinct intensity have above the curve.
+    misfit
+        Largest difference of share and curve over the stripes; NaN without a curve.
+    goodness
+        Probability of a departure as large by chance; None where it cannot be computed.
+    trials, failures, records
+        Their numbers.
+    sampled
+        Lowest and highest intensity; 0 without trials.
+    stripes
+        Intensity, trials, failures and probability of each stripe, None without a curve.
+    median_band, beta_band
+        Confidence intervals (low, high); None without.
+    bands
+        Options of the bands; None without.
+    measure
+        Name and unit of the intensity.
+    warnings
+        Sentences on what limits the curve.
+    """
+
+    family: str
+    status: str
+    median: float
+    beta: float
+    step: tuple[float, float] | None = None
+    log_likelihood: float
+    deviance: float
+    misfit: float
+    goodness: float | None = None
+    trials: int
+    failures: int
+    records: int
+    sampled: tuple[float, float]
+    stripes: tuple[Row, ...]
+    median_band: tuple[float, float] | None = None
+    beta_band: tuple[float, float] | None = None
+    bands: Bands | None = None
+    measure: tuple[str, str] = ("intensity", "")
+    warnings: tuple[str, ...] = ()
+
+    def probability(self, intensity: ArrayLike) -> Floats:
+        """Return the probability of failure at intensities.
+
+        Parameters
+        ----------
+        intensity
+            0 or above, of any shape.
+
+        Returns
+        -------
+        ndarray
+            Of the same shape.  A step has .5 at its median.  Without a failure it is 0 up to the
+            highest intensity, without a survival 1 from the lowest on, and NaN elsewhere and of
+            data that do not rise.
+
+        Raises
+        ------
+        InputError
+            If an intensity is negative or NaN.
+        """
+        at = intensities(intensity)
+        if self.status == SEPARATED:
+            return np.select([at < self.median, at > self.median], [0.0, 1.0], 0.5)
+        if self.status == NEVER:
+            return np.where(at <= self.sampled[1], 0.0, math.nan)
+        if self.status == ALWAYS:
+            return np.where(at >= self.sampled[0], 1.0, math.nan)
+        if self.status == NOT_RISING:
+            return np.full(at.shape, math.nan)
+        with np.errstate(divide="ignore"):  # ln 0 is -inf, whose probability is 0
+            eta = (np.log(at) - math.log(self.median)) / self.beta
+        return np.asarray(family_of(self.family).cdf(eta))
+
+    def probability_band(self, intensity: ArrayLike) -> tuple[Floats, Floats] | None:
+        """Return the confidence band of the probability at intensities.
+
+        Parameters
+        ----------
+        intensity
+            0 or above, of any shape.
+
+        Returns
+        -------
+        tuple of ndarray or None
+            Lower and upper end, each of the same shape; None without bands.
+
+        Raises
+        ------
+        InputError
+            If an intensity is negative or NaN.
+        """
+        intensities(intensity)
+        return None
+
+    def quantile(self, probability: float) -> float:
+        """Return the intensity of a probability.
+
+        Parameters
+        ----------
+        probability
+            In (0, 1).
+
+        Returns
+        -------
+        float
+            NaN without a curve.
+        """
+        p = share_value(probability)
+        if self.status != FITTED:
+            return self.median
+        eta = float(family_of(self.family).quantile(np.array(p)))
+        return self.median * math.exp(self.beta * eta)
+
+    @property
+    def aic(self) -> float:
+        """Akaike's criterion, 2 q - 2 ln L, with the q = 2 coefficients of a curve."""
+        return 4.0 - 2.0 * self.log_likelihood
+
+    @property
+    def log_likelihood_per_trial(self) -> float:
+        """The log-likelihood over the number of trials: measures of one ensemble compare by it."""
+        return self.log_likelihood / self.trials if self.trials else 0.0
+
+    def describe(self) -> Description:
+        """Return the curve, its bands and its stripes."""
+        unit = self.measure[1]
+        name = self.measure[0]
+        facts = [
+            Fact("measure", name, "intensity", f"{name} [{unit}]" if unit else name),
+            Fact("family", self.family, "family"),
+            Fact("status", self.status, "status"),
+            Fact(
+                "median",
+                plain(self.median),
+                "median",
+                value_words(self.median, unit, self.median_band),
+            ),
+            Fact("beta", plain(self.beta), "beta", value_words(self.beta, "", self.beta_band)),
+            Fact("median_band", listed(self.median_band)),
+            Fact("beta_band", listed(self.beta_band)),
+            Fact("confidence", self.bands.confidence if self.bands else None),
+            Fact("step", listed(self.step)),
+            Fact("log_likelihood", self.log_likelihood, "log-likelihood"),
+            Fact("deviance", self.deviance, "deviance"),
+            Fact("misfit", plain(self.misfit), "largest misfit of a stripe"),
+            Fact("goodness", self.goodness, "goodness of fit, p-value"),
+            Fact("trials", self.trials, "trials"),
+            Fact("failures", self.failures, "failures"),
+            Fact("records", self.records, "records"),
+            Fact("low", plain(self.sampled[0])),
+            Fact("high", plain(self.sampled[1])),
+            Fact("warnings", list(self.warnings)),
+        ]
+        return Description(
+            headline=self._headline(),
+            facts=facts,
+            tables=[stripe_table(self.stripes)],
+            notes=list(self.warnings),
+        )
+
+    def _headline(self) -> str:
+        """Return the curve in a line."""
+        name, unit = self.measure
+        low, high = (value_words(end, unit, None) for end in self.sampled)
+        if self.status == FITTED:
+            return (
+                f"{self.family} in {name}: median {value_words(self.median, unit, None)}, "
+                f"beta {number(self.beta)}, {plural(self.records, 'record')}"
+            )
+        if self.step is not None:
+            sides = " and ".join(value_words(end, unit, None) for end in self.step)
+            return f"step in {name} between {sides}"
+        if self.status == NEVER:
+            return f"no failure in {plural(self.trials, 'trial')}, {name} up to {high}"
+        if self.status == ALWAYS:
+            return f"no survival in {plural(self.trials, 'trial')}, {name} from {low}"
+        return f"no curve: failures do not become more frequent with {name}"
+
+
+@checked
+def fit_curve(
+    intensity: ArrayLike,
+    failures: ArrayLike,
+    trials: ArrayLike | None = None,
+    *,
+    family: Literal["lognormal", "logistic"] = "lognormal",
+    groups: ArrayLike | Sequence[str] | None = None,
+    bands: Bands | None = None,
+    within: tuple[float, float] | None = None,
+    measure: tuple[str, str] = ("intensity", ""),
+) -> FragilityCurve:
+    """Fit a fragility curve to counts of failures by maximum likelihood.
+
+    P = F((ln im - ln median)/beta), F the normal distribution [1] or the logistic one.  Labels
+    enter as they are, in any order, and are not made monotone.
+
+    Parameters
+    ----------
+    intensity
+        Of each observation, above 0, shape (n,).
+    failures
+        Their number in each observation, shape (n,).
+    trials
+        Their number in each observation, shape (n,); default 1 each.
+    family
+        Distribution of ln im; default "lognormal".
+    groups
+        Record of each observation, as numbers or names, shape (n,): trials of one record depend on
+        each other, and bands draw records.  Default: each trial is a record of its own.
+    bands
+        Options of the confidence bands; default none.
+    within
+        Lowest and highest intensity that enter; default all.
+    measure
+        Name and unit of the intensity, for texts, as ("PGV", "m/s").
+
+    Returns
+    -------
+    FragilityCurve
+        Its status tells data that have no such curve.
+
+    Raises
+    ------
+    InputError
+        If a row is empty or of another length, an intensity is not finite and above 0, a count is
+        no whole number from 0, or failures are above trials; the message has the place.
+
+    References
+    ----------
+    .. [1] J. W. Baker, Earthquake Spectra 31, 579-599 (2015), equations 11 and 12.
+
+    Examples
+    --------
+    >>> from rocksteady import fit_curve
+    >>> curve = fit_curve([0.2, 0.4, 0.8, 1.6], [2, 9, 27, 39], [40, 40, 40, 40])
+    >>> print(f"{curve.median:.3f} {curve.beta:.3f}")
+    0.591 0.582
+    """
+    at = values_of("intensity", intensity, positive=True)
+    counts = (("trials", trials), ("failures", failures))
+    (stage,) = counts_of(at, counts, groups, within)
+    return curve_of(maximum_of(stage, family), family, measure)
+
+
+def curve_of(best: Maximum, family: str, measure: tuple[str, str]) -> FragilityCurve:
+    """Return the result of a maximum."""
+    median, beta = math.nan, math.nan
+    if best.status == FITTED:
+        a, b = best.coefficients
+        median, beta = math.exp(best.centre - best.scale * a / b), best.scale / float(b)
+    elif best.step is not None:
+        median, beta = math.sqrt(best.step[0]) * math.sqrt(best.step[1]), 0.0
+    failures, trials = (counts.sum() for counts in best.counts.totals)
+    levels = best.counts.levels
+    flat = best.status == NOT_RISING
+    shares = np.full(len(levels), math.nan) if flat else best.shares
+    rows, misfit = compare_stripes(best.counts, shares)
+    return FragilityCurve(
+        family=family,
+        status=best.status,
+        median=median,
+        beta=beta,
+        step=best.step,
+        log_likelihood=best.log_likelihood,
+        deviance=best.deviance,
+        misfit=misfit,
+        trials=int(trials),
+        failures=int(failures),
+        records=best.counts.records,
+        sampled=(float(levels[0]), float(levels[-1])) if len(levels) else (0.0, 0.0),
+        stripes=rows,
+        measure=measure,
+        warnings=tuple(warnings_of(best, measure)),
+    )
+
+
+def warnings_of(best: Maximum, measure: tuple[str, str]) -> list[str]:
+    """Return what limits a curve."""
+    name = measure[0]
+    records = best.counts.records
+    sentences = []
+    if best.status == NOT_RISING and len(best.counts.levels) == 1:
+        sentences.append(f"one {name} alone shows no rise: a curve needs two or more")
+    elif best.status == NOT_RISING:
+        sentences.append(f"failures do not become more frequent with {name}: no curve is fitted")
+    elif best.status == NEVER and best.counts.levels.size:
+        sentences.append(f"no trial fails: the median is above the highest {name}")
+    elif best.status == NEVER:
+        sentences.append("there is no trial, and nothing is known")
+    elif best.status == ALWAYS:
+        sentences.append(f"every trial fails: the median is below the lowest {name}")
+    elif best.status == SEPARATED:
+        sentences.append(f"failures and survivals are separated in {name}: the curve is a step")
+    if records < FEW_RECORDS:
+        sentences.append(
+            f"{plural(records, 'record')}: below {FEW_RECORDS} a median and a beta are of this "
+            "suite more than of the site"
+        )
+    return sentences

@@ -1,0 +1,264 @@
+"""Fragility in two stages: whether an object uplifts, and whether it then fails."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import number
+from rocksteady.results.result import Result
+from rocksteady.risk.fits._maximum import maximum_of
+from rocksteady.risk.fits._observations import counts_of, values_of
+from rocksteady.risk.fits._status import ALWAYS, FITTED, SEPARATED
+from rocksteady.risk.fits._stripes import Row, compare_stripes, stripe_table
+from rocksteady.risk.fits._values import intensities, plain, share_value, value_words
+from rocksteady.risk.fits.bands import Bands
+from rocksteady.risk.fits.fragility_curve import FragilityCurve, curve_of
+
+Floats = NDArray[np.float64]
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, repr=False, eq=False)
+class TwoStageCurve(Result):
+    """Hold a fragility curve in two stages, from `rocksteady.fit_two_stages`.
+
+    P(failure | im) = P(uplift | im) P(failure | uplift, im).
+
+    Attributes
+    ----------
+    uplift, given_uplift
+        The curves of the two factors; the second is fitted to trials with uplift alone.
+    plain
+        One curve without stages, for comparison.
+    log_likelihood
+        Of both stages together: of the three outcomes of each trial.
+    misfit
+        Largest difference of the share of failures and the product over the stripes.
+    stripes
+        Intensity, trials, failures and probability of each stripe.
+    sampled
+        Lowest and highest intensity.
+    measure
+        Name and unit of the intensity.
+    warnings
+        Sentences on what limits the curves.
+    """
+
+    uplift: FragilityCurve
+    given_uplift: FragilityCurve
+    plain: FragilityCurve
+    log_likelihood: float
+    misfit: float
+    stripes: tuple[Row, ...]
+    sampled: tuple[float, float]
+    measure: tuple[str, str] = ("intensity", "")
+    warnings: tuple[str, ...] = ()
+
+    def probability(self, intensity: ArrayLike) -> Floats:
+        """Return the probability of failure at intensities.
+
+        Parameters
+        ----------
+        intensity
+            0 or above, of any shape.
+
+        Returns
+        -------
+        ndarray
+            Of the same shape: the product; 0 where one factor is, NaN where a factor is unknown.
+
+        Raises
+        ------
+        InputError
+            If an intensity is negative or NaN.
+        """
+        at = intensities(intensity)
+        first, second = self.uplift.probability(at), self.given_uplift.probability(at)
+        return np.where((first == 0.0) | (second == 0.0), 0.0, first * second)
+
+    @property
+    def median(self) -> float:
+        """Intensity of probability .5, the root of the product; NaN without one."""
+        return self.quantile(0.5)
+
+    def probability_band(self, intensity: ArrayLike) -> tuple[Floats, Floats] | None:
+        """Return the confidence band of the probability at intensities.
+
+        Parameters
+        ----------
+        intensity
+            0 or above, of any shape.
+
+        Returns
+        -------
+        tuple of ndarray or None
+            Lower and upper end, each of the same shape; None without bands.
+
+        Raises
+        ------
+        InputError
+            If an intensity is negative or NaN.
+        """
+        intensities(intensity)
+        return None
+
+    def quantile(self, probability: float) -> float:
+        """Return the intensity of a probability.
+
+        Parameters
+        ----------
+        probability
+            In (0, 1).
+
+        Returns
+        -------
+        float
+            Where a step jumps over the probability, the step; NaN without a curve.
+        """
+        from scipy.optimize import brentq
+
+        p = share_value(probability)
+        stages = [s for s in (self.uplift, self.given_uplift) if s.status != ALWAYS]
+        if any(s.status not in (FITTED, SEPARATED) for s in stages) or not stages:
+            return math.nan
+        # The product is below each factor, and above p where both are above the root of p.
+        low = max(stage.quantile(p) for stage in stages)
+        high = max(stage.quantile(math.sqrt(p)) for stage in stages)
+
+        def excess(log_intensity: float) -> float:
+            product = 1.0
+            for stage in stages:
+                product *= float(stage.probability(math.exp(log_intensity)))
+            return product - p
+
+        ends = math.log(low), math.log(high)
+        if len(stages) == 1 or excess(ends[0]) >= 0.0 or excess(ends[1]) <= 0.0:
+            return low if excess(ends[0]) >= 0.0 else high
+        return math.exp(brentq(excess, *ends, xtol=1e-14, rtol=1e-14))
+
+    def describe(self) -> Description:
+        """Return both stages, the product and the plain curve's misfit."""
+        name, unit = self.measure
+        facts = [
+            Fact("measure", name, "intensity", f"{name} [{unit}]" if unit else name),
+            Fact("median", plain(self.median), "median", value_words(self.median, unit, None)),
+            Fact("uplift", self.uplift.to_dict(), "uplift", self.uplift.describe().headline),
+            Fact(
+                "given_uplift",
+                self.given_uplift.to_dict(),
+                "failure given uplift",
+                self.given_uplift.describe().headline,
+            ),
+            Fact("plain", self.plain.to_dict(), "one curve", self.plain.describe().headline),
+            Fact("log_likelihood", self.log_likelihood, "log-likelihood"),
+            Fact("misfit", plain(self.misfit), "largest misfit of a stripe"),
+            Fact("", None, "the same of one curve", number(self.plain.misfit)),
+            Fact("low", plain(self.sampled[0])),
+            Fact("high", plain(self.sampled[1])),
+            Fact("warnings", list(self.warnings)),
+        ]
+        return Description(
+            headline=f"{name}: median {value_words(self.median, unit, None)} in two stages",
+            facts=facts,
+            tables=[stripe_table(self.stripes)],
+            notes=list(self.warnings),
+        )
+
+
+@checked
+def fit_two_stages(
+    intensity: ArrayLike,
+    uplifted: ArrayLike,
+    failures: ArrayLike,
+    trials: ArrayLike | None = None,
+    *,
+    family: Literal["lognormal", "logistic"] = "lognormal",
+    groups: ArrayLike | Sequence[str] | None = None,
+    bands: Bands | None = None,
+    measure: tuple[str, str] = ("intensity", ""),
+) -> TwoStageCurve:
+    """Fit fragility in two stages, uplift and failure given uplift.
+
+    Each stage is a curve of the largest likelihood, which are independent of each other as the
+    likelihood of a trial is a product: P(stands), P(uplift) P(rocks | uplift) or P(uplift)
+    P(fails | uplift).
+
+    Parameters
+    ----------
+    intensity
+        Of each observation, above 0, shape (n,).
+    uplifted
+        Number of trials with uplift in each observation, shape (n,).
+    failures
+        Number of those that fail, shape (n,).
+    trials
+        Their number in each observation, shape (n,); default 1 each.
+    family
+        Distribution of ln im of both; default "lognormal".
+    groups
+        Record of each observation, as of `rocksteady.fit_curve`.
+    bands
+        Options of the confidence bands; default none.
+    measure
+        Name and unit of the intensity, for texts, as ("PGA", "g").
+
+    Returns
+    -------
+    TwoStageCurve
+        With one curve without stages beside it.
+
+    Raises
+    ------
+    InputError
+        As of `rocksteady.fit_curve`, and if failures are above uplifted.
+
+    Examples
+    --------
+    A gate at 0.3, above which half of the trials fail at 0.6:
+
+    >>> from rocksteady import fit_two_stages
+    >>> curve = fit_two_stages(
+    ...     [0.2, 0.4, 0.8, 1.6], [0, 40, 40, 40], [0, 9, 27, 39], [40, 40, 40, 40]
+    ... )
+    >>> curve.uplift.status, curve.uplift.step, f"{curve.median:.3f}"
+    ('separated', (0.2, 0.4), '0.608')
+    """
+    at = values_of("intensity", intensity, positive=True)
+    given = (("trials", trials), ("uplifted", uplifted), ("failures", failures))
+    stages = counts_of(at, given, groups)
+    (whole,) = counts_of(at, (given[0], given[2]), groups)
+    curves = [curve_of(maximum_of(counts, family), family, measure) for counts in (*stages, whole)]
+    uplift, given_uplift, single = curves
+    found = TwoStageCurve(
+        uplift=uplift,
+        given_uplift=given_uplift,
+        plain=single,
+        log_likelihood=uplift.log_likelihood + given_uplift.log_likelihood,
+        misfit=math.nan,
+        stripes=(),
+        sampled=single.sampled,
+        measure=measure,
+    )
+    rows, misfit = compare_stripes(whole, found.probability(whole.levels))
+    sentences = dict.fromkeys(
+        f"{stage}: {sentence}"
+        for stage, curve in (("uplift", uplift), ("failure given uplift", given_uplift))
+        for sentence in curve.warnings
+    )
+    return TwoStageCurve(
+        uplift=uplift,
+        given_uplift=given_uplift,
+        plain=single,
+        log_likelihood=found.log_likelihood,
+        misfit=misfit,
+        stripes=rows,
+        sampled=single.sampled,
+        measure=measure,
+        warnings=tuple(sentences),
+    )
