@@ -1,0 +1,227 @@
+"""Hazard curves: the annual rate at which shaking exceeds each level of an intensity measure."""
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.arrays import real_array
+from rocksteady.errors import InputError
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.validation import in_range
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, plural, quantity
+from rocksteady.results.result import Result
+from rocksteady.risk.hazard._hazard_measures import label, measure_name, unit
+
+Floats = NDArray[np.float64]
+
+LOWEST, HIGHEST = 1e-100, 1e100
+"""Of levels and rates: their logarithms and powers are numbers."""
+LARGEST_EXPONENT = 700.0
+"""Of e: beyond it are no numbers."""
+FITTED = 3
+"""Points at either end of a curve that a power-law tail is fitted to."""
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class HazardCurve(Result):
+    """Annual rates at which shaking exceeds levels of an intensity measure.
+
+    Between two levels the curve is straight in logarithms of both.  Beyond them it is unknown,
+    unless it is given tails.
+
+    Parameters
+    ----------
+    measure
+        ``"pga_g"``, ``"pgv_m_s"``, ``"sa_g:PERIOD"`` with a period in seconds, or ``"sa_avg_g"``.
+    levels
+        Levels of the measure, ascending, in units of 9.80665 m/s^2 or in m/s, shape (levels,).
+    rates
+        Annual rate of exceedance of each [1/year], nowhere rising, above 0.
+    name
+        Of the quantile or of the branch of the logic tree; none by default.
+    weight
+        Of the branch, in (0, 1]; none by default.
+    site
+        Longitude and latitude [degrees]; none by default.
+    tail
+        ``"none"`` (default), or ``"power-law"``: beyond either end the curve goes on as a straight
+        line in logarithms, through its end and fitted to the last three points.
+    remarks
+        What was left out when the curve was read.
+
+    Raises
+    ------
+    InputError
+        If there are fewer than two levels, they do not rise, a rate is not positive, or rates rise.
+
+    Examples
+    --------
+    >>> curve = HazardCurve(measure="pga_g", levels=[0.1, 0.4], rates=[0.01, 0.000625])
+    >>> curve
+    <HazardCurve: Hazard of PGA from 0.1 to 0.4 g: 0.01 to 0.000625 a year>
+    >>> float(curve.rate(0.2).round(6))
+    0.0025
+    """
+
+    measure: str
+    levels: Floats
+    rates: Floats
+    name: str = ""
+    weight: float | None = None
+    site: tuple[float, float] | None = None
+    tail: Literal["none", "power-law"] = "none"
+    remarks: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        """Validate and copy."""
+        object.__setattr__(self, "measure", measure_name("measure", self.measure))
+        levels, rates = _row("levels", self.levels), _row("rates", self.rates)
+        if levels.size != rates.size:
+            raise InputError(
+                "rates",
+                rates.size,
+                f"there must be one for each of {levels.size} levels",
+                "give as many rates as levels",
+            )
+        at = np.flatnonzero(np.diff(levels) <= 0.0)
+        if at.size:
+            raise InputError(
+                "levels",
+                levels[at[0] + 1].item(),
+                f"it follows {levels[at[0]]:g}, and levels must rise",
+                "sort the levels, and give each once",
+            )
+        at = np.flatnonzero(np.diff(rates) > 0.0)
+        if at.size:
+            raise InputError(
+                "rates",
+                rates[at[0] + 1].item(),
+                f"it is more than the rate {rates[at[0]]:g} of the level below it",
+                "give rates of exceedance, which never rise with the level",
+            )
+        object.__setattr__(self, "levels", levels)
+        object.__setattr__(self, "rates", rates)
+        if self.weight is not None:
+            weight = in_range("weight", self.weight, 0.0, 1.0, hint="give the branch's weight")
+            object.__setattr__(self, "weight", weight)
+        if self.site is not None:
+            lon, lat = self.site
+            hint = "give longitude and latitude in degrees"
+            place = in_range("site", lon, -360.0, 360.0, "[]", hint=hint)
+            object.__setattr__(
+                self, "site", (place, in_range("site", lat, -90.0, 90.0, "[]", hint=hint))
+            )
+
+    @property
+    def label(self) -> str:
+        """Words of the measure, as ``Sa(1.0 s)``."""
+        return label(self.measure)
+
+    @property
+    def unit(self) -> str:
+        """Unit of the levels."""
+        return unit(self.measure)
+
+    @property
+    def slopes(self) -> Floats:
+        """Exponent k of the power law of each stretch between two levels, shape (levels - 1,)."""
+        slopes: Floats = -np.diff(np.log(self.rates)) / np.diff(np.log(self.levels))
+        return slopes
+
+    @property
+    def end_slopes(self) -> tuple[float, float]:
+        """Exponents k of the power laws below the lowest level and above the highest."""
+        x, y = np.log(self.levels), np.log(self.rates)
+        ends = ((x[:FITTED] - x[0], y[:FITTED] - y[0]), (x[-FITTED:] - x[-1], y[-FITTED:] - y[-1]))
+        low, high = (-float(dy @ dx) / float(dx @ dx) for dx, dy in ends)
+        return max(low, 0.0), max(high, 0.0)
+
+    @checked
+    def rate(self, level: ArrayLike) -> Floats:
+        """Return the annual rate of exceedance of levels [1/year], of their shape.
+
+        Raises
+        ------
+        InputError
+            If a level is not positive, or outside a curve that has no tails.
+        """
+        wanted = real_array("level", level)
+        bad = ~(np.isfinite(wanted) & (wanted > 0.0))
+        low, high = self.levels[0], self.levels[-1]
+        if self.tail == "none":
+            bad |= (wanted < low) | (wanted > high)
+        if bad.any():
+            raise InputError(
+                "level",
+                wanted[bad].flat[0].item(),
+                f"the curve reaches from {low:g} to {high:g} {self.unit}",
+                "stay inside, or give the curve power-law tails: curve.extended()",
+            )
+        x, y = np.log(self.levels), np.log(self.rates)
+        at = np.log(wanted)
+        below, above = self.end_slopes
+        exponent = np.interp(at, x, y)
+        exponent = exponent + below * np.maximum(x[0] - at, 0.0)
+        exponent = exponent - above * np.maximum(at - x[-1], 0.0)
+        rates: Floats = np.exp(np.clip(exponent, -LARGEST_EXPONENT, LARGEST_EXPONENT))
+        return rates
+
+    def extended(self) -> "HazardCurve":
+        """Return the curve with power-law tails beyond both of its ends."""
+        return replace(self, tail="power-law")
+
+    def describe(self) -> Description:
+        """Return the points of the curve."""
+        rows = [
+            {"level": level, "annual_rate": rate}
+            for level, rate in zip(self.levels.tolist(), self.rates.tolist(), strict=True)
+        ]
+        low, high = rows[0], rows[-1]
+        name = f", {self.name}" if self.name else ""
+        columns = (Column("level", f"{self.label} [{self.unit}]"), Column("annual_rate", "1/year"))
+        return Description(
+            headline=f"Hazard of {self.label}{name} from {number(low['level'])} to "
+            f"{quantity(high['level'], self.unit)}: {number(low['annual_rate'])} to "
+            f"{number(high['annual_rate'])} a year",
+            facts=[
+                Fact("measure", self.measure, "Measure", f"{self.label} [{self.unit}]"),
+                Fact("name", self.name),
+                Fact("weight", self.weight, "Weight of the branch" if self.weight else ""),
+                Fact(
+                    "site",
+                    None if self.site is None else list(self.site),
+                    "Longitude, latitude [°]" if self.site else "",
+                ),
+                Fact("tail", self.tail, "Beyond the ends", self._beyond),
+            ],
+            tables=[Table("points", rows, columns, title=plural(len(rows), "level"))],
+            notes=list(self.remarks),
+        )
+
+    @property
+    def _beyond(self) -> str:
+        """What is beyond the ends, in words."""
+        if self.tail == "none":
+            return "unknown"
+        return "power laws of exponents {:.3g} and {:.3g}".format(*self.end_slopes)
+
+
+def _row(name: str, values: ArrayLike) -> Floats:
+    """Return positive numbers, two or more, as an array that cannot be changed."""
+    row = np.array(real_array(name, values))
+    if row.ndim != 1 or row.size < 2:
+        raise InputError(name, row.shape, "there must be a row of two or more", "give more points")
+    bad = ~((row >= LOWEST) & (row <= HIGHEST))
+    if bad.any():
+        raise InputError(
+            name,
+            row[bad][0].item(),
+            f"it must lie in [{LOWEST:g}, {HIGHEST:g}]",
+            "leave out levels and rates of 0",
+        )
+    row.setflags(write=False)
+    return row

@@ -1,0 +1,74 @@
+"""Hazard curves from files: OpenQuake's, and two columns."""
+
+from os import PathLike
+from pathlib import Path
+
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import in_range
+from rocksteady.risk.hazard._hazard_measures import measure_name
+from rocksteady.risk.hazard._hazard_text import read_lines
+from rocksteady.risk.hazard._openquake_csv import find_names, read_sites
+from rocksteady.risk.hazard._two_columns import read_columns
+from rocksteady.risk.hazard.hazard_curve import HazardCurve
+
+
+@checked
+def read_hazard_curves(
+    path: str | PathLike[str],
+    *,
+    measure: str | None = None,
+    level_unit: str | None = None,
+    poe_years: float | None = None,
+) -> list[HazardCurve]:
+    r"""Read the hazard curves of a file, one for each site.
+
+    Two kinds of files are known.  OpenQuake's (mean, quantile or realisation) has a line with
+    ``investigation_time`` and ``imt``, a line of names ``lon,lat,depth,poe-0.1,...`` and a row of
+    probabilities for each site, with PGV in cm/s.  The other has two columns, level and annual
+    rate (or return period, or probability), under their names: ``Sa(1.0) [g]``, ``PGA [m/s^2]``,
+    ``PGV [cm/s]``.  A probability of exceedance P in T years is an annual rate -ln(1 - P)/T.
+    Levels of probability 1, whose rate is infinite, and of rate 0 are left out with a remark.
+
+    Parameters
+    ----------
+    path
+        The file: separated by commas, semicolons, tabs or blanks.
+    measure
+        As for `HazardCurve`, where the file does not name it; default None, as the file has it.
+    level_unit
+        Unit of the levels of two columns that do not name it, as ``"cm/s"``; default None.
+    poe_years
+        Time of the probabilities [years], where the file does not state it; default None.
+
+    Returns
+    -------
+    list of HazardCurve
+        In the order of the file, with g and m/s.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, is not one of the two kinds, or leaves open what it holds; the
+        line names the file, its line and the argument to give.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "site.csv"
+    ...     _ = path.write_text("PGV [cm/s], annual rate\n10, 0.02\n50, 0.0004\n")
+    ...     (curve,) = read_hazard_curves(path)
+    >>> curve
+    <HazardCurve: Hazard of PGV from 0.1 to 0.5 m/s: 0.02 to 0.0004 a year>
+    """
+    if measure is not None:
+        measure = measure_name("measure", measure)
+    if poe_years is not None:
+        hint = "give the time of the probabilities in years"
+        poe_years = in_range("poe_years", poe_years, 0.0, 1e6, hint=hint)
+    text = read_lines(Path(path))
+    names = find_names(text)
+    if names is None:
+        return [read_columns(text, measure, level_unit, poe_years)]
+    return read_sites(text, names, measure, poe_years)
