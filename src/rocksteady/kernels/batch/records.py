@@ -56,8 +56,8 @@ def record_fates(
         Table of the motion, shape (segments, 9), or (segments, 12) in the nonlinear model, whose
         vertical motion is in g; the last segment is a still base without end.
     sides
-        Of each block, shape (blocks, 2, 3) or (blocks, 2, 5): alpha g over the motion's scale for
-        lean and p for rate, in the units of the motion.
+        Of each block, shape (blocks, 2, 3), (blocks, 2, 5) or (blocks, 2, 7): alpha g over the
+        motion's scale for lean and p for rate, in the units of the motion.
     afterwards
         Pivot time p t for which each is followed on the still base, shape (blocks,).
     limit

@@ -4,8 +4,8 @@ A motion is a table of segments, the block two rows of side parameters, a record
 flights, all float64 with the columns below.
 
 The tables say which equation of motion holds.  The nonlinear one needs each side's slenderness and
-the vertical motion of the base, in further columns of both tables; tables without these columns are
-those of the linear one.
+the vertical motion of the base, in further columns of both tables; a side table without these
+columns, or with a slenderness of 0 in them, is that of the linear one, which is the limit.
 """
 
 from typing import NamedTuple
@@ -46,6 +46,10 @@ SIDE_COLUMNS = 3
 ALPHA = 3  # this side's alpha [rad]
 LEFT_OUT = 4  # what a step may leave out of the motion in it, as a part of that motion
 NONLINEAR_SIDE_COLUMNS = 5
+# Of either model, where restitution scatters from impact to impact (`kernels.core.scatter`).
+SCATTER = 5  # standard deviation of the restitution before it is cut off; RESTITUTION is the mean
+KEY = 6  # of the draws, a whole number from 0 to 2^53 - 1, the same on both sides
+SCATTERED_SIDE_COLUMNS = 7
 
 # Columns of a recorded flight, in reference units.
 ROW_SEGMENT = 0
@@ -144,7 +148,10 @@ def keep_passage(
 
 @inlined
 def kept_passage(peaks: Floats) -> March:
-    """Return the state at the start of the flight that was kept."""
+    """Return the state at the start of the flight that was kept.
+
+    That flight ends without an impact, so that the number of the impacts before it does not count.
+    """
     return March(
         int(peaks[PASSING_SIDE]),
         peaks[PASSING_ANGLE],
@@ -160,7 +167,7 @@ def kept_passage(peaks: Floats) -> March:
 @inlined
 def is_nonlinear(sides: Floats2) -> bool:
     """Return whether a side table asks for the nonlinear equation of motion."""
-    return bool(sides.shape[1] > SIDE_COLUMNS)
+    return bool(sides.shape[1] > SIDE_COLUMNS and sides[0, ALPHA] > 0.0)
 
 
 @inlined

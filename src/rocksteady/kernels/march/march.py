@@ -25,6 +25,7 @@ from rocksteady.kernels.core.clock import (
     uplift_clock,
 )
 from rocksteady.kernels.core.forcing import Forcing, make_forcing
+from rocksteady.kernels.core.scatter import is_scattered, largest_restitution, restitution_of
 from rocksteady.kernels.core.tables import (
     ALIKE,
     AMPLITUDE,
@@ -164,7 +165,8 @@ def march(
     Parameters
     ----------
     segments, sides
-        Tables of shape (segments, 9) and (2, 3); of the nonlinear model (segments, 12) and (2, 5).
+        Tables of shape (segments, 9) and (2, 3); of the nonlinear model (segments, 12) and (2, 5);
+        sides of either with restitution that scatters (2, 7).
     start
         Where to begin, within a segment too, as where another march has stopped.  At rest `side` is
         0; a side with angle and velocity 0 is just lifting off.
@@ -237,6 +239,7 @@ def _march(
     segment, half, phase = start.segment, start.half_cycles, start.phase
     impacts, flights = start.impacts, start.flights
     record, watch, keeps = len(rows) > 0, len(peaks) > 0, len(peaks) >= PASSAGE_COLUMNS
+    scattered = is_scattered(sides)
     last = len(segments) - 1
     since, contact_lost = 0.0, math.inf  # nonlinear model: time on the segment, and to its loss
 
@@ -365,7 +368,7 @@ def _march(
                 )
             else:
                 dies_out = chatter_ends(
-                    max(sides[0, RESTITUTION], sides[1, RESTITUTION]),
+                    largest_restitution(sides),
                     abs(velocity) / (lean * rate),
                     abs(velocity) / (sides[1 - row, LEAN] * sides[1 - row, RATE]),
                     rate,
@@ -445,7 +448,10 @@ def _march(
                 turned, phase = side_clock(zero.phase, seen_half)
                 half += turned - seen_half + 2 * zero.cycle
                 sine, cosine, turned_side = -zero.sine, -zero.cosine, True
-            velocity = sides[row, RESTITUTION] * side * zero.velocity * lean * rate
+            restitution = sides[row, RESTITUTION]
+            if scattered:
+                restitution = restitution_of(sides, row, impacts)
+            velocity = restitution * side * zero.velocity * lean * rate
             angle = 0.0
             side = -side
             bounced = abs(velocity) <= rest_velocity

@@ -22,13 +22,13 @@ y))/alpha^2``, which is at most ``2 (max |r'| + max |k'|) Y`` times the duration
 import math
 
 from rocksteady.kernels.core.forcing import largest_forcing, steepest_forcing
+from rocksteady.kernels.core.scatter import largest_restitution
 from rocksteady.kernels.core.tables import (
     ALPHA,
     CEILING,
     LEAN,
     LIFT_CEILING,
     RATE,
-    RESTITUTION,
     Floats,
 )
 from rocksteady.kernels.elementary.circular import sin, sincos_near
@@ -94,7 +94,7 @@ def bounces_end(
     """
     row = 0 if side > 0 else 1
     return bounces_settle(
-        max(sides[0, RESTITUTION], sides[1, RESTITUTION]),
+        largest_restitution(sides),
         span,
         side_drive(segments, index, sides, side, elapsed),
         phase_here,

@@ -16,9 +16,12 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.history.lowering import record_table
 from rocksteady.dynamics.history.nonlinear_tables import lifted_table, sides_of
 from rocksteady.dynamics.history.simulate import ELASTIC_TIME, FLIGHT_LIMIT, LONGEST_REST
+from rocksteady.errors import InputError
 from rocksteady.kernels.batch.records import record_fates
+from rocksteady.kernels.core.scatter import LARGEST_DEVIATION, LARGEST_KEY
 from rocksteady.kernels.core.tables import (
     ALPHA,
+    KEY,
     LEAN,
     LIFT,
     PEAK_ANGLE,
@@ -26,7 +29,9 @@ from rocksteady.kernels.core.tables import (
     PEAK_SPEED,
     RATE,
     RESTITUTION,
-    SIDE_COLUMNS,
+    SCATTER,
+    SCATTERED_SIDE_COLUMNS,
+    is_nonlinear,
 )
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.sides import Restitution, housner_ratio
@@ -94,7 +99,8 @@ def shaken_fates(
     scale
         What its accelerations are multiplied by, above 0, shape (cells,).
     sides
-        Of the blocks, as `sides_in_si` has them, shape (cells, 2, 3) or (cells, 2, 5).
+        Of the blocks, as `sides_in_si` or `scattered_sides` has them, shape (cells, 2, 3),
+        (cells, 2, 5) or (cells, 2, 7).
     gravity
         Acceleration of gravity [m/s^2].
     """
@@ -105,7 +111,6 @@ def shaken_fates(
     own[:, :, LEAN] /= scale[:, np.newaxis]
     elastic = (sides[:, :, RESTITUTION] == 1.0).all(axis=1)
     afterwards = np.where(elastic, ELASTIC_TIME, LONGEST_REST)
-    nonlinear = sides.shape[2] > SIDE_COLUMNS
 
     def table_of(cell: int) -> tuple[int, float]:
         ground = shaking[cell]
@@ -114,7 +119,7 @@ def shaken_fates(
     for (_, factor), run in groupby(range(count), key=table_of):
         first, *rest = run
         cells = slice(first, first + 1 + len(rest))
-        table = _table(shaking[first], nonlinear, gravity)
+        table = _table(shaking[first], is_nonlinear(own[first]), gravity)
         if factor != 1.0:
             table = table.copy()
             table[:, LIFT:] *= factor
@@ -174,13 +179,57 @@ def rectangles_in_si(
     return sides
 
 
+def scattered_sides(sides: Floats, deviation: Floats, keys: Integers) -> Floats:
+    """Return sides whose restitution scatters from impact to impact.
+
+    That of an impact is ``mean + deviation z``, z standard normal, drawn again until it lies in
+    (0, (1 + mean)/2]; the mean is the side's restitution.  Its draw depends on the key and on the
+    number of the impact alone, so that cells with the same key draw the same z.
+
+    Parameters
+    ----------
+    sides
+        As `sides_in_si` has them, shape (cells, 2, 3) or (cells, 2, 5).
+    deviation
+        Standard deviation before the cut, from 0 (no scatter) to 1, shape (cells,).
+    keys
+        Whole numbers from 0 to 2^53 - 1, shape (cells,).
+
+    Returns
+    -------
+    numpy.ndarray
+        Shape (cells, 2, 7).
+
+    Raises
+    ------
+    InputError
+        If a deviation or a key is out of its range.
+    """
+    if not ((deviation >= 0.0) & (deviation <= LARGEST_DEVIATION)).all():
+        raise InputError(
+            "deviation",
+            deviation,
+            f"the standard deviation of a restitution lies between 0 and {LARGEST_DEVIATION:g}",
+            "0.05 to 0.1 is what tests show",
+        )
+    if not ((keys >= 0) & (keys <= LARGEST_KEY)).all():
+        raise InputError(
+            "keys", keys, "a key is a whole number from 0 to 2^53 - 1", "number the cells from 0 on"
+        )
+    scattered = np.zeros((len(sides), 2, SCATTERED_SIDE_COLUMNS))
+    scattered[:, :, : sides.shape[2]] = sides
+    scattered[:, :, SCATTER] = deviation[:, np.newaxis]
+    scattered[:, :, KEY] = keys[:, np.newaxis]
+    return scattered
+
+
 def load_kernel(model: Model) -> None:
     """Load the kernel, or compile it, so that what is timed afterwards is computation alone."""
     pattern = sides_in_si(Block.from_p(alpha=0.1, p=1.0), model)
     nobody = np.empty((0, *pattern.shape))
     still = Record(acceleration_m_s2=np.array([1.0, 0.0]), dt_s=1.0)
     none = np.empty(0, dtype=np.int64)
-    table = _table(GroundShaking(record=still), len(pattern[0]) > SIDE_COLUMNS, 1.0)
+    table = _table(GroundShaking(record=still), is_nonlinear(pattern), 1.0)
     record_fates(table, nobody, np.empty(0), 1, none, none, np.empty((0, PEAK_COLUMNS)))
 
 
