@@ -40,6 +40,10 @@ use_describers(
     {
         "attractor map": ({"kind", "period", "after"}, "rocksteady.dynamics.maps._map_facts"),
         "fate map": ({"fate", "impacts"}, "rocksteady.dynamics.maps._map_facts"),
+        "rocking ensemble": (
+            {"status", "peak_angle", "uplift_time_s"},
+            "rocksteady.risk.ensemble._ensemble_facts",
+        ),
         "rocking spectrum": (
             {"status", "peak_angle", "peak_velocity"},
             "rocksteady.seismic.spectra.describe",

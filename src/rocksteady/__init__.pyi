@@ -109,6 +109,9 @@ from .records.processing import correct_baseline as correct_baseline
 from .records.processing import resample as resample
 from .records.read import read_record as read_record
 from .records.read import read_recordings as read_recordings
+from .risk.ensemble.levels import Stripes as Stripes
+from .risk.ensemble.restitution_band import RestitutionBand as RestitutionBand
+from .risk.ensemble.runs import run_ensemble as run_ensemble
 from .risk.fits.bands import Bands as Bands
 from .risk.fits.fragility_curve import FragilityCurve as FragilityCurve
 from .risk.fits.fragility_curve import fit_curve as fit_curve
@@ -123,6 +126,8 @@ from .seismic.measures.response_spectrum import (
 from .seismic.measures.response_spectrum import (
     compute_response_spectrum as compute_response_spectrum,
 )
+from .seismic.measures.scalar import Intensity as Intensity
+from .seismic.measures.scalar import measure_scalar as measure_scalar
 from .seismic.measures.time_course import IntegratedRecord as IntegratedRecord
 from .seismic.measures.time_course import Peak as Peak
 from .seismic.measures.time_course import integrate_record as integrate_record

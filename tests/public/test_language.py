@@ -29,6 +29,7 @@ DEFAULTS = {
     "key": "likewise",
     "max_period": "one point is searched, a range is followed",
     "max_impacts": "likewise",
+    "reverse": "an ensemble has both signs, a run one",
     "gravity": "housner_restitution takes p and radius with g = 1",
 }
 """Arguments with more than one default, each with the reason."""

@@ -71,6 +71,7 @@ def things() -> dict[str, Any]:
         "suite": suite,
         "summary": rs.summarise_spectra(suite),
         "grid": grid,
+        "stripes": rs.Stripes("pga_g", [0.2, 0.4], beside=()),
         "output": rs.Output(name="value"),
         "map": maps,
         "basins": rs.compute_basins(bare, shaking, angles=few, velocities=few, max_cycles=20),

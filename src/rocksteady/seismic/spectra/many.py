@@ -103,7 +103,7 @@ def simulate_many(
     >>> (result.status == Status.OVERTURNED).mean("record").values
     array([0., 1.])
     """
-    bodies = _blocks(blocks)
+    bodies = blocks_of(blocks)
     grounds = grounds_of(motions)
     names = names_of(ground.record for ground in grounds)
     if pga_g is not None and scales is not None:
@@ -221,7 +221,7 @@ def _fates(
     return parts
 
 
-def _blocks(blocks: Block | Sequence[Block]) -> list[Block]:
+def blocks_of(blocks: Block | Sequence[Block]) -> list[Block]:
     """Return one or more blocks."""
     given: object = blocks
     several = [given] if isinstance(given, Block) else given

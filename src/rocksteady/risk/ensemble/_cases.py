@@ -1,0 +1,192 @@
+"""Cells of an ensemble: which runs are made, how they fare, and where their answers stand."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import product
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.errors import ModelError
+from rocksteady.kernels.core.tables import RESTITUTION
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.equations import Model
+from rocksteady.outcomes import Status
+from rocksteady.risk.ensemble.restitution_band import RestitutionBand
+from rocksteady.seismic.spectra.batch import GroundShaking, shaken_fates, sides_in_si
+from rocksteady.seismic.spectra.grounds import turned_round
+from rocksteady.seismic.spectra.many import DIRECTIONS
+
+if TYPE_CHECKING:
+    import xarray
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Objects = NDArray[np.object_]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Way:
+    """How a record is run: with which sign, and with its vertical component or without.
+
+    Attributes
+    ----------
+    shaking
+        What shakes the base.
+    record
+        Number of the record, from 0.
+    direction, lift
+        As in the coordinates of the result.
+    """
+
+    shaking: GroundShaking
+    record: int
+    direction: str
+    lift: str
+
+    def name(self, record: str) -> str:
+        """Return a name that no other way has."""
+        return f"{record}, {self.direction}, {self.lift} vertical"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Body:
+    """A block and its number, from 0."""
+
+    block: Block
+    number: int
+
+
+def ways_to_run(
+    grounds: Sequence[GroundShaking], directions: Sequence[str], lifts: Sequence[str]
+) -> list[Way]:
+    """Return the ways in which records are run; a record has none of its own twice."""
+    found = []
+    for lift, direction, (place, ground) in product(lifts, directions, enumerate(grounds)):
+        if ground.vertical is None and lift != lifts[0]:
+            continue  # what the run without one is
+        own = ground if lift == "with" else GroundShaking(record=ground.record)
+        turned = turned_round(own) if direction == DIRECTIONS[1] else own
+        found.append(Way(shaking=turned, record=place, direction=direction, lift=lift))
+    return found
+
+
+def fates(
+    motion: Objects,
+    block: Objects,
+    level: Floats,
+    draw: Floats,
+    cell: Integers,
+    *,
+    at_one: Floats,
+    band: RestitutionBand,
+    mirrored_from: str | None,
+    model: Model,
+) -> dict[str, NDArray[Any]]:
+    """Return how the blocks of some cells fare.
+
+    Parameters
+    ----------
+    motion, block, level, draw
+        A `Way`, a `Body`, a level and a number of a restitution for each cell, shape (cells,).
+    cell
+        Numbers of the cells, which key their random numbers.
+    at_one
+        Measure of the levels of each record as it is, shape (blocks, records).
+    band
+        The restitutions.
+    mirrored_from
+        The direction that symmetric blocks are run in, where others are run in both; the mirror
+        images are left undecided here.
+    model
+        The equations of motion.
+    """
+    bodies = [body.block for body in block]
+    records = np.array([way.record for way in motion])
+    scale = level / at_one[np.array([body.number for body in block]), records]
+    sides = np.stack([_sides(body, model) for body in bodies])
+    places = draw.astype(np.int64).tolist()
+    ratios = [_ratios(body, band)[place] for body, place in zip(bodies, places, strict=True)]
+    sides[:, :, RESTITUTION] = ratios
+    shaking = np.empty(len(motion), dtype=object)
+    shaking[:] = [way.shaking for way in motion]
+    runs = np.array(
+        [
+            mirrored_from in (None, way.direction) or not body.symmetric
+            for way, body in zip(motion, bodies, strict=True)
+        ]
+    )
+    status = np.full(len(motion), int(Status.UNDECIDED))
+    peaks, impacts = np.full(len(motion), np.nan), np.zeros(len(motion), dtype=np.int64)
+    gravity = np.array([body.gravity for body in bodies])
+    for value in np.unique(gravity[runs]):
+        here = np.flatnonzero(runs & (gravity == value))
+        found = shaken_fates(
+            shaking=shaking[here],
+            scale=scale[here],
+            sides=_scattering(sides[here], band, cell[here]),
+            gravity=float(value),
+        )
+        status[here], peaks[here], impacts[here] = found.status, found.peak_angle, found.impacts
+    return {"status": status, "peak_angle": peaks, "impacts": impacts}
+
+
+def whole(
+    swept: "xarray.Dataset",
+    ways: Sequence[Way],
+    bodies: Sequence[Block],
+    directions: Sequence[str],
+    lifts: Sequence[str],
+) -> dict[str, NDArray[Any]]:
+    """Return the runs over block, record, direction, vertical, draw and level.
+
+    Runs that were not made are copied: mirror images, and those of records without a vertical
+    component.
+    """
+    places = {(way.record, way.direction, way.lift): place for place, way in enumerate(ways)}
+    records = range(1 + max(way.record for way in ways))
+    symmetric = np.array([block.symmetric for block in bodies])
+    made = {way.direction for way in ways}
+
+    def source(record: int, direction: str, lift: str, *, mirror: bool) -> int:
+        run = directions[0] if mirror or direction not in made else direction
+        return places.get((record, run, lift), places[record, run, lifts[0]])
+
+    cells = list(product(records, directions, lifts))
+    index = np.array([[source(*cell, mirror=bool(same)) for cell in cells] for same in symmetric])
+    shape = (len(bodies), len(records), len(directions), len(lifts))
+    found = {}
+    for name in ("status", "peak_angle", "impacts"):
+        values = swept[name].transpose("block", "motion", "draw", "level").values
+        picked = values[np.arange(len(bodies))[:, np.newaxis], index]
+        found[name] = picked.reshape(*shape, *values.shape[2:])
+    return found
+
+
+@lru_cache(maxsize=4096)
+def _sides(block: Block, model: Model) -> Floats:
+    """Return the sides of a block, which callers must not change."""
+    return sides_in_si(block, model)
+
+
+@lru_cache(maxsize=4096)
+def _ratios(block: Block, band: RestitutionBand) -> Floats:
+    """Return the restitutions of a block, which callers must not change."""
+    return band.ratios(block)
+
+
+def _scattering(sides: Floats, band: RestitutionBand, cells: Integers) -> Floats:
+    """Return sides whose restitution scatters from impact to impact.
+
+    Raises
+    ------
+    ModelError
+        If there is scatter.
+    """
+    if band.scatter > 0.0:
+        raise ModelError(
+            "scatter", band.scatter, f"the kernel has none for {len(cells)} cells", "leave it out"
+        )
+    return sides

@@ -1,0 +1,78 @@
+"""An ensemble as facts, a row for each level, and notes."""
+
+import json
+from typing import TYPE_CHECKING, Any
+
+from rocksteady.outcomes import Status
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, plural
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def describe(dataset: "xarray.Dataset") -> Description:
+    """Describe an ensemble.
+
+    Parameters
+    ----------
+    dataset
+        From `rocksteady.run_ensemble`.
+
+    Returns
+    -------
+    Description
+        How the runs ended, and a row for each level under ``stripes``.
+    """
+    dataset = dataset.load()
+    status, sizes = dataset["status"].values, dataset.sizes
+    counts = {each.label: int((status == each).sum()) for each in Status}
+    level = dataset["level"]
+    unit = "" if level.attrs["units"] == "1" else f" [{level.attrs['units']}]"
+    rows = [_row(dataset.isel(level=place)) for place in range(sizes["level"])]
+    columns = [
+        Column("level", f"{level.attrs['long_name']}{unit}", number),
+        Column("runs", "runs"),
+        *(
+            Column(name, words, lambda part: f"{part:.1%}")
+            for name, words in (("uplift", "lift"), ("overturned", "fall"))
+        ),
+    ]
+    signs = " and ".join(map(str, dataset["direction"].values))
+    return Description(
+        headline=f"Ensemble: {plural(sizes['block'], 'block')}, "
+        f"{plural(sizes['record'], 'record')} at "
+        f"{plural(sizes['level'], 'level')} of {level.attrs['long_name']}, "
+        f"{plural(sizes['draw'], 'restitution')}, {dataset.attrs['model']}",
+        facts=[
+            Fact("model", dataset.attrs["model"]),
+            Fact("measure", dataset.attrs["measure"]),
+            Fact("records", int(sizes["record"])),
+            Fact("direction", signs, "records", signs),
+            Fact("vertical", list(map(str, dataset["vertical"].values)), "vertical component"),
+            Fact("runs", int(dataset.attrs["runs"]), "runs"),
+            Fact("cells", int(status.size)),
+            Fact(
+                "counts",
+                counts,
+                "cells",
+                ", ".join(f"{count:,} {label}" for label, count in counts.items() if count),
+            ),
+            Fact("scale_max", float(dataset["scale"].max()), "largest factor of a record"),
+            Fact("scatter", float(dataset.attrs["scatter"])),
+            Fact("seed", int(dataset.attrs["seed"])),
+        ],
+        tables=[Table("stripes", rows, columns)],
+        notes=json.loads(dataset.attrs["warnings"]),
+    )
+
+
+def _row(stripe: "xarray.Dataset") -> dict[str, Any]:
+    """Return the shares of a level."""
+    status = stripe["status"].values
+    return {
+        "level": float(stripe["level"]),
+        "runs": int(status.size),
+        "uplift": float((stripe["peak_angle"].values > 0.0).mean()),
+        "overturned": float((status == Status.OVERTURNED).mean()),
+    }

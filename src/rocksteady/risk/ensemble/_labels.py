@@ -1,0 +1,143 @@
+"""Labels of an ensemble: its coordinates, attributes, and sentences on what to mind."""
+
+import json
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.motions.record import Record
+from rocksteady.outcomes import Status
+from rocksteady.results.numbers import number
+from rocksteady.risk.ensemble.levels import Stripes, measured
+from rocksteady.risk.ensemble.restitution_band import RestitutionBand
+from rocksteady.seismic.spectra.batch import OUTPUTS
+
+if TYPE_CHECKING:
+    import xarray
+
+Floats = NDArray[np.float64]
+
+DIMENSIONS = ("block", "record", "direction", "vertical", "draw", "level")
+LARGE_FACTOR = 10.0
+"""Factor of a record's accelerations above which scaling is remarked on."""
+MOST_NAMES = 5
+
+
+def labelled(
+    arrays: Mapping[str, NDArray[Any]],
+    things: tuple[Sequence[Block], Sequence[Record], Sequence[str]],
+    stripes: Stripes,
+    scale: Floats,
+    band: RestitutionBand,
+    *,
+    coordinates: Mapping[str, Any],
+    attributes: Mapping[str, Any],
+) -> "xarray.Dataset":
+    """Return the runs as a dataset.
+
+    Parameters
+    ----------
+    arrays
+        The variables, over all dimensions.
+    things
+        Blocks, records, and names of the records.
+    stripes, scale, band
+        What they were run at; the scale has shape (blocks, records, levels).
+    coordinates, attributes
+        More of both.
+    """
+    import xarray
+
+    bodies, records, names = things
+    words = {output.name: output.attributes for output in OUTPUTS}
+    words["uplift_time_s"] = {"units": "s", "long_name": "time of the first uplift"}
+    ratios = np.stack([band.ratios(block) for block in bodies])
+    intensity = stripes.intensity
+    level = {"long_name": "factor of all accelerations", "units": "1"}
+    if intensity is not None:
+        level = {"long_name": intensity.label, "units": intensity.unit or "1"}
+    found: dict[str, Any] = {
+        "record": ("record", list(names), {"long_name": "ground motion"}),
+        "direction": ("direction", coordinates["direction"], {"long_name": "sign of the record"}),
+        "vertical": ("vertical", coordinates["vertical"], {"long_name": "vertical component"}),
+        "draw": ("draw", np.arange(band.draws), {"long_name": "value of the restitution"}),
+        "level": ("level", coordinates["level"], level),
+        "block": ("block", np.arange(1, len(bodies) + 1), {"long_name": "block"}),
+        "scale": (
+            ("block", "record", "level"),
+            scale,
+            {"units": "1", "long_name": "factor of all accelerations"},
+        ),
+    }
+    sides = [("", "positive", 0)]
+    if not all(block.symmetric for block in bodies):
+        sides.append(("negative_", "negative", 1))
+    for prefix, side, column in sides:
+        of = f" of the {side} side" if len(sides) > 1 else ""
+        for name, unit, text in (
+            ("alpha", "rad", "slenderness"),
+            ("p", "rad s-1", "frequency parameter"),
+        ):
+            values = [getattr(getattr(block, side), name) for block in bodies]
+            found[f"{prefix}{name}"] = ("block", values, {"units": unit, "long_name": text + of})
+        found[f"{prefix}restitution"] = (
+            ("block", "draw"),
+            ratios[:, :, column],
+            {"units": "1", "long_name": "restitution" + of},
+        )
+    beside = dict.fromkeys((*stripes.beside, *(() if intensity is None else (intensity,))))
+    for each in beside:
+        found[f"im_{each.key}"] = (
+            ("block", "record"),
+            measured(each, records, bodies),
+            {
+                "units": each.unit or "1",
+                "long_name": each.label,
+                "measure": each.name,
+                "scales": int(each.scales),
+                **({} if each.period_s is None else {"period_s": each.period_s}),
+            },
+        )
+    return xarray.Dataset(
+        {name: (DIMENSIONS, arrays[name], words[name]) for name in arrays},
+        coords=found,
+        attrs={
+            **attributes,
+            "seed": str(band.seed),
+            "scatter": band.scatter,
+        },
+    )
+
+
+def warnings_of(
+    names: Sequence[str], records: Sequence[Record], scale: Floats, status: NDArray[Any]
+) -> str:
+    """Return sentences on what to mind, as a list in JSON."""
+    found = []
+    alike: dict[tuple[float, bytes], list[str]] = {}
+    for name, record in zip(names, records, strict=True):
+        alike.setdefault((record.dt_s, record.acceleration_m_s2.tobytes()), []).append(name)
+    found += [
+        f"{', '.join(same[:MOST_NAMES])} hold the same samples: they count as "
+        f"{len(same)} records and are one"
+        for same in alike.values()
+        if len(same) > 1
+    ]
+    large = scale > LARGE_FACTOR
+    if large.any():
+        strongest = names[int(np.unravel_index(int(np.argmax(scale)), scale.shape)[1])]
+        found.append(
+            f"records are scaled by up to {number(float(scale.max()))} ({strongest}), and "
+            f"in {large.mean():.0%} of the runs by more than {LARGE_FACTOR:g}: so strong a motion "
+            "has another spectrum and another duration as a rule"
+        )
+    for outcome in (Status.LOST_CONTACT, Status.UNDECIDED):
+        count = int((status == outcome).sum())
+        if count:
+            found.append(
+                f"{count:,} of {status.size:,} runs ended {outcome.label}, without an answer"
+            )
+    return json.dumps(found)

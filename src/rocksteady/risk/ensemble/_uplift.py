@@ -1,0 +1,124 @@
+"""Time of the first uplift from rest, in closed form on the lines of a record.
+
+A block at rest lifts to the side that the base drives when a > (g + a_v) tan alpha.  Between two
+samples both sides of this are lines, so that the moment is a crossing of two lines.
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.kernels.elementary.arrays import tan
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.motions.record import Record
+from rocksteady.seismic.spectra.batch import GroundShaking
+from rocksteady.seismic.spectra.many import DIRECTIONS
+
+Floats = NDArray[np.float64]
+
+
+class Lines(NamedTuple):
+    """Straight lines one after the other, shape (lines,) each."""
+
+    start_s: Floats
+    length_s: Floats
+    first: Floats
+    last: Floats
+
+    def first_above(self, levels: Floats) -> Floats:
+        """Return when the lines first rise above some levels [s]; nan where they never do."""
+        most = np.maximum.accumulate(np.maximum(self.first, self.last))
+        at = np.searchsorted(most, levels, side="right")
+        reached = at < len(most)
+        at = np.minimum(at, len(most) - 1)
+        first, last = self.first[at], self.last[at]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            part = np.where(first > levels, 0.0, (levels - first) / (last - first))
+        return np.where(reached, self.start_s[at] + part * self.length_s[at], np.nan)
+
+
+def driving(
+    record: Record, sign: float, lift: float = 0.0, vertical: Record | None = None
+) -> Lines:
+    """Return the lines of ``sign a - lift a_v``.
+
+    Parameters
+    ----------
+    record, vertical
+        The horizontal and the vertical component, if any.
+    sign
+        1 or -1, for the side that is driven.
+    lift
+        tan alpha of that side; it matters with a vertical component alone.
+    """
+    samples: Floats = sign * record.acceleration_m_s2
+    if vertical is None:
+        count = len(samples) - 1
+        start: Floats = record.dt_s * np.arange(count, dtype=np.float64)
+        return Lines(start, np.full(count, record.dt_s), samples[:-1], samples[1:])
+    own = record.dt_s * np.arange(len(samples))
+    other = vertical.dt_s * np.arange(len(vertical.acceleration_m_s2))
+    times = np.union1d(own, other)
+    ends = []
+    for at, beside in ((times[:-1], times[1:]), (times[1:], times[:-1])):
+        value = np.zeros(len(at))
+        for t, y, factor in ((own, samples, 1.0), (other, vertical.acceleration_m_s2, -lift)):
+            # After its last sample a component is nothing, at once.
+            there = np.maximum(at, beside) <= t[-1]
+            value += factor * np.where(there, np.interp(at, t, y), 0.0)
+        ends.append(value)
+    lengths: Floats = np.diff(times)
+    return Lines(times[:-1], lengths, ends[0], ends[1])
+
+
+def uplift_times(
+    blocks: Sequence[Block],
+    grounds: Sequence[GroundShaking],
+    scale: Floats,
+    directions: Sequence[str],
+    lifts: Sequence[str],
+    *,
+    linear: bool,
+) -> Floats:
+    """Return when blocks at rest first lift [s], nan where they do not.
+
+    Parameters
+    ----------
+    blocks, grounds
+        The blocks and what shakes them.
+    scale
+        Factor of the accelerations, shape (blocks, records, levels).
+    directions, lifts
+        As in the coordinates of the result.
+    linear
+        Whether a block lifts above alpha g, not above g tan alpha.
+
+    Returns
+    -------
+    ndarray, shape (blocks, records, directions, verticals, levels)
+    """
+    alphas = [(block.positive.alpha, block.negative.alpha) for block in blocks]
+    gates = np.array(alphas if linear else [[tan(one) for one in both] for both in alphas])
+    limits = gates * np.array([block.gravity for block in blocks])[:, np.newaxis]
+    count, records, levels = scale.shape
+    found = np.full((count, records, len(directions), len(lifts), levels), np.nan)
+    for record, ground in enumerate(grounds):
+        for i, direction in enumerate(directions):
+            sign = -1.0 if direction == DIRECTIONS[1] else 1.0
+            for j, lift in enumerate(lifts):
+                vertical = ground.vertical if lift == "with" else None
+                for column, driven in ((0, sign), (1, -sign)):
+                    thresholds = limits[:, column, np.newaxis] / scale[:, record]
+                    times = np.empty((count, levels))
+                    if vertical is None:
+                        lines = driving(ground.record, driven)
+                        times[:] = lines.first_above(thresholds.ravel()).reshape(times.shape)
+                    else:
+                        for row in range(count):
+                            share = float(gates[row, column])
+                            lines = driving(ground.record, driven, share, vertical)
+                            times[row] = lines.first_above(thresholds[row])
+                    found[:, record, i, j] = np.fmin(found[:, record, i, j], times)
+    return found

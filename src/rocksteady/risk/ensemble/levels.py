@@ -1,0 +1,143 @@
+"""Levels of an ensemble: every record is scaled to each, so that they stand in stripes."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.errors import InputError
+from rocksteady.kernels.elementary.arrays import tan
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import LARGEST, in_range
+from rocksteady.model.motions.record import Record
+from rocksteady.seismic.measures.scalar import Intensity, first_side, measure_scalar
+from rocksteady.seismic.spectra.grounds import axis_values
+from rocksteady.sweep.cases.spacing import in_equal_ratios
+
+Floats = NDArray[np.float64]
+
+SCALE: Final = "scale"
+"""Levels that are plain factors."""
+COUNT: Final = 20
+RANGES: Final = {
+    SCALE: (0.5, 16.0),
+    "p_pgv_per_uplift": (0.15, 3.0),
+    "pgv_m_s": (0.15, 3.0),
+    "pga_per_uplift": (0.7, 14.0),
+    "pga_g": (0.7, 14.0),
+    "sa_g": (0.1, 4.0),
+    "sa_avg_g": (0.1, 4.0),
+}
+"""First and last default level; PGA and Sa over tan alpha, PGV over g tan alpha/p."""
+
+DEFAULT_MEASURES: Final = tuple(
+    Intensity(name)
+    for name in (
+        "pga_g",
+        "pgv_m_s",
+        "p_pgv_per_uplift",
+        "sa_g",
+        "sa_avg_g",
+        "pgv_per_pga_s",
+        "significant_5_75_s",
+    )
+)
+
+
+@checked
+@dataclass(frozen=True)
+class Stripes:
+    """Levels to which every record of an ensemble is scaled.
+
+    Parameters
+    ----------
+    measure
+        What the levels are in: an `Intensity` that scaling changes, or its name; default
+        ``p_pgv_per_uplift``, p PGV/(g tan alpha).  ``"scale"`` for plain factors.
+    levels
+        Above 0, no two alike, shape (levels,).  By default 20 in equal ratios, chosen for the
+        blocks: about where they begin to fall to where all do.
+    beside
+        Measures of each record, as it is, that are kept beside the runs, so that curves over them
+        can be fitted too; by default all that `Fitting` compares.
+
+    Raises
+    ------
+    InputError
+        If scaling does not change the measure, or a level is not above 0.
+
+    Examples
+    --------
+    >>> from rocksteady import Stripes
+    >>> Stripes("pga_g", [0.2, 0.4, 0.8]).levels
+    (0.2, 0.4, 0.8)
+    """
+
+    measure: Intensity | str = "p_pgv_per_uplift"
+    levels: ArrayLike | None = None
+    beside: Sequence[Intensity] = DEFAULT_MEASURES
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        if self.measure != SCALE and not isinstance(self.measure, Intensity):
+            object.__setattr__(self, "measure", Intensity(self.measure))
+        intensity = self.intensity
+        if intensity is not None and not intensity.scales:
+            raise InputError(
+                "measure",
+                intensity.name,
+                "scaling a record does not change it, so that it has no levels",
+                "take another, as pgv_m_s; this one may stand beside it",
+            )
+        object.__setattr__(self, "beside", tuple(self.beside))
+        if self.levels is not None:
+            hint = "give levels in the unit of the measure, as [0.2, 0.5, 1.0]"
+            levels = [
+                in_range("levels", level, 1.0 / LARGEST, LARGEST, "[]", hint=hint)
+                for level in axis_values("levels", self.levels)
+            ]
+            object.__setattr__(self, "levels", tuple(levels))
+
+    @property
+    def intensity(self) -> Intensity | None:
+        """The measure; None for plain factors."""
+        return self.measure if isinstance(self.measure, Intensity) else None
+
+    @property
+    def key(self) -> str:
+        """The measure's name in files."""
+        return SCALE if self.intensity is None else self.intensity.key
+
+    def levels_for(self, blocks: Sequence[Block]) -> tuple[float, ...]:
+        """Return the levels as given, or by default what suits the blocks."""
+        if self.levels is not None:
+            given: tuple[float, ...] = self.levels  # type: ignore[assignment]
+            return given
+        intensity = self.intensity
+        low, high = RANGES[SCALE if intensity is None else intensity.name]
+        units = [_unit(intensity, block) for block in blocks]
+        return tuple(in_equal_ratios(low * min(units), high * max(units), COUNT))
+
+    def at_scale_one(self, records: Sequence[Record], blocks: Sequence[Block]) -> Floats:
+        """Return the measure of each record as it is, shape (blocks, records)."""
+        if self.intensity is None:
+            return np.ones((len(blocks), len(records)))
+        return measured(self.intensity, records, blocks)
+
+
+def measured(intensity: Intensity, records: Sequence[Record], blocks: Sequence[Block]) -> Floats:
+    """Return a measure of records as they are, shape (blocks, records)."""
+    bodies: Sequence[Block | None] = blocks if intensity.needs_block else [None]
+    rows = [[measure_scalar(record, intensity, body) for record in records] for body in bodies]
+    return np.array(np.broadcast_to(np.array(rows), (len(blocks), len(records))))
+
+
+def _unit(intensity: Intensity | None, block: Block) -> float:
+    """Return what the default levels of a measure are counted in, for a block."""
+    kind: Literal["", "g", "m/s"] = "" if intensity is None else intensity.unit  # type: ignore[assignment]
+    side = first_side(block)
+    uplift = block.gravity * tan(side.alpha)
+    return {"": 1.0, "g": uplift / STANDARD_GRAVITY, "m/s": uplift / side.p}[kind]

@@ -1,0 +1,198 @@
+"""Ensembles: blocks on many records at many levels, restitutions, signs, with vertical motion."""
+
+import functools
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from rocksteady.errors import InputError, Words
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.equations import Linear, Model, chosen_model
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.model.motions.record import Record
+from rocksteady.risk.ensemble._cases import Body, fates, ways_to_run, whole
+from rocksteady.risk.ensemble._labels import labelled, warnings_of
+from rocksteady.risk.ensemble._uplift import uplift_times
+from rocksteady.risk.ensemble.levels import Stripes
+from rocksteady.risk.ensemble.restitution_band import RestitutionBand
+from rocksteady.seismic.spectra.batch import OUTPUTS, GroundShaking, load_kernel
+from rocksteady.seismic.spectra.grounds import check_grounds, grounds_of, names_of
+from rocksteady.seismic.spectra.many import DIRECTIONS, blocks_of
+from rocksteady.sweep.cases.axes import Axis
+from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.run import Run
+
+if TYPE_CHECKING:
+    import xarray
+
+VERTICAL = ("without", "with")
+KEPT = tuple(output for output in OUTPUTS if output.name != "peak_velocity")
+
+
+@checked
+def run_ensemble(
+    blocks: Block | Sequence[Block],
+    motions: Record | BaseMotion | Sequence[Record | BaseMotion],
+    *,
+    stripes: Stripes | None = None,
+    restitution: RestitutionBand | None = None,
+    reverse: bool | Literal["both"] = "both",
+    vertical: bool | Literal["both"] = "both",
+    model: Model | None = None,
+    run: Run | None = None,
+) -> "xarray.Dataset":
+    """Run every block on every record, scaled to every level, from rest.
+
+    Every run is what `simulate` finds for the block, its restitution and the scaled record.  Of a
+    symmetric block the reversed record gives the mirror image: that is copied, not computed again.
+
+    Parameters
+    ----------
+    blocks
+        A block or several.
+    motions
+        A record or several, or `BaseMotion` of a horizontal and a vertical record, which are scaled
+        by the same factor.
+    stripes
+        The levels, and what they are in; default `Stripes()`.
+    restitution
+        The band of restitutions; default `RestitutionBand()`.
+    reverse
+        "both" (default) for the records as they are and reversed, True or False for one of the two.
+    vertical
+        "both" (default) for runs with and without the vertical components, where there are any;
+        True or False for one of the two.  A record without one has the same run twice.
+    model
+        `Nonlinear()` (default) or `Linear()`.
+    run
+        Executor, workers, store and progress; default `Run()`.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``status`` (with flags), ``peak_angle`` (|theta|/alpha), ``impacts`` and ``uplift_time_s``
+        (nan without uplift), over ``block``, ``record``, ``direction``, ``vertical``, ``draw`` and
+        ``level``.  Coordinates are ``scale``, the factor of the accelerations, ``restitution``,
+        ``alpha`` and ``p``, and ``im_NAME`` for each measure of the records as they are.
+
+    Raises
+    ------
+    InputError, ModelError
+        If an argument is outside its range, vertical motion is wanted and there is none, or the
+        linear model meets one.
+
+    Examples
+    --------
+    The share of two records that topples a cabinet at each level, in both directions:
+
+    >>> from rocksteady import Block, Record, RestitutionBand, Status, Stripes, run_ensemble
+    >>> cabinet = Block.rectangle(width=0.4, height=1.6)
+    >>> suite = [Record(acceleration_m_s2=[0.0, 1.0, -1.0, 0.0], dt_s=dt) for dt in (0.1, 0.3)]
+    >>> stripes = Stripes("pga_g", [0.2, 0.5, 2.0], beside=())
+    >>> runs = run_ensemble(cabinet, suite, stripes=stripes, restitution=RestitutionBand(draws=1))
+    >>> fell = (runs.status == Status.OVERTURNED).stack(run=set(runs.dims) - {"level"})
+    >>> fell.mean("run").values
+    array([0. , 0.5, 0.5])
+    """
+    bodies, grounds = blocks_of(blocks), grounds_of(motions)
+    records = [ground.record for ground in grounds]
+    names = names_of(records)
+    wanted = Stripes() if stripes is None else stripes
+    band = RestitutionBand() if restitution is None else restitution
+    directions = _chosen("reverse", reverse, DIRECTIONS)
+    lifts = _lifts(vertical, grounds)
+    levels = np.array(wanted.levels_for(bodies))
+    at_one = wanted.at_scale_one(records, bodies)
+    scale = levels / at_one[:, :, np.newaxis]
+    equations = chosen_model(model, bodies[0], records[0])
+    extremes = (
+        max(bodies, key=lambda block: block.p),
+        min(bodies, key=lambda block: block.uplift_acceleration),
+    )
+    used = grounds if "with" in lifts else [GroundShaking(record=record) for record in records]
+    check_grounds(used, scale.max(axis=(0, 2)).tolist(), extremes, equations)
+    # Of symmetric blocks alone one direction is the mirror image of the other.
+    several = directions if not all(block.symmetric for block in bodies) else directions[:1]
+    ways = ways_to_run(grounds, several, lifts)
+    # Draws run fastest: those of one block on one ground share its table and its scale.
+    axes = (
+        Axis(
+            name="motion",
+            values=[way.name(names[way.record]) for way in ways],
+            long_name="ground motion",
+            items=ways,
+        ),
+        Axis(
+            name="block",
+            values=[f"block {place}" for place in range(1, len(bodies) + 1)],
+            long_name="block",
+            items=[Body(block=block, number=place) for place, block in enumerate(bodies)],
+        ),
+        Axis(name="level", values=levels, long_name=wanted.key),
+        Axis(name="draw", values=np.arange(band.draws), long_name="value of the restitution"),
+    )
+    load_kernel(equations)
+    swept = evaluate(
+        functools.partial(
+            fates,
+            at_one=at_one,
+            band=band,
+            mirrored_from=directions[0] if len(several) > 1 else None,
+            model=equations,
+        ),
+        Grid(axes=axes),
+        KEPT,
+        run=run,
+        numbered="cell",
+        attributes={"model": equations.name, "measure": wanted.key},
+    )
+    arrays = whole(swept, ways, bodies, directions, lifts)
+    times = uplift_times(
+        bodies, grounds, scale, directions, lifts, linear=isinstance(equations, Linear)
+    )
+    # Uplift does not depend on the restitution.
+    rocked = arrays["peak_angle"] > 0.0
+    arrays["uplift_time_s"] = np.where(rocked, times[:, :, :, :, np.newaxis], np.nan)
+    copied = sum(block.symmetric for block in bodies) / len(bodies) if len(several) > 1 else 0.0
+    copies = round(0.5 * copied * swept["status"].size)
+    return labelled(
+        arrays,
+        (bodies, records, names),
+        wanted,
+        scale,
+        band,
+        coordinates={"direction": list(directions), "vertical": list(lifts), "level": levels},
+        attributes={
+            **swept.attrs,
+            "kind": "rocking ensemble",
+            "runs": int(swept["status"].size) - copies,
+            "warnings": warnings_of(names, records, scale, arrays["status"]),
+        },
+    )
+
+
+def _chosen(name: str, value: object, both: tuple[str, str]) -> tuple[str, ...]:
+    """Return one of two kinds of runs, or both."""
+    if isinstance(value, bool):
+        return (both[value],)
+    if value == "both":
+        return both
+    raise InputError(name, value, "it must be True, False or 'both'", "leave it out for both")
+
+
+def _lifts(value: object, grounds: Sequence[GroundShaking]) -> tuple[str, ...]:
+    """Return whether runs are with vertical motion, without, or both."""
+    lifts = _chosen("vertical", value, VERTICAL)
+    if any(ground.vertical is not None for ground in grounds):
+        return lifts
+    if value is True:
+        raise InputError(
+            "vertical",
+            Words("is True and no motion has a vertical component"),
+            "runs with vertical motion need records of it",
+            "give BaseMotion(horizontal, vertical), or leave it out",
+        )
+    return VERTICAL[:1]

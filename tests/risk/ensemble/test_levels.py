@@ -1,0 +1,47 @@
+"""Levels of an ensemble: those given, those that suit the blocks, and what has none."""
+
+import math
+from itertools import pairwise
+
+import pytest
+
+from rocksteady import Block, InputError, Intensity, Stripes
+
+G = 9.80665
+BLOCK = Block.from_p(alpha=0.2, p=2.0)
+
+
+def test_default_levels_are_twenty_in_equal_ratios() -> None:
+    for measure in ("scale", "p_pgv_per_uplift", "pga_g", "pgv_m_s", "sa_g", "sa_avg_g"):
+        levels = Stripes(measure).levels_for([BLOCK])
+        assert len(levels) == 20
+        ratios = [b / a for a, b in pairwise(levels)]
+        assert ratios == pytest.approx([ratios[0]] * 19, rel=1e-12)
+
+
+def test_default_levels_are_of_one_dimensionless_range_for_all_blocks() -> None:
+    other = Block.from_p(alpha=0.1, p=4.0)
+    ratio = Stripes("pgv_m_s").levels_for([other])[0] / Stripes("pgv_m_s").levels_for([BLOCK])[0]
+    assert ratio == pytest.approx(math.tan(0.1) / math.tan(0.2) / 2.0, rel=1e-12)
+    ratio = Stripes("pga_g").levels_for([other])[0] / Stripes("pga_g").levels_for([BLOCK])[0]
+    assert ratio == pytest.approx(math.tan(0.1) / math.tan(0.2), rel=1e-12)
+    # Levels of both reach from the first of one to the last of the other.
+    both = Stripes("pga_g").levels_for([BLOCK, other])
+    assert both[0] == Stripes("pga_g").levels_for([other])[0]
+    assert both[-1] == Stripes("pga_g").levels_for([BLOCK])[-1]
+
+
+def test_what_scaling_does_not_change_has_no_levels() -> None:
+    with pytest.raises(InputError, match="scaling a record does not change it"):
+        Stripes("significant_5_75_s")
+    for levels in ([0.0, 1.0], [1.0, 1.0], [-1.0], [], [math.nan]):
+        with pytest.raises(InputError, match="levels"):
+            Stripes("pga_g", levels)
+    with pytest.raises(InputError, match="the measures are pga_g"):
+        Stripes("pga")
+
+
+def test_a_measure_with_a_period_keeps_it() -> None:
+    stripes = Stripes(Intensity("sa_g", 0.5), [0.3])
+    assert stripes.key == "sa_g_0.5s"
+    assert stripes.intensity == Intensity("sa_g", 0.5)

@@ -1,0 +1,54 @@
+"""Bands of restitution: their ends, by default and given."""
+
+import math
+
+import numpy as np
+import pytest
+
+from rocksteady import Block, InputError, RestitutionBand
+
+BLOCK = Block.rectangle(width=0.4, height=1.6)
+
+
+def test_a_band_begins_with_the_blocks_own_value_and_ends_at_its_root() -> None:
+    e = BLOCK.restitution
+    found = RestitutionBand(draws=5).ratios(BLOCK)
+    assert found[0].tolist() == [e, e]
+    assert found[-1] == pytest.approx([math.sqrt(e)] * 2, rel=1e-15)
+    assert np.diff(found[:, 0]) == pytest.approx([(math.sqrt(e) - e) / 4] * 4, rel=1e-12)
+    assert RestitutionBand(draws=1).ratios(BLOCK).tolist() == [[e, e]]
+
+
+def test_the_upper_end_is_at_most_098() -> None:
+    slender = Block.rectangle(width=0.2, height=3.0)
+    assert slender.restitution > 0.98
+    assert RestitutionBand().ratios(slender)[-1].tolist() == [0.98, 0.98]
+    assert RestitutionBand(draws=1).ratios(slender)[0, 0] == slender.restitution
+
+
+def test_each_side_has_its_own() -> None:
+    block = Block.asymmetric(left=0.25, right=0.4, height=2.4)
+    found = RestitutionBand(draws=2).ratios(block)
+    own = [block.positive.restitution, block.negative.restitution]
+    assert found[0].tolist() == own
+    assert found[1] == pytest.approx(np.sqrt(own), rel=1e-15)
+    given = RestitutionBand(low=0.5, high=0.7, draws=3).ratios(block)
+    assert given == pytest.approx(np.array([[0.5, 0.5], [0.6, 0.6], [0.7, 0.7]]), rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"low": 0.0},
+        {"high": 1.1},
+        {"low": 0.9, "high": 0.8},
+        {"draws": 0},
+        {"scatter": -0.1},
+        {"scatter": 0.6},
+        {"seed": -1},
+        {"draws": 2.0},
+    ],
+)
+def test_what_is_no_band_is_refused(wrong: dict[str, float]) -> None:
+    with pytest.raises(InputError, match="|".join(wrong)):
+        RestitutionBand(**wrong)  # type: ignore[arg-type]

@@ -1,0 +1,253 @@
+"""Ensembles: each cell against a time history, mirror images, workers, stores, warnings."""
+
+import functools
+import json
+from itertools import product
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray
+
+from rocksteady import (
+    BaseMotion,
+    Block,
+    InputError,
+    ModelError,
+    Record,
+    RestitutionBand,
+    Run,
+    Status,
+    Store,
+    Stripes,
+    evaluate,
+    measure_scalar,
+    run_ensemble,
+    simulate,
+    simulate_many,
+)
+from rocksteady.model.equations import Linear
+from rocksteady.results.gridded import described
+from tests.seismic.grounds import ground, lifting
+
+SYMMETRIC = Block.rectangle(width=0.4, height=1.6)
+GENERAL = Block.general(mass=100.0, inertia=90.0, radius=0.8, alpha=0.2, gravity=9.0)
+OFF_CENTRE = Block.asymmetric(left=0.25, right=0.4, height=2.4)
+BLOCKS = (SYMMETRIC, OFF_CENTRE, GENERAL)
+# Slow ones, which topple the blocks.
+SUITE = tuple(
+    Record(acceleration_m_s2=each.acceleration_m_s2, dt_s=3.0 * each.dt_s, name=name)
+    for each, name in ((ground(1), None), (ground(2), "other"), (ground(3, peak=8.0), None))
+)
+MOTIONS: tuple[Record | BaseMotion, ...] = (SUITE[0], BaseMotion(SUITE[1], lifting()), SUITE[2])
+LEVELS = (0.4, 0.9, 2.5)
+NAMES = ("status", "peak_angle", "impacts", "uplift_time_s")
+
+
+@functools.cache
+def ensemble() -> xarray.Dataset:
+    return run_ensemble(
+        BLOCKS,
+        MOTIONS,
+        stripes=Stripes("pga_per_uplift", LEVELS),
+        restitution=RestitutionBand(draws=2),
+    )
+
+
+def test_each_cell_is_a_time_history() -> None:
+    found = ensemble()
+    assert dict(found.sizes) == {
+        "block": 3,
+        "record": 3,
+        "direction": 2,
+        "vertical": 2,
+        "draw": 2,
+        "level": 3,
+    }
+    for (i, block), (j, motion) in product(enumerate(BLOCKS), enumerate(MOTIONS)):
+        base = BaseMotion(motion) if isinstance(motion, Record) else motion
+        assert isinstance(base.horizontal, Record)
+        for k, level in enumerate(LEVELS):
+            factor = level / measure_scalar(base.horizontal, "pga_per_uplift", block)
+            assert float(found.scale[i, j, k]) == pytest.approx(factor, rel=1e-14)
+            for direction, lift, draw in product((0, 1), (0, 1), (0, 1)):
+                cell = found.isel(
+                    block=i, record=j, direction=direction, vertical=lift, draw=draw, level=k
+                )
+                shaken = base.scaled(factor)
+                if not lift:
+                    shaken = BaseMotion(shaken.horizontal)
+                ratios = RestitutionBand(draws=2).ratios(block)[draw]
+                run = simulate(
+                    block.with_restitution((float(ratios[0]), float(ratios[1]))),
+                    shaken.reversed() if direction else shaken,
+                )
+                assert int(cell.status) == run.status
+                assert float(cell.peak_angle) == pytest.approx(run.peak, rel=1e-8, abs=1e-15)
+                assert int(cell.impacts) <= len(run.impacts)
+                lifted = np.flatnonzero(run.flights.side)
+                first = run.flights.pt[lifted[0]] / block.p if len(lifted) else np.nan
+                assert float(cell.uplift_time_s) == pytest.approx(first, rel=1e-9, nan_ok=True)
+    assert {Status.AT_REST, Status.OVERTURNED} <= set(found.status.values.ravel().tolist())
+
+
+def test_a_mirror_image_has_the_bits_of_its_run() -> None:
+    stripes = Stripes("pga_per_uplift", LEVELS, beside=())
+    band = RestitutionBand(draws=2)
+    both = run_ensemble(SYMMETRIC, MOTIONS, stripes=stripes, restitution=band)
+    one = run_ensemble(SYMMETRIC, MOTIONS, stripes=stripes, restitution=band, reverse=True)
+    assert both.attrs["runs"] == one.attrs["runs"] == 4 * 3 * 2
+    for name in NAMES:
+        np.testing.assert_array_equal(both[name].sel(direction=["reversed"]), one[name])
+    # Beside an unequal block the mirror image is copied too.
+    beside = ensemble()
+    for name in NAMES:
+        np.testing.assert_array_equal(beside[name].isel(block=[0]), both[name])
+    assert not np.array_equal(
+        beside.peak_angle.isel(block=1, direction=0), beside.peak_angle.isel(block=1, direction=1)
+    )
+    assert beside.attrs["runs"] == (1 + 2 + 1) * 4 * 3 * 2
+
+
+def test_plain_factors_are_the_runs_of_simulate_many() -> None:
+    factors = (0.5, 1.0, 2.0)
+    found = run_ensemble(
+        BLOCKS,
+        MOTIONS,
+        stripes=Stripes("scale", factors, beside=()),
+        restitution=RestitutionBand(draws=1),
+        vertical=True,
+    )
+    other = simulate_many(BLOCKS, MOTIONS, scales=factors, reverse="both")
+    for name in ("status", "peak_angle", "impacts"):
+        np.testing.assert_array_equal(found[name].isel(vertical=0, draw=0), other[name])
+
+
+@pytest.mark.parametrize(
+    "run",
+    [Run(executor="serial"), *(Run(executor="threads", workers=count) for count in (1, 2, 3))],
+)
+def test_every_executor_gives_the_same_bits(run: Run) -> None:
+    found = run_ensemble(
+        BLOCKS,
+        MOTIONS,
+        stripes=Stripes("pga_per_uplift", LEVELS),
+        restitution=RestitutionBand(draws=2),
+        run=run,
+    )
+    for name in NAMES:
+        np.testing.assert_array_equal(found[name], ensemble()[name])
+
+
+def test_small_batches_give_the_same_bits(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(
+        "rocksteady.risk.ensemble.runs.evaluate", functools.partial(evaluate, batch=7)
+    )
+    found = run_ensemble(
+        BLOCKS,
+        MOTIONS,
+        stripes=Stripes("pga_per_uplift", LEVELS, beside=()),
+        restitution=RestitutionBand(draws=2),
+    )
+    for name in NAMES:
+        np.testing.assert_array_equal(found[name], ensemble()[name])
+
+
+def test_an_interrupted_ensemble_goes_on_from_its_store(tmp_path: Path) -> None:
+    place = tmp_path / "runs.zarr"
+    kept: list[int] = []
+
+    def stop(cells: int) -> None:
+        kept.append(cells)
+        if sum(kept) > 30:
+            raise KeyboardInterrupt
+
+    def go(run: Run) -> xarray.Dataset:
+        return run_ensemble(
+            BLOCKS,
+            MOTIONS,
+            stripes=Stripes("pga_per_uplift", LEVELS),
+            restitution=RestitutionBand(draws=2),
+            run=run,
+        )
+
+    with pytest.raises(KeyboardInterrupt):
+        go(Run(executor="serial", store=Store(place, chunk=16), progress=stop))
+    kept.clear()
+    found = go(Run(store=Store(place, resume=True, chunk=16), progress=kept.append))
+    assert kept[0] >= 16  # what was there already
+    for name in NAMES:
+        np.testing.assert_array_equal(found[name], ensemble()[name])
+
+
+def test_measures_stand_beside_the_runs_as_they_are_measured() -> None:
+    found = ensemble()
+    for name in ("pga_g", "pgv_m_s", "p_pgv_per_uplift", "sa_g", "sa_avg_g", "pgv_per_pga_s"):
+        values = [[measure_scalar(record, name, block) for record in SUITE] for block in BLOCKS]
+        np.testing.assert_allclose(found[f"im_{name}"], values, rtol=1e-14)
+    # What the levels are in, at each of them.
+    reached = found.im_pga_per_uplift * found.scale
+    np.testing.assert_allclose(reached, np.broadcast_to(LEVELS, (3, 3, 3)), rtol=1e-14)
+
+
+def test_warnings_count_what_they_warn_of() -> None:
+    again = Record(
+        acceleration_m_s2=SUITE[0].acceleration_m_s2, dt_s=SUITE[0].dt_s, name="once more"
+    )
+    down = Record(acceleration_m_s2=np.array([0.0, -6.0, 6.0, 0.0]), dt_s=0.3)
+    found = run_ensemble(
+        SYMMETRIC,
+        [SUITE[0], again, BaseMotion(SUITE[1], down)],
+        stripes=Stripes("scale", [1.0, 30.0], beside=()),
+        restitution=RestitutionBand(draws=1),
+    )
+    alike, large, lost = json.loads(found.attrs["warnings"])
+    assert "once more" in alike
+    assert "30" in large
+    assert "50%" in large
+    count = int((found.status == Status.LOST_CONTACT).sum())
+    assert lost.startswith(f"{count} of 24 runs")
+    assert count > 0
+    clean = run_ensemble(SYMMETRIC, SUITE, stripes=Stripes("scale", [1.0], beside=()))
+    assert json.loads(clean.attrs["warnings"]) == []
+
+
+def test_vertical_motion_needs_a_record_and_full_equations() -> None:
+    with pytest.raises(InputError, match="no motion has a vertical component"):
+        run_ensemble(SYMMETRIC, SUITE, vertical=True)
+    with pytest.raises(ModelError, match="vertical"):
+        run_ensemble(SYMMETRIC, MOTIONS, model=Linear())
+    flat = run_ensemble(
+        SYMMETRIC, MOTIONS, model=Linear(), vertical=False, stripes=Stripes(levels=[1.0])
+    )
+    assert flat.attrs["model"] == "linear"
+    assert flat.vertical.values.tolist() == ["without"]
+
+
+def test_a_linear_block_lifts_above_alpha_g() -> None:
+    block = Block.from_p(alpha=0.3, p=2.0)
+    shock = Record(acceleration_m_s2=np.array([0.0, 10.0, 0.0]), dt_s=1.0)
+    found = run_ensemble(
+        block,
+        shock,
+        model=Linear(),
+        stripes=Stripes("scale", [1.0], beside=()),
+        restitution=RestitutionBand(draws=1),
+    )
+    assert float(found.uplift_time_s.isel(direction=0).squeeze()) == pytest.approx(
+        0.3 * 9.80665 / 10.0, rel=1e-14
+    )
+
+
+def test_an_ensemble_describes_itself() -> None:
+    found = described(ensemble())
+    assert found is not None
+    assert found.headline.startswith("Ensemble: 3 blocks, 3 records at 3 levels")
+    values = found.to_dict()
+    assert values["runs"] == 96
+    assert values["cells"] == sum(values["counts"].values()) == 3 * 3 * 2 * 2 * 2 * 3
+    shares = [row["overturned"] for row in values["stripes"]]
+    assert sum(shares) * 72 == pytest.approx(values["counts"]["overturned"])
+    assert all(row["uplift"] >= row["overturned"] for row in values["stripes"])
+    # Below PGA = g tan alpha no block lifts without vertical motion.
+    assert values["stripes"][0]["uplift"] <= 0.5
