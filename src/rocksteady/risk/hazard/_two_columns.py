@@ -30,9 +30,11 @@ VELOCITIES: Final = {
 
 _SPECTRAL: Final = re.compile(r"\bp?sa(?![a-z])")
 _PERIOD: Final = re.compile(r"\bp?sa[\s(\[_:]{0,3}(?:t\s?=\s?)?(\d+\.?\d*|\.\d+)\s?s?\b")
-_UNIT: Final = re.compile(r"[\[(]\s?([^\[\]()]{1,20}?)\s?[\])]\s?$|[_ ,]([a-z/^%.0-9]{1,8})$|_(cm_s|m_s)$")
-_RATE: Final = re.compile(r"rate|freq|lambda|mafe|mare\b|1/y|/\s?yr|/\s?year|/\s?a\b|per year")
-_POE: Final = re.compile(r"prob|poe\b|\bp\s?\(|\b[a-z]?p(?:o)?e\b")
+_UNIT: Final = re.compile(
+    r"[\[(]\s?([^\[\]()]{1,20}?)\s?[\])]\s?$|[_ ,]([a-z/^%.0-9]{1,8})$|_(cm_s|m_s)$"
+)
+_RATE: Final = re.compile(r"rate|\bm?afo?e\b|freq|lambda|1/y|/\s?yr|/\s?year|/\s?a\b|per year")
+_POE: Final = re.compile(r"prob|\baep\b|\bp\s?\(|\b[a-z]?po?e\b")
 _RETURN: Final = re.compile(r"return|recurrence")
 _IN_YEARS: Final = re.compile(r"\bin (\d+(?:\.\d+)?) ?y")
 _ANNUAL: Final = re.compile(r"annual|yearly|\bapo?e\b|\baep\b|per year|\bin 1 y")

@@ -56,7 +56,8 @@ class HazardCurve(Result):
     Raises
     ------
     InputError
-        If there are fewer than two levels, they do not rise, a rate is not positive, or rates rise.
+        If there are fewer than two levels, they do not rise, a rate is not positive, rates rise, or
+        no tail can be fitted.
 
     Examples
     --------
@@ -105,6 +106,13 @@ class HazardCurve(Result):
             )
         object.__setattr__(self, "levels", levels)
         object.__setattr__(self, "rates", rates)
+        if self.tail == "power-law" and self.end_slopes[1] == 0.0:
+            raise InputError(
+                "tail",
+                self.tail,
+                f"the last {FITTED} rates are equal, and no power law falls through them",
+                "leave the curve without tails",
+            )
         if self.weight is not None:
             weight = in_range("weight", self.weight, 0.0, 1.0, hint="give the branch's weight")
             object.__setattr__(self, "weight", weight)

@@ -1,0 +1,433 @@
+"""Risk: the annual rate of failure of an object under the hazard of its site."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.validation import in_range
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, quantity
+from rocksteady.results.result import Result
+from rocksteady.risk.hazard._convolution import Integral, convolve
+from rocksteady.risk.hazard._fragile import Converted, Fragile, Lognormal
+from rocksteady.risk.hazard._hazard_measures import fragility_factor, measure_name
+from rocksteady.risk.hazard.hazard_curve import HazardCurve
+
+Floats = NDArray[np.float64]
+
+LONGEST_YEARS = 1e9
+SHARES = (0.05, 0.5, 0.95)
+"""Of the risk integral, at whose intensities it is divided."""
+HCLPF_FACTOR = 1.645
+"""Of both betas in the exponent of the HCLPF capacity."""
+MUCH = 0.05
+"""Share of the risk integral that is worth a sentence."""
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Risk(Result):
+    """Annual rate of failure of an object, from `rocksteady.compute_risk`.
+
+    Attributes
+    ----------
+    fragility, hazard
+        What was given.
+    measure, factor
+        The fragility's measure, and what an intensity of the hazard is multiplied by to be one.
+    years, beta_u
+        Time [years], and standard deviation of the logarithm of an unsure median.
+    annual_rate
+        Rate of failure [1/year].
+    annual_rate_band
+        The same of the lower and of the upper edge of the fragility's band; None without one.
+    rate_below, rate_above
+        What power-law tails of the hazard hold, below its first level and above its last [1/year];
+        infinite where they have no bound.
+    median, beta
+        Of the fragility, in the hazard's unit; beta of a curve that is not lognormal is that from
+        its median to its 5 %.
+    k, closed_form_rate
+        Slope of the hazard at the median, and H(median) exp(k^2 beta^2/2) [1/year]; nan where the
+        hazard curve does not reach the median.
+    hclpf
+        median exp(-1.645(beta + beta_u)) in the hazard's unit: a 95 % confidence of less than 5 %.
+    contributing
+        Intensities below which 5, 50 and 95 % of the risk lie; infinite above the last level.
+    contributions
+        Rate of failure below the first level, between each two, and above the last [1/year].
+    unsampled
+        Share of the risk from intensities outside those of the fragility's runs; None where it
+        does not state them.
+    """
+
+    fragility: Fragile
+    hazard: HazardCurve
+    measure: str
+    factor: float
+    years: float
+    beta_u: float
+    annual_rate: float
+    annual_rate_band: tuple[float, float] | None
+    rate_below: float
+    rate_above: float
+    median: float
+    beta: float
+    k: float
+    closed_form_rate: float
+    hclpf: float
+    contributing: tuple[float, float, float]
+    contributions: Floats
+    unsampled: float | None
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def probability(self) -> float:
+        """Probability of a failure in the time: 1 - exp(-rate T)."""
+        return -math.expm1(-self.annual_rate * self.years)
+
+    @property
+    def survival(self) -> float:
+        """Probability of none in the time: exp(-rate T)."""
+        return math.exp(-self.annual_rate * self.years)
+
+    @property
+    def probability_band(self) -> tuple[float, float] | None:
+        """The probability of a failure at both edges of the fragility's band; None without one."""
+        if self.annual_rate_band is None:
+            return None
+        low, high = (-math.expm1(-rate * self.years) for rate in self.annual_rate_band)
+        return low, high
+
+    @property
+    def share_outside(self) -> float:
+        """Share of the risk beyond the ends of the hazard curve, if those are power laws."""
+        levels = float(self.contributions[1:-1].sum())
+        outside = self.rate_below + self.rate_above
+        return 1.0 if math.isinf(outside) else outside / (levels + outside) if outside else 0.0
+
+    def describe(self) -> Description:
+        """Return rate, probability, capacities and where the risk comes from."""
+        label, unit = self.hazard.label, self.hazard.unit
+        chance = f"{number(100.0 * self.probability)} % in {number(self.years)} years"
+        facts = [
+            Fact("measure", self.hazard.measure, "Measure", f"{label} [{unit}]"),
+            Fact("years", self.years),
+            Fact(
+                "annual_rate", self.annual_rate, "Annual rate of failure", _rate(self.annual_rate)
+            ),
+            Fact("annual_rate_band", _plain(self.annual_rate_band)),
+            Fact("probability", self.probability, "Probability", chance + self._band_words),
+            Fact("survival", self.survival, "Survival", f"{number(100.0 * self.survival)} %"),
+            Fact("return_period_years", self._return_period),
+            Fact("median", _real(self.median), "Median capacity", _of(self.median, unit)),
+            Fact("beta", _real(self.beta), "beta", number(self.beta)),
+            Fact("beta_u", self.beta_u, "beta_U", number(self.beta_u)),
+            Fact("hclpf", _real(self.hclpf), "HCLPF capacity", _of(self.hclpf, unit)),
+            Fact("k", _real(self.k), "Slope k of the hazard at the median", number(self.k)),
+            Fact(
+                "closed_form_rate",
+                _real(self.closed_form_rate),
+                "H(median) exp(k^2 beta^2/2)",
+                _rate(self.closed_form_rate),
+            ),
+            Fact("contributing", [_real(each) for each in self.contributing]),
+            Fact("share_outside", self.share_outside),
+            Fact("unsampled", self.unsampled),
+            Fact("", None, f"5, 50, 95 % of the risk below [{unit}]", self._contributing_words),
+        ]
+        columns = (
+            Column("low", f"{label} from"),
+            Column("high", f"to [{unit}]"),
+            Column("annual_rate", "1/year"),
+            Column("share", "share of the risk", lambda part: f"{number(100.0 * part, 2)} %"),
+        )
+        return Description(
+            headline=f"Fails at a rate of {number(self.annual_rate)} a year: {chance}",
+            facts=facts,
+            tables=[Table("contributions", self.rows(), columns, title="Where the risk is")],
+            notes=list(self._notes()),
+        )
+
+    def rows(self) -> list[dict[str, Any]]:
+        """Return the rate of failure between each two levels of the hazard, as rows."""
+        ends = [None, *self.hazard.levels.tolist(), None]
+        total = float(self.contributions.sum())
+        return [
+            {
+                "low": ends[at],
+                "high": ends[at + 1],
+                "annual_rate": rate,
+                "share": rate / total if total > 0.0 else 0.0,
+            }
+            for at, rate in enumerate(self.contributions.tolist())
+        ]
+
+    @property
+    def _return_period(self) -> float | None:
+        """Mean time between failures [years]; None where there are none."""
+        return 1.0 / self.annual_rate if self.annual_rate > 1e-300 else None
+
+    @property
+    def _band_words(self) -> str:
+        """The band of the probability in words; nothing without one."""
+        if self.probability_band is None:
+            return ""
+        return " ({} to {} %)".format(*(number(100.0 * each) for each in self.probability_band))
+
+    @property
+    def _contributing_words(self) -> str:
+        """Where the risk is, in words."""
+        beyond = f"above {number(float(self.hazard.levels[-1]))}"
+        return ", ".join(beyond if math.isinf(x) else number(x) for x in self.contributing)
+
+    def _notes(self) -> Iterator[str]:
+        """Yield what is to be known of the figures."""
+        yield from self.remarks
+        low, high = self.hazard.levels[0], self.hazard.levels[-1]
+        ends = f"{number(low)} to {quantity(high, self.hazard.unit)}"
+        percent = f"{number(100.0 * self.share_outside, 2)} %"
+        if self.hazard.tail == "power-law":
+            yield (
+                f"The hazard curve has power-law tails: {percent} of the risk lie outside its "
+                f"levels, {ends}."
+            )
+        else:
+            yield (
+                f"The hazard curve reaches from {ends}: shaking below it is left out, shaking "
+                "above it counts with the probability at its last level. Were its ends power "
+                f"laws, {percent} of the risk would lie outside"
+                + (
+                    ": compute the curve further out, or give it tails with extended()."
+                    if self.share_outside > MUCH
+                    else "."
+                )
+            )
+        if self.unsampled is not None and self.unsampled > MUCH:
+            yield (
+                f"{number(100.0 * self.unsampled, 2)} % of the risk are from intensities that no "
+                "run of the fragility has: there the fitted curve alone speaks."
+            )
+        if self.hazard.measure == "pgv_m_s" and not hasattr(self.fragility, "uplift"):
+            yield (
+                "A curve over PGV has no gate at PGA = g tan alpha: shaking too weak to lift the "
+                "object counts as able to topple it, and the rate is too high rather than too low."
+            )
+        if self.annual_rate_band is not None:
+            yield (
+                "The band is that of the fragility with all intensities at its edge at once; the "
+                "hazard curve's own uncertainty is not in it."
+            )
+        yield (
+            "Failures are a Poisson process: independent, at a constant rate, the object set up "
+            "again unchanged. The rate is of the fragility as given; beta_U is in the HCLPF alone."
+        )
+
+
+@checked
+def compute_risk(
+    fragility: Fragile | tuple[float, float],
+    hazard: HazardCurve,
+    years: float = 50.0,
+    *,
+    measure: str | None = None,
+    block: Block | None = None,
+    beta_u: float = 0.0,
+) -> Risk:
+    r"""Compute the annual rate of failure of an object under a hazard curve.
+
+    The rate is the integral of the probability of failure over the rate of shaking,
+    :math:`\int P(x)\,|dH(x)|`, to 1e-9 of itself.  Shaking above the last level counts with the
+    probability there; ``hazard.extended()`` gives the curve power-law tails.
+
+    Parameters
+    ----------
+    fragility
+        A fitted curve of one stage or of two, or (median, beta) of a lognormal one.
+    hazard
+        The hazard curve of the site.
+    years
+        Time of the probability [years]; default 50.
+    measure
+        What the fragility is over, as ``"pgv_m_s"``, ``"sa_g:1.0"`` or, with a block,
+        ``"p_pgv_per_uplift"``; default None, the hazard's own.
+    block
+        Of a fragility over a dimensionless measure; none by default.
+    beta_u
+        Standard deviation of the logarithm of the median, which is not known well; default 0.
+
+    Returns
+    -------
+    Risk
+        Rate, probability, survival, HCLPF capacity, closed form, and where the risk comes from.
+
+    Raises
+    ------
+    InputError
+        If the measures do not fit, the curve does not rise, or its tail has no finite integral.
+
+    References
+    ----------
+    C. A. Cornell, J. Struct. Div. 94, ST8 (1968), of the integral; R. P. Kennedy and M. K.
+    Ravindra, Nucl. Eng. Des. 79, 47-68 (1984), of the HCLPF capacity.
+
+    Examples
+    --------
+    >>> from rocksteady import HazardCurve, compute_risk
+    >>> hazard = HazardCurve(measure="pgv_m_s", levels=[0.001, 100.0], rates=[100.0, 1e-8])
+    >>> risk = compute_risk((0.4653, 0.592), hazard)
+    >>> print(f"{risk.annual_rate:.5f} {risk.closed_form_rate:.5f} {risk.hclpf:.4f}")
+    0.00093 0.00093 0.1757
+    """
+    hint = "give a time in years"
+    years = in_range("years", years, 0.0, LONGEST_YEARS, hint=hint)
+    beta_u = in_range("beta_u", beta_u, 0.0, 20.0, "[]", hint="give 0, or .2 to .4")
+    curve, words, remarks = fragility_over(fragility, hazard, measure, block)
+    found = failure_integral(curve, hazard)
+    low, high = hazard.levels[0], hazard.levels[-1]
+    median, beta = curve.quantile(0.5), curve.beta if curve.quantile(0.5) > 0.0 else math.nan
+    k, closed = _closed_form(hazard, median, beta)
+    band = None
+    if curve.band(hazard.levels) is not None:
+        low, high = (_edge_rate(curve, hazard, side) for side in (0, 1))
+        band = (low, high)
+    return Risk(
+        fragility=curve.curve,
+        hazard=hazard,
+        measure=words,
+        factor=curve.factor,
+        years=years,
+        beta_u=beta_u,
+        annual_rate=found.total,
+        annual_rate_band=band,
+        rate_below=found.below,
+        rate_above=found.above,
+        median=median,
+        beta=beta,
+        k=k,
+        closed_form_rate=closed,
+        hclpf=median * math.exp(-HCLPF_FACTOR * (beta + beta_u)),
+        contributing=(found.quantile(0.05), found.quantile(0.5), found.quantile(0.95)),
+        contributions=found.between(hazard.levels),
+        unsampled=(
+            None
+            if curve.sampled is None
+            else found.share_outside(curve.sampled, float(hazard.levels[-1]))
+        ),
+        remarks=remarks,
+    )
+
+
+def fragility_over(
+    fragility: Fragile | tuple[float, float],
+    hazard: HazardCurve,
+    measure: str | None,
+    block: Block | None,
+) -> tuple[Converted, str, tuple[str, ...]]:
+    """Return a fragility over the measure of a hazard, its own measure, and remarks.
+
+    Raises
+    ------
+    InputError
+        If the measures do not fit, or the fragility does not rise.
+    """
+    remarks = []
+    if measure is None:
+        words = hazard.measure
+        remarks.append(
+            f"No measure is given: the fragility is taken to be over {hazard.label} "
+            f"[{hazard.unit}], as the hazard is."
+        )
+    else:
+        words = measure_name("measure", measure, block=True)
+    factor = fragility_factor(words, hazard.measure, block)
+    curve: Fragile = Lognormal(*fragility) if isinstance(fragility, tuple) else fragility
+    stages = [curve, getattr(curve, "uplift", None), getattr(curve, "given_uplift", None)]
+    statuses = [getattr(stage, "status", "") for stage in stages]
+    if "not-rising" in statuses:
+        raise InputError(
+            "fragility",
+            "not-rising",
+            "its probability of failure does not rise with the intensity",
+            "fit it over another measure, or to more runs",
+        )
+    if statuses[0] in ("never", "always"):
+        remarks.append(
+            "No run of the fragility fails: the rate 0 is of the intensities that were run."
+            if statuses[0] == "never"
+            else "Every run of the fragility fails: weaker shaking counts as failing too."
+        )
+    return Converted(curve, factor), words, tuple(remarks)
+
+
+def failure_integral(curve: Converted, hazard: HazardCurve) -> Integral:
+    """Return the risk integral of a fragility over a hazard curve.
+
+    Raises
+    ------
+    InputError
+        If the hazard's lower tail rises faster than the fragility falls.
+    """
+    found = convolve(curve.probability, curve, hazard)
+    if hazard.tail == "power-law" and math.isinf(found.below):
+        raise InputError(
+            "tail",
+            hazard.tail,
+            "below its first level the hazard rises faster than the fragility falls, and the risk "
+            "is infinite",
+            "leave the hazard curve without tails",
+        )
+    return found
+
+
+def _edge_rate(curve: Converted, hazard: HazardCurve, side: int) -> float:
+    """Return the rate of failure of the lower (0) or the upper (1) edge of a band."""
+
+    def probability(intensity: Floats) -> Floats:
+        band = curve.band(intensity)
+        return curve.probability(intensity) if band is None else band[side]
+
+    return convolve(probability, curve, hazard).total
+
+
+def _closed_form(hazard: HazardCurve, median: float, beta: float) -> tuple[float, float]:
+    """Return k, from beta below the median to beta above it, and the closed form of the rate."""
+    inside = hazard.levels[0] <= median <= hazard.levels[-1]
+    if not (inside or (hazard.tail == "power-law" and 0.0 < median < math.inf)):
+        return math.nan, math.nan
+    reach = max(beta, 1e-3)
+    ends = median * np.exp(np.array([-reach, reach]))
+    if hazard.tail == "none":
+        ends = np.clip(ends, hazard.levels[0], hazard.levels[-1])
+    low, high = np.log(hazard.rate(ends))
+    k = float(low - high) / math.log(ends[1] / ends[0])
+    return k, float(hazard.rate(median)) * math.exp(min(0.5 * (k * beta) ** 2, 700.0))
+
+
+def _rate(value: float) -> str:
+    """Return a rate with the time between failures."""
+    if not value > 1e-300:
+        return f"{number(value)} a year"
+    return f"{number(value)} a year, one in {number(1.0 / value)} years"
+
+
+def _of(value: float, unit: str) -> str:
+    """Return a quantity, or a dash where there is none."""
+    return quantity(value, unit) if math.isfinite(value) else "—"
+
+
+def _real(value: float) -> float | None:
+    """Return a number, or None of what JSON has no number for."""
+    return value if math.isfinite(value) else None
+
+
+def _plain(band: tuple[float, float] | None) -> list[float] | None:
+    """Return a band as a list."""
+    return None if band is None else list(band)
