@@ -117,6 +117,12 @@ from .risk.fits.fragility_curve import FragilityCurve as FragilityCurve
 from .risk.fits.fragility_curve import fit_curve as fit_curve
 from .risk.fits.two_stages import TwoStageCurve as TwoStageCurve
 from .risk.fits.two_stages import fit_two_stages as fit_two_stages
+from .risk.hazard.balanced_rocks import BranchTest as BranchTest
+from .risk.hazard.balanced_rocks import reject_branches as reject_branches
+from .risk.hazard.failure_risk import Risk as Risk
+from .risk.hazard.failure_risk import compute_risk as compute_risk
+from .risk.hazard.hazard_curve import HazardCurve as HazardCurve
+from .risk.hazard.read_hazard import read_hazard_curves as read_hazard_curves
 from .seismic.measures.intensity import IntensityMeasures as IntensityMeasures
 from .seismic.measures.intensity import measure_intensity as measure_intensity
 from .seismic.measures.response_spectrum import ResponseSpectrum as ResponseSpectrum

@@ -301,6 +301,7 @@ def calls() -> dict[str, Call]:
         rs.plot_spectrum_map: {"found": t["spectrum"]},
         rs.plot_suite_spectrum: {"summary": t["summary"]},
         rs.plot_trajectory: {"trajectory": run},
+        rs.read_hazard_curves: {"path": "hazard.csv"},
         rs.read_record: {"path": "made.csv"},
         rs.read_recordings: {"path": "made.csv"},
         rs.compute_region_map: {"frequency_ratio": [3.0, 4.0], "restitution": 0.8},
@@ -364,6 +365,9 @@ def calls() -> dict[str, Call]:
                 ("regions", ("describe",)),
                 ("boundaries", ("describe",)),
                 ("curve", ("describe",)),
+                ("hazard", ("describe", "extended")),
+                ("risk", ("describe", "rows")),
+                ("branch test", ("describe", "rows")),
             )
             for method in methods
         },
@@ -372,6 +376,11 @@ def calls() -> dict[str, Call]:
         rs.IntensityMeasures: fields(rs.measure_intensity(record, block)),
         rs.measure_intensity(record, block).describe: {},
         rs.Samples: fields(run([0.1, 0.2])),
+        rs.compute_risk: {"fragility": (0.4, 0.5), "hazard": t["hazard"]},
+        rs.reject_branches: {
+            "fragility": (0.4, 0.5), "branches": [t["hazard"]], "age_years": 10_000.0,
+        },
+        t["hazard"].rate: {"level": [0.2, 0.4]},
         rs.check_installation: {},
         rs.Installation: fields(t["installation"]),
         rs.KernelCheck: fields(t["installation"].checks[0]),
@@ -383,6 +392,7 @@ def calls() -> dict[str, Call]:
         rs.DoublingCascade: "cascade", rs.Erosion: "erosion", rs.IntegratedRecord: "course",
         rs.Orbit: "orbit", rs.OverturningWindows: "windows", rs.RegionMap: "regions",
         rs.ResponseCurve: "curve", rs.ResponseSpectrum: "response", rs.SteadyOrbit: "steady",
+        rs.HazardCurve: "hazard", rs.Risk: "risk", rs.BranchTest: "branch test",
         rs.SteadyStates: "states", rs.Trajectory: "run", rs.Neighbours: "neighbours",
     }  # fmt: skip
     table |= {kind: fields(t[name]) for kind, name in results.items()}

@@ -46,6 +46,8 @@ def things() -> dict[str, Any]:
     )
     few = [-0.5, 0.0, 0.5]
     states = rs.find_steady_states(2.0, 4.0, 0.8)
+    hazard = rs.HazardCurve(measure="pgv_m_s", levels=[0.1, 0.5, 1.0], rates=[1e-2, 1e-4, 1e-5])
+    Path("hazard.csv").write_text("PGA [g],annual rate\n0.1,0.01\n1,0.0001\n", encoding="utf-8")
     for path in ("kept.zarr", "made.csv"):
         if path.endswith("csv"):
             Path(path).write_text("t (s),acc (m/s2)\n0,0\n0.1,1\n0.2,-1\n", encoding="utf-8")
@@ -104,6 +106,9 @@ def things() -> dict[str, Any]:
         "state": rs.ImpactState(side=1, phase=0.5, speed=0.3),
         "map_of_return": rs.ReturnMap(bare, shaking),
         "store": rs.Store("new.zarr"),
+        "hazard": hazard,
+        "risk": rs.compute_risk((0.4, 0.5), hazard),
+        "branch test": rs.reject_branches((0.4, 0.5), [hazard], 10_000.0),
         "boundaries": rs.region_boundaries(4.0, 0.8),
         "installation": rs.check_installation(),
     }

@@ -16,6 +16,8 @@ Q05 = 1.6448536269514722
 """Standard normal quantile of .95."""
 _KNOTS = (1e-9, 1e-6, 1e-3, 0.02, 0.16, 0.5, 0.84, 0.98, 0.999)
 """Probabilities at whose intensities the integral is divided."""
+UNKNOWN_OUTSIDE = {"never", "always"}
+"""Statuses of curves that have no probability at intensities without runs."""
 
 
 class Fragile(Protocol):
@@ -79,12 +81,20 @@ class Converted:
     def probability(self, intensity: Floats) -> Floats:
         """Return the probability of failure at intensities of the hazard curve.
 
+        Where no run fails, or all do, it is unknown outside the runs, and taken to be 1.
+
         Raises
         ------
         InputError
             If the curve returns anything but probabilities.
         """
-        found = np.asarray(self.curve.probability(self.factor * intensity), dtype=np.float64)
+        at = self.factor * intensity
+        found = np.asarray(self.curve.probability(at), dtype=np.float64)
+        if self.statuses & UNKNOWN_OUTSIDE:
+            found = np.ones_like(intensity)
+            for stage in self.stages[1:] or self.stages:
+                known = np.asarray(stage.probability(at), dtype=np.float64)
+                found = found * np.where(np.isnan(known), 1.0, known)
         valid = found.shape == intensity.shape and bool(np.all((found >= 0.0) & (found <= 1.0)))
         if not valid:
             raise InputError(
@@ -94,6 +104,17 @@ class Converted:
                 "give a fitted curve, or (median, beta)",
             )
         return found
+
+    @property
+    def stages(self) -> list[Any]:
+        """The curve, and the two whose product it is, where there are such."""
+        parts = (getattr(self.curve, name, None) for name in ("uplift", "given_uplift"))
+        return [self.curve, *(part for part in parts if part is not None)]
+
+    @property
+    def statuses(self) -> set[str]:
+        """How each stage was fitted."""
+        return {str(getattr(stage, "status", "")) for stage in self.stages}
 
     def band(self, intensity: Floats) -> tuple[Floats, Floats] | None:
         """Return the band of the probability at intensities; None where there is none."""
@@ -127,9 +148,7 @@ class Converted:
     @property
     def knots(self) -> Floats:
         """Logarithms of intensities at which the probability changes fast, steps among them."""
-        curves: list[Any] = [self.curve]
-        curves += [getattr(self.curve, name, None) for name in ("uplift", "given_uplift")]
-        found = [_quantile(curve, p) for curve in curves if curve is not None for p in _KNOTS]
+        found = [_quantile(stage, p) for stage in self.stages for p in _KNOTS]
         inside = [value / self.factor for value in found if 0.0 < value < math.inf]
         inside += [value for value in self.sampled or () if 0.0 < value < math.inf]
         return np.log(np.array(inside)) if inside else np.empty(0)

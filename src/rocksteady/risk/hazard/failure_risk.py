@@ -16,7 +16,7 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.hazard._convolution import Integral, convolve
-from rocksteady.risk.hazard._fragile import Converted, Fragile, Lognormal
+from rocksteady.risk.hazard._fragile import UNKNOWN_OUTSIDE, Converted, Fragile, Lognormal
 from rocksteady.risk.hazard._hazard_measures import fragility_factor, measure_name
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 
@@ -275,8 +275,9 @@ def compute_risk(
 
     References
     ----------
-    C. A. Cornell, J. Struct. Div. 94, ST8 (1968), of the integral; R. P. Kennedy and M. K.
-    Ravindra, Nucl. Eng. Des. 79, 47-68 (1984), of the HCLPF capacity.
+    C. A. Cornell, F. Jalayer, R. O. Hamburger and D. A. Foutch, J. Struct. Eng. 128, 526-533
+    (2002), of the closed form; R. P. Kennedy and M. K. Ravindra, Nucl. Eng. Des. 79, 47-68 (1984),
+    of the HCLPF capacity.
 
     Examples
     --------
@@ -341,30 +342,39 @@ def fragility_over(
     remarks = []
     if measure is None:
         words = hazard.measure
-        remarks.append(
-            f"No measure is given: the fragility is taken to be over {hazard.label} "
-            f"[{hazard.unit}], as the hazard is."
-        )
+        name, kind = getattr(fragility, "measure", ("", ""))
+        if kind != hazard.unit and name not in ("", "intensity"):
+            raise InputError(
+                "fragility",
+                f"a curve over {name}",
+                f"the hazard curve is over {hazard.label} [{hazard.unit}]",
+                f"fit the fragility over {hazard.measure}, or give measure= and block= where the "
+                "block makes one of the other",
+            )
+        if name != hazard.label:
+            remarks.append(
+                f"No measure is given: the fragility is taken to be over {hazard.label} "
+                f"[{hazard.unit}], as the hazard is."
+            )
     else:
         words = measure_name("measure", measure, block=True)
-    factor = fragility_factor(words, hazard.measure, block)
-    curve: Fragile = Lognormal(*fragility) if isinstance(fragility, tuple) else fragility
-    stages = [curve, getattr(curve, "uplift", None), getattr(curve, "given_uplift", None)]
-    statuses = [getattr(stage, "status", "") for stage in stages]
-    if "not-rising" in statuses:
+    curve = Converted(
+        Lognormal(*fragility) if isinstance(fragility, tuple) else fragility,
+        fragility_factor(words, hazard.measure, block),
+    )
+    if "not-rising" in curve.statuses:
         raise InputError(
             "fragility",
             "not-rising",
             "its probability of failure does not rise with the intensity",
             "fit it over another measure, or to more runs",
         )
-    if statuses[0] in ("never", "always"):
+    if curve.statuses & UNKNOWN_OUTSIDE:
         remarks.append(
-            "No run of the fragility fails: the rate 0 is of the intensities that were run."
-            if statuses[0] == "never"
-            else "Every run of the fragility fails: weaker shaking counts as failing too."
+            "No run of the fragility fails, or every one does: beyond the runs its probability is "
+            "unknown and counts as 1, and the rate is an upper bound."
         )
-    return Converted(curve, factor), words, tuple(remarks)
+    return curve, words, tuple(remarks)
 
 
 def failure_integral(curve: Converted, hazard: HazardCurve) -> Integral:

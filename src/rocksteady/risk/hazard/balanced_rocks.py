@@ -1,0 +1,266 @@
+"""Balanced rocks: which branches of a hazard model an object that still stands rejects."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.validation import in_range
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, plural
+from rocksteady.results.result import Result
+from rocksteady.risk.hazard._fragile import Converted, Fragile
+from rocksteady.risk.hazard.failure_risk import failure_integral, fragility_over
+from rocksteady.risk.hazard.hazard_curve import HazardCurve
+
+Floats = NDArray[np.float64]
+
+NODES = 32
+"""Of Gauss and Hermite's rule over ln alpha."""
+OLDEST_YEARS = 1e9
+SENTENCES = (
+    (
+        "A branch is rejected where an object of this fragility would have fallen within its age "
+        "with at least that confidence: 1 - exp(-age x rate), averaged over alpha. The age must be "
+        "that of the object in its present shape and place."
+    ),
+    (
+        "No bound on PGA follows from one object: it may have stood through strong shaking that "
+        "did not suit it. What is tested are whole hazard curves, through the rate of toppling "
+        "that each gives."
+    ),
+    (
+        "Posterior weights are prior weights times survival. Branches of one model share faults "
+        "and ground-motion models, and one object tests all of them with the same fragility."
+    ),
+)
+"""What is to be known of every test."""
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class BranchTest(Result):
+    """Branches of a hazard model against an object that stands, from `rocksteady.reject_branches`.
+
+    Attributes
+    ----------
+    fragility, branches
+        What was given.
+    measure, age_years, alpha_cv, level
+        Likewise.
+    annual_rates
+        Rate of toppling on each branch, the mean over alpha [1/year], shape (branches,).
+    survival
+        Probability that the object still stands: the mean over alpha of exp(-age rate).
+    prior, posterior
+        Weight of each branch before and after the observation; each sums to 1, and the posterior
+        is NaN where no branch lets the object stand.
+    """
+
+    fragility: Fragile
+    branches: tuple[HazardCurve, ...]
+    measure: str
+    age_years: float
+    alpha_cv: float
+    level: float
+    annual_rates: Floats
+    survival: Floats
+    prior: Floats
+    posterior: Floats
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def confidence(self) -> Floats:
+        """Probability that the object would have fallen: 1 - survival."""
+        return np.subtract(1.0, self.survival)
+
+    @property
+    def rejected(self) -> NDArray[np.bool_]:
+        """Whether the confidence reaches the level."""
+        return np.greater_equal(self.confidence, self.level)
+
+    def rows(self) -> list[dict[str, Any]]:
+        """Return what is known of each branch, as rows."""
+        return [
+            {
+                "branch": curve.name or str(at + 1),
+                "annual_rate": float(self.annual_rates[at]),
+                "survival": float(self.survival[at]),
+                "confidence": float(self.confidence[at]),
+                "rejected": bool(self.rejected[at]),
+                "prior": float(self.prior[at]),
+                "posterior": None if math.isnan(self.posterior[at]) else float(self.posterior[at]),
+            }
+            for at, curve in enumerate(self.branches)
+        ]
+
+    def describe(self) -> Description:
+        """Return rate, survival and verdict of each branch."""
+        count, percent = int(self.rejected.sum()), f"{number(100.0 * self.level)} %"
+        weight = float(self.prior[self.rejected].sum())
+        columns = (
+            Column("branch", "branch", left=True),
+            Column("annual_rate", "topples, 1/year"),
+            Column("survival", "survival"),
+            Column("confidence", "confidence"),
+            Column("rejected", "rejected"),
+            Column("prior", "prior"),
+            Column("posterior", "posterior"),
+        )
+        return Description(
+            headline=f"An object that stands for {number(self.age_years)} years rejects {count} of "
+            f"{plural(len(self.branches), 'branch').replace('branchs', 'branches')} at {percent}",
+            facts=[
+                Fact("measure", self.branches[0].measure, "Measure", self.branches[0].label),
+                Fact("age_years", self.age_years, "Age", f"{number(self.age_years)} years"),
+                Fact("alpha_cv", self.alpha_cv, "Coefficient of variation of alpha"),
+                Fact("level", self.level, "Level of rejection", percent),
+                Fact("rejected_weight", weight, "Weight of what is rejected"),
+            ],
+            tables=[Table("branches", self.rows(), columns)],
+            notes=[*self.remarks, *SENTENCES],
+        )
+
+
+@checked
+def reject_branches(
+    fragility: Fragile | tuple[float, float],
+    branches: Sequence[HazardCurve],
+    age_years: float,
+    *,
+    measure: str | None = None,
+    block: Block | None = None,
+    alpha_cv: float = 0.05,
+    level: float = 0.95,
+) -> BranchTest:
+    """Test branches of a hazard model against an object that still stands.
+
+    If it topples at a rate r, it stands for its age with the probability exp(-age r): a branch is
+    rejected at the confidence 1 - exp(-age r).  The alpha of an object in the field is known to
+    some per cent.  Its capacity goes with tan alpha, as PGA/(g tan alpha) and p PGV/(g tan alpha)
+    have it, whose p is of the size alone.  So the fragility's intensities are multiplied by a
+    lognormal factor of median 1, and the survival is averaged over it by Gauss and Hermite's rule;
+    not the rate, as the object has one alpha at all times.
+
+    Parameters
+    ----------
+    fragility
+        Of toppling, as for `rocksteady.compute_risk`.
+    branches
+        Hazard curves of one measure, with their weights or all without: then equal ones.
+    age_years
+        How long the object has stood in its present shape [years].
+    measure, block
+        As for `rocksteady.compute_risk`; default None, the branches' own measure.
+    alpha_cv
+        Coefficient of variation of tan alpha, in [0, 1]; default 0.05.
+    level
+        Confidence at which a branch is rejected, in (0, 1); default 0.95.
+
+    Returns
+    -------
+    BranchTest
+        Of each branch rate, survival, confidence, verdict and posterior weight.
+
+    Raises
+    ------
+    InputError
+        If there is no branch, their measures differ, some have weights and others none, or what
+        `rocksteady.compute_risk` refuses.
+
+    References
+    ----------
+    J. W. Baker, N. A. Abrahamson, J. W. Whitney, M. P. Board and T. C. Hanks, Bull. Seismol. Soc.
+    Am. 103 (2013), of fragile geologic structures as tests of hazard.
+
+    Examples
+    --------
+    >>> from rocksteady import HazardCurve, reject_branches
+    >>> low = HazardCurve(measure="pga_g", levels=[0.1, 1.0], rates=[1e-3, 1e-6], name="low")
+    >>> high = HazardCurve(measure="pga_g", levels=[0.1, 1.0], rates=[1e-2, 1e-4], name="high")
+    >>> found = reject_branches((0.3, 0.4), [low, high], 10_000.0)
+    >>> found.rejected.tolist(), found.confidence.round(2).tolist()
+    ([False, True], [0.53, 1.0])
+    """
+    age_years = in_range("age_years", age_years, 0.0, OLDEST_YEARS, hint="give an age in years")
+    alpha_cv = in_range("alpha_cv", alpha_cv, 0.0, 1.0, "[]", hint="give a share, as .05")
+    level = in_range("level", level, 0.0, 1.0, "()", hint="give a confidence, as .95")
+    prior = _prior(branches)
+    curve, words, remarks = fragility_over(fragility, branches[0], measure, block)
+    factors, weights = lognormal_rule(alpha_cv)
+    rates = np.array([[_rate(curve, factor, hazard) for factor in factors] for hazard in branches])
+    survival = np.exp(-age_years * rates) @ weights
+    total = float(prior @ survival)
+    return BranchTest(
+        fragility=curve.curve,
+        branches=tuple(branches),
+        measure=words,
+        age_years=age_years,
+        alpha_cv=alpha_cv,
+        level=level,
+        annual_rates=rates @ weights,
+        survival=np.minimum(survival, 1.0),
+        prior=prior,
+        posterior=prior * survival / total if total > 0.0 else np.full(len(prior), math.nan),
+        remarks=remarks,
+    )
+
+
+def lognormal_rule(cv: float) -> tuple[Floats, Floats]:
+    """Return nodes and weights of the mean over a lognormal factor of median 1.
+
+    Parameters
+    ----------
+    cv
+        Its coefficient of variation.
+    """
+    if cv == 0.0:
+        return np.ones(1), np.ones(1)
+    nodes, weights = np.polynomial.hermite_e.hermegauss(NODES)
+    sigma = math.sqrt(math.log1p(cv * cv))
+    return np.exp(sigma * nodes), weights / weights.sum()
+
+
+def _rate(curve: Converted, factor: float, hazard: HazardCurve) -> float:
+    """Return the rate of toppling of an object whose tan alpha is larger by a factor."""
+    return failure_integral(replace(curve, factor=curve.factor / factor), hazard).total
+
+
+def _prior(branches: Sequence[HazardCurve]) -> Floats:
+    """Return the weights of branches, which sum to 1, or raise where they cannot be compared."""
+    hint = "give what read_hazard_curves returns"
+    if not branches:
+        raise InputError("branches", len(branches), "there must be one or more", hint)
+    measures = {curve.measure for curve in branches}
+    if len(measures) > 1:
+        raise InputError(
+            "branches",
+            ", ".join(sorted(measures)),
+            "they must be of one measure",
+            "test those of each measure by themselves",
+        )
+    sites = {curve.site for curve in branches if curve.site is not None}
+    if len(sites) > 1:
+        raise InputError(
+            "branches",
+            plural(len(sites), "site"),
+            "the object stands at one site",
+            "give the curves of its site",
+        )
+    weights = [curve.weight for curve in branches]
+    given = [weight for weight in weights if weight is not None]
+    if given and len(given) < len(weights):
+        raise InputError(
+            "branches",
+            f"{len(given)} of {len(weights)} with a weight",
+            "all have one, or none",
+            "give each its weight with dataclasses.replace(curve, weight=...)",
+        )
+    row = np.array(given) if given else np.ones(len(weights))
+    return np.asarray(row / row.sum(), dtype=np.float64)
