@@ -27,6 +27,7 @@ DEFAULTS = {
     "restitution": "a block's own where none is given; a formula has none",
     "legend": "where it stands depends on the picture",
     "key": "likewise",
+    "measure": "of a fit its name in texts, of a hazard what the file or the fragility is over",
     "max_period": "one point is searched, a range is followed",
     "max_impacts": "likewise",
     "reverse": "an ensemble has both signs, a run one",

@@ -188,8 +188,10 @@ def _measure_named(name: str) -> str | None:
     return "sa_g" if _SPECTRAL.search(name) or "spectral acc" in name else None
 
 
-def _size(written: str, measure: str) -> float | None:
+def _size(written: object, measure: str) -> float | None:
     """Return a unit in that of a measure, or None of what is no such unit."""
+    if not isinstance(written, str):
+        return None
     if _kind(measure) == "acceleration":
         known = acceleration_unit(written) if written else None
         return None if known is None else in_m_s2(known) / STANDARD_GRAVITY

@@ -3,6 +3,7 @@
 from os import PathLike
 from pathlib import Path
 
+from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
 from rocksteady.risk.hazard._hazard_measures import measure_name
@@ -71,4 +72,8 @@ def read_hazard_curves(
     names = find_names(text)
     if names is None:
         return [read_columns(text, measure, level_unit, poe_years)]
+    if level_unit is not None:
+        raise InputError(
+            "level_unit", level_unit, "OpenQuake's levels are in g or, of PGV, cm/s", "leave it out"
+        )
     return read_sites(text, names, measure, poe_years)
