@@ -140,7 +140,11 @@ from .seismic.measures.time_course import integrate_record as integrate_record
 from .seismic.spectra.many import simulate_many as simulate_many
 from .seismic.spectra.rocking import compute_rocking_spectrum as compute_rocking_spectrum
 from .seismic.spectra.suite import summarise_spectra as summarise_spectra
+from .show.export.components import LossComponent as LossComponent
+from .show.export.components import LossState as LossState
 from .show.export.dataset import export as export
+from .show.export.openquake import write_openquake as write_openquake
+from .show.export.pelicun import write_pelicun as write_pelicun
 from .show.film.animation import animate as animate
 from .show.film.still import plot_block as plot_block
 from .show.plots.basins import plot_basins as plot_basins

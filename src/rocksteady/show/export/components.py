@@ -1,0 +1,359 @@
+"""Components of loss models: what is written for pelicun and OpenQuake, in SI units and g."""
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.errors import InputError, Words
+from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import positive
+
+Floats = NDArray[np.float64]
+LossMeasure = Literal["pga_g", "pgv_m_s", "sa_g"]
+
+MEASURES: tuple[LossMeasure, ...] = ("pga_g", "pgv_m_s", "sa_g")
+"""Intensity measures that loss tools have a name for."""
+IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_.]{0,74}")
+LONGEST = 75
+"""Characters of a name, in OpenQuake."""
+WORDS_FOR_NOTHING = frozenset(
+    {"inf", "infinity", "na", "nan", "none", "null", "true", "false", "units"}
+)
+"""Identifiers that a reader of tables takes for a missing or another value, in small letters."""
+MOST_STATES = 9
+"""Of a component: pelicun takes limit states in the order of the alphabet, LS10 before LS2."""
+CROSSING = 0.001
+"""Probability by which a state may exceed a lighter one without a note."""
+
+
+@checked
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LossState:
+    """Damage state of a component, with its lognormal fragility.
+
+    Parameters
+    ----------
+    name
+        In words, as "theta/alpha > 0.5".
+    median
+        Intensity at which half exceed the state, in the component's unit; None where the data
+        determine no lognormal.
+    beta
+        Standard deviation of the logarithm; None without a median.
+    curve
+        Probability at an array of intensities, of the same shape; the lognormal by default. A
+        table of points holds it exactly.
+    note
+        What the lognormal stands for, and how far it is from the runs.
+
+    Raises
+    ------
+    InputError
+        If the name is empty, the median or beta is not above 0, or nothing gives a probability.
+
+    Examples
+    --------
+    >>> state = LossState(name="overturned", median=0.724, beta=0.5)
+    >>> state.probability([0.724]).round(3)
+    array([0.5])
+    """
+
+    name: str
+    median: float | None = None
+    beta: float | None = None
+    curve: Callable[..., Any] | None = None
+    note: str = ""
+
+    def __post_init__(self) -> None:
+        """Validate all."""
+        if not self.name.strip():
+            raise InputError("name", self.name, "a state has a name", "name it as 'overturned'")
+        if (self.median is None) != (self.beta is None) or (
+            self.median is None and self.curve is None
+        ):
+            raise InputError(
+                "median",
+                self.median,
+                "a state has a median and a beta, or a curve",
+                "give both, or the probability as a function of the intensity",
+            )
+        if self.median is not None:
+            hint = "give an intensity in the component's unit"
+            object.__setattr__(self, "median", positive("median", self.median, hint=hint))
+            hint = "give the standard deviation of the logarithm"
+            object.__setattr__(self, "beta", positive("beta", self.beta, hint=hint))
+
+    def probability(self, intensity: Sequence[float] | Floats) -> Floats:
+        """Return the probability of the state or a worse one.
+
+        Parameters
+        ----------
+        intensity
+            In the component's unit, shape (n,), 0 or above.
+        """
+        values = np.asarray(intensity, dtype=np.float64)
+        if self.curve is not None:
+            return np.asarray(self.curve(values), dtype=np.float64)
+        return self.lognormal(values)
+
+    def lognormal(self, intensity: Sequence[float] | Floats) -> Floats:
+        """Return the probability by the lognormal alone, shape (n,).
+
+        Parameters
+        ----------
+        intensity
+            In the component's unit, shape (n,), 0 or above.
+
+        Raises
+        ------
+        InputError
+            If the state has none.
+        """
+        if self.median is None or self.beta is None:
+            raise InputError("median", self.median, "the state has no lognormal", "use its curve")
+        from scipy.special import ndtr
+
+        with np.errstate(divide="ignore"):
+            ratio = np.log(np.asarray(intensity, dtype=np.float64) / self.median)
+        return np.asarray(ndtr(ratio / self.beta), dtype=np.float64)
+
+
+@checked
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LossComponent:
+    """Component of a loss model: its demand, and its damage states.
+
+    Parameters
+    ----------
+    identifier
+        Letter first, then letters, digits, "_" and ".", at most 75 characters; pelicun splits
+        names at "-".
+    measure
+        "pga_g", "pgv_m_s" or "sa_g".
+    states
+        In increasing order of severity.
+    period_s
+        Of "sa_g" [s], 5 % damped.
+    floor
+        Whether the demand is that of a floor and not of the ground; off by default.
+    no_damage
+        Intensity up to which there is no damage at all, in the unit of the measure, as the uplift
+        limit g tan(alpha) of a peak acceleration; None by default.
+    description
+        Of the object, in a sentence.
+
+    Raises
+    ------
+    InputError
+        If the identifier is not valid, a period is missing or superfluous, two states have one
+        name, or there are more than nine: pelicun takes LS10 before LS2.
+
+    Examples
+    --------
+    >>> falls = LossState(name="overturned", median=0.724, beta=0.5)
+    >>> component = LossComponent(identifier="RS.cabinet", measure="pgv_m_s", states=(falls,))
+    >>> component.identifier
+    'RS.cabinet'
+    """
+
+    identifier: str
+    measure: LossMeasure
+    states: tuple[LossState, ...]
+    period_s: float | None = None
+    floor: bool = False
+    no_damage: float | None = None
+    description: str = ""
+
+    def __post_init__(self) -> None:
+        """Validate all."""
+        if (
+            not IDENTIFIER.fullmatch(self.identifier)
+            or self.identifier.lower() in WORDS_FOR_NOTHING
+        ):
+            raise InputError(
+                "identifier",
+                self.identifier,
+                f"it must be a letter, then letters, digits, '_' and '.', {LONGEST} at most, and "
+                "no word for a missing value",
+                "name it as RS.cabinet",
+            )
+        if self.measure not in MEASURES:
+            raise InputError(
+                "measure", self.measure, "loss tools know " + ", ".join(MEASURES), "use one of them"
+            )
+        if (self.period_s is not None) != (self.measure == "sa_g"):
+            raise InputError(
+                "period_s", self.period_s, "sa_g has a period, and no other measure", "give seconds"
+            )
+        for name in ("period_s", "no_damage"):
+            value = getattr(self, name)
+            if value is not None:
+                hint = "give seconds" if name == "period_s" else "leave it out for none"
+                object.__setattr__(self, name, positive(name, value, hint=hint))
+        names = [state_name(state.name) for state in self.states]
+        if not 1 <= len(names) <= MOST_STATES or len(set(names)) < len(names):
+            valid = f"there must be 1 to {MOST_STATES}, of names that differ in letters and digits"
+            raise InputError("states", names, valid, "choose fewer, or name each anew")
+
+    @classmethod
+    def from_fragility(
+        cls,
+        fragility: Any,
+        identifier: str,
+        *,
+        floor: bool = False,
+        given_uplift: bool = False,
+        description: str = "",
+    ) -> "LossComponent":
+        """Return the component of an ensemble's fragility, in PGA, PGV or spectral acceleration.
+
+        A fragility in p PGV/(g tan(alpha)) is turned to PGV and one in PGA/(g tan(alpha)) to PGA,
+        by the block's own slenderness and frequency parameter.
+
+        Parameters
+        ----------
+        fragility
+            From `rocksteady.compute_fragility`, of one block.
+        identifier
+            Of the component.
+        floor
+            Whether the motions are those of a floor; off by default.
+        given_uplift
+            Whether the lognormal is that of the runs that lift, and not of all; off by default.
+            With a gate in PGA it is the better one, above the gate.
+        description
+            Of the object, in a sentence.
+
+        Raises
+        ------
+        InputError
+            If the measure has no name in loss tools, or the blocks are several.
+        """
+        measure, factor = _measure_of(fragility)
+        states = tuple(_state_of(each, factor, given_uplift) for each in fragility.states)
+        return cls(
+            identifier=identifier,
+            measure=measure,
+            states=states,
+            period_s=fragility.measure.period_s if measure == "sa_g" else None,
+            floor=floor,
+            no_damage=_gate_of(fragility) if measure == "pga_g" else None,
+            description=description,
+        )
+
+
+def state_name(name: str) -> str:
+    """Return the name of a damage state as OpenQuake takes it: letters, digits and underscores.
+
+    Examples
+    --------
+    >>> state_name("theta/alpha > 0.25"), state_name("no return")
+    ('theta_alpha_0p25', 'no_return')
+    """
+    plain = re.sub(r"(?<=\d)\.(?=\d)", "p", name)
+    plain = re.sub(r"[^A-Za-z0-9_]+", "_", plain).strip("_")[:LONGEST]
+    return plain if plain[:1].isalpha() else f"state_{plain}"[:LONGEST]
+
+
+def check_components(components: Sequence[LossComponent]) -> None:
+    """Refuse no component at all, and two of one identifier."""
+    names = [component.identifier for component in components]
+    if not names or len(set(names)) < len(names):
+        twice = sorted({name for name in names if names.count(name) > 1})
+        raise InputError(
+            "components",
+            Words(f"have {', '.join(twice)} twice" if twice else "are none"),
+            "there must be one or more, each with its own identifier",
+            "give each its own",
+        )
+
+
+def crossings(states: Sequence[LossState], levels: Floats) -> list[str]:
+    """Return a sentence for each state that is likelier than a lighter one at one of the levels."""
+    found = []
+    rows = [state.probability(levels) for state in states]
+    for lighter, worse, low, high in zip(states, states[1:], rows, rows[1:], strict=False):
+        over = high - low
+        if over.max() > CROSSING:
+            found.append(
+                f"The curve of '{worse.name}' is up to {over.max():.2g} above that of "
+                f"'{lighter.name}', at {levels[over.argmax()]:.3g}: raw fits are not forced apart."
+            )
+    return found
+
+
+def levels_of(component: LossComponent, count: int) -> Floats:
+    """Return intensities, spaced by their ratio, that span the curves of all states."""
+    curves = component.states
+    trial = np.geomspace(1e-4, 1e4, 4001)
+    rows = np.array([state.probability(trial) for state in curves])
+    some, all_ = np.any(rows > 0.001, axis=0), np.any(rows < 0.999, axis=0)
+    low = float(trial[some.argmax()]) if some.any() else 1e-2
+    high = float(trial[len(trial) - 1 - all_[::-1].argmax()]) if some.any() else 1.0
+    if component.no_damage is not None:
+        low = max(low, 1.0001 * component.no_damage)
+    return np.geomspace(low, max(high, 1.5 * low), count)
+
+
+def _measure_of(fragility: Any) -> tuple[LossMeasure, float]:
+    """Return the measure of the export, and by what an intensity of the fit is multiplied."""
+    name = fragility.measure.name
+    alpha, p = (np.atleast_1d(np.asarray(fragility.ensemble[key])) for key in ("alpha", "p"))
+    if len(alpha) != 1:
+        raise InputError(
+            "fragility",
+            Words(f"is of {len(alpha)} blocks"),
+            "a component is one object",
+            "compute the fragility of each block",
+        )
+    tangent = float(np.tan(alpha[0]))
+    match name:
+        case "pga_g" | "pgv_m_s" | "sa_g":
+            return name, 1.0
+        case "pga_per_uplift":
+            return "pga_g", tangent
+        case "p_pgv_per_uplift":
+            return "pgv_m_s", STANDARD_GRAVITY * tangent / float(p[0])
+    raise InputError(
+        "measure",
+        name,
+        "loss tools know PGA, PGV and the spectral acceleration at a period",
+        "fit the fragility in pga_g, pgv_m_s, sa_g or p_pgv_per_uplift",
+    )
+
+
+def _gate_of(fragility: Any) -> float | None:
+    """Return the uplift limit [g] where no run has a vertical motion, which moves it."""
+    if "with" in np.atleast_1d(np.asarray(fragility.ensemble["vertical"])).astype(str).tolist():
+        return None
+    return float(np.tan(np.atleast_1d(np.asarray(fragility.ensemble["alpha"]))[0]))
+
+
+def _state_of(found: Any, factor: float, given_uplift: bool) -> LossState:
+    """Return a damage state of a fragility in the unit of the export."""
+    two, plain = found.two_stage, found.plain
+    best = plain if two is None else two
+    chosen = two.given_uplift if given_uplift and two is not None else plain
+    words = "of the runs that lift, given uplift" if chosen is not plain else "of all runs"
+    note = ""
+    usable = chosen.status == "fitted" and chosen.family == "lognormal"
+    if usable:
+        note = (
+            f"Lognormal {words}, fitted to {chosen.trials} runs with {chosen.failures} in this "
+            f"state; largest distance from the stripes {chosen.misfit:.3f}"
+        )
+        note += "." if two is None else f", of the curve in two stages {two.misfit:.3f}."
+    else:
+        note = f"No lognormal: family {chosen.family}, status {chosen.status}."
+    return LossState(
+        name=found.state.name,
+        median=chosen.median * factor if usable else None,
+        beta=chosen.beta if usable else None,
+        curve=lambda intensity: best.probability(np.asarray(intensity) / factor),
+        note=note,
+    )

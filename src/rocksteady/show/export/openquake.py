@@ -1,0 +1,226 @@
+"""Fragility of components as OpenQuake reads it: NRML 0.5."""
+
+import math
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Literal
+from xml.etree import ElementTree as ET
+
+import numpy as np
+
+from rocksteady.errors import InputError, Words
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import whole_number
+from rocksteady.show.export.components import (
+    Floats,
+    LossComponent,
+    LossState,
+    check_components,
+    crossings,
+    levels_of,
+    state_name,
+)
+from rocksteady.show.export.files import save_whole
+
+LossCategory = Literal["contents", "nonstructural"]
+NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"
+MODEL = re.compile(r"[A-Za-z0-9_-]{1,75}")
+CM = 100.0
+"""OpenQuake's velocities are in cm/s."""
+NOT_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+"""Characters that XML 1.0 does not allow, in any spelling."""
+
+
+@checked
+def write_openquake(
+    path: Path | str,
+    components: Sequence[LossComponent],
+    *,
+    model_id: str = "rocksteady",
+    loss_category: LossCategory = "contents",
+    points: int | None = None,
+) -> Path:
+    r"""Write components as a fragility model of OpenQuake, NRML 0.5.
+
+    A lognormal has the arithmetic mean :math:`m = \hat x \exp(\beta^2/2)` and standard deviation
+    :math:`m \sqrt{\exp(\beta^2) - 1}`, and not the median :math:`\hat x` and :math:`\beta`. PGV
+    is in cm/s, PGA and spectral acceleration are in g.
+
+    Parameters
+    ----------
+    path
+        The file, which is replaced.
+    components
+        One or more, of different identifiers and the same damage states.
+    model_id
+        Of the model: letters, digits, "_" and "-", at most 75.
+    loss_category
+        "contents", the default, or "nonstructural".
+    points
+        Number of intensities in the discrete format, 2 to 10000, as 40: points hold a curve in two
+        stages exactly, and any other. None, the default, writes lognormals, the continuous format.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    InputError
+        If the states differ between components, or one has no lognormal for the continuous format.
+    OutputError
+        If the file cannot be written.
+
+    Notes
+    -----
+    OpenQuake holds the probability constant below ``minIML`` and above ``maxIML``, and in classical
+    damage calculations takes ``continuous_fragility_discretization`` levels between them, 20 by
+    default: raise that number.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> from rocksteady import LossComponent, LossState
+    >>> falls = LossState(name="overturned", median=0.3, beta=0.5)
+    >>> vase = LossComponent(identifier="RS.vase", measure="pga_g", states=(falls,), no_damage=0.1)
+    >>> with TemporaryDirectory() as folder:
+    ...     file = write_openquake(f"{folder}/fragility.xml", [vase])
+    ...     print(file.read_text(encoding="utf-8").splitlines()[-4].strip())
+    <params ls="overturned" mean="0.33994453592004786" stddev="0.18117015996326435" />
+    """
+    file = Path(path)
+    check_components(components)
+    if not MODEL.fullmatch(model_id):
+        valid = "it must be 1 to 75 letters, digits, '_' and '-'"
+        raise InputError("model_id", model_id, valid, "name it as museum_2026")
+    if points is not None:
+        points = whole_number("points", points, at_least=2, at_most=10_000, hint="give 40")
+    states = [state_name(state.name) for state in components[0].states]
+    for component in components:
+        names = [state_name(state.name) for state in component.states]
+        if names != states:
+            raise InputError(
+                component.identifier,
+                Words(f"has the states {', '.join(names)}"),
+                f"all components of a model have the same states, here {', '.join(states)}",
+                "write the others to a file of their own",
+            )
+    root = ET.Element("nrml", {"xmlns": NAMESPACE})
+    model = _child(
+        root, "fragilityModel", id=model_id, assetCategory="buildings", lossCategory=loss_category
+    )
+    _child(model, "description").text = _allowed(_description(components))
+    _child(model, "limitStates").text = " ".join(states)
+    for component in components:
+        function = _child(model, "fragilityFunction", id=component.identifier)
+        if points is None:
+            function.attrib |= {"format": "continuous", "shape": "logncdf"}
+            _add_lognormals(function, component)
+        else:
+            function.set("format", "discrete")
+            _add_points(function, component, points)
+    ET.indent(root)
+    data = ET.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n"
+    save_whole("path", file, lambda target: target.write_bytes(data))
+    return file
+
+
+def arithmetic_moments(median: float, beta: float) -> tuple[float, float]:
+    """Return the arithmetic mean and standard deviation of a lognormal, in the median's unit.
+
+    Examples
+    --------
+    >>> mean, deviation = arithmetic_moments(0.3, 0.5)
+    >>> round(mean, 3), round(deviation, 3)
+    (0.34, 0.181)
+    """
+    mean = median * math.exp(0.5 * beta * beta)
+    return mean, mean * math.sqrt(math.expm1(beta * beta))
+
+
+def _child(parent: ET.Element, tag: str, **attributes: str) -> ET.Element:
+    return ET.SubElement(parent, tag, attributes)
+
+
+def _unit(component: LossComponent) -> float:
+    """Return by what an intensity is multiplied in the file."""
+    return CM if component.measure == "pgv_m_s" else 1.0
+
+
+def _measure(component: LossComponent) -> str:
+    """Return the measure in OpenQuake's words."""
+    if component.measure == "sa_g":
+        return f"SA({component.period_s!r})"
+    return "PGV" if component.measure == "pgv_m_s" else "PGA"
+
+
+def _add_lognormals(function: ET.Element, component: LossComponent) -> None:
+    """Add the lognormal of each state, and the levels between which it holds."""
+    unit, gate = _unit(component), component.no_damage
+    betas = [_lognormal_of(component, state) for state in component.states]
+    low = min(median * math.exp(-3.1 * beta) for median, beta in betas)
+    high = max(median * math.exp(3.1 * beta) for median, beta in betas)
+    if gate is not None:  # below minIML the probability is that at minIML: no gate would be met
+        low = min(low, 0.5 * gate)
+    _child(
+        function,
+        "imls",
+        imt=_measure(component),
+        noDamageLimit=repr(0.0 if gate is None else unit * gate),
+        minIML=repr(unit * low),
+        maxIML=repr(unit * high),
+    )
+    for state, (median, beta) in zip(component.states, betas, strict=True):
+        mean, deviation = arithmetic_moments(unit * median, beta)
+        name = state_name(state.name)
+        _child(function, "params", ls=name, mean=repr(mean), stddev=repr(deviation))
+
+
+def _lognormal_of(component: LossComponent, state: LossState) -> tuple[float, float]:
+    if state.median is None or state.beta is None:
+        raise InputError(
+            component.identifier,
+            Words(f"has no lognormal for {state.name!r}"),
+            "the continuous format holds lognormals alone",
+            "write it at points, which hold any curve",
+        )
+    return state.median, state.beta
+
+
+def _add_points(function: ET.Element, component: LossComponent, count: int) -> None:
+    """Add the curve of each state at points, linear between them."""
+    levels, unit = levels_of(component, count), _unit(component)
+    # Below the first level the curve goes to 0 at this limit, which must lie below it.
+    limit = component.no_damage if component.no_damage is not None else 0.5 * float(levels[0])
+    imls = _child(
+        function, "imls", imt=_measure(component), noDamageLimit=repr(float(unit * limit))
+    )
+    imls.text = _numbers(unit * levels)
+    for state in component.states:
+        poes = _child(function, "poes", ls=state_name(state.name))
+        poes.text = _numbers(np.clip(state.probability(levels), 0.0, 1.0))
+
+
+def _numbers(values: Floats) -> str:
+    return " ".join(repr(value) for value in values.tolist())
+
+
+def _description(components: Sequence[LossComponent]) -> str:
+    """Return what the model is, and what each component's curves stand for."""
+    from rocksteady import __version__
+
+    lines = [
+        f"Free-standing rigid objects, computed by rocksteady {__version__}. The engineer verifies."
+    ]
+    for component in components:
+        notes = [f"{state_name(s.name)}: {s.note}" for s in component.states if s.note]
+        notes += crossings(component.states, levels_of(component, 200))
+        lines.append(" ".join([f"{component.identifier}: {component.description}".strip(), *notes]))
+    return "\n".join(lines)
+
+
+def _allowed(text: str) -> str:
+    """Return text in characters that XML has."""
+    return NOT_XML.sub("\N{REPLACEMENT CHARACTER}", text.replace("\r\n", "\n").replace("\r", "\n"))

@@ -1,0 +1,164 @@
+"""Fragility of components as pelicun and its library of damage models read it."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from rocksteady import durable
+from rocksteady.errors import InputError, OutputError, Words
+from rocksteady.model.checks.arguments import checked
+from rocksteady.show.export.components import (
+    LossComponent,
+    check_components,
+    crossings,
+    levels_of,
+    state_name,
+)
+from rocksteady.show.export.files import save_csv, save_text
+
+HEAD = ("ID", "Incomplete", "Demand-Type", "Demand-Unit", "Demand-Offset", "Demand-Directional")
+OF_EACH = ("Family", "Theta_0", "Theta_1", "DamageStateWeights")
+"""Columns of each limit state."""
+UNITS = {"pga_g": "g", "pgv_m_s": "mps", "sa_g": "g"}
+DIRECTIONAL = (
+    "Demand-Directional is 1, with the demand of the direction in which the object rocks: pelicun "
+    "multiplies the demands of components with 0 by 1.2."
+)
+UNREAD = "a state without a lognormal cannot be written"
+
+
+@checked
+def write_pelicun(path: Path | str, components: Sequence[LossComponent]) -> tuple[Path, Path]:
+    """Write components as a fragility table of pelicun, with its companion JSON.
+
+    Columns and values are those that `simcenter-dlml` 3.2 reads: a lognormal has its median as
+    ``Theta_0`` and its beta as ``Theta_1``, PGA is in g and PGV in m/s ("mps").
+
+    Parameters
+    ----------
+    path
+        Ends in ".csv"; the companion has the same name with ".json". Both are replaced.
+    components
+        One or more, of different identifiers.
+
+    Returns
+    -------
+    tuple of Path
+        The table and its companion.
+
+    Raises
+    ------
+    InputError
+        If an identifier is there twice, or a state has no lognormal. Such a component would have
+        to be marked incomplete, and pelicun then leaves out all of it, with its losses: a file
+        like that is not written.
+    OutputError
+        If a file cannot be written.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> from rocksteady import LossComponent, LossState
+    >>> falls = LossState(name="overturned", median=0.466, beta=0.592)
+    >>> cabinet = LossComponent(
+    ...     identifier="RS.cabinet", measure="pgv_m_s", states=(falls,), floor=True
+    ... )
+    >>> with TemporaryDirectory() as folder:
+    ...     table, _ = write_pelicun(f"{folder}/fragility.csv", [cabinet])
+    ...     print(table.read_text(encoding="utf-8").splitlines()[1])
+    RS.cabinet,0,Peak Floor Velocity,mps,0,1,lognormal,0.466,0.592,
+    """
+    table = Path(path)
+    if table.suffix.lower() != ".csv":
+        raise InputError("path", path, "the table ends in .csv", "name it as fragility.csv")
+    check_components(components)
+    for component in components:
+        for state in component.states:
+            if state.median is None:
+                raise InputError(
+                    component.identifier,
+                    Words(f"has no lognormal for {state.name!r}: {UNREAD}"),
+                    "pelicun would leave the whole component out of the analysis",
+                    "leave the state out, or write it for OpenQuake at points",
+                )
+    companion = table.with_suffix(".json")
+    for file in (table, companion):
+        found = durable.obstacle(file)
+        if found is not None:
+            raise OutputError("path", file, *found)
+    most = max(len(component.states) for component in components)
+    head = [*HEAD, *(f"LS{k + 1}-{name}" for k in range(most) for name in OF_EACH)]
+    text = json_text_of(components)
+    save_csv("path", table, head, [_row(component, most) for component in components])
+    save_text("path", companion, text)
+    return table, companion
+
+
+def demand_of(component: LossComponent) -> str:
+    """Return the type of demand in pelicun's words."""
+    where = "Floor" if component.floor else "Ground"
+    match component.measure:
+        case "pga_g":
+            return f"Peak {where} Acceleration"
+        case "pgv_m_s":
+            return f"Peak {where} Velocity"
+    return f"Spectral Acceleration|{component.period_s!r}"
+
+
+def _row(component: LossComponent, most: int) -> list[object]:
+    """Return the row of a component; an absent limit state is empty."""
+    row: list[object] = [
+        component.identifier,
+        0,
+        demand_of(component),
+        UNITS[component.measure],
+        0,
+        1,
+    ]
+    for state in component.states:
+        row += ["lognormal", state.median, state.beta, ""]
+    return row + [""] * (len(OF_EACH) * (most - len(component.states)))
+
+
+def json_text_of(components: Sequence[LossComponent]) -> str:
+    """Return the companion: what each component and each of its states is."""
+    import json
+
+    from rocksteady import __version__
+
+    values: dict[str, Any] = {
+        "_GeneralInformation": {
+            "ShortName": "Objects that rock",
+            "Description": "Fragility of free-standing rigid objects, computed by rocksteady "
+            f"{__version__}. The engineer verifies it.",
+            "Version": "1.0",
+        }
+    }
+    for component in components:
+        crossed = crossings(component.states, levels_of(component, 200))
+        notes = [f"{state.name}: {state.note}" for state in component.states if state.note]
+        values[component.identifier] = {
+            "Description": _clean(
+                component.description or f"Free-standing object {component.identifier}"
+            ),
+            "Comments": _clean("\n".join([DIRECTIONAL, *notes, *crossed])),
+            "SuggestedComponentBlockSize": "1 EA",
+            "RoundUpToIntegerQuantity": "True",
+            "LimitStates": {
+                f"LS{k + 1}": {
+                    "DS1": {
+                        "Description": _clean(state.name),
+                        "Name": state_name(state.name),
+                        "Curve": _clean(state.note),
+                    }
+                }
+                for k, state in enumerate(component.states)
+            },
+        }
+    # Plain ASCII: a reader with another encoding, as Windows has, gets the same text.
+    return json.dumps(values, indent=2, ensure_ascii=True, allow_nan=False) + "\n"
+
+
+def _clean(text: str) -> str:
+    """Return text without halves of characters, which no file can hold."""
+    return text.encode("utf-8", "replace").decode("utf-8")

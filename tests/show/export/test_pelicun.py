@@ -1,0 +1,196 @@
+"""Fragility tables: read back by DLML, the library of pelicun's damage models."""
+
+import csv
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from dlml._tabular import load_tabular
+from dlml.vocabulary import DEMAND_TYPES, DISTRIBUTION_FAMILIES
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rocksteady import InputError, LossComponent, LossState, OutputError, write_pelicun
+
+# DLML sets an option that pandas 3 no longer needs.
+pytestmark = pytest.mark.filterwarnings("ignore:.*no_silent_downcasting.*")
+
+HEAD = (
+    "ID,Incomplete,Demand-Type,Demand-Unit,Demand-Offset,Demand-Directional,"
+    "LS1-Family,LS1-Theta_0,LS1-Theta_1,LS1-DamageStateWeights"
+)
+
+
+def falls(median: float = 0.466, beta: float = 0.592, **more: Any) -> LossState:
+    return LossState(name="overturned", median=median, beta=beta, **more)
+
+
+def component(*states: LossState, **more: Any) -> LossComponent:
+    given: dict[str, Any] = {"identifier": "RS.cabinet", "measure": "pgv_m_s", "floor": True}
+    return LossComponent(**{**given, "states": states or (falls(),), **more})
+
+
+def test_the_row_of_the_brief(tmp_path: Path) -> None:
+    table, companion = write_pelicun(tmp_path / "fragility.csv", [component()])
+    row = "RS.cabinet,0,Peak Floor Velocity,mps,0,1,lognormal,0.466,0.592,"
+    assert table.read_text(encoding="utf-8") == f"{HEAD}\n{row}\n"
+    assert companion == tmp_path / "fragility.json"
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["fragility.csv", "fragility.json"]
+
+
+def test_head_is_that_of_the_p58_library(tmp_path: Path) -> None:
+    import dlml
+
+    (name,) = (each for each in dlml.list_datasets() if "FEMA P-58" in each)
+    theirs = dlml.get_fragility(name)
+    four = [LossState(name=f"state {k}", median=0.1 + 0.1 * k, beta=0.4) for k in range(4)]
+    ours = load_tabular(write_pelicun(tmp_path / "a.csv", [component(*four)])[0])
+    assert list(ours.columns) == list(theirs.columns)
+    of_theirs, of_ours = dlml.get_metadata(name, "fragility"), read_json(tmp_path / "a.json")
+    cabinet = of_theirs["E.20.22.102a"]
+    assert set(of_ours["RS.cabinet"]) == set(cabinet)
+    assert set(cabinet["LimitStates"]["LS1"]["DS1"]) >= {"Description"}
+    general = set(of_theirs["_GeneralInformation"]) - {"ComponentGroups"}
+    assert set(of_ours["_GeneralInformation"]) == general
+
+
+def read_json(file: Path) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(file.read_text(encoding="ascii"))
+    return found
+
+
+@given(median=st.floats(1e-6, 1e6), beta=st.floats(1e-3, 3.0))
+@settings(max_examples=25, deadline=None)
+def test_dlml_reads_the_same_numbers(
+    median: float, beta: float, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    folder = tmp_path_factory.mktemp("dlml")
+    table = load_tabular(write_pelicun(folder / "a.csv", [component(falls(median, beta))])[0])
+    row = table.loc["RS.cabinet"]
+    assert float(row["LS1", "Theta_0"]) == pytest.approx(median, rel=4e-16)
+    assert float(row["LS1", "Theta_1"]) == pytest.approx(beta, rel=4e-16)
+    assert row["LS1", "Family"] in DISTRIBUTION_FAMILIES
+    assert (row["Incomplete", ""], row["Demand", "Directional"], row["Demand", "Offset"]) == (
+        0,
+        1,
+        0,
+    )
+
+
+@pytest.mark.parametrize(
+    ("given_", "demand", "unit"),
+    [
+        ({}, "Peak Floor Velocity", "mps"),
+        ({"floor": False}, "Peak Ground Velocity", "mps"),
+        ({"measure": "pga_g"}, "Peak Floor Acceleration", "g"),
+        ({"measure": "pga_g", "floor": False}, "Peak Ground Acceleration", "g"),
+        ({"measure": "sa_g", "period_s": 1.0, "floor": False}, "Spectral Acceleration|1.0", "g"),
+    ],
+)
+def test_demands_are_in_the_vocabulary(
+    given_: dict[str, Any], demand: str, unit: str, tmp_path: Path
+) -> None:
+    table = load_tabular(write_pelicun(tmp_path / "a.csv", [component(**given_)])[0])
+    assert table["Demand", "Type"].tolist() == [demand]
+    assert table["Demand", "Unit"].tolist() == [unit]
+    assert demand.partition("|")[0] in DEMAND_TYPES
+
+
+def test_a_component_of_fewer_states_has_empty_ones(tmp_path: Path) -> None:
+    two = component(LossState(name="uplift", median=0.2, beta=0.3), falls(), identifier="RS.two")
+    table = load_tabular(write_pelicun(tmp_path / "a.csv", [component(), two])[0])
+    assert table.loc["RS.two", ("LS2", "Theta_0")] == 0.466
+    assert table.loc["RS.cabinet", ("LS1", "Theta_0")] == 0.466
+    assert np.isnan(table.loc["RS.cabinet", ("LS2", "Theta_0")])
+
+
+def test_the_reason_of_the_direction_and_of_each_curve_is_in_the_companion(tmp_path: Path) -> None:
+    made = component(falls(note="Lognormal of all runs; distance 0.150."), description="A rack.")
+    write_pelicun(tmp_path / "a.csv", [made])
+    found = read_json(tmp_path / "a.json")["RS.cabinet"]
+    assert "by 1.2" in found["Comments"]
+    assert "overturned: Lognormal of all runs; distance 0.150." in found["Comments"]
+    assert found["LimitStates"]["LS1"]["DS1"]["Description"] == "overturned"
+    assert found["Description"] == "A rack."
+
+
+def test_a_state_without_a_lognormal_is_refused_and_nothing_written(tmp_path: Path) -> None:
+    step = LossState(name="uplift", curve=lambda level: (level > 0.3) * 1.0)
+    with pytest.raises(InputError) as caught:
+        write_pelicun(tmp_path / "a.csv", [component(step, falls())])
+    assert str(caught.value) == (
+        "RS.cabinet has no lognormal for 'uplift': pelicun would leave the whole component out of "
+        "the analysis; leave the state out, or write it for OpenQuake at points"
+    )
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["", "a-b", "=1+1", "@x", "+x", "-x", "1.5", "nan", "NA", "None", "inf", "True", "a b", "a,b",
+     'a"b', "a\nb", "a\n", "波", "a/b", "<a>", "a" * 76],
+)  # fmt: skip
+def test_an_identifier_that_a_reader_would_change_is_refused(name: str) -> None:
+    with pytest.raises(InputError, match="identifier"):
+        component(identifier=name)
+
+
+@given(name=st.from_regex(r"[A-Za-z][A-Za-z0-9_.]{0,20}", fullmatch=True))
+@settings(max_examples=25, deadline=None)
+def test_any_other_identifier_comes_back(
+    name: str, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    try:
+        made = component(identifier=name)
+    except InputError:
+        assert name.lower() in {
+            "inf",
+            "infinity",
+            "na",
+            "nan",
+            "none",
+            "null",
+            "true",
+            "false",
+            "units",
+        }
+        return
+    table = load_tabular(write_pelicun(tmp_path_factory.mktemp("ids") / "a.csv", [made])[0])
+    assert table.index.tolist() == [name]
+
+
+@pytest.mark.parametrize("text", ['"a",b\nc', "=cmd|' /C calc'!A0", "\x00\ud800", "波 🏺", "<&>"])
+def test_text_from_outside_is_in_the_companion_alone(text: str, tmp_path: Path) -> None:
+    made = component(LossState(name=f"x {text}", median=0.2, beta=0.5), description=text)
+    table, companion = write_pelicun(tmp_path / "a.csv", [made])
+    with table.open(newline="", encoding="ascii") as stream:
+        rows = list(csv.reader(stream))
+    assert [len(row) for row in rows] == [10, 10]
+    assert not any(cell[:1] in ("=", "+", "-", "@") for row in rows for cell in row)
+    found = read_json(companion)["RS.cabinet"]
+    assert found["Description"] == text.replace("\ud800", "?")
+
+
+def test_one_identifier_twice_and_none(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"components have RS.cabinet twice"):
+        write_pelicun(tmp_path / "a.csv", [component(), component()])
+    with pytest.raises(InputError, match=r"components are none"):
+        write_pelicun(tmp_path / "a.csv", [])
+    with pytest.raises(InputError, match=r"ends in .csv"):
+        write_pelicun(tmp_path / "a.json", [component()])
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_companion_that_cannot_be_written_leaves_no_table(tmp_path: Path) -> None:
+    (tmp_path / "a.json").mkdir()
+    with pytest.raises(OutputError, match="it is a folder"):
+        write_pelicun(tmp_path / "a.csv", [component()])
+    assert [file.name for file in tmp_path.iterdir()] == ["a.json"]
+
+
+def test_ten_states_are_refused() -> None:
+    ten = [LossState(name=f"state {k}", median=0.1 + k, beta=0.5) for k in range(10)]
+    with pytest.raises(InputError, match="1 to 9"):
+        component(*ten)
