@@ -16,6 +16,7 @@ from typer.exceptions import TyperException
 
 from rocksteady import __version__
 from rocksteady.cli.commands import (
+    assess,
     attractor,
     basins,
     bifurcate,
@@ -25,6 +26,7 @@ from rocksteady.cli.commands import (
     overturn,
     paper,
     record,
+    screens,
     simulate,
     spectrum,
     steady,
@@ -69,6 +71,8 @@ COMMANDS = (
     overturn,
     record,
     spectrum,
+    assess,
+    screens,
     paper,
     doctor,
 )

@@ -1,0 +1,67 @@
+"""`rocksteady screens`: published formulas for one block, side by side."""
+
+from typing import Annotated
+
+import typer
+
+from rocksteady.cli.console import terminal
+from rocksteady.cli.console.outputs import print_json, write_csv
+from rocksteady.cli.flags import options
+from rocksteady.cli.flags.block_and_shaking import BlockFlags
+from rocksteady.cli.flags.demand import PeakFlags, RowFlags, SpectrumFlags, sized_block
+from rocksteady.cli.flags.groups import grouped
+from rocksteady.cli.flags.record_files import ReadingFlags
+from rocksteady.results.rendering import print_description
+
+HELP = (
+    "Published formulas for uplift, rocking and overturning of a block, side by side: statics, "
+    "Shenton's friction, ASCE 43-05, Ishiyama, Kaneko-Hayashi, the Circolare, p PGV/(g tan alpha) "
+    "and FEMA P-58's cabinets.\n\n"
+    "Each row prints its equation, edition and confidence, and implements that equation alone: "
+    "the engineer verifies. A row whose input is missing names it. Peaks and spectra may be those "
+    "of a floor."
+)
+EXAMPLES = (
+    "Examples:\n\n"
+    "rocksteady screens --width-m 0.32 --height-m 1.8 --pga-g 0.35 --pgv-m-s 0.4 --friction 0.4\n\n"
+    "rocksteady screens --width-m 0.32 --height-m 1.8 --spectrum floor.txt --damping 0.05\n\n"
+    "rocksteady screens --width-m 0.32 --height-m 1.8 --record RSN77_PUL164.AT2 --json"
+)
+NEGATIVE = 1
+"""Exit code with --check where a row does not pass."""
+CheckFlag = Annotated[
+    bool,
+    typer.Option(
+        "--check",
+        help="Leave with exit code 1 where a row does not pass.",
+        rich_help_panel=options.OUTPUT,
+    ),
+]
+
+
+@grouped
+def screens(
+    block: BlockFlags,
+    peaks: PeakFlags,
+    spectra: SpectrumFlags,
+    reading: ReadingFlags,
+    output: RowFlags,
+    check: CheckFlag = False,
+) -> None:
+    """Run `rocksteady screens`; `HELP` is what its users read."""
+    output.check(spectra.files)
+    body = sized_block(block)
+    demand = spectra.demand(peaks, reading)
+    from rocksteady.risk.screens.screens import screen_block
+
+    found = screen_block(body, demand, friction=peaks.friction)
+    description = found.describe()
+    if output.csv is not None:
+        rows = [row.values() for row in found.rows]
+        write_csv(output.csv, list(rows[0]), (list(row.values()) for row in rows))
+    if output.as_json:
+        print_json("screens", description.to_dict())
+    else:
+        print_description(description, terminal.console())
+    if check and found.negative:
+        raise typer.Exit(NEGATIVE)

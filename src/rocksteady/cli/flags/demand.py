@@ -1,0 +1,231 @@
+"""Flags for the demand on an object: peaks, friction, a spectrum or a record."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rocksteady.cli.console.refusals import FlagError, both, missing
+from rocksteady.cli.flags import options
+from rocksteady.cli.flags.block_and_shaking import BlockFlags
+from rocksteady.cli.flags.parsing import number
+from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.validation import in_range
+from rocksteady.show.export.files import check_writable
+
+if TYPE_CHECKING:
+    from rocksteady.risk.screens.demand import Demand
+
+DEMAND = "Demand"
+
+PeakG = Annotated[
+    float | None,
+    typer.Option(
+        "--pga-g",
+        metavar="G",
+        help="Set the peak acceleration of the ground or floor \\[g]; with --record, scale the "
+        "record to it.",
+        rich_help_panel=DEMAND,
+    ),
+]
+PgvMS = Annotated[
+    float | None,
+    typer.Option(
+        "--pgv-m-s",
+        metavar="V",
+        help="Set the peak velocity of the ground or floor \\[m/s].",
+        rich_help_panel=DEMAND,
+    ),
+]
+Friction = Annotated[
+    float | None,
+    typer.Option(
+        "--friction",
+        metavar="MU",
+        help="Set the coefficient of friction between block and base; without, its need is shown.",
+        rich_help_panel=DEMAND,
+    ),
+]
+SpectrumFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--spectrum",
+        metavar="FILE",
+        help="Take a response spectrum: rows of period \\[s] and Sa \\[g], one column of Sa for "
+        "each damping; a comment '# damping 0.05' states it.",
+        rich_help_panel=DEMAND,
+    ),
+]
+Damping = Annotated[
+    str | None,
+    typer.Option(
+        "--damping",
+        metavar="X",
+        help="Set the damping of --spectrum, 0.05 being 5 % of critical; several with commas.",
+        rich_help_panel=DEMAND,
+    ),
+]
+DemandRecord = Annotated[
+    Path | None,
+    typer.Option(
+        "--record",
+        metavar="FILE",
+        help="Measure PGA, PGV and spectrum of a ground-motion file.",
+        rich_help_panel=DEMAND,
+    ),
+]
+VerticalG = Annotated[
+    float,
+    typer.Option(
+        "--vertical-g",
+        metavar="G",
+        help="Set the upward acceleration of the base at the peak \\[g]; negative lifts sooner.",
+        rich_help_panel=DEMAND,
+    ),
+]
+VerticalPerHorizontal = Annotated[
+    float,
+    typer.Option(
+        "--vertical-per-horizontal",
+        metavar="X",
+        help="Set the ratio of vertical to horizontal spectral acceleration.",
+        rich_help_panel=DEMAND,
+    ),
+]
+
+
+@dataclass(frozen=True, kw_only=True)
+class PeakFlags:
+    """Peak acceleration, peak velocity and friction."""
+
+    pga_g: PeakG = None
+    pgv_m_s: PgvMS = None
+    friction: Friction = None
+
+    def both_peaks(self) -> tuple[float, float]:
+        """Return PGA and PGV.
+
+        Raises
+        ------
+        FlagError
+            If one is missing.
+        """
+        for flag, value in (("--pga-g", self.pga_g), ("--pgv-m-s", self.pgv_m_s)):
+            if value is None:
+                raise missing(
+                    flag,
+                    valid="PGA and PGV are both needed",
+                    hint="give it, as --pga-g 0.3"
+                    if flag == "--pga-g"
+                    else "give it, as --pgv-m-s 0.4",
+                )
+        assert self.pga_g is not None
+        assert self.pgv_m_s is not None
+        return self.pga_g, self.pgv_m_s
+
+
+@dataclass(frozen=True, kw_only=True)
+class SpectrumFlags:
+    """A spectrum or a record, and what acts vertically."""
+
+    spectrum: SpectrumFile = None
+    damping: Damping = None
+    record: DemandRecord = None
+    vertical_g: VerticalG = 0.0
+    vertical_per_horizontal: VerticalPerHorizontal = 0.0
+
+    @property
+    def files(self) -> list[Path]:
+        """The files that are read."""
+        return [file for file in (self.spectrum, self.record) if file is not None]
+
+    def demand(self, peaks: PeakFlags, reading: ReadingFlags) -> "Demand":
+        """Return the demand of all flags.
+
+        Raises
+        ------
+        InputError, FlagError
+            If a value is outside its range, a file cannot be read, or two flags contradict.
+        """
+        from rocksteady.risk.screens.demand import Demand
+
+        vertical = {
+            "sa_v_per_sa_h": self.vertical_per_horizontal,
+            "vertical_g": self.vertical_g,
+        }
+        if self.damping is not None and self.spectrum is None:
+            raise FlagError(
+                "--damping",
+                self.damping,
+                "without --spectrum it has no meaning",
+                "add --spectrum FILE, or leave it out",
+            )
+        if self.record is None:
+            RecordFlags().given(reading)  # how no record is read
+            return Demand(
+                pga_g=peaks.pga_g,
+                pgv_m_s=peaks.pgv_m_s,
+                spectrum=self.spectrum,
+                spectrum_damping=self._dampings(),
+                **vertical,
+            )
+        for flag, value in (("--pgv-m-s", peaks.pgv_m_s), ("--spectrum", self.spectrum)):
+            if value is not None:
+                raise both("--record", flag, valid="the record has its own")
+        recorded = RecordFlags(record=[self.record], pga_g=peaks.pga_g)
+        return Demand.from_record(recorded.recording(reading).record, **vertical)
+
+    def _dampings(self) -> list[float] | None:
+        """Return the dampings of --damping; None without."""
+        if self.damping is None:
+            return None
+        return [number("--damping", text) for text in self.damping.split(",")]
+
+
+@dataclass(frozen=True, kw_only=True)
+class RowFlags:
+    """Output of a command whose result is a table."""
+
+    as_json: options.Json = False
+    csv: options.Csv = None
+    force: options.Force = False
+
+    def check(self, read: list[Path]) -> None:
+        """Refuse, before anything is computed, a table that could not be written afterwards.
+
+        Raises
+        ------
+        OutputError
+            If it exists and --force is off, cannot be written, or is one of the files that are
+            read.
+        """
+        from rocksteady.cli.flags.groups import OutputFlags
+
+        OutputFlags(csv=self.csv, force=self.force).refuse_read(read)
+        if self.csv is not None:
+            check_writable("--csv", self.csv, force=self.force)
+
+
+def sized_block(flags: BlockFlags) -> Block:
+    """Return the block of flags, which must have a size.
+
+    Raises
+    ------
+    InputError, FlagError
+        As for `BlockFlags.described`, or if no block is described.
+    """
+    body = flags.described() if flags.given else None
+    if isinstance(body, Block):
+        return body
+    raise missing(
+        "--width-m with --height-m",
+        valid="an object needs a size",
+        hint="describe it, as --width-m 0.32 --height-m 1.8",
+    )
+
+
+def probability(flag: str, value: float) -> float:
+    """Return a probability that a flag was given, inside (0, 1)."""
+    return in_range(flag, value, 0.0, 1.0, "()", hint="give a probability, as 0.1")

@@ -1,0 +1,321 @@
+"""Two numbers to one sentence: the probability that a block falls, from PGA and PGV alone."""
+
+import math
+from dataclasses import dataclass
+
+from rocksteady.errors import InputError
+from rocksteady.kernels.elementary.arrays import tan
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.validation import LARGEST, in_range
+from rocksteady.model.facts import block_text, block_values
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import number, quantity
+from rocksteady.results.result import Result
+from rocksteady.risk.screens.friction import (
+    Mode,
+    first_motion,
+    first_side,
+    needed_friction,
+    uplift_acceleration_g,
+)
+
+MEDIAN, BETA = 0.757, 0.592
+"""Median and beta of p PGV/(g tan alpha), from 28,399 classified runs (Chu et al. 2025)."""
+OTHER_MEDIAN, OTHER_BETA = 0.672, 0.462
+"""The same of our own nonlinear runs on 56 records."""
+SOURCE = (
+    "Lognormal in p PGV/(g tan alpha), median 0.757 and beta 0.592, behind the gate PGA > g tan "
+    "alpha: inferred from 28,399 classified runs of Chu, Giouvanidis, Loong and Dimitrakopoulos, "
+    "Earthq. Eng. Struct. Dyn. 54, 3576 (2025), doi 10.1002/eqe.70042. Our own nonlinear runs on "
+    "56 records gave 0.672 and 0.462: the other probability."
+)
+CAVEAT = (
+    "Not covered: the shaking's own uncertainty, bouncing, sliding during rocking, a soft floor, "
+    "three dimensions, vertical motion, and restitution other than Housner's. It is the share of "
+    "many motions of this PGA and PGV, no prediction for one; it is no substitute for anchorage "
+    "rules, and the engineer verifies."
+)
+USUAL_RATIO_S = (0.01, 0.5)
+"""PGV/PGA [s] of recorded motions; beyond it a unit is doubtful."""
+SAMPLED_ALPHA, SAMPLED_P = (0.1, 0.3), (1.0, 3.0)
+"""Slenderness [rad] and p [rad/s] of our own runs."""
+WORDS = (
+    (0.001, "1 in 1000"),
+    (0.002, "1 in 500"),
+    (0.005, "1 in 200"),
+    (0.01, "1 in 100"),
+    (0.02, "1 in 50"),
+    (0.05, "1 in 20"),
+    (0.1, "1 in 10"),
+    (0.2, "1 in 5"),
+    (0.25, "1 in 4"),
+    (1.0 / 3.0, "1 in 3"),
+    (0.4, "2 in 5"),
+    (0.5, "1 in 2"),
+    (0.6, "3 in 5"),
+    (2.0 / 3.0, "2 in 3"),
+    (0.75, "3 in 4"),
+    (0.8, "4 in 5"),
+    (0.9, "9 in 10"),
+    (0.95, "19 in 20"),
+    (0.98, "49 in 50"),
+    (0.99, "99 in 100"),
+)
+"""Probabilities that a reader knows from life."""
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, repr=False)
+class QuickAssessment(Result):
+    """Whether a block falls, from PGA and PGV, by `rocksteady.assess_two_numbers`.
+
+    Attributes
+    ----------
+    block, pga_g, pgv_m_s, friction
+        What was assessed; no friction where it is not known.
+    probability
+        Of overturning; None where the block slides, of which rocking alone is no answer.
+    other_probability
+        The same with median and beta of our own runs.
+    median_pgv_m_s, beta
+        PGV at which half of such blocks that lift fall [m/s], and standard deviation of its
+        logarithm.
+    other_median_pgv_m_s, other_beta
+        The same of our own runs.
+    uplift_pga_g
+        PGA that lifts the block [g].
+    friction_needed
+        Friction with which it rocks without sliding at this PGA (Shenton 1996).
+    verdict
+        "rest", "rocks" or "slides", alone or while it rocks; without friction it does not slide.
+    sentence
+        The answer.
+    remarks
+        What is doubtful of the input.
+    """
+
+    block: Block
+    pga_g: float
+    pgv_m_s: float
+    friction: float | None
+    probability: float | None
+    other_probability: float | None
+    median_pgv_m_s: float
+    beta: float
+    other_median_pgv_m_s: float
+    other_beta: float
+    uplift_pga_g: float
+    friction_needed: float
+    verdict: str
+    sentence: str
+    remarks: tuple[str, ...] = ()
+
+    def describe(self) -> Description:
+        """Return the sentence, both probabilities, the thresholds and the source."""
+        shares = [
+            "—" if share is None else f"{number(100.0 * share)} %"
+            for share in (self.probability, self.other_probability)
+        ]
+        given = "not given" if self.friction is None else f"{number(self.friction)} given"
+        return Description(
+            headline=self.sentence,
+            facts=[
+                Fact("block", block_values(self.block), "block", block_text(self.block)),
+                Fact("pga_g", self.pga_g, "PGA", quantity(self.pga_g, "g")),
+                Fact("pgv_m_s", self.pgv_m_s, "PGV", quantity(self.pgv_m_s, "m/s")),
+                Fact("probability", self.probability, "probability of falling", shares[0]),
+                Fact("other_probability", self.other_probability, "by our own runs", shares[1]),
+                Fact(
+                    "median_pgv_m_s",
+                    self.median_pgv_m_s,
+                    "median PGV",
+                    f"{quantity(self.median_pgv_m_s, 'm/s')}, beta {self.beta:g}; by our own runs "
+                    f"{quantity(self.other_median_pgv_m_s, 'm/s')}, {self.other_beta:g}",
+                ),
+                Fact("beta", self.beta),
+                Fact("other_median_pgv_m_s", self.other_median_pgv_m_s),
+                Fact("other_beta", self.other_beta),
+                Fact(
+                    "uplift_pga_g", self.uplift_pga_g, "lifts at", quantity(self.uplift_pga_g, "g")
+                ),
+                Fact(
+                    "friction_needed",
+                    self.friction_needed,
+                    "friction needed",
+                    f"{number(self.friction_needed)} to rock alone at this PGA; {given}",
+                ),
+                Fact("friction", self.friction),
+                Fact("verdict", self.verdict),
+                Fact("sentence", self.sentence),
+                Fact("source", SOURCE),
+                Fact("remarks", list(self.remarks)),
+            ],
+            notes=[*self.remarks, SOURCE, CAVEAT],
+        )
+
+
+@checked
+def assess_two_numbers(
+    block: Block, pga_g: float, pgv_m_s: float, friction: float | None = None
+) -> QuickAssessment:
+    """Assess whether a block falls, from the peak acceleration and velocity of its base.
+
+    ``P = 1[PGA > g tan alpha] Phi(ln(p PGV/(0.757 g tan alpha))/0.592)``, of the side that lifts
+    first.
+
+    Parameters
+    ----------
+    block
+        The block.
+    pga_g
+        Peak acceleration of the ground or floor [g].
+    pgv_m_s
+        Peak velocity [m/s].
+    friction
+        Coefficient between block and base; None (default) where it is not known, and then its need
+        is stated.  Below the need rocking alone is no answer, and there is no probability.
+
+    Returns
+    -------
+    QuickAssessment
+        Probability, its alternative, thresholds, and one sentence.
+
+    Raises
+    ------
+    InputError
+        If a peak is not above 0, or the friction is negative.
+
+    Examples
+    --------
+    >>> from rocksteady import Block, assess_two_numbers
+    >>> found = assess_two_numbers(Block.rectangle(width=0.32, height=1.8), 0.35, 0.4)
+    >>> print(f"{found.probability:.4f} {found.median_pgv_m_s:.4f} {found.uplift_pga_g:.4f}")
+    0.3992 0.4653 0.1778
+    >>> print(found.sentence)
+    About 2 in 5 such blocks would fall at a PGA of 0.35 g and a PGV of 0.4 m/s.
+    """
+    pga = in_range("pga_g", pga_g, 0.0, LARGEST, hint="give the peak in g; 0.3 is usual")
+    pgv = in_range("pgv_m_s", pgv_m_s, 0.0, LARGEST, hint="give the peak in m/s; 0.4 is usual")
+    if friction is not None:
+        hint = "give the coefficient of friction, as 0.4"
+        friction = in_range("friction", friction, 0.0, 100.0, "[]", hint=hint)
+    uplift = uplift_acceleration_g(block)
+    mode: Mode = "rocks" if pga > uplift else "rest"
+    if friction is not None:
+        mode = first_motion(block, pga, friction)
+    side = first_side(block)
+    unit = block.gravity * tan(side.alpha) / side.p
+    medians = MEDIAN * unit, OTHER_MEDIAN * unit
+    if not math.isfinite(medians[0]) or medians[0] <= 0.0:
+        raise InputError("block", block, "it is too small or too large", "give metres")
+    shares: list[float | None] = [None, None]
+    if mode == "rest":
+        shares = [0.0, 0.0]
+    elif mode == "rocks":
+        shares = [
+            normal_share(math.log(pgv / median) / beta)
+            for median, beta in zip(medians, (BETA, OTHER_BETA), strict=True)
+        ]
+    need = needed_friction(block, pga)
+    return QuickAssessment(
+        block=block,
+        pga_g=pga,
+        pgv_m_s=pgv,
+        friction=friction,
+        probability=shares[0],
+        other_probability=shares[1],
+        median_pgv_m_s=medians[0],
+        beta=BETA,
+        other_median_pgv_m_s=medians[1],
+        other_beta=OTHER_BETA,
+        uplift_pga_g=uplift,
+        friction_needed=need,
+        verdict="slides" if mode == "slides and rocks" else mode,
+        sentence=_sentence(mode, shares[0], (pga, pgv), uplift, need),
+        remarks=tuple(_remarks(block, pga, pgv, friction, need)),
+    )
+
+
+def _sentence(
+    mode: Mode, share: float | None, peaks: tuple[float, float], uplift: float, need: float
+) -> str:
+    """Return the answer in one sentence."""
+    pga, pgv = quantity(peaks[0], "g"), quantity(peaks[1], "m/s")
+    if mode == "rest":
+        return (
+            f"It stays where it stands: a PGA of {pga} does not lift it, which takes "
+            f"{quantity(uplift, 'g')}."
+        )
+    if share is None:
+        more = "also slides while it rocks" if mode == "slides and rocks" else "slides"
+        return (
+            f"It {more} at a PGA of {pga}: rocking alone needs a friction of {number(need)}, so "
+            "there is no probability of falling by rocking."
+        )
+    return f"{share_words(share)} such blocks would fall at a PGA of {pga} and a PGV of {pgv}."
+
+
+def share_words(share: float) -> str:
+    """Return a probability in words, of the nearest odds that a reader knows.
+
+    Examples
+    --------
+    >>> share_words(0.3992), share_words(0.0004), share_words(0.997)
+    ('About 2 in 5', 'Fewer than 1 in 1000', 'More than 99 in 100')
+    """
+    if share < WORDS[0][0]:
+        return "Fewer than 1 in 1000"
+    if share > WORDS[-1][0]:
+        return "More than 99 in 100"
+    odds = math.log(share / (1.0 - share))
+    return (
+        "About " + min(WORDS, key=lambda each: abs(math.log(each[0] / (1.0 - each[0])) - odds))[1]
+    )
+
+
+def _remarks(
+    block: Block, pga: float, pgv: float, friction: float | None, need: float
+) -> list[str]:
+    """Return what is doubtful of the input, or beyond what the closed form was made of."""
+    remarks = []
+    ratio = pgv / (pga * STANDARD_GRAVITY)
+    low, high = USUAL_RATIO_S
+    if not low <= ratio <= high:
+        remarks.append(
+            f"PGV/PGA is {number(ratio)} s; recorded motions have {low:g} to {high:g} s: are the "
+            "units right?"
+        )
+    if friction is None:
+        remarks.append(
+            f"The friction is not given: with less than {number(need)} it slides, and this is no "
+            "answer."
+        )
+    side = first_side(block)
+    outside = [
+        f"{name} {number(value)} {unit}"
+        for name, value, unit, (least, most) in (
+            ("alpha", side.alpha, "rad", SAMPLED_ALPHA),
+            ("p", side.p, "rad/s", SAMPLED_P),
+        )
+        if not least <= value <= most
+    ]
+    if outside:
+        remarks.append(
+            f"{' and '.join(outside)} lies outside our own runs (alpha 0.1 to 0.3 rad, p 1 to 3 "
+            "rad/s)."
+        )
+    if not block.symmetric:
+        remarks.append("The sides differ: the one that lifts first is taken, as if both were so.")
+    return remarks
+
+
+def normal_share(deviations: float) -> float:
+    """Return the standard normal distribution at so many deviations from the median.
+
+    Examples
+    --------
+    >>> print(f"{normal_share(0.0)} {normal_share(1.0):.6f}")
+    0.5 0.841345
+    """
+    return 0.5 * math.erfc(-deviations / math.sqrt(2.0))

@@ -1,0 +1,1 @@
+"""Published formulas for uplift, rocking and overturning, side by side."""

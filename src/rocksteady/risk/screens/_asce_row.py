@@ -1,0 +1,92 @@
+"""The row of ASCE 43-05: rocking angles against a spectrum at the effective damping."""
+
+from typing import Any
+
+from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.results.numbers import number, quantity
+from rocksteady.risk.screens._asce import RockingBody, Rotations, find_rotations, rotations_text
+from rocksteady.risk.screens._rows import MEMORY_HIGH, Case
+from rocksteady.risk.screens.screen import Screen
+
+SOURCE = (
+    "ASCE/SEI 43-05, Appendix A.2, approximate method for rocking of an unanchored rigid body: "
+    "steps read in the source, expressions from memory"
+)
+
+
+def asce_row(case: Case) -> Screen:
+    """Return the row of ASCE 43-05, Appendix A.2, with all roots."""
+    demand = case.demand
+    body = RockingBody.of_side(case.side, case.block.gravity, demand.sa_v_per_sa_h)
+    if body.restitution <= 0.0:
+        return _row(case, None, verdict="no answer: restitution below 0", passes=None)
+    longest = 1.0 / body.frequency_hz(body.alpha)
+    constants = [
+        ("C_I", body.inertia, ""),
+        ("C_R", body.restitution, ""),
+        ("beta_e", body.damping, ""),
+        ("F_v", body.vertical_factor, ""),
+        ("period at alpha", longest, "s"),
+    ]
+    spectrum = demand.spectrum_at_any_damping()
+    if spectrum is None:
+        what = "its damping" if demand.spectrum is not None else "a spectrum with its damping"
+        key = "spectrum_damping" if demand.spectrum is not None else "spectrum, spectrum_damping"
+        return _row(case, None, verdict=f"needs {what}", passes=None, needs=key, details=constants)
+    chain, how = spectrum.at_damping(body.damping, longest)
+    found = find_rotations(body, chain)
+    for root in found.roots_rad:
+        constants += [
+            ("root", root, "rad"),
+            ("f_e at the root", body.frequency_hz(root), "Hz"),
+            ("SA_cap at the root", body.capacity_m_s2(root) / STANDARD_GRAVITY, "g"),
+        ]
+    verdict, passes, needs = _verdict(body, found, longest)
+    value = found.roots_rad[-1] if found.roots_rad else None
+    roots = found.roots_rad
+    remark = f"{how[0].upper()}{how[1:]}; power laws between its points."
+    if roots:
+        remark += f" Roots at {rotations_text(roots)}; the largest is shown."
+    if found.examined_rad < body.alpha:
+        remark += f" It ends at {number(chain.last_s)} s: up to {number(found.examined_rad)} rad."
+    row = _row(case, value, verdict=verdict, passes=passes, needs=needs, details=constants)
+    joined = f"{remark} {row.remark}".strip()
+    return _replaced(row, joined, computed=not needs)
+
+
+def _verdict(body: RockingBody, found: Rotations, longest: float) -> tuple[str, bool | None, str]:
+    """Return the words, whether it passes, and what is missing."""
+    complete = found.examined_rad >= body.alpha
+    if not complete and (found.above_at_end or not found.roots_rad):
+        return f"needs a spectrum up to {number(longest)} s", None, "spectrum"
+    if not found.roots_rad:
+        if found.above_at_end:
+            return "overturns: no root, demand above capacity", False, ""
+        return "no rotation: capacity above demand", True, ""
+    largest = quantity(found.roots_rad[-1] / body.alpha, "alpha")
+    if found.above_at_end:
+        return f"may overturn beyond {largest}", False, ""
+    return f"rocks up to {largest}", True, ""
+
+
+def _row(case: Case, value: float | None, *, details: Any = (), **fields: Any) -> Screen:
+    """Return the row with its source."""
+    return case.rocking(
+        name="ASCE 43-05 rocking",
+        equation="A.2, A-5 on",
+        edition="ASCE/SEI 43-05",
+        source=SOURCE,
+        confidence=MEMORY_HIGH,
+        value=value,
+        unit="rad",
+        details=tuple(details),
+        **fields,
+    )
+
+
+def _replaced(row: Screen, remark: str, *, computed: bool) -> Screen:
+    """Return the row with its remark; with an answer it is computed though there is no root."""
+    from dataclasses import replace
+
+    status = "computed" if computed and row.status == "needs input" else row.status
+    return replace(row, remark=remark, status=status)

@@ -1,0 +1,384 @@
+"""Rows of the table of screens: each formula with its source, its value and its verdict."""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from rocksteady.kernels.elementary.arrays import tan
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.sides import Side
+from rocksteady.results.numbers import number, quantity
+from rocksteady.risk.screens._cabinets import nearest_cabinet
+from rocksteady.risk.screens._thresholds import (
+    circolare_rectangle,
+    impulse_velocity_m_s,
+    ishiyama_bounds,
+    kaneko_hayashi,
+    share_at,
+    velocity_number,
+)
+from rocksteady.risk.screens.demand import Demand
+from rocksteady.risk.screens.friction import (
+    Mode,
+    first_motion,
+    first_side,
+    needed_friction,
+    uplift_acceleration_g,
+)
+from rocksteady.risk.screens.screen import Screen, Standing
+
+MEMORY_HIGH = "from memory, high"
+CHECKED = "checked numerically"
+READ = "read in the source"
+
+SLIDES = ("slides", "slides and rocks")
+REFUSED = "no answer: friction governs"
+NEAR = 0.25
+"""Distance of a cabinet, in ln of its depth and height, up to which it has a verdict."""
+LEAST_NUMBER, MOST_NUMBER = 0.2, 2.0
+"""Range of p PGV/(g tan alpha) for which there are shares."""
+RECTANGLE_SHARE = 0.75
+"""M R^2/I_0 of a homogeneous rectangle."""
+ALIKE = 1e-6
+
+
+@dataclass(frozen=True)
+class Case:
+    """A block, its demand and its friction, for all rows.
+
+    Rows that know one side take the one that lifts first.
+    """
+
+    block: Block
+    demand: Demand
+    friction: float | None
+
+    @cached_property
+    def side(self) -> Side:
+        """The side that lifts first."""
+        return first_side(self.block)
+
+    @cached_property
+    def mode(self) -> Mode | None:
+        """What the peak acceleration begins; None without it or without friction."""
+        if self.demand.pga_g is None or self.friction is None:
+            return None
+        upwards = self.demand.vertical_g
+        return first_motion(self.block, self.demand.pga_g, self.friction, upwards)
+
+    @cached_property
+    def rectangular(self) -> bool:
+        """Whether it is a homogeneous rectangle."""
+        share = self.side.p**2 * self.side.radius / self.block.gravity
+        return self.block.symmetric and abs(share / RECTANGLE_SHARE - 1.0) < ALIKE
+
+    def rocking(self, *, remark: str = "", **fields: Any) -> Screen:
+        """Return a row that takes rocking for granted: refused where the block slides.
+
+        Its formula was made for rectangles.
+        """
+        status: Standing = "needs input" if fields.get("value") is None else "computed"
+        if not self.rectangular:
+            what = "made for homogeneous rectangles"
+            if not self.block.symmetric:
+                what += "; the side that lifts first is taken, as if both were like it"
+            remark = f"{remark} {what[0].upper()}{what[1:]}.".strip()
+            status = "approximate" if status == "computed" else status
+        if self.mode in SLIDES and status != "needs input":
+            fields |= {"verdict": REFUSED, "passes": None}
+            status = "refused"
+        return Screen(status=status, remark=remark, **fields)
+
+
+def uplift_row(case: Case) -> Screen:
+    """Return the row of uplift."""
+    value = uplift_acceleration_g(case.block, case.demand.vertical_g)
+    pga = case.demand.pga_g
+    needs, passes = "", None
+    if pga is None:
+        verdict, needs = "needs a PGA", "pga_g"
+    elif pga <= value:
+        verdict, passes = f"stays down at {number(pga)} g", True
+    else:
+        verdict, passes = f"lifts: {number(pga)} g is {number(pga / value)} times it", False
+    sides = (case.block.positive, case.block.negative)
+    scale = value / tan(case.side.alpha)
+    other = max(sides, key=lambda side: side.alpha)
+    details = () if case.block.symmetric else (("other side", scale * tan(other.alpha), "g"),)
+    return Screen(
+        name="uplift",
+        equation="(g + a_v) tan(α)",
+        edition="statics (West)",
+        source="moment about the edge; often quoted as West's formula for overturning, which it "
+        "is not",
+        confidence=MEMORY_HIGH,
+        status="computed",
+        value=value,
+        unit="g",
+        verdict=verdict,
+        passes=passes,
+        needs=needs,
+        details=details,
+        remark="" if case.block.symmetric else "Of the side that lifts first.",
+    )
+
+
+def friction_row(case: Case) -> Screen:
+    """Return the row of the friction that rocking needs."""
+    pga, friction = case.demand.pga_g, case.friction
+    needs, passes = "", None
+    value = tan(max(case.block.positive.alpha, case.block.negative.alpha))
+    if pga is None:
+        verdict, needs = "needs a PGA; this is its least, at uplift", "pga_g"
+    else:
+        value = needed_friction(case.block, pga, case.demand.vertical_g)
+        if case.mode is None:
+            verdict, needs = "needs the friction; below it the block slides", "friction"
+        else:
+            passes = case.mode not in SLIDES
+            more = "" if passes else ": friction governs"
+            verdict = f"{case.mode}{more} (μ {number(friction or 0.0)})"
+            verdict = verdict.replace("rest", "stays at rest")
+    return Screen(
+        name="friction to rock",
+        equation="rocking limit",
+        edition="Shenton 1996",
+        source="H. W. Shenton, J. Eng. Mech. 122, 690-693 (1996)",
+        confidence=CHECKED,
+        status="needs input" if pga is None else "computed",
+        value=value,
+        unit="",
+        verdict=verdict,
+        passes=passes,
+        needs=needs,
+        remark="A friction above width/height alone does not ensure pure rocking: the need grows "
+        "with the PGA."
+        + ("" if case.block.symmetric else " The greater of both sides: shaking reverses."),
+    )
+
+
+def restitution_row(case: Case) -> Screen:
+    """Return the row of the restitution that conserves angular momentum about the new edge."""
+    first, second = case.side, case.block.negative
+    if first == second:
+        second = case.block.positive
+    gravity = case.block.gravity
+    inertia = gravity * second.radius / second.p**2  # I_0/M about the edge that is struck
+    gyration = inertia - second.radius**2
+    crossing = first.centre_height * second.centre_height - first.distance * second.distance
+    value = (gyration + crossing) / inertia
+    return Screen(
+        name="restitution",
+        equation="momentum at edge",
+        edition="Housner 1963",
+        source="G. W. Housner, Bull. Seism. Soc. Am. 53, 403-417 (1963); for unequal sides "
+        "(I_c + m R1 R2 cos(alpha1 + alpha2))/(I_c + m R2^2)",
+        confidence=CHECKED,
+        status="computed",
+        value=value,
+        unit="",
+        verdict=f"this block has {number(first.restitution)}",
+        remark="Tests often exceed it, up to its square root.",
+    )
+
+
+def ishiyama_row(case: Case) -> Screen:
+    """Return the row of Ishiyama's lower bounds."""
+    found = ishiyama_bounds(case.side, case.block.gravity)
+    pga, pgv = case.demand.pga_g, case.demand.pgv_m_s
+    needs, passes = "", None
+    if pga is not None and pga < found.pga_g:
+        verdict, passes = "does not overturn: PGA below its bound", True
+    elif pgv is not None and pgv < found.pgv_m_s:
+        verdict, passes = "does not overturn: PGV below its bound", True
+    elif pga is not None and pgv is not None:
+        verdict, passes = "may overturn: both bounds are exceeded", False
+    else:
+        needs = " and ".join(
+            name for name, value in (("pga_g", pga), ("pgv_m_s", pgv)) if value is None
+        )
+        verdict = {"pga_g": "needs a PGA", "pgv_m_s": "needs a PGV"}.get(
+            needs, "needs a PGA and a PGV"
+        )
+    return case.rocking(
+        name="Ishiyama bound",
+        equation="(B/H) g, .4 V_i",
+        edition="Ishiyama 1982",
+        source="Y. Ishiyama, Earthq. Eng. Struct. Dyn. 10, 635-650 (1982)",
+        confidence=MEMORY_HIGH,
+        value=found.pgv_m_s,
+        unit="m/s",
+        verdict=verdict,
+        passes=passes,
+        needs=needs,
+        details=(
+            ("PGA bound", found.pga_g, "g"),
+            ("PGV bound", found.pgv_m_s, "m/s"),
+            ("V_i", impulse_velocity_m_s(case.side, case.block.gravity), "m/s"),
+        ),
+        remark=f"Both must be exceeded, PGA {quantity(found.pga_g, 'g')} too.",
+    )
+
+
+def kaneko_hayashi_row(case: Case) -> Screen:
+    """Return the row of Kaneko and Hayashi's 50 % threshold."""
+    found = kaneko_hayashi(case.side, case.block.gravity)
+    pga, pgv = case.demand.pga_g, case.demand.pgv_m_s
+    details = [
+        ("A50", found.acceleration_g, "g"),
+        ("V50", found.velocity_m_s, "m/s"),
+        ("Fe", found.limit_hz, "Hz"),
+    ]
+    value, needs, passes = found.acceleration_g, "", None
+    if pga is not None and pgv is not None:
+        hertz = pga * STANDARD_GRAVITY / (2.0 * math.pi * pgv)
+        value = found.threshold_g(hertz)
+        details += [("F = PGA/(2 pi PGV)", hertz, "Hz"), ("threshold at F", value, "g")]
+        passes = pga < value
+        verdict = f"{'fewer' if passes else 'more'} than half overturn at {number(pga)} g"
+    elif pga is not None and pga < found.acceleration_g:
+        verdict, passes = f"fewer than half overturn at {number(pga)} g", True
+    elif pgv is not None and pgv < found.velocity_m_s:
+        verdict, passes = f"fewer than half overturn at {number(pgv)} m/s", True
+    else:
+        needs = "pgv_m_s" if pga is not None else "pga_g and pgv_m_s"
+        verdict = "needs a PGV" if pga is not None else "needs a PGA and a PGV"
+        verdict, needs = ("needs a PGA", "pga_g") if pgv is not None else (verdict, needs)
+    return case.rocking(
+        name="Kaneko-Hayashi 50 %",
+        equation="A50, V50, Fe",
+        edition="13WCEE 2004",
+        source="M. Kaneko and Y. Hayashi, 13th World Conf. Earthq. Eng., Vancouver (2004)",
+        confidence="memory, med. to high",
+        value=value,
+        unit="g",
+        verdict=verdict,
+        passes=passes,
+        needs=needs,
+        details=tuple(details),
+        remark=f"A50 {quantity(found.acceleration_g, 'g')} up to Fe "
+        f"{quantity(found.limit_hz, 'Hz')}, V50 {quantity(found.velocity_m_s, 'm/s')} above it; "
+        "the frequency of the floor is taken as PGA/(2 pi PGV).",
+    )
+
+
+def circolare_row(case: Case) -> Screen:
+    """Return the row of the Circolare's rectangle, with FC 1 and with FC 1.35."""
+    gravity = case.block.gravity
+    full, poor = (circolare_rectangle(case.side, gravity, factor) for factor in (1.0, 1.35))
+    pga = case.demand.pga_g
+    details = [
+        ("a0, FC 1", full.a0_g, "g"),
+        ("a0, FC 1.35", poor.a0_g, "g"),
+        ("d0", full.d0_m, "m"),
+        ("0.4 d0 (SLV)", full.d_slv_m, "m"),
+        ("0.6 d0 (SLC)", full.d_slc_m, "m"),
+        ("T_SLV, FC 1", full.t_slv_s, "s"),
+        ("T_SLC, FC 1", full.t_slc_s, "s"),
+        ("T_SLV, FC 1.35", poor.t_slv_s, "s"),
+        ("T_SLC, FC 1.35", poor.t_slc_s, "s"),
+    ]
+    needs, passes = "", None
+    if pga is None:
+        verdict, needs = "needs a PGA", "pga_g"
+    else:
+        passes = pga <= poor.a0_g
+        verdict = f"{number(pga)} g is {'below' if passes else 'above'} a0 with FC 1.35"
+        if not passes and pga <= full.a0_g:
+            verdict = f"{number(pga)} g passes with FC 1, not with FC 1.35"
+    return case.rocking(
+        name="Circolare rectangle",
+        equation="C8.7.1 (3,10,11)",
+        edition="Circ. 2019 n. 7",
+        source="Circolare 21 January 2019 n. 7, C8.7.1, pages 272-277, in an unreviewed "
+        "transcription; the second bullets of both displacement limits could not be read",
+        confidence="read, unreviewed",
+        value=full.a0_g,
+        unit="g",
+        verdict=verdict,
+        passes=passes,
+        needs=needs,
+        details=tuple(details),
+        remark=f"a0 FC is 4/3 of the acceleration that lifts a rigid block; made for walls. d0 "
+        f"{quantity(full.d0_m, 'm')}, T_SLV {quantity(full.t_slv_s, 's')} with FC 1.",
+    )
+
+
+def velocity_row(case: Case) -> Screen:
+    """Return the row of p PGV/(g tan alpha), with what fell in its range."""
+    gravity, pgv, pga = case.block.gravity, case.demand.pgv_m_s, case.demand.pga_g
+    value, needs, passes = None, "pgv_m_s", None
+    verdict = "needs a PGV"
+    details = [("PGV at 0.757", 0.757 * gravity * tan(case.side.alpha) / case.side.p, "m/s")]
+    if pgv is not None:
+        value, needs = velocity_number(case.side, gravity, pgv), ""
+        share = share_at(value)
+        lifts = pga is None or pga > uplift_acceleration_g(case.block, case.demand.vertical_g)
+        if not lifts:
+            verdict, passes = "stays down: PGA below uplift", True
+        elif value < LEAST_NUMBER:
+            verdict, passes = "under 1 in 1000 of such runs fell", True
+        elif share is None:
+            verdict, passes = "nearly all such runs fell", False
+        else:
+            verdict = f"{share.published:.0%} and {share.ours:.0%} of such runs fell"
+            passes = False
+        ratio = pgv / impulse_velocity_m_s(case.side, gravity)
+        details.append(("PGV/V_i", ratio, ""))
+    return case.rocking(
+        name="p PGV/(g tan alpha)",
+        equation="shares of runs",
+        edition="Chu et al. 2025",
+        source="inferred from 28,399 classified runs, Chu et al., Earthq. Eng. Struct. Dyn. 54, "
+        "3576 (2025), doi 10.1002/eqe.70042; second figure our own runs on 56 records",
+        confidence=CHECKED,
+        value=value,
+        unit="",
+        verdict=verdict,
+        passes=passes,
+        needs=needs,
+        details=tuple(details),
+        remark="Of runs that rocked, in the same range of the number: theirs and ours. Passed "
+        "below 0.2 only.",
+    )
+
+
+def cabinets_row(case: Case) -> Screen:
+    """Return the row of FEMA P-58's cabinets: the one nearest to the block."""
+    cabinet = nearest_cabinet(case.side)
+    distance = cabinet.distance(case.side)
+    pgv = case.demand.pgv_m_s
+    needs, passes = "", None
+    details = [
+        ("distance", distance, ""),
+        ("median", cabinet.median_m_s, "m/s"),
+        ("p median/(g tan alpha)", cabinet.number, ""),
+    ]
+    if pgv is None:
+        verdict, needs = "needs a peak floor velocity", "pgv_m_s"
+    else:
+        chance = cabinet.probability(pgv)
+        details.append(("probability", chance, ""))
+        if distance > NEAR:
+            verdict = "no cabinet is near to this size"
+        else:
+            passes = pgv < cabinet.median_m_s
+            verdict = f"{number(100.0 * chance)} % of such cabinets fall"
+    size = f"{cabinet.depth_in:g} x {cabinet.height_in:g} in"
+    return case.rocking(
+        name="FEMA P-58 cabinets",
+        equation=cabinet.row,
+        edition="FEMA P-58",
+        source="FEMA P-58 fragility database, unanchored cabinets, E.20.22.102a to 125a, peak "
+        "floor velocity, beta 0.5",
+        confidence=READ,
+        value=cabinet.median_m_s,
+        unit="m/s",
+        verdict=verdict,
+        passes=passes,
+        needs=needs,
+        details=tuple(details),
+        remark=f"Nearest is {cabinet.row}, {size}, at a distance of {number(distance)} in the "
+        f"logarithms of depth and height; a verdict up to {NEAR:g}.",
+    )

@@ -1,0 +1,260 @@
+"""Demand spectra: tables at one or several dampings, or exact ones of a record, as power laws."""
+
+import math
+import re
+from bisect import bisect_right
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.checks.arrays import UnfitError, numeric_array
+from rocksteady.model.checks.validation import LARGEST, in_range
+from rocksteady.model.motions.record import Record
+from rocksteady.seismic.measures.response_spectrum import SHORTEST, compute_response_spectrum
+
+Floats = NDArray[np.float64]
+
+RIGID_S = 0.01
+"""Period [s] up to which a spectrum has the value of its row at zero."""
+RECORD_PERIODS = 200
+"""Periods at which the spectrum of a record is computed."""
+MOST_BYTES = 10_000_000
+"""Of a file with a spectrum."""
+SHAPE_HINT = "give rows of period [s] and Sa [g], one column of Sa for each damping"
+
+
+@dataclass(frozen=True)
+class Chain:
+    """Spectral acceleration [m/s^2] over the period, a power law between neighbouring points.
+
+    Below the first point it is constant, beyond the last it is not known.
+    """
+
+    periods_s: tuple[float, ...]
+    values_m_s2: tuple[float, ...]
+
+    @property
+    def last_s(self) -> float:
+        """The longest period [s]."""
+        return self.periods_s[-1]
+
+    def at(self, period_s: float) -> float:
+        """Return the value at a period [s], of the last point beyond it."""
+        i = bisect_right(self.periods_s, period_s)
+        if i == 0 or i == len(self.periods_s):
+            return self.values_m_s2[0 if i == 0 else -1]
+        start, power = self.periods_s[i - 1], self._power(i)
+        return self.values_m_s2[i - 1] * math.pow(period_s / start, power)
+
+    def pieces(self) -> Iterator[tuple[float, float, float]]:
+        """Yield start, end [s] and power of each power law, the constant one first."""
+        yield 0.0, self.periods_s[0], 0.0
+        for i in range(1, len(self.periods_s)):
+            yield self.periods_s[i - 1], self.periods_s[i], self._power(i)
+
+    def _power(self, i: int) -> float:
+        value = math.log(self.values_m_s2[i] / self.values_m_s2[i - 1])
+        return value / math.log(self.periods_s[i] / self.periods_s[i - 1])
+
+
+class Spectrum(Protocol):
+    """A spectrum that can be had at any damping."""
+
+    def at_damping(self, damping: float, longest_s: float) -> tuple[Chain, str]:
+        """Return the spectrum at a damping, and how it was made."""
+
+
+@dataclass(frozen=True)
+class RecordSpectrum:
+    """Pseudo-acceleration of a record, computed at the damping itself."""
+
+    record: Record
+
+    def at_damping(self, damping: float, longest_s: float) -> tuple[Chain, str]:
+        """Return the spectrum of the record up to a period."""
+        shortest = max(RIGID_S, SHORTEST * self.record.dt_s)
+        periods = np.geomspace(shortest, max(longest_s, 2.0 * shortest), RECORD_PERIODS)
+        found = compute_response_spectrum(self.record, periods, damping=damping)
+        values = found.pseudo_acceleration_m_s2
+        how = (
+            f"spectrum of the record at {100.0 * damping:.3g} % damping, exact at "
+            f"{RECORD_PERIODS} periods"
+        )
+        return Chain(tuple(periods.tolist()), tuple(values.tolist())), how
+
+
+@dataclass(frozen=True)
+class TabulatedSpectrum:
+    """A table: periods [s], dampings and Sa [g] of shape (periods, dampings), both ascending."""
+
+    periods_s: Floats
+    dampings: tuple[float, ...]
+    values_g: Floats
+
+    def at_damping(self, damping: float, longest_s: float) -> tuple[Chain, str]:  # noqa: ARG002
+        """Return the table at a damping.
+
+        Between two dampings ln Sa is interpolated over ln(damping).  Outside all of them the
+        nearest is scaled by ``eta = sqrt(10/(5 + xi)) >= 0.55``, xi in per cent (EN 1998-1 eq.
+        3.6), but for the row at period 0, which no damping changes.
+        """
+        values, how = self._scaled(damping)
+        periods = self.periods_s.copy()
+        if periods[0] == 0.0:
+            periods[0] = RIGID_S if periods[1] > RIGID_S else 0.5 * periods[1]
+        metres = STANDARD_GRAVITY * values
+        return Chain(tuple(periods.tolist()), tuple(metres.tolist())), how
+
+    def _scaled(self, damping: float) -> tuple[Floats, str]:
+        given = self.dampings
+        percent = f"{100.0 * damping:.3g} %"
+        for i, value in enumerate(given):
+            if math.isclose(value, damping, rel_tol=1e-9):
+                return self.values_g[:, i], f"spectrum as given at {percent} damping"
+        i = bisect_right(given, damping)
+        if 0 < i < len(given):
+            low, high = given[i - 1], given[i]
+            part = math.log(damping / low) / math.log(high / low)
+            logs = (1.0 - part) * np.log(self.values_g[:, i - 1]) + part * np.log(
+                self.values_g[:, i]
+            )
+            ends = f"{100.0 * low:.3g} and {100.0 * high:.3g} %"
+            return np.exp(logs), f"spectrum interpolated from {ends} to {percent} damping"
+        nearest = 0 if i == 0 else len(given) - 1
+        factor = damping_factor(damping) / damping_factor(given[nearest])
+        values = self.values_g[:, nearest] * np.where(self.periods_s == 0.0, 1.0, factor)
+        return values, (
+            f"spectrum scaled from {100.0 * given[nearest]:.3g} % to {percent} damping by "
+            f"{factor:.3g}, eta of EN 1998-1 eq. 3.6"
+        )
+
+
+def damping_factor(damping: float) -> float:
+    """Return eta = sqrt(10/(5 + xi)), xi in per cent, at least 0.55 (EN 1998-1:2004 eq. 3.6).
+
+    Examples
+    --------
+    >>> print(f"{damping_factor(0.05)} {damping_factor(0.02):.4f} {damping_factor(0.5)}")
+    1.0 1.1952 0.55
+    """
+    return max(0.55, math.sqrt(10.0 / (5.0 + 100.0 * damping)))
+
+
+def tabulated(table: object, damping: object) -> TabulatedSpectrum | None:
+    """Return a validated table; None where its damping is not known.
+
+    Parameters
+    ----------
+    table
+        Shape (periods, 1 + dampings): period [s], then Sa [g] at each damping.
+    damping
+        A number, or one for each column of Sa; None where it is not known.
+
+    Raises
+    ------
+    InputError
+        If it is no such table.
+    """
+    try:
+        rows = np.array(numeric_array("spectrum", table, "iuf"), dtype=np.float64)
+    except UnfitError as unfit:
+        valid, hint = unfit.args
+        raise InputError("spectrum", table, valid, hint) from None
+    except (TypeError, ValueError):  # rows of unequal lengths, or no numbers
+        rows = np.empty(0)
+    valid = ""
+    if rows.ndim != 2 or rows.shape[0] < 2 or rows.shape[1] < 2:
+        valid = "it must have two rows or more and two columns or more"
+    elif not np.isfinite(rows).all() or rows.max() > LARGEST:
+        valid = "its numbers must be finite"
+    elif rows[0, 0] < 0.0 or (np.diff(rows[:, 0]) <= 0.0).any():
+        valid = "its periods must ascend from 0 or above"
+    elif (rows[:, 1:] <= 0.0).any():
+        valid = "its spectral accelerations must be above 0"
+    if valid:
+        raise InputError("spectrum", table, valid, SHAPE_HINT)
+    if damping is None:
+        return None
+    columns = rows.shape[1] - 1
+    dampings = (
+        list(damping)
+        if isinstance(damping, Sequence) and not isinstance(damping, str)
+        else [damping]
+    )
+    if len(dampings) != columns:
+        raise InputError(
+            "spectrum_damping",
+            damping,
+            f"the spectrum has {columns} column{'s' * (columns > 1)} of Sa",
+            "give a damping for each, as 0.05",
+        )
+    hint = "give 0.05 for 5 % of critical"
+    values = [in_range("spectrum_damping", each, 0.0, 1.0, "()", hint=hint) for each in dampings]
+    order = np.argsort(values)
+    if (np.diff(np.array(values)[order]) == 0.0).any():
+        raise InputError("spectrum_damping", damping, "they must differ", "give each damping once")
+    return TabulatedSpectrum(
+        periods_s=rows[:, 0],
+        dampings=tuple(np.array(values)[order].tolist()),
+        values_g=rows[:, 1:][:, order],
+    )
+
+
+DAMPING_LINE = re.compile(r"damping\D*?((?:\d*\.?\d+\s*%?[\s,;]*)+)", re.IGNORECASE)
+"""What a comment or a header states of the damping, as ``# damping 0.02 0.05`` or ``5 %``."""
+
+
+def read_table(path: Path) -> tuple[Floats, tuple[float, ...] | None]:
+    """Read a spectrum from a text file: rows of period [s] and Sa [g], and the damping it states.
+
+    Lines that begin with # and one line of names at the top are comments; ``damping 0.05``, or ``5
+    %``, in one of them is the damping, or those of the columns in turn.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read, or holds no such table.
+    """
+    try:
+        if path.stat().st_size > MOST_BYTES:
+            raise InputError("spectrum", path, "it is too large for a spectrum", SHAPE_HINT)
+        lines = path.read_text(encoding="utf-8").splitlines()
+    except (OSError, UnicodeError) as error:
+        reason = getattr(error, "strerror", None) or "it is no text"
+        raise InputError("spectrum", path, f"it cannot be read ({reason})", SHAPE_HINT) from error
+    rows: list[list[float]] = []
+    dampings: tuple[float, ...] | None = None
+    for number, line in enumerate(lines, 1):
+        text = line.strip()
+        try:
+            row = [float(word) for word in re.split(r"[\s,;]+", text.rstrip(",;"))] if text else []
+        except ValueError:
+            if rows and not text.startswith("#"):
+                valid = f"line {number} is no row of numbers"
+                raise InputError("spectrum", path, valid, SHAPE_HINT) from None
+            dampings = _dampings_in(text) or dampings
+            continue
+        if row and rows and len(row) != len(rows[0]):
+            valid = f"line {number} has {len(row)} numbers, and the rows above {len(rows[0])}"
+            raise InputError("spectrum", path, valid, SHAPE_HINT)
+        if row:
+            rows.append(row)
+    if not rows:
+        raise InputError("spectrum", path, "it has no rows of numbers", SHAPE_HINT)
+    return np.array(rows), dampings
+
+
+def _dampings_in(text: str) -> tuple[float, ...] | None:
+    """Return the dampings that a comment states; None where it states none."""
+    match = DAMPING_LINE.search(text)
+    if match is None:
+        return None
+    words = re.findall(r"(\d*\.?\d+)\s*(%?)", match[1])
+    percent = any(sign for _, sign in words)
+    return tuple(float(word) / (100.0 if percent else 1.0) for word, _ in words)

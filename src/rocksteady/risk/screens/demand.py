@@ -1,0 +1,136 @@
+"""Demand on a block: peak acceleration and velocity, and a response spectrum."""
+
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import LARGEST, in_range
+from rocksteady.model.motions.record import Record
+from rocksteady.risk.screens._spectra import RecordSpectrum, Spectrum, read_table, tabulated
+from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
+from rocksteady.seismic.measures.time_course import integrate_record
+
+
+@checked
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Demand:
+    """Shaking at the base of a block, of the ground or of a floor.
+
+    Parameters
+    ----------
+    pga_g
+        Peak acceleration [g]; None (default) where it is not known.
+    pgv_m_s
+        Peak velocity [m/s]; None (default) where it is not known.
+    spectrum
+        Horizontal response spectrum: rows of period [s] and spectral acceleration [g], shape
+        (periods, 1 + dampings), or a file of such rows; a `ResponseSpectrum` or a `Record`, which
+        is exact at any damping.  None by default.
+    spectrum_damping
+        Damping of the table, 1 being critical, or one for each of its columns.  Without, what a
+        file states in a comment ``# damping 0.05``.
+    sa_v_per_sa_h
+        Ratio of vertical to horizontal spectral acceleration, default 0.
+    vertical_g
+        Base acceleration upwards at the instant of the peak [g], default 0; below 0 it lifts the
+        block sooner.
+
+    Raises
+    ------
+    InputError
+        If a number is outside its range, or the spectrum is no table.
+
+    Examples
+    --------
+    >>> Demand(pga_g=0.35, pgv_m_s=0.4).pga_g
+    0.35
+    """
+
+    pga_g: float | None = None
+    pgv_m_s: float | None = None
+    spectrum: Any = None
+    spectrum_damping: Any = None
+    sa_v_per_sa_h: float = 0.0
+    vertical_g: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Validate, and read a file."""
+        hint = "give the peak in g; 0.3 is usual"
+        self._set("pga_g", peak_value("pga_g", self.pga_g, hint))
+        hint = "give the peak in m/s; 0.4 is usual"
+        self._set("pgv_m_s", peak_value("pgv_m_s", self.pgv_m_s, hint))
+        hint = "give the ratio of the spectra, as 0.67"
+        ratio = in_range("sa_v_per_sa_h", self.sa_v_per_sa_h, 0.0, 10.0, "[]", hint=hint)
+        self._set("sa_v_per_sa_h", ratio)
+        hint = "give the acceleration of the base in g, upwards positive"
+        self._set(
+            "vertical_g", in_range("vertical_g", self.vertical_g, -1.0, 10.0, "()", hint=hint)
+        )
+        if self.spectrum is None or isinstance(self.spectrum, ResponseSpectrum | Record):
+            self._refuse_damping()
+        else:
+            if isinstance(self.spectrum, str | PathLike):
+                table, stated = read_table(Path(self.spectrum))
+                self._set("spectrum", table)
+                if self.spectrum_damping is None:
+                    self._set("spectrum_damping", stated)
+            tabulated(self.spectrum, self.spectrum_damping)
+
+    @classmethod
+    def from_record(
+        cls, record: Record, *, sa_v_per_sa_h: float = 0.0, vertical_g: float = 0.0
+    ) -> "Demand":
+        """Return the demand of a record: its PGA, PGV and spectrum.
+
+        Parameters
+        ----------
+        record
+            The record, whose ground begins at rest.
+        sa_v_per_sa_h, vertical_g
+            As for the class.
+
+        Raises
+        ------
+        InputError
+            If the record is beyond 1e50 m/s^2.
+        """
+        course = integrate_record(record)
+        return cls(
+            pga_g=abs(course.peak_acceleration.value) / STANDARD_GRAVITY,
+            pgv_m_s=abs(course.peak_velocity.value),
+            spectrum=record,
+            sa_v_per_sa_h=sa_v_per_sa_h,
+            vertical_g=vertical_g,
+        )
+
+    def spectrum_at_any_damping(self) -> Spectrum | None:
+        """Return the spectrum, for any damping; None without one or without its damping."""
+        if self.spectrum is None:
+            return None
+        if isinstance(self.spectrum, ResponseSpectrum):
+            return RecordSpectrum(self.spectrum.record)
+        if isinstance(self.spectrum, Record):
+            return RecordSpectrum(self.spectrum)
+        return tabulated(self.spectrum, self.spectrum_damping)
+
+    def _refuse_damping(self) -> None:
+        """Refuse a damping that belongs to no table."""
+        if self.spectrum_damping is not None:
+            raise InputError(
+                "spectrum_damping",
+                self.spectrum_damping,
+                "it is the damping of a table, and there is none",
+                "leave it out",
+            )
+
+    def _set(self, name: str, value: object) -> None:
+        object.__setattr__(self, name, value)
+
+
+def peak_value(name: str, value: float | None, hint: str) -> float | None:
+    """Return a peak above 0; None stays None."""
+    return None if value is None else in_range(name, value, 0.0, LARGEST, hint=hint)

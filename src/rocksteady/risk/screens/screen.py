@@ -1,0 +1,101 @@
+"""One published formula applied to one block: its source, its value and its verdict."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from rocksteady.model.checks.arguments import checked_result
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, quantity
+from rocksteady.results.result import Result
+
+Standing = Literal["computed", "approximate", "needs input", "refused"]
+"""Whether a row has an answer; "approximate" where it was made for rectangles."""
+
+Detail = tuple[str, float, str]
+"""Name, value and unit of an intermediate quantity."""
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Screen(Result):
+    """A published formula applied to a block, from `rocksteady.screen_block`.
+
+    Attributes
+    ----------
+    name
+        Of the row.
+    equation, edition, source
+        Number or form of the equation, edition of the document, and the full reference.
+    confidence
+        How the formula was had: read in the source, from memory, or checked numerically.
+    status
+        "computed"; "approximate" where the row was made for rectangles and the block is none;
+        "needs input"; "refused" where friction governs.
+    value, unit
+        The threshold or capacity; None where an input is missing.
+    verdict
+        In a few words.
+    passes
+        Whether the demand is below it; None where there is no verdict.
+    needs
+        What is missing; empty where nothing is.
+    details
+        Name, value and unit of each intermediate quantity.
+    remark
+        What a reader has to know beside; may be empty.
+    """
+
+    name: str
+    equation: str
+    edition: str
+    source: str
+    confidence: str
+    status: Standing
+    value: float | None
+    unit: str
+    verdict: str
+    passes: bool | None = None
+    needs: str = ""
+    details: tuple[Detail, ...] = ()
+    remark: str = ""
+
+    @property
+    def words(self) -> str:
+        """The value with its unit."""
+        return "—" if self.value is None else quantity(self.value, self.unit).rstrip()
+
+    def values(self) -> dict[str, str | float | bool | None]:
+        """Return the row of JSON and CSV."""
+        return {
+            "name": self.name,
+            "equation": self.equation,
+            "edition": self.edition,
+            "confidence": self.confidence,
+            "status": self.status,
+            "value": self.value,
+            "unit": self.unit,
+            "verdict": self.verdict,
+            "passes": self.passes,
+            "needs": self.needs,
+            "source": self.source,
+            "remark": self.remark,
+        }
+
+    def describe(self) -> Description:
+        """Return value, verdict and source, and the intermediate quantities."""
+        rows = [dict(zip(("quantity", "value", "unit"), one, strict=True)) for one in self.details]
+        columns = (
+            Column("quantity", "quantity", left=True),
+            Column("value", "value", number),
+            Column("unit", "unit", left=True),
+        )
+        shown = ("verdict", "equation", "edition", "confidence", "status", "source")
+        return Description(
+            headline=f"{self.name}: {self.words}; {self.verdict}",
+            facts=[
+                Fact(key, value, key if key in shown and value else "")
+                for key, value in self.values().items()
+            ],
+            tables=[Table("details", rows, columns)] if rows else [],
+            notes=[self.remark] if self.remark else [],
+        )
