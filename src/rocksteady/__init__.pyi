@@ -109,6 +109,10 @@ from .records.processing import correct_baseline as correct_baseline
 from .records.processing import resample as resample
 from .records.read import read_record as read_record
 from .records.read import read_recordings as read_recordings
+from .risk.assess.facts import ObjectFacts as ObjectFacts, derive_facts as derive_facts
+from .risk.assess.objects import ObjectFile as ObjectFile, read_object as read_object
+from .risk.assess.synthetic import make_synthetic_suite as make_synthetic_suite
+from .risk.assess.tables import read_objects as read_objects
 from .risk.assess.two_numbers import QuickAssessment as QuickAssessment, assess_two_numbers as assess_two_numbers
 from .risk.ensemble.levels import Stripes as Stripes
 from .risk.ensemble.restitution_band import RestitutionBand as RestitutionBand

@@ -48,6 +48,11 @@ def things() -> dict[str, Any]:
     states = rs.find_steady_states(2.0, 4.0, 0.8)
     hazard = rs.HazardCurve(measure="pgv_m_s", levels=[0.1, 0.5, 1.0], rates=[1e-2, 1e-4, 1e-5])
     Path("hazard.csv").write_text("PGA [g],annual rate\n0.1,0.01\n1,0.0001\n", encoding="utf-8")
+    Path("objects.csv").write_text("name,width_m,height_m\nvase,0.1,0.5\n", encoding="utf-8")
+    Path("object.toml").write_text(
+        "name = 'vase'\n[geometry]\nwidth_m = 0.1\nheight_m = 0.5\n", encoding="utf-8"
+    )
+    described = rs.read_object("object.toml")
     for path in ("kept.zarr", "made.csv"):
         if path.endswith("csv"):
             Path(path).write_text("t (s),acc (m/s2)\n0,0\n0.1,1\n0.2,-1\n", encoding="utf-8")
@@ -74,6 +79,8 @@ def things() -> dict[str, Any]:
         "summary": rs.summarise_spectra(suite),
         "grid": grid,
         "stripes": rs.Stripes("pga_g", [0.2, 0.4], beside=()),
+        "object": described,
+        "facts": rs.derive_facts(described),
         "output": rs.Output(name="value"),
         "map": maps,
         "basins": rs.compute_basins(bare, shaking, angles=few, velocities=few, max_cycles=20),

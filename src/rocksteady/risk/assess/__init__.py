@@ -1,1 +1,1 @@
-"""From an object to an answer: whether it falls."""
+"""From an object to an answer: two numbers, an object file, a table of objects."""

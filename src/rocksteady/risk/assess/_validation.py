@@ -1,0 +1,234 @@
+"""Values of an object file, checked: each key, its type and its range, in one line an error."""
+
+import difflib
+import itertools
+import math
+import re
+from collections.abc import Mapping
+
+import msgspec
+
+from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.model.checks.validation import in_range, whole_number
+from rocksteady.risk.assess._schema import (
+    TABLES,
+    ObjectInput,
+    Range,
+    keys_of,
+    numbers_of,
+    own_states,
+)
+
+LARGEST_M = 50.0
+"""Longest size of an object [m]: larger ones are taken for millimetres or centimetres."""
+
+_METRES = "sizes are in metres: write 0.6 for 600 mm"
+
+BOUNDS: Mapping[str, tuple[float, float, str, str]] = {
+    "offset_m": (-LARGEST_M, LARGEST_M, "[]", "give how far right of the middle it is, in metres"),
+    "inertia_kg_m2": (0.0, 1e15, "(]", "give the moment of inertia about the mass centre"),
+    "mass_kg": (0.0, 1e9, "(]", "give the mass in kg"),
+    "alpha_rad": (0.0, 0.5 * math.pi, "()", "give the angle in radians; alpha_deg takes degrees"),
+    "alpha_deg": (0.0, 90.0, "()", "give the angle in degrees; alpha_rad takes radians"),
+    "p_rad_s": (0.3, 100.0, "[]", "give the frequency parameter sqrt(M g R / I_0) in rad/s"),
+    "friction": (0.0, 3.0, "(]", "give the coefficient of friction, as 0.4"),
+    "restitution": (0.0, 1.0, "(]", "give a ratio of angular velocities, or 'housner'"),
+    "gravity_m_s2": (0.1, 100.0, "[]", "leave it out for 9.80665 m/s^2"),
+    "pga_g": (0.0, 10.0, "(]", "give the peak acceleration in g, as 0.35"),
+    "pgv_m_s": (0.0, 10.0, "(]", "give the peak velocity in m/s: write 0.4 for 40 cm/s"),
+    "vertical_g": (0.0, 10.0, "[]", "give the upward peak acceleration in g"),
+    "period_s": (0.0, 60.0, "(]", "give a period in seconds"),
+    "sa_g": (0.0, 30.0, "(]", "give a spectral acceleration in g"),
+    "damping": (0.0, 1.0, "()", "give it over the critical one: 0.05 for 5 %"),
+    "peak": (0.0, 10.0, "[]", "give theta/alpha, as 0.3"),
+    "target_probability": (0.0, 1.0, "()", "give a probability, as 0.1"),
+}
+"""Lowest and highest number of each key, whether they belong to it, and what to do."""
+
+WHOLE: Mapping[str, tuple[int, int, str]] = {
+    "draws": (1, 1000, "give the number of restitutions, as 5"),
+    "levels": (2, 1000, "give the number of levels of intensity, as 20"),
+}
+
+KINDS: Mapping[str, str] = {
+    "float": "a number",
+    "int": "a whole number",
+    "str": "a text",
+    "array": "a list",
+    "object": "a table such as { low = 0.3, high = 0.5 }",
+}
+"""Words for the types of msgspec."""
+
+
+def validated(values: Mapping[str, object], source: str) -> ObjectInput:
+    """Return the content of an object file as frozen tables.
+
+    Parameters
+    ----------
+    values
+        As `tomllib` returns them.
+    source
+        What they come from, for messages: a file, or a file and a line.
+
+    Raises
+    ------
+    InputError
+        With the key that is unknown and the nearest known one, or the key that is missing, of
+        another type, or out of range.
+    """
+    if not values:
+        raise InputError(
+            source,
+            Words("is empty"),
+            "an object has a name and a [geometry]",
+            "write name = ..., [geometry], width_m = ... and height_m = ...",
+        )
+    try:
+        given = msgspec.convert(dict(values), ObjectInput)
+    except msgspec.ValidationError as error:
+        raise _translated(str(error), values, source) from None
+    for text, key in ((given.name, "name"), (given.assessment.records, "records")):
+        if text is not None and not text.strip():
+            raise InputError(
+                named(source, "", key), text, "it must not be empty", "give a text, or leave it out"
+            )
+    for table, key, value in numbers_of(given):
+        _check(table, key, value, source)
+    _check_spectrum(given, source)
+    states = [name for name, _ in own_states(given.assessment)]
+    if given.assessment.damage_states is not None and len(set(states)) != max(1, len(states)):
+        raise InputError(
+            named(source, "assessment", "damage_states"),
+            states,
+            "there must be one or more, each of another name",
+            "leave it out for the five usual ones",
+        )
+    return given
+
+
+def named(source: str, table: str, key: str) -> str:
+    """Return a key with its file and its table, as "desk.toml: [geometry] width_m"."""
+    return f"{source}: [{table}] {key}" if table else f"{source}: {key}"
+
+
+def _check(table: str, key: str, value: object, source: str) -> None:
+    """Refuse a number outside its range, and a range upside down."""
+    name = named(source, table, key)
+    if key in WHOLE:
+        least, most, hint = WHOLE[key]
+        whole_number(name, value, at_least=least, at_most=most, hint=hint)
+        return
+    low, high, ends, hint = BOUNDS.get(key, (0.0, LARGEST_M, "(]", _METRES))
+    bounds = (value.low, value.high) if isinstance(value, Range) else (value,)
+    for number in bounds:
+        in_range(name, number, low, high, ends, hint=hint)  # type: ignore[arg-type]
+    if isinstance(value, Range) and value.low > value.high:
+        raise InputError(
+            name, (value.low, value.high), "low must not be above high", "exchange the two"
+        )
+
+
+def _check_spectrum(given: ObjectInput, source: str) -> None:
+    """Refuse a spectrum whose lists do not go together."""
+    spectrum = given.demand.spectrum
+    if spectrum is None:
+        return
+    periods = spectrum.period_s
+    rises = all(after > before for before, after in itertools.pairwise(periods))
+    if len(periods) != len(spectrum.sa_g) or len(periods) < 2 or not rises:
+        raise ModelError(
+            named(source, "demand.spectrum", "period_s"),
+            Words(f"and sa_g have {len(periods)} and {len(spectrum.sa_g)} values"),
+            "a spectrum has two points or more, with periods that rise",
+            "give one sa_g for each period_s",
+        )
+
+
+def _translated(message: str, values: Mapping[str, object], source: str) -> InputError:
+    """Return the line of the package for one of msgspec."""
+    what, _, place = message.partition(" - at ")
+    path = re.sub(r"\[[^\]]*\]", "", place.strip("`").removeprefix("$").removeprefix("."))
+    word = re.findall(r"`([^`]*)`", what)
+    if "unknown field" in what:
+        return _unknown(word[0], path, source)
+    if "missing required field" in what:
+        where = path if path in TABLES else path.rpartition(".")[0]
+        inner = "" if path in TABLES else f" has no {word[0]}"
+        if inner:
+            return InputError(
+                named(source, where, path.rpartition(".")[2]),
+                Words(inner.strip()),
+                "a range has a low and a high",
+                "write { low = 0.3, high = 0.5 }, or one number",
+            )
+        return InputError(
+            f"{source}: [{word[0]}]" if word[0] in TABLES else named(source, path, word[0]),
+            Words("is missing"),
+            "an object has a name and a [geometry]" if not path else f"[{path}] needs it",
+            f"add it: the keys of {_place(path)} are {', '.join(keys_of(path))}",
+        )
+    table, _, key = path.rpartition(".")
+    value = _value_at(values, path)
+    if "Invalid enum value" in what:
+        valid = "it must be 'housner', a number or { low = ..., high = ... }"
+        if key != "restitution":
+            annotation = TABLES[table].__annotations__[key]
+            valid = f"it must be one of {', '.join(annotation.__args__)}"
+        return InputError(
+            named(source, table, key), value, valid, f"leave it out for {_default(table, key)}"
+        )
+    wanted = [KINDS[kind] for kind in word[0].split(" | ") if kind in KINDS] if word else []
+    if path in TABLES or not key:
+        wanted = ["a table of keys"]
+    return InputError(
+        named(source, table, key) if key else source,
+        value,
+        f"it must be {' or '.join(dict.fromkeys(wanted))}",
+        "write texts in quotes and numbers without",
+    )
+
+
+def _unknown(key: str, table: str, source: str) -> InputError:
+    """Return the refusal of a key that no table has, or another one."""
+    own = keys_of(table)
+    near = difflib.get_close_matches(key, own, n=1)
+    homes = [name for name in TABLES if key in keys_of(name) and name != table]
+    if homes:
+        hint = f"it belongs to {_place(homes[0])}"
+    elif near:
+        hint = f"did you mean {near[0]}?"
+    else:
+        every = [each for name in TABLES for each in keys_of(name)]
+        far = difflib.get_close_matches(key, every, n=1)
+        hint = f"did you mean {far[0]}?" if far else "remove it"
+    known = table in TABLES
+    return InputError(
+        named(source, table, key) if known else named(source, *_last(table)) + f": {key}",
+        Words("is unknown"),
+        f"{f'the keys of {_place(table)}' if known else 'its keys'} are {', '.join(own)}",
+        hint,
+    )
+
+
+def _last(path: str) -> tuple[str, str]:
+    table, _, key = path.rpartition(".")
+    return table, key
+
+
+def _place(table: str) -> str:
+    return f"[{table}]" if table else "the file's top"
+
+
+def _default(table: str, key: str) -> object:
+    """Return the default value of a key."""
+    kind = TABLES[table]
+    fields = {field.name: field for field in msgspec.structs.fields(kind)}
+    return repr(fields[key].default)
+
+
+def _value_at(values: Mapping[str, object], path: str) -> object:
+    """Return what stands at a place."""
+    found: object = values
+    for key in path.split(".") if path else []:
+        found = found.get(key) if isinstance(found, Mapping) else found
+    return found

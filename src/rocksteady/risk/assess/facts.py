@@ -1,0 +1,193 @@
+"""What follows from an object's geometry: slenderness, frequency, restitution, friction, doubts."""
+
+from dataclasses import dataclass
+
+from rocksteady.kernels.elementary.arrays import tan
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.sides import Side
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import angle, length, number, quantity
+from rocksteady.results.result import Result
+from rocksteady.risk.assess._schema import Range
+from rocksteady.risk.assess.objects import ObjectFile, bounds_of
+
+STOCKY = 0.4
+"""Slenderness [rad] from which on a block on most floors slides before it rocks."""
+
+SLENDER = 0.04
+"""Slenderness [rad] below which a slope of the floor of a degree is half of it."""
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class ObjectFacts(Result):
+    """Derived facts of an object, from `rocksteady.derive_facts`.
+
+    Attributes
+    ----------
+    name
+        Name of the object.
+    block
+        The block that it is; of a range the middle.
+    uplift_pga_g
+        Static base acceleration that lifts its weaker side, tan(alpha) [g].
+    friction
+        Lowest and highest coefficient of friction; None where it is not given.
+    friction_to_lift
+        Friction below which it slides at the acceleration that lifts it, tan(alpha).
+    mass_kg
+        Mass with its content [kg]; None where it is not given.
+    warnings
+        Sentences on what is assumed, and on what is unusual.
+    """
+
+    name: str
+    block: Block
+    uplift_pga_g: float
+    friction: tuple[float, float] | None
+    friction_to_lift: float
+    mass_kg: float | None
+    warnings: tuple[str, ...]
+
+    def describe(self) -> Description:
+        """Return the facts of the weaker side, and a row for each side."""
+        weaker = weaker_side(self.block)
+        rows = [
+            {"side": name, **side.to_dict(), "uplift_pga_g": tan(side.alpha)}
+            for name, side in (("left", self.block.positive), ("right", self.block.negative))
+        ]
+        facts = [
+            Fact("name", self.name, "object"),
+            Fact("alpha_rad", weaker.alpha, "slenderness alpha", angle(weaker.alpha)),
+            Fact("p_rad_s", weaker.p, "frequency p", quantity(weaker.p, "rad/s")),
+            Fact("radius_m", weaker.radius, "radius R", length(weaker.radius)),
+            Fact("restitution", weaker.restitution, "restitution", number(weaker.restitution)),
+            Fact(
+                "mass_centre_height_m",
+                weaker.centre_height,
+                "mass centre",
+                f"{length(weaker.centre_height)} up",
+            ),
+            Fact("uplift_pga_g", self.uplift_pga_g, "lifts at", quantity(self.uplift_pga_g, "g")),
+            Fact(
+                "friction_to_lift",
+                self.friction_to_lift,
+                "friction to lift",
+                f"more than {number(self.friction_to_lift)}",
+            ),
+            Fact("friction", self.friction),
+            Fact("mass_kg", self.mass_kg, *self._mass()),
+        ]
+        columns = [
+            Column("side", "edge", left=True),
+            Column("alpha_rad", "alpha", angle),
+            Column("p_rad_s", "p [rad/s]"),
+            Column("radius_m", "R", length),
+            Column("restitution", "restitution"),
+            Column("uplift_pga_g", "lifts at [g]"),
+        ]
+        shown = [] if self.block.symmetric else columns
+        return Description(
+            headline=f"{self.name}: alpha {angle(weaker.alpha)}, p {quantity(weaker.p, 'rad/s')}, "
+            f"lifts at {quantity(self.uplift_pga_g, 'g')}",
+            facts=facts,
+            tables=[Table("sides", rows, shown)],
+            notes=self.warnings,
+        )
+
+    def _mass(self) -> tuple[str, str]:
+        """Return label and words of the mass; none where there is none."""
+        return ("", "") if self.mass_kg is None else ("mass", quantity(self.mass_kg, "kg"))
+
+
+def weaker_side(block: Block) -> Side:
+    """Return the side that lifts first."""
+    return min((block.positive, block.negative), key=lambda side: side.alpha)
+
+
+@checked
+def derive_facts(described: ObjectFile) -> ObjectFacts:
+    """Derive slenderness, frequency, restitution and warnings of an object.
+
+    Parameters
+    ----------
+    described
+        The object.
+
+    Returns
+    -------
+    ObjectFacts
+        Of the middle of each range.
+
+    Raises
+    ------
+    InputError
+        If the object is none.
+
+    Examples
+    --------
+    >>> desk = ObjectFile(values={"name": "statue", "geometry": {"width_m": 0.32, "height_m": 1.8}})
+    >>> facts = derive_facts(desk)
+    >>> print(f"{facts.uplift_pga_g:.4f} g")
+    0.1778 g
+    >>> print(facts.warnings[0])
+    Friction is not given: above 0.178 the object rocks, below it slides.
+    """
+    block, body = described.block, described.body
+    side = weaker_side(block)
+    uplift = tan(side.alpha)
+    friction = described.given.friction
+    return ObjectFacts(
+        name=described.name,
+        block=block,
+        uplift_pga_g=uplift,
+        friction=None if friction is None else bounds_of(friction),
+        friction_to_lift=uplift,
+        mass_kg=body.mass_kg,
+        warnings=tuple(_warnings(described, block, uplift)),
+    )
+
+
+def _warnings(described: ObjectFile, block: Block, uplift: float) -> list[str]:
+    """Return sentences on what is assumed and what is unusual."""
+    given, side = described.given, weaker_side(block)
+    sentences = []
+    if given.friction is None:
+        sentences.append(
+            f"Friction is not given: above {number(uplift)} the object rocks, below it slides."
+        )
+    if side.alpha > STOCKY:
+        sentences.append(
+            f"At a slenderness of {angle(side.alpha)} most objects slide before they rock."
+        )
+    if side.alpha < SLENDER:
+        sentences.append(
+            f"A slenderness of {angle(side.alpha)} is small: a floor out of level by half a degree "
+            f"changes it by {number(50.0 / (side.alpha * 57.3))} %."
+        )
+    shape = given.geometry
+    moved = shape.mass_centre_height_m is not None or shape.offset_m is not None
+    if moved and shape.gyration_m is None and shape.inertia_kg_m2 is None:
+        sentences.append(
+            "The moment of inertia about the mass centre is that of the homogeneous rectangle of "
+            "this outline: give gyration_m or inertia_kg_m2 where it is known."
+        )
+    if given.content is not None:
+        sentences.append(
+            "The content is one point mass, fixed in the object: sloshing, shifting and falling "
+            "content are not in the model."
+        )
+    if isinstance(given.restitution, float) and given.restitution > 0.98:
+        sentences.append(
+            f"A restitution of {number(given.restitution)} takes almost nothing at an impact: few "
+            "tests of stone or timber found so much."
+        )
+    keys = list(dict.fromkeys(variant.key for variant in described.variants()))
+    if keys:
+        sentences.append(f"The middle is taken of the range of {' and '.join(keys)}.")
+    if isinstance(given.restitution, Range):
+        sentences.append("The lowest restitution of its range is the block's own.")
+    if given.demand.place == "floor":
+        sentences.append("The object stands on a floor: the motions must be those of that floor.")
+    return sentences

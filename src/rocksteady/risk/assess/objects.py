@@ -1,0 +1,269 @@
+"""One object as its owner knows it: a TOML file, checked, and the blocks that it can be."""
+
+import hashlib
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rocksteady.errors import InputError, RocksteadyError
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.sides import Restitution
+from rocksteady.model.checks.arguments import checked
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import number
+from rocksteady.results.result import Result
+from rocksteady.risk.assess._body import Body, Choose, body_of, nominal
+from rocksteady.risk.assess._schema import Content, Geometry, ObjectInput, Range, Value
+from rocksteady.risk.assess._validation import named, validated
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+MOST_BYTES = 1_000_000
+"""Of an object file, which has some hundred."""
+
+EXAMPLE = Path(__file__).with_name("example.toml")
+"""The object of ``rocksteady assess --example``, of our own making."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Variant:
+    """An object with one thing changed.
+
+    Attributes
+    ----------
+    key
+        What is changed, as "content.mass_kg".
+    label
+        The change in words, as "content.mass_kg 20".
+    block
+        The block that it then is.
+    """
+
+    key: str
+    label: str
+    block: Block
+
+
+@checked
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class ObjectFile(Result):
+    """An object: geometry, content, friction, restitution, demand and how it is assessed.
+
+    Parameters
+    ----------
+    values
+        Tables and keys of `docs/objects.md`, as `tomllib` returns them; units are in the names.
+    source
+        Where they come from, for messages; default "object".
+    extra
+        Further columns of a table of objects, kept and not read.
+    sha256
+        Hash of the file; none by default.
+
+    Attributes
+    ----------
+    given
+        The values as frozen tables, with the default of each key that is left out.
+
+    Raises
+    ------
+    InputError, ModelError
+        If a key is unknown, missing or given twice over, or a value is of another type or out of
+        range; the line names source, table and key.
+
+    Examples
+    --------
+    >>> desk = ObjectFile(
+    ...     values={"name": "statue", "geometry": {"width_m": 0.32, "height_m": 1.8}}
+    ... )
+    >>> print(f"{desk.block.alpha:.4f} rad, {desk.block.p:.4f} rad/s")
+    0.1759 rad, 2.8366 rad/s
+    >>> ObjectFile(values={"name": "statue", "geometry": {"width_mm": 320, "height_m": 1.8}})
+    Traceback (most recent call last):
+    ...
+    rocksteady.errors.InputError: object: [geometry] width_mm is unknown: the keys of [geometry] \
+are width_m, height_m, base_width_m, offset_m, left_m, right_m, mass_centre_height_m, gyration_m, \
+inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
+    """
+
+    values: Mapping[str, object]
+    source: str = "object"
+    extra: Mapping[str, str] = field(default_factory=dict)
+    sha256: str | None = None
+    given: ObjectInput = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Validate everything, the ends of every range too."""
+        object.__setattr__(self, "given", validated(self.values, self.source))
+        for choose, _, _ in [(nominal, "", ""), *self._ends()]:
+            self._made(body_of(self.given, self.source, choose), self.restitution)
+
+    @property
+    def name(self) -> str:
+        """Name of the object."""
+        return self.given.name
+
+    @property
+    def body(self) -> Body:
+        """The object with its content as one body; of a range the middle."""
+        return body_of(self.given, self.source)
+
+    @property
+    def restitution(self) -> Restitution:
+        """Restitution of the block: "housner", a number, or the lowest of a band."""
+        value = self.given.restitution
+        return value.low if isinstance(value, Range) else value
+
+    @property
+    def block(self) -> Block:
+        """The block that it is; of a range the middle."""
+        return self._made(self.body, self.restitution)
+
+    def block_of(self, body: Body) -> Block:
+        """Return the block of a changed body, with the object's restitution and gravity."""
+        return self._made(body, self.restitution)
+
+    def variants(self) -> tuple[Variant, ...]:
+        """Return the object at both ends of each range of its geometry and content."""
+        return tuple(
+            Variant(
+                key=key,
+                label=f"{key} {number(end)}",
+                block=self._made(body_of(self.given, self.source, choose), self.restitution),
+            )
+            for choose, key, end in self._ends()
+        )
+
+    def describe(self) -> Description:
+        """Return what the file says of it."""
+        block = self.block.describe()
+        about = [
+            Fact("name", self.name, "name"),
+            Fact("kind", self.given.kind, "kind"),
+            Fact("source", self.source, "from"),
+            Fact("sha256", self.sha256),
+            Fact("extra", dict(self.extra)),
+        ]
+        if self.given.friction is not None:
+            low, high = bounds_of(self.given.friction)
+            words = number(low) if low == high else f"{number(low)} to {number(high)}"
+            about.append(Fact("friction", _plain(self.given.friction), "friction", words))
+        return Description(headline=f"{self.name}: {block.headline}", facts=[*about, *block.facts])
+
+    def _ends(self) -> "Iterator[tuple[Choose, str, float]]":
+        """Yield, of each range, both ends: what chooses it, its key and its number."""
+        for key, value in _ranges(self.given):
+            for low in (True, False):
+                end = value.low if low else value.high
+                yield _chooser(key, end), key, end
+
+    def _made(self, body: Body, restitution: Restitution) -> Block:
+        """Return the block of a body; a refusal names the file."""
+        try:
+            return body.block(restitution, self.given.gravity_m_s2)
+        except RocksteadyError as error:
+            raise type(error)(
+                named(self.source, "geometry", error.name), error.value, error.valid, error.hint
+            ) from None
+
+
+def _ranges(given: ObjectInput) -> "Iterator[tuple[str, Range]]":
+    """Yield key and range of geometry and content."""
+    tables: tuple[tuple[str, Geometry | Content | None], ...] = (
+        ("geometry", given.geometry),
+        ("content", given.content),
+    )
+    for name, table in tables:
+        for key in () if table is None else table.__struct_fields__:
+            value = getattr(table, key)
+            if isinstance(value, Range):
+                yield f"{name}.{key}", value
+
+
+def _chooser(changed: str, end: float) -> Choose:
+    """Return what chooses the end of one range, and of others the middle."""
+
+    def choose(key: str, value: Value) -> float:
+        return end if key == changed else nominal(key, value)
+
+    return choose
+
+
+def bounds_of(value: Value) -> tuple[float, float]:
+    """Return both ends of a value, equal of a number."""
+    return (value.low, value.high) if isinstance(value, Range) else (value, value)
+
+
+def _plain(value: Value) -> float | dict[str, float]:
+    """Return a number, or both ends of a range."""
+    return {"low": value.low, "high": value.high} if isinstance(value, Range) else value
+
+
+@checked
+def read_object(path: Path | str) -> ObjectFile:
+    """Read an object file in TOML.
+
+    Parameters
+    ----------
+    path
+        The file; its keys are in `docs/objects.md`.
+
+    Returns
+    -------
+    ObjectFile
+        Checked; its `block` is the block that it describes.
+
+    Raises
+    ------
+    InputError
+        If it cannot be read, is empty, no TOML or not in UTF-8, and as for `ObjectFile`.
+
+    Examples
+    --------
+    >>> from rocksteady.risk.assess.objects import EXAMPLE
+    >>> read_object(EXAMPLE).name
+    'marble bust on a pedestal (example)'
+    """
+    file = Path(path)
+    content = content_of(file)
+    try:
+        values = tomllib.loads(content.decode("utf-8-sig"))
+    except UnicodeDecodeError as error:
+        raise InputError(
+            file.name,
+            content[error.start : error.start + 1],
+            f"byte {error.start + 1} is not UTF-8, as TOML must be",
+            "save the file as UTF-8",
+        ) from None
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(
+            file.name,
+            str(path),
+            f"it is not TOML: {error}",
+            "write key = number or key = 'text', each key and each [table] once",
+        ) from None
+    return ObjectFile(values=values, source=file.name, sha256=hashlib.sha256(content).hexdigest())
+
+
+def content_of(file: Path) -> bytes:
+    """Return the bytes of a small file.
+
+    Raises
+    ------
+    InputError
+        If it cannot be read, or is none of a person's making.
+    """
+    hint = "name a file of one object in TOML, or a table of objects in CSV"
+    try:
+        if file.stat().st_size > MOST_BYTES * 100:
+            raise InputError("object", file, "it is larger than 100 MB", hint)
+        return file.read_bytes()
+    except (OSError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(
+            "object", file, getattr(error, "strerror", None) or str(error), hint
+        ) from None

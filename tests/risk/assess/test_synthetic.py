@@ -1,0 +1,24 @@
+"""Synthetic suites: named so, repeatable, and like records in what matters to rocking."""
+
+import numpy as np
+
+from rocksteady.risk.assess.synthetic import make_synthetic_suite
+from rocksteady.seismic.measures.time_course import integrate_record
+
+
+def test_a_suite_is_named_repeated_by_its_seed_and_begins_another() -> None:
+    suite = make_synthetic_suite(5, seed=3)
+    assert [record.name for record in suite] == [f"synthetic {n}" for n in range(1, 6)]
+    assert suite == make_synthetic_suite(5, seed=3)
+    assert make_synthetic_suite(2, seed=3)[0].dt_s == suite[0].dt_s
+    assert suite[0] != make_synthetic_suite(5, seed=4)[0]
+    assert len({float(record.acceleration_m_s2.sum()) for record in suite}) == 5
+
+
+def test_its_velocities_end_at_zero_and_are_of_the_size_of_records() -> None:
+    for record in make_synthetic_suite():
+        course = integrate_record(record)
+        peak = float(np.abs(course.velocity_m_s).max())
+        assert abs(course.velocity_m_s[-1]) < 1e-9 * peak
+        assert 0.02 < peak / record.peak_acceleration_m_s2 < 0.4
+        assert 1.0 < record.peak_acceleration_m_s2 < 6.0

@@ -1,0 +1,83 @@
+"""Tables of objects: cells, ranges, separators, further columns, and the line of each fault."""
+
+from pathlib import Path
+
+import pytest
+
+from rocksteady.errors import RocksteadyError
+from rocksteady.model.blocks.block import Block
+from rocksteady.risk.assess.tables import read_objects
+
+
+def written(tmp_path: Path, text: str | bytes) -> Path:
+    file = tmp_path / "store.csv"
+    file.write_bytes(text if isinstance(text, bytes) else text.encode())
+    return file
+
+
+def test_objects_keep_their_order_their_ranges_and_their_further_columns(tmp_path: Path) -> None:
+    text = (
+        "name,room,width_m,height_m,friction,mass_kg,content_mass_kg,content_mass_centre_height_m\n"
+        '"vase, blue",4,0.12,0.5,,,,\n'
+        "\n"
+        "cask,cellar,0.6:0.7,1.1,0.3:0.5,40,200,0.5\n"
+    )
+    vase, cask = read_objects(written(tmp_path, text))
+    assert vase.name == "vase, blue"
+    assert vase.block == Block.rectangle(width=0.12, height=0.5)
+    assert vase.given.friction is None
+    assert [dict(each.extra) for each in (vase, cask)] == [{"room": "4"}, {"room": "cellar"}]
+    assert cask.block.width == pytest.approx(0.65)
+    assert cask.body.mass_kg == pytest.approx(240.0)
+    assert [variant.key for variant in cask.variants()] == ["geometry.width_m"] * 2
+    assert cask.source == "store.csv: line 4"
+    assert vase.sha256 == cask.sha256
+
+
+@pytest.mark.parametrize("separator", [",", ";", "\t"])
+@pytest.mark.parametrize("end", ["\n", "\r\n"])
+def test_a_spreadsheet_may_separate_and_end_lines_its_way(
+    separator: str, end: str, tmp_path: Path
+) -> None:
+    lines = [("name", "width_m", "height_m"), ("a", "0.3", "1.5"), ("b", "0.2", "1")]
+    text = end.join(separator.join(line) for line in lines) + end
+    found = read_objects(written(tmp_path, "\ufeff" + text))
+    assert [each.block for each in found] == [
+        Block.rectangle(width=0.3, height=1.5),
+        Block.rectangle(width=0.2, height=1.0),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("", "store.csv is empty"),
+        ("name,width_m,height_m\n", "store.csv has 0 objects"),
+        ("width_m,height_m\n0.3,1\n", "line 1 has no column name"),
+        ("name,width_mm,height_m\na,300,1\n", "column 2 = 'width_mm' is not valid"),
+        ("name,width_mm,height_m\na,300,1\n", "did you mean width_m? else give it another name"),
+        ("name,Height_m,width_m\na,1,0.3\n", "did you mean height_m?"),
+        ("name,width_m,width_m\na,1,2\n", "column 3 = 'width_m' is not valid: it occurs twice"),
+        ("name,,width_m\na,1,2\n", "give it a name"),
+        ("name,width_m,pga_g\na,1,2\n", "all objects of a table meet one demand"),
+        ("name,width_m,height_m\na,0.3\n", "line 2 has 2 cells: the first line names 3 columns"),
+        ("name,width_m,height_m\na,0.3 m,1\n", "line 2, width_m = '0.3 m' is not valid"),
+        ('name;width_m;height_m\na;"0,3";1\n', "write a point for a decimal comma"),
+        ("name,width_m,height_m\na,0.3:0.4:0.5,1\n", "it must be a number, or a range as 0.3:0.5"),
+        ("name,width_m,height_m\na,nan,1\n", "line 2: [geometry] width_m = nan is not valid"),
+        ("name,width_m,height_m\na,,1\n", "line 2: [geometry] width_m is missing"),
+        ("name,width_m,height_m\na,,\n", "line 2: [geometry] has no size"),
+        ("name,width_m,height_m\n,0.3,1\n", "line 2: name is missing"),
+        ("name,width_m,height_m\na,600,1800\n", "write 0.6 for 600 mm"),
+        ("name,width_m,height_m\na,0.3,1\n\nb,0.3,1\na,1,2\n", "line 5, name = 'a' is not valid"),
+        ("name,kind,width_m,height_m\na,vase,0.3,1\n", "it must be one of statue"),
+        ('name,width_m,height_m\n"a,0.3,1\n', "is not CSV"),
+        (b"name,width_m,height_m\n\xe4,0.3,1\n", "is not UTF-8"),
+    ],
+)
+def test_a_fault_is_named_with_its_line(text: str | bytes, line: str, tmp_path: Path) -> None:
+    with pytest.raises(RocksteadyError) as refusal:
+        read_objects(written(tmp_path, text))
+    assert line in str(refusal.value)
+    assert str(refusal.value).startswith("store.csv")
+    assert "\n" not in str(refusal.value)
