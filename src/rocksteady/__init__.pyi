@@ -113,7 +113,10 @@ from .risk.assess.facts import ObjectFacts as ObjectFacts, derive_facts as deriv
 from .risk.assess.objects import ObjectFile as ObjectFile, read_object as read_object
 from .risk.assess.synthetic import make_synthetic_suite as make_synthetic_suite
 from .risk.assess.tables import read_objects as read_objects
-from .risk.assess.two_numbers import QuickAssessment as QuickAssessment, assess_two_numbers as assess_two_numbers
+from .risk.assess.two_numbers import (
+    QuickAssessment as QuickAssessment,
+    assess_two_numbers as assess_two_numbers,
+)
 from .risk.ensemble.levels import Stripes as Stripes
 from .risk.ensemble.restitution_band import RestitutionBand as RestitutionBand
 from .risk.ensemble.runs import run_ensemble as run_ensemble

@@ -46,7 +46,9 @@ def things() -> dict[str, Any]:
     )
     few = [-0.5, 0.0, 0.5]
     states = rs.find_steady_states(2.0, 4.0, 0.8)
-    hazard = rs.HazardCurve(measure="pgv_m_s", levels=[0.1, 0.5, 1.0], rates=[1e-2, 1e-4, 1e-5])
+    hazard = rs.HazardCurve(
+        measure="pgv_m_s", levels=np.array([0.1, 0.5, 1.0]), rates=np.array([1e-2, 1e-4, 1e-5])
+    )
     Path("hazard.csv").write_text("PGA [g],annual rate\n0.1,0.01\n1,0.0001\n", encoding="utf-8")
     Path("objects.csv").write_text("name,width_m,height_m\nvase,0.1,0.5\n", encoding="utf-8")
     Path("object.toml").write_text(
