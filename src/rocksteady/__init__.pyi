@@ -123,6 +123,7 @@ from .risk.ensemble.runs import run_ensemble as run_ensemble
 from .risk.fits.bands import Bands as Bands
 from .risk.fits.fragility_curve import FragilityCurve as FragilityCurve, fit_curve as fit_curve
 from .risk.fits.two_stages import TwoStageCurve as TwoStageCurve, fit_two_stages as fit_two_stages
+from .risk.fits.vector_fit import VectorFit as VectorFit, fit_vector as fit_vector
 from .risk.hazard.balanced_rocks import BranchTest as BranchTest, reject_branches as reject_branches
 from .risk.hazard.failure_risk import Risk as Risk, compute_risk as compute_risk
 from .risk.hazard.hazard_curve import HazardCurve as HazardCurve

@@ -12,17 +12,17 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
+from rocksteady.risk.fits._goodness import goodness_of
 from rocksteady.risk.fits._likelihood import family_of
 from rocksteady.risk.fits._maximum import Maximum, maximum_of
 from rocksteady.risk.fits._observations import counts_of, values_of
+from rocksteady.risk.fits._spread import FEW_RECORDS, Spread, spread_of
 from rocksteady.risk.fits._status import ALWAYS, FITTED, NEVER, NOT_RISING, SEPARATED
 from rocksteady.risk.fits._stripes import Row, compare_stripes, stripe_table
 from rocksteady.risk.fits._values import intensities, listed, plain, share_value, value_words
 from rocksteady.risk.fits.bands import Bands
 
 Floats = NDArray[np.float64]
-FEW_RECORDS = 22
-"""Below it a curve is warned of."""
 
 
 @checked_result
@@ -60,8 +60,8 @@ class FragilityCurve(Result):
         Intensity, trials, failures and probability of each stripe, None without a curve.
     median_band, beta_band
         Confidence intervals (low, high); None without.
-    bands
-        Options of the bands; None without.
+    bands, spread
+        Options of the bands, and redrawn suites; None without.
     measure
         Name and unit of the intensity.
     warnings
@@ -85,6 +85,7 @@ class FragilityCurve(Result):
     median_band: tuple[float, float] | None = None
     beta_band: tuple[float, float] | None = None
     bands: Bands | None = None
+    spread: Spread | None = None
     measure: tuple[str, str] = ("intensity", "")
     warnings: tuple[str, ...] = ()
 
@@ -117,7 +118,7 @@ class FragilityCurve(Result):
             return np.where(at >= self.sampled[0], 1.0, math.nan)
         if self.status == NOT_RISING:
             return np.full(at.shape, math.nan)
-        with np.errstate(divide="ignore"):  # ln 0 is -inf, whose probability is 0
+        with np.errstate(divide="ignore", over="ignore"):  # of ln 0 the probability is 0
             eta = (np.log(at) - math.log(self.median)) / self.beta
         return np.asarray(family_of(self.family).cdf(eta))
 
@@ -132,15 +133,17 @@ class FragilityCurve(Result):
         Returns
         -------
         tuple of ndarray or None
-            Lower and upper end, each of the same shape; None without bands.
+            Lower and upper end, each of the same shape; None without bands.  Of a step they are
+            0 and 1 between its sides; without a failure the upper end, without a survival the
+            lower one, is a one-sided bound of that confidence.
 
         Raises
         ------
         InputError
             If an intensity is negative or NaN.
         """
-        intensities(intensity)
-        return None
+        at = intensities(intensity)
+        return None if self.spread is None else self.spread.probability(at)
 
     def quantile(self, probability: float) -> float:
         """Return the intensity of a probability.
@@ -289,11 +292,15 @@ def fit_curve(
     at = values_of("intensity", intensity, positive=True)
     counts = (("trials", trials), ("failures", failures))
     (stage,) = counts_of(at, counts, groups, within)
-    return curve_of(maximum_of(stage, family), family, measure)
+    return curve_of(maximum_of(stage, family), family, measure, bands)
 
 
-def curve_of(best: Maximum, family: str, measure: tuple[str, str]) -> FragilityCurve:
+def curve_of(
+    best: Maximum, family: str, measure: tuple[str, str], bands: Bands | None
+) -> FragilityCurve:
     """Return the result of a maximum."""
+    spread, sentences = spread_of([best], bands)
+    drawn = spread.drawn if spread else None
     median, beta = math.nan, math.nan
     if best.status == FITTED:
         a, b = best.coefficients
@@ -318,9 +325,14 @@ def curve_of(best: Maximum, family: str, measure: tuple[str, str]) -> FragilityC
         failures=int(failures),
         records=best.counts.records,
         sampled=(float(levels[0]), float(levels[-1])) if len(levels) else (0.0, 0.0),
+        goodness=goodness_of(best),
         stripes=rows,
+        median_band=drawn.median() if drawn else None,
+        beta_band=drawn.beta() if drawn else None,
+        bands=bands if spread else None,
+        spread=spread,
         measure=measure,
-        warnings=tuple(warnings_of(best, measure)),
+        warnings=(*warnings_of(best, measure), *sentences),
     )
 
 

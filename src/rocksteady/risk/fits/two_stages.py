@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -14,13 +14,17 @@ from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
 from rocksteady.risk.fits._maximum import maximum_of
 from rocksteady.risk.fits._observations import counts_of, values_of
+from rocksteady.risk.fits._spread import Spread, spread_of
 from rocksteady.risk.fits._status import ALWAYS, FITTED, SEPARATED
 from rocksteady.risk.fits._stripes import Row, compare_stripes, stripe_table
-from rocksteady.risk.fits._values import intensities, plain, share_value, value_words
+from rocksteady.risk.fits._values import intensities, listed, plain, share_value, value_words
 from rocksteady.risk.fits.bands import Bands
 from rocksteady.risk.fits.fragility_curve import FragilityCurve, curve_of
 
 Floats = NDArray[np.float64]
+FARTHEST = 3.0
+STEPS = 121
+"""How far from the median, in ln im, the band's ends are searched for .5, and in how many steps."""
 
 
 @checked_result
@@ -44,6 +48,10 @@ class TwoStageCurve(Result):
         Intensity, trials, failures and probability of each stripe.
     sampled
         Lowest and highest intensity.
+    median_band
+        Confidence interval of the median, where the band crosses .5; None without.
+    spread
+        Redrawn suites of both stages; None without bands.
     measure
         Name and unit of the intensity.
     warnings
@@ -57,6 +65,8 @@ class TwoStageCurve(Result):
     misfit: float
     stripes: tuple[Row, ...]
     sampled: tuple[float, float]
+    median_band: tuple[float, float] | None = None
+    spread: Spread | None = None
     measure: tuple[str, str] = ("intensity", "")
     warnings: tuple[str, ...] = ()
 
@@ -105,8 +115,8 @@ class TwoStageCurve(Result):
         InputError
             If an intensity is negative or NaN.
         """
-        intensities(intensity)
-        return None
+        at = intensities(intensity)
+        return None if self.spread is None else self.spread.probability(at)
 
     def quantile(self, probability: float) -> float:
         """Return the intensity of a probability.
@@ -147,7 +157,13 @@ class TwoStageCurve(Result):
         name, unit = self.measure
         facts = [
             Fact("measure", name, "intensity", f"{name} [{unit}]" if unit else name),
-            Fact("median", plain(self.median), "median", value_words(self.median, unit, None)),
+            Fact(
+                "median",
+                plain(self.median),
+                "median",
+                value_words(self.median, unit, self.median_band),
+            ),
+            Fact("median_band", listed(self.median_band)),
             Fact("uplift", self.uplift.to_dict(), "uplift", self.uplift.describe().headline),
             Fact(
                 "given_uplift",
@@ -233,8 +249,12 @@ def fit_two_stages(
     given = (("trials", trials), ("uplifted", uplifted), ("failures", failures))
     stages = counts_of(at, given, groups)
     (whole,) = counts_of(at, (given[0], given[2]), groups)
-    curves = [curve_of(maximum_of(counts, family), family, measure) for counts in (*stages, whole)]
-    uplift, given_uplift, single = curves
+    best = [maximum_of(counts, family) for counts in stages]
+    uplift, given_uplift = (curve_of(stage, family, measure, bands) for stage in best)
+    single = curve_of(maximum_of(whole, family), family, measure, bands)
+    spread, sentences = spread_of(best, bands)
+    limits = (f"uplift: {sentence}" for sentence in uplift.warnings)
+    given_limits = (f"failure given uplift: {sentence}" for sentence in given_uplift.warnings)
     found = TwoStageCurve(
         uplift=uplift,
         given_uplift=given_uplift,
@@ -243,22 +263,36 @@ def fit_two_stages(
         misfit=math.nan,
         stripes=(),
         sampled=single.sampled,
+        spread=spread,
         measure=measure,
+        warnings=(*limits, *given_limits, *sentences),
     )
     rows, misfit = compare_stripes(whole, found.probability(whole.levels))
-    sentences = dict.fromkeys(
-        f"{stage}: {sentence}"
-        for stage, curve in (("uplift", uplift), ("failure given uplift", given_uplift))
-        for sentence in curve.warnings
-    )
-    return TwoStageCurve(
-        uplift=uplift,
-        given_uplift=given_uplift,
-        plain=single,
-        log_likelihood=found.log_likelihood,
-        misfit=misfit,
-        stripes=rows,
-        sampled=single.sampled,
-        measure=measure,
-        warnings=tuple(sentences),
-    )
+    band = None if spread is None else _crossings(spread, found.median)
+    return replace(found, stripes=rows, misfit=misfit, median_band=band)
+
+
+def _crossings(spread: Spread, median: float) -> tuple[float, float] | None:
+    """Return where the ends of the band cross .5 next to the median; None where one does not."""
+    from scipy.optimize import brentq
+
+    if math.isnan(median):
+        return None
+
+    def excess(logs: ArrayLike, end: int) -> Floats:
+        return spread.probability(np.exp(np.asarray(logs)))[end] - 0.5
+
+    sides = []
+    for end, away in ((1, -1.0), (0, 1.0)):
+        logs = math.log(median) + away * np.linspace(0.0, FARTHEST, STEPS)
+        beyond = away * excess(logs, end) > 0.0
+        first = int(np.argmax(beyond))
+        if not beyond[first]:
+            return None
+        if first == 0:  # a step, on both sides of .5
+            sides.append(median)
+            continue
+        low, high = sorted((float(logs[first - 1]), float(logs[first])))
+        root = brentq(lambda at, side=end: float(excess(at, side)), low, high, xtol=1e-12)
+        sides.append(math.exp(root))
+    return sides[0], sides[1]

@@ -1,0 +1,254 @@
+"""Failure against several intensities at once: which of them explain most of it."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.errors import InputError, Words
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import number, plural
+from rocksteady.results.result import Result
+from rocksteady.risk.fits._likelihood import family_of, log_likelihood_of, maximise
+from rocksteady.risk.fits._observations import counts_of, values_of
+from rocksteady.risk.fits._status import ALWAYS, FITTED, NEVER, SEPARATED
+from rocksteady.risk.fits._values import intensities, plain
+
+Floats = NDArray[np.float64]
+LEAST_INDEPENDENCE = 1e-8
+"""Smallest over largest singular value of the standardised ln im of independent intensities."""
+SAME_SIDE = 1e-9
+"""Distance of a point from a separating plane that rounding can make."""
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, repr=False, eq=False)
+class VectorFit(Result):
+    """Hold a probit fit in several intensities, from `rocksteady.fit_vector`.
+
+    P = Phi(c_0 + c_1 ln im_1 + c_2 ln im_2 + ...).
+
+    Attributes
+    ----------
+    names
+        Of the intensities.
+    status
+        "fitted"; "separated": a plane in ln im parts failures from survivals; "never" and "always":
+        without a failure, without a survival.
+    coefficients
+        c_0, c_1, ...; NaN unless fitted.
+    log_likelihood
+        Of single trials; 0 where they are separated.
+    explained
+        Share of the deviance of a constant probability that the intensities explain; NaN without
+        a failure or without a survival.
+    trials, failures, records
+        Their numbers.
+    """
+
+    names: tuple[str, ...]
+    status: str
+    coefficients: NDArray[np.float64]
+    log_likelihood: float
+    explained: float
+    trials: int
+    failures: int
+    records: int
+
+    @property
+    def aic(self) -> float:
+        """Akaike's criterion, 2 q - 2 ln L, with q coefficients, that of the constant included."""
+        return 2.0 * len(self.coefficients) - 2.0 * self.log_likelihood
+
+    @property
+    def log_likelihood_per_trial(self) -> float:
+        """The log-likelihood over the number of trials."""
+        return self.log_likelihood / self.trials
+
+    def probability(self, intensity: ArrayLike) -> Floats:
+        """Return the probability of failure at points of all intensities.
+
+        Parameters
+        ----------
+        intensity
+            0 or above, one column for each name: shape (..., k).
+
+        Returns
+        -------
+        ndarray
+            Shape (...); NaN unless fitted.
+
+        Raises
+        ------
+        InputError
+            If an intensity is negative or NaN, or there are not k.
+        """
+        at = intensities(intensity)
+        if at.ndim == 0 or at.shape[-1] != len(self.names):
+            found = Words(f"has the shape {at.shape}")
+            valid = f"its last axis must have the {len(self.names)} intensities"
+            raise InputError("intensity", found, valid, "give a column for each")
+        tiny = np.finfo(np.float64).tiny  # ln 0 times a coefficient of 0 would be NaN
+        logs = np.log(np.clip(at, tiny, np.finfo(np.float64).max))
+        eta = self.coefficients[0] + logs @ self.coefficients[1:]
+        return np.asarray(family_of("lognormal").cdf(eta))
+
+    def describe(self) -> Description:
+        """Return the coefficients and how much they explain."""
+        powers = dict(zip(self.names, self.coefficients[1:].tolist(), strict=True))
+        values = [plain(value) for value in self.coefficients.tolist()]
+        words = ", ".join(f"{number(power)} ln({name})" for name, power in powers.items())
+        facts = [
+            Fact("measures", list(self.names), "intensities"),
+            Fact("status", self.status, "status"),
+            Fact("coefficients", values, "predictor", f"{number(self.coefficients[0])}, {words}"),
+            Fact("log_likelihood", self.log_likelihood, "log-likelihood"),
+            Fact("aic", self.aic, "Akaike's criterion"),
+            Fact("explained", plain(self.explained), "share of the deviance explained"),
+            Fact("trials", self.trials, "trials"),
+            Fact("failures", self.failures, "failures"),
+            Fact("records", self.records, "records"),
+        ]
+        return Description(
+            headline=f"{' and '.join(self.names)}: {number(100.0 * self.explained)} % of the "
+            f"deviance explained, {plural(self.records, 'record')}, {self.status}",
+            facts=facts,
+        )
+
+
+@checked
+def fit_vector(
+    intensity: ArrayLike,
+    failures: ArrayLike,
+    trials: ArrayLike | None = None,
+    *,
+    groups: ArrayLike | Sequence[str] | None = None,
+    names: Sequence[str] | None = None,
+) -> VectorFit:
+    """Fit the probability of failure to several intensities by maximum likelihood.
+
+    A probit regression in the logarithms; with one intensity it is the lognormal curve of
+    `rocksteady.fit_curve`.
+
+    Parameters
+    ----------
+    intensity
+        Above 0, shape (n, k): k intensities of each observation.
+    failures
+        Their number in each observation, shape (n,).
+    trials
+        Their number in each observation, shape (n,); default 1 each.
+    groups
+        Record of each observation, to be counted; default: each trial is a record of its own.
+    names
+        Of the k intensities; default "intensity 1" and so on.
+
+    Returns
+    -------
+    VectorFit
+        Its status tells data without a maximum.
+
+    Raises
+    ------
+    InputError
+        As of `rocksteady.fit_curve`, and if the logarithms of the intensities depend linearly on
+        each other, as those of PGA, PGV and PGV/PGA do.
+
+    Examples
+    --------
+    >>> from rocksteady import fit_vector
+    >>> pairs = [[0.2, 0.3], [0.4, 0.2], [0.4, 0.8], [0.8, 0.5], [1.6, 1.1]]
+    >>> found = fit_vector(pairs, [2, 5, 22, 21, 38], [40] * 5, names=("PGA", "PGV"))
+    >>> found.status, found.coefficients.round(2).tolist()
+    ('fitted', [1.04, 0.78, 0.99])
+    """
+    at = np.asarray(intensity, dtype=np.float64)
+    if at.ndim != 2 or 0 in at.shape:
+        found = Words(f"has the shape {at.shape}")
+        raise InputError("intensity", found, "it must be (n, k)", "give a column for each")
+    width = at.shape[1]
+    for place in range(len(at)):
+        values_of(f"intensity[{place}]", at[place], positive=True)
+    given_names = [f"intensity {k + 1}" for k in range(width)] if names is None else list(names)
+    if len(given_names) != width:
+        found = Words(f"has {len(given_names)} names")
+        raise InputError("names", found, f"it must have {width}", "name each column")
+    # Rows stand in for the levels of one intensity: the same checks of the counts, the same sums.
+    rows, place_of = np.unique(at, axis=0, return_inverse=True)
+    row_number = place_of.ravel() + 1.0
+    (counts,) = counts_of(row_number, (("trials", trials), ("failures", failures)), groups)
+    rows = rows[counts.levels.astype(np.intp) - 1]
+    totals = counts.totals
+    status, coefficients, log_likelihood = _fitted(np.log(rows), *totals)
+    failed, tried = (float(total.sum()) for total in totals)
+    flat = _flat(failed, tried)
+    return VectorFit(
+        names=tuple(given_names),
+        status=status,
+        coefficients=coefficients,
+        log_likelihood=log_likelihood,
+        explained=1.0 - log_likelihood / flat if flat < 0.0 else math.nan,
+        trials=int(tried),
+        failures=int(failed),
+        records=counts.records,
+    )
+
+
+def _flat(failures: float, trials: float) -> float:
+    """Return the log-likelihood of a constant probability."""
+    from scipy.special import xlog1py, xlogy
+
+    share = failures / trials
+    return float(xlogy(failures, share) + xlog1py(trials - failures, -share))
+
+
+def _fitted(logs: Floats, failures: Floats, trials: Floats) -> tuple[str, Floats, float]:
+    """Return the status, the coefficients and the log-likelihood."""
+    family = family_of("lognormal")
+    none = np.full(logs.shape[1] + 1, math.nan)
+    total, failed = trials.sum(), failures.sum()
+    if failed in (0.0, total):
+        return NEVER if failed == 0.0 else ALWAYS, none, 0.0
+    centre = trials @ logs / total
+    scale = np.sqrt(trials @ np.square(logs - centre) / total)
+    z = (logs - centre) / np.where(scale > 0.0, scale, 1.0)
+    design = np.column_stack([np.ones(len(z)), z])
+    singular = np.linalg.svd(design * np.sqrt(trials)[:, None], compute_uv=False)
+    if len(singular) < design.shape[1] or singular[-1] < LEAST_INDEPENDENCE * singular[0]:
+        valid = "the logarithms of its columns must not depend linearly on each other"
+        found = Words("has columns that repeat each other")
+        raise InputError("intensity", found, valid, "leave one of them out")
+    parted = _separated(design, failures, trials)
+    if parted is not None:
+        return SEPARATED, none, parted
+    start = np.zeros(design.shape[1])
+    start[0] = family.quantile(np.array(failed / total))
+    at = maximise(family, design, failures, trials, start)
+    log_likelihood = log_likelihood_of(family, design @ at, failures, trials)
+    slopes = at[1:] / scale
+    return FITTED, np.concatenate([[at[0] - slopes @ centre], slopes]), log_likelihood
+
+
+def _separated(design: Floats, failures: Floats, trials: Floats) -> float | None:
+    """Return the log-likelihood of separated data, its supremum; None of data that overlap.
+
+    They are separated where a plane has all failures on one side and all survivals on the other,
+    both with the plane itself, but not all points on it [1]: a linear program.  Points on the plane
+    keep the likelihood of their own share, which is that of the supremum if they are all alike.
+
+    References
+    ----------
+    .. [1] A. Albert and J. A. Anderson, Biometrika 71, 1-10 (1984).
+    """
+    from scipy.optimize import linprog
+
+    sides = np.concatenate([design[failures > 0.0], -design[failures < trials]])
+    ends = [(-1.0, 1.0)] * design.shape[1]
+    found = linprog(-sides.sum(axis=0), A_ub=-sides, b_ub=np.zeros(len(sides)), bounds=ends)
+    if not found.success or -found.fun < SAME_SIDE * len(sides):
+        return None
+    on_plane = np.abs(design @ found.x) < SAME_SIDE
+    return _flat(float(failures[on_plane].sum()), max(float(trials[on_plane].sum()), 1.0))
