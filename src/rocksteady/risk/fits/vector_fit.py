@@ -41,7 +41,7 @@ class VectorFit(Result):
     coefficients
         c_0, c_1, ...; NaN unless fitted.
     log_likelihood
-        Of single trials; 0 where they are separated.
+        Of single trials; of separated ones that of a common share on the plane.
     explained
         Share of the deviance of a constant probability that the intensities explain; NaN without
         a failure or without a survival.
@@ -163,14 +163,14 @@ def fit_vector(
     >>> pairs = [[0.2, 0.3], [0.4, 0.2], [0.4, 0.8], [0.8, 0.5], [1.6, 1.1]]
     >>> found = fit_vector(pairs, [2, 5, 22, 21, 38], [40] * 5, names=("PGA", "PGV"))
     >>> found.status, found.coefficients.round(2).tolist()
-    ('fitted', [1.04, 0.78, 0.99])
+    ('fitted', [1.06, 0.85, 0.99])
     """
     at = np.asarray(intensity, dtype=np.float64)
     if at.ndim != 2 or 0 in at.shape:
         found = Words(f"has the shape {at.shape}")
         raise InputError("intensity", found, "it must be (n, k)", "give a column for each")
     width = at.shape[1]
-    for place in range(len(at)):
+    for place in np.flatnonzero(~((at > 0.0) & np.isfinite(at)).all(axis=1))[:1]:
         values_of(f"intensity[{place}]", at[place], positive=True)
     given_names = [f"intensity {k + 1}" for k in range(width)] if names is None else list(names)
     if len(given_names) != width:
@@ -178,7 +178,7 @@ def fit_vector(
         raise InputError("names", found, f"it must have {width}", "name each column")
     # Rows stand in for the levels of one intensity: the same checks of the counts, the same sums.
     rows, place_of = np.unique(at, axis=0, return_inverse=True)
-    row_number = place_of.ravel() + 1.0
+    row_number = place_of.ravel().astype(np.float64) + 1.0
     (counts,) = counts_of(row_number, (("trials", trials), ("failures", failures)), groups)
     rows = rows[counts.levels.astype(np.intp) - 1]
     totals = counts.totals
@@ -233,11 +233,11 @@ def _fitted(logs: Floats, failures: Floats, trials: Floats) -> tuple[str, Floats
 
 
 def _separated(design: Floats, failures: Floats, trials: Floats) -> float | None:
-    """Return the log-likelihood of separated data, its supremum; None of data that overlap.
+    """Return the log-likelihood of separated data; None of data that overlap.
 
     They are separated where a plane has all failures on one side and all survivals on the other,
-    both with the plane itself, but not all points on it [1]: a linear program.  Points on the plane
-    keep the likelihood of their own share, which is that of the supremum if they are all alike.
+    both with the plane itself, but not all points on it [1]: a linear program.  Points off the plane
+    add 0, points on it the likelihood of their common share.
 
     References
     ----------
@@ -248,7 +248,7 @@ def _separated(design: Floats, failures: Floats, trials: Floats) -> float | None
     sides = np.concatenate([design[failures > 0.0], -design[failures < trials]])
     ends = [(-1.0, 1.0)] * design.shape[1]
     found = linprog(-sides.sum(axis=0), A_ub=-sides, b_ub=np.zeros(len(sides)), bounds=ends)
-    if not found.success or -found.fun < SAME_SIDE * len(sides):
+    if found.x is None or float((sides @ found.x).sum()) < SAME_SIDE * len(sides):
         return None
     on_plane = np.abs(design @ found.x) < SAME_SIDE
     return _flat(float(failures[on_plane].sum()), max(float(trials[on_plane].sum()), 1.0))
