@@ -236,7 +236,7 @@ def _separated(design: Floats, failures: Floats, trials: Floats) -> float | None
     """Return the log-likelihood of separated data; None of data that overlap.
 
     They are separated where a plane has all failures on one side and all survivals on the other,
-    both with the plane itself, but not all points on it [1]: a linear program.  Points off the plane
+    both with the plane itself, but not all points on it [1]: a linear program.  Points off it
     add 0, points on it the likelihood of their common share.
 
     References
