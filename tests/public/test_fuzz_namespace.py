@@ -40,7 +40,7 @@ HOLD_NAN = {
     "Passage", "IntensityMeasures", "ResponseSpectrum", "Drop", "BranchPoint", "BasinAttractor",
     "Flights", "Impacts", "Stretch", "Orbit", "Erosion", "Basins", "OverturningWindows", "Peak",
     "OverturningWindow", "IntegratedRecord", "SteadyOrbit", "Trajectory", "AttractorSweep",
-    "Neighbour", "Neighbours", "Risk", "BranchTest",
+    "Neighbour", "Neighbours", "FragilityCurve", "TwoStageCurve", "VectorFit", "Risk", "BranchTest",
 }  # fmt: skip
 """Results: NaN in one says that there is no such value, and their constructors let it pass."""
 

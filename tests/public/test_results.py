@@ -18,6 +18,7 @@ NUMBERS: dict[str, tuple[Callable[[Any], Any], str]] = {
     "course": (lambda found: found.velocity_m_s, "velocity_m_s"),
     "curve": (lambda found: found.peak, "peak"),
     "erosion": (lambda found: found.integrity_factor, "integrity_factor"),
+    "fragility_curve": (lambda found: [row[2] / row[1] for row in found.stripes], "share"),
     "neighbours": (lambda found: [each.peak for each in found.cases], "peak"),
     "orbit": (lambda found: [state.speed for state in found.states], "speed_per_pivot_time"),
     "pushed": (lambda found: [found.friction_needed], "friction_needed"),
@@ -25,7 +26,9 @@ NUMBERS: dict[str, tuple[Callable[[Any], Any], str]] = {
     "response": (lambda found: found.pseudo_velocity_m_s, "pseudo_velocity_m_s"),
     "set": (lambda found: [found.horizontal[0].record.dt_s], "dt_s"),
     "steady": (lambda found: found.angle, "angle"),
+    "two_stages": (lambda found: [row[3] for row in found.stripes], "probability"),
     "trail": (lambda found: [each.peaks[1] for each in found.attractors], "lowest"),
+    "vector_fit": (lambda found: [found.aic], "aic"),
     "windows": (lambda found: found.low[np.isfinite(found.low)], "low"),
 }
 """By name of a thing: what one of its columns holds."""

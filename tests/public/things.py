@@ -119,5 +119,8 @@ def things() -> dict[str, Any]:
         "risk": rs.compute_risk((0.4, 0.5), hazard),
         "branch test": rs.reject_branches((0.4, 0.5), [hazard], 10_000.0),
         "boundaries": rs.region_boundaries(4.0, 0.8),
+        "fragility_curve": rs.fit_curve([0.2, 0.4, 0.8], [1, 9, 14], [15, 15, 15]),
+        "two_stages": rs.fit_two_stages([0.2, 0.4, 0.8], [0, 15, 15], [0, 9, 14], [15, 15, 15]),
+        "vector_fit": rs.fit_vector([[0.2, 0.3], [0.4, 0.2], [0.8, 0.9]], [1, 6, 14], [15] * 3),
         "installation": rs.check_installation(),
     }
