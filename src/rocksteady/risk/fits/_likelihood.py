@@ -1,5 +1,6 @@
 """Binomial log-likelihoods, their gradients and Hessians, and their maximum."""
 
+import functools
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -33,6 +34,7 @@ class Family:
     fall: Callable[[Floats, Floats], Floats]
 
 
+@functools.cache
 def family_of(name: str) -> Family:
     """Return the distribution of a family: "lognormal" or "logistic"."""
     from scipy import special

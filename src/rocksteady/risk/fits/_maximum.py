@@ -1,7 +1,7 @@
 """Curve of the largest likelihood of one stage."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,8 +29,8 @@ class Maximum:
 
     Attributes
     ----------
-    family
-        Its F.
+    name
+        Of its family.
     counts
         What was fitted.
     centre, scale
@@ -43,13 +43,18 @@ class Maximum:
         Levels between which a step lies; None without.
     """
 
-    family: Family
+    name: str
     counts: Counts
     centre: float
     scale: float
     status: str
     coefficients: Floats
     step: tuple[float, float] | None = None
+
+    @property
+    def family(self) -> Family:
+        """Its F."""
+        return family_of(self.name)
 
     @property
     def design(self) -> Floats:
@@ -110,7 +115,7 @@ def maximum_of(counts: Counts, family: str) -> Maximum:
         if status == SEPARATED:
             step = (float(counts.levels[kind.stood[0]]), float(counts.levels[kind.failed[0]]))
     found = Maximum(
-        family=function,
+        name=family,
         counts=counts,
         centre=centre,
         scale=scale or 1.0,
@@ -123,17 +128,5 @@ def maximum_of(counts: Counts, family: str) -> Maximum:
     start = np.array([float(function.quantile(failures.sum() / trials.sum())), 1.0])
     a, b = maximise(function, found.design, failures, trials, start)
     if b <= 0.0 or abs(centre - scale * a / b) > LARGEST_LOG:
-        return _replaced(found, NOT_RISING, none)
-    return _replaced(found, FITTED, np.array([a, b]))
-
-
-def _replaced(found: Maximum, status: str, coefficients: Floats) -> Maximum:
-    """Return a maximum with another end."""
-    return Maximum(
-        family=found.family,
-        counts=found.counts,
-        centre=found.centre,
-        scale=found.scale,
-        status=status,
-        coefficients=coefficients,
-    )
+        return replace(found, status=NOT_RISING)
+    return replace(found, coefficients=np.array([a, b]))

@@ -40,5 +40,10 @@ def listed(pair: tuple[float, float] | None) -> list[float] | None:
 
 def value_words(value: float, unit: str, band: tuple[float, float] | None) -> str:
     """Return a number with its unit and its band."""
-    text = quantity(value, unit) if unit else number(value)
+    text = quantity(value, unit) if unit and not math.isnan(value) else number(value)
     return text if band is None else f"{text} ({number(band[0])} to {number(band[1])})"
+
+
+def range_words(ends: tuple[float, float], unit: str) -> str:
+    """Return a range with its unit."""
+    return f"{number(ends[0])} to {value_words(ends[1], unit, None)}"

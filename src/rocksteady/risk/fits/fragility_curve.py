@@ -19,7 +19,14 @@ from rocksteady.risk.fits._observations import counts_of, values_of
 from rocksteady.risk.fits._spread import FEW_RECORDS, Spread, spread_of
 from rocksteady.risk.fits._status import ALWAYS, FITTED, NEVER, NOT_RISING, SEPARATED
 from rocksteady.risk.fits._stripes import Row, compare_stripes, stripe_table
-from rocksteady.risk.fits._values import intensities, listed, plain, share_value, value_words
+from rocksteady.risk.fits._values import (
+    intensities,
+    listed,
+    plain,
+    range_words,
+    share_value,
+    value_words,
+)
 from rocksteady.risk.fits.bands import Bands
 
 Floats = NDArray[np.float64]
@@ -135,7 +142,7 @@ class FragilityCurve(Result):
         tuple of ndarray or None
             Lower and upper end, each of the same shape; None without bands.  Of a step they are
             0 and 1 between its sides; without a failure the upper end, without a survival the
-            lower one, is a one-sided bound of that confidence.
+            lower one, is a bound from one side, of that confidence.
 
         Raises
         ------
@@ -191,7 +198,7 @@ class FragilityCurve(Result):
             Fact("beta", plain(self.beta), "beta", value_words(self.beta, "", self.beta_band)),
             Fact("median_band", listed(self.median_band)),
             Fact("beta_band", listed(self.beta_band)),
-            Fact("confidence", self.bands.confidence if self.bands else None),
+            *band_facts(self.bands),
             Fact("step", listed(self.step)),
             Fact("log_likelihood", self.log_likelihood, "log-likelihood"),
             Fact("deviance", self.deviance, "deviance"),
@@ -200,8 +207,7 @@ class FragilityCurve(Result):
             Fact("trials", self.trials, "trials"),
             Fact("failures", self.failures, "failures"),
             Fact("records", self.records, "records"),
-            Fact("low", plain(self.sampled[0])),
-            Fact("high", plain(self.sampled[1])),
+            Fact("sampled", list(self.sampled), "sampled", range_words(self.sampled, unit)),
             Fact("warnings", list(self.warnings)),
         ]
         return Description(
@@ -336,26 +342,38 @@ def curve_of(
     )
 
 
+def band_facts(bands: Bands | None) -> list[Fact]:
+    """Return what the bands are; nothing without."""
+    if bands is None:
+        return []
+    words = f"{number(100.0 * bands.confidence)} %, {plural(bands.replicates, 'redrawn suite')}"
+    return [
+        Fact("confidence", bands.confidence, "bands", words),
+        Fact("replicates", bands.replicates),
+        Fact("seed", bands.seed),
+    ]
+
+
 def warnings_of(best: Maximum, measure: tuple[str, str]) -> list[str]:
     """Return what limits a curve."""
-    name = measure[0]
-    records = best.counts.records
+    name, unit = measure
+    records, levels = best.counts.records, best.counts.levels
     sentences = []
-    if best.status == NOT_RISING and len(best.counts.levels) == 1:
+    if best.status == NOT_RISING and len(levels) == 1:
         sentences.append(f"one {name} alone shows no rise: a curve needs two or more")
     elif best.status == NOT_RISING:
         sentences.append(f"failures do not become more frequent with {name}: no curve is fitted")
-    elif best.status == NEVER and best.counts.levels.size:
-        sentences.append(f"no trial fails: the median is above the highest {name}")
+    elif best.status == NEVER and len(levels):
+        highest = value_words(float(levels[-1]), unit, None)
+        sentences.append(f"no trial fails: the median is above the highest {name}, {highest}")
     elif best.status == NEVER:
         sentences.append("there is no trial, and nothing is known")
     elif best.status == ALWAYS:
-        sentences.append(f"every trial fails: the median is below the lowest {name}")
+        lowest = value_words(float(levels[0]), unit, None)
+        sentences.append(f"every trial fails: the median is below the lowest {name}, {lowest}")
     elif best.status == SEPARATED:
         sentences.append(f"failures and survivals are separated in {name}: the curve is a step")
     if records < FEW_RECORDS:
-        sentences.append(
-            f"{plural(records, 'record')}: below {FEW_RECORDS} a median and a beta are of this "
-            "suite more than of the site"
-        )
+        few = f"{plural(records, 'record')}, fewer than {FEW_RECORDS}"
+        sentences.append(f"{few}: another suite may give another curve")
     return sentences

@@ -17,9 +17,16 @@ from rocksteady.risk.fits._observations import counts_of, values_of
 from rocksteady.risk.fits._spread import Spread, spread_of
 from rocksteady.risk.fits._status import ALWAYS, FITTED, SEPARATED
 from rocksteady.risk.fits._stripes import Row, compare_stripes, stripe_table
-from rocksteady.risk.fits._values import intensities, listed, plain, share_value, value_words
+from rocksteady.risk.fits._values import (
+    intensities,
+    listed,
+    plain,
+    range_words,
+    share_value,
+    value_words,
+)
 from rocksteady.risk.fits.bands import Bands
-from rocksteady.risk.fits.fragility_curve import FragilityCurve, curve_of
+from rocksteady.risk.fits.fragility_curve import FragilityCurve, band_facts, curve_of
 
 Floats = NDArray[np.float64]
 FARTHEST = 3.0
@@ -50,8 +57,8 @@ class TwoStageCurve(Result):
         Lowest and highest intensity.
     median_band
         Confidence interval of the median, where the band crosses .5; None without.
-    spread
-        Redrawn suites of both stages; None without bands.
+    bands, spread
+        Options of the bands, and redrawn suites of both stages; None without.
     measure
         Name and unit of the intensity.
     warnings
@@ -66,6 +73,7 @@ class TwoStageCurve(Result):
     stripes: tuple[Row, ...]
     sampled: tuple[float, float]
     median_band: tuple[float, float] | None = None
+    bands: Bands | None = None
     spread: Spread | None = None
     measure: tuple[str, str] = ("intensity", "")
     warnings: tuple[str, ...] = ()
@@ -164,6 +172,7 @@ class TwoStageCurve(Result):
                 value_words(self.median, unit, self.median_band),
             ),
             Fact("median_band", listed(self.median_band)),
+            *band_facts(self.bands),
             Fact("uplift", self.uplift.to_dict(), "uplift", self.uplift.describe().headline),
             Fact(
                 "given_uplift",
@@ -175,8 +184,7 @@ class TwoStageCurve(Result):
             Fact("log_likelihood", self.log_likelihood, "log-likelihood"),
             Fact("misfit", plain(self.misfit), "largest misfit of a stripe"),
             Fact("", None, "the same of one curve", number(self.plain.misfit)),
-            Fact("low", plain(self.sampled[0])),
-            Fact("high", plain(self.sampled[1])),
+            Fact("sampled", list(self.sampled), "sampled", range_words(self.sampled, unit)),
             Fact("warnings", list(self.warnings)),
         ]
         return Description(
@@ -212,7 +220,7 @@ def fit_two_stages(
     uplifted
         Number of trials with uplift in each observation, shape (n,).
     failures
-        Number of those that fail, shape (n,).
+        Number of these with failure, shape (n,).
     trials
         Their number in each observation, shape (n,); default 1 each.
     family
@@ -263,6 +271,7 @@ def fit_two_stages(
         misfit=math.nan,
         stripes=(),
         sampled=single.sampled,
+        bands=bands if spread else None,
         spread=spread,
         measure=measure,
         warnings=(*limits, *given_limits, *sentences),

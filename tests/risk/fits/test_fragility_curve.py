@@ -1,0 +1,286 @@
+"""Fragility curves: statsmodels and scipy.stats as oracles, invariances, data without a curve."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+import statsmodels.api as sm
+from scipy import stats
+
+from rocksteady import Bands, FragilityCurve, InputError, fit_curve
+
+DISTRIBUTIONS: dict[str, Any] = {"lognormal": stats.norm, "logistic": stats.logistic}
+LINKS = {"lognormal": sm.families.links.Probit, "logistic": sm.families.links.Logit}
+
+
+def made(seed: int, family: str, *, grouped: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return intensity, failures and trials of a known curve."""
+    rng = np.random.default_rng(seed)
+    size = int(rng.integers(12, 200))
+    median, beta = float(np.exp(rng.normal(0.0, 3.0))), float(rng.uniform(0.2, 2.0))
+    at = median * np.exp(rng.normal(0.0, rng.uniform(0.5, 2.0), size))
+    trials = rng.integers(1, 30, size) if grouped else np.ones(size, dtype=int)
+    share = DISTRIBUTIONS[family].cdf(np.log(at / median) / beta)
+    return at, rng.binomial(trials, share), trials
+
+
+def overlapping(at: np.ndarray, failures: np.ndarray, trials: np.ndarray) -> bool:
+    """Return whether two or more levels lie between the lowest failure and the highest survival."""
+    return bool(at[failures > 0].min() < at[failures < trials].max())
+
+
+@pytest.mark.parametrize("grouped", [True, False])
+@pytest.mark.parametrize("family", ["lognormal", "logistic"])
+def test_fits_are_those_of_statsmodels(family: Any, grouped: bool) -> None:
+    compared = 0
+    for seed in range(25):
+        at, failures, trials = made(seed, family, grouped=grouped)
+        found = fit_curve(at, failures, trials, family=family)
+        if found.status != "fitted":
+            assert not overlapping(at, failures, trials) or found.status == "not-rising"
+            continue
+        counts = np.column_stack([failures, trials - failures])
+        binomial = sm.families.Binomial(LINKS[family]())
+        glm = sm.GLM(counts, sm.add_constant(np.log(at)), family=binomial)
+        oracle = glm.fit(tol=1e-14, maxiter=300)
+        a, b = oracle.params
+        assert found.median == pytest.approx(math.exp(-a / b), rel=1e-6)
+        assert found.beta == pytest.approx(1.0 / b, rel=1e-6)
+        # statsmodels counts the ways in which failures fall on trials; single trials have one.
+        ways = float(np.sum(np.log(stats.binom.pmf(failures, trials, 0.5)) + trials * np.log(2.0)))
+        assert found.log_likelihood == pytest.approx(oracle.llf - ways, rel=1e-6)
+        assert found.deviance == pytest.approx(oracle.deviance, rel=1e-6, abs=1e-6)
+        compared += 1
+    assert compared > 20
+
+
+@pytest.mark.parametrize("family", ["lognormal", "logistic"])
+def test_no_curve_nearby_has_a_larger_likelihood(family: Any) -> None:
+    at, failures, trials = made(3, family, grouped=True)
+    found = fit_curve(at, failures, trials, family=family)
+
+    def log_likelihood(median: float, beta: float) -> float:
+        eta = np.log(at / median) / beta
+        distribution = DISTRIBUTIONS[family]
+        return float(
+            failures @ distribution.logcdf(eta) + (trials - failures) @ distribution.logsf(eta)
+        )
+
+    best = log_likelihood(found.median, found.beta)
+    assert found.log_likelihood == pytest.approx(best, rel=1e-12)
+    for m, b in ((1.01, 1.0), (0.99, 1.0), (1.0, 1.01), (1.0, 0.99), (1.01, 0.99)):
+        assert log_likelihood(found.median * m, found.beta * b) < best
+    assert found.probability(found.median) == pytest.approx(0.5)
+    assert found.probability(at) == pytest.approx(
+        DISTRIBUTIONS[family].cdf(np.log(at / found.median) / found.beta), rel=1e-12
+    )
+    assert found.probability([0.0, math.inf]).tolist() == [0.0, 1.0]
+    for p in (0.01, 0.5, 0.9):
+        assert found.probability(found.quantile(p)) == pytest.approx(p, rel=1e-10)
+
+
+def numbers(found: FragilityCurve) -> list[float]:
+    return [found.beta, found.log_likelihood, found.deviance, found.misfit, found.goodness or 0.0]
+
+
+def test_a_unit_multiplies_the_median_alone() -> None:
+    at, failures, trials = made(5, "lognormal", grouped=True)
+    found = fit_curve(at, failures, trials)
+    for factor in (1e-9, 100.0, 1e12):
+        other = fit_curve(factor * at, failures, trials)
+        assert other.median == pytest.approx(factor * found.median, rel=1e-9)
+        assert numbers(other) == pytest.approx(numbers(found), rel=1e-8)
+
+
+def test_order_and_grouping_do_not_matter() -> None:
+    at, failures, trials = made(6, "lognormal", grouped=True)
+    found = fit_curve(at, failures, trials)
+    order = np.random.default_rng(0).permutation(len(at))
+    assert fit_curve(at[order], failures[order], trials[order]).median == found.median
+    single = np.repeat(at, trials)
+    fails = np.concatenate([np.arange(n) < k for k, n in zip(failures, trials, strict=True)])
+    alone = fit_curve(single, fails.astype(int))
+    assert [alone.median, *numbers(alone)] == [found.median, *numbers(found)]
+
+
+def test_twice_the_trials_have_the_same_curve_and_twice_the_likelihood() -> None:
+    at, failures, trials = made(7, "logistic", grouped=True)
+    found = fit_curve(at, failures, trials, family="logistic")
+    twice = fit_curve(at, 2 * failures, 2 * trials, family="logistic")
+    assert twice.median == pytest.approx(found.median, rel=1e-10)
+    assert twice.beta == pytest.approx(found.beta, rel=1e-10)
+    assert twice.log_likelihood == pytest.approx(2.0 * found.log_likelihood, rel=1e-12)
+    assert twice.log_likelihood_per_trial == pytest.approx(found.log_likelihood_per_trial)
+    assert found.aic == pytest.approx(4.0 - 2.0 * found.log_likelihood)
+
+
+def test_the_order_of_failures_within_a_record_is_kept_as_it_is() -> None:
+    """A record that falls at .3, stands at .4 and falls at .5 is no sorted one."""
+    at = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
+    raw = fit_curve(at, [0, 0, 1, 0, 1, 1])
+    assert raw.status == "fitted"
+    assert raw.beta > 0.1
+    assert [row[:3] for row in fit_curve(at * 10, [0, 0, 1, 0, 1, 1] * 10).stripes] == [
+        (pytest.approx(x), 10, k) for x, k in zip(at, [0, 0, 10, 0, 10, 10], strict=True)
+    ]
+    assert fit_curve(at, [0, 0, 0, 1, 1, 1]).status == "separated"
+
+
+STEPS: list[tuple[list[float], list[int], str, tuple[float, float] | None]] = [
+    ([1.0, 2.0], [0, 1], "separated", (1.0, 2.0)),
+    ([3.0, 1.0, 2.0, 4.0], [1, 0, 0, 1], "separated", (2.0, 3.0)),
+    ([1.0, 2.0, 2.0, 3.0], [0, 0, 1, 1], "separated", (2.0, 2.0)),
+    ([1.0, 1.0, 2.0], [0, 1, 1], "separated", (1.0, 1.0)),
+    ([1e-300, 1.0, 1e300], [0, 1, 1], "separated", (1e-300, 1.0)),
+    ([1.0, 2.0, 3.0], [0, 0, 0], "never", None),
+    ([1.0], [0], "never", None),
+    ([1.0, 2.0, 3.0], [1, 1, 1], "always", None),
+    ([1.0], [1], "always", None),
+    ([1.0, 2.0], [1, 0], "not-rising", None),
+    ([1.0, 2.0, 4.0, 8.0], [1, 0, 0, 1], "not-rising", None),
+    ([1.0, 1.0], [0, 1], "not-rising", None),
+    ([1.0, 2.0, 4.0, 8.0], [0, 1, 0, 1], "fitted", None),
+]
+
+
+@pytest.mark.parametrize("family", ["lognormal", "logistic"])
+@pytest.mark.parametrize(("at", "failures", "status", "step"), STEPS)
+def test_data_without_a_curve_have_a_status(
+    at: list[float], failures: list[int], status: str, step: Any, family: Any
+) -> None:
+    found = fit_curve(at, failures, family=family, bands=Bands(replicates=100))
+    assert (found.status, found.step) == (status, step)
+    assert found.sampled == (min(at), max(at))
+    assert found.summary()
+    assert found.to_dict()["status"] == status
+    assert any("there is no confidence band" in text for text in found.warnings) == (
+        status != "not-rising"
+    )
+    if step is not None:
+        low, high = step
+        assert found.beta == 0.0
+        assert found.median == pytest.approx(math.sqrt(low) * math.sqrt(high))
+        assert found.probability([0.99 * low, 1.01 * high]).tolist() == [0.0, 1.0]
+        assert found.quantile(0.2) == found.median
+    elif status != "fitted":
+        assert math.isnan(found.median)
+        assert math.isnan(found.quantile(0.5))
+        assert len(found.warnings) >= 2
+
+
+def test_one_sided_data_bound_the_probability() -> None:
+    at, groups = np.tile([0.5, 1.0], 20), np.repeat(np.arange(20), 2)
+    never = fit_curve(at, 0 * groups, groups=groups, bands=Bands(replicates=100))
+    assert never.probability([0.2, 1.0]).tolist() == [0.0, 0.0]
+    assert np.isnan(never.probability(1.01))
+    band = never.probability_band([0.7, 1.0, 1.1])
+    assert band is not None
+    # With this probability no failure among 20 records has a chance of 10 %.
+    assert (1.0 - band[1][0]) ** 20 == pytest.approx(0.1)
+    assert band[1][2] == 1.0
+    always = fit_curve(at, 0 * groups + 1, groups=groups, bands=Bands(replicates=100))
+    assert always.probability([0.5, 2.0]).tolist() == [1.0, 1.0]
+    low = always.probability_band([0.4, 0.5])
+    assert low is not None
+    assert low[0].tolist() == pytest.approx([0.0, 0.1 ** (1 / 20)])
+    assert "above the highest intensity, 1" in never.warnings[0]
+    assert "below the lowest intensity, 0.5" in always.warnings[0]
+
+
+def test_small_data_of_any_kind_have_the_status_of_a_search_over_all_steps() -> None:
+    rng = np.random.default_rng(1)
+    seen = set()
+    for _ in range(300):
+        size = int(rng.integers(1, 7))
+        at = rng.integers(1, 5, size).astype(float)
+        failures = rng.integers(0, 2, size)
+        found = fit_curve(at, failures)
+        seen.add(found.status)
+        if failures.all() or not failures.any():
+            assert found.status == ("always" if failures.all() else "never")
+            continue
+        stood, failed = at[failures == 0], at[failures == 1]
+        rising = np.log(failed).mean() > np.log(stood).mean() + 1e-9
+        apart = stood.max() <= failed.min() and stood.min() < failed.max()
+        assert found.status == ("not-rising" if not rising else "separated" if apart else "fitted")
+    assert seen == {"always", "never", "separated", "fitted", "not-rising"}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "name", "words"),
+    [
+        (([], []), "intensity", "row of numbers"),
+        ((1.0, 0), "intensity", "row of numbers"),
+        (([1.0, 0.0], [0, 1]), "intensity[1]", "above 0"),
+        (([1.0, math.nan], [0, 1]), "intensity[1]", "above 0"),
+        (([math.inf, 1.0], [0, 1]), "intensity[0]", "above 0"),
+        (([-1.0, 1.0], [0, 1]), "intensity[0]", "above 0"),
+        (([1.0, 2.0], [0, -1]), "failures[1]", "whole number"),
+        (([1.0, 2.0], [0.5, 1]), "failures[0]", "whole number"),
+        (([1.0, 2.0], [0, math.nan]), "failures[1]", "whole number"),
+        (([1.0, 2.0], [0]), "failures", "one for each of the 2"),
+        (([1.0, 2.0], [0, 2]), "failures[1]", "trials[1] = 1"),
+        (([1.0, 2.0], [0, 3], [4, 2]), "failures[1]", "trials[1] = 2"),
+        (([1.0, 2.0], [0, 0], [0, 0]), "trials", "one or more"),
+        (([1.0, 2.0], [0, 0], [1, 1, 1]), "trials", "one for each of the 2"),
+    ],
+)
+def test_what_is_not_valid_is_named_with_its_place(arguments: Any, name: str, words: str) -> None:
+    with pytest.raises(InputError) as caught:
+        fit_curve(*arguments)
+    assert caught.value.name == name
+    assert words in str(caught.value)
+
+
+def test_groups_and_limits_are_checked_too() -> None:
+    for groups in ([1], [[1, 2]], [1.0, math.nan]):
+        with pytest.raises(InputError, match="groups"):
+            fit_curve([1.0, 2.0], [0, 1], groups=groups)
+    with pytest.raises(InputError, match="within"):
+        fit_curve([1.0, 2.0], [0, 1], within=(2.0, 1.0))
+    with pytest.raises(InputError, match="within the limits"):
+        fit_curve([1.0, 2.0], [0, 1], within=(3.0, 4.0))
+    with pytest.raises(InputError, match="intensity"):
+        fit_curve([1.0, 2.0], [0, 1]).probability(-1.0)
+
+
+def test_limits_leave_out_what_lies_beyond_them() -> None:
+    at, failures, trials = made(8, "lognormal", grouped=True)
+    low, high = np.quantile(at, [0.1, 0.9])
+    inside = (at >= low) & (at <= high)
+    found = fit_curve(at, failures, trials, within=(low, high))
+    assert found.median == fit_curve(at[inside], failures[inside], trials[inside]).median
+    assert found.sampled == (at[inside].min(), at[inside].max())
+
+
+def test_few_records_have_a_warning() -> None:
+    at, groups = np.tile(np.geomspace(0.2, 3.0, 8), 30), np.repeat(np.arange(30), 8)
+    failures = (at > np.exp(np.random.default_rng(2).normal(0.0, 0.4, 30))[groups]).astype(int)
+    for records, few in ((22, False), (21, True)):
+        keep = groups < records
+        found = fit_curve(at[keep], failures[keep], groups=groups[keep])
+        assert found.records == records
+        assert any("fewer than 22" in text for text in found.warnings) == few
+
+
+def test_the_misfit_is_that_of_the_worst_stripe() -> None:
+    found = fit_curve([0.2, 0.4, 0.8, 1.6], [2, 9, 27, 39], [40] * 4, measure=("PGV", "m/s"))
+    shares = np.array([2, 9, 27, 39]) / 40
+    curve = stats.norm.cdf(np.log(np.array([0.2, 0.4, 0.8, 1.6]) / found.median) / found.beta)
+    assert found.misfit == pytest.approx(np.abs(shares - curve).max())
+    text = found.summary()
+    assert "PGV [m/s]" in text
+    assert "0.591 m/s" in text
+
+
+def test_scattered_intensities_are_joined_to_stripes() -> None:
+    at, failures, _ = made(12, "lognormal", grouped=False)
+    found = fit_curve(at, failures)
+    trials = [row[1] for row in found.stripes]
+    assert sum(trials) == len(at)
+    assert len(trials) == min(10, len(at) // 10)
+    assert max(trials) - min(trials) <= 1
+    first = np.sort(at)[: trials[0]]
+    assert found.stripes[0][0] == pytest.approx(np.exp(np.log(first).mean()))
+    assert found.stripes[0][3] == pytest.approx(found.probability(first).mean())
