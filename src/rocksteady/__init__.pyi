@@ -124,6 +124,12 @@ from .risk.fits.bands import Bands as Bands
 from .risk.fits.fragility_curve import FragilityCurve as FragilityCurve, fit_curve as fit_curve
 from .risk.fits.two_stages import TwoStageCurve as TwoStageCurve, fit_two_stages as fit_two_stages
 from .risk.fits.vector_fit import VectorFit as VectorFit, fit_vector as fit_vector
+from .risk.fragility.damage_states import DamageState as DamageState
+from .risk.fragility.efficiency import Efficiency as Efficiency
+from .risk.fragility.fit_fragility import compute_fragility as compute_fragility, fit_fragility as fit_fragility
+from .risk.fragility.fitting import Fitting as Fitting
+from .risk.fragility.fragility import Fragility as Fragility
+from .risk.fragility.state_fragility import StateFragility as StateFragility
 from .risk.hazard.balanced_rocks import BranchTest as BranchTest, reject_branches as reject_branches
 from .risk.hazard.failure_risk import Risk as Risk, compute_risk as compute_risk
 from .risk.hazard.hazard_curve import HazardCurve as HazardCurve

@@ -1,0 +1,1 @@
+"""Fragility: the probability of each damage state, from an ensemble of runs."""

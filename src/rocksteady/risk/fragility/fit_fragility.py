@@ -1,0 +1,217 @@
+"""Fragility curves of an ensemble, for each damage state, and of blocks and records at once."""
+
+import json
+import time
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Literal
+
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.model.motions.record import Record
+from rocksteady.results.numbers import plural
+from rocksteady.risk.ensemble.levels import Stripes
+from rocksteady.risk.ensemble.restitution_band import RestitutionBand
+from rocksteady.risk.ensemble.runs import run_ensemble
+from rocksteady.risk.fits.fragility_curve import fit_curve
+from rocksteady.risk.fits.two_stages import fit_two_stages
+from rocksteady.risk.fragility._labels_of_runs import (
+    Labels,
+    kept_measures,
+    labels_of,
+    measure_of,
+)
+from rocksteady.risk.fragility._ranking import rank_measures
+from rocksteady.risk.fragility.damage_states import UPLIFT, DamageState
+from rocksteady.risk.fragility.fitting import Fitting
+from rocksteady.risk.fragility.fragility import Fragility
+from rocksteady.risk.fragility.state_fragility import StateFragility
+from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.sweep.run import Run
+
+if TYPE_CHECKING:
+    import xarray
+
+
+@checked
+def fit_fragility(ensemble: "xarray.Dataset", *, fitting: Fitting | None = None) -> Fragility:
+    """Fit fragility curves to an ensemble of runs.
+
+    Every run is a trial, and every record a group: runs of one record depend on each other, so
+    that the bands draw records.  Labels enter as they are, in any order of the levels.
+
+    Parameters
+    ----------
+    ensemble
+        From `run_ensemble`.
+    fitting
+        Damage states, family, bands and measures; default `Fitting()`.
+
+    Returns
+    -------
+    Fragility
+        Over the measure of the levels; of plain factors over p PGV/(g tan alpha).
+
+    Raises
+    ------
+    InputError
+        If it is no ensemble, more than 1 % of its runs have no answer, or it does not hold a
+        measure.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from rocksteady import Block, Fitting, Record, RestitutionBand, Stripes
+    >>> from rocksteady import fit_fragility, run_ensemble
+    >>> t = 0.02 * np.arange(100)
+    >>> suite = [
+    ...     Record(acceleration_m_s2=np.sin(f * t), dt_s=0.02, name=f"{f} rad/s")
+    ...     for f in (4, 6, 9, 12)
+    ... ]
+    >>> stripes = Stripes("pgv_m_s", [0.2, 0.4, 0.6, 0.8], beside=())
+    >>> block = Block.rectangle(width=0.4, height=1.6)
+    >>> runs = run_ensemble(block, suite, stripes=stripes, restitution=RestitutionBand(draws=1))
+    >>> found = fit_fragility(runs, fitting=Fitting(states=["overturned"], bands=None))
+    >>> print(f"{found.state('overturned').curve.median:.2f}")
+    0.00
+    """
+    began = time.perf_counter()
+    options = Fitting() if fitting is None else fitting
+    labels = labels_of(ensemble)
+    measure = measure_of(ensemble)
+    states = tuple(_fitted(labels, measure, state, options) for state in options.damage_states)
+    compared = kept_measures(ensemble) if options.measures is None else options.measures
+    return Fragility(
+        ensemble=ensemble,
+        measure=measure,
+        states=states,
+        ranking=rank_measures(labels, compared, options.damage_states[-1], options.family),
+        fitting=options,
+        warnings=_warnings(labels, states),
+        records=ensemble.sizes["record"],
+        runs=int(ensemble.attrs["runs"]),
+        scale_factor_max=float(ensemble["scale"].max()),
+        seconds=time.perf_counter() - began,
+    )
+
+
+@checked
+def compute_fragility(
+    blocks: Block | Sequence[Block],
+    motions: Record | BaseMotion | Sequence[Record | BaseMotion],
+    *,
+    stripes: Stripes | None = None,
+    restitution: RestitutionBand | None = None,
+    reverse: bool | Literal["both"] = "both",
+    vertical: bool | Literal["both"] = "both",
+    fitting: Fitting | None = None,
+    run: Run | None = None,
+) -> Fragility:
+    """Compute the fragility of blocks: run the ensemble, fit the curves.
+
+    Runs are of the full equations; `run_ensemble` and `fit_fragility` do the two by themselves.
+
+    Parameters
+    ----------
+    blocks, motions, stripes, restitution, reverse, vertical, run
+        As for `run_ensemble`; several blocks are pooled.
+    fitting
+        As for `fit_fragility`.
+
+    Returns
+    -------
+    Fragility
+        Curves of all damage states, with the runs.
+
+    Raises
+    ------
+    InputError
+        As for the two functions.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from rocksteady import Block, Fitting, Record, RestitutionBand, Stripes, compute_fragility
+    >>> t = 0.02 * np.arange(100)
+    >>> suite = [Record(acceleration_m_s2=np.sin(f * t), dt_s=0.02) for f in (4, 6, 9, 12)]
+    >>> found = compute_fragility(
+    ...     Block.rectangle(width=0.4, height=1.6),
+    ...     suite,
+    ...     stripes=Stripes("pga_g", [0.2, 0.3, 0.6, 1.2], beside=()),
+    ...     restitution=RestitutionBand(draws=1),
+    ...     fitting=Fitting(states=["uplift"], bands=None),
+    ... )
+    >>> found.state("uplift").plain.status, found.state("uplift").plain.step
+    ('separated', (0.2, 0.3))
+    """
+    began = time.perf_counter()
+    ensemble = run_ensemble(
+        blocks,
+        motions,
+        stripes=stripes,
+        restitution=restitution,
+        reverse=reverse,
+        vertical=vertical,
+        run=run,
+    )
+    found = fit_fragility(ensemble, fitting=fitting)
+    return replace(found, seconds=time.perf_counter() - began)
+
+
+def _fitted(
+    labels: Labels, measure: Intensity, state: DamageState, options: Fitting
+) -> StateFragility:
+    """Return the fragility of a damage state."""
+    intensity, trials = labels.intensity(measure), labels.trials
+    lifted, failures = labels.count(DamageState(UPLIFT)), labels.count(state)
+    at, counts = intensity.ravel(), trials.ravel()
+    named = (measure.label, measure.unit)
+    groups = labels.groups.ravel()
+    gate = 0 < lifted.sum() < trials.sum() and state.name != UPLIFT
+    two_stage = None
+    if gate:
+        two_stage = fit_two_stages(
+            at,
+            lifted.ravel(),
+            failures.ravel(),
+            counts,
+            family=options.family,
+            groups=groups,
+            bands=options.bands,
+            measure=named,
+        )
+        plain = two_stage.plain
+    else:
+        plain = fit_curve(
+            at,
+            failures.ravel(),
+            counts,
+            family=options.family,
+            groups=groups,
+            bands=options.bands,
+            measure=named,
+        )
+    points: list[tuple[float, int, int | None, int]] = []
+    if labels.ensemble.attrs["measure"] == measure.key:
+        for place, level in enumerate(labels.ensemble["level"].values.tolist()):
+            sums = (int(each[:, :, place].sum()) for each in (trials, lifted, failures))
+            points.append((level, *sums))
+    else:
+        points += [(level, count, None, fell) for level, count, fell, _ in plain.stripes]
+    return StateFragility(state=state, plain=plain, two_stage=two_stage, points=tuple(points))
+
+
+def _warnings(labels: Labels, states: Sequence[StateFragility]) -> tuple[str, ...]:
+    """Return what limits the answer: of the runs, then of the curves, each sentence once."""
+    found = list(json.loads(labels.ensemble.attrs["warnings"]))
+    if labels.without:
+        found.append(f"{labels.without:,} runs without an answer are left out of the fits")
+    records = plural(labels.ensemble.sizes["record"], "record")
+    for each in states:
+        for sentence in (*each.plain.warnings, *each.curve.warnings):
+            # Of the number of records there is one sentence for all curves.
+            common = records in sentence
+            text = sentence[sentence.index(records) :] if common else sentence
+            found.append(text if common else f"{each.state.name}: {text}")
+    return tuple(dict.fromkeys(found))

@@ -1,0 +1,207 @@
+"""Fragility of blocks: the curves of all damage states, their points, and the runs."""
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Final
+
+from rocksteady.errors import InputError
+from rocksteady.model.checks.arguments import checked_result
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, plural
+from rocksteady.results.result import Result
+from rocksteady.risk.fits.fragility_curve import FragilityCurve
+from rocksteady.risk.fragility.efficiency import Efficiency
+from rocksteady.risk.fragility.fitting import Fitting
+from rocksteady.risk.fragility.state_fragility import StateFragility, number_or_none
+from rocksteady.seismic.measures.scalar import Intensity
+
+if TYPE_CHECKING:
+    import xarray
+
+_RANKING: Final = (
+    Column("measure", "measure", left=True),
+    Column("median", "median"),
+    Column("beta", "beta"),
+    Column("log_likelihood_per_run", "ln L a run", "{:.4f}".format),
+    Column("status", "status", left=True),
+)
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Fragility(Result):
+    """Fragility of blocks, from `rocksteady.compute_fragility`.
+
+    Attributes
+    ----------
+    ensemble
+        The runs.
+    measure
+        What the curves are over.
+    states
+        Curves and points of each damage state.
+    ranking
+        Measures by efficiency for the last damage state, the best first.
+    fitting
+        Options of the fits.
+    warnings
+        Sentences on what limits the answer.
+    records, runs
+        How many there are; mirror images are runs that count once.
+    scale_factor_max
+        Largest factor of a record's accelerations.
+    seconds
+        Time that it took [s].
+    """
+
+    ensemble: "xarray.Dataset"
+    measure: Intensity
+    states: tuple[StateFragility, ...]
+    ranking: tuple[Efficiency, ...]
+    fitting: Fitting
+    warnings: tuple[str, ...]
+    records: int
+    runs: int
+    scale_factor_max: float
+    seconds: float
+
+    def state(self, name: str) -> StateFragility:
+        """Return the fragility of a damage state.
+
+        Raises
+        ------
+        InputError
+            If there is none of that name.
+        """
+        for each in self.states:
+            if each.state.name == name:
+                return each
+        known = ", ".join(each.state.name for each in self.states)
+        raise InputError("name", name, f"the damage states are {known}", "give one of them")
+
+    def describe(self) -> Description:
+        """Return the curves of all states, their points and the ranking."""
+        measure, ensemble = self.measure, self.ensemble
+        bands = self.fitting.bands
+        last = self.states[-1]
+        fits = [row for each in self.states for row in each.rows(self.measure.key)]
+        facts = [
+            Fact("measure", measure.key, "intensity", str(measure)),
+            Fact("unit", measure.unit),
+            Fact("stripes", str(ensemble.attrs["measure"])),
+            Fact("model", str(ensemble.attrs["model"]), "model"),
+            Fact("family", self.fitting.family, "family"),
+            Fact("confidence", None if bands is None else bands.confidence),
+            Fact("replicates", None if bands is None else bands.replicates),
+            Fact("seed", None if bands is None else bands.seed),
+            Fact("records", self.records, "records"),
+            Fact("runs", self.runs, "runs"),
+            Fact("cells", int(ensemble["status"].size)),
+            Fact("blocks", int(ensemble.sizes["block"])),
+            Fact("levels", ensemble["level"].values.tolist()),
+            Fact("restitution", ensemble["restitution"].values.tolist()),
+            Fact("scatter", float(ensemble.attrs["scatter"])),
+            Fact("directions", [str(each) for each in ensemble["direction"].values]),
+            Fact("vertical", [str(each) for each in ensemble["vertical"].values]),
+            Fact(
+                "scale_factor_max",
+                self.scale_factor_max,
+                "largest factor of a record",
+            ),
+            Fact("seconds", self.seconds),
+            Fact("warnings", list(self.warnings)),
+        ]
+        return Description(
+            headline=self._headline(),
+            facts=facts,
+            tables=[
+                Table("fits", fits),
+                Table("", [_shown_row(each) for each in self.states], _columns(self.measure.unit)),
+                Table("points", self._points()),
+                Table("ranking", self._ranking(), _RANKING, title=f"Efficiency, {last.state.name}"),
+            ],
+            notes=self.warnings,
+        )
+
+    def _headline(self) -> str:
+        """Return the answer in a line."""
+        last = self.states[-1]
+        median = last.curve.median
+        unit = f" {self.measure.unit}" if self.measure.unit else ""
+        answer = "no median" if math.isnan(median) else f"median {number(median)}{unit}"
+        shape = last.curve if isinstance(last.curve, FragilityCurve) else last.curve.given_uplift
+        if not math.isnan(shape.beta):
+            given = "" if shape is last.curve else " given uplift"
+            answer += f", beta {number(shape.beta)}{given}"
+        return (
+            f"Fragility in {self.measure.label}: {last.state.name} {answer}; "
+            f"{plural(self.records, 'record')}, {self.runs:,} runs"
+        )
+
+    def _points(self) -> list[dict[str, Any]]:
+        """Return a row for each damage state and level."""
+        return [
+            {
+                "damage_state": each.state.name,
+                "level": level,
+                "trials": trials,
+                "uplifted": lifted,
+                "failures": failures,
+                "share": failures / trials if trials else None,
+                "probability": number_or_none(float(each.curve.probability(level))),
+            }
+            for each in self.states
+            for level, trials, lifted, failures in each.points
+        ]
+
+    def _ranking(self) -> list[dict[str, Any]]:
+        """Return a row for each measure."""
+        trials = max(self.states[-1].plain.trials, 1)
+        return [
+            {
+                "measure": " and ".join(each.key for each in row.measure),
+                "damage_state": row.state,
+                "status": row.status,
+                "median": number_or_none(row.median),
+                "beta": number_or_none(row.beta),
+                "log_likelihood": row.log_likelihood,
+                "log_likelihood_per_run": row.log_likelihood / trials,
+                "aic": row.aic,
+            }
+            for row in self.ranking
+        ]
+
+
+def _shown_row(each: StateFragility) -> dict[str, Any]:
+    """Return what people read of a damage state."""
+    curve = each.curve
+    shape = curve if isinstance(curve, FragilityCurve) else curve.given_uplift
+    return {
+        "state": each.state.name,
+        "median": _with_band(curve.median, getattr(curve, "median_band", None)),
+        "beta": _with_band(shape.beta, shape.beta_band),
+        "status": shape.status,
+        "misfit": number_or_none(curve.misfit),
+        "plain_misfit": number_or_none(each.plain.misfit) if each.two_stage else None,
+    }
+
+
+def _columns(unit: str) -> tuple[Column, ...]:
+    """Return the columns of the table of damage states."""
+    return (
+        Column("state", "damage state", left=True),
+        Column("median", f"median [{unit}]" if unit else "median", left=True),
+        Column("beta", "beta", left=True),
+        Column("misfit", "misfit"),
+        Column("plain_misfit", "plain"),
+        Column("status", "status", left=True),
+    )
+
+
+def _with_band(value: float, band: tuple[float, float] | None) -> str:
+    """Return a number and its band in words."""
+    if math.isnan(value):
+        return "—"
+    return (
+        number(value) if band is None else f"{number(value)} ({number(band[0])}-{number(band[1])})"
+    )

@@ -1,0 +1,90 @@
+"""Fragility of one damage state: its curves and its points."""
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from rocksteady.model.checks.arguments import checked_result
+from rocksteady.risk.fits.fragility_curve import FragilityCurve
+from rocksteady.risk.fits.two_stages import TwoStageCurve
+from rocksteady.risk.fragility.damage_states import DamageState
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False)
+class StateFragility:
+    """Fragility of one damage state.
+
+    Attributes
+    ----------
+    state
+        The damage state.
+    plain
+        One curve over all runs.
+    two_stage
+        P(uplift) times P(state given uplift); None where every run lifts, or none does, and of
+        uplift itself.
+    points
+        Intensity, trials, uplifts and failures of each level; without levels of the measure, those
+        of joined neighbours, without uplifts.
+    """
+
+    state: DamageState
+    plain: FragilityCurve
+    two_stage: TwoStageCurve | None = None
+    points: tuple[tuple[float, int, int | None, int], ...] = ()
+
+    @property
+    def curve(self) -> FragilityCurve | TwoStageCurve:
+        """The curve to use: in two stages where there is an uplift gate."""
+        return self.plain if self.two_stage is None else self.two_stage
+
+    def rows(self, measure: str) -> list[dict[str, Any]]:
+        """Return a row for each of its curves, under the names of the command's JSON.
+
+        Parameters
+        ----------
+        measure
+            Name of the measure of intensity.
+        """
+        curves: list[tuple[str, FragilityCurve | TwoStageCurve]] = [("plain", self.plain)]
+        if self.two_stage is not None:
+            stages = self.two_stage
+            curves = [
+                ("two-stage", stages),
+                ("uplift", stages.uplift),
+                ("given-uplift", stages.given_uplift),
+                *curves,
+            ]
+        return [self._row(measure, stage, curve) for stage, curve in curves]
+
+    def _row(
+        self, measure: str, stage: str, curve: FragilityCurve | TwoStageCurve
+    ) -> dict[str, Any]:
+        one = curve if isinstance(curve, FragilityCurve) else None
+        low, high = getattr(curve, "median_band", None) or (None, None)
+        beta_low, beta_high = (None if one is None else one.beta_band) or (None, None)
+        return {
+            "damage_state": self.state.name,
+            "peak": self.state.peak,
+            "measure": measure,
+            "stage": stage,
+            "status": "product" if one is None else one.status,
+            "median": number_or_none(curve.median),
+            "beta": None if one is None else number_or_none(one.beta),
+            "low": low,
+            "high": high,
+            "beta_low": beta_low,
+            "beta_high": beta_high,
+            "log_likelihood": curve.log_likelihood,
+            "misfit": number_or_none(curve.misfit),
+            "goodness": None if one is None else one.goodness,
+            "step": None if one is None or one.step is None else list(one.step),
+            "trials": None if one is None else one.trials,
+            "failures": None if one is None else one.failures,
+        }
+
+
+def number_or_none(value: float) -> float | None:
+    """Return a number as it is; None of nan."""
+    return None if math.isnan(value) else float(value)
