@@ -1,0 +1,218 @@
+"""`rocksteady fragility`: from records and a block to fragility curves."""
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from rocksteady.cli.console import terminal
+from rocksteady.cli.console.outputs import (
+    announce_compilation,
+    print_json,
+    write_cells,
+    write_netcdf,
+)
+from rocksteady.cli.console.progress import sweeping
+from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.flags.block_and_shaking import BlockFlags
+from rocksteady.cli.flags.ensemble import EnsembleFlags, Suite, SuiteFlags
+from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.record_files import ReadingFlags
+from rocksteady.cli.flags.sweep import SweepFlags
+from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.results.rendering import print_description
+
+if TYPE_CHECKING:
+    from rocksteady.risk.fragility.fitting import Fitting
+    from rocksteady.risk.fragility.fragility import Fragility
+
+HELP = (
+    "Fragility: the probability that a block lifts, tilts beyond a part of alpha, or overturns, "
+    "over the intensity of the ground motion.\n\n"
+    "Every record is scaled to every level, run as it is and reversed, for a band of restitutions, "
+    "by the full equations; curves are fitted by maximum likelihood, with bands by a bootstrap of "
+    "records. Where blocks stand without lifting the curves have two stages, uplift and failure "
+    "given uplift. --out keeps the runs and --resume continues them."
+)
+EXAMPLES = (
+    "Examples:\n\n"
+    "rocksteady fragility --width-m 0.32 --height-m 1.8 --records suite --plot fragility.png\n\n"
+    "rocksteady fragility --width-m 0.6 --height-m 1.8 --records suite --measure pga_g "
+    "--levels 0.2:2:10 --restitution 0.85:0.95 --draws 5 --json\n\n"
+    "rocksteady fragility --alpha-rad 0.2 --p-rad-s 2 --records suite --measure sa_avg_g:1.5 "
+    "--states uplift,0.5,overturned --csv runs.csv\n\n"
+    "rocksteady fragility --example"
+)
+FITS = "Curves"
+EXAMPLE_SIZE = (0.32, 1.8)
+"""Width and height of the cabinet of --example [m]."""
+
+States = Annotated[
+    str,
+    typer.Option(
+        "--states",
+        metavar="LIST",
+        help="Set the damage states: uplift, overturned, or a theta/alpha that is exceeded.",
+        rich_help_panel=FITS,
+    ),
+]
+Family = Annotated[
+    str,
+    typer.Option(
+        "--family",
+        metavar="NAME",
+        help="Set the curve: lognormal or logistic.",
+        rich_help_panel=FITS,
+    ),
+]
+Confidence = Annotated[
+    float,
+    typer.Option(
+        "--confidence",
+        metavar="P",
+        help="Set the confidence of the bands.",
+        rich_help_panel=FITS,
+    ),
+]
+Replicates = Annotated[
+    int,
+    typer.Option(
+        "--replicates",
+        metavar="N",
+        help="Set the number of suites that the bands are drawn from; 0 for no bands.",
+        rich_help_panel=FITS,
+    ),
+]
+Example = Annotated[
+    bool,
+    typer.Option(
+        "--example",
+        help="Run 24 synthetic motions, no earthquake's, in place of --records; of a cabinet of "
+        f"{EXAMPLE_SIZE[0]} x {EXAMPLE_SIZE[1]} m where no block is given.",
+        rich_help_panel=FITS,
+    ),
+]
+
+
+@grouped
+def fragility(
+    context: typer.Context,
+    block: BlockFlags,
+    recorded: SuiteFlags,
+    reading: ReadingFlags,
+    ensemble: EnsembleFlags,
+    sweep: SweepFlags,
+    output: OutputFlags,
+    states: States = "uplift,0.25,0.5,1,overturned",
+    family: Family = "lognormal",
+    confidence: Confidence = 0.9,
+    replicates: Replicates = 1000,
+    example: Example = False,
+) -> None:
+    """Run `rocksteady fragility`; `HELP` is what its users read."""
+    sweep.check(output)
+    width, height = EXAMPLE_SIZE
+    default = Block.rectangle(width=width, height=height) if example else None
+    body, band = ensemble.block_and_band(block, default)
+    stripes = ensemble.stripes()
+    fitting = _fitting(states, family, confidence, replicates, ensemble.seed)
+    run = sweep.run(force=output.force)
+    suite = _suite(recorded, reading, example=example)
+    output.refuse_read(suite.files, netcdf=sweep.netcdf)
+
+    announce_compilation("records.record_fates")
+    from rocksteady.risk.fragility.fit_fragility import compute_fragility
+
+    lifts = sum(
+        isinstance(motion, BaseMotion) and motion.vertical is not None for motion in suite.motions
+    )
+    ways = (len(suite.motions) + lifts) * (1 if body.symmetric or ensemble.no_reverse else 2)
+    cells = ways * len(stripes.levels_for([body])) * band.draws
+    with sweep.resumable(context.find_root().obj), sweeping("running blocks", cells) as meter:
+        found = compute_fragility(
+            body,
+            suite.motions,
+            stripes=stripes,
+            restitution=band,
+            reverse=False if ensemble.no_reverse else "both",
+            fitting=fitting,
+            run=replace(run, progress=meter),
+        )
+    description = found.describe()
+    values = {
+        **description.to_dict(),
+        "block": body.describe().to_dict(),
+        "synthetic": example,
+        "files": [
+            {"name": str(name), "file": str(file)}
+            for name, file in zip(found.ensemble["record"].values, suite.files, strict=False)
+        ],
+        "left_out": [{"file": str(file), "reason": reason} for file, reason in suite.left_out],
+        "store": run.place and str(run.place.path),
+    }
+    _write(found, output, sweep)
+    if output.as_json:
+        print_json("fragility", values)
+        return
+    headline = description.headline + (" of synthetic motions, no earthquake's" if example else "")
+    kept = f", kept in {values['store']}" if values["store"] else ""
+    notes = [*description.notes, f"{found.runs:,} runs and all fits in {found.seconds:.1f} s{kept}"]
+    if suite.left_out:
+        notes.insert(0, f"{len(suite.left_out)} files were left out, see standard error")
+    print_description(replace(description, headline=headline, notes=notes), terminal.console())
+
+
+def _suite(recorded: SuiteFlags, reading: ReadingFlags, *, example: bool) -> Suite:
+    """Return the ground motions: those of the files, or synthetic ones.
+
+    Raises
+    ------
+    InputError, FlagError
+        If no file can be read, or files are given with --example.
+    """
+    if not example:
+        return recorded.suite(reading)
+    given = {"--records": str(path) for path in recorded.records or []} | reading.given
+    if recorded.pair:
+        given["--pair"] = True
+    for flag, value in given.items():
+        raise FlagError(
+            flag, value, "--example has synthetic motions and reads no file", "leave one out"
+        )
+    from rocksteady.risk.assess.synthetic import make_synthetic_suite
+
+    return Suite(motions=[*make_synthetic_suite()], files=[])
+
+
+def _fitting(states: str, family: str, confidence: float, replicates: int, seed: int) -> "Fitting":
+    """Return the options of the fits, whose errors name the flags.
+
+    Raises
+    ------
+    FlagError
+        If one is not valid.
+    """
+    from rocksteady.risk.fits.bands import Bands
+    from rocksteady.risk.fragility.fitting import Fitting
+
+    flags = {"peak": "--states", "name": "--states", "states": "--states"}
+    try:
+        bands = None
+        if replicates != 0:
+            bands = Bands(confidence=confidence, replicates=replicates, seed=seed)
+        named: Any = family
+        parts = [part.strip() for part in states.split(",")]
+        return Fitting(states=parts, family=named, bands=bands)
+    except InputError as error:
+        flag = flags.get(error.name, f"--{error.name}")
+        raise FlagError(flag, error.value, error.valid, error.hint) from None
+
+
+def _write(found: "Fragility", output: OutputFlags, sweep: SweepFlags) -> None:
+    """Write the files that the flags name."""
+    if output.csv is not None:
+        write_cells(output.csv, found.ensemble)
+    if sweep.netcdf is not None:
+        write_netcdf(sweep.netcdf, found.ensemble)

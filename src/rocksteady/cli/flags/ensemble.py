@@ -1,0 +1,383 @@
+"""Flags for ensembles: suites of records, levels, and a band of restitutions."""
+
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rocksteady.cli.console import terminal
+from rocksteady.cli.console.refusals import FlagError, both, missing
+from rocksteady.cli.flags.block_and_shaking import BlockFlags
+from rocksteady.cli.flags.parsing import axis, decimal, number, restitution_from
+from rocksteady.cli.flags.record_files import ReadingFlags
+from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.results.rendering import printable
+
+if TYPE_CHECKING:
+    from rocksteady.model.motions.record import Record
+    from rocksteady.risk.ensemble.levels import Stripes
+    from rocksteady.risk.ensemble.restitution_band import RestitutionBand
+    from rocksteady.seismic.measures.scalar import Intensity
+
+ENSEMBLE = "Ensemble"
+SINGLE = "a single value of the restitution"
+BAND_DRAWS = 5
+
+Records = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--records",
+        metavar="DIR|FILE",
+        help="Read ground motions: every file of a folder, or a file; several times for more. A "
+        "file that cannot be read is named and left out.",
+        rich_help_panel=ENSEMBLE,
+    ),
+]
+Pair = Annotated[
+    bool,
+    typer.Option(
+        "--pair",
+        help="Pair the channels of each station, and run with its vertical one as well as without.",
+        rich_help_panel=ENSEMBLE,
+    ),
+]
+Measure = Annotated[
+    str | None,
+    typer.Option(
+        "--measure",
+        metavar="NAME[:S]",
+        help="Set what the levels are in: p_pgv_per_uplift (default), pga_per_uplift, pga_g, "
+        "pgv_m_s, sa_g or sa_avg_g, whose period \\[s] may follow, as sa_g:0.5; default 2 pi/p.",
+        rich_help_panel=ENSEMBLE,
+    ),
+]
+Levels = Annotated[
+    str | None,
+    typer.Option(
+        "--levels",
+        metavar="AXIS",
+        help="Set the levels: start:stop:count, log:start:stop:count, or values with commas; "
+        "default 20 that suit the block.",
+        rich_help_panel=ENSEMBLE,
+    ),
+]
+Scale = Annotated[
+    str | None,
+    typer.Option(
+        "--scale",
+        metavar="AXIS",
+        help="Multiply all records by the same factors, an axis, in place of --levels.",
+        rich_help_panel=ENSEMBLE,
+    ),
+]
+Draws = Annotated[
+    int | None,
+    typer.Option(
+        "--draws",
+        metavar="N",
+        help=f"Set the number of restitutions in the band of --restitution; default {BAND_DRAWS}, "
+        "and 1 of a single value.",
+        rich_help_panel=ENSEMBLE,
+    ),
+]
+Scatter = Annotated[
+    float,
+    typer.Option(
+        "--scatter",
+        metavar="SD",
+        help="Let the restitution scatter from impact to impact with this standard deviation.",
+        rich_help_panel=ENSEMBLE,
+    ),
+]
+NoReverse = Annotated[
+    bool,
+    typer.Option(
+        "--no-reverse",
+        help="Run the records as they are alone; by default reversed too.",
+        rich_help_panel=ENSEMBLE,
+    ),
+]
+Seed = Annotated[
+    int,
+    typer.Option(
+        "--seed",
+        metavar="N",
+        help="Set the seed of the scatter and of the bands.",
+        rich_help_panel=ENSEMBLE,
+    ),
+]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Suite:
+    """Ground motions that were read.
+
+    Attributes
+    ----------
+    motions
+        The motions, horizontal or with a vertical component.
+    files
+        The file of each.
+    left_out
+        File and reason of each that was not used.
+    """
+
+    motions: "list[Record | BaseMotion]"
+    files: list[Path]
+    left_out: list[tuple[Path, str]] = field(default_factory=list)
+
+
+@dataclass(frozen=True, kw_only=True)
+class SuiteFlags:
+    """A suite of recorded motions; a command takes `ReadingFlags` beside them."""
+
+    records: Records = None
+    pair: Pair = False
+
+    @property
+    def files(self) -> list[Path]:
+        """The files of all folders, in the order of their names.
+
+        Raises
+        ------
+        FlagError
+            If there is none, or a path does not exist.
+        """
+        found: list[Path] = []
+        for path in self.records or []:
+            if path.is_dir():
+                found += sorted(
+                    each
+                    for each in path.iterdir()
+                    if each.is_file() and not each.name.startswith(".")
+                )
+            elif path.exists():
+                found.append(path)
+            else:
+                raise FlagError("--records", path, "it does not exist", "name a folder or a file")
+        if not self.records:
+            raise missing(
+                "--records",
+                valid="an ensemble needs ground motions",
+                hint="add --records DIR, or --example for synthetic ones",
+            )
+        return list(dict.fromkeys(found))
+
+    def suite(self, reading: ReadingFlags) -> Suite:
+        """Return the motions of all files that can be read; the others are named on stderr.
+
+        Raises
+        ------
+        InputError
+            If no file can be read, or --pair meets a flag that it has no use for.
+        """
+        if self.pair:
+            idle = {k: v for k, v in reading.given.items() if k not in ("--units", "--dt-s")}
+            for flag, value in idle.items():
+                raise FlagError(
+                    flag, value, "channels are paired as their files have them", "leave one out"
+                )
+        suite = Suite(motions=[], files=[])
+        good: list[Path] = []
+        for file in self.files:
+            try:
+                across = self._across(file, reading, suite)
+            except InputError as error:
+                suite.left_out.append((file, error.valid))
+                continue
+            good.append(file)
+            if not self.pair:
+                suite.motions.extend(across)
+                suite.files.extend([file] * len(across))
+        for file, reason in suite.left_out:
+            terminal.note(f"{file} is left out: {printable(reason)}")
+        if self.pair and good:
+            self._pair(good, reading, suite)
+        if not suite.motions:
+            raise InputError(
+                "--records",
+                ", ".join(str(path) for path in self.records or []),
+                f"none of its {len(self.files)} files is a horizontal record that can be read",
+                "name a folder of ground-motion files, or see `rocksteady record FILE`",
+            )
+        return suite
+
+    def _across(self, file: Path, reading: ReadingFlags, suite: Suite) -> "list[Record]":
+        """Return the horizontal channels of a file."""
+        found = reading.recordings(file)
+        across = [one for one in found if one.orientation != "vertical"]
+        if not across and not self.pair:
+            suite.left_out.append((file, "its channel is vertical; --pair runs it with the others"))
+        return [one.record for one in across]
+
+    def _pair(self, files: list[Path], reading: ReadingFlags, suite: Suite) -> None:
+        """Add the motions of paired channels."""
+        from rocksteady.records.pairing import pair_records
+
+        for group in pair_records(files, units=reading.units, dt_s=reading.dt_s):
+            for warning in group.warnings:
+                terminal.note(f"{group.name}: {warning}")
+            if not group.horizontal:
+                for one in group.recordings:
+                    suite.left_out.append((one.path, "its station has no horizontal channel"))
+                continue
+            steps = {one.record.dt_s for one in group.recordings}
+            ready = group.aligned("pad") if len(steps) == 1 else group
+            suite.motions.extend(ready.motions())
+            suite.files.extend(one.path for one in ready.horizontal)
+
+
+@dataclass(frozen=True, kw_only=True)
+class EnsembleFlags:
+    """Levels of an ensemble, its band of restitutions and its signs."""
+
+    measure: Measure = None
+    levels: Levels = None
+    scale: Scale = None
+    draws: Draws = None
+    scatter: Scatter = 0.0
+    no_reverse: NoReverse = False
+    seed: Seed = 0
+
+    def stripes(self) -> "Stripes":
+        """Return the levels.
+
+        Raises
+        ------
+        InputError, FlagError
+            If a measure or a level is not valid, or both kinds of levels are given.
+        """
+        from rocksteady.risk.ensemble.levels import SCALE
+
+        if self.scale is not None:
+            for flag, value in (("--levels", self.levels), ("--measure", self.measure)):
+                if value is not None:
+                    raise both("--scale", flag, valid="levels are factors, or of a measure")
+            return _levels("--scale", SCALE, values_of("--scale", self.scale))
+        measure = intensity_of(self.measure or "p_pgv_per_uplift")
+        levels = None if self.levels is None else values_of("--levels", self.levels)
+        flag = "--measure" if levels is None else "--levels"
+        return _levels(flag, measure, levels)
+
+    def block_and_band(
+        self, block: BlockFlags, default: Block | None
+    ) -> "tuple[Block, RestitutionBand]":
+        """Return the block, and the restitutions that it is run with.
+
+        Parameters
+        ----------
+        block
+            The flags of the block, whose --restitution may be a band, as 0.85:0.95.
+        default
+            The block where no flag describes one; None where one must.
+
+        Raises
+        ------
+        InputError, FlagError
+            If the block or the band is not valid.
+        """
+        from rocksteady.risk.ensemble.restitution_band import RestitutionBand
+
+        text = block.restitution
+        low, colon, high = (text or "").partition(":")
+        if colon:
+            ends = {"low": _decimal(low, text), "high": _decimal(high, text)}
+            body = _body(replace(block, restitution=low), default)
+            return body, RestitutionBand(
+                **ends, draws=self.draws or BAND_DRAWS, scatter=self.scatter, seed=self.seed
+            )
+        body = _body(block, default)
+        if text is None:
+            return body, RestitutionBand(
+                draws=self.draws or BAND_DRAWS, scatter=self.scatter, seed=self.seed
+            )
+        if (self.draws or 1) > 1 and self.scatter == 0.0:
+            raise FlagError(
+                "--draws",
+                self.draws,
+                f"{SINGLE} has one draw without --scatter",
+                "give a band, as --restitution 0.85:0.95, or add --scatter 0.05",
+            )
+        if self.draws == 1 or self.draws is None:
+            return body, RestitutionBand(draws=1, scatter=self.scatter, seed=self.seed)
+        ratios = {side.restitution for side in (body.positive, body.negative)}
+        if len(ratios) > 1:
+            raise FlagError(
+                "--draws",
+                self.draws,
+                "the sides of this block have two restitutions, which have one draw",
+                "give one number with --restitution, or a band",
+            )
+        (ratio,) = ratios
+        return body, RestitutionBand(
+            low=ratio, high=ratio, draws=self.draws, scatter=self.scatter, seed=self.seed
+        )
+
+
+def intensity_of(text: str) -> "Intensity":
+    """Return the measure of intensity of a flag: a name, and a period after a colon.
+
+    Raises
+    ------
+    FlagError
+        If there is none of that name, or it has no period.
+    """
+    from rocksteady.seismic.measures.scalar import Intensity
+
+    name, colon, period = text.partition(":")
+    try:
+        return Intensity(name, number("--measure", period) if colon else None)
+    except InputError as error:
+        raise FlagError("--measure", text, error.valid, error.hint) from None
+
+
+def values_of(flag: str, text: str) -> list[float]:
+    """Return the values of an axis, or those with commas between them.
+
+    Raises
+    ------
+    InputError
+        If one is no number.
+    """
+    if "," in text:
+        return [number(flag, part) for part in text.split(",")]
+    return axis(flag, text)
+
+
+def _levels(flag: str, measure: "Intensity | str", levels: list[float] | None) -> "Stripes":
+    """Return levels, whose errors name the flag."""
+    from rocksteady.risk.ensemble.levels import Stripes
+
+    try:
+        return Stripes(measure, levels)
+    except InputError as error:
+        raise FlagError(flag, error.value, error.valid, error.hint) from None
+
+
+def _decimal(text: str, whole: str | None) -> float:
+    """Return one end of a band of restitutions."""
+    try:
+        return decimal(text)
+    except ValueError:
+        raise InputError(
+            "restitution", whole, "a band has two numbers in (0, 1]", "write it as -r 0.85:0.95"
+        ) from None
+
+
+def _body(block: BlockFlags, default: Block | None) -> Block:
+    """Return the block of flags; the default where none describes one."""
+    if replace(block, restitution=None, gravity_m_s2=None).given:
+        body = block.described()
+        assert isinstance(body, Block)
+        return body
+    if default is None or block.gravity_m_s2 is not None:
+        raise missing(
+            "--width-m with --height-m",
+            valid="fragility is of a block with a size",
+            hint="describe it, as --width-m 0.32 --height-m 1.8",
+        )
+    ratio = restitution_from(block.restitution, default="housner")
+    return default if ratio == "housner" else default.with_restitution(ratio)
