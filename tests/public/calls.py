@@ -355,6 +355,22 @@ def calls() -> dict[str, Call]:
             "stripes": t["stripes"],
             "restitution": rs.RestitutionBand(draws=1),
         },
+        rs.DamageState: {"name": "half", "peak": 0.5},
+        rs.DamageState("half", 0.5).exceeded: {
+            "status": np.array([1, 2]),
+            "peak_angle": np.array([0.2, 0.9]),
+        },
+        rs.Fitting: {"states": ["uplift", 0.5], "bands": None},
+        rs.compute_fragility: {
+            "blocks": block,
+            "motions": [record, record.scaled(0.8)],
+            "stripes": t["stripes"],
+            "restitution": rs.RestitutionBand(draws=1),
+            "fitting": t["fitting"],
+        },
+        rs.fit_fragility: {"ensemble": t["fragility"].ensemble, "fitting": t["fitting"]},
+        t["fragility"].state: {"name": "overturned"},
+        t["fragility"].states[0].rows: {"measure": "pga_g"},
         rs.simulate_many: {"blocks": block, "motions": record, "scales": [1.0, 2.0]},
         rs.scale_motion: {"motion": t["pulse"], "factor": -1.0},
         rs.simulate: {"block": block, "motion": shaking, "cycles": 2.0},
@@ -427,6 +443,8 @@ def calls() -> dict[str, Call]:
         rs.ResponseCurve: "curve", rs.ResponseSpectrum: "response", rs.SteadyOrbit: "steady",
         rs.HazardCurve: "hazard", rs.Risk: "risk", rs.BranchTest: "branch test",
         rs.SteadyStates: "states", rs.Trajectory: "run", rs.Neighbours: "neighbours",
+        rs.Fragility: "fragility", rs.StateFragility: "state_fragility",
+        rs.Efficiency: "efficiency",
     }  # fmt: skip
     table |= {kind: fields(t[name]) for kind, name in results.items()}
     table |= {rs.Flights: fields(run.flights), rs.Impacts: fields(run.impacts)}

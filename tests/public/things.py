@@ -60,7 +60,21 @@ def things() -> dict[str, Any]:
             Path(path).write_text("t (s),acc (m/s2)\n0,0\n0.1,1\n0.2,-1\n", encoding="utf-8")
         else:
             rs.evaluate(square, grid, (rs.Output(name="value"),), run=rs.Run(store=path))
+    stripes = rs.Stripes("pga_g", [0.2, 0.4])
+    fitting = rs.Fitting(states=["uplift", "overturned"], bands=None)
+    fragility = rs.compute_fragility(
+        block,
+        [record, other],
+        stripes=stripes,
+        restitution=rs.RestitutionBand(draws=1),
+        fitting=fitting,
+    )
     return {
+        "stripes": stripes,
+        "fitting": fitting,
+        "fragility": fragility,
+        "state_fragility": fragility.states[0],
+        "efficiency": fragility.ranking[0],
         "block": block,
         "bare": bare,
         "shaking": shaking,
@@ -80,7 +94,6 @@ def things() -> dict[str, Any]:
         "suite": suite,
         "summary": rs.summarise_spectra(suite),
         "grid": grid,
-        "stripes": rs.Stripes("pga_g", [0.2, 0.4], beside=()),
         "object": described,
         "facts": rs.derive_facts(described),
         "output": rs.Output(name="value"),

@@ -174,7 +174,9 @@ def _suite(recorded: SuiteFlags, reading: ReadingFlags, *, example: bool) -> Sui
     """
     if not example:
         return recorded.suite(reading)
-    given = {"--records": str(path) for path in recorded.records or []} | reading.given
+    given = dict(reading.given)
+    if recorded.records:
+        given["--records"] = recorded.records[0]
     if recorded.pair:
         given["--pair"] = True
     for flag, value in given.items():

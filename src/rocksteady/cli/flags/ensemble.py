@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from rocksteady.seismic.measures.scalar import Intensity
 
 ENSEMBLE = "Ensemble"
-SINGLE = "a single value of the restitution"
 BAND_DRAWS = 5
 
 Records = Annotated[
@@ -279,42 +278,43 @@ class EnsembleFlags:
         InputError, FlagError
             If the block or the band is not valid.
         """
-        from rocksteady.risk.ensemble.restitution_band import RestitutionBand
-
         text = block.restitution
         low, colon, high = (text or "").partition(":")
         if colon:
             ends = {"low": _decimal(low, text), "high": _decimal(high, text)}
-            body = _body(replace(block, restitution=low), default)
-            return body, RestitutionBand(
-                **ends, draws=self.draws or BAND_DRAWS, scatter=self.scatter, seed=self.seed
-            )
+            return _body(replace(block, restitution=low), default), self._band(BAND_DRAWS, ends)
         body = _body(block, default)
         if text is None:
-            return body, RestitutionBand(
-                draws=self.draws or BAND_DRAWS, scatter=self.scatter, seed=self.seed
-            )
-        if (self.draws or 1) > 1 and self.scatter == 0.0:
+            return body, self._band(BAND_DRAWS, {})
+        if self.draws in (None, 1):
+            return body, self._band(1, {})
+        if self.scatter == 0.0:
             raise FlagError(
                 "--draws",
                 self.draws,
-                f"{SINGLE} has one draw without --scatter",
+                "a single value of the restitution has one draw without --scatter",
                 "give a band, as --restitution 0.85:0.95, or add --scatter 0.05",
             )
-        if self.draws == 1 or self.draws is None:
-            return body, RestitutionBand(draws=1, scatter=self.scatter, seed=self.seed)
-        ratios = {side.restitution for side in (body.positive, body.negative)}
-        if len(ratios) > 1:
+        if body.positive.restitution != body.negative.restitution:
             raise FlagError(
                 "--draws",
                 self.draws,
                 "the sides of this block have two restitutions, which have one draw",
                 "give one number with --restitution, or a band",
             )
-        (ratio,) = ratios
-        return body, RestitutionBand(
-            low=ratio, high=ratio, draws=self.draws, scatter=self.scatter, seed=self.seed
-        )
+        ratio = body.positive.restitution
+        return body, self._band(1, {"low": ratio, "high": ratio})
+
+    def _band(self, draws: int, ends: dict[str, float]) -> "RestitutionBand":
+        """Return a band, whose errors name the flags."""
+        from rocksteady.risk.ensemble.restitution_band import RestitutionBand
+
+        count = draws if self.draws is None else self.draws
+        try:
+            return RestitutionBand(**ends, draws=count, scatter=self.scatter, seed=self.seed)
+        except InputError as error:
+            flag = "--restitution" if error.name in ("low", "high") else f"--{error.name}"
+            raise FlagError(flag, error.value, error.valid, error.hint) from None
 
 
 def intensity_of(text: str) -> "Intensity":

@@ -9,15 +9,20 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.errors import ModelError
 from rocksteady.kernels.core.tables import RESTITUTION
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.equations import Model
 from rocksteady.outcomes import Status
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
-from rocksteady.seismic.spectra.batch import GroundShaking, shaken_fates, sides_in_si
+from rocksteady.seismic.spectra.batch import (
+    GroundShaking,
+    scattered_sides,
+    shaken_fates,
+    sides_in_si,
+)
 from rocksteady.seismic.spectra.grounds import turned_round
 from rocksteady.seismic.spectra.many import DIRECTIONS
+from rocksteady.sweep.cases.draws import uniform
 
 if TYPE_CHECKING:
     import xarray
@@ -25,6 +30,9 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Objects = NDArray[np.object_]
+
+DIGITS = 53
+"""Binary digits of a uniform number, and of the key that is made of it."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -126,7 +134,7 @@ def fates(
         found = shaken_fates(
             shaking=shaking[here],
             scale=scale[here],
-            sides=_scattering(sides[here], band, cell[here]),
+            sides=_scattering(sides[here], band, cell[here].astype(np.int64)),
             gravity=float(value),
         )
         status[here], peaks[here], impacts[here] = found.status, found.peak_angle, found.impacts
@@ -178,15 +186,8 @@ def _ratios(block: Block, band: RestitutionBand) -> Floats:
 
 
 def _scattering(sides: Floats, band: RestitutionBand, cells: Integers) -> Floats:
-    """Return sides whose restitution scatters from impact to impact.
-
-    Raises
-    ------
-    ModelError
-        If there is scatter.
-    """
-    if band.scatter > 0.0:
-        raise ModelError(
-            "scatter", band.scatter, f"the kernel has none for {len(cells)} cells", "leave it out"
-        )
-    return sides
+    """Return sides whose restitution scatters from impact to impact, keyed on seed and cell."""
+    if band.scatter == 0.0:
+        return sides
+    keys = np.ldexp(uniform(band.seed, cells)[:, 0], DIGITS).astype(np.int64)
+    return scattered_sides(sides, np.full(len(sides), band.scatter), keys)

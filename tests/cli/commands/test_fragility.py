@@ -1,0 +1,205 @@
+"""`rocksteady fragility`: its JSON, its files, folders with broken records, and refusals."""
+
+import csv
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray
+
+from rocksteady import (
+    Block,
+    Fitting,
+    RestitutionBand,
+    Stripes,
+    compute_fragility,
+    open_store,
+    read_record,
+)
+from tests.cli.motion_files import at2, samples
+from tests.cli.program import refused, rocksteady
+
+BLOCK = "--width-m 0.32 --height-m 1.8"
+FEW = f"fragility {BLOCK} -r housner --levels 0.3,0.8,2 --replicates 0"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    place = tmp_path_factory.mktemp("suite")
+    for seed in range(1, 5):
+        at2(place / f"G{seed}090.AT2", samples(seed), dt_s=0.01 * (1 + seed))
+    return place
+
+
+def test_the_json_keeps_the_contract(folder: Path) -> None:
+    ran = rocksteady(f"{FEW} --json --records", folder)
+    assert (ran.code, ran.err) == (0, "")
+    values = ran.json
+    assert values["schema"] == "rocksteady/fragility/1"
+    files = sorted(folder.iterdir())
+    found = compute_fragility(
+        Block.rectangle(width=0.32, height=1.8),
+        [read_record(file) for file in files],
+        stripes=Stripes(levels=[0.3, 0.8, 2.0]),
+        restitution=RestitutionBand(draws=1),
+        fitting=Fitting(bands=None),
+    )
+    same = found.to_dict()
+    for key in ("fits", "points", "ranking", "runs", "records", "levels", "warnings", "measure"):
+        assert repr(values[key]) == repr(same[key]), key
+    assert values["runs"] == 4 * 3
+    assert values["seconds"] > 0.0
+    for row in values["fits"]:
+        assert {"damage_state", "measure", "median", "beta", "low", "high"} <= set(row)
+    assert [row["file"] for row in values["files"]] == [str(file) for file in files]
+    assert values["left_out"] == []
+    assert values["synthetic"] is False
+
+
+def test_a_broken_record_is_named_and_the_rest_is_run(folder: Path, tmp_path: Path) -> None:
+    place = tmp_path / "suite"
+    place.mkdir()
+    for file in folder.iterdir():
+        (place / file.name).write_bytes(file.read_bytes())
+    (place / "G2090.AT2").write_text("PEER\nnothing of use\n")
+    (place / "README.md").write_text("Four records.\n")
+    (place / ".hidden").write_text("no record")
+    ran = rocksteady(f"{FEW} --json --records", place)
+    assert ran.code == 0
+    assert ran.json["records"] == 3
+    assert {Path(row["file"]).name for row in ran.json["left_out"]} == {"G2090.AT2", "README.md"}
+    for name in ("G2090.AT2", "README.md"):
+        assert f"{place / name} is left out: " in ran.err
+    assert ".hidden" not in ran.err
+    text = rocksteady(f"{FEW} --records", place)
+    assert "2 files were left out" in text.out
+
+
+def test_a_folder_without_a_record_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "README.md").write_text("No records.\n")
+    assert "none of its 1 files" in refused(f"{FEW} --records", tmp_path)
+    assert "it does not exist" in refused(f"{FEW} --records", tmp_path / "no")
+    assert "--records is not given" in refused(FEW)
+    assert list(tmp_path.iterdir()) == [tmp_path / "README.md"]
+
+
+def test_the_same_record_twice_is_named(folder: Path, tmp_path: Path) -> None:
+    copy = tmp_path / "copy.AT2"
+    copy.write_bytes((folder / "G1090.AT2").read_bytes())
+    ran = rocksteady(f"{FEW} --json --records {folder} --records", copy)
+    assert ran.json["records"] == 5
+    (warning,) = [text for text in ran.json["warnings"] if "the same samples" in text]
+    assert "G1090" in warning
+    assert "copy" in warning
+
+
+def test_a_vertical_channel_is_run_with_its_station(tmp_path: Path) -> None:
+    for name, seed, component in (("H1-N", 1, "000"), ("H1-W", 2, "090"), ("H1-V", 3, "UP")):
+        part = 0.05 if component == "UP" else 1.0  # so weak that it keeps its contact at any level
+        at2(tmp_path / f"{name}.AT2", part * samples(seed), component=component)
+    alone = rocksteady(f"{FEW} --json --records", tmp_path)
+    assert alone.json["vertical"] == ["without"]
+    assert alone.json["records"] == 2
+    assert "is vertical; --pair runs it" in alone.err
+    paired = rocksteady(f"{FEW} --json --pair --records", tmp_path)
+    assert paired.json["vertical"] == ["without", "with"]
+    assert paired.json["records"] == 2
+    assert paired.json["runs"] == 2 * alone.json["runs"]
+
+
+def test_runs_are_kept_continued_and_written(folder: Path, tmp_path: Path) -> None:
+    store, table, data = (tmp_path / name for name in ("runs.zarr", "runs.csv", "runs.nc"))
+    first = rocksteady(
+        f"{FEW} --json --records {folder} --out {store} --csv {table} --netcdf {data}"
+    )
+    assert first.code == 0
+    assert "it exists" in refused(f"{FEW} --records {folder} --out {store}")
+    again = rocksteady(f"{FEW} --json --records {folder} --out {store} --resume")
+    assert again.json["fits"] == first.json["fits"]
+    assert int(np.prod(open_store(store).status.shape)) == 12
+    with table.open(newline="") as lines:
+        rows = list(csv.DictReader(lines))
+    assert len(rows) == 4 * 3 * 2
+    assert {"record", "level", "direction", "status", "peak_angle", "uplift_time_s"} <= set(rows[0])
+    with xarray.open_dataset(data) as kept:
+        assert kept.attrs["kind"] == "rocking ensemble"
+        assert dict(kept.sizes)["record"] == 4
+        fell = int((kept.status == 2).sum())
+    assert sum(row["status"] == "overturned" for row in rows) == fell
+
+
+@pytest.mark.parametrize("workers", [1, 2, 3])
+def test_workers_do_not_change_a_digit(folder: Path, workers: int) -> None:
+    one = rocksteady(f"{FEW} --json --executor serial --records", folder).json
+    other = rocksteady(f"{FEW} --json --workers {workers} --records", folder).json
+    assert repr(one["fits"]) == repr(other["fits"])
+
+
+def test_a_band_of_restitutions_and_a_measure_with_a_period(folder: Path) -> None:
+    ran = rocksteady(
+        f"fragility {BLOCK} -r 0.85:0.95 --draws 3 --measure sa_g:0.5 --levels 0.4:1.2:3 "
+        f"--states overturned --family logistic --replicates 0 --no-reverse --json --records",
+        folder,
+    )
+    values = ran.json
+    assert values["restitution"] == [pytest.approx([0.85, 0.9, 0.95])]
+    assert values["measure"] == "sa_g_0.5s"
+    assert values["levels"] == pytest.approx([0.4, 0.8, 1.2])
+    assert values["directions"] == ["as recorded"]
+    assert values["runs"] == 4 * 3 * 3
+    assert {row["damage_state"] for row in values["fits"]} == {"overturned"}
+    assert values["family"] == "logistic"
+    factors = rocksteady(
+        f"fragility {BLOCK} -r 0.9 --scale 1:3:3 --replicates 0 --json --records", folder
+    )
+    assert factors.json["stripes"] == "scale"
+    assert factors.json["measure"] == "p_pgv_per_uplift"
+    assert factors.json["scale_factor_max"] == 3.0
+    default = rocksteady(f"fragility {BLOCK} --levels 1 --replicates 0 --json --records", folder)
+    e = Block.rectangle(width=0.32, height=1.8).restitution
+    assert default.json["restitution"][0] == pytest.approx(np.linspace(e, math.sqrt(e), 5))
+
+
+def test_the_example_says_that_its_motions_are_synthetic() -> None:
+    ran = rocksteady("fragility --example -r housner --levels 0.4,0.8,1.6 --replicates 0")
+    assert ran.code == 0
+    assert "synthetic motions" in ran.out
+    assert "overturned" in ran.out
+    assert "24 records" in ran.out
+
+
+@pytest.mark.parametrize(
+    ("flags", "words"),
+    [
+        ("--measure pga", "--measure = 'pga' is not accepted: the measures are"),
+        ("--measure pga_g:1", "has no period"),
+        ("--measure sa_g:x", "it must be a number"),
+        ("--measure significant_5_75_s", "scaling a record does not change it"),
+        ("--levels 0,1", "--levels"),
+        ("--levels 1,1", "--levels"),
+        ("--levels x", "--levels = 'x'"),
+        ("--scale 1:2:3 --levels 1", "--scale and --levels are both given"),
+        ("-r 0.9:0.8", "--restitution = 0.9"),
+        ("-r 0.9:x", "a band has two numbers"),
+        ("-r 0.9 --draws 3", "without --scatter"),
+        ("--draws 0", "--draws = 0"),
+        ("--scatter 2", "--scatter = 2"),
+        ("--states fallen", "the states without a peak"),
+        ("--states uplift,uplift", "each once"),
+        ("--family normal", "--family"),
+        ("--confidence 1.5", "--confidence"),
+        ("--replicates 5", "--replicates"),
+        ("--seed -1", "--seed = -1"),
+        ("--example", "--example has synthetic motions"),
+        ("--pair --column 2", "--column"),
+        ("--resume", "without --out there is no store"),
+    ],
+)
+def test_what_is_wrong_is_one_line(folder: Path, flags: str, words: str) -> None:
+    assert words in refused(f"fragility {BLOCK} {flags} --records", folder)
+
+
+def test_a_block_is_needed(folder: Path) -> None:
+    assert "fragility is of a block with a size" in refused("fragility --records", folder)
+    assert "no block is described" in refused("fragility --width-m 0.3 --records", folder)

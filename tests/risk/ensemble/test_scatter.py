@@ -1,0 +1,75 @@
+"""Restitution that scatters from impact to impact, in an ensemble: draws, seeds, workers."""
+
+import functools
+
+import numpy as np
+import pytest
+import xarray
+
+from rocksteady import Block, RestitutionBand, Run, Stripes, run_ensemble
+from tests.seismic.grounds import ground
+
+BLOCKS = (
+    Block.rectangle(width=0.4, height=1.6),
+    Block.asymmetric(left=0.25, right=0.4, height=2.4),
+)
+SUITE = tuple(ground(seed, peak=4.0, name=f"ground {seed}") for seed in range(3))
+NAMES = ("status", "peak_angle", "impacts", "uplift_time_s")
+
+
+@functools.cache
+def scattered(scatter: float = 0.05, seed: int = 0) -> xarray.Dataset:
+    return computed(RestitutionBand(low=0.9, high=0.9, draws=6, scatter=scatter, seed=seed))
+
+
+def computed(band: RestitutionBand, run: Run | None = None) -> xarray.Dataset:
+    stripes = Stripes("scale", [0.8, 1.6], beside=())
+    return run_ensemble(BLOCKS, SUITE, stripes=stripes, restitution=band, run=run)
+
+
+def test_draws_of_one_mean_differ_and_without_scatter_are_one() -> None:
+    still = scattered(0.0)
+    np.testing.assert_array_equal(still.peak_angle, still.peak_angle.isel(draw=[0] * 6))
+    found = scattered()
+    rocked = still.impacts.isel(draw=0) > 2
+    assert int(rocked.sum()) > 10
+    peaks = found.peak_angle.transpose(..., "draw").values.reshape(-1, 6)
+    several = [len(set(cell.tolist())) for cell in peaks]
+    lively = rocked.values.ravel()
+    assert np.mean(np.array(several)[lively] == 6) > 0.8
+    # No impact, no draw: where nothing rocks, and until the first impact.
+    np.testing.assert_array_equal(found.uplift_time_s, still.uplift_time_s)
+
+
+def test_small_scatter_stays_near_the_run_without() -> None:
+    still, near = scattered(0.0), scattered(1e-9)
+    same = (still.status == near.status) & (still.status != 2)
+    assert float(same.mean()) > 0.5
+    differ = abs(still.peak_angle - near.peak_angle).where(same)
+    assert float(differ.median()) < 1e-6
+
+
+def test_a_seed_gives_its_own_draws_and_the_same_again() -> None:
+    again = computed(RestitutionBand(low=0.9, high=0.9, draws=6, scatter=0.05, seed=0))
+    other = scattered(seed=1)
+    for name in NAMES:
+        np.testing.assert_array_equal(again[name], scattered()[name])
+    assert not np.array_equal(other.peak_angle, scattered().peak_angle)
+    assert scattered().attrs["scatter"] == 0.05
+    assert other.attrs["seed"] == "1"
+
+
+@pytest.mark.parametrize(
+    "run",
+    [Run(executor="serial"), *(Run(executor="threads", workers=count) for count in (1, 2, 3))],
+)
+def test_workers_do_not_change_a_bit(run: Run) -> None:
+    found = computed(RestitutionBand(low=0.9, high=0.9, draws=6, scatter=0.05), run)
+    for name in NAMES:
+        np.testing.assert_array_equal(found[name], scattered()[name])
+
+
+def test_a_symmetric_blocks_mirror_image_has_the_same_draws() -> None:
+    found = scattered().isel(block=0)
+    for name in NAMES:
+        np.testing.assert_array_equal(found[name].isel(direction=0), found[name].isel(direction=1))

@@ -1,0 +1,287 @@
+"""Fragility of an ensemble: counts by hand, likelihood by hand, gates, pooling, warnings."""
+
+import functools
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+import xarray
+from scipy.optimize import minimize
+from scipy.stats import norm
+
+from rocksteady import (
+    Block,
+    DamageState,
+    Fitting,
+    Fragility,
+    InputError,
+    Intensity,
+    Record,
+    RestitutionBand,
+    Status,
+    Stripes,
+    compute_fragility,
+    fit_curve,
+    fit_fragility,
+    read_record,
+    run_ensemble,
+)
+from tests.records import FOLDER
+from tests.seismic.grounds import ground
+
+BLOCK = Block.rectangle(width=0.4, height=1.6)
+OTHER = Block.asymmetric(left=0.25, right=0.4, height=2.4)
+LEVELS = (0.3, 0.5, 0.7, 0.9, 1.2, 1.6)
+PLAIN = Fitting(bands=None)
+SUITE = tuple(
+    Record(
+        acceleration_m_s2=ground(seed).acceleration_m_s2,
+        dt_s=0.02 * (1.5 + 0.25 * (seed % 6)),
+        name=f"ground {seed}",
+    )
+    for seed in range(12)
+)
+
+
+@functools.cache
+def ensemble() -> xarray.Dataset:
+    return run_ensemble(
+        [BLOCK, OTHER],
+        SUITE,
+        stripes=Stripes(levels=LEVELS),
+        restitution=RestitutionBand(draws=2),
+    )
+
+
+@functools.cache
+def fragility() -> Fragility:
+    return fit_fragility(ensemble(), fitting=PLAIN)
+
+
+def changed(**values: np.ndarray) -> xarray.Dataset:
+    found = ensemble().copy(deep=True)
+    for name, array in values.items():
+        found[name].values[:] = array
+    return found
+
+
+def test_points_are_the_counts_of_the_runs() -> None:
+    runs = ensemble()
+    rules = {
+        "uplift": runs.peak_angle > 0.0,
+        "theta/alpha > 0.5": (runs.peak_angle > 0.5) | (runs.status == Status.OVERTURNED),
+        "overturned": runs.status == Status.OVERTURNED,
+    }
+    for name, labels in rules.items():
+        points = fragility().state(name).points
+        assert [point[0] for point in points] == list(LEVELS)
+        for level, trials, lifted, failures in points:
+            here = labels.sel(level=level)
+            assert (trials, failures) == (here.size, int(here.sum()))
+            assert lifted == int((runs.peak_angle.sel(level=level) > 0.0).sum())
+    # Each state includes the graver ones, level by level.
+    columns = [[point[3] for point in each.points] for each in fragility().states]
+    for milder, graver in pairwise(columns):
+        assert all(one >= other for one, other in zip(milder, graver, strict=True))
+    assert sum(columns[-1]) > 20
+
+
+def test_the_plain_curve_has_the_largest_likelihood_of_the_single_runs() -> None:
+    fell = (ensemble().status == Status.OVERTURNED).transpose(..., "level").values.reshape(-1, 6)
+    at = np.broadcast_to(LEVELS, fell.shape)
+
+    def surprise(parameters: np.ndarray) -> float:
+        z = (np.log(at) - parameters[0]) / math.exp(parameters[1])
+        return -float(np.where(fell, norm.logcdf(z), norm.logsf(z)).sum())
+
+    best = minimize(surprise, [0.0, -1.0], method="Nelder-Mead", options={"xatol": 1e-9})
+    plain = fragility().state("overturned").plain
+    assert plain.median == pytest.approx(math.exp(best.x[0]), rel=1e-5)
+    assert plain.beta == pytest.approx(math.exp(best.x[1]), rel=1e-5)
+    assert plain.log_likelihood == pytest.approx(-best.fun, rel=1e-9)
+
+
+def test_the_second_stage_sees_the_runs_that_lift_alone() -> None:
+    state = fragility().state("overturned")
+    assert state.two_stage is not None
+    assert state.curve is state.two_stage
+    lifted = (ensemble().peak_angle > 0.0).values
+    assert state.two_stage.given_uplift.trials == int(lifted.sum()) < lifted.size
+    assert state.two_stage.uplift.failures == int(lifted.sum())
+    assert fragility().state("uplift").two_stage is None
+    at = np.array(LEVELS)
+    product = state.two_stage.uplift.probability(at) * state.two_stage.given_uplift.probability(at)
+    np.testing.assert_allclose(state.curve.probability(at), product, rtol=1e-14)
+
+
+def test_records_are_the_groups_however_many_blocks_are_pooled() -> None:
+    assert fragility().records == fragility().state("overturned").plain.records == len(SUITE)
+    one = fit_fragility(ensemble().isel(block=[0]), fitting=PLAIN)
+    assert one.state("overturned").plain.records == len(SUITE)
+    assert one.state("overturned").plain.trials * 2 == fragility().states[-1].plain.trials
+
+
+def test_mirror_images_do_not_move_a_curve() -> None:
+    stripes, band = Stripes(levels=LEVELS, beside=()), RestitutionBand(draws=1)
+    both, one = (
+        compute_fragility(
+            BLOCK, SUITE, stripes=stripes, restitution=band, reverse=reverse, fitting=PLAIN
+        )
+        for reverse in ("both", False)
+    )
+    assert both.runs == one.runs == len(SUITE) * len(LEVELS)
+    for name in ("uplift", "overturned"):
+        assert both.state(name).plain.median == pytest.approx(one.state(name).plain.median)
+        assert both.state(name).plain.beta == pytest.approx(one.state(name).plain.beta)
+
+
+def test_uplift_over_pga_is_a_step_at_g_tan_alpha() -> None:
+    gate = math.tan(BLOCK.alpha)
+    levels = [0.5 * gate, 0.99 * gate, 1.01 * gate, 2.0 * gate]
+    found = compute_fragility(
+        BLOCK,
+        SUITE,
+        stripes=Stripes("pga_g", levels, beside=()),
+        restitution=RestitutionBand(draws=1),
+        fitting=PLAIN,
+    )
+    curve = found.state("uplift").plain
+    assert curve.status == "separated"
+    assert curve.step == (levels[1], levels[2])
+    assert curve.median == pytest.approx(gate, rel=1e-3)
+    second = found.state("theta/alpha > 0.25").two_stage
+    assert second is not None
+    assert second.uplift.status == "separated"
+    assert second.probability([levels[1]]).tolist() == [0.0]
+
+
+def test_labels_are_neither_sorted_nor_made_monotone() -> None:
+    # Fewer falls at the highest level than at the one before.
+    status = ensemble().status.values.copy()
+    status[..., -1] = np.where(np.arange(status.size // 6).reshape(status.shape[:-1]) % 3, 1, 2)
+    status[..., -2] = Status.OVERTURNED
+    found = fit_fragility(changed(status=status), fitting=PLAIN)
+    points = found.state("overturned").points
+    assert points[-2][3] == points[-2][1]
+    assert points[-1][3] == points[-1][1] // 3
+
+
+def test_runs_without_an_answer_are_left_out_and_counted() -> None:
+    status = ensemble().status.values.copy()
+    status.ravel()[:3] = (Status.LOST_CONTACT, Status.UNDECIDED, Status.LOST_CONTACT)
+    found = fit_fragility(changed(status=status), fitting=PLAIN)
+    assert found.states[-1].plain.trials == status.size - 3
+    assert "3 runs without an answer are left out of the fits" in found.warnings
+    status.ravel()[: status.size // 50] = Status.UNDECIDED
+    with pytest.raises(InputError, match="without an answer"):
+        fit_fragility(changed(status=status))
+
+
+def test_measures_are_ranked_by_the_likelihood_of_the_same_runs() -> None:
+    ranking = fragility().ranking
+    assert [each.aic for each in ranking] == sorted(each.aic for each in ranking)
+    singles = {each.measure[0].key: each for each in ranking if len(each.measure) == 1}
+    assert {"pga_g", "pgv_m_s", "p_pgv_per_uplift", "sa_g", "sa_avg_g"} <= set(singles)
+    runs = ensemble()
+    reached = (runs.im_pga_g * runs.scale).broadcast_like(runs.status)
+    curve = fit_curve(
+        reached.transpose(*runs.status.dims).values.ravel(),
+        (runs.status == Status.OVERTURNED).values.ravel().astype(int),
+    )
+    assert singles["pga_g"].median == pytest.approx(curve.median, rel=1e-7)
+    assert singles["pga_g"].log_likelihood == pytest.approx(curve.log_likelihood, rel=1e-9)
+    assert singles["p_pgv_per_uplift"].beta == pytest.approx(
+        fragility().states[-1].plain.beta, rel=1e-7
+    )
+
+
+def test_curves_of_plain_factors_are_over_the_default_measure() -> None:
+    found = compute_fragility(
+        BLOCK,
+        SUITE,
+        stripes=Stripes("scale", [0.5, 1.0, 2.0, 4.0]),
+        restitution=RestitutionBand(draws=1),
+        fitting=PLAIN,
+    )
+    assert found.measure == Intensity("p_pgv_per_uplift")
+    assert found.scale_factor_max == 4.0
+    reached = found.ensemble.im_p_pgv_per_uplift * found.ensemble.scale
+    plain = found.states[-1].plain
+    assert plain.sampled == pytest.approx((float(reached.min()), float(reached.max())))
+    assert sum(point[1] for point in found.states[-1].points) == found.ensemble.status.size
+
+
+def test_a_measure_that_is_not_beside_the_runs_is_named() -> None:
+    runs = run_ensemble(
+        BLOCK,
+        SUITE[:2],
+        stripes=Stripes("pga_g", [0.3, 0.6], beside=()),
+        restitution=RestitutionBand(draws=1),
+    )
+    with pytest.raises(InputError, match="no such measure beside it; it has pga_g"):
+        fit_fragility(runs, fitting=Fitting(measures=[Intensity("pgv_m_s")], bands=None))
+    with pytest.raises(InputError, match="is no ensemble"):
+        fit_fragility(runs.drop_attrs())
+
+
+def test_the_description_has_a_row_for_every_curve() -> None:
+    values = fragility().to_dict()
+    stages = [(row["damage_state"], row["stage"]) for row in values["fits"]]
+    assert stages[0] == ("uplift", "plain")
+    assert stages[-4:] == [
+        ("overturned", stage) for stage in ("two-stage", "uplift", "given-uplift", "plain")
+    ]
+    row = values["fits"][-1]
+    assert row["median"] == fragility().states[-1].plain.median
+    assert row["measure"] == values["measure"] == "p_pgv_per_uplift"
+    assert values["records"] == 12
+    assert values["runs"] == 12 * 6 * 2 * (1 + 2)
+    assert len(values["points"]) == 5 * 6
+    text = fragility().summary()
+    assert "overturned" in text
+    assert sum("12 records" in warning for warning in fragility().warnings) == 1
+
+
+def test_a_state_of_ones_own() -> None:
+    found = fit_fragility(
+        ensemble(), fitting=Fitting(states=[DamageState("contents", 0.1), 0.3], bands=None)
+    )
+    assert [each.state.name for each in found.states] == ["contents", "theta/alpha > 0.3"]
+    with pytest.raises(InputError, match="the damage states are contents"):
+        found.state("overturned")
+
+
+@pytest.mark.slow
+def test_the_suite_gives_the_published_curve() -> None:
+    """Median .672 and beta .462 of 3,360 runs, and the shares by bins of the measure."""
+    files = sorted((FOLDER / "suite_at2").glob("*.AT2"))
+    if not files:
+        pytest.skip("there is no suite in ../shared/records")
+    blocks = [Block.from_p(alpha=a, p=p) for a in (0.1, 0.2, 0.3) for p in (1.0, 1.5, 2.0, 3.0)]
+    runs = run_ensemble(
+        blocks,
+        [read_record(file) for file in files],
+        stripes=Stripes("scale", [1.0, 2.0, 4.0, 8.0, 16.0]),
+        restitution=RestitutionBand(draws=1),
+    )
+    found = fit_fragility(runs, fitting=PLAIN)
+    two_stage = found.state("overturned").two_stage
+    assert two_stage is not None
+    assert two_stage.given_uplift.median == pytest.approx(0.672, abs=5e-4)
+    assert two_stage.given_uplift.beta == pytest.approx(0.462, abs=5e-4)
+    assert found.ranking[0].measure[0] == Intensity("p_pgv_per_uplift")
+    reached = (runs.im_p_pgv_per_uplift * runs.scale).broadcast_like(runs.status)
+    reached = reached.transpose(*runs.status.dims).values
+    lifted, fell = runs.peak_angle.values > 0.0, runs.status.values == Status.OVERTURNED
+    for low, high, share in (
+        (0.2, 0.3, 0.000),
+        (0.3, 0.4, 0.078),
+        (0.4, 0.5, 0.156),
+        (0.5, 0.7, 0.424),
+        (0.7, 1.0, 0.679),
+        (1.0, 1.5, 0.897),
+        (1.5, 2.0, 0.969),
+    ):
+        here = lifted & (reached >= low) & (reached < high)
+        assert fell[here].mean() == pytest.approx(share, abs=5e-4), (low, high)
