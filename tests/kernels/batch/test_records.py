@@ -29,6 +29,7 @@ from rocksteady.kernels.core.tables import (
 )
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import peaks_until_overturning
+from tests.kernels.scattering import scattered
 from tests.kernels.tables import sampled
 from tests.records import synthetic
 from tests.strategies import sample_size
@@ -42,8 +43,10 @@ GRAVITY = 9.81
 PLENTY = 10**6
 
 
-def blocks(count: int, *, nonlinear: bool, alike: bool = True) -> Floats:
-    """Return sides in m/s^2 and rad/s."""
+def blocks(
+    count: int, *, nonlinear: bool, alike: bool = True, deviation: float | None = None
+) -> Floats:
+    """Return sides in m/s^2 and rad/s; with a deviation their restitution scatters."""
     rng = np.random.default_rng(2)
     sides = np.zeros((count, 2, NONLINEAR_SIDE_COLUMNS if nonlinear else SIDE_COLUMNS))
     alpha = rng.uniform(0.08, 0.36, (count, 2))
@@ -55,6 +58,8 @@ def blocks(count: int, *, nonlinear: bool, alike: bool = True) -> Floats:
         sides[:, :, LEFT_OUT] = 1e-15
     if alike:
         sides[:, 1] = sides[:, 0]
+    if deviation is not None:
+        return np.stack([scattered(sides[i], deviation, 7 * i) for i in range(count)])
     return sides
 
 
@@ -127,9 +132,13 @@ def test_to_halve_the_lean_is_to_double_the_motion(nonlinear: bool) -> None:
         np.testing.assert_array_equal(column, again)
 
 
+@pytest.mark.parametrize("deviation", [None, 0.1])
 @pytest.mark.parametrize("nonlinear", [False, True])
-def test_a_reversed_motion_moves_the_mirrored_block_the_same(nonlinear: bool) -> None:
-    values, sides = record(200, 5.0), blocks(sample_size(20, 3), nonlinear=nonlinear, alike=False)
+def test_a_reversed_motion_moves_the_mirrored_block_the_same(
+    nonlinear: bool, deviation: float | None
+) -> None:
+    values = record(200, 5.0)
+    sides = blocks(sample_size(20, 3), nonlinear=nonlinear, alike=False, deviation=deviation)
     one = fates(table(values, STEP, nonlinear=nonlinear), sides)
     other = fates(table(-values, STEP, nonlinear=nonlinear), sides[:, ::-1].copy())
     np.testing.assert_array_equal(one[0], other[0])
@@ -159,15 +168,29 @@ def test_a_base_that_falls_away_ends_a_march_in_lost_contact() -> None:
     assert set(status.tolist()) == {LOST_CONTACT}
 
 
+@pytest.mark.parametrize("deviation", [None, 0.1])
 @pytest.mark.parametrize("nonlinear", [False, True])
-def test_a_cell_does_not_depend_on_its_neighbours(nonlinear: bool) -> None:
+def test_a_cell_does_not_depend_on_its_neighbours(nonlinear: bool, deviation: float | None) -> None:
     segments = table(record(150, 6.0), STEP, nonlinear=nonlinear)
-    sides = blocks(8, nonlinear=nonlinear)
+    sides = blocks(8, nonlinear=nonlinear, deviation=deviation)
     together = fates(segments, sides)
     for i in range(8):
         alone = fates(segments, sides[i : i + 1])
         for column, single in zip(together, alone, strict=True):
             np.testing.assert_array_equal(column[i], single[0])
+
+
+@pytest.mark.parametrize("nonlinear", [False, True])
+def test_without_deviation_scattered_restitution_changes_no_bit(nonlinear: bool) -> None:
+    segments = table(record(150, 6.0), STEP, nonlinear=nonlinear)
+    count = sample_size(60, 4)
+    one, other, scattering = (
+        fates(segments, blocks(count, nonlinear=nonlinear, alike=False, deviation=deviation))
+        for deviation in (None, 0.0, 0.05)
+    )
+    for column, again, scattered_one in zip(one, other, scattering, strict=True):
+        np.testing.assert_array_equal(column, again)
+        assert (scattered_one != column).any()
 
 
 def test_a_block_that_is_not_lifted_stays_at_rest() -> None:
@@ -208,12 +231,13 @@ def test_the_peaks_of_a_fall_are_those_when_it_passes_the_slenderness() -> None:
     assert peaks[0].tolist() == [1.0, pytest.approx(2.0 * math.sqrt(1.25), rel=1e-12)]
 
 
+@pytest.mark.parametrize("deviation", [None, 0.1])
 @pytest.mark.parametrize("nonlinear", [False, True])
 def test_the_peaks_of_a_fall_are_those_of_all_its_flights_up_to_the_last_passage(
-    nonlinear: bool,
+    nonlinear: bool, deviation: float | None
 ) -> None:
     count = sample_size(150, 4)
-    sides = blocks(count, nonlinear=nonlinear, alike=False)
+    sides = blocks(count, nonlinear=nonlinear, alike=False, deviation=deviation)
     sides[:, :, RATE] *= 2.0
     segments = table(record(150, 6.0), STEP, nonlinear=nonlinear)
     status, _, peaks = fates(segments, sides)

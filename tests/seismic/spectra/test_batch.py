@@ -5,14 +5,17 @@ from itertools import product
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from rocksteady import Block, Record, Status, Trajectory, simulate
+from rocksteady.errors import InputError
 from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.seismic.spectra.batch import (
     Fared,
     GroundShaking,
     rectangles_in_si,
+    scattered_sides,
     shaken_fates,
     sides_in_si,
 )
@@ -122,3 +125,40 @@ def test_the_peak_velocity_is_that_of_the_sampled_time_history() -> None:
         top = max(sampled, float(before.max(initial=0.0)))
         assert top <= run.peak_velocity * (1.0 + 1e-12)
         assert math.isclose(top, run.peak_velocity, rel_tol=1e-3)
+
+
+@pytest.mark.parametrize("model", [Linear(), Nonlinear()])
+def test_scatter_is_drawn_by_key_in_any_order_of_cells(model: Model) -> None:
+    count = 24
+    shaking = np.full(count, GroundShaking(record=ground(peak=9.0)))
+    sides = np.repeat(sides_in_si(BLOCKS[3], model)[np.newaxis], count, axis=0)
+    keys, factors = np.arange(count) // 2 + 2**52, np.ones(count)
+
+    def found(deviation: float, keys: NDArray[np.int64]) -> Fared:
+        wide = scattered_sides(sides, np.full(count, deviation), keys)
+        return shaken_fates(shaking=shaking, scale=factors, sides=wide, gravity=9.80665)
+
+    plain = shaken_fates(shaking=shaking, scale=factors, sides=sides, gravity=9.80665)
+    for column, same in zip(plain, found(0.0, keys), strict=True):
+        np.testing.assert_array_equal(column, same)
+    one, other = found(0.08, keys), found(0.08, keys[::-1].copy())
+    for column, turned in zip(one, other, strict=True):
+        np.testing.assert_array_equal(column, turned[::-1])
+        np.testing.assert_array_equal(column[::2], column[1::2])  # two cells have each key
+    assert len(set(one.peak_velocity.tolist())) == count // 2
+
+
+@pytest.mark.parametrize(
+    ("deviation", "keys", "name"),
+    [
+        (-0.1, 0, "deviation"),
+        (1.1, 0, "deviation"),
+        (math.nan, 0, "deviation"),
+        (0.1, -1, "keys"),
+        (0.1, 2**53, "keys"),
+    ],
+)
+def test_scatter_and_keys_have_bounds(deviation: float, keys: int, name: str) -> None:
+    sides = sides_in_si(BLOCKS[0], Linear())[np.newaxis]
+    with pytest.raises(InputError, match=name):
+        scattered_sides(sides, np.array([deviation]), np.array([keys]))

@@ -37,7 +37,9 @@ def small_calls(entries: dict[str, Callable[..., Any]]) -> list[Call]:
     batches.record_attractors(call, "chatter", 8, nonlinear=False, chatter=True)
     batches.record_attractors(call, "chatter", 4, nonlinear=True, chatter=True)
     for k, nonlinear in enumerate((False, True, False, True)):
-        batches.record_records(call, f"record, {k}", 8, nonlinear=nonlinear, samples=60)
+        batches.record_records(
+            call, f"record, {k}", 8, nonlinear=nonlinear, samples=60, scattered=k > 1
+        )
         batches.record_steady_states(call, f"steady, {k}", 20, shapes=k != 3)
     histories.record_histories(call)
     histories.record_small_parts(call)

@@ -107,7 +107,15 @@ def record_steady_states(call: Recorder, name: str, count: int, *, shapes: bool)
     call("fill_curves", w, 0.999 * r, order, np.zeros((5, count)))
 
 
-def record_records(call: Recorder, name: str, count: int, *, nonlinear: bool, samples: int) -> None:
+def record_records(
+    call: Recorder,
+    name: str,
+    count: int,
+    *,
+    nonlinear: bool,
+    samples: int,
+    scattered: bool = False,
+) -> None:
     """Record the fates of blocks under a record.
 
     Parameters
@@ -116,10 +124,12 @@ def record_records(call: Recorder, name: str, count: int, *, nonlinear: bool, sa
         As for `record_fates`.
     samples
         Of the record.
+    scattered
+        Whether restitution scatters from impact to impact.
     """
     drawn = Drawn.by_name(name)
     segments = drawn.segments("record", nonlinear=nonlinear, samples=samples)
-    sides = drawn.sides(count, nonlinear=nonlinear)
+    sides = drawn.sides(count, nonlinear=nonlinear, scattered=scattered)
     sides[:, :, LEAN] *= drawn.rng.uniform(0.5, 3.0, count)[:, np.newaxis]
     sides[:, :, RATE] *= drawn.rng.uniform(0.3, 3.0, count)[:, np.newaxis]
     status, impacts = np.zeros(count, np.int64), np.zeros(count, np.int64)

@@ -10,11 +10,14 @@ from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table
 from rocksteady.kernels.core.tables import (
     ALPHA,
+    KEY,
     LEAN,
     LEFT_OUT,
     NONLINEAR_SIDE_COLUMNS,
     RATE,
     RESTITUTION,
+    SCATTER,
+    SCATTERED_SIDE_COLUMNS,
     SIDE_COLUMNS,
 )
 from rocksteady.model.blocks.block import Block
@@ -60,8 +63,10 @@ class Drawn:
         """Return True as often as that."""
         return bool(self.rng.random() < share)
 
-    def sides(self, count: int, *, nonlinear: bool, alike: float = 0.5) -> Floats:
-        """Return the sides of blocks, shape (count, 2, 3) or (count, 2, 5).
+    def sides(
+        self, count: int, *, nonlinear: bool, alike: float = 0.5, scattered: bool = False
+    ) -> Floats:
+        """Return the sides of blocks, shape (count, 2, 3), (count, 2, 5) or (count, 2, 7).
 
         Parameters
         ----------
@@ -71,10 +76,13 @@ class Drawn:
             Whether they are those of the nonlinear model.
         alike
             Share of blocks whose sides are alike.
+        scattered
+            Whether their restitution scatters.
         """
         rng = self.rng
         columns = NONLINEAR_SIDE_COLUMNS if nonlinear else SIDE_COLUMNS
-        sides = np.ones((count, 2, columns))
+        sides = np.ones((count, 2, SCATTERED_SIDE_COLUMNS if scattered else columns))
+        sides[:, :, SIDE_COLUMNS:] = 0.0
         sides[:, :, RESTITUTION] = rng.uniform(0.45, 0.99, (count, 2))
         sides[:, 1, LEAN] = rng.uniform(0.6, 1.6, count)
         sides[:, 1, RATE] = rng.uniform(0.8, 1.25, count)
@@ -82,6 +90,9 @@ class Drawn:
             sides[:, 0, ALPHA] = rng.uniform(0.05, 0.6, count)
             sides[:, 1, ALPHA] = sides[:, 0, ALPHA] * sides[:, 1, LEAN]
             sides[:, :, LEFT_OUT] = 1e-15
+        if scattered:
+            sides[:, :, SCATTER] = rng.uniform(0.02, 0.3, (count, 1))
+            sides[:, :, KEY] = rng.integers(0, 2**53, (count, 1))
         same = rng.random(count) < alike
         sides[same, 1] = sides[same, 0]
         return sides
