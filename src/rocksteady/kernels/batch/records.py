@@ -13,6 +13,7 @@ import math
 
 import numpy as np
 
+from rocksteady.kernels.batch._waiting import fill_hardest, waits_until
 from rocksteady.kernels.core.tables import (
     BEFORE_ANGLE,
     BEFORE_SPEED,
@@ -25,6 +26,7 @@ from rocksteady.kernels.core.tables import (
     RATE,
     ROW_COLUMNS,
     March,
+    is_nonlinear,
     kept_passage,
 )
 from rocksteady.kernels.core.typed import ZERO
@@ -32,6 +34,9 @@ from rocksteady.kernels.machine_code.compilation import allocating
 from rocksteady.kernels.machine_code.types import Floats1, Floats2, Floats3, Integers1
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.march.replay import peaks_until_overturning
+
+FEW = 2
+"""Blocks that wait at rest step by step: for so few it takes no longer than to make a table."""
 
 
 @allocating
@@ -69,16 +74,20 @@ def record_fates(
     """
     none, nothing = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
     peak = np.zeros(PASSAGE_COLUMNS)
-    start = March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0)
+    hardest = np.empty(len(segments) - 1)
+    if len(sides) > FEW:
+        fill_hardest(segments, is_nonlinear(sides[0]), hardest)
     for i in range(len(sides)):
         own = sides[i]
+        waits = waits_until(hardest, own) if len(sides) > FEW else ZERO
         unit = own[0, LEAN] * own[0, RATE]
         stop = afterwards[i] / own[0, RATE]
         peak[:] = 0.0
+        start = March(0, 0.0, 0.0, waits, 0, 0.0, 0, waits)
         status[i], end = march(segments, own, start, ZERO, stop, math.inf, limit, none, peak)
         impacts[i] = end.impacts
         if status[i] == OVERTURNED:
-            again, most = start, end.flights
+            again, most = March(0, 0.0, 0.0, waits, 0, 0.0, 0, 0), end.flights - waits
             if peak[PASSING_AGAIN] == 0.0:
                 again, most = kept_passage(peak), 1
             rows = np.zeros((most, ROW_COLUMNS))

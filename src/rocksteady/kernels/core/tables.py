@@ -37,6 +37,9 @@ LIFT_SLOPE = 10
 LIFT_CEILING = 11  # max of its absolute value from this segment's start on
 NONLINEAR_SEGMENT_COLUMNS = 12
 
+SAFELY = 1.0 - 1e-9
+"""Part of its uplift value up to which no sample lifts a block, rounding included."""
+
 # Columns of the side table; row 0 is the positive side, row 1 the negative one.
 RESTITUTION = 0  # of the impact that ends a flight on this side
 LEAN = 1  # this side's alpha over the reference alpha

@@ -37,6 +37,7 @@ from rocksteady.kernels.core.tables import (
     PEAK_ANGLE,
     PEAK_SPEED,
     RATE,
+    SAFELY,
     SLOPE,
     Floats,
     March,
@@ -196,6 +197,9 @@ def rest_through(
     duration = segments[segment, DURATION]
     record = len(rows) > 0
     stop = min(end_of_run(segments, segment), segment + limit - flights)
+    faint = segments[segment, CEILING] < SAFELY * min(above, -below)
+    if faint and not record and segment < stop:
+        return stop, flights + (stop - segment)
     while segment < stop:
         start = segments[segment, CONSTANT]
         end = start + segments[segment, SLOPE] * duration

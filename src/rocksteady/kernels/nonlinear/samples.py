@@ -9,17 +9,20 @@ or one of low slenderness, the series takes its place.
 
 from rocksteady.kernels.core.tables import (
     ALPHA,
+    CEILING,
     CONSTANT,
     DURATION,
     ENDED_BY_SPAN,
     LEAN,
     LEFT_OUT,
     LIFT,
+    LIFT_CEILING,
     LIFT_SLOPE,
     PASSAGE_COLUMNS,
     PEAK_ANGLE,
     PEAK_SPEED,
     RATE,
+    SAFELY,
     SLOPE,
     Floats,
     March,
@@ -179,6 +182,10 @@ def rest_through(
     duration = segments[segment, DURATION]
     record = len(rows) > 0
     stop = min(end_of_run(segments, segment), segment + limit - flights)
+    lightest = SAFELY - segments[segment, LIFT_CEILING]
+    faint = segments[segment, CEILING] < SAFELY * lightest * min(above, -below)
+    if faint and not record and segment < stop:
+        return stop, flights + (stop - segment)
     while segment < stop:
         start, weight = segments[segment, CONSTANT], 1.0 + segments[segment, LIFT]
         end = start + segments[segment, SLOPE] * duration

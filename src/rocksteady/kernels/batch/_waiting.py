@@ -1,0 +1,67 @@
+"""How long blocks wait at rest under one motion: a table made once, a search for each block.
+
+A block at rest feels the base acceleration over its weight, and waits while that is below its
+uplift value.  The largest so far, from segment to segment, says for all blocks how long.
+"""
+
+import math
+
+from rocksteady.kernels.core.tables import (
+    AMPLITUDE,
+    CONSTANT,
+    DURATION,
+    JUMP,
+    LEAN,
+    LIFT,
+    LIFT_SLOPE,
+    SAFELY,
+    SLOPE,
+    Floats,
+    is_nonlinear,
+)
+from rocksteady.kernels.core.typed import ONE, ZERO
+from rocksteady.kernels.machine_code.compilation import compiled
+from rocksteady.kernels.nonlinear.drive import WEIGHTLESS
+from rocksteady.kernels.nonlinear.samples import uplift_at
+
+
+@compiled
+def fill_hardest(segments: Floats, nonlinear: bool, hardest: Floats) -> None:
+    """Fill the largest |a|/(1 + l) up to the end of each segment but the endless one.
+
+    It is infinite from where a sinusoid, an impulse, or a base that falls away needs a march.
+    """
+    top = 0.0
+    for index in range(len(hardest)):
+        duration = segments[index, DURATION]
+        start = segments[index, CONSTANT]
+        end = start + segments[index, SLOPE] * duration
+        weight = later = 1.0
+        if nonlinear:
+            weight += segments[index, LIFT]
+            later = weight + segments[index, LIFT_SLOPE] * duration
+        if (
+            segments[index, AMPLITUDE] != 0.0
+            or segments[index + 1, JUMP] != 0.0
+            or min(weight, later) <= WEIGHTLESS
+        ):
+            top = math.inf
+        else:
+            top = max(top, abs(start) / weight, abs(end) / later)
+        hardest[index] = top
+
+
+@compiled
+def waits_until(hardest: Floats, sides: Floats) -> int:
+    """Return the first segment at which a block at rest may lift, or the endless one."""
+    least: float = min(sides[0, LEAN], sides[1, LEAN])
+    if is_nonlinear(sides):
+        least = min(uplift_at(sides, ZERO), uplift_at(sides, ONE))
+    low, high = 0, len(hardest)
+    while low < high:
+        middle = (low + high) // 2
+        if hardest[middle] < SAFELY * least:
+            low = middle + 1
+        else:
+            high = middle
+    return low
