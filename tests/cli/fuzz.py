@@ -141,6 +141,12 @@ USUAL = {
     ],
     "record": [["a.at2"], ["a.at2", *BLOCK]],
     "spectrum": [["--record", "a.at2", "--alpha-rad", "0.2", "--periods-s", "1:2:2"]],
+    "screens": [
+        [*BLOCK, "--pga-g", "0.3", "--pgv-m-s", "0.4", "--friction", "0.3"],
+        [*BLOCK, "--spectrum", "spectrum.txt", "--damping", "0.05"],
+        [*BLOCK, "--record", "a.at2"],
+    ],
+    "assess": [[*BLOCK, "--pga-g", "0.3", "--pgv-m-s", "0.4"]],
     "paper": [["--only", "10", "--out", "out"]],
     "study atlas": [["-A", "1:3:3", "-W", "2:6:3", "-n", "1", "--out", "out"]],
 }
@@ -181,6 +187,7 @@ def fill(folder: Path) -> None:
     (folder / "empty.txt").touch()
     (folder / "bytes.bin").write_bytes(bytes(range(256)))
     (folder / "table.csv").write_text("t,acc\n0,1\n.1,2\n.2,1\n")
+    (folder / "spectrum.txt").write_text("0 0.3\n0.1 0.8\n1 0.3\n4 0.02\n")
     (folder / "there.csv").write_text("precious")
     (folder / "folder").mkdir()
 

@@ -24,6 +24,8 @@ NUMBERS: dict[str, tuple[Callable[[Any], Any], str]] = {
     "pushed": (lambda found: [found.friction_needed], "friction_needed"),
     "regions": (lambda found: found.heteroclinic, "heteroclinic"),
     "response": (lambda found: found.pseudo_velocity_m_s, "pseudo_velocity_m_s"),
+    "quick": (lambda found: [found.median_pgv_m_s], "median_pgv_m_s"),
+    "screens": (lambda found: [row.verdict for row in found.rows], "verdict"),
     "set": (lambda found: [found.horizontal[0].record.dt_s], "dt_s"),
     "steady": (lambda found: found.angle, "angle"),
     "two_stages": (lambda found: [row[3] for row in found.stripes], "probability"),

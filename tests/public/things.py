@@ -69,12 +69,18 @@ def things() -> dict[str, Any]:
         restitution=rs.RestitutionBand(draws=1),
         fitting=fitting,
     )
+    demand = rs.Demand(pga_g=0.5, pgv_m_s=0.6)
+    screens = rs.screen_block(block, demand)
     return {
         "stripes": stripes,
         "fitting": fitting,
         "fragility": fragility,
         "state_fragility": fragility.states[0],
         "efficiency": fragility.ranking[0],
+        "demand": demand,
+        "screens": screens,
+        "screen": screens.rows[0],
+        "quick": rs.assess_two_numbers(block, 0.5, 0.6),
         "block": block,
         "bare": bare,
         "shaking": shaking,

@@ -16,7 +16,6 @@ from typer.exceptions import TyperException
 
 from rocksteady import __version__
 from rocksteady.cli.commands import (
-    assess,
     attractor,
     basins,
     bifurcate,
@@ -27,12 +26,12 @@ from rocksteady.cli.commands import (
     overturn,
     paper,
     record,
-    screens,
     simulate,
     spectrum,
     steady,
     study,
 )
+from rocksteady.cli.commands.risk import assess, screens
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import INCOMPLETE
 from rocksteady.cli.console.refusals import OncePerFlag

@@ -208,7 +208,7 @@ def assess_two_numbers(
     unit = block.gravity * tan(side.alpha) / side.p
     medians = MEDIAN * unit, OTHER_MEDIAN * unit
     if not math.isfinite(medians[0]) or medians[0] <= 0.0:
-        raise InputError("block", block, "it is too small or too large", "give metres")
+        raise InputError("alpha", side.alpha, "the block is too slender", "give it in radians")
     shares: list[float | None] = [None, None]
     if mode == "rest":
         shares = [0.0, 0.0]

@@ -182,7 +182,7 @@ def _root(function: Callable[[float], float], low: float, high: float) -> float:
     """Return the root of a function between two points where its signs differ."""
     from scipy.optimize import brentq
 
-    found: float = brentq(function, low, high, xtol=1e-15, rtol=1e-14)
+    found: float = brentq(function, low, high, xtol=1e-15 * low, rtol=1e-14, maxiter=500)
     return found
 
 

@@ -6,6 +6,7 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.results.numbers import number, quantity
 from rocksteady.risk.screens._asce import RockingBody, Rotations, find_rotations, rotations_text
 from rocksteady.risk.screens._rows import MEMORY_HIGH, Case
+from rocksteady.risk.screens._spectra import spectrum_of
 from rocksteady.risk.screens.screen import Screen
 
 SOURCE = (
@@ -28,7 +29,7 @@ def asce_row(case: Case) -> Screen:
         ("F_v", body.vertical_factor, ""),
         ("period at alpha", longest, "s"),
     ]
-    spectrum = demand.spectrum_at_any_damping()
+    spectrum = spectrum_of(demand.spectrum, demand.spectrum_damping)
     if spectrum is None:
         what = "its damping" if demand.spectrum is not None else "a spectrum with its damping"
         key = "spectrum_damping" if demand.spectrum is not None else "spectrum, spectrum_damping"

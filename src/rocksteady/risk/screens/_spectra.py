@@ -14,9 +14,14 @@ from numpy.typing import NDArray
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arrays import UnfitError, numeric_array
-from rocksteady.model.checks.validation import LARGEST, in_range
+from rocksteady.model.checks.validation import in_range
 from rocksteady.model.motions.record import Record
-from rocksteady.seismic.measures.response_spectrum import SHORTEST, compute_response_spectrum
+from rocksteady.seismic.measures.response_spectrum import (
+    LONGEST_S,
+    SHORTEST,
+    ResponseSpectrum,
+    compute_response_spectrum,
+)
 
 Floats = NDArray[np.float64]
 
@@ -24,6 +29,10 @@ RIGID_S = 0.01
 """Period [s] up to which a spectrum has the value of its row at zero."""
 RECORD_PERIODS = 200
 """Periods at which the spectrum of a record is computed."""
+SHORTEST_S = 1e-6
+"""Shortest period above 0 of a table [s]."""
+LEAST_G, MOST_G = 1e-12, 1e12
+"""Spectral accelerations of a table [g]."""
 MOST_BYTES = 10_000_000
 """Of a file with a spectrum."""
 SHAPE_HINT = "give rows of period [s] and Sa [g], one column of Sa for each damping"
@@ -79,7 +88,8 @@ class RecordSpectrum:
     def at_damping(self, damping: float, longest_s: float) -> tuple[Chain, str]:
         """Return the spectrum of the record up to a period."""
         shortest = max(RIGID_S, SHORTEST * self.record.dt_s)
-        periods = np.geomspace(shortest, max(longest_s, 2.0 * shortest), RECORD_PERIODS)
+        longest = max(min(longest_s, LONGEST_S), 2.0 * shortest)
+        periods = np.geomspace(shortest, longest, RECORD_PERIODS)
         found = compute_response_spectrum(self.record, periods, damping=damping)
         values = found.pseudo_acceleration_m_s2
         how = (
@@ -171,12 +181,14 @@ def tabulated(table: object, damping: object) -> TabulatedSpectrum | None:
     valid = ""
     if rows.ndim != 2 or rows.shape[0] < 2 or rows.shape[1] < 2:
         valid = "it must have two rows or more and two columns or more"
-    elif not np.isfinite(rows).all() or rows.max() > LARGEST:
+    elif not np.isfinite(rows).all():
         valid = "its numbers must be finite"
     elif rows[0, 0] < 0.0 or (np.diff(rows[:, 0]) <= 0.0).any():
         valid = "its periods must ascend from 0 or above"
-    elif (rows[:, 1:] <= 0.0).any():
-        valid = "its spectral accelerations must be above 0"
+    elif rows[1, 0] < SHORTEST_S or 0.0 < rows[0, 0] < SHORTEST_S or rows[-1, 0] > LONGEST_S:
+        valid = f"its periods above 0 must lie in [{SHORTEST_S:g}, {LONGEST_S:g}] s"
+    elif rows[:, 1:].min() < LEAST_G or rows[:, 1:].max() > MOST_G:
+        valid = f"its spectral accelerations must lie in [{LEAST_G:g}, {MOST_G:g}] g"
     if valid:
         raise InputError("spectrum", table, valid, SHAPE_HINT)
     if damping is None:
@@ -204,6 +216,17 @@ def tabulated(table: object, damping: object) -> TabulatedSpectrum | None:
         dampings=tuple(np.array(values)[order].tolist()),
         values_g=rows[:, 1:][:, order],
     )
+
+
+def spectrum_of(spectrum: object, damping: object) -> Spectrum | None:
+    """Return a demand's spectrum for any damping; None without one or without its damping."""
+    if spectrum is None:
+        return None
+    if isinstance(spectrum, ResponseSpectrum):
+        return RecordSpectrum(spectrum.record)
+    if isinstance(spectrum, Record):
+        return RecordSpectrum(spectrum)
+    return tabulated(spectrum, damping)
 
 
 DAMPING_LINE = re.compile(r"damping\D*?((?:\d*\.?\d+\s*%?[\s,;]*)+)", re.IGNORECASE)

@@ -10,7 +10,7 @@ from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.motions.record import Record
-from rocksteady.risk.screens._spectra import RecordSpectrum, Spectrum, read_table, tabulated
+from rocksteady.risk.screens._spectra import read_table, tabulated
 from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
 from rocksteady.seismic.measures.time_course import integrate_record
 
@@ -27,7 +27,7 @@ class Demand:
     pgv_m_s
         Peak velocity [m/s]; None (default) where it is not known.
     spectrum
-        Horizontal response spectrum: rows of period [s] and spectral acceleration [g], shape
+        Horizontal response spectrum: rows of period in s and spectral acceleration in g, shape
         (periods, 1 + dampings), or a file of such rows; a `ResponseSpectrum` or a `Record`, which
         is exact at any damping.  None by default.
     spectrum_damping
@@ -106,16 +106,6 @@ class Demand:
             sa_v_per_sa_h=sa_v_per_sa_h,
             vertical_g=vertical_g,
         )
-
-    def spectrum_at_any_damping(self) -> Spectrum | None:
-        """Return the spectrum, for any damping; None without one or without its damping."""
-        if self.spectrum is None:
-            return None
-        if isinstance(self.spectrum, ResponseSpectrum):
-            return RecordSpectrum(self.spectrum.record)
-        if isinstance(self.spectrum, Record):
-            return RecordSpectrum(self.spectrum)
-        return tabulated(self.spectrum, self.spectrum_damping)
 
     def _refuse_damping(self) -> None:
         """Refuse a damping that belongs to no table."""

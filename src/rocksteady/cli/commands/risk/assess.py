@@ -66,10 +66,9 @@ def assess(
     """Run `rocksteady assess`; `HELP` is what its users read."""
     if file is not None:
         raise FlagError(
-            "FILE",
-            str(file),
-            "object files and tables of objects are not read yet",
-            "describe the block, as --width-m 0.32 --height-m 1.8 --pga-g 0.35 --pgv-m-s 0.4",
+            finding=f"{str(file)!r} is given in place of --width-m and --height-m",
+            valid="object files and tables of objects are not read yet",
+            hint="describe the block, as --width-m 0.32 --height-m 1.8 --pga-g 0.35 --pgv-m-s 0.4",
         )
     output.check([])
     most = probability("--target", target)

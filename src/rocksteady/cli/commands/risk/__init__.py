@@ -1,0 +1,1 @@
+"""Commands that say whether an object falls: screens, assessments."""
