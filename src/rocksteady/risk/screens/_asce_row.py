@@ -20,7 +20,7 @@ def asce_row(case: Case) -> Screen:
     demand = case.demand
     body = RockingBody.of_side(case.side, case.block.gravity, demand.sa_v_per_sa_h)
     if body.restitution <= 0.0:
-        return _row(case, None, verdict="no answer: restitution below 0", passes=None)
+        return _row(case, None, verdict="no answer: restitution below 0", answered=True)
     longest = 1.0 / body.frequency_hz(body.alpha)
     constants = [
         ("C_I", body.inertia, ""),
@@ -33,7 +33,7 @@ def asce_row(case: Case) -> Screen:
     if spectrum is None:
         what = "its damping" if demand.spectrum is not None else "a spectrum with its damping"
         key = "spectrum_damping" if demand.spectrum is not None else "spectrum, spectrum_damping"
-        return _row(case, None, verdict=f"needs {what}", passes=None, needs=key, details=constants)
+        return _row(case, None, verdict=f"needs {what}", needs=key, details=constants)
     chain, how = spectrum.at_damping(body.damping, longest)
     found = find_rotations(body, chain)
     for root in found.roots_rad:
@@ -44,15 +44,21 @@ def asce_row(case: Case) -> Screen:
         ]
     verdict, passes, needs = _verdict(body, found, longest)
     value = found.roots_rad[-1] if found.roots_rad else None
-    roots = found.roots_rad
     remark = f"{how[0].upper()}{how[1:]}; power laws between its points."
-    if roots:
-        remark += f" Roots at {rotations_text(roots)}; the largest is shown."
+    if value is not None:
+        remark += f" Roots at {rotations_text(found.roots_rad)}; the largest is shown."
     if found.examined_rad < body.alpha:
         remark += f" It ends at {number(chain.last_s)} s: up to {number(found.examined_rad)} rad."
-    row = _row(case, value, verdict=verdict, passes=passes, needs=needs, details=constants)
-    joined = f"{remark} {row.remark}".strip()
-    return _replaced(row, joined, computed=not needs)
+    return _row(
+        case,
+        value,
+        verdict=verdict,
+        passes=passes,
+        needs=needs,
+        details=constants,
+        remark=remark,
+        answered=not needs,
+    )
 
 
 def _verdict(body: RockingBody, found: Rotations, longest: float) -> tuple[str, bool | None, str]:
@@ -83,11 +89,3 @@ def _row(case: Case, value: float | None, *, details: Any = (), **fields: Any) -
         details=tuple(details),
         **fields,
     )
-
-
-def _replaced(row: Screen, remark: str, *, computed: bool) -> Screen:
-    """Return the row with its remark; with an answer it is computed though there is no root."""
-    from dataclasses import replace
-
-    status = "computed" if computed and row.status == "needs input" else row.status
-    return replace(row, remark=remark, status=status)

@@ -30,6 +30,7 @@ from rocksteady.risk.screens.screen import Screen, Standing
 
 MEMORY_HIGH = "from memory, high"
 CHECKED = "checked numerically"
+UNREVIEWED = "read, unreviewed copy"
 READ = "read in the source"
 
 SLIDES = ("slides", "slides and rocks")
@@ -73,12 +74,13 @@ class Case:
         share = self.side.p**2 * self.side.radius / self.block.gravity
         return self.block.symmetric and abs(share / RECTANGLE_SHARE - 1.0) < ALIKE
 
-    def rocking(self, *, remark: str = "", **fields: Any) -> Screen:
+    def rocking(self, *, remark: str = "", answered: bool | None = None, **fields: Any) -> Screen:
         """Return a row that takes rocking for granted: refused where the block slides.
 
-        Its formula was made for rectangles.
+        Its formula was made for rectangles.  It is answered where it has a value, or as given.
         """
-        status: Standing = "needs input" if fields.get("value") is None else "computed"
+        known = fields["value"] is not None if answered is None else answered
+        status: Standing = "computed" if known else "needs input"
         if not self.rectangular:
             what = "made for homogeneous rectangles"
             if not self.block.symmetric:
@@ -293,7 +295,7 @@ def circolare_row(case: Case) -> Screen:
         edition="Circ. 2019 n. 7",
         source="Circolare 21 January 2019 n. 7, C8.7.1, pages 272-277, in an unreviewed "
         "transcription; the second bullets of both displacement limits could not be read",
-        confidence="read, unreviewed",
+        confidence=UNREVIEWED,
         value=full.a0_g,
         unit="g",
         verdict=verdict,

@@ -1,0 +1,136 @@
+"""Two numbers to an answer: the worked case, limits, refusals and words."""
+
+import math
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rocksteady import Block, InputError, assess_two_numbers
+from rocksteady.risk.assess.two_numbers import share_words
+from tests.descriptions import as_json, fits
+
+BLOCK = Block.rectangle(width=0.32, height=1.8)
+
+
+def test_the_worked_case() -> None:
+    found = assess_two_numbers(BLOCK, 0.35, 0.4)
+    assert found.probability == pytest.approx(0.3992, abs=5e-5)
+    assert found.median_pgv_m_s == pytest.approx(0.4653, abs=5e-5)
+    assert found.uplift_pga_g == pytest.approx(0.1778, abs=5e-5)
+    assert found.friction_needed == pytest.approx(0.2199, abs=5e-5)
+    assert found.beta == 0.592
+    assert found.verdict == "rocks"
+    assert found.sentence == (
+        "About 2 in 5 such blocks would fall at a PGA of 0.35 g and a PGV of 0.4 m/s."
+    )
+
+
+def test_the_other_probability_is_that_of_our_own_runs() -> None:
+    from scipy.stats import norm
+
+    found = assess_two_numbers(BLOCK, 0.35, 0.4)
+    number = BLOCK.p * 0.4 / (9.80665 * 0.32 / 1.8)
+    assert found.other_probability == pytest.approx(norm.cdf(math.log(number / 0.672) / 0.462))
+    assert found.probability == pytest.approx(norm.cdf(math.log(number / 0.757) / 0.592))
+    text = " ".join(found.summary().split())
+    assert "47.2 %" in text
+    assert "28,399" in text
+    assert "10.1002/eqe.70042" in text
+    assert "no prediction for one" in text
+    assert "anchorage rules" in text
+
+
+@given(st.floats(0.05, 0.4), st.floats(0.2, 6.0))
+def test_at_the_median_half_fall_and_below_uplift_none(slope: float, height: float) -> None:
+    block = Block.rectangle(width=slope * height, height=height)
+    median = assess_two_numbers(block, 2.0 * slope, 0.3).median_pgv_m_s
+    assert assess_two_numbers(block, 2.0 * slope, median).probability == pytest.approx(0.5)
+    resting = assess_two_numbers(block, 0.999 * slope, 9.0 * median)
+    assert (resting.probability, resting.other_probability) == (0.0, 0.0)
+    assert resting.verdict == "rest"
+    assert "does not lift it" in resting.sentence
+
+
+@given(st.floats(0.05, 0.4), st.floats(0.2, 3.0), st.floats(0.01, 3.0), st.floats(0.05, 3.0))
+def test_larger_blocks_of_one_shape_need_velocities_with_the_root_of_their_size(
+    slope: float, height: float, scale: float, pgv: float
+) -> None:
+    small = Block.rectangle(width=slope * height, height=height)
+    large = Block.rectangle(width=slope * height * scale, height=height * scale)
+    one = assess_two_numbers(small, 1.0, pgv)
+    other = assess_two_numbers(large, 1.0, pgv * math.sqrt(scale))
+    assert other.probability == pytest.approx(one.probability, abs=1e-12)
+
+
+@pytest.mark.parametrize(("friction", "words"), [(0.1, "It slides"), (0.2, "It also slides")])
+def test_where_friction_governs_rocking_is_no_answer(friction: float, words: str) -> None:
+    found = assess_two_numbers(BLOCK, 0.35, 0.4, friction)
+    assert (found.probability, found.other_probability) == (None, None)
+    assert found.verdict == "slides"
+    assert found.sentence.startswith(words)
+    assert "0.22" in found.sentence
+    assert as_json(found.to_dict())["probability"] is None
+    assert fits(found.summary())
+
+
+def test_enough_friction_and_none_give_the_same_probability() -> None:
+    known, unknown = (assess_two_numbers(BLOCK, 0.35, 0.4, mu) for mu in (0.3, None))
+    assert known.probability == unknown.probability
+    assert known.remarks == ()
+    assert "friction is not given" in unknown.remarks[0]
+
+
+@pytest.mark.parametrize(("pga", "pgv"), [(0.35, 40.0), (35.0, 0.4), (0.35, 0.01)])
+def test_a_ratio_that_no_ground_has_is_remarked_on(pga: float, pgv: float) -> None:
+    found = assess_two_numbers(BLOCK, pga, pgv, 99.0)
+    assert any("are the units right?" in remark for remark in found.remarks)
+
+
+def test_a_block_beyond_our_own_runs_and_one_whose_sides_differ_are_remarked_on() -> None:
+    tiny = assess_two_numbers(Block.rectangle(width=0.02, height=0.1), 0.35, 0.4, 1.0)
+    assert "p 12" in tiny.remarks[0]
+    block = Block.asymmetric(left=0.1, right=0.3, height=1.8)
+    found = assess_two_numbers(block, 0.35, 0.4, 1.0)
+    assert any("sides differ" in remark for remark in found.remarks)
+    assert found.uplift_pga_g == pytest.approx(0.1 / 0.9)
+    side = block.positive
+    assert found.median_pgv_m_s == pytest.approx(0.757 * 9.80665 * math.tan(side.alpha) / side.p)
+
+
+def test_words_of_shares_are_the_nearest_odds_and_never_0_or_1() -> None:
+    assert share_words(0.0) == "Fewer than 1 in 1000"
+    assert share_words(1.0) == "More than 99 in 100"
+    assert [share_words(p) for p in (0.5, 0.1, 0.34, 0.012, 0.9)] == [
+        "About 1 in 2",
+        "About 1 in 10",
+        "About 1 in 3",
+        "About 1 in 100",
+        "About 9 in 10",
+    ]
+
+
+def test_json_has_the_keys_of_the_contract_and_the_text_fits_a_page() -> None:
+    found = assess_two_numbers(BLOCK, 0.35, 0.4)
+    values = as_json(found.to_dict())
+    keys = ["probability", "median_pgv_m_s", "beta", "uplift_pga_g", "friction_needed", "sentence"]
+    for key in keys:
+        assert values[key] == getattr(found, key)
+    assert fits(found.summary())
+
+
+@pytest.mark.parametrize(
+    ("changed", "name"),
+    [
+        ({"pga_g": 0.0}, "pga_g"),
+        ({"pga_g": math.inf}, "pga_g"),
+        ({"pgv_m_s": -1.0}, "pgv_m_s"),
+        ({"friction": -0.1}, "friction"),
+    ],
+)
+def test_what_is_no_peak_is_refused(changed: dict[str, Any], name: str) -> None:
+    arguments: dict[str, Any] = {"block": BLOCK, "pga_g": 0.35, "pgv_m_s": 0.4} | changed
+    with pytest.raises(InputError) as refusal:
+        assess_two_numbers(**arguments)
+    assert refusal.value.name == name

@@ -1,0 +1,49 @@
+"""Demand: what a record gives, and what is refused."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rocksteady import Demand, InputError, Record, measure_intensity
+
+
+def test_a_record_gives_its_peaks_and_its_spectrum() -> None:
+    t = 0.01 * np.arange(300)
+    record = Record(acceleration_m_s2=2.0 * np.sin(9.0 * t), dt_s=0.01)
+    found = Demand.from_record(record, sa_v_per_sa_h=0.5)
+    measured = measure_intensity(record)
+    assert found.pga_g == pytest.approx(measured.pga_g, rel=1e-14)
+    assert found.pgv_m_s == pytest.approx(measured.pgv_m_s, rel=1e-14)
+    assert found.spectrum is record
+    assert found.sa_v_per_sa_h == 0.5
+
+
+def test_a_file_is_read_when_the_demand_is_made(tmp_path: Path) -> None:
+    file = tmp_path / "spectrum.txt"
+    file.write_text("# damping 0.02\n0.1 0.3\n0.2 0.4\n", encoding="utf-8")
+    stated = Demand(spectrum=str(file))
+    assert stated.spectrum.tolist() == [[0.1, 0.3], [0.2, 0.4]]
+    assert stated.spectrum_damping == (0.02,)
+    assert Demand(spectrum=file, spectrum_damping=0.05).spectrum_damping == 0.05
+
+
+@pytest.mark.parametrize(
+    ("arguments", "name"),
+    [
+        ({"pga_g": 0.0}, "pga_g"),
+        ({"pga_g": "0.3"}, "pga_g"),
+        ({"pgv_m_s": -0.4}, "pgv_m_s"),
+        ({"pgv_m_s": float("nan")}, "pgv_m_s"),
+        ({"vertical_g": -1.0}, "vertical_g"),
+        ({"sa_v_per_sa_h": -0.1}, "sa_v_per_sa_h"),
+        ({"spectrum_damping": 0.05}, "spectrum_damping"),
+        ({"spectrum": 3.0}, "spectrum"),
+        ({"spectrum": "no/such.txt"}, "spectrum"),
+    ],
+)
+def test_what_is_no_demand_is_refused(arguments: dict[str, Any], name: str) -> None:
+    with pytest.raises(InputError) as refusal:
+        Demand(**arguments)
+    assert refusal.value.name == name

@@ -1,0 +1,250 @@
+"""All screens of a block: values, verdicts, missing inputs, and friction that governs."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+from rocksteady import Block, Demand, InputError, Record, Screens, screen_block
+from tests.descriptions import as_json, fits
+
+BLOCK = Block.rectangle(width=0.32, height=1.8)
+PEAKS = Demand(pga_g=0.35, pgv_m_s=0.4)
+SPECTRUM = [[0.0, 0.35], [0.1, 0.8], [0.4, 0.8], [1.0, 0.32], [2.0, 0.16], [4.0, 0.04]]
+NAMES = (
+    "uplift",
+    "friction to rock",
+    "restitution",
+    "ASCE 43-05 rocking",
+    "Ishiyama bound",
+    "Kaneko-Hayashi 50 %",
+    "Circolare rectangle",
+    "p PGV/(g tan alpha)",
+    "FEMA P-58 cabinets",
+)
+ROCKING = NAMES[3:]
+CONFIDENCE = ("read in the source", "read", "from memory", "memory", "checked numerically")
+
+
+def full(friction: float | None = 0.4, block: Block = BLOCK) -> Screens:
+    demand = Demand(pga_g=0.35, pgv_m_s=0.4, spectrum=SPECTRUM, spectrum_damping=0.05)
+    return screen_block(block, demand, friction=friction)
+
+
+def test_every_row_names_its_equation_edition_confidence_and_source() -> None:
+    found = full()
+    assert tuple(row.name for row in found.rows) == NAMES
+    for row in found.rows:
+        assert row.equation
+        assert row.edition
+        assert row.source
+        assert row.confidence.partition(",")[0] in CONFIDENCE
+        assert row.status == "computed"
+        assert row.value is not None
+        assert not row.needs
+
+
+def test_values_of_the_worked_block() -> None:
+    found = full()
+    values = {row.name: row.value for row in found.rows}
+    assert values["uplift"] == pytest.approx(0.1778, abs=5e-5)
+    assert values["friction to rock"] == pytest.approx(0.2199, abs=5e-5)
+    assert values["restitution"] == pytest.approx(BLOCK.restitution, rel=1e-13)
+    assert values["p PGV/(g tan alpha)"] == pytest.approx(0.757 * 0.4 / 0.4653, rel=1e-4)
+    assert values["Circolare rectangle"] == pytest.approx(0.32 / 1.8 / 0.75)
+    assert values["FEMA P-58 cabinets"] == 0.290
+    assert found.motion == "rocks"
+    assert found.negative
+
+
+def test_the_asce_row_solves_its_equation() -> None:
+    row = full().row("ASCE 43-05 rocking")
+    a, h = 0.32 / 1.8, 0.9
+    t, g = row.value, 9.80665
+    assert t is not None
+    rise = math.cos(t) + a * math.sin(t) - 1.0
+    inertia = 4.0 / 3.0 * (1.0 + a * a)
+    hertz = math.sqrt(2.0 * g * rise / (inertia * h * t * t)) / (2.0 * math.pi)
+    gamma = -2.0 * math.log(1.0 - 2.0 * a * a / inertia)
+    beta = gamma / math.hypot(2.0 * math.pi, gamma)
+    eta = math.sqrt(10.0 / (5.0 + 100.0 * beta))
+    demand = eta * 0.16 * (1.0 / hertz / 2.0) ** (math.log(0.04 / 0.16) / math.log(2.0))
+    assert 1.0 / hertz > 2.0
+    assert 2.0 * rise / t == pytest.approx(demand, rel=1e-9)
+    roots = [value for name, value, _ in row.details if name == "root"]
+    assert roots == sorted(roots)
+    assert roots[-1] == t
+
+
+@pytest.mark.parametrize(
+    ("level", "verdict", "passes"),
+    [(0.001, "no rotation", True), (1.0, "rocks up to", True), (9.0, "overturns", False)],
+)
+def test_no_root_means_overturning_only_where_the_demand_is_above(
+    level: float, verdict: str, passes: bool
+) -> None:
+    table = [[period, level * value] for period, value in SPECTRUM]
+    found = screen_block(BLOCK, Demand(spectrum=table, spectrum_damping=0.05))
+    row = found.row("ASCE 43-05 rocking")
+    assert row.verdict.startswith(verdict)
+    assert row.passes is passes
+    assert row.status == "computed"
+
+
+def test_a_spectrum_that_ends_early_is_asked_to_go_on() -> None:
+    found = screen_block(BLOCK, Demand(spectrum=SPECTRUM[:4], spectrum_damping=0.05))
+    row = found.row("ASCE 43-05 rocking")
+    assert (row.needs, row.passes) == ("spectrum", None)
+    assert "2.22 s" in row.verdict
+
+
+def test_rows_without_their_input_say_what_they_need() -> None:
+    found = screen_block(BLOCK, Demand())
+    needs = {row.name: row.needs for row in found.rows if row.needs}
+    assert needs == {
+        "uplift": "pga_g",
+        "friction to rock": "pga_g",
+        "ASCE 43-05 rocking": "spectrum, spectrum_damping",
+        "Ishiyama bound": "pga_g and pgv_m_s",
+        "Kaneko-Hayashi 50 %": "pga_g and pgv_m_s",
+        "Circolare rectangle": "pga_g",
+        "p PGV/(g tan alpha)": "pgv_m_s",
+        "FEMA P-58 cabinets": "pgv_m_s",
+    }
+    assert all("needs" in found.row(name).verdict for name in needs)
+    assert not found.negative
+    assert screen_block(BLOCK, PEAKS).row("friction to rock").needs == "friction"
+    undamped = screen_block(BLOCK, Demand(spectrum=SPECTRUM)).row("ASCE 43-05 rocking")
+    assert (undamped.verdict, undamped.needs) == ("needs its damping", "spectrum_damping")
+
+
+@pytest.mark.parametrize(("friction", "motion"), [(0.1, "slides"), (0.2, "slides and rocks")])
+def test_rocking_is_refused_as_an_answer_where_friction_governs(
+    friction: float, motion: str
+) -> None:
+    found = full(friction)
+    assert found.motion == motion
+    assert found.row("friction to rock").passes is False
+    for name in ROCKING:
+        row = found.row(name)
+        assert row.status == "refused", name
+        assert row.passes is None
+        assert "friction governs" in row.verdict
+    assert found.row("uplift").passes is False
+
+
+def test_one_peak_decides_where_it_is_below_its_bound() -> None:
+    slow = screen_block(BLOCK, Demand(pgv_m_s=0.1))
+    weak = screen_block(BLOCK, Demand(pga_g=0.1))
+    for found in (slow, weak):
+        for name in ("Ishiyama bound", "Kaneko-Hayashi 50 %"):
+            assert found.row(name).passes is True, name
+            assert not found.row(name).needs
+    strong = screen_block(BLOCK, Demand(pga_g=0.5))
+    for name in ("Ishiyama bound", "Kaneko-Hayashi 50 %"):
+        assert strong.row(name).needs == "pgv_m_s"
+
+
+def test_kaneko_hayashi_compares_velocities_above_its_frequency() -> None:
+    fast = screen_block(BLOCK, Demand(pga_g=2.0, pgv_m_s=0.3)).row("Kaneko-Hayashi 50 %")
+    v50 = {name: value for name, value, _ in fast.details}["V50"]
+    assert fast.passes is True  # 2 g, but slow
+    over = Demand(pga_g=2.0, pgv_m_s=1.001 * v50)
+    assert screen_block(BLOCK, over).row("Kaneko-Hayashi 50 %").passes is False
+    assert fast.value == pytest.approx(2.0 * v50 / 0.3)
+
+
+def test_below_uplift_the_velocity_number_passes() -> None:
+    found = screen_block(BLOCK, Demand(pga_g=0.1, pgv_m_s=2.0))
+    assert found.row("p PGV/(g tan alpha)").passes is True
+    assert screen_block(BLOCK, Demand(pgv_m_s=2.0)).row("p PGV/(g tan alpha)").passes is False
+    assert screen_block(BLOCK, Demand(pgv_m_s=0.1)).row("p PGV/(g tan alpha)").passes is True
+
+
+def test_rows_for_rectangles_say_so_of_other_blocks() -> None:
+    asymmetric = Block.asymmetric(left=0.12, right=0.2, height=1.8)
+    heavy = Block.asymmetric(left=0.16, right=0.16, height=1.2, gyration=0.5)
+    for block in (asymmetric, heavy):
+        found = full(block=block, friction=0.5)
+        for name in ROCKING:
+            assert found.row(name).status == "approximate", name
+            assert "homogeneous rectangles" in found.row(name).remark
+        assert found.row("uplift").status == "computed"
+    found = full(block=asymmetric)
+    assert found.row("uplift").value == pytest.approx(0.12 / 0.9)
+    assert "side that lifts first" in found.row("ASCE 43-05 rocking").remark
+    assert {n: v for n, v, _ in found.row("uplift").details}["other side"] == pytest.approx(
+        0.2 / 0.9
+    )
+    assert found.row("restitution").value == pytest.approx(asymmetric.positive.restitution)
+    mirrored = full(block=Block.asymmetric(left=0.2, right=0.12, height=1.8))
+    for one, other in zip(found.rows, mirrored.rows, strict=True):
+        if one.value is not None:
+            assert one.value == pytest.approx(other.value, rel=1e-12)
+        assert one.verdict == other.verdict
+
+
+def test_far_from_every_cabinet_there_is_no_verdict() -> None:
+    row = screen_block(Block.rectangle(width=1.0, height=5.0), PEAKS).row("FEMA P-58 cabinets")
+    assert row.passes is None
+    assert row.verdict == "no cabinet is near to this size"
+
+
+def test_vertical_motion_changes_uplift_and_asce_alone() -> None:
+    plain = full()
+    demand = Demand(
+        pga_g=0.35, pgv_m_s=0.4, spectrum=SPECTRUM, spectrum_damping=0.05, sa_v_per_sa_h=0.67,
+        vertical_g=-0.2,
+    )  # fmt: skip
+    shaken = screen_block(BLOCK, demand, friction=0.4)
+    assert shaken.row("uplift").value == pytest.approx(0.8 * 0.32 / 1.8)
+    factors = [
+        {name: value for name, value, _ in found.row("ASCE 43-05 rocking").details}["F_v"]
+        for found in (plain, shaken)
+    ]
+    assert factors == [1.0, pytest.approx(math.hypot(1.0, 0.67 * 0.32 / 1.8))]
+    for name in ROCKING[1:]:
+        assert shaken.row(name).value == plain.row(name).value
+
+
+def test_a_record_is_screened_with_its_own_spectrum() -> None:
+    t = 0.02 * np.arange(500)
+    record = Record(acceleration_m_s2=4.0 * np.sin(6.0 * t) * np.exp(-0.2 * t), dt_s=0.02)
+    row = screen_block(BLOCK, Demand.from_record(record)).row("ASCE 43-05 rocking")
+    assert "spectrum of the record" in row.remark.lower()
+    assert row.status == "computed"
+
+
+def test_the_description_fits_a_page_and_holds_every_row() -> None:
+    for found in (full(), full(0.1), screen_block(BLOCK, Demand())):
+        text = found.summary()
+        assert fits(text)
+        assert all(text.count(name) >= 2 for name in NAMES)
+        assert "the engineer verifies" in text
+        assert "28.50" in text
+        for row in found.rows:
+            assert fits(row.summary())
+    values = as_json(full().to_dict())
+    assert [row["name"] for row in values["screens"]] == list(NAMES)
+    keys = {"name", "equation", "edition", "status", "value", "unit", "verdict", "confidence"}
+    assert all(keys | {"needs"} <= set(row) for row in values["screens"])
+    assert len(values["cabinets"]) == 9
+    assert json.dumps(values).count("comply") == json.dumps(values).count("complian") == 0
+
+
+def test_an_unknown_row_and_a_wrong_friction_are_refused() -> None:
+    with pytest.raises(InputError, match="uplift, friction to rock"):
+        full().row("west")
+    with pytest.raises(InputError, match="friction"):
+        screen_block(BLOCK, PEAKS, friction=-0.1)
+    light = Block.rectangle(width=0.3, height=1.0, gravity=1.62)
+    with pytest.raises(InputError, match="falls faster"):
+        screen_block(light, Demand(vertical_g=-0.2))
+
+
+def test_a_stocky_block_whose_restitution_would_be_negative_has_no_asce_row() -> None:
+    block = Block.rectangle(width=3.0, height=1.0, restitution=0.5)
+    row = full(block=block, friction=5.0).row("ASCE 43-05 rocking")
+    assert row.passes is None
+    assert "restitution" in row.verdict

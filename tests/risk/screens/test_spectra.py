@@ -1,0 +1,162 @@
+"""Demand spectra: interpolation, damping, files and refusals."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rocksteady import InputError, Record, compute_response_spectrum
+from rocksteady.risk.screens._spectra import (
+    Chain,
+    RecordSpectrum,
+    damping_factor,
+    read_table,
+    spectrum_of,
+    tabulated,
+)
+
+G = 9.80665
+TABLE = [[0.0, 0.3], [0.1, 0.75], [0.5, 0.75], [2.0, 0.1875]]
+
+
+def test_a_chain_is_a_straight_line_on_logarithmic_paper() -> None:
+    chain = Chain((0.1, 0.5, 2.0), (2.0, 2.0, 0.5))
+    assert chain.at(0.3) == pytest.approx(2.0)
+    assert chain.at(1.0) == pytest.approx(1.0)  # 1/T
+    assert (chain.at(0.01), chain.at(5.0)) == (2.0, 0.5)
+    assert list(chain.pieces()) == [(0.0, 0.1, 0.0), (0.1, 0.5, 0.0), (0.5, 2.0, pytest.approx(-1))]
+
+
+def test_a_given_damping_is_taken_as_it_is() -> None:
+    table = tabulated(TABLE, 0.05)
+    assert table is not None
+    chain, how = table.at_damping(0.05, 4.0)
+    assert chain.periods_s == (0.01, 0.1, 0.5, 2.0)
+    assert chain.values_m_s2 == pytest.approx([0.3 * G, 0.75 * G, 0.75 * G, 0.1875 * G])
+    assert how == "spectrum as given at 5 % damping"
+
+
+def test_between_two_dampings_both_logarithms_are_interpolated() -> None:
+    rows = [[0.1, 1.2, 0.6], [1.0, 0.9, 0.3]]
+    table = tabulated(rows, (0.02, 0.08))
+    assert table is not None
+    chain, how = table.at_damping(0.04, 4.0)
+    assert chain.values_m_s2 == pytest.approx([math.sqrt(0.72) * G, math.sqrt(0.27) * G])
+    assert "from 2 and 8 %" in how
+    turned = tabulated([[t, b, a] for t, a, b in rows], (0.08, 0.02))
+    assert turned is not None
+    assert turned.at_damping(0.04, 4.0)[0] == chain
+
+
+@pytest.mark.parametrize(("damping", "factor"), [(0.02, 1.19523), (0.1, 0.81650), (0.5, 0.55)])
+def test_outside_the_rule_of_eurocode_8_scales_all_but_the_peak_acceleration(
+    damping: float, factor: float
+) -> None:
+    assert damping_factor(damping) == pytest.approx(factor, abs=5e-6)
+    table = tabulated(TABLE, 0.05)
+    assert table is not None
+    chain, how = table.at_damping(damping, 4.0)
+    assert chain.values_m_s2[0] == pytest.approx(0.3 * G)
+    assert chain.values_m_s2[1:] == pytest.approx(
+        factor * G * np.array([0.75, 0.75, 0.1875]), rel=1e-5
+    )
+    assert "EN 1998-1" in how
+
+
+def test_a_record_has_its_spectrum_at_the_damping_itself() -> None:
+    t = 0.02 * np.arange(400)
+    record = Record(acceleration_m_s2=3.0 * np.sin(7.0 * t) * np.exp(-0.3 * t), dt_s=0.02)
+    found = spectrum_of(compute_response_spectrum(record, [0.5], damping=0.2), None)
+    assert found == RecordSpectrum(record) == spectrum_of(record, None)
+    assert found is not None
+    chain, _ = found.at_damping(0.0173, 3.0)
+    some = list(range(0, 200, 37))
+    exact = compute_response_spectrum(
+        record, [chain.periods_s[i] for i in some], damping=0.0173
+    ).pseudo_acceleration_m_s2
+    assert [chain.values_m_s2[i] for i in some] == pytest.approx(exact.tolist(), rel=1e-12)
+    assert chain.last_s == pytest.approx(3.0)
+
+
+def test_without_a_damping_a_table_is_checked_and_not_used() -> None:
+    assert spectrum_of(None, None) is None
+    assert spectrum_of(TABLE, None) is None
+
+
+@pytest.mark.parametrize(
+    ("table", "damping", "words"),
+    [
+        ([[0.1, 0.3]], 0.05, "two rows"),
+        ([0.1, 0.3], 0.05, "two rows"),
+        ([[0.1, 0.3], [0.1, 0.4]], 0.05, "ascend"),
+        ([[-0.1, 0.3], [0.1, 0.4]], 0.05, "ascend"),
+        ([[0.1, 0.3], [0.2, 0.0]], 0.05, "spectral accelerations"),
+        ([[0.1, 0.3], [0.2, math.nan]], 0.05, "finite"),
+        ([[0.1, 0.3], [1e-9, 0.3]], 0.05, "ascend"),
+        ([[0.0, 0.3], [1e-9, 0.3]], 0.05, "periods above 0"),
+        (TABLE, (0.02, 0.05), "1 column"),
+        ([[0.1, 0.3, 0.2], [0.2, 0.3, 0.2]], (0.05, 0.05), "differ"),
+        (TABLE, 5.0, "(0, 1)"),
+        (TABLE, 0.0, "(0, 1)"),
+        ("spectrum", 0.05, "real numbers"),
+        ([[0.1], [0.2, 0.3]], 0.05, "rows of one length"),
+    ],
+)
+def test_what_is_no_spectrum_is_refused(table: object, damping: object, words: str) -> None:
+    with pytest.raises(InputError, match=r".") as refusal:
+        tabulated(table, damping)
+    assert words in str(refusal.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "dampings"),
+    [
+        ("0.1 0.3\n0.2, 0.4\n", None),
+        ("# site A\n# damping 0.05\n0.1;0.3\n\n0.2;0.4\n", (0.05,)),
+        ("# Damping = 5 %\nperiod_s,sa_g\n0.1,0.3\n0.2,0.4\n", (0.05,)),
+        ("T (s), Sa (g), damping: 2%\n0.1\t0.3\n0.2\t0.4\n", (0.02,)),
+    ],
+)
+def test_a_file_is_read_with_the_damping_it_states(
+    tmp_path: Path, text: str, dampings: tuple[float, ...] | None
+) -> None:
+    file = tmp_path / "spectrum.txt"
+    file.write_text(text, encoding="utf-8")
+    rows, found = read_table(file)
+    assert rows.tolist() == [[0.1, 0.3], [0.2, 0.4]]
+    assert found == dampings
+
+
+def test_several_dampings_are_stated_in_the_order_of_the_columns(tmp_path: Path) -> None:
+    file = tmp_path / "spectrum.txt"
+    file.write_text("# damping 2 %, 5 %, 10 %\n0.1 3 2 1\n0.2 3 2 1\n", encoding="utf-8")
+    rows, found = read_table(file)
+    assert rows.shape == (2, 4)
+    assert found == (0.02, 0.05, 0.1)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("", "no rows"),
+        ("period sa\n", "no rows"),
+        ("0.1 0.3\n0.2 0.3 0.4\n", "line 2 has 3 numbers"),
+        ("0.1 0.3\nend of file\n", "line 2 is no row"),
+    ],
+)
+def test_a_file_that_holds_none_is_refused_by_its_line(
+    tmp_path: Path, text: str, words: str
+) -> None:
+    file = tmp_path / "spectrum.txt"
+    file.write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match=words):
+        read_table(file)
+
+
+def test_what_is_no_text_file_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="No such file"):
+        read_table(tmp_path / "gone.txt")
+    (tmp_path / "bytes").write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(InputError, match="no text"):
+        read_table(tmp_path / "bytes")
