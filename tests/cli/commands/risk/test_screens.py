@@ -1,0 +1,114 @@
+"""`rocksteady screens`: its contract, its text, its files and its refusals."""
+
+import csv
+from pathlib import Path
+
+import pytest
+
+from rocksteady import Block, Demand, read_record, screen_block
+from tests.cli.motion_files import at2, samples
+from tests.cli.program import refused, rocksteady
+from tests.descriptions import fits
+
+BLOCK = "screens --width-m 0.32 --height-m 1.8"
+PEAKS = "--pga-g 0.35 --pgv-m-s 0.4"
+TABLE = "# damping 0.05\n0 0.35\n0.1 0.8\n0.4 0.8\n1 0.32\n2 0.16\n4 0.04\n"
+
+
+@pytest.fixture(name="table")
+def _table(tmp_path: Path) -> Path:
+    file = tmp_path / "floor.txt"
+    file.write_text(TABLE, encoding="utf-8")
+    return file
+
+
+def test_the_json_is_that_of_the_public_function() -> None:
+    ran = rocksteady(f"{BLOCK} {PEAKS} --friction 0.4 --json")
+    assert (ran.code, ran.err) == (0, "")
+    values = ran.json
+    assert values["schema"] == "rocksteady/screens/1"
+    block = Block.rectangle(width=0.32, height=1.8)
+    found = screen_block(block, Demand(pga_g=0.35, pgv_m_s=0.4), friction=0.4)
+    assert values["screens"] == [row.values() for row in found.rows]
+    assert values["motion"] == "rocks"
+    assert values["screens"][0]["value"] == pytest.approx(0.1778, abs=5e-5)
+
+
+def test_the_text_fits_and_names_what_is_missing() -> None:
+    ran = rocksteady(BLOCK)
+    assert ran.code == 0
+    assert fits(ran.out)
+    assert "needs a spectrum with its damping" in ran.out
+    assert "the engineer verifies" in ran.out
+
+
+def test_a_spectrum_brings_its_damping_and_a_flag_overrules_it(table: Path) -> None:
+    stated = rocksteady(f"{BLOCK} --json --spectrum", table).json["screens"][3]
+    given = rocksteady(f"{BLOCK} --damping 0.05 --json --spectrum", table).json["screens"][3]
+    other = rocksteady(f"{BLOCK} --damping 0.02 --json --spectrum", table).json["screens"][3]
+    assert stated == given
+    assert stated["unit"] == "rad"
+    assert 0.0 < other["value"] < stated["value"]  # the same table scaled by less
+
+
+def test_a_record_is_the_demand_and_can_be_scaled_to_a_pga(tmp_path: Path) -> None:
+    file = at2(tmp_path / "made.AT2", samples()[:200])
+    record = read_record(file)
+    values = rocksteady(f"{BLOCK} --json --record", file).json
+    assert values["pga_g"] == pytest.approx(record.peak_acceleration_m_s2 / 9.80665)
+    expected = Demand.from_record(record)
+    assert values["pgv_m_s"] == pytest.approx(expected.pgv_m_s)
+    scaled = rocksteady(f"{BLOCK} --pga-g 0.5 --json --record", file).json
+    assert scaled["pga_g"] == pytest.approx(0.5)
+    assert scaled["pgv_m_s"] / values["pgv_m_s"] == pytest.approx(0.5 / values["pga_g"])
+
+
+def test_vertical_flags_reach_uplift_and_the_spectrum_row(table: Path) -> None:
+    more = "--vertical-g -0.2 --vertical-per-horizontal 0.67 --json --spectrum"
+    values = rocksteady(f"{BLOCK} {more}", table).json
+    assert values["screens"][0]["value"] == pytest.approx(0.8 * 0.32 / 1.8)
+    assert values["sa_v_per_sa_h"] == 0.67
+
+
+def test_the_table_is_written_whole_and_not_over_another(tmp_path: Path) -> None:
+    file = tmp_path / "screens.csv"
+    ran = rocksteady(f"{BLOCK} {PEAKS} --csv", file)
+    assert ran.code == 0
+    with file.open(encoding="utf-8", newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert len(rows) == 9
+    assert float(rows[0]["value"]) == pytest.approx(0.32 / 1.8)
+    assert "exists" in refused(f"{BLOCK} {PEAKS} --csv", file)
+    assert rocksteady(f"{BLOCK} {PEAKS} --force --csv", file).code == 0
+
+
+def test_check_leaves_with_1_where_a_row_does_not_pass() -> None:
+    assert rocksteady(f"{BLOCK} {PEAKS} --check").code == 1
+    assert rocksteady(f"{BLOCK} --pga-g 0.05 --pgv-m-s 0.02 --check").code == 0
+    assert rocksteady(f"{BLOCK} {PEAKS}").code == 0
+
+
+@pytest.mark.parametrize(
+    ("flags", "words"),
+    [
+        ("screens", ["--width-m with --height-m", "size"]),
+        ("screens -r 0.8", ["--width-m with --height-m"]),
+        (f"{BLOCK} --pga-g -1", ["--pga-g", "-1.0"]),
+        (f"{BLOCK} --pgv-m-s 0", ["--pgv-m-s", "0.0"]),
+        (f"{BLOCK} --friction -0.1", ["--friction", "-0.1"]),
+        (f"{BLOCK} --damping 0.05", ["--damping", "--spectrum"]),
+        (f"{BLOCK} --spectrum gone.txt", ["--spectrum", "No such file"]),
+        (f"{BLOCK} --record gone.AT2 --pgv-m-s 1", ["--record and --pgv-m-s", "both"]),
+        (f"{BLOCK} --units g", ["--units", "--record"]),
+        (f"{BLOCK} --vertical-g -2", ["--vertical-g", "-2.0"]),
+        (f"{BLOCK} --vertical-per-horizontal -1", ["--vertical-per-horizontal", "-1.0"]),
+    ],
+)
+def test_what_makes_no_sense_is_refused(flags: str, words: list[str]) -> None:
+    line = refused(flags)
+    assert all(word in line for word in words), line
+
+
+@pytest.mark.parametrize("damping", ["5", "x", "0.02,0.05", "0"])
+def test_a_damping_that_is_none_is_refused(table: Path, damping: str) -> None:
+    assert "--damping" in refused(f"{BLOCK} --damping {damping} --spectrum", table)

@@ -1,0 +1,34 @@
+"""Flags of a demand: which noun of the library they become."""
+
+import pytest
+
+from rocksteady import Block, InputError
+from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.flags.block_and_shaking import BlockFlags
+from rocksteady.cli.flags.demand import PeakFlags, SpectrumFlags, probability, sized_block
+from rocksteady.cli.flags.record_files import ReadingFlags
+
+
+def test_a_block_needs_a_size() -> None:
+    flags = BlockFlags(width_m="0.3", height_m="1.2")
+    assert sized_block(flags) == Block.rectangle(width=0.3, height=1.2)
+    with pytest.raises(FlagError, match="--width-m with --height-m"):
+        sized_block(BlockFlags())
+
+
+def test_both_peaks_are_asked_for_by_name() -> None:
+    assert PeakFlags(pga_g=0.3, pgv_m_s=0.4).both_peaks() == (0.3, 0.4)
+    with pytest.raises(FlagError, match="--pgv-m-s is not given"):
+        PeakFlags(pga_g=0.3).both_peaks()
+
+
+def test_peaks_alone_make_a_demand_without_a_spectrum() -> None:
+    demand = SpectrumFlags().demand(PeakFlags(pga_g=0.3), ReadingFlags())
+    assert (demand.pga_g, demand.pgv_m_s, demand.spectrum) == (0.3, None, None)
+
+
+@pytest.mark.parametrize("value", [0.0, 1.0, -0.1, float("nan")])
+def test_a_target_is_a_probability_that_decides_something(value: float) -> None:
+    with pytest.raises(InputError, match="--target"):
+        probability("--target", value)
+    assert probability("--target", 0.1) == 0.1
