@@ -157,7 +157,7 @@ VAGUE = re.compile(
     r"= '?(not given|both given|neither given|given|no axis|one size)'? is|the block = "
 )
 NAMED = re.compile(
-    r"rocksteady: ([^:]*(?<![\w-])--?[a-zA-Z]|record = |.*; see rocksteady.*--help$)"
+    r"rocksteady: ([^:]*(?<![\w-])--?[a-zA-Z]|(record|assess) = |.*; see rocksteady.*--help$)"
 )
 
 

@@ -23,12 +23,12 @@ from rocksteady.risk.screens.friction import (
 MEDIAN, BETA = 0.757, 0.592
 """Median and beta of p PGV/(g tan alpha), from 28,399 classified runs (Chu et al. 2025)."""
 OTHER_MEDIAN, OTHER_BETA = 0.672, 0.462
-"""The same of our own nonlinear runs on 56 records."""
+"""The same of nonlinear runs of this package on 56 records."""
 SOURCE = (
     "Lognormal in p PGV/(g tan alpha), median 0.757 and beta 0.592, behind the gate PGA > g tan "
     "alpha: inferred from 28,399 classified runs of Chu, Giouvanidis, Loong and Dimitrakopoulos, "
-    "Earthq. Eng. Struct. Dyn. 54, 3576 (2025), doi 10.1002/eqe.70042. Our own nonlinear runs on "
-    "56 records gave 0.672 and 0.462: the other probability."
+    "Earthq. Eng. Struct. Dyn. 54, 3576 (2025), doi 10.1002/eqe.70042. Nonlinear runs of "
+    "this package on 56 records gave 0.672 and 0.462: the other probability."
 )
 CAVEAT = (
     "Not covered: the shaking's own uncertainty, bouncing, sliding during rocking, a soft floor, "
@@ -39,7 +39,7 @@ CAVEAT = (
 USUAL_RATIO_S = (0.01, 0.5)
 """PGV/PGA [s] of recorded motions; beyond it a unit is doubtful."""
 SAMPLED_ALPHA, SAMPLED_P = (0.1, 0.3), (1.0, 3.0)
-"""Slenderness [rad] and p [rad/s] of our own runs."""
+"""Slenderness [rad] and p [rad/s] of runs of this package."""
 WORDS = (
     (0.001, "1 in 1000"),
     (0.002, "1 in 500"),
@@ -77,12 +77,12 @@ class QuickAssessment(Result):
     probability
         Of overturning; None where the block slides, of which rocking alone is no answer.
     other_probability
-        The same with median and beta of our own runs.
+        The same with median and beta of runs of this package.
     median_pgv_m_s, beta
         PGV at which half of such blocks that lift fall [m/s], and standard deviation of its
         logarithm.
     other_median_pgv_m_s, other_beta
-        The same of our own runs.
+        The same of runs of this package.
     uplift_pga_g
         PGA that lifts the block [g].
     friction_needed
@@ -125,12 +125,14 @@ class QuickAssessment(Result):
                 Fact("pga_g", self.pga_g, "PGA", quantity(self.pga_g, "g")),
                 Fact("pgv_m_s", self.pgv_m_s, "PGV", quantity(self.pgv_m_s, "m/s")),
                 Fact("probability", self.probability, "probability of falling", shares[0]),
-                Fact("other_probability", self.other_probability, "by our own runs", shares[1]),
+                Fact(
+                    "other_probability", self.other_probability, "by this package's runs", shares[1]
+                ),
                 Fact(
                     "median_pgv_m_s",
                     self.median_pgv_m_s,
                     "median PGV",
-                    f"{quantity(self.median_pgv_m_s, 'm/s')}, beta {self.beta:g}; by our own runs "
+                    f"{quantity(self.median_pgv_m_s, 'm/s')}, beta {self.beta:g}; by this package's runs "
                     f"{quantity(self.other_median_pgv_m_s, 'm/s')}, {self.other_beta:g}",
                 ),
                 Fact("beta", self.beta),
@@ -302,7 +304,7 @@ def _remarks(
     ]
     if outside:
         remarks.append(
-            f"{' and '.join(outside)} lies outside our own runs (alpha 0.1 to 0.3 rad, p 1 to 3 "
+            f"{' and '.join(outside)} lies outside the runs of this package (alpha 0.1 to 0.3 rad, p 1 to 3 "
             "rad/s)."
         )
     if not block.symmetric:

@@ -333,7 +333,7 @@ def velocity_row(case: Case) -> Screen:
         equation="shares of runs",
         edition="Chu et al. 2025",
         source="inferred from 28,399 classified runs, Chu et al., Earthq. Eng. Struct. Dyn. 54, "
-        "3576 (2025), doi 10.1002/eqe.70042; second figure our own runs on 56 records",
+        "3576 (2025), doi 10.1002/eqe.70042; second figure runs of this package on 56 records",
         confidence=CHECKED,
         value=value,
         unit="",
@@ -341,7 +341,7 @@ def velocity_row(case: Case) -> Screen:
         passes=passes,
         needs=needs,
         details=tuple(details),
-        remark="Of runs that rocked, in the same range of the number: theirs and ours. Passed "
+        remark="Of runs that rocked, in the same range: theirs, and those of this package. Passed "
         "below 0.2 only.",
     )
 

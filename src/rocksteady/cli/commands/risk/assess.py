@@ -66,7 +66,7 @@ def assess(
     """Run `rocksteady assess`; `HELP` is what its users read."""
     if file is not None:
         raise FlagError(
-            finding=f"{str(file)!r} is given in place of --width-m and --height-m",
+            finding=f"in place of --width-m and --height-m {str(file)!r} is given",
             valid="object files and tables of objects are not read yet",
             hint="describe the block, as --width-m 0.32 --height-m 1.8 --pga-g 0.35 --pgv-m-s 0.4",
         )
