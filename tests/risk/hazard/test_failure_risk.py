@@ -1,0 +1,291 @@
+"""Risk: published figures, limits, units, fitted curves, simulated lives, and refusals."""
+
+import dataclasses
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import ndtr
+
+from rocksteady import (
+    Block,
+    HazardCurve,
+    InputError,
+    TwoStageCurve,
+    compute_risk,
+    fit_curve,
+    fit_two_stages,
+)
+
+Floats = NDArray[np.float64]
+
+BLOCK = Block.rectangle(width=0.32, height=1.8)
+LEVELS = np.geomspace(0.02, 2.0, 12)
+HAZARD = HazardCurve(measure="pgv_m_s", levels=LEVELS, rates=3e-4 * LEVELS**-1.8 / (1.0 + LEVELS))
+
+
+def power_law(k: float, measure: str = "pgv_m_s") -> HazardCurve:
+    levels = np.geomspace(1e-4, 1e3, 8)
+    return HazardCurve(measure=measure, levels=levels, rates=1e-4 * levels**-k)
+
+
+def test_the_cabinet_of_the_brief() -> None:
+    # practice.md: .32 x 1.8 m, median .4653 m/s; the rate is H(median) exp(k^2 .592^2/2).
+    risk = compute_risk((0.757, 0.592), power_law(2.0), measure="p_pgv_per_uplift", block=BLOCK)
+    assert risk.median == pytest.approx(0.4653, abs=5e-5)
+    exact = 1e-4 * 0.46527**-2.0 * math.exp(0.5 * 4.0 * 0.592**2)
+    assert risk.annual_rate == pytest.approx(exact, rel=2e-5)
+    assert risk.closed_form_rate == pytest.approx(risk.annual_rate, rel=1e-6)
+    assert risk.k == pytest.approx(2.0, rel=1e-9)
+    assert risk.probability == pytest.approx(1.0 - math.exp(-50.0 * exact), rel=2e-5)
+    assert risk.survival + risk.probability == pytest.approx(1.0, rel=1e-15)
+
+
+@pytest.mark.parametrize(("beta_r", "beta_u"), [(0.592, 0.0), (0.3, 0.25), (0.0, 0.0)])
+def test_the_capacity_of_high_confidence_and_low_probability(beta_r: float, beta_u: float) -> None:
+    risk = compute_risk((0.4653, beta_r), HAZARD, beta_u=beta_u)
+    assert risk.hclpf == pytest.approx(0.4653 * math.exp(-1.645 * (beta_r + beta_u)), rel=1e-12)
+    # 95 % sure that the median is above m; of an object of that median 5 % fail at the HCLPF.
+    if beta_r > 0.0:
+        weak = 0.4653 * math.exp(-1.645 * beta_u)
+        assert ndtr(math.log(risk.hclpf / weak) / beta_r) == pytest.approx(0.05, abs=2e-5)
+
+
+@pytest.mark.parametrize(
+    ("measure", "of", "factor"),
+    [
+        ("p_pgv_per_uplift", "pgv_m_s", BLOCK.positive.p / (9.80665 * 0.32 / 1.8)),
+        ("pga_per_uplift", "pga_g", 1.8 / 0.32),
+    ],
+)
+def test_the_same_risk_in_the_measure_of_the_block_and_of_the_ground(
+    measure: str, of: str, factor: float
+) -> None:
+    hazard = dataclasses.replace(HAZARD, measure=of)
+    ground = compute_risk((0.4, 0.5), hazard)
+    scaled = compute_risk((0.4 * factor, 0.5), hazard, measure=measure, block=BLOCK)
+    assert scaled.factor == pytest.approx(factor, rel=1e-12)
+    for name in ("annual_rate", "hclpf", "median", "closed_form_rate"):
+        assert getattr(scaled, name) == pytest.approx(getattr(ground, name), rel=1e-9), name
+    assert scaled.contributing == pytest.approx(ground.contributing, rel=1e-9)
+
+
+def test_of_an_asymmetric_block_the_side_that_lifts_first_counts() -> None:
+    block = Block.asymmetric(left=0.15, right=0.25, height=1.2)
+    risk = compute_risk((1.0, 0.4), power_law(2.0, "pga_g"), measure="pga_per_uplift", block=block)
+    weak = min(math.tan(block.positive.alpha), math.tan(block.negative.alpha))
+    assert risk.median == pytest.approx(weak, rel=1e-12)
+
+
+def test_units_do_not_matter() -> None:
+    other = dataclasses.replace(HAZARD, levels=HAZARD.levels * 37.0)
+    one, two = compute_risk((0.4, 0.5), HAZARD), compute_risk((0.4 * 37.0, 0.5), other)
+    assert two.annual_rate == pytest.approx(one.annual_rate, rel=1e-11)
+    assert two.contributing == pytest.approx(tuple(37.0 * x for x in one.contributing), rel=1e-9)
+    faster = dataclasses.replace(HAZARD, rates=HAZARD.rates * 12.0)
+    assert compute_risk((0.4, 0.5), faster).annual_rate == pytest.approx(
+        12.0 * one.annual_rate, rel=1e-11
+    )
+
+
+def test_simulated_lives_survive_as_often() -> None:
+    """Shaking by a Poisson process, each strong enough one a draw: 40,000 lives of 50 years."""
+    rng = np.random.default_rng(22)
+    levels = np.geomspace(0.02, 8.0, 12)
+    hazard = HazardCurve(
+        measure="pgv_m_s", levels=levels, rates=0.01 * levels**-1.2 / (1.0 + levels)
+    )
+    risk = compute_risk((0.5, 0.6), hazard)
+    lives = 40_000
+    events = rng.poisson(hazard.rates[0] * 50.0, lives)
+    exceeded = hazard.rates[0] * rng.random(int(events.sum()))
+    # Beyond the last level the intensity is unknown, and counts as that level.
+    at = np.exp(np.interp(np.log(exceeded), np.log(hazard.rates[::-1]), np.log(levels[::-1])))
+    fails = rng.random(at.size) < ndtr(np.log(at / 0.5) / 0.6)
+    life = np.repeat(np.arange(lives), events)
+    survived = lives - np.unique(life[fails]).size
+    spread = math.sqrt(risk.survival * risk.probability / lives)
+    assert 0.2 < risk.survival < 0.8
+    assert abs(survived / lives - risk.survival) < 4.0 * spread
+    # And what toppled them: 5, 50 and 95 % of the failures are below the stated intensities.
+    below = [np.mean(at[fails] < x) for x in risk.contributing]
+    assert below == pytest.approx([0.05, 0.5, 0.95], abs=4.0 * 0.5 / math.sqrt(fails.sum()))
+
+
+# ------------------------------------------------------------------------------- fitted curves
+
+
+def test_a_fitted_curve_is_its_median_and_beta() -> None:
+    curve = fit_curve([0.2, 0.4, 0.8, 1.6], [2, 9, 27, 39], [40] * 4, measure=("PGV", "m/s"))
+    fitted, plain = compute_risk(curve, HAZARD), compute_risk((curve.median, curve.beta), HAZARD)
+    assert fitted.annual_rate == pytest.approx(plain.annual_rate, rel=1e-10)
+    assert (fitted.median, fitted.beta) == (curve.median, curve.beta)
+    assert fitted.unsampled is not None
+    assert plain.unsampled is None
+    exact = _share_outside(curve.median, curve.beta, (0.2, 1.6))
+    assert fitted.unsampled == pytest.approx(exact, rel=2e-4)
+
+
+def _share_outside(median: float, beta: float, span: tuple[float, float]) -> float:
+    """Return the share of the risk outside a span of intensities, by a sum over small steps."""
+    levels = np.geomspace(LEVELS[0], LEVELS[-1], 200_001)[1:-1]
+    levels = np.unique(np.concatenate([levels, LEVELS, span]))
+    middle = np.sqrt(levels[1:] * levels[:-1])
+    parts = ndtr(np.log(middle / median) / beta) * -np.diff(HAZARD.rate(levels))
+    lump = float(HAZARD.rates[-1] * ndtr(math.log(LEVELS[-1] / median) / beta))
+    outside = parts[(middle < span[0]) | (middle > span[1])].sum() + lump
+    return float(outside / (parts.sum() + lump))
+
+
+def test_separated_data_fail_at_the_rate_of_the_step() -> None:
+    curve = fit_curve([0.2, 0.4, 0.8, 1.6], [0, 0, 40, 40], [40] * 4)
+    assert curve.status == "separated"
+    risk = compute_risk(curve, HAZARD)
+    assert risk.annual_rate == pytest.approx(float(HAZARD.rate(curve.median)), rel=1e-12)
+
+
+def gated() -> TwoStageCurve:
+    return fit_two_stages([0.2, 0.4, 0.8, 1.6], [0, 40, 40, 40], [0, 9, 27, 39], [40] * 4)
+
+
+def test_two_stages_integrate_across_the_gate() -> None:
+    curve = gated()
+    gate, given = curve.uplift.median, curve.given_uplift
+    risk = compute_risk(curve, HAZARD)
+    # Above the gate the lognormal alone: the hazard cut there has all of it.
+    levels = np.array([gate, *LEVELS[gate < LEVELS]])
+    above = HazardCurve(measure="pgv_m_s", levels=levels, rates=HAZARD.rate(levels))
+    assert risk.annual_rate == pytest.approx(
+        compute_risk((given.median, given.beta), above).annual_rate, rel=1e-10
+    )
+    assert risk.annual_rate < compute_risk((given.median, given.beta), HAZARD).annual_rate
+    assert not any("no gate" in note for note in risk.describe().notes)
+    assert risk.median == pytest.approx(curve.quantile(0.5), rel=1e-12)
+    assert risk.hclpf == pytest.approx(curve.quantile(0.05), rel=1e-3)
+
+
+@pytest.mark.parametrize(("failures", "bound"), [([0, 0, 0], 0.8), ([40, 40, 40], 0.02)])
+def test_without_failures_or_survivals_the_rate_is_an_upper_bound(
+    failures: list[int], bound: float
+) -> None:
+    curve = fit_curve([0.2, 0.4, 0.8], failures, [40] * 3)
+    risk = compute_risk(curve, HAZARD)
+    assert risk.annual_rate == pytest.approx(float(HAZARD.rate(bound)), rel=1e-9)
+    assert "upper bound" in risk.summary()
+    assert risk.to_dict()["median"] is None
+
+
+class Banded:
+    """A lognormal of median .4 whose band has those of medians .3 and .5."""
+
+    def probability(self, intensity: ArrayLike) -> Floats:
+        found: Floats = ndtr(np.log(np.asarray(intensity) / 0.4) / 0.5)
+        return found
+
+    def probability_band(self, intensity: ArrayLike) -> tuple[Floats, Floats]:
+        at = np.asarray(intensity)
+        return ndtr(np.log(at / 0.5) / 0.5), ndtr(np.log(at / 0.3) / 0.5)
+
+    def quantile(self, p: float) -> float:
+        from scipy.special import ndtri
+
+        return 0.4 * math.exp(0.5 * float(ndtri(p)))
+
+
+def test_the_band_is_the_risk_of_its_edges() -> None:
+    risk = compute_risk(Banded(), HAZARD, measure="pgv_m_s")
+    edges = tuple(compute_risk((median, 0.5), HAZARD).annual_rate for median in (0.5, 0.3))
+    assert risk.annual_rate_band == pytest.approx(edges, rel=1e-10)
+    assert risk.probability_band == pytest.approx(
+        tuple(1.0 - math.exp(-50.0 * edge) for edge in edges), rel=1e-9
+    )
+    assert risk.beta == pytest.approx(0.5, rel=1e-12)  # from its median to its 5 %
+
+
+# -------------------------------------------------------------------------- sentences, refusals
+
+
+def test_what_lies_beyond_the_hazard_is_stated() -> None:
+    short = HazardCurve(measure="pga_g", levels=[0.1, 0.3], rates=[0.01, 0.001])
+    risk = compute_risk((0.4, 0.4), short, measure="pga_g")
+    assert risk.share_outside > 0.5
+    assert risk.contributing[2] == math.inf
+    text = " ".join(risk.summary().split())
+    assert "would lie outside: compute the curve further out" in text
+    assert "above 0.3" in text
+    told = risk.to_dict()
+    assert told["contributing"][2] is None
+    assert told["contributions"][-1]["high"] is None
+    tailed = compute_risk((0.4, 0.4), short.extended(), measure="pga_g")
+    k = math.log(10.0) / math.log(3.0)
+    exact = 0.01 * 4.0**-k * math.exp(0.5 * (0.4 * k) ** 2)
+    assert tailed.annual_rate == pytest.approx(exact, rel=1e-9)
+    # Counting what is above with the probability at the last level is less than all of it.
+    assert risk.annual_rate < tailed.annual_rate
+    assert math.isnan(risk.closed_form_rate)
+    assert tailed.closed_form_rate == pytest.approx(exact, rel=1e-9)
+
+
+def test_a_curve_over_pgv_says_that_it_has_no_gate() -> None:
+    notes = " ".join(compute_risk((0.4, 0.5), HAZARD).describe().notes)
+    assert "no gate at PGA = g tan alpha" in notes
+    assert "too high rather than too low" in notes
+    assert "No measure is given" in notes
+    over = compute_risk((0.4, 0.5), power_law(2.0, "pga_g"), measure="pga_g")
+    assert not any("gate" in note or "No measure" in note for note in over.describe().notes)
+
+
+def test_rows_and_json_add_up() -> None:
+    risk = compute_risk((0.4, 0.5), HAZARD)
+    told = risk.to_dict()
+    assert sum(row["share"] for row in told["contributions"]) == pytest.approx(1.0)
+    assert sum(row["annual_rate"] for row in told["contributions"]) == pytest.approx(
+        told["annual_rate"]
+    )
+    assert told["return_period_years"] == pytest.approx(1.0 / told["annual_rate"])
+    assert told["contributing"] == sorted(told["contributing"])
+
+
+@pytest.mark.parametrize(
+    ("options", "line"),
+    [
+        ({"measure": "pga_g"}, "fit the fragility over sa_g:1.0"),
+        ({"measure": "sa_g:0.5"}, "fit the fragility over sa_g:1.0"),
+        ({"measure": "p_pgv_per_uplift", "block": BLOCK}, "fit the fragility over sa_g:1.0"),
+        ({"measure": "velocity"}, "measure = 'velocity' is not valid"),
+        ({"years": 0.0}, "years = 0.0 is not valid"),
+        ({"beta_u": -0.1}, "beta_u = -0.1 is not valid"),
+        ({"fragility": (0.0, 0.5)}, "median = 0.0 is not valid"),
+        ({"fragility": (0.4, -0.5)}, "beta = -0.5 is not valid"),
+    ],
+)
+def test_what_does_not_fit_is_refused_with_the_way_out(options: dict[str, Any], line: str) -> None:
+    given: dict[str, Any] = {"fragility": (0.4, 0.5), "hazard": power_law(2.0, "sa_g:1")}
+    with pytest.raises(InputError) as refusal:
+        compute_risk(**{**given, **options})
+    assert line in str(refusal.value)
+
+
+def test_a_dimensionless_fragility_needs_its_block() -> None:
+    with pytest.raises(InputError, match="give block="):
+        compute_risk((0.757, 0.592), HAZARD, measure="p_pgv_per_uplift")
+    curve = fit_curve([0.2, 0.4, 0.8], [2, 20, 38], [40] * 3, measure=("p PGV/(g tan alpha)", ""))
+    with pytest.raises(InputError, match=r"a curve over p PGV/\(g tan alpha\)"):
+        compute_risk(curve, HAZARD)
+    assert compute_risk(curve, HAZARD, measure="p_pgv_per_uplift", block=BLOCK).annual_rate > 0.0
+
+
+def test_a_curve_that_does_not_rise_is_refused() -> None:
+    curve = fit_curve([0.2, 0.4, 0.8], [30, 20, 10], [40] * 3)
+    assert curve.status == "not-rising"
+    with pytest.raises(InputError, match="does not rise with the intensity"):
+        compute_risk(curve, HAZARD)
+
+
+def test_a_tail_of_infinite_risk_is_refused() -> None:
+    curve = fit_curve([0.2, 0.4, 0.8], [10, 20, 30], [40] * 3, family="logistic")
+    with pytest.raises(InputError, match="rises faster than the fragility falls"):
+        compute_risk(curve, power_law(4.0).extended())
+    assert compute_risk(curve, power_law(4.0)).annual_rate > 0.0
