@@ -19,8 +19,8 @@ Floats = NDArray[np.float64]
 
 BENT = HazardCurve(
     measure="pgv_m_s",
-    levels=[0.02, 0.05, 0.1, 0.3, 0.8, 2.0],
-    rates=[0.3, 0.1, 0.03, 0.002, 0.0001, 0.000002],
+    levels=np.array([0.02, 0.05, 0.1, 0.3, 0.8, 2.0]),
+    rates=np.array([0.3, 0.1, 0.03, 0.002, 0.0001, 0.000002]),
 )
 
 
@@ -149,5 +149,5 @@ def test_a_lower_tail_that_rises_faster_than_the_fragility_falls_has_no_end() ->
 
 
 def test_a_flat_curve_has_no_shaking_between_its_levels() -> None:
-    flat = HazardCurve(measure="pgv_m_s", levels=[0.1, 1.0], rates=[0.01, 0.01])
+    flat = HazardCurve(measure="pgv_m_s", levels=np.array([0.1, 1.0]), rates=np.full(2, 0.01))
     assert rate(0.3, 0.5, flat) == pytest.approx(0.01 * ndtr(math.log(1.0 / 0.3) / 0.5), rel=1e-12)

@@ -208,7 +208,7 @@ def test_the_band_is_the_risk_of_its_edges() -> None:
 
 
 def test_what_lies_beyond_the_hazard_is_stated() -> None:
-    short = HazardCurve(measure="pga_g", levels=[0.1, 0.3], rates=[0.01, 0.001])
+    short = HazardCurve(measure="pga_g", levels=np.array([0.1, 0.3]), rates=np.array([0.01, 0.001]))
     risk = compute_risk((0.4, 0.4), short, measure="pga_g")
     assert risk.share_outside > 0.5
     assert risk.contributing[2] == math.inf
