@@ -68,7 +68,7 @@ def test_a_tail_is_fitted_to_three_points_through_the_end() -> None:
         ({"rates": [0.1, 0.02, 0.01, 0.0]}, "leave out levels and rates of 0"),
         ({"rates": [0.1, 0.02]}, "give as many rates as levels"),
         ({"levels": [0.1], "rates": [0.1]}, "a row of two or more"),
-        ({"measure": "pga"}, "pga_g, pgv_m_s, sa_g:PERIOD, sa_avg_g"),
+        ({"measure": "pga"}, "one of pga_g, pgv_m_s, sa_g:PERIOD, sa_avg_g:PERIOD"),
         ({"measure": "sa_g"}, 'write a period in seconds, as "sa_g:1.0"'),
         ({"measure": "sa_g:-1"}, "measure = 'sa_g:-1' is not valid"),
         ({"measure": "p_pgv_per_uplift"}, "measure = 'p_pgv_per_uplift' is not valid"),
@@ -92,5 +92,5 @@ def test_a_curve_cannot_be_changed_and_describes_itself() -> None:
     told = branch.to_dict()
     assert (told["measure"], told["weight"], told["site"]) == ("sa_g:1.0", 0.3, [13.1, 42.3])
     assert [point["level"] for point in told["points"]] == LEVELS
-    assert "Sa(1.0 s)" in branch.summary()
+    assert "Sa(1 s)" in branch.summary()
     assert "One is gone." in branch.summary()

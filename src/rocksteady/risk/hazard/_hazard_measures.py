@@ -1,20 +1,18 @@
-"""Intensity measures of hazard curves and of fragilities: names, words, units, factors."""
+"""Intensity measures of hazard curves and of fragilities: as texts, and as multiples."""
 
 import math
+from contextlib import suppress
+from dataclasses import replace
 from typing import Final
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.records.core.numbers import number as read_number
+from rocksteady.seismic.measures.scalar import Intensity, first_side
 
-GROUND: Final = {
-    "pga_g": ("PGA", "g"),
-    "pgv_m_s": ("PGV", "m/s"),
-    "sa_g": ("Sa", "g"),
-    "sa_avg_g": ("Sa_avg", "g"),
-}
-"""Words and unit of what a hazard curve can be of."""
+GROUND: Final = {"pga_g": False, "pgv_m_s": False, "sa_g": True, "sa_avg_g": True}
+"""What a hazard curve can be over, and whether it has a period."""
 OF_A_BLOCK: Final = {"p_pgv_per_uplift": "pgv_m_s", "pga_per_uplift": "pga_g"}
 """Dimensionless measures, each with the measure of the ground that it is a multiple of."""
 
@@ -22,56 +20,62 @@ SAME_PERIOD: Final = 1e-6
 """Relative difference of two periods that are the same, written with fewer digits."""
 
 
-def split_measure(name: str, measure: object, *, block: bool = False) -> tuple[str, float | None]:
-    """Return a measure's name and its period [s], which a spectral acceleration has.
+def intensity_named(name: str, measure: object) -> Intensity:
+    """Return a measure from its text, as ``"pga_g"`` or ``"sa_g:1.0"``.
 
     Parameters
     ----------
     name
         The argument's name, for the message.
     measure
-        As ``"pga_g"`` or ``"sa_g:1.0"``.
-    block
-        Whether the dimensionless measures of a block are valid too.
+        The text, or a measure.
 
     Raises
     ------
     InputError
-        If it is no such measure.
+        If it is neither.
     """
-    known = [*GROUND, *(OF_A_BLOCK if block else ())]
+    if isinstance(measure, Intensity):
+        return measure
     word, colon, period = measure.partition(":") if isinstance(measure, str) else ("", "", "")
     period_s = read_number(period) if colon else None
-    fits = word in known and bool(colon) == (word == "sa_g")
-    if not fits or (colon and (period_s is None or not 1e-6 <= period_s <= 1e6)):
-        names = ", ".join("sa_g:PERIOD" if each == "sa_g" else each for each in known)
-        raise InputError(
-            name, measure, f"it must be one of {names}", 'write a period in seconds, as "sa_g:1.0"'
-        )
-    return word, period_s
+    try:
+        found = Intensity(word, period_s)
+    except InputError as error:
+        raise InputError(name, measure, error.valid, error.hint) from None
+    if colon and period_s is None:
+        hint = 'write a period in seconds, as "sa_g:1.0"'
+        raise InputError(name, measure, "its period must be a number", hint)
+    return found
 
 
-def measure_name(name: str, measure: object, *, block: bool = False) -> str:
-    """Return a measure as it is written everywhere, as ``sa_g:1.0`` for ``sa_g:1``.
+def ground_measure(name: str, measure: object) -> Intensity:
+    """Return a measure of the ground alone, with its period where it needs one.
 
-    Parameters and errors are those of `split_measure`.
+    Parameters and errors are those of `intensity_named`; what needs a block, or does not grow with
+    the shaking, is refused too.
     """
-    word, period_s = split_measure(name, measure, block=block)
-    return word if period_s is None else f"{word}:{period_s!r}"
+    found = None
+    with suppress(InputError):
+        found = intensity_named(name, measure)
+    fits = found is not None and GROUND.get(found.name) == (found.period_s is not None)
+    if found is None or not fits or not 1e-6 <= (found.period_s or 1.0) <= 1e6:
+        names = ", ".join(f"{each}:PERIOD" if needs else each for each, needs in GROUND.items())
+        raise InputError(
+            name,
+            written(measure) if isinstance(measure, Intensity) else measure,
+            f"a hazard curve is over one of {names}",
+            'write a period in seconds, as "sa_g:1.0"',
+        )
+    return found
 
 
-def label(measure: str) -> str:
-    """Return the words of a valid measure of the ground, as ``Sa(1.0 s)``."""
-    word, period_s = split_measure("measure", measure)
-    return GROUND[word][0] if period_s is None else f"{GROUND[word][0]}({period_s!r} s)"
+def written(measure: Intensity) -> str:
+    """Return the text of a measure, as ``sa_g:1.0``."""
+    return measure.name if measure.period_s is None else f"{measure.name}:{measure.period_s!r}"
 
 
-def unit(measure: str) -> str:
-    """Return the unit of a valid measure of the ground."""
-    return GROUND[split_measure("measure", measure)[0]][1]
-
-
-def fragility_factor(measure: str, hazard: str, block: Block | None) -> float:
+def fragility_factor(measure: Intensity, hazard: Intensity, block: Block | None) -> float:
     """Return what a hazard's intensity is multiplied by to be the fragility's.
 
     p PGV/(g tan alpha) of a PGV [m/s] is PGV times p/(g tan alpha), and PGA/(g tan alpha) of a PGA
@@ -82,28 +86,29 @@ def fragility_factor(measure: str, hazard: str, block: Block | None) -> float:
     InputError
         If the two measures are of different things, or the block is missing.
     """
-    word, period_s = split_measure("measure", measure, block=True)
-    of_hazard, hazard_s = split_measure("measure", hazard)
-    if OF_A_BLOCK.get(word, word) != of_hazard or not _same(period_s, hazard_s):
-        raise InputError(
-            "measure",
-            measure,
-            f"the hazard curve is over {label(hazard)}, and the two cannot be converted",
-            f"fit the fragility over {hazard}, or give a hazard curve of the fragility's measure",
-        )
-    if word == of_hazard:
-        return 1.0
-    if block is None:
+    if block is None and measure.needs_block:
         raise InputError(
             "block",
             block,
-            f"a fragility over {word} needs the block's slenderness to meet a curve of "
-            f"{label(hazard)}",
+            f"a fragility over {measure.label} needs the block to meet a curve over {hazard.label}",
             "give block=",
         )
-    side = min((block.positive, block.negative), key=lambda each: each.alpha)
+    if block is not None and measure.needs_block and GROUND.get(measure.name):
+        measure = replace(measure, period_s=2.0 * math.pi / first_side(block).p)
+    of_ground = OF_A_BLOCK.get(measure.name, measure.name)
+    if of_ground != hazard.name or not _same(measure.period_s, hazard.period_s):
+        raise InputError(
+            "measure",
+            written(measure),
+            f"the hazard curve is over {hazard.label}, and the two cannot be converted",
+            f"fit the fragility over {written(hazard)}, or give a hazard curve of the fragility's "
+            "measure",
+        )
+    if measure.name == of_ground or block is None:
+        return 1.0
+    side = first_side(block)
     uplift = block.gravity * float(tan(side.alpha))
-    return float(side.p / uplift if of_hazard == "pgv_m_s" else STANDARD_GRAVITY / uplift)
+    return float(side.p / uplift if of_ground == "pgv_m_s" else STANDARD_GRAVITY / uplift)
 
 
 def _same(one: float | None, other: float | None) -> bool:

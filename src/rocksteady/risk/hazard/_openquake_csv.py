@@ -6,7 +6,7 @@ from typing import Final
 
 from rocksteady.errors import InputError
 from rocksteady.records.core.numbers import number as read_number
-from rocksteady.risk.hazard._hazard_measures import measure_name
+from rocksteady.risk.hazard._hazard_measures import ground_measure, written
 from rocksteady.risk.hazard._hazard_text import (
     SEPARATORS,
     HazardText,
@@ -15,6 +15,7 @@ from rocksteady.risk.hazard._hazard_text import (
     number_of,
 )
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
+from rocksteady.seismic.measures.scalar import Intensity
 
 _POE: Final = "poe-"
 _FEW: Final = 20
@@ -36,7 +37,7 @@ def find_names(text: HazardText) -> tuple[int, str | None] | None:
 def read_sites(
     text: HazardText,
     names: tuple[int, str | None],
-    measure: str | None,
+    measure: Intensity | None,
     poe_years: float | None,
 ) -> list[HazardCurve]:
     """Return the curve of each site.
@@ -112,14 +113,13 @@ def rate_of(text: HazardText, poe: float | None, years: float, line: int) -> flo
     return math.inf if poe == 1.0 else abs(math.log1p(-poe)) / years
 
 
-def _measure(text: HazardText, header: str, measure: str | None) -> tuple[str, float]:
+def _measure(text: HazardText, header: str, measure: Intensity | None) -> tuple[Intensity, float]:
     """Return the measure, and the unit of the file's levels in that of the measure."""
     found = _IMT.search(header)
     if found is None:
         if measure is None:
             raise text.error('no imt="PGA" or the like stands above the columns', "give measure=")
-        name = measure_name("measure", measure)
-        return name, 0.01 if name == "pgv_m_s" else 1.0
+        return measure, _openquake_unit(measure)
     word, _, period = found[1].rstrip(")").partition("(")
     period_s = read_number(period)
     known = {"PGA": "pga_g", "PGV": "pgv_m_s"}.get(word.upper())
@@ -128,14 +128,19 @@ def _measure(text: HazardText, header: str, measure: str | None) -> tuple[str, f
     if known is None or (period and word.upper() != "SA"):
         raise text.error(f"its imt is {found[1]}: known are PGA, PGV [cm/s] and SA(PERIOD)")
     try:
-        known = measure_name("imt", known)
+        stated = ground_measure("imt", known)
     except InputError as error:
         raise text.error(f"its imt is {found[1]}: {error.valid}") from None
-    if measure is not None and measure_name("measure", measure) != known:
+    if measure is not None and measure != stated:
         raise InputError(
-            "measure", measure, f"the file states {found[1]}, {known}", "leave out measure="
+            "measure", written(measure), f"the file states {found[1]}", "leave out measure="
         )
-    return known, 0.01 if known == "pgv_m_s" else 1.0
+    return stated, _openquake_unit(stated)
+
+
+def _openquake_unit(measure: Intensity) -> float:
+    """Return the unit that OpenQuake has levels of a measure in: g, and cm/s."""
+    return 0.01 if measure.name == "pgv_m_s" else 1.0
 
 
 def _years(text: HazardText, header: str, poe_years: float | None) -> float:

@@ -7,7 +7,7 @@ from typing import Final
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.records.core.units import acceleration_unit, in_m_s2
-from rocksteady.risk.hazard._hazard_measures import measure_name, unit
+from rocksteady.risk.hazard._hazard_measures import ground_measure, written
 from rocksteady.risk.hazard._hazard_text import (
     SEPARATORS,
     HazardText,
@@ -17,6 +17,7 @@ from rocksteady.risk.hazard._hazard_text import (
 )
 from rocksteady.risk.hazard._openquake_csv import rate_of
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
+from rocksteady.seismic.measures.scalar import Intensity
 
 VELOCITIES: Final = {
     "m/s": 1.0,
@@ -43,7 +44,10 @@ _NAME_IT: Final = 'name the columns, as "PGA [g], annual rate", or give measure=
 
 
 def read_columns(
-    text: HazardText, measure: str | None, level_unit: str | None, poe_years: float | None
+    text: HazardText,
+    measure: Intensity | None,
+    level_unit: str | None,
+    poe_years: float | None,
 ) -> HazardCurve:
     """Return the curve of two columns.
 
@@ -132,33 +136,34 @@ def _swapped(names: tuple[str, str]) -> bool:
 
 
 def _level(
-    text: HazardText, name: str, measure: str | None, level_unit: str | None
-) -> tuple[str, float]:
+    text: HazardText, name: str, given: Intensity | None, level_unit: str | None
+) -> tuple[Intensity, float]:
     """Return the measure of a column's name, and its unit in that of the measure."""
     named = _measure_named(name)
     if named == "sa_g":
         period = _PERIOD.search(name)
-        if period is None and measure is None:
+        if period is None and given is None:
             raise text.error(
                 f"{name!r} names no period", 'give measure= with its period, as "sa_g:1.0"'
             )
         named = f"sa_g:{period[1]}" if period else None
-    known = None if named is None else measure_name("measure", named)
-    given = None if measure is None else measure_name("measure", measure)
-    if known is None and given is None:
+    known = None if named is None else ground_measure("measure", named)
+    words = given or known
+    if words is None:
         what = f"{name!r} is not one of" if name else "the columns have no names, as"
         raise text.error(f"{what} PGA, PGV and Sa(PERIOD)", _NAME_IT)
     if known is not None and given is not None and known != given:
-        raise InputError("measure", measure, f"the file states {name!r}", "leave out measure=")
-    words = given or known or ""
+        raise InputError(
+            "measure", written(given), f"the file states {name!r}", "leave out measure="
+        )
     found = _UNIT.search(name)
-    written = next((part for part in found.groups() if part), "") if found else ""
-    size = _size(written, words)
+    of_name = next((part for part in found.groups() if part), "") if found else ""
+    size = _size(of_name, words)
     if level_unit is None and size is None:
         if given is None or (found is not None and found[1] and _PERIOD.search(name) is None):
             raise text.error(
                 f"{name!r} names no unit of {_kind(words)}",
-                f'give level_unit=, as "{unit(words)}"',
+                f'give level_unit=, as "{words.unit}"',
             )
         return words, 1.0
     wanted = size if level_unit is None else _size(level_unit, words)
@@ -167,16 +172,16 @@ def _level(
             "level_unit",
             level_unit,
             f"it must be a unit of {_kind(words)}",
-            f"give one, as {unit(words)}",
+            f"give one, as {words.unit}",
         )
     if size is not None and abs(wanted - size) > 1e-12 * size:
         raise InputError("level_unit", level_unit, f"the file states {name!r}", "leave it out")
     return words, wanted
 
 
-def _kind(measure: str) -> str:
+def _kind(measure: Intensity) -> str:
     """Return what the unit of a measure is of."""
-    return "velocity" if unit(measure) == "m/s" else "acceleration"
+    return "velocity" if measure.unit == "m/s" else "acceleration"
 
 
 def _measure_named(name: str) -> str | None:
@@ -188,7 +193,7 @@ def _measure_named(name: str) -> str | None:
     return "sa_g" if _SPECTRAL.search(name) or "spectral acc" in name else None
 
 
-def _size(written: object, measure: str) -> float | None:
+def _size(written: object, measure: Intensity) -> float | None:
     """Return a unit in that of a measure, or None of what is no such unit."""
     if not isinstance(written, str):
         return None

@@ -16,8 +16,10 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.hazard._fragile import Converted, Fragile
+from rocksteady.risk.hazard._hazard_measures import written
 from rocksteady.risk.hazard.failure_risk import failure_integral, fragility_over
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
+from rocksteady.seismic.measures.scalar import Intensity
 
 Floats = NDArray[np.float64]
 
@@ -65,7 +67,7 @@ class BranchTest(Result):
 
     fragility: Fragile
     branches: tuple[HazardCurve, ...]
-    measure: str
+    measure: Intensity
     age_years: float
     alpha_cv: float
     level: float
@@ -117,7 +119,12 @@ class BranchTest(Result):
             headline=f"An object that stands for {number(self.age_years)} years rejects {count} of "
             f"{plural(len(self.branches), 'branch').replace('branchs', 'branches')} at {percent}",
             facts=[
-                Fact("measure", self.branches[0].measure, "Measure", self.branches[0].label),
+                Fact(
+                    "measure",
+                    written(self.branches[0].intensity),
+                    "Measure",
+                    str(self.branches[0].intensity),
+                ),
                 Fact("age_years", self.age_years, "Age", f"{number(self.age_years)} years"),
                 Fact("alpha_cv", self.alpha_cv, "Coefficient of variation of alpha"),
                 Fact("level", self.level, "Level of rejection", percent),
@@ -134,7 +141,7 @@ def reject_branches(
     branches: Sequence[HazardCurve],
     age_years: float,
     *,
-    measure: str | None = None,
+    measure: Intensity | str | None = None,
     block: Block | None = None,
     alpha_cv: float = 0.05,
     level: float = 0.95,
@@ -237,7 +244,7 @@ def _prior(branches: Sequence[HazardCurve]) -> Floats:
     hint = "give what read_hazard_curves returns"
     if not branches:
         raise InputError("branches", len(branches), "there must be one or more", hint)
-    measures = {curve.measure for curve in branches}
+    measures = {written(curve.intensity) for curve in branches}
     if len(measures) > 1:
         raise InputError(
             "branches",

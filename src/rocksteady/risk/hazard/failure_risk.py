@@ -17,8 +17,9 @@ from rocksteady.results.numbers import number, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.hazard._convolution import Integral, convolve
 from rocksteady.risk.hazard._fragile import UNKNOWN_OUTSIDE, Converted, Fragile, Lognormal
-from rocksteady.risk.hazard._hazard_measures import fragility_factor, measure_name
+from rocksteady.risk.hazard._hazard_measures import fragility_factor, intensity_named, written
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
+from rocksteady.seismic.measures.scalar import Intensity
 
 Floats = NDArray[np.float64]
 
@@ -70,7 +71,7 @@ class Risk(Result):
 
     fragility: Fragile
     hazard: HazardCurve
-    measure: str
+    measure: Intensity
     factor: float
     years: float
     beta_u: float
@@ -118,7 +119,7 @@ class Risk(Result):
         label, unit = self.hazard.label, self.hazard.unit
         chance = f"{number(100.0 * self.probability)} % in {number(self.years)} years"
         facts = [
-            Fact("measure", self.hazard.measure, "Measure", f"{label} [{unit}]"),
+            Fact("measure", written(self.hazard.intensity), "Measure", str(self.hazard.intensity)),
             Fact("years", self.years),
             Fact(
                 "annual_rate", self.annual_rate, "Annual rate of failure", _rate(self.annual_rate)
@@ -215,7 +216,7 @@ class Risk(Result):
                 f"{number(100.0 * self.unsampled, 2)} % of the risk are from intensities that no "
                 "run of the fragility has: there the fitted curve alone speaks."
             )
-        if self.hazard.measure == "pgv_m_s" and not hasattr(self.fragility, "uplift"):
+        if self.hazard.intensity.name == "pgv_m_s" and not hasattr(self.fragility, "uplift"):
             yield (
                 "A curve over PGV has no gate at PGA = g tan alpha: shaking too weak to lift the "
                 "object counts as able to topple it, and the rate is too high rather than too low."
@@ -237,7 +238,7 @@ def compute_risk(
     hazard: HazardCurve,
     years: float = 50.0,
     *,
-    measure: str | None = None,
+    measure: Intensity | str | None = None,
     block: Block | None = None,
     beta_u: float = 0.0,
 ) -> Risk:
@@ -256,7 +257,7 @@ def compute_risk(
     years
         Time of the probability [years]; default 50.
     measure
-        What the fragility is over, as ``"pgv_m_s"``, ``"sa_g:1.0"`` or, with a block,
+        What the fragility is over: an `Intensity`, or its text as ``"sa_g:1.0"`` or, with a block,
         ``"p_pgv_per_uplift"``; default None, the hazard's own.
     block
         Of a fragility over a dimensionless measure; none by default.
@@ -329,9 +330,9 @@ def compute_risk(
 def fragility_over(
     fragility: Fragile | tuple[float, float],
     hazard: HazardCurve,
-    measure: str | None,
+    measure: Intensity | str | None,
     block: Block | None,
-) -> tuple[Converted, str, tuple[str, ...]]:
+) -> tuple[Converted, Intensity, tuple[str, ...]]:
     """Return a fragility over the measure of a hazard, its own measure, and remarks.
 
     Raises
@@ -341,15 +342,15 @@ def fragility_over(
     """
     remarks = []
     if measure is None:
-        words = hazard.measure
+        words = hazard.intensity
         name, kind = getattr(fragility, "measure", ("", ""))
         if kind != hazard.unit and name not in ("", "intensity"):
             raise InputError(
                 "fragility",
                 f"a curve over {name}",
                 f"the hazard curve is over {hazard.label} [{hazard.unit}]",
-                f"fit the fragility over {hazard.measure}, or give measure= and block= where the "
-                "block makes one of the other",
+                f"fit the fragility over {written(hazard.intensity)}, or give measure= and block= "
+                "where the block makes one of the other",
             )
         if name != hazard.label:
             remarks.append(
@@ -357,10 +358,10 @@ def fragility_over(
                 f"[{hazard.unit}], as the hazard is."
             )
     else:
-        words = measure_name("measure", measure, block=True)
+        words = intensity_named("measure", measure)
     curve = Converted(
         Lognormal(*fragility) if isinstance(fragility, tuple) else fragility,
-        fragility_factor(words, hazard.measure, block),
+        fragility_factor(words, hazard.intensity, block),
     )
     if "not-rising" in curve.statuses:
         raise InputError(

@@ -13,7 +13,8 @@ from rocksteady.model.checks.validation import in_range
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.results.result import Result
-from rocksteady.risk.hazard._hazard_measures import label, measure_name, unit
+from rocksteady.risk.hazard._hazard_measures import ground_measure, written
+from rocksteady.seismic.measures.scalar import Intensity
 
 Floats = NDArray[np.float64]
 
@@ -36,7 +37,8 @@ class HazardCurve(Result):
     Parameters
     ----------
     measure
-        ``"pga_g"``, ``"pgv_m_s"``, ``"sa_g:PERIOD"`` with a period in seconds, or ``"sa_avg_g"``.
+        An `Intensity` of the ground, or its text: ``"pga_g"``, ``"pgv_m_s"``, ``"sa_g:1.0"`` with
+        a period in seconds, ``"sa_avg_g:1.0"``.
     levels
         Levels of the measure, ascending, in units of 9.80665 m/s^2 or in m/s, shape (levels,).
     rates
@@ -68,7 +70,7 @@ class HazardCurve(Result):
     0.0025
     """
 
-    measure: str
+    measure: Intensity | str
     levels: Floats
     rates: Floats
     name: str = ""
@@ -79,7 +81,7 @@ class HazardCurve(Result):
 
     def __post_init__(self) -> None:
         """Validate and copy."""
-        object.__setattr__(self, "measure", measure_name("measure", self.measure))
+        object.__setattr__(self, "measure", ground_measure("measure", self.measure))
         levels, rates = _row("levels", self.levels), _row("rates", self.rates)
         if levels.size != rates.size:
             raise InputError(
@@ -125,14 +127,19 @@ class HazardCurve(Result):
             )
 
     @property
+    def intensity(self) -> Intensity:
+        """The measure."""
+        return ground_measure("measure", self.measure)
+
+    @property
     def label(self) -> str:
-        """Words of the measure, as ``Sa(1.0 s)``."""
-        return label(self.measure)
+        """Words of the measure, as ``Sa(0.5 s)``."""
+        return self.intensity.label
 
     @property
     def unit(self) -> str:
         """Unit of the levels."""
-        return unit(self.measure)
+        return self.intensity.unit
 
     @property
     def slopes(self) -> Floats:
@@ -196,7 +203,7 @@ class HazardCurve(Result):
             f"{quantity(high['level'], self.unit)}: {number(low['annual_rate'])} to "
             f"{number(high['annual_rate'])} a year",
             facts=[
-                Fact("measure", self.measure, "Measure", f"{self.label} [{self.unit}]"),
+                Fact("measure", written(self.intensity), "Measure", str(self.intensity)),
                 Fact("name", self.name),
                 Fact("weight", self.weight, "Weight of the branch" if self.weight else ""),
                 Fact(

@@ -6,18 +6,19 @@ from pathlib import Path
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
-from rocksteady.risk.hazard._hazard_measures import measure_name
+from rocksteady.risk.hazard._hazard_measures import ground_measure
 from rocksteady.risk.hazard._hazard_text import read_lines
 from rocksteady.risk.hazard._openquake_csv import find_names, read_sites
 from rocksteady.risk.hazard._two_columns import read_columns
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
+from rocksteady.seismic.measures.scalar import Intensity
 
 
 @checked
 def read_hazard_curves(
     path: str | PathLike[str],
     *,
-    measure: str | None = None,
+    measure: Intensity | str | None = None,
     level_unit: str | None = None,
     poe_years: float | None = None,
 ) -> list[HazardCurve]:
@@ -63,17 +64,16 @@ def read_hazard_curves(
     >>> curve
     <HazardCurve: Hazard of PGV from 0.1 to 0.5 m/s: 0.02 to 0.0004 a year>
     """
-    if measure is not None:
-        measure = measure_name("measure", measure)
+    over = None if measure is None else ground_measure("measure", measure)
     if poe_years is not None:
         hint = "give the time of the probabilities in years"
         poe_years = in_range("poe_years", poe_years, 0.0, 1e6, hint=hint)
     text = read_lines(Path(path))
     names = find_names(text)
     if names is None:
-        return [read_columns(text, measure, level_unit, poe_years)]
+        return [read_columns(text, over, level_unit, poe_years)]
     if level_unit is not None:
         raise InputError(
             "level_unit", level_unit, "OpenQuake's levels are in g or, of PGV, cm/s", "leave it out"
         )
-    return read_sites(text, names, measure, poe_years)
+    return read_sites(text, names, over, poe_years)
