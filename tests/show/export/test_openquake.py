@@ -7,12 +7,14 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 from scipy import stats
 
 from rocksteady import InputError, LossComponent, LossState, OutputError, write_openquake
 
+QUICK = (Phase.explicit, Phase.generate)
+"""A failure is not made smaller: each example writes files to the disk."""
 N = "{http://openquake.org/xmlns/nrml/0.5}"
 P58 = {
     "E.20.22.102a": (0.724, 82.0399, 43.7224),
@@ -112,7 +114,7 @@ def test_the_cabinets_of_p58_have_the_published_moments(tmp_path: Path) -> None:
 
 
 @given(median=st.floats(1e-3, 1e3), beta=st.floats(0.01, 2.0))
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25, deadline=None, phases=QUICK)
 def test_median_and_beta_come_back(
     median: float, beta: float, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
@@ -196,7 +198,7 @@ def test_curves_that_cross_are_remarked_on(tmp_path: Path) -> None:
 
 
 @given(text=st.text(max_size=60))
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40, deadline=None, phases=QUICK)
 def test_any_text_from_outside_is_well_formed_xml(
     text: str, tmp_path_factory: pytest.TempPathFactory
 ) -> None:

@@ -9,13 +9,18 @@ import numpy as np
 import pytest
 from dlml._tabular import load_tabular
 from dlml.vocabulary import DEMAND_TYPES, DISTRIBUTION_FAMILIES
-from hypothesis import given, settings
+from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 
 from rocksteady import InputError, LossComponent, LossState, OutputError, write_pelicun
 
-# DLML sets an option that pandas 3 no longer needs.
-pytestmark = pytest.mark.filterwarnings("ignore:.*no_silent_downcasting.*")
+pytestmark = [  # DLML sets options that pandas 3 no longer needs
+    pytest.mark.filterwarnings("ignore:.*no_silent_downcasting.*"),
+    pytest.mark.filterwarnings("ignore:.*copy_on_write.*"),
+]
+
+QUICK = (Phase.explicit, Phase.generate)
+"""A failure is not made smaller: each example writes files to the disk."""
 
 HEAD = (
     "ID,Incomplete,Demand-Type,Demand-Unit,Demand-Offset,Demand-Directional,"
@@ -62,15 +67,15 @@ def read_json(file: Path) -> dict[str, Any]:
 
 
 @given(median=st.floats(1e-6, 1e6), beta=st.floats(1e-3, 3.0))
-@settings(max_examples=25, deadline=None)
-def test_dlml_reads_the_same_numbers(
+@settings(max_examples=25, deadline=None, phases=QUICK)
+def test_dlml_reads_the_same_numbers_but_for_the_last_digits_of_its_quick_parser(
     median: float, beta: float, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
     folder = tmp_path_factory.mktemp("dlml")
     table = load_tabular(write_pelicun(folder / "a.csv", [component(falls(median, beta))])[0])
     row = table.loc["RS.cabinet"]
-    assert float(row["LS1", "Theta_0"]) == pytest.approx(median, rel=4e-16)
-    assert float(row["LS1", "Theta_1"]) == pytest.approx(beta, rel=4e-16)
+    assert float(row["LS1", "Theta_0"]) == pytest.approx(median, rel=4e-15)
+    assert float(row["LS1", "Theta_1"]) == pytest.approx(beta, rel=4e-15)
     assert row["LS1", "Family"] in DISTRIBUTION_FAMILIES
     assert (row["Incomplete", ""], row["Demand", "Directional"], row["Demand", "Offset"]) == (
         0,
@@ -138,7 +143,7 @@ def test_an_identifier_that_a_reader_would_change_is_refused(name: str) -> None:
 
 
 @given(name=st.from_regex(r"[A-Za-z][A-Za-z0-9_.]{0,20}", fullmatch=True))
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25, deadline=None, phases=QUICK)
 def test_any_other_identifier_comes_back(
     name: str, tmp_path_factory: pytest.TempPathFactory
 ) -> None:

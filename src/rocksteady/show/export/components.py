@@ -1,5 +1,6 @@
 """Components of loss models: what is written for pelicun and OpenQuake, in SI units and g."""
 
+import itertools
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -273,11 +274,15 @@ def check_components(components: Sequence[LossComponent]) -> None:
         )
 
 
-def crossings(states: Sequence[LossState], levels: Floats) -> list[str]:
-    """Return a sentence for each state that is likelier than a lighter one at one of the levels."""
+def crossings(component: LossComponent) -> list[str]:
+    """Return a sentence for each state that is likelier than a lighter one at some intensity."""
+    if len(component.states) == 1:
+        return []
     found = []
-    rows = [state.probability(levels) for state in states]
-    for lighter, worse, low, high in zip(states, states[1:], rows, rows[1:], strict=False):
+    levels = levels_of(component, 200)
+    rows = [state.probability(levels) for state in component.states]
+    pairs = itertools.pairwise(zip(component.states, rows, strict=True))
+    for (lighter, low), (worse, high) in pairs:
         over = high - low
         if over.max() > CROSSING:
             found.append(

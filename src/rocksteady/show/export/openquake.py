@@ -216,7 +216,7 @@ def _description(components: Sequence[LossComponent]) -> str:
     ]
     for component in components:
         notes = [f"{state_name(s.name)}: {s.note}" for s in component.states if s.note]
-        notes += crossings(component.states, levels_of(component, 200))
+        notes += crossings(component)
         lines.append(" ".join([f"{component.identifier}: {component.description}".strip(), *notes]))
     return "\n".join(lines)
 

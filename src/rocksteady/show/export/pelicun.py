@@ -11,7 +11,6 @@ from rocksteady.show.export.components import (
     LossComponent,
     check_components,
     crossings,
-    levels_of,
     state_name,
 )
 from rocksteady.show.export.files import save_csv, save_text
@@ -24,7 +23,6 @@ DIRECTIONAL = (
     "Demand-Directional is 1, with the demand of the direction in which the object rocks: pelicun "
     "multiplies the demands of components with 0 by 1.2."
 )
-UNREAD = "a state without a lognormal cannot be written"
 
 
 @checked
@@ -77,7 +75,7 @@ def write_pelicun(path: Path | str, components: Sequence[LossComponent]) -> tupl
             if state.median is None:
                 raise InputError(
                     component.identifier,
-                    Words(f"has no lognormal for {state.name!r}: {UNREAD}"),
+                    Words(f"has no lognormal for {state.name!r}"),
                     "pelicun would leave the whole component out of the analysis",
                     "leave the state out, or write it for OpenQuake at points",
                 )
@@ -135,7 +133,7 @@ def json_text_of(components: Sequence[LossComponent]) -> str:
         }
     }
     for component in components:
-        crossed = crossings(component.states, levels_of(component, 200))
+        crossed = crossings(component)
         notes = [f"{state.name}: {state.note}" for state in component.states if state.note]
         values[component.identifier] = {
             "Description": _clean(
