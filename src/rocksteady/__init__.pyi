@@ -157,6 +157,9 @@ from .seismic.spectra.suite import summarise_spectra as summarise_spectra
 from .show.export.components import LossComponent as LossComponent
 from .show.export.components import LossState as LossState
 from .show.export.dataset import export as export
+from .show.export.ensemble_rows import write_results_csv as write_results_csv
+from .show.export.manifest import make_manifest as make_manifest
+from .show.export.manifest import write_manifest as write_manifest
 from .show.export.openquake import write_openquake as write_openquake
 from .show.export.pelicun import write_pelicun as write_pelicun
 from .show.film.animation import animate as animate

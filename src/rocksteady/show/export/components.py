@@ -1,6 +1,7 @@
 """Components of loss models: what is written for pelicun and OpenQuake, in SI units and g."""
 
 import itertools
+import math
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -13,8 +14,12 @@ from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
+from rocksteady.risk.fits.fragility_curve import FragilityCurve
+from rocksteady.risk.fits.two_stages import TwoStageCurve
 
 Floats = NDArray[np.float64]
+Fragility = Any
+StateFragility = Any
 LossMeasure = Literal["pga_g", "pgv_m_s", "sa_g"]
 
 MEASURES: tuple[LossMeasure, ...] = ("pga_g", "pgv_m_s", "sa_g")
@@ -147,6 +152,8 @@ class LossComponent:
         limit g tan(alpha) of a peak acceleration; None by default.
     description
         Of the object, in a sentence.
+    left_out
+        A sentence for each damage state that is not among the states.
 
     Raises
     ------
@@ -169,6 +176,7 @@ class LossComponent:
     floor: bool = False
     no_damage: float | None = None
     description: str = ""
+    left_out: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         """Validate all."""
@@ -204,11 +212,12 @@ class LossComponent:
     @classmethod
     def from_fragility(
         cls,
-        fragility: Any,
+        fragility: Fragility,
         identifier: str,
         *,
         floor: bool = False,
         given_uplift: bool = False,
+        steps: bool = False,
         description: str = "",
     ) -> "LossComponent":
         """Return the component of an ensemble's fragility, in PGA, PGV or spectral acceleration.
@@ -227,25 +236,52 @@ class LossComponent:
         given_uplift
             Whether the lognormal is that of the runs that lift, and not of all; off by default.
             With a gate in PGA it is the better one, above the gate.
+        steps
+            Whether states without a lognormal, as a step, are kept for files of points; off by
+            default. What never or always happens has no curve, and is left out in either case.
         description
             Of the object, in a sentence.
 
         Raises
         ------
         InputError
-            If the measure has no name in loss tools, or the blocks are several.
+            If the measure has no name in loss tools, the blocks are several, or no state is left.
         """
+        if not all(hasattr(fragility, name) for name in ("states", "measure", "ensemble")):
+            kind = type(fragility).__name__
+            raise InputError(
+                "fragility",
+                Words(f"is a {kind}"),
+                "it must be a Fragility",
+                "call compute_fragility(...)",
+            )
         measure, factor = _measure_of(fragility)
-        states = tuple(_state_of(each, factor, given_uplift) for each in fragility.states)
+        made = [_state_of(each, factor, given_uplift) for each in fragility.states]
+        states = tuple(s for s in made if s.median is not None or (steps and s.curve is not None))
+        left_out = tuple(f"{s.name} is left out. {s.note}" for s in made if s not in states)
+        if not states:
+            raise InputError(
+                "fragility",
+                Words("has no curve to write"),
+                " ".join(left_out),
+                "run more levels, or stronger ones",
+            )
         return cls(
             identifier=identifier,
             measure=measure,
             states=states,
-            period_s=fragility.measure.period_s if measure == "sa_g" else None,
+            period_s=_period_of(fragility) if measure == "sa_g" else None,
             floor=floor,
             no_damage=_gate_of(fragility) if measure == "pga_g" else None,
             description=description,
+            left_out=left_out,
         )
+
+    @property
+    def notes(self) -> list[str]:
+        """Sentences on what the curves stand for, on states left out, and on curves that cross."""
+        each = [f"{state.name}: {state.note}" for state in self.states if state.note]
+        return [*each, *self.left_out, *_crossings(self)]
 
 
 def state_name(name: str) -> str:
@@ -274,7 +310,7 @@ def check_components(components: Sequence[LossComponent]) -> None:
         )
 
 
-def crossings(component: LossComponent) -> list[str]:
+def _crossings(component: LossComponent) -> list[str]:
     """Return a sentence for each state that is likelier than a lighter one at some intensity."""
     if len(component.states) == 1:
         return []
@@ -305,47 +341,61 @@ def levels_of(component: LossComponent, count: int) -> Floats:
     return np.geomspace(low, max(high, 1.5 * low), count)
 
 
-def _measure_of(fragility: Any) -> tuple[LossMeasure, float]:
+def _measure_of(fragility: Fragility) -> tuple[LossMeasure, float]:
     """Return the measure of the export, and by what an intensity of the fit is multiplied."""
-    name = fragility.measure.name
-    alpha, p = (np.atleast_1d(np.asarray(fragility.ensemble[key])) for key in ("alpha", "p"))
-    if len(alpha) != 1:
+    blocks = fragility.ensemble.sizes["block"]
+    if blocks != 1:
         raise InputError(
             "fragility",
-            Words(f"is of {len(alpha)} blocks"),
+            Words(f"is of {blocks} blocks"),
             "a component is one object",
             "compute the fragility of each block",
         )
-    tangent = float(np.tan(alpha[0]))
-    match name:
-        case "pga_g" | "pgv_m_s" | "sa_g":
-            return name, 1.0
+    alpha, p = _side_of(fragility)
+    tangent = math.tan(alpha)
+    match fragility.measure.name:
+        case "pga_g" | "pgv_m_s" | "sa_g" as same:
+            return same, 1.0
         case "pga_per_uplift":
             return "pga_g", tangent
         case "p_pgv_per_uplift":
-            return "pgv_m_s", STANDARD_GRAVITY * tangent / float(p[0])
+            return "pgv_m_s", STANDARD_GRAVITY * tangent / p
     raise InputError(
         "measure",
-        name,
+        fragility.measure.name,
         "loss tools know PGA, PGV and the spectral acceleration at a period",
         "fit the fragility in pga_g, pgv_m_s, sa_g or p_pgv_per_uplift",
     )
 
 
-def _gate_of(fragility: Any) -> float | None:
+def _period_of(fragility: Fragility) -> float:
+    """Return the period of a spectral acceleration; by default that of the block, 2 pi/p."""
+    period: float | None = fragility.measure.period_s
+    return 2.0 * math.pi / _side_of(fragility)[1] if period is None else period
+
+
+def _side_of(fragility: Fragility) -> tuple[float, float]:
+    """Return slenderness and frequency parameter of the side that lifts first."""
+    ensemble = fragility.ensemble
+    keys = [key for key in ("", "negative_") if f"{key}alpha" in ensemble]
+    sides = [tuple(float(ensemble[f"{key}{x}"].values[0]) for x in ("alpha", "p")) for key in keys]
+    alpha, p = min(sides)
+    return alpha, p
+
+
+def _gate_of(fragility: Fragility) -> float | None:
     """Return the uplift limit [g] where no run has a vertical motion, which moves it."""
-    if "with" in np.atleast_1d(np.asarray(fragility.ensemble["vertical"])).astype(str).tolist():
+    if "with" in fragility.ensemble["vertical"].values.tolist():
         return None
-    return float(np.tan(np.atleast_1d(np.asarray(fragility.ensemble["alpha"]))[0]))
+    return math.tan(_side_of(fragility)[0])
 
 
-def _state_of(found: Any, factor: float, given_uplift: bool) -> LossState:
+def _state_of(found: StateFragility, factor: float, given_uplift: bool) -> LossState:
     """Return a damage state of a fragility in the unit of the export."""
-    two, plain = found.two_stage, found.plain
-    best = plain if two is None else two
-    chosen = two.given_uplift if given_uplift and two is not None else plain
-    words = "of the runs that lift, given uplift" if chosen is not plain else "of all runs"
-    note = ""
+    two, chosen, words = found.two_stage, found.plain, "of all runs"
+    if given_uplift and two is not None:
+        chosen, words = two.given_uplift, "of the runs that lift, given uplift"
+    best = found.plain if two is None else two
     usable = chosen.status == "fitted" and chosen.family == "lognormal"
     if usable:
         note = (
@@ -354,11 +404,18 @@ def _state_of(found: Any, factor: float, given_uplift: bool) -> LossState:
         )
         note += "." if two is None else f", of the curve in two stages {two.misfit:.3f}."
     else:
-        note = f"No lognormal: family {chosen.family}, status {chosen.status}."
+        note = f"There is no lognormal {words}: family {chosen.family}, status {chosen.status}."
+    trial = np.geomspace(0.1, 10.0, 5) * best.sampled[1]
+    has_curve = bool(np.isfinite(best.probability(trial)).all())
     return LossState(
         name=found.state.name,
         median=chosen.median * factor if usable else None,
         beta=chosen.beta if usable else None,
-        curve=lambda intensity: best.probability(np.asarray(intensity) / factor),
+        curve=_scaled(best, factor) if has_curve else None,
         note=note,
     )
+
+
+def _scaled(curve: FragilityCurve | TwoStageCurve, factor: float) -> Callable[[Floats], Floats]:
+    """Return the probability of a curve at intensities in the unit of the export."""
+    return lambda intensity: curve.probability(intensity / factor)

@@ -17,7 +17,6 @@ from rocksteady.show.export.components import (
     LossComponent,
     LossState,
     check_components,
-    crossings,
     levels_of,
     state_name,
 )
@@ -199,8 +198,16 @@ def _add_points(function: ET.Element, component: LossComponent, count: int) -> N
     )
     imls.text = _numbers(unit * levels)
     for state in component.states:
+        shares = state.probability(levels)
+        if not np.isfinite(shares).all():
+            raise InputError(
+                component.identifier,
+                Words(f"has no probability of {state.name!r} at some intensities"),
+                "beyond what was run nothing is known of a state that never or always happens",
+                "leave the state out",
+            )
         poes = _child(function, "poes", ls=state_name(state.name))
-        poes.text = _numbers(np.clip(state.probability(levels), 0.0, 1.0))
+        poes.text = _numbers(np.clip(shares, 0.0, 1.0))
 
 
 def _numbers(values: Floats) -> str:
@@ -215,9 +222,8 @@ def _description(components: Sequence[LossComponent]) -> str:
         f"Free-standing rigid objects, computed by rocksteady {__version__}. The engineer verifies."
     ]
     for component in components:
-        notes = [f"{state_name(s.name)}: {s.note}" for s in component.states if s.note]
-        notes += crossings(component)
-        lines.append(" ".join([f"{component.identifier}: {component.description}".strip(), *notes]))
+        head = f"{component.identifier}: {component.description}".strip()
+        lines.append(" ".join([head, *component.notes]))
     return "\n".join(lines)
 
 

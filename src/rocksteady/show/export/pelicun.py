@@ -10,7 +10,6 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.show.export.components import (
     LossComponent,
     check_components,
-    crossings,
     state_name,
 )
 from rocksteady.show.export.files import save_csv, save_text
@@ -133,13 +132,11 @@ def json_text_of(components: Sequence[LossComponent]) -> str:
         }
     }
     for component in components:
-        crossed = crossings(component)
-        notes = [f"{state.name}: {state.note}" for state in component.states if state.note]
         values[component.identifier] = {
             "Description": _clean(
                 component.description or f"Free-standing object {component.identifier}"
             ),
-            "Comments": _clean("\n".join([DIRECTIONAL, *notes, *crossed])),
+            "Comments": _clean("\n".join([DIRECTIONAL, *component.notes])),
             "SuggestedComponentBlockSize": "1 EA",
             "RoundUpToIntegerQuantity": "True",
             "LimitStates": {

@@ -1,0 +1,119 @@
+"""Ensembles as a table: a row for each run."""
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rocksteady.errors import InputError, Words
+from rocksteady.model.checks.arguments import checked
+from rocksteady.show.export.files import save_csv
+
+if TYPE_CHECKING:
+    import xarray
+
+DIMENSIONS = ("block", "record", "direction", "vertical", "draw", "level")
+HEAD = (
+    "block",
+    "record",
+    "direction",
+    "vertical",
+    "level",
+    "scale",
+    "restitution",
+    "status",
+    "peak_angle",
+    "impacts",
+    "uplift_time_s",
+)
+FORMULA = ("=", "+", "-", "@", "\t", "\r")
+"""Beginnings of a text that a spreadsheet runs as a formula."""
+
+
+@checked
+def write_results_csv(path: Path | str, ensemble: "xarray.Dataset") -> Path:
+    """Write an ensemble as a table, a row for each run.
+
+    Parameters
+    ----------
+    path
+        The file, which is replaced.
+    ensemble
+        From `rocksteady.run_ensemble`.
+
+    Returns
+    -------
+    Path
+        The file. Its columns are the block (from 1), record, direction, vertical component, level,
+        scale of the record, restitution, status, largest theta/alpha, impacts, and time of
+        uplift [s], empty without one. Floats are written so that reading gives the same number. A
+        name that a spreadsheet would run as a formula has an apostrophe before it.
+
+    Raises
+    ------
+    InputError
+        If the dataset is no ensemble.
+    OutputError
+        If the file cannot be written.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> from rocksteady import Block, Record, RestitutionBand, Stripes, run_ensemble
+    >>> cabinet = Block.rectangle(width=0.4, height=1.6)
+    >>> shock = Record(acceleration_m_s2=[0.0, 1.0, -1.0, 0.0], dt_s=0.3, name="shock")
+    >>> stripes = Stripes("pga_g", [0.2], beside=())
+    >>> runs = run_ensemble(cabinet, shock, stripes=stripes, restitution=RestitutionBand(draws=1))
+    >>> with TemporaryDirectory() as folder:
+    ...     print(write_results_csv(f"{folder}/results.csv", runs).read_text().splitlines()[0])
+    block,record,direction,vertical,level,scale,restitution,status,peak_angle,impacts,uplift_time_s
+    """
+    file = Path(path)
+    if ensemble.attrs.get("kind") != "rocking ensemble" or "status" not in ensemble:
+        raise InputError(
+            "ensemble",
+            Words("is no rocking ensemble"),
+            "it must be what run_ensemble returns",
+            "give fragility.ensemble, or call run_ensemble(...)",
+        )
+    save_csv("path", file, HEAD, _rows(ensemble))
+    return file
+
+
+def _rows(ensemble: "xarray.Dataset") -> Iterator[tuple[object, ...]]:
+    """Yield the runs, the level fastest, then the restitution; one record in memory at a time."""
+    flags = ensemble["status"].attrs
+    values, meanings = flags["flag_values"], str(flags["flag_meanings"]).split()
+    words = dict(zip(map(int, values), meanings, strict=True))
+    names = {
+        key: [str(name) for name in ensemble[key].values.tolist()]
+        for key in ("record", "direction", "vertical")
+    }
+    levels = ensemble["level"].values.tolist()
+    for block, number in enumerate(ensemble["block"].values.tolist()):
+        ratios = ensemble["restitution"].values[block].tolist()
+        for record, name in enumerate(names["record"]):
+            part = ensemble.isel(block=block, record=record).transpose(*DIMENSIONS[2:])
+            status, peak, impacts, lifted = (
+                part[key].values.tolist()
+                for key in ("status", "peak_angle", "impacts", "uplift_time_s")
+            )
+            scale = part["scale"].values.tolist()
+            shown = f"'{name}" if name.startswith(FORMULA) else name
+            for d, v, r, k in np.ndindex(part["status"].shape):
+                time = lifted[d][v][r][k]
+                yield (
+                    number,
+                    shown,
+                    names["direction"][d],
+                    names["vertical"][v],
+                    levels[k],
+                    scale[k],
+                    ratios[r],
+                    words.get(status[d][v][r][k], status[d][v][r][k]),
+                    peak[d][v][r][k],
+                    impacts[d][v][r][k],
+                    "" if math.isnan(time) else time,
+                )
