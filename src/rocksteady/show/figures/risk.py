@@ -1,0 +1,38 @@
+"""Complete figures of fragility, as the command line saves them."""
+
+from typing import TYPE_CHECKING, Any
+
+from rocksteady.show.plots.risk.fragility import plot_fragility, plot_fragility_states
+from rocksteady.show.style.page import SCREEN, Page
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def fragility_figure(
+    fragility: Any, state: str | None = None, title: str = "", page: Page = SCREEN
+) -> "Figure":
+    """Return a figure of one damage state, beside or above one of all of them where there are more.
+
+    Parameters
+    ----------
+    fragility
+        From `rocksteady.compute_fragility`, or a curve.
+    state
+        Damage state of the first panel; the last by default.
+    title
+        Above the panels.
+    page
+        Width of the figure, and place of its legends.
+    """
+    several = len(getattr(fragility, "states", ())) > 1
+    if not several:
+        with page.figure(6.6, 4.4, title) as figure:
+            plot_fragility(fragility, figure.add_subplot(), state=state, legend=page.legend)
+        return figure
+    with page.figure(11.4, 4.6, title, stacked=1.6) as figure:
+        stacked = page.stacks(11.4)
+        first, second = figure.subplots(2, 1) if stacked else figure.subplots(1, 2)
+        plot_fragility(fragility, first, state=state, legend=page.legend)
+        plot_fragility_states(fragility, second, legend=page.legend or "inside")
+    return figure

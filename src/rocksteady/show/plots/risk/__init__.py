@@ -1,0 +1,1 @@
+"""Plots of fragility and of what it depends on."""

@@ -1,0 +1,181 @@
+"""Plots of what matters: measures of intensity by efficiency, assumptions by their effect."""
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rocksteady.errors import InputError, Words
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import finite
+from rocksteady.show.plots.risk._words import greek
+from rocksteady.show.style import palette
+from rocksteady.show.style.layout import axes_or_new
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of, size_of, text_size
+from rocksteady.show.style.line_colours import inks_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+@checked
+def plot_ranking(fragility: Any, ax: "Axes | None" = None) -> "Axes":
+    """Draw how efficient measures of intensity are: their beta, the smallest on top.
+
+    Parameters
+    ----------
+    fragility
+        From `rocksteady.compute_fragility`, with its ranking.
+    ax
+        Axes to draw on; those of a new figure without.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: beta, with the difference of Akaike's criterion to the best measure beside it.
+
+    Raises
+    ------
+    InputError
+        If there is no ranking.
+    """
+    rows = [each for each in getattr(fragility, "ranking", ()) if math.isfinite(each.beta)]
+    if not rows:
+        raise InputError(
+            "fragility",
+            Words("has no ranking of measures"),
+            "it is what compute_fragility returns, with a measure whose curve is fitted",
+            "fit several measures",
+        )
+    axes = axes_or_new(ax)
+    inks, small = inks_of(axes), text_size(axes, 8.0)
+    best = min(each.aic for each in rows)
+    place = np.arange(len(rows))
+    axes.barh(place, [each.beta for each in rows], height=0.55, color=inks.lines[0], lw=0.0)
+    for at, each in enumerate(rows):
+        behind = each.aic - best
+        words = f"{each.beta:.2f}" + (", best" if behind == 0.0 else f", AIC +{behind:.0f}")
+        axes.annotate(
+            words, (each.beta, at), (4.0, 0.0), textcoords="offset points", va="center",
+            fontsize=small, color=inks.ink,
+        )  # fmt: skip
+    names = [" and ".join(part.label for part in each.measure) for each in rows]
+    axes.set_yticks(place.tolist(), [greek(name) for name in names])
+    axes.tick_params(axis="y", length=0.0)
+    axes.grid(visible=False, axis="y")
+    axes.set(
+        xlabel=r"standard deviation of ln(intensity)  $\beta$",
+        xlim=(0.0, (1.0 + _share_of_text(axes, 15.0)) * max(each.beta for each in rows)),
+        ylim=(len(rows) - 0.4, -0.6),
+    )
+    return axes
+
+
+@checked
+def plot_tornado(
+    rows: Sequence[tuple[str, float, float]],
+    base: float,
+    ax: "Axes | None" = None,
+    *,
+    label: str = "probability of overturning",
+    legend: LegendPlace | None = None,
+) -> "Axes":
+    """Draw how far an answer moves with each assumption, the farthest on top.
+
+    Parameters
+    ----------
+    rows
+        Assumption, answer at its low end, and answer at its high end.
+    base
+        Answer as assumed.
+    ax
+        Axes to draw on; those of a new figure without.
+    label
+        What the answer is, with its unit; default that of a probability of overturning.
+    legend
+        "inside" the axes, to their "right", "below" them, the default, or "none".
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: the answer, and a row for each assumption.
+
+    Raises
+    ------
+    InputError
+        If there is no row, or a number is not finite.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> rows = [("restitution", 0.31, 0.45), ("width -5 %", 0.47, 0.40)]
+    >>> axes = plot_tornado(rows, 0.40, Figure().add_subplot())
+    >>> [text.get_text() for text in axes.get_yticklabels()]
+    ['restitution', 'width -5 %']
+    """
+    hint = "give the answer of each run"
+    middle = finite("base", base, hint=hint)
+    bars = [
+        (name, finite("rows", low, hint=hint), finite("rows", high, hint=hint))
+        for name, low, high in rows
+    ]
+    if not bars:
+        raise InputError("rows", Words("are none"), "there must be one or more", hint)
+    bars.sort(key=lambda bar: -max(abs(end - middle) for end in bar[1:]))
+    axes = axes_or_new(ax)
+    inks, place = inks_of(axes), place_of(axes, legend or "below", "below")
+    ends = np.array([bar[1:] for bar in bars], dtype=np.float64) - middle
+    rows_at = np.arange(len(bars))
+    # Where both ends lie on one side, the shorter bar stands before the longer one.
+    before = (ends[:, 0] * ends[:, 1] > 0.0)[:, np.newaxis] & (
+        np.abs(ends) < np.abs(ends).max(axis=1, keepdims=True)
+    )
+    handles = [
+        axes.barh(
+            rows_at,
+            ends[:, column],
+            left=middle,
+            height=np.where(before[:, column], 0.28, 0.56),
+            color=(inks.lines[0], inks.sweeps[0])[column],
+            edgecolor=inks.paper,
+            lw=0.5,
+            label=f"assumption at its {word} end",
+            zorder=2.5,
+        )
+        for column, word in enumerate(("low", "high"))
+    ]
+    for place_ in np.flatnonzero(before.any(axis=1)).tolist():
+        column = int(before[place_].argmax())
+        handles[column].patches[place_].set_zorder(2.6)
+    axes.axvline(middle, color=inks.ink, lw=1.0, zorder=3.0)
+    small = text_size(axes, 8.0)
+    for at, (low, high) in enumerate(ends.tolist()):
+        for side in (-1.0, 1.0):
+            end = max(side * low, side * high)
+            if end > 0.0:
+                axes.annotate(
+                    f"{middle + side * end:.3g}", (middle + side * end, at), (3.0 * side, 0.0),
+                    textcoords="offset points", ha="left" if side > 0.0 else "right",
+                    va="center", fontsize=small, color=inks.ink,
+                )  # fmt: skip
+    span = float(np.ptp([*ends.ravel(), 0.0])) or 0.1 * abs(middle) or 1.0
+    room = span * _share_of_text(axes, 5.0)
+    axes.set_yticks(rows_at.tolist(), [greek(palette.shortened(bar[0], 40)) for bar in bars])
+    axes.tick_params(axis="y", length=0.0)
+    axes.grid(visible=False, axis="y")
+    axes.set(
+        xlabel=greek(label),
+        xlim=(middle + min(0.0, ends.min()) - room, middle + max(0.0, ends.max()) + room),
+        ylim=(len(bars) - 0.4, -0.6),
+    )
+    draw_legend(axes, place, handles=handles)
+    return axes
+
+
+def _share_of_text(axes: "Axes", letters: float) -> float:
+    """Return the width of text beside bars over that of the longest bar."""
+    # A third of the figure is left of the axes, for names that are not laid out yet.
+    wide = 0.65 * size_of(axes)[0]
+    text = min(0.6 * text_size(axes, 8.0) * letters + 4.0, 0.4 * wide)
+    return text / (wide - text)
