@@ -109,8 +109,10 @@ from .records.processing import correct_baseline as correct_baseline
 from .records.processing import resample as resample
 from .records.read import read_record as read_record
 from .records.read import read_recordings as read_recordings
-from .risk.assess.facts import ObjectFacts as ObjectFacts, derive_facts as derive_facts
-from .risk.assess.objects import ObjectFile as ObjectFile, read_object as read_object
+from .risk.assess.facts import ObjectFacts as ObjectFacts
+from .risk.assess.facts import derive_facts as derive_facts
+from .risk.assess.objects import ObjectFile as ObjectFile
+from .risk.assess.objects import read_object as read_object
 from .risk.assess.synthetic import make_synthetic_suite as make_synthetic_suite
 from .risk.assess.tables import read_objects as read_objects
 from .risk.assess.two_numbers import (
@@ -121,22 +123,31 @@ from .risk.ensemble.levels import Stripes as Stripes
 from .risk.ensemble.restitution_band import RestitutionBand as RestitutionBand
 from .risk.ensemble.runs import run_ensemble as run_ensemble
 from .risk.fits.bands import Bands as Bands
-from .risk.fits.fragility_curve import FragilityCurve as FragilityCurve, fit_curve as fit_curve
-from .risk.fits.two_stages import TwoStageCurve as TwoStageCurve, fit_two_stages as fit_two_stages
-from .risk.fits.vector_fit import VectorFit as VectorFit, fit_vector as fit_vector
+from .risk.fits.fragility_curve import FragilityCurve as FragilityCurve
+from .risk.fits.fragility_curve import fit_curve as fit_curve
+from .risk.fits.two_stages import TwoStageCurve as TwoStageCurve
+from .risk.fits.two_stages import fit_two_stages as fit_two_stages
+from .risk.fits.vector_fit import VectorFit as VectorFit
+from .risk.fits.vector_fit import fit_vector as fit_vector
 from .risk.fragility.damage_states import DamageState as DamageState
 from .risk.fragility.efficiency import Efficiency as Efficiency
-from .risk.fragility.fit_fragility import compute_fragility as compute_fragility, fit_fragility as fit_fragility
+from .risk.fragility.fit_fragility import (
+    compute_fragility as compute_fragility,
+    fit_fragility as fit_fragility,
+)
 from .risk.fragility.fitting import Fitting as Fitting
 from .risk.fragility.fragility import Fragility as Fragility
 from .risk.fragility.state_fragility import StateFragility as StateFragility
-from .risk.hazard.balanced_rocks import BranchTest as BranchTest, reject_branches as reject_branches
-from .risk.hazard.failure_risk import Risk as Risk, compute_risk as compute_risk
+from .risk.hazard.balanced_rocks import BranchTest as BranchTest
+from .risk.hazard.balanced_rocks import reject_branches as reject_branches
+from .risk.hazard.failure_risk import Risk as Risk
+from .risk.hazard.failure_risk import compute_risk as compute_risk
 from .risk.hazard.hazard_curve import HazardCurve as HazardCurve
 from .risk.hazard.read_hazard import read_hazard_curves as read_hazard_curves
 from .risk.screens.demand import Demand as Demand
 from .risk.screens.screen import Screen as Screen
-from .risk.screens.screens import Screens as Screens, screen_block as screen_block
+from .risk.screens.screens import Screens as Screens
+from .risk.screens.screens import screen_block as screen_block
 from .seismic.measures.intensity import IntensityMeasures as IntensityMeasures
 from .seismic.measures.intensity import measure_intensity as measure_intensity
 from .seismic.measures.response_spectrum import ResponseSpectrum as ResponseSpectrum

@@ -20,7 +20,6 @@ from rocksteady.cli.commands import (
     basins,
     bifurcate,
     doctor,
-    fragility,
     maps,
     orbits,
     overturn,
@@ -31,7 +30,7 @@ from rocksteady.cli.commands import (
     steady,
     study,
 )
-from rocksteady.cli.commands.risk import assess, screens
+from rocksteady.cli.commands.risk import assess, fragility, screens
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import INCOMPLETE
 from rocksteady.cli.console.refusals import OncePerFlag
