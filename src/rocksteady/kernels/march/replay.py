@@ -40,6 +40,7 @@ from rocksteady.kernels.nonlinear.replay import (
     leg_after,
     leg_from,
     peaks_of,
+    stays_below,
 )
 from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS, angle_at
 
@@ -211,16 +212,11 @@ def recorded_peaks(
         duration = last_duration if index == len(rows) - 1 else rows[index, ROW_DURATION]
         if is_nonlinear(sides):
             drive, seen, y, v, lean, rate = row_start(segments, sides, rows, index)
-            angle, fast = peaks_of(
-                drive,
-                seen,
-                y,
-                v,
-                duration * rate,
-                sides[0, LEFT_OUT],
-                angle,
-                speed / (lean * rate),
-            )
+            fast = speed / (lean * rate)
+            if not stays_below(drive, y, v, duration * rate, angle, fast):
+                angle, fast = peaks_of(
+                    drive, seen, y, v, duration * rate, sides[0, LEFT_OUT], angle, fast
+                )
         else:
             flight, forcing, lean, rate = row_flight(segments, sides, rows, index)
             span = duration * rate

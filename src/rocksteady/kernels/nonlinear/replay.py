@@ -17,6 +17,11 @@ from rocksteady.kernels.nonlinear.drive import Drive
 from rocksteady.kernels.nonlinear.flight import phase_at, reach_of
 from rocksteady.kernels.nonlinear.series import TERMS, WORK_ROWS, angle_at, expand, third_bound
 
+LONG = 1.0
+"""Side time from which on a flight is searched for its peaks."""
+BROADLY = 1.001
+"""Factor of a bound that covers what steps leave out of the motion."""
+
 
 class Leg(NamedTuple):
     """One step of a flight, whose polynomial the working space holds."""
@@ -89,6 +94,23 @@ def peaks_of(
         if leg.start + leg.step >= span:
             return top_angle, top_speed
         leg = leg_after(leg, drive, phase, span, left_out, work)
+
+
+@compiled
+def stays_below(
+    drive: Drive, angle: float, velocity: float, span: float, top_angle: float, top_speed: float
+) -> bool:
+    """Return whether a flight is too short to reach the tops given, by a bound of |y''|.
+
+    While 0 <= y <= 2, ``|sin(alpha (1 - y))|/alpha <= 1``.
+    """
+    if not span < LONG:
+        return False
+    pull = abs(drive.constant) + abs(drive.slope) * span + drive.amplitude
+    pull += 1.0 + abs(drive.lift) + abs(drive.lift_slope) * span
+    fastest = BROADLY * (abs(velocity) + span * pull)
+    highest = BROADLY * (angle + span * fastest)
+    return fastest <= top_speed and highest <= min(top_angle, 2.0)
 
 
 @allocating

@@ -89,7 +89,7 @@ def shaken_fates(
     """Return how blocks fare that are at rest when the ground begins to shake.
 
     Each is followed to rest or proven overturning, without loss (restitution 1) for p t = 1e4 on
-    the still base.  A cell's answer depends on nothing but the cell; neighbours on the same shaking
+    the still base.  A cell's answer depends on nothing but the cell; those on the same shaking
     share its table.
 
     Parameters
@@ -112,26 +112,23 @@ def shaken_fates(
     elastic = (sides[:, :, RESTITUTION] == 1.0).all(axis=1)
     afterwards = np.where(elastic, ELASTIC_TIME, LONGEST_REST)
 
-    def table_of(cell: int) -> tuple[int, float]:
+    def shaken_alike(cell: int) -> tuple[int, float]:
         ground = shaking[cell]
         return id(ground), 1.0 if ground.vertical is None else float(scale[cell])
 
-    for (_, factor), run in groupby(range(count), key=table_of):
-        first, *rest = run
-        cells = slice(first, first + 1 + len(rest))
-        table = _table(shaking[first], is_nonlinear(own[first]), gravity)
-        if factor != 1.0:
-            table = table.copy()
-            table[:, LIFT:] *= factor
-        record_fates(
-            table,
-            own[cells],
-            afterwards[cells],
-            FLIGHT_LIMIT,
-            status[cells],
-            impacts[cells],
-            peaks[cells],
-        )
+    for _, on_ground in groupby(sorted(range(count), key=shaken_alike), lambda c: id(shaking[c])):
+        cells = list(on_ground)
+        table = _table(shaking[cells[0]], is_nonlinear(own[cells[0]]), gravity)
+        lift = table[:, LIFT:]
+        for (_, factor), alike in groupby(cells, shaken_alike):
+            if factor != 1.0:
+                table = table.copy() if np.shares_memory(table, lift) else table
+                np.multiply(lift, factor, out=table[:, LIFT:])
+            place = list(alike)
+            fates = np.empty(len(place), dtype=np.int64), np.empty(len(place), dtype=np.int64)
+            tops = np.empty((len(place), PEAK_COLUMNS))
+            record_fates(table, own[place], afterwards[place], FLIGHT_LIMIT, *fates, tops)
+            status[place], impacts[place], peaks[place] = *fates, tops
     return Fared(status, impacts, peaks[:, PEAK_ANGLE], peaks[:, PEAK_SPEED])
 
 
