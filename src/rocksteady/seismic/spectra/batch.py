@@ -181,7 +181,8 @@ def scattered_sides(sides: Floats, deviation: Floats, keys: Integers) -> Floats:
 
     That of an impact is ``mean + deviation z``, z standard normal, drawn again until it lies in
     (0, (1 + mean)/2]; the mean is the side's restitution.  Its draw depends on the key and on the
-    number of the impact alone, so that cells with the same key draw the same z.
+    number of the impact alone, so that cells with the same key draw the same z.  The cut lowers
+    the mean: 0.9 with a deviation of 0.1 becomes 0.849 with 0.070.
 
     Parameters
     ----------
