@@ -29,6 +29,8 @@ from rocksteady.risk.fits.bands import Bands
 from rocksteady.risk.fits.fragility_curve import FragilityCurve, band_facts, curve_of
 
 Floats = NDArray[np.float64]
+ROUNDING = 1e-9
+"""Of ln im at the ends of the search for a quantile."""
 FARTHEST = 3.0
 STEPS = 121
 """How far from the median, in ln im, the band's ends are searched for .5, and in how many steps."""
@@ -147,18 +149,15 @@ class TwoStageCurve(Result):
             return math.nan
         # The product is below each factor, and above p where both are above the root of p.
         low = max(stage.quantile(p) for stage in stages)
+        if len(stages) == 1 or any(stage.status == SEPARATED for stage in stages):
+            return low
         high = max(stage.quantile(math.sqrt(p)) for stage in stages)
 
         def excess(log_intensity: float) -> float:
-            product = 1.0
-            for stage in stages:
-                product *= float(stage.probability(math.exp(log_intensity)))
-            return product - p
+            return float(self.probability(math.exp(log_intensity))) - p
 
-        ends = math.log(low), math.log(high)
-        if len(stages) == 1 or excess(ends[0]) >= 0.0 or excess(ends[1]) <= 0.0:
-            return low if excess(ends[0]) >= 0.0 else high
-        return math.exp(brentq(excess, *ends, xtol=1e-14, rtol=1e-14))
+        low, high = math.log(low) - ROUNDING, math.log(high) + ROUNDING
+        return math.exp(brentq(excess, low, high, xtol=1e-14, rtol=1e-14))
 
     def describe(self) -> Description:
         """Return both stages, the product and the plain curve's misfit."""

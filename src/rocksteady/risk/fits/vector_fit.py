@@ -18,10 +18,10 @@ from rocksteady.risk.fits._status import ALWAYS, FITTED, NEVER, SEPARATED
 from rocksteady.risk.fits._values import intensities, plain
 
 Floats = NDArray[np.float64]
+FEW_POINTS = 500
+"""How many points are tested for overlap before all are."""
 LEAST_INDEPENDENCE = 1e-8
 """Smallest over largest singular value of the standardised ln im of independent intensities."""
-SAME_SIDE = 1e-9
-"""Distance of a point from a separating plane that rounding can make."""
 
 
 @checked_result
@@ -41,7 +41,7 @@ class VectorFit(Result):
     coefficients
         c_0, c_1, ...; NaN unless fitted.
     log_likelihood
-        Of single trials; of separated ones that of a common share on the plane.
+        Of single trials; of separated ones its supremum, 0 unless points lie on the plane.
     explained
         Share of the deviance of a constant probability that the intensities explain; NaN without
         a failure or without a survival.
@@ -221,9 +221,14 @@ def _fitted(logs: Floats, failures: Floats, trials: Floats) -> tuple[str, Floats
         valid = "the logarithms of its columns must not depend linearly on each other"
         found = Words("has columns that repeat each other")
         raise InputError("intensity", found, valid, "leave one of them out")
-    parted = _separated(design, failures, trials)
-    if parted is not None:
-        return SEPARATED, none, parted
+    parted = _parted(design, failures, trials)
+    if parted.any():
+        rest = ~parted
+        # What lies on the plane keeps the largest likelihood that its own points allow.
+        _, size, rows = np.linalg.svd(design[rest], full_matrices=False)
+        basis = rows[size > LEAST_INDEPENDENCE * singular[0]].T
+        kept = _largest(design[rest] @ basis, failures[rest], trials[rest]) if rest.any() else 0.0
+        return SEPARATED, none, kept
     start = np.zeros(design.shape[1])
     start[0] = family.quantile(np.array(failed / total))
     at = maximise(family, design, failures, trials, start)
@@ -232,23 +237,45 @@ def _fitted(logs: Floats, failures: Floats, trials: Floats) -> tuple[str, Floats
     return FITTED, np.concatenate([[at[0] - slopes @ centre], slopes]), log_likelihood
 
 
-def _separated(design: Floats, failures: Floats, trials: Floats) -> float | None:
-    """Return the log-likelihood of separated data; None of data that overlap.
+def _largest(design: Floats, failures: Floats, trials: Floats) -> float:
+    """Return the largest log-likelihood of points that overlap."""
+    family = family_of("lognormal")
+    at = maximise(family, design, failures, trials, np.zeros(design.shape[1]))
+    return log_likelihood_of(family, design @ at, failures, trials)
 
-    They are separated where a plane has all failures on one side and all survivals on the other,
-    both with the plane itself, but not all points on it [1]: a linear program.  Points off it
-    add 0, points on it the likelihood of their common share.
+
+def _parted(design: Floats, failures: Floats, trials: Floats) -> NDArray[np.bool_]:
+    """Return which points a plane parts; none of data that overlap.
+
+    Data are separated where a plane has all failures on one side and all survivals on the other,
+    points on the plane aside [1].  The linear program finds the plane that leaves fewest on it: the
+    sum of min(distance, 1), each distance on the right side and in a free unit.
 
     References
     ----------
     .. [1] A. Albert and J. A. Anderson, Biometrika 71, 1-10 (1984).
     """
     from scipy.optimize import linprog
+    from scipy.sparse import csr_array, eye_array, hstack
 
-    sides = np.concatenate([design[failures > 0.0], -design[failures < trials]])
-    ends = [(-1.0, 1.0)] * design.shape[1]
-    found = linprog(-sides.sum(axis=0), A_ub=-sides, b_ub=np.zeros(len(sides)), bounds=ends)
-    if found.x is None or float((sides @ found.x).sum()) < SAME_SIDE * len(sides):
-        return None
-    on_plane = np.abs(design @ found.x) < SAME_SIDE
-    return _flat(float(failures[on_plane].sum()), max(float(trials[on_plane].sum()), 1.0))
+    parted = np.zeros(len(design), dtype=np.bool_)
+    few = np.arange(0, len(design), len(design) // FEW_POINTS + 1)
+    if len(few) < len(design) and np.linalg.matrix_rank(design[few]) == design.shape[1]:
+        if not _parted(design[few], failures[few], trials[few]).any():
+            return parted  # what overlaps does so with more points too
+    failed, stood = np.flatnonzero(failures > 0.0), np.flatnonzero(failures < trials)
+    sides = np.concatenate([design[failed], -design[stood]])
+    count, width = sides.shape
+    found = linprog(
+        np.concatenate([np.zeros(width), -np.ones(count)]),
+        A_ub=hstack([csr_array(-sides), eye_array(count)], format="csr"),
+        b_ub=np.zeros(count),
+        bounds=[(None, None)] * width + [(0.0, 1.0)] * count,
+        method="highs",
+    )
+    if found.x is not None:
+        away = found.x[width:] > 0.5
+        parted[np.concatenate([failed, stood])[away]] = True
+        # A point with failures and survivals has both sides and lies on the plane.
+        parted[(failures > 0.0) & (failures < trials)] = False
+    return parted
