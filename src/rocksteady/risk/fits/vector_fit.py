@@ -260,9 +260,9 @@ def _parted(design: Floats, failures: Floats, trials: Floats) -> NDArray[np.bool
 
     parted = np.zeros(len(design), dtype=np.bool_)
     few = np.arange(0, len(design), len(design) // FEW_POINTS + 1)
-    if len(few) < len(design) and np.linalg.matrix_rank(design[few]) == design.shape[1]:
-        if not _parted(design[few], failures[few], trials[few]).any():
-            return parted  # what overlaps does so with more points too
+    fewer = len(few) < len(design) and np.linalg.matrix_rank(design[few]) == design.shape[1]
+    if fewer and not _parted(design[few], failures[few], trials[few]).any():
+        return parted  # what overlaps does so with more points too
     failed, stood = np.flatnonzero(failures > 0.0), np.flatnonzero(failures < trials)
     sides = np.concatenate([design[failed], -design[stood]])
     count, width = sides.shape
