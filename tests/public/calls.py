@@ -368,10 +368,6 @@ def calls() -> dict[str, Call]:
             "restitution": rs.RestitutionBand(draws=1),
         },
         rs.DamageState: {"name": "half", "peak": 0.5},
-        rs.DamageState("half", 0.5).exceeded: {
-            "status": np.array([1, 2]),
-            "peak_angle": np.array([0.2, 0.9]),
-        },
         rs.Fitting: {"states": ["uplift", 0.5], "bands": None},
         rs.compute_fragility: {
             "blocks": block,

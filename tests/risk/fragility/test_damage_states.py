@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from rocksteady import DamageState, Fitting, InputError, Status
+from rocksteady.risk.fragility.damage_states import exceeding
 
 CODES = np.array([Status.AT_REST, Status.AT_REST, Status.ROCKING, Status.OVERTURNED])
 PEAKS = np.array([0.0, 0.5, 1.2, 0.9])
@@ -19,7 +20,7 @@ PEAKS = np.array([0.0, 0.5, 1.2, 0.9])
     ],
 )
 def test_what_exceeds_a_state(state: DamageState, exceeded: list[bool]) -> None:
-    assert state.exceeded(CODES, PEAKS).tolist() == exceeded
+    assert exceeding(state, CODES, PEAKS).tolist() == exceeded
 
 
 def test_a_number_is_a_state_of_its_own() -> None:

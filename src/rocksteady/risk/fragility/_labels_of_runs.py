@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, Words
 from rocksteady.outcomes import Status
-from rocksteady.risk.fragility.damage_states import DamageState
+from rocksteady.risk.fragility.damage_states import DamageState, exceeding
 from rocksteady.seismic.measures.scalar import Intensity
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ class Labels:
 
     def count(self, state: DamageState) -> Integers:
         """Return how many exceed a damage state, shape (blocks, records, levels)."""
-        return _counted(state.exceeded(self.status, self.peak_angle) & self.answered)
+        return _counted(exceeding(state, self.status, self.peak_angle) & self.answered)
 
     @property
     def groups(self) -> Integers:

@@ -46,6 +46,8 @@ class DamageState:
 
     def __post_init__(self) -> None:
         """Validate."""
+        if not isinstance(self.name, str):
+            raise InputError("name", self.name, "it must be a text", "give one, as 'overturned'")
         known = self.name in (UPLIFT, OVERTURNED)
         if known and self.peak is not None:
             raise InputError("peak", self.peak, f"{self.name} is no tilt", "leave it out")
@@ -60,28 +62,23 @@ class DamageState:
             hint = "give the theta/alpha that is exceeded, as 0.5"
             object.__setattr__(self, "peak", non_negative("peak", self.peak, hint=hint))
 
-    def exceeded(
-        self, status: NDArray[np.int8], peak_angle: NDArray[np.float64]
-    ) -> NDArray[np.bool_]:
-        """Return which runs exceed the state.
 
-        Parameters
-        ----------
-        status, peak_angle
-            Codes of `rocksteady.Status` and largest |theta|/alpha of the runs, of one shape.
+def exceeding(
+    state: DamageState, status: NDArray[np.int8], peak_angle: NDArray[np.float64]
+) -> NDArray[np.bool_]:
+    """Return which runs exceed a damage state.
 
-        Examples
-        --------
-        >>> import numpy as np
-        >>> from rocksteady import DamageState, Status
-        >>> codes = np.array([Status.AT_REST, Status.AT_REST, Status.OVERTURNED])
-        >>> DamageState("half", 0.5).exceeded(codes, np.array([0.2, 0.7, 0.4]))
-        array([False,  True,  True])
-        """
-        fell: NDArray[np.bool_] = status == Status.OVERTURNED
-        if self.name == OVERTURNED:
-            return fell
-        return fell | (peak_angle > (self.peak or 0.0))
+    Parameters
+    ----------
+    state
+        The damage state.
+    status, peak_angle
+        Codes of `rocksteady.Status` and largest |theta|/alpha of the runs, of one shape.
+    """
+    fell: NDArray[np.bool_] = status == Status.OVERTURNED
+    if state.name == OVERTURNED:
+        return fell
+    return fell | (peak_angle > (state.peak or 0.0))
 
 
 DEFAULT_STATES: Final = (

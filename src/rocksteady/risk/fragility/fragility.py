@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked_result
+from rocksteady.model.equations import Linear, Model, Nonlinear
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
@@ -65,6 +66,11 @@ class Fragility(Result):
     scale_factor_max: float
     seconds: float
 
+    @property
+    def model(self) -> Model:
+        """Equations of motion of the runs."""
+        return Nonlinear() if self.ensemble.attrs["model"] == "nonlinear" else Linear()
+
     def state(self, name: str) -> StateFragility:
         """Return the fragility of a damage state.
 
@@ -89,7 +95,7 @@ class Fragility(Result):
             Fact("measure", measure.key, "intensity", str(measure)),
             Fact("unit", measure.unit),
             Fact("stripes", str(ensemble.attrs["measure"])),
-            Fact("model", str(ensemble.attrs["model"]), "model"),
+            Fact("model", self.model.name, "model"),
             Fact("family", self.fitting.family, "family"),
             Fact("confidence", None if bands is None else bands.confidence),
             Fact("replicates", None if bands is None else bands.replicates),

@@ -64,6 +64,7 @@ class StateFragility:
         one = curve if isinstance(curve, FragilityCurve) else None
         low, high = getattr(curve, "median_band", None) or (None, None)
         beta_low, beta_high = (None if one is None else one.beta_band) or (None, None)
+        step_low, step_high = (None if one is None else one.step) or (None, None)
         return {
             "damage_state": self.state.name,
             "peak": self.state.peak,
@@ -79,7 +80,8 @@ class StateFragility:
             "log_likelihood": curve.log_likelihood,
             "misfit": number_or_none(curve.misfit),
             "goodness": None if one is None else one.goodness,
-            "step": None if one is None or one.step is None else list(one.step),
+            "step_low": step_low,
+            "step_high": step_high,
             "trials": None if one is None else one.trials,
             "failures": None if one is None else one.failures,
         }

@@ -10,6 +10,7 @@ from rocksteady.cli.console.outputs import (
     announce_compilation,
     print_json,
     write_cells,
+    write_figure,
     write_netcdf,
 )
 from rocksteady.cli.console.progress import sweeping
@@ -152,11 +153,11 @@ def fragility(
         "left_out": [{"file": str(file), "reason": reason} for file, reason in suite.left_out],
         "store": run.place and str(run.place.path),
     }
-    _write(found, output, sweep)
+    headline = description.headline + (" of synthetic motions, no earthquake's" if example else "")
+    _write(found, headline, output, sweep)
     if output.as_json:
         print_json("fragility", values)
         return
-    headline = description.headline + (" of synthetic motions, no earthquake's" if example else "")
     kept = f", kept in {values['store']}" if values["store"] else ""
     notes = [*description.notes, f"{found.runs:,} runs and all fits in {found.seconds:.1f} s{kept}"]
     if suite.left_out:
@@ -212,9 +213,13 @@ def _fitting(states: str, family: str, confidence: float, replicates: int, seed:
         raise FlagError(flag, error.value, error.valid, error.hint) from None
 
 
-def _write(found: "Fragility", output: OutputFlags, sweep: SweepFlags) -> None:
+def _write(found: "Fragility", title: str, output: OutputFlags, sweep: SweepFlags) -> None:
     """Write the files that the flags name."""
     if output.csv is not None:
         write_cells(output.csv, found.ensemble)
     if sweep.netcdf is not None:
         write_netcdf(sweep.netcdf, found.ensemble)
+    if output.plot is not None:
+        from rocksteady.show.figures.risk import fragility_figure
+
+        write_figure(output.plot, fragility_figure(found, title=title, page=output.page))
