@@ -196,6 +196,29 @@ def test_measures_are_ranked_by_the_likelihood_of_the_same_runs() -> None:
     )
 
 
+def test_a_pair_is_as_likely_as_its_better_half_at_least() -> None:
+    singles = {
+        e.measure[0].key: e.log_likelihood for e in fragility().ranking if len(e.measure) == 1
+    }
+    pairs = [each for each in fragility().ranking if len(each.measure) == 2]
+    named = {tuple(measure.key for measure in each.measure) for each in pairs}
+    assert ("pga_g", "pgv_m_s") in named
+    assert ("p_pgv_per_uplift", "pgv_per_pga_s") in named
+    assert ("sa_avg_g", "significant_5_75_s") in named
+    assert len(pairs) == 5 * 2 + 1
+    for each in pairs:
+        halves = [singles.get(measure.key, -math.inf) for measure in each.measure]
+        assert each.log_likelihood >= max(halves) - 1e-6
+    # PGA and PGV/PGA hold what PGA and PGV do.
+    of = {tuple(m.key for m in each.measure): each.log_likelihood for each in pairs}
+    assert of["pga_g", "pgv_m_s"] == pytest.approx(of["pga_g", "pgv_per_pga_s"], rel=1e-6)
+    # One record has one PGV/PGA: no pair.
+    single = fit_fragility(ensemble().isel(record=[0]), fitting=PLAIN)
+    assert not any(
+        measure.key == "pgv_per_pga_s" for each in single.ranking for measure in each.measure
+    )
+
+
 def test_curves_of_plain_factors_are_over_the_default_measure() -> None:
     found = compute_fragility(
         BLOCK,

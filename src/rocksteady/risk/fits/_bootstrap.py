@@ -1,8 +1,10 @@
 """Bootstrap by record: curves of redrawn suites, each with its covariance."""
 
+import hashlib
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -147,7 +149,7 @@ def draw_replicates(stages: Sequence[Maximum], bands: Bands) -> Replicates:
     for first in range(0, bands.replicates, part):
         count = min(part, bands.replicates - first)
         drawn = rng.multinomial(size, weight / size, size=count).astype(np.float64)
-        solved = np.concatenate([_solve(stage, drawn) for stage in stages], axis=1)
+        solved = np.concatenate([_solved(Redrawn(stage, drawn)) for stage in stages], axis=1)
         known = np.isfinite(solved).all(axis=1)
         solved, drawn = solved[known], drawn[known]
         spread = covariance_of(stages, solved, drawn)
@@ -163,6 +165,38 @@ def draw_replicates(stages: Sequence[Maximum], bands: Bands) -> Replicates:
         values=np.concatenate(values),
         covariances=np.concatenate(covariances),
     )
+
+
+class Redrawn:
+    """A stage and how often a redrawn suite has each record, equal to any of the same numbers.
+
+    Stages come again: uplift in every damage state, and both in the band of their product.
+    """
+
+    def __init__(self, stage: Maximum, drawn: Floats) -> None:
+        self.stage, self.drawn = stage, drawn
+        counts = stage.counts
+        whole = hashlib.sha256(repr((stage.family, stage.centre, stage.scale)).encode())
+        for array in (counts.levels, stage.coefficients, drawn):
+            whole.update(repr(array.shape).encode() + array.tobytes())
+        for table in (counts.failures, counts.trials):
+            for part in (table.indptr, table.indices, table.data):
+                whole.update(np.ascontiguousarray(part).tobytes())
+        self.digest = whole.digest()
+
+    def __eq__(self, other: object) -> bool:
+        """Return whether stage and suites are the same."""
+        return isinstance(other, Redrawn) and self.digest == other.digest
+
+    def __hash__(self) -> int:
+        """Return a hash that equal ones share."""
+        return hash(self.digest)
+
+
+@lru_cache(maxsize=16)
+def _solved(task: Redrawn) -> Floats:
+    """Return what `_solve` does, kept; callers must not change it."""
+    return _solve(task.stage, task.drawn)
 
 
 def _solve(stage: Maximum, drawn: Floats) -> Floats:

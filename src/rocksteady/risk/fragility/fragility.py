@@ -11,6 +11,7 @@ from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
+from rocksteady.risk.fragility.damage_states import DamageState
 from rocksteady.risk.fragility.efficiency import Efficiency
 from rocksteady.risk.fragility.fitting import Fitting
 from rocksteady.risk.fragility.state_fragility import StateFragility, number_or_none
@@ -183,13 +184,19 @@ def _shown_row(each: StateFragility) -> dict[str, Any]:
     curve = each.curve
     shape = curve if isinstance(curve, FragilityCurve) else curve.given_uplift
     return {
-        "state": each.state.name,
+        "state": _short(each.state),
         "median": _with_band(curve.median, getattr(curve, "median_band", None)),
         "beta": _with_band(shape.beta, shape.beta_band),
         "status": shape.status,
         "misfit": number_or_none(curve.misfit),
         "plain_misfit": number_or_none(each.plain.misfit) if each.two_stage else None,
     }
+
+
+def _short(state: DamageState) -> str:
+    """Return a name that leaves room for the bands beside it."""
+    default = state.peak is not None and state.name == f"theta/alpha > {state.peak:g}"
+    return f"> {state.peak:g} alpha" if default else state.name
 
 
 def _columns(unit: str) -> tuple[Column, ...]:
