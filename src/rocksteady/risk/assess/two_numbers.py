@@ -132,8 +132,9 @@ class QuickAssessment(Result):
                     "median_pgv_m_s",
                     self.median_pgv_m_s,
                     "median PGV",
-                    f"{quantity(self.median_pgv_m_s, 'm/s')}, beta {self.beta:g}; by this package's runs "
-                    f"{quantity(self.other_median_pgv_m_s, 'm/s')}, {self.other_beta:g}",
+                    f"{quantity(self.median_pgv_m_s, 'm/s')}, beta {self.beta:g}; by this "
+                    f"package's runs {quantity(self.other_median_pgv_m_s, 'm/s')}, "
+                    f"{self.other_beta:g}",
                 ),
                 Fact("beta", self.beta),
                 Fact("other_median_pgv_m_s", self.other_median_pgv_m_s),
@@ -304,8 +305,8 @@ def _remarks(
     ]
     if outside:
         remarks.append(
-            f"{' and '.join(outside)} lies outside the runs of this package (alpha 0.1 to 0.3 rad, p 1 to 3 "
-            "rad/s)."
+            f"{' and '.join(outside)} lies outside the runs of this package (alpha 0.1 to "
+            "0.3 rad, p 1 to 3 rad/s)."
         )
     if not block.symmetric:
         remarks.append("The sides differ: the one that lifts first is taken, as if both were so.")

@@ -189,13 +189,13 @@ SHARES = tuple(
         (1.5, 2.0, 0.868, 0.969),
     )
 )
-"""Overturned shares of runs that rock: 28,399 of Chu et al. (2025), and ours on 56 records."""
+"""Overturned shares of runs that rock: of Chu et al. (2025), and of this package on 56 records."""
 
 
 def velocity_number(side: Side, gravity: float, pgv_m_s: float) -> float:
     """Return p PGV/(g tan alpha), about PGV/V_i for slender blocks.
 
-    Confidence: checked numerically, on open data and on our own runs (`SHARES`).
+    Confidence: checked numerically, on open data and on runs of this package (`SHARES`).
 
     References
     ----------
