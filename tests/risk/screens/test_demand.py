@@ -29,6 +29,13 @@ def test_a_file_is_read_when_the_demand_is_made(tmp_path: Path) -> None:
     assert Demand(spectrum=file, spectrum_damping=0.05).spectrum_damping == 0.05
 
 
+def test_a_row_at_period_zero_is_the_pga_where_none_is_given() -> None:
+    table = [[0.0, 0.3], [0.5, 0.8]]
+    assert Demand(spectrum=table, spectrum_damping=0.05).pga_g == 0.3
+    assert Demand(spectrum=table, pga_g=0.4).pga_g == 0.4
+    assert Demand(spectrum=[[0.1, 0.3], [0.5, 0.8]]).pga_g is None
+
+
 @pytest.mark.parametrize(
     ("arguments", "name"),
     [

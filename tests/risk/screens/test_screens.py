@@ -2,6 +2,7 @@
 
 import json
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -248,3 +249,23 @@ def test_a_stocky_block_whose_restitution_would_be_negative_has_no_asce_row() ->
     row = full(block=block, friction=5.0).row("ASCE 43-05 rocking")
     assert row.passes is None
     assert "restitution" in row.verdict
+
+
+def test_the_page_has_the_worked_values_of_its_block() -> None:
+    page = (Path(__file__).parents[3] / "docs" / "screens.md").read_text(encoding="utf-8")
+    lines = {line.split(" | ")[0].strip("| "): line for line in page.splitlines() if "|" in line}
+    found = screen_block(BLOCK, PEAKS, friction=0.4)
+    worked: dict[str, list[float | None]] = {
+        "uplift": [found.row("uplift").value],
+        "friction to rock": [found.row("friction to rock").value],
+        "restitution": [found.row("restitution").value],
+        "Ishiyama bound": [value for _, value, _ in found.row("Ishiyama bound").details[:2]],
+        "Kaneko-Hayashi 50 %": [
+            value for _, value, _ in found.row("Kaneko-Hayashi 50 %").details[:3]
+        ],
+        "p PGV/(g tan alpha)": [found.row("p PGV/(g tan alpha)").value],
+        "FEMA P-58 cabinets": [found.row("FEMA P-58 cabinets").value],
+    }
+    assert set(lines) >= set(NAMES)
+    for name, values in worked.items():
+        assert all(f"{value:.4f}" in lines[name] for value in values), name

@@ -23,7 +23,8 @@ class Demand:
     Parameters
     ----------
     pga_g
-        Peak acceleration [g]; None (default) where it is not known.
+        Peak acceleration [g]; None (default) where it is not known.  Without, that of a spectrum's
+        row at period 0.
     pgv_m_s
         Peak velocity [m/s]; None (default) where it is not known.
     spectrum
@@ -79,6 +80,9 @@ class Demand:
                 if self.spectrum_damping is None:
                     self._set("spectrum_damping", stated)
             tabulated(self.spectrum, self.spectrum_damping)
+            first = list(self.spectrum[0])
+            if self.pga_g is None and first[0] == 0.0:
+                self._set("pga_g", float(max(first[1:])))
 
     @classmethod
     def from_record(
