@@ -193,6 +193,7 @@ from .show.plots.records import plot_integrated_record as plot_integrated_record
 from .show.plots.records import plot_response_spectra as plot_response_spectra
 from .show.plots.risk.fragility import plot_fragility as plot_fragility
 from .show.plots.risk.fragility import plot_fragility_states as plot_fragility_states
+from .show.plots.risk.hazard import plot_risk as plot_risk
 from .show.plots.risk.tornado import plot_ranking as plot_ranking
 from .show.plots.risk.tornado import plot_tornado as plot_tornado
 from .show.plots.spectra import plot_overturned_share as plot_overturned_share

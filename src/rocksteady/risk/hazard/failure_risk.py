@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
@@ -18,7 +19,7 @@ from rocksteady.results.result import Result
 from rocksteady.risk.hazard._convolution import Integral, convolve
 from rocksteady.risk.hazard._fragile import UNKNOWN_OUTSIDE, Converted, Fragile, Lognormal
 from rocksteady.risk.hazard._hazard_measures import fragility_factor, intensity_named, written
-from rocksteady.risk.hazard.hazard_curve import HazardCurve
+from rocksteady.risk.hazard.hazard_curve import HIGHEST, HazardCurve
 from rocksteady.seismic.measures.scalar import Intensity
 
 Floats = NDArray[np.float64]
@@ -113,6 +114,37 @@ class Risk(Result):
         levels = float(self.contributions[1:-1].sum())
         outside = self.rate_below + self.rate_above
         return 1.0 if math.isinf(outside) else outside / (levels + outside) if outside else 0.0
+
+    @checked
+    def failure_probability(self, level: ArrayLike) -> Floats:
+        """Return the probability of failure at intensities of the hazard, of their shape.
+
+        Raises
+        ------
+        InputError
+            If one is not positive.
+        """
+        return Converted(self.fragility, self.factor).probability(_positive(level))
+
+    @checked
+    def density(self, level: ArrayLike) -> Floats:
+        """Return the rate of failure per unit of ln(intensity) [1/year], of the levels' shape.
+
+        Between the ends of the hazard curve its integral is the annual rate from there.
+
+        Raises
+        ------
+        InputError
+            If a level is not positive, or beyond the ends of a curve without tails.
+        """
+        at = _positive(level)
+        slopes = np.array([self.hazard.end_slopes[0], *self.hazard.slopes])
+        slopes = np.append(slopes, self.hazard.end_slopes[1])
+        # At an end of the curve the stretch inside counts.
+        place = np.searchsorted(self.hazard.levels, at)
+        place = np.where(at == self.hazard.levels[0], 1, place)
+        found: Floats = self.hazard.rate(at) * slopes[place] * self.failure_probability(at)
+        return found
 
     def describe(self) -> Description:
         """Return rate, probability, capacities and where the risk comes from."""
@@ -420,6 +452,16 @@ def _closed_form(hazard: HazardCurve, median: float, beta: float) -> tuple[float
     low, high = np.log(hazard.rate(ends))
     k = float(low - high) / math.log(ends[1] / ends[0])
     return k, float(hazard.rate(median)) * math.exp(min(0.5 * (k * beta) ** 2, 700.0))
+
+
+def _positive(level: ArrayLike) -> Floats:
+    """Return intensities, or raise where one is not above 0."""
+    at = real_array("level", level)
+    bad = ~((at > 0.0) & (at <= HIGHEST))
+    if bad.any():
+        valid = f"it must lie in (0, {HIGHEST:g}]"
+        raise InputError("level", at[bad].flat[0].item(), valid, "give an intensity")
+    return at
 
 
 def _rate(value: float) -> str:
