@@ -55,6 +55,7 @@ def things() -> dict[str, Any]:
         "name = 'vase'\n[geometry]\nwidth_m = 0.1\nheight_m = 0.5\n", encoding="utf-8"
     )
     described = rs.read_object("object.toml")
+    falls = rs.LossState(name="overturned", median=0.4, beta=0.5)
     for path in ("kept.zarr", "made.csv"):
         if path.endswith("csv"):
             Path(path).write_text("t (s),acc (m/s2)\n0,0\n0.1,1\n0.2,-1\n", encoding="utf-8")
@@ -141,5 +142,7 @@ def things() -> dict[str, Any]:
         "fragility_curve": rs.fit_curve([0.2, 0.4, 0.8], [1, 9, 14], [15, 15, 15]),
         "two_stages": rs.fit_two_stages([0.2, 0.4, 0.8], [0, 15, 15], [0, 9, 14], [15, 15, 15]),
         "vector_fit": rs.fit_vector([[0.2, 0.3], [0.4, 0.2], [0.8, 0.9]], [1, 6, 14], [15] * 3),
+        "loss state": falls,
+        "component": rs.LossComponent(identifier="RS.vase", measure="pga_g", states=(falls,)),
         "installation": rs.check_installation(),
     }

@@ -28,7 +28,7 @@ DIRECTIONAL = (
 def write_pelicun(path: Path | str, components: Sequence[LossComponent]) -> tuple[Path, Path]:
     """Write components as a fragility table of pelicun, with its companion JSON.
 
-    Columns and values are those that `simcenter-dlml` 3.2 reads: a lognormal has its median as
+    Columns and values are as `simcenter-dlml` 3.2 reads them: a lognormal has its median as
     ``Theta_0`` and its beta as ``Theta_1``, PGA is in g and PGV in m/s ("mps").
 
     Parameters
