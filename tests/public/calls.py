@@ -337,7 +337,6 @@ def calls() -> dict[str, Call]:
         rs.plot_tornado: {"rows": [("restitution", 0.3, 0.5)], "base": 0.4},
         rs.LossState: {"name": "overturned", "median": 0.4, "beta": 0.5},
         t["loss state"].probability: {"intensity": [0.2, 0.4]},
-        t["loss state"].lognormal: {"intensity": [0.2, 0.4]},
         rs.LossComponent: {
             "identifier": "RS.vase",
             "measure": "pga_g",

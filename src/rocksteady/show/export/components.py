@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
@@ -77,8 +77,9 @@ class LossState:
 
     def __post_init__(self) -> None:
         """Validate all."""
-        if not self.name.strip():
+        if not text_value("name", self.name).strip():
             raise InputError("name", self.name, "a state has a name", "name it as 'overturned'")
+        text_value("note", self.note)
         if (self.median is None) != (self.beta is None) or (
             self.median is None and self.curve is None
         ):
@@ -94,38 +95,31 @@ class LossState:
             hint = "give the standard deviation of the logarithm"
             object.__setattr__(self, "beta", positive("beta", self.beta, hint=hint))
 
-    def probability(self, intensity: Sequence[float] | Floats) -> Floats:
+    def probability(self, intensity: ArrayLike) -> Floats:
         """Return the probability of the state or a worse one.
 
         Parameters
         ----------
         intensity
-            In the component's unit, shape (n,), 0 or above.
-        """
-        values = np.asarray(intensity, dtype=np.float64)
-        if self.curve is not None:
-            return np.asarray(self.curve(values), dtype=np.float64)
-        return self.lognormal(values)
-
-    def lognormal(self, intensity: Sequence[float] | Floats) -> Floats:
-        """Return the probability by the lognormal alone, shape (n,).
-
-        Parameters
-        ----------
-        intensity
-            In the component's unit, shape (n,), 0 or above.
+            In the component's unit, 0 or above, of any shape.
 
         Raises
         ------
         InputError
-            If the state has none.
+            If an intensity is negative or NaN.
         """
-        if self.median is None or self.beta is None:
-            raise InputError("median", self.median, "the state has no lognormal", "use its curve")
+        values = np.asarray(intensity, dtype=np.float64)
+        if not (values >= 0.0).all():
+            worst = float(values[~(values >= 0.0)].flat[0])
+            raise InputError("intensity", worst, "it must be 0 or above", "give an intensity")
+        if self.curve is not None:
+            return np.asarray(self.curve(values), dtype=np.float64)
         from scipy.special import ndtr
 
-        with np.errstate(divide="ignore"):
-            ratio = np.log(np.asarray(intensity, dtype=np.float64) / self.median)
+        assert self.median is not None
+        assert self.beta is not None
+        with np.errstate(divide="ignore"):  # ln 0 is -inf, whose probability is 0
+            ratio = np.log(values) - math.log(self.median)
         return np.asarray(ndtr(ratio / self.beta), dtype=np.float64)
 
 
@@ -180,6 +174,9 @@ class LossComponent:
 
     def __post_init__(self) -> None:
         """Validate all."""
+        text_value("identifier", self.identifier)
+        for text in (self.description, *self.left_out):
+            text_value("description", text)
         if (
             not IDENTIFIER.fullmatch(self.identifier)
             or self.identifier.lower() in WORDS_FOR_NOTHING
@@ -282,6 +279,19 @@ class LossComponent:
         """Sentences on what the curves stand for, on states left out, and on curves that cross."""
         each = [f"{state.name}: {state.note}" for state in self.states if state.note]
         return [*each, *self.left_out, *_crossings(self)]
+
+
+def text_value(name: str, value: object) -> str:
+    """Return a value that is a text.
+
+    Raises
+    ------
+    InputError
+        If it is none.
+    """
+    if isinstance(value, str):
+        return value
+    raise InputError(name, value, "it must be a text", "give a str")
 
 
 def state_name(name: str) -> str:

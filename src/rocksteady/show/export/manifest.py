@@ -13,6 +13,7 @@ from rocksteady.kernels.machine_code.sources import sources_hash
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
+from rocksteady.show.export.components import text_value
 from rocksteady.show.export.files import json_text, save_text
 
 if TYPE_CHECKING:
@@ -75,10 +76,10 @@ def make_manifest(
         "rocksteady": __version__,
         "kernels": sources_hash(),
         "numpy": np.__version__,
-        "command": command,
+        "command": text_value("command", command),
         "settings": dict(settings or {}),
     }
-    sentences = list(warnings)
+    sentences = [text_value("warnings", sentence) for sentence in warnings]
     if ensemble is not None:
         kept = {key: ensemble.attrs.get(key) for key in ("model", "measure", "seed", "scatter")}
         values["ensemble"] = kept | {"cells": int(ensemble["status"].size)}

@@ -19,6 +19,7 @@ from rocksteady.show.export.components import (
     check_components,
     levels_of,
     state_name,
+    text_value,
 )
 from rocksteady.show.export.files import save_whole
 
@@ -91,7 +92,7 @@ def write_openquake(
     """
     file = Path(path)
     check_components(components)
-    if not MODEL.fullmatch(model_id):
+    if not MODEL.fullmatch(text_value("model_id", model_id)):
         valid = "it must be 1 to 75 letters, digits, '_' and '-'"
         raise InputError("model_id", model_id, valid, "name it as museum_2026")
     if points is not None:

@@ -9,6 +9,7 @@ import numpy as np
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import finite
+from rocksteady.show.export.components import text_value
 from rocksteady.show.plots.risk._words import greek
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new
@@ -117,7 +118,7 @@ def plot_tornado(
     hint = "give the answer of each run"
     middle = finite("base", base, hint=hint)
     bars = [
-        (name, finite("rows", low, hint=hint), finite("rows", high, hint=hint))
+        (text_value("rows", name), finite("rows", low, hint=hint), finite("rows", high, hint=hint))
         for name, low, high in rows
     ]
     if not bars:
@@ -165,7 +166,7 @@ def plot_tornado(
     axes.tick_params(axis="y", length=0.0)
     axes.grid(visible=False, axis="y")
     axes.set(
-        xlabel=greek(label),
+        xlabel=greek(text_value("label", label)),
         xlim=(middle + min(0.0, ends.min()) - room, middle + max(0.0, ends.max()) + room),
         ylim=(len(bars) - 0.4, -0.6),
     )
