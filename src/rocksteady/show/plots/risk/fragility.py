@@ -191,11 +191,8 @@ def plot_fragility_states(
         axes.plot(at, shares, mark, color=colour, ms=3.6 * size, mew=0.0, alpha=0.75, zorder=2.9)
         name = greek(each.name or "fragility")
         lines = _draw_curve(axes, each.best, limits, name, style)
-        if lines:
-            lines[0].set(marker=mark, markevery=[], markersize=4.0 * size)
-            handles += lines
-        else:
-            handles += axes.plot([], [], mark, color=colour, ms=3.6 * size, label=name)
+        lines[0].set(marker=mark, markevery=[], markersize=4.0 * size)
+        handles += lines
     handles += _draw_beyond(axes, drawn[-1].best, limits, inks)
     draw_legend(axes, place, handles=handles)
     axes.set_ylabel("probability")
@@ -269,7 +266,7 @@ def _words(curve: Curve, name: str) -> str:
 def _draw_curve(
     axes: "Axes", curve: Curve, limits: tuple[float, float], label: str, style: dict[str, Any]
 ) -> list[Any]:
-    """Draw a curve, solid where it was sampled and dashed beyond; return its entry, if any."""
+    """Draw a curve, solid where it was sampled and dashed beyond; return its entry."""
     low, high = curve.sampled
     spans = (
         (limits[0], low, (0, (3.0, 2.0))),
@@ -290,7 +287,7 @@ def _draw_curve(
         )
         if solid:
             entry = lines
-    return entry
+    return entry or list(axes.plot([], [], ls="none", label=label))
 
 
 def _between(begin: float, end: float) -> Floats:

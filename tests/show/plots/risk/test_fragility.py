@@ -1,0 +1,198 @@
+"""Pictures of fragility: what is drawn is what was fitted, with its range, gate and records."""
+
+import math
+from functools import cache
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+from scipy import stats
+
+from rocksteady import (
+    FragilityCurve,
+    InputError,
+    TwoStageCurve,
+    fit_curve,
+    fit_two_stages,
+    plot_fragility,
+    plot_fragility_states,
+)
+from rocksteady.show.figures.risk import fragility_figure
+from rocksteady.show.style.page import Page
+from tests.show.drawn_figures import texts_of
+
+LEVELS = np.geomspace(0.1, 3.2, 12)
+RECORDS, TRIALS = 30, 4
+
+
+def counts(median: float, seed: int = 1) -> np.ndarray:
+    rng = np.random.default_rng(seed)
+    p = stats.norm.cdf(np.log(LEVELS / median) / 0.5)
+    return rng.binomial(TRIALS, np.tile(p, RECORDS))
+
+
+@cache
+def two_stages(gate: float | None = 0.29, median: float = 0.7) -> TwoStageCurve:
+    at = np.tile(LEVELS, RECORDS)
+    groups = np.repeat(np.arange(RECORDS), len(LEVELS))
+    lifted = (
+        np.full(len(at), TRIALS) * (at > gate) if gate else np.maximum(counts(0.3), counts(median))
+    )
+    return fit_two_stages(
+        at, lifted, np.minimum(lifted, counts(median)), np.full(len(at), TRIALS),
+        groups=groups, measure=("PGA", "g"),
+    )  # fmt: skip
+
+
+def axes() -> Axes:
+    return Figure().add_subplot()
+
+
+def entries(drawn: Axes) -> list[str]:
+    legend = drawn.get_legend()
+    assert legend is not None
+    return [text.get_text() for text in legend.get_texts()]
+
+
+def test_points_are_the_shares_with_wilsons_interval_of_as_many_trials_as_records() -> None:
+    curve = two_stages()
+    drawn = plot_fragility(curve, axes())
+    (points,) = [line for line in drawn.lines if line.get_marker() == "o"]
+    failures = counts(0.7).reshape(RECORDS, -1) * (LEVELS > 0.29)
+    shares = failures.sum(axis=0) / (RECORDS * TRIALS)
+    np.testing.assert_allclose(np.asarray(points.get_xdata()), LEVELS, rtol=1e-12)
+    np.testing.assert_allclose(np.asarray(points.get_ydata()), shares, atol=1e-12)
+    (bars,) = [each for each in drawn.collections if isinstance(each, LineCollection)]
+    for share, path in zip(shares, bars.get_paths(), strict=True):
+        low, high = np.asarray(path.vertices)[:, 1]
+        # Wilson's ends solve |share - p| = z sqrt(p (1 - p)/n).
+        z = stats.norm.ppf(0.95)
+        for end in (low, high):
+            if 1e-9 < end < 1.0 - 1e-9:
+                assert abs(share - end) == pytest.approx(z * math.sqrt(end * (1 - end) / RECORDS))
+    assert entries(drawn)[0] == "share of runs, 90 % bar of 30 records"
+
+
+def test_the_curve_is_solid_where_it_was_run_and_dashed_beyond() -> None:
+    curve = two_stages()
+    drawn = plot_fragility(curve, axes())
+    for line in drawn.lines:
+        at = np.asarray(line.get_xdata(), dtype=float)
+        inside = at.min() >= LEVELS[0] - 1e-12 and at.max() <= LEVELS[-1] + 1e-12
+        if line.get_lw() > 1.5:
+            assert (line.get_linestyle() == "-") == inside
+            np.testing.assert_allclose(np.asarray(line.get_ydata()), curve.probability(at))
+    thick = [line for line in drawn.lines if line.get_lw() > 1.5]
+    assert len(thick) == 3
+    low, high = drawn.get_xlim()
+    assert (low, high) == pytest.approx((LEVELS[0] / 1.35, LEVELS[-1] * 1.35))
+    assert "not run" in entries(drawn)
+
+
+def test_the_plain_curve_stands_beside_and_medians_are_named() -> None:
+    curve = two_stages()
+    words = entries(plot_fragility(curve, axes()))
+    assert f"in two stages, median {curve.median:.3g} g" in words
+    assert rf"one curve, median {curve.plain.median:.3g} g, $\beta$ {curve.plain.beta:.2f}" in words
+
+
+def test_a_step_of_uplift_is_a_gate_and_any_other_a_curve() -> None:
+    gated = plot_fragility(two_stages(), axes())
+    (limit,) = [word for word in entries(gated) if word.startswith("uplift")]
+    assert limit.startswith("uplift limit 0.")
+    below, above = LEVELS[LEVELS <= 0.29][-1], LEVELS[LEVELS > 0.29][0]
+    upright = [np.unique(line.get_xdata()) for line in gated.lines]
+    (at,) = [
+        x[0]
+        for x, line in zip(upright, gated.lines, strict=True)
+        if len(x) == 1 and line.get_marker() == "None"
+    ]
+    assert below < at < above
+    assert "uplift" in entries(plot_fragility(two_stages(None), axes()))
+
+
+def test_a_band_is_shaded_over_what_was_run() -> None:
+    class Banded(FragilityCurve):
+        def probability_band(self, intensity: Any) -> Any:
+            middle = self.probability(intensity)
+            return 0.8 * middle, np.minimum(1.2 * middle, 1.0)
+
+    plain = two_stages().plain
+    values = {name: getattr(plain, name) for name in plain.__dataclass_fields__}
+    drawn = plot_fragility(Banded(**values), axes())
+    (shade,) = [each for each in drawn.collections if "band" in str(each.get_label())]
+    outline = shade.get_paths()[0].vertices
+    assert outline[:, 0].min() == pytest.approx(LEVELS[0])
+    assert outline[:, 0].max() == pytest.approx(LEVELS[-1])
+
+
+@pytest.mark.parametrize(
+    ("failures", "word"),
+    [
+        ([0, 0, 0, 0], "never in any run"),
+        ([10, 10, 10, 10], "in every run"),
+        ([0, 0, 10, 10], "step between 0.2 and 0.3 m/s"),
+        ([9, 6, 4, 1], "no curve: not more frequent with intensity"),
+    ],
+)
+def test_data_without_a_curve_have_their_points_and_say_so(failures: list[int], word: str) -> None:
+    curve = fit_curve([0.1, 0.2, 0.3, 0.4], failures, [10] * 4, measure=("PGV", "m/s"))
+    drawn = plot_fragility(curve, axes())
+    (points,) = [line for line in drawn.lines if line.get_marker() == "o"]
+    np.testing.assert_allclose(np.asarray(points.get_ydata()) * 10, failures)
+    shown = " ".join(entries(drawn))
+    assert word in shown
+    assert "nan" not in shown
+
+
+NAMES = ["uplift", "theta/alpha > 0.5", "over$turned_"]
+
+
+def several() -> Any:
+    curves = [two_stages(None, median) for median in (0.4, 0.6, 0.8)]
+    rows = [
+        SimpleNamespace(state=SimpleNamespace(name=name), plain=each.plain, two_stage=each)
+        for name, each in zip(NAMES, curves, strict=True)
+    ]
+    return SimpleNamespace(states=rows, ensemble=None)
+
+
+def test_all_states_are_in_the_legend_in_order_with_their_points() -> None:
+    found = several()
+    drawn = plot_fragility_states(found, axes())
+    assert entries(drawn)[:3] == ["uplift", "θ/α > 0.5", r"over\$turned_"]
+    dots = [line for line in drawn.lines if line.get_linestyle() == "None"]
+    assert len(dots) == 3
+    assert len({line.get_marker() for line in dots}) == 3
+    assert len({str(line.get_color()) for line in dots}) == 3
+
+
+def test_a_state_is_chosen_by_its_name_and_the_last_by_default() -> None:
+    found = several()
+    assert plot_fragility(found, axes()).get_ylabel() == r"probability of over\$turned_"
+    assert plot_fragility(found, axes(), state="uplift").get_ylabel() == "probability of uplift"
+    with pytest.raises(InputError, match="the damage states are uplift, theta/alpha"):
+        plot_fragility(found, axes(), state="fallen")
+    with pytest.raises(InputError, match="fragility is a dict"):
+        plot_fragility({}, axes())
+
+
+@pytest.mark.parametrize("width", [84.0, 174.0, None])
+@pytest.mark.parametrize("dark", [False, True])
+def test_texts_are_large_enough_and_inside_the_figure(width: float | None, dark: bool) -> None:
+    figure = fragility_figure(several(), title="A cabinet", page=Page(width_mm=width))
+    if dark:
+        with Page(width_mm=width).figure(6.6, 4.4, "A cabinet") as figure:
+            figure.set_facecolor("#111111")
+            plot_fragility(two_stages(), figure.add_subplot(facecolor="#111111"))
+    figure.draw_without_rendering()
+    for text in texts_of(figure):
+        assert text.get_fontsize() >= 6.5
+        box = text.get_window_extent()
+        if box.width and text.get_clip_on() is False:
+            assert box.x0 >= -1.0, text.get_text()
+            assert box.x1 <= figure.bbox.x1 + 1.0, text.get_text()

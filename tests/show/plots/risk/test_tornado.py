@@ -1,0 +1,83 @@
+"""Pictures of what matters: bars end where the numbers are, the longest on top."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from rocksteady import InputError, Intensity, plot_ranking, plot_tornado
+from rocksteady.show.style.page import Page
+
+ROWS = [
+    ("vertical motion", 0.395, 0.41),
+    ("restitution", 0.31, 0.47),
+    ("width -5 %", 0.46, 0.40),
+    ("mass centre", 0.28, 0.55),
+    ("model", 0.44, 0.42),
+]
+
+
+def axes() -> Axes:
+    return Figure().add_subplot()
+
+
+def test_bars_reach_from_the_base_to_both_ends_and_the_longest_is_on_top() -> None:
+    drawn = plot_tornado(ROWS, 0.4, axes())
+    names = [text.get_text() for text in drawn.get_yticklabels()]
+    assert names == ["mass centre", "restitution", "width -5 %", "model", "vertical motion"]
+    low, high = drawn.get_ylim()
+    assert low > high, "the first row is on top"
+    of = {name: ends for name, *ends in ROWS}
+    for container, column in zip(drawn.containers, (0, 1), strict=True):
+        for name, bar in zip(names, container.patches, strict=True):
+            box = bar.get_bbox()
+            end = of[name][column]
+            assert sorted((box.x0, box.x1)) == pytest.approx(sorted((0.4, end)))
+
+
+def test_the_shorter_of_two_ends_on_one_side_is_seen() -> None:
+    drawn = plot_tornado([("model", 0.44, 0.42)], 0.4, axes())
+    long, short = (container.patches[0] for container in drawn.containers)
+    assert short.get_height() < long.get_height()
+    assert short.get_zorder() > long.get_zorder()
+
+
+@pytest.mark.parametrize("width", [84.0, None])
+def test_numbers_stand_inside_the_axes(width: float | None) -> None:
+    with Page(width_mm=width).figure(6.6, 3.6, "") as figure:
+        drawn = plot_tornado(ROWS, 0.4, figure.add_subplot())
+    figure.draw_without_rendering()
+    shown = sorted(float(text.get_text()) for text in drawn.texts)
+    assert shown == [0.28, 0.31, 0.395, 0.41, 0.44, 0.46, 0.47, 0.55]
+    for text in drawn.texts:
+        box = text.get_window_extent()
+        assert drawn.bbox.x0 - 1.0 <= box.x0
+        assert box.x1 <= drawn.bbox.x1 + 6.0
+        assert text.get_fontsize() >= 6.5
+
+
+def test_rows_that_are_none_or_not_numbers_are_refused() -> None:
+    with pytest.raises(InputError, match="rows are none"):
+        plot_tornado([], 0.4, axes())
+    with pytest.raises(InputError, match="NaN"):
+        plot_tornado([("model", float("nan"), 0.4)], 0.4, axes())
+
+
+def test_measures_are_ranked_by_their_beta_beside_akaikes_criterion() -> None:
+    rows = [("p_pgv_per_uplift", 0.46, 1000.0), ("pgv_m_s", 0.52, 1133.0), ("pga_g", 1.12, 2500.0)]
+    ranking = [
+        SimpleNamespace(measure=(Intensity(name),), beta=beta, aic=aic) for name, beta, aic in rows
+    ]
+    ranking.append(SimpleNamespace(measure=(Intensity("sa_g"),), beta=np.nan, aic=np.nan))
+    drawn = plot_ranking(SimpleNamespace(ranking=ranking), axes())
+    assert [text.get_text() for text in drawn.get_yticklabels()] == [
+        "p PGV/(g tan α)", "PGV", "PGA",
+    ]  # fmt: skip
+    assert [bar.get_width() for bar in drawn.patches] == [0.46, 0.52, 1.12]
+    assert [text.get_text() for text in drawn.texts] == [
+        "0.46, best", "0.52, AIC +133", "1.12, AIC +1500",
+    ]  # fmt: skip
+    with pytest.raises(InputError, match="no ranking"):
+        plot_ranking(SimpleNamespace(ranking=[]), axes())
