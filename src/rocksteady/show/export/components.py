@@ -16,10 +16,10 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
+from rocksteady.risk.fragility.fragility import Fragility
+from rocksteady.risk.fragility.state_fragility import StateFragility
 
 Floats = NDArray[np.float64]
-Fragility = Any
-StateFragility = Any
 LossMeasure = Literal["pga_g", "pgv_m_s", "sa_g"]
 
 MEASURES: tuple[LossMeasure, ...] = ("pga_g", "pgv_m_s", "sa_g")
@@ -244,18 +244,16 @@ class LossComponent:
         InputError
             If the measure has no name in loss tools, the blocks are several, or no state is left.
         """
-        if not all(hasattr(fragility, name) for name in ("states", "measure", "ensemble")):
-            kind = type(fragility).__name__
-            raise InputError(
-                "fragility",
-                Words(f"is a {kind}"),
-                "it must be a Fragility",
-                "call compute_fragility(...)",
-            )
         measure, factor = _measure_of(fragility)
-        made = [_state_of(each, factor, given_uplift) for each in fragility.states]
-        states = tuple(s for s in made if s.median is not None or (steps and s.curve is not None))
-        left_out = tuple(f"{s.name} is left out. {s.note}" for s in made if s not in states)
+        states: list[LossState] = []
+        left_out: list[str] = []
+        for each in fragility.states:
+            made = _state_of(each, factor, given_uplift)
+            if isinstance(made, LossState) and (made.median is not None or steps):
+                states.append(made)
+            else:
+                reason = made.note if isinstance(made, LossState) else made
+                left_out.append(f"{each.state.name} is left out. {reason}")
         if not states:
             raise InputError(
                 "fragility",
@@ -266,12 +264,12 @@ class LossComponent:
         return cls(
             identifier=identifier,
             measure=measure,
-            states=states,
+            states=tuple(states),
             period_s=_period_of(fragility) if measure == "sa_g" else None,
             floor=floor,
             no_damage=_gate_of(fragility) if measure == "pga_g" else None,
             description=description,
-            left_out=left_out,
+            left_out=tuple(left_out),
         )
 
     @property
@@ -380,7 +378,7 @@ def _measure_of(fragility: Fragility) -> tuple[LossMeasure, float]:
 
 def _period_of(fragility: Fragility) -> float:
     """Return the period of a spectral acceleration; by default that of the block, 2 pi/p."""
-    period: float | None = fragility.measure.period_s
+    period = fragility.measure.period_s
     return 2.0 * math.pi / _side_of(fragility)[1] if period is None else period
 
 
@@ -400,12 +398,12 @@ def _gate_of(fragility: Fragility) -> float | None:
     return math.tan(_side_of(fragility)[0])
 
 
-def _state_of(found: StateFragility, factor: float, given_uplift: bool) -> LossState:
-    """Return a damage state of a fragility in the unit of the export."""
+def _state_of(found: StateFragility, factor: float, given_uplift: bool) -> LossState | str:
+    """Return a damage state in the unit of the export, or why there is no curve of it."""
     two, chosen, words = found.two_stage, found.plain, "of all runs"
     if given_uplift and two is not None:
         chosen, words = two.given_uplift, "of the runs that lift, given uplift"
-    best = found.plain if two is None else two
+    best = found.curve
     usable = chosen.status == "fitted" and chosen.family == "lognormal"
     if usable:
         note = (
@@ -417,6 +415,8 @@ def _state_of(found: StateFragility, factor: float, given_uplift: bool) -> LossS
         note = f"There is no lognormal {words}: family {chosen.family}, status {chosen.status}."
     trial = np.geomspace(0.1, 10.0, 5) * best.sampled[1]
     has_curve = bool(np.isfinite(best.probability(trial)).all())
+    if not usable and not has_curve:
+        return note
     return LossState(
         name=found.state.name,
         median=chosen.median * factor if usable else None,

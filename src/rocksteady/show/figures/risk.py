@@ -1,7 +1,10 @@
 """Complete figures of fragility, as the command line saves them."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from rocksteady.risk.fits.fragility_curve import FragilityCurve
+from rocksteady.risk.fits.two_stages import TwoStageCurve
+from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.show.plots.risk.fragility import plot_fragility, plot_fragility_states
 from rocksteady.show.style.page import SCREEN, Page
 
@@ -10,7 +13,10 @@ if TYPE_CHECKING:
 
 
 def fragility_figure(
-    fragility: Any, state: str | None = None, title: str = "", page: Page = SCREEN
+    fragility: Fragility | FragilityCurve | TwoStageCurve,
+    state: str | None = None,
+    title: str = "",
+    page: Page = SCREEN,
 ) -> "Figure":
     """Return a figure of one damage state, beside or above one of all of them where there are more.
 
@@ -25,8 +31,7 @@ def fragility_figure(
     page
         Width of the figure, and place of its legends.
     """
-    several = len(getattr(fragility, "states", ())) > 1
-    if not several:
+    if not isinstance(fragility, Fragility) or len(fragility.states) == 1:
         with page.figure(6.6, 4.4, title) as figure:
             plot_fragility(fragility, figure.add_subplot(), state=state, legend=page.legend)
         return figure

@@ -2,19 +2,24 @@
 
 import math
 from functools import cache
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
+import xarray
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from scipy import stats
 
 from rocksteady import (
+    DamageState,
+    Fitting,
+    Fragility,
     FragilityCurve,
     InputError,
+    Intensity,
+    StateFragility,
     TwoStageCurve,
     fit_curve,
     fit_two_stages,
@@ -83,10 +88,10 @@ def test_the_curve_is_solid_where_it_was_run_and_dashed_beyond() -> None:
     for line in drawn.lines:
         at = np.asarray(line.get_xdata(), dtype=float)
         inside = at.min() >= LEVELS[0] - 1e-12 and at.max() <= LEVELS[-1] + 1e-12
-        if line.get_lw() > 1.5:
+        if line.get_linewidth() > 1.5:
             assert (line.get_linestyle() == "-") == inside
             np.testing.assert_allclose(np.asarray(line.get_ydata()), curve.probability(at))
-    thick = [line for line in drawn.lines if line.get_lw() > 1.5]
+    thick = [line for line in drawn.lines if line.get_linewidth() > 1.5]
     assert len(thick) == 3
     low, high = drawn.get_xlim()
     assert (low, high) == pytest.approx((LEVELS[0] / 1.35, LEVELS[-1] * 1.35))
@@ -125,7 +130,7 @@ def test_a_band_is_shaded_over_what_was_run() -> None:
     values = {name: getattr(plain, name) for name in plain.__dataclass_fields__}
     drawn = plot_fragility(Banded(**values), axes())
     (shade,) = [each for each in drawn.collections if "band" in str(each.get_label())]
-    outline = shade.get_paths()[0].vertices
+    outline = np.asarray(shade.get_paths()[0].vertices)
     assert outline[:, 0].min() == pytest.approx(LEVELS[0])
     assert outline[:, 0].max() == pytest.approx(LEVELS[-1])
 
@@ -152,13 +157,28 @@ def test_data_without_a_curve_have_their_points_and_say_so(failures: list[int], 
 NAMES = ["uplift", "theta/alpha > 0.5", "over$turned_"]
 
 
-def several() -> Any:
-    curves = [two_stages(None, median) for median in (0.4, 0.6, 0.8)]
-    rows = [
-        SimpleNamespace(state=SimpleNamespace(name=name), plain=each.plain, two_stage=each)
-        for name, each in zip(NAMES, curves, strict=True)
-    ]
-    return SimpleNamespace(states=rows, ensemble=None)
+@cache
+def several() -> Fragility:
+    return Fragility(
+        ensemble=xarray.Dataset(),
+        measure=Intensity("pga_g"),
+        states=tuple(
+            StateFragility(state=DamageState(name, peak), plain=each.plain, two_stage=each)
+            for name, peak, each in zip(
+                NAMES,
+                (None, 0.5, 0.7),
+                (two_stages(None, median) for median in (0.4, 0.6, 0.8)),
+                strict=True,
+            )
+        ),
+        ranking=(),
+        fitting=Fitting(bands=None),
+        warnings=(),
+        records=RECORDS,
+        runs=RECORDS * TRIALS,
+        scale_factor_max=1.0,
+        seconds=0.0,
+    )
 
 
 def test_all_states_are_in_the_legend_in_order_with_their_points() -> None:
@@ -171,14 +191,18 @@ def test_all_states_are_in_the_legend_in_order_with_their_points() -> None:
     assert len({str(line.get_color()) for line in dots}) == 3
 
 
+def test_a_fragility_and_its_curves_plot_themselves() -> None:
+    found = several()
+    for each in (found, found.states[0].plain, two_stages()):
+        assert each.plot(axes()).get_xlabel() == "PGA [g]"
+
+
 def test_a_state_is_chosen_by_its_name_and_the_last_by_default() -> None:
     found = several()
     assert plot_fragility(found, axes()).get_ylabel() == r"probability of over\$turned_"
     assert plot_fragility(found, axes(), state="uplift").get_ylabel() == "probability of uplift"
     with pytest.raises(InputError, match="the damage states are uplift, theta/alpha"):
         plot_fragility(found, axes(), state="fallen")
-    with pytest.raises(InputError, match="fragility is a dict"):
-        plot_fragility({}, axes())
 
 
 @pytest.mark.parametrize("width", [84.0, 174.0, None])
@@ -191,7 +215,7 @@ def test_texts_are_large_enough_and_inside_the_figure(width: float | None, dark:
             plot_fragility(two_stages(), figure.add_subplot(facecolor="#111111"))
     figure.draw_without_rendering()
     for text in texts_of(figure):
-        assert text.get_fontsize() >= 6.5
+        assert float(text.get_fontsize()) >= 6.5
         box = text.get_window_extent()
         if box.width and text.get_clip_on() is False:
             assert box.x0 >= -1.0, text.get_text()

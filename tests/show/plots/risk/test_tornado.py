@@ -1,13 +1,22 @@
 """Pictures of what matters: bars end where the numbers are, the longest on top."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
+import xarray
 from matplotlib.axes import Axes
+from matplotlib.container import BarContainer
 from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
 
-from rocksteady import InputError, Intensity, plot_ranking, plot_tornado
+from rocksteady import (
+    Efficiency,
+    Fitting,
+    Fragility,
+    InputError,
+    Intensity,
+    plot_ranking,
+    plot_tornado,
+)
 from rocksteady.show.style.page import Page
 
 ROWS = [
@@ -23,6 +32,11 @@ def axes() -> Axes:
     return Figure().add_subplot()
 
 
+def bars(drawn: Axes) -> list[list[Rectangle]]:
+    found = [each for each in drawn.containers if isinstance(each, BarContainer)]
+    return [list(each.patches) for each in found]
+
+
 def test_bars_reach_from_the_base_to_both_ends_and_the_longest_is_on_top() -> None:
     drawn = plot_tornado(ROWS, 0.4, axes())
     names = [text.get_text() for text in drawn.get_yticklabels()]
@@ -30,8 +44,8 @@ def test_bars_reach_from_the_base_to_both_ends_and_the_longest_is_on_top() -> No
     low, high = drawn.get_ylim()
     assert low > high, "the first row is on top"
     of = {name: ends for name, *ends in ROWS}
-    for container, column in zip(drawn.containers, (0, 1), strict=True):
-        for name, bar in zip(names, container.patches, strict=True):
+    for container, column in zip(bars(drawn), (0, 1), strict=True):
+        for name, bar in zip(names, container, strict=True):
             box = bar.get_bbox()
             end = of[name][column]
             assert sorted((box.x0, box.x1)) == pytest.approx(sorted((0.4, end)))
@@ -39,7 +53,7 @@ def test_bars_reach_from_the_base_to_both_ends_and_the_longest_is_on_top() -> No
 
 def test_the_shorter_of_two_ends_on_one_side_is_seen() -> None:
     drawn = plot_tornado([("model", 0.44, 0.42)], 0.4, axes())
-    long, short = (container.patches[0] for container in drawn.containers)
+    long, short = (container[0] for container in bars(drawn))
     assert short.get_height() < long.get_height()
     assert short.get_zorder() > long.get_zorder()
 
@@ -55,7 +69,7 @@ def test_numbers_stand_inside_the_axes(width: float | None) -> None:
         box = text.get_window_extent()
         assert drawn.bbox.x0 - 1.0 <= box.x0
         assert box.x1 <= drawn.bbox.x1 + 6.0
-        assert text.get_fontsize() >= 6.5
+        assert float(text.get_fontsize()) >= 6.5
 
 
 def test_rows_that_are_none_or_not_numbers_are_refused() -> None:
@@ -65,19 +79,50 @@ def test_rows_that_are_none_or_not_numbers_are_refused() -> None:
         plot_tornado([("model", float("nan"), 0.4)], 0.4, axes())
 
 
+def ranked(*rows: tuple[tuple[str, ...], float, float]) -> Fragility:
+    ranking = tuple(
+        Efficiency(
+            measure=tuple(Intensity(name) for name in names),
+            state="overturned",
+            status="fitted",
+            median=1.0,
+            beta=beta,
+            log_likelihood=-0.5 * aic,
+            aic=aic,
+        )
+        for names, beta, aic in rows
+    )
+    return Fragility(
+        ensemble=xarray.Dataset(),
+        measure=Intensity("pga_g"),
+        states=(),
+        ranking=ranking,
+        fitting=Fitting(bands=None),
+        warnings=(),
+        records=3,
+        runs=3,
+        scale_factor_max=1.0,
+        seconds=0.0,
+    )
+
+
 def test_measures_are_ranked_by_their_beta_beside_akaikes_criterion() -> None:
-    rows = [("p_pgv_per_uplift", 0.46, 1000.0), ("pgv_m_s", 0.52, 1133.0), ("pga_g", 1.12, 2500.0)]
-    ranking = [
-        SimpleNamespace(measure=(Intensity(name),), beta=beta, aic=aic) for name, beta, aic in rows
-    ]
-    ranking.append(SimpleNamespace(measure=(Intensity("sa_g"),), beta=np.nan, aic=np.nan))
-    drawn = plot_ranking(SimpleNamespace(ranking=ranking), axes())
+    found = ranked(
+        (("p_pgv_per_uplift",), 0.46, 1000.0),
+        (("pgv_m_s", "pga_g"), np.nan, 1020.0),
+        (("pgv_m_s",), 0.52, 1133.0),
+        (("pga_g",), 1.12, 2500.0),
+        (("sa_g",), np.nan, np.nan),
+    )
+    drawn = plot_ranking(found, axes())
     assert [text.get_text() for text in drawn.get_yticklabels()] == [
-        "p PGV/(g tan α)", "PGV", "PGA",
+        "p PGV/(g tan α)", "PGV and PGA", "PGV", "PGA",
     ]  # fmt: skip
-    assert [bar.get_width() for bar in drawn.patches] == [0.46, 0.52, 1.12]
+    assert [bar.get_bbox().width for bar in drawn.patches if isinstance(bar, Rectangle)] == [
+        0.46, 0.0, 0.52, 1.12,
+    ]  # fmt: skip
     assert [text.get_text() for text in drawn.texts] == [
-        "0.46, best", "0.52, AIC +133", "1.12, AIC +1500",
+        "0.46, best", "AIC +20", "0.52, AIC +133", "1.12, AIC +1500",
     ]  # fmt: skip
     with pytest.raises(InputError, match="no ranking"):
-        plot_ranking(SimpleNamespace(ranking=[]), axes())
+        plot_ranking(ranked(), axes())

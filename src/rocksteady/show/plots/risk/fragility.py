@@ -13,6 +13,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import number, plural
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
+from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.show.plots.risk._words import greek
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new, plain_ticks, spaced_by_ratio
@@ -70,7 +71,7 @@ class Drawn:
 
 @checked
 def plot_fragility(
-    fragility: Any,
+    fragility: Fragility | FragilityCurve | TwoStageCurve,
     ax: "Axes | None" = None,
     *,
     state: str | None = None,
@@ -100,7 +101,7 @@ def plot_fragility(
     Raises
     ------
     InputError
-        If it is no fragility, or has no such state.
+        If there is no such state, or no run.
 
     Examples
     --------
@@ -144,7 +145,10 @@ def plot_fragility(
 
 @checked
 def plot_fragility_states(
-    fragility: Any, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
+    fragility: Fragility | FragilityCurve | TwoStageCurve,
+    ax: "Axes | None" = None,
+    *,
+    legend: LegendPlace | None = None,
 ) -> "Axes":
     """Draw the fragility of all damage states: shares of runs, and their curves.
 
@@ -166,7 +170,7 @@ def plot_fragility_states(
     Raises
     ------
     InputError
-        If it is no fragility.
+        If there is no run.
 
     Examples
     --------
@@ -199,27 +203,14 @@ def plot_fragility_states(
     return axes
 
 
-def _states_of(fragility: Any) -> list[Drawn]:
+def _states_of(fragility: Fragility | Curve) -> list[Drawn]:
     """Return the damage states of a fragility, or the one of a curve."""
     if isinstance(fragility, TwoStageCurve):
         return [Drawn(name="", best=fragility, plain=fragility.plain)]
     if isinstance(fragility, FragilityCurve):
         return [Drawn(name="", best=fragility, plain=fragility)]
-    states = getattr(fragility, "states", None)
-    if not states or not hasattr(fragility, "ensemble"):
-        raise InputError(
-            "fragility",
-            Words(f"is a {type(fragility).__name__}"),
-            "it must be a Fragility or a curve",
-            "give what compute_fragility, fit_two_stages or fit_curve returns",
-        )
     return [
-        Drawn(
-            name=each.state.name,
-            best=each.plain if each.two_stage is None else each.two_stage,
-            plain=each.plain,
-        )
-        for each in states
+        Drawn(name=each.state.name, best=each.curve, plain=each.plain) for each in fragility.states
     ]
 
 

@@ -2,13 +2,14 @@
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import finite
+from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.show.export.components import text_value
 from rocksteady.show.plots.risk._words import greek
 from rocksteady.show.style import palette
@@ -21,8 +22,10 @@ if TYPE_CHECKING:
 
 
 @checked
-def plot_ranking(fragility: Any, ax: "Axes | None" = None) -> "Axes":
-    """Draw how efficient measures of intensity are: their beta, the smallest on top.
+def plot_ranking(fragility: Fragility, ax: "Axes | None" = None) -> "Axes":
+    """Draw how efficient measures of intensity are: beta of each, the most likely on top.
+
+    A pair of measures has no beta, and no bar.
 
     Parameters
     ----------
@@ -39,27 +42,41 @@ def plot_ranking(fragility: Any, ax: "Axes | None" = None) -> "Axes":
     Raises
     ------
     InputError
-        If there is no ranking.
+        If there is no measure with a curve.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import Block, Fitting, Record, compute_fragility
+    >>> cabinet = Block.rectangle(width=0.4, height=1.6)
+    >>> shakes = [
+    ...     Record(acceleration_m_s2=[0.0, a, -a, 0.5, 0.0], dt_s=0.1 * a) for a in (1, 2, 3, 4)
+    ... ]
+    >>> found = compute_fragility(cabinet, shakes, fitting=Fitting(bands=None))
+    >>> axes = plot_ranking(found, Figure().add_subplot())
+    >>> len(axes.patches) == len(found.ranking)
+    True
     """
-    rows = [each for each in getattr(fragility, "ranking", ()) if math.isfinite(each.beta)]
-    if not rows:
+    rows = [each for each in fragility.ranking if math.isfinite(each.aic)]
+    betas = [each.beta if math.isfinite(each.beta) else 0.0 for each in rows]
+    if not rows or not max(betas) > 0.0:
         raise InputError(
             "fragility",
             Words("has no ranking of measures"),
-            "it is what compute_fragility returns, with a measure whose curve is fitted",
-            "fit several measures",
+            "there must be a measure whose curve is fitted",
+            "run levels at which some fall and some stand",
         )
     axes = axes_or_new(ax)
     inks, small = inks_of(axes), text_size(axes, 8.0)
     best = min(each.aic for each in rows)
     place = np.arange(len(rows))
-    axes.barh(place, [each.beta for each in rows], height=0.55, color=inks.lines[0], lw=0.0)
-    for at, each in enumerate(rows):
+    axes.barh(place, betas, height=0.55, color=inks.lines[0], lw=0.0)
+    for at, (each, beta) in enumerate(zip(rows, betas, strict=True)):
         behind = each.aic - best
-        words = f"{each.beta:.2f}" + (", best" if behind == 0.0 else f", AIC +{behind:.0f}")
+        words = "best" if behind == 0.0 else f"AIC +{behind:.0f}"
         axes.annotate(
-            words, (each.beta, at), (4.0, 0.0), textcoords="offset points", va="center",
-            fontsize=small, color=inks.ink,
+            f"{beta:.2f}, {words}" if beta else words, (beta, at), (4.0, 0.0),
+            textcoords="offset points", va="center", fontsize=small, color=inks.ink,
         )  # fmt: skip
     names = [" and ".join(part.label for part in each.measure) for each in rows]
     axes.set_yticks(place.tolist(), [greek(name) for name in names])
@@ -67,7 +84,7 @@ def plot_ranking(fragility: Any, ax: "Axes | None" = None) -> "Axes":
     axes.grid(visible=False, axis="y")
     axes.set(
         xlabel=r"standard deviation of ln(intensity)  $\beta$",
-        xlim=(0.0, (1.0 + _share_of_text(axes, 15.0)) * max(each.beta for each in rows)),
+        xlim=(0.0, (1.0 + _share_of_text(axes, 15.0)) * max(betas)),
         ylim=(len(rows) - 0.4, -0.6),
     )
     return axes
