@@ -12,7 +12,7 @@ import pytest
 from rocksteady import durable
 from rocksteady.errors import OutputError
 from rocksteady.show.export.files import save_text
-from rocksteady.studies.folder import check_folder, fill_folder
+from rocksteady.show.export.folders import check_folder, fill_folder
 from tests.disk import after_losses, recorded
 from tests.outputs import WRITERS
 

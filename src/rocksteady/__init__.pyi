@@ -109,12 +109,16 @@ from .records.processing import correct_baseline as correct_baseline
 from .records.processing import resample as resample
 from .records.read import read_record as read_record
 from .records.read import read_recordings as read_recordings
-from .risk.assess.facts import ObjectFacts as ObjectFacts
-from .risk.assess.facts import derive_facts as derive_facts
-from .risk.assess.objects import ObjectFile as ObjectFile
-from .risk.assess.objects import read_object as read_object
+from .risk.assess.assessment import Assessment as Assessment
+from .risk.assess.assessment import assess_object as assess_object
+from .risk.assess.described.facts import ObjectFacts as ObjectFacts
+from .risk.assess.described.facts import derive_facts as derive_facts
+from .risk.assess.described.objects import ObjectFile as ObjectFile
+from .risk.assess.described.objects import read_object as read_object
+from .risk.assess.described.tables import read_objects as read_objects
+from .risk.assess.objects_table import ObjectsTable as ObjectsTable
+from .risk.assess.objects_table import assess_objects as assess_objects
 from .risk.assess.synthetic import make_synthetic_suite as make_synthetic_suite
-from .risk.assess.tables import read_objects as read_objects
 from .risk.assess.two_numbers import (
     QuickAssessment as QuickAssessment,
     assess_two_numbers as assess_two_numbers,
@@ -165,6 +169,7 @@ from .seismic.measures.time_course import integrate_record as integrate_record
 from .seismic.spectra.many import simulate_many as simulate_many
 from .seismic.spectra.rocking import compute_rocking_spectrum as compute_rocking_spectrum
 from .seismic.spectra.suite import summarise_spectra as summarise_spectra
+from .show.assessment.folder import write_assessment as write_assessment
 from .show.export.components import LossComponent as LossComponent
 from .show.export.components import LossState as LossState
 from .show.export.dataset import export as export

@@ -31,6 +31,8 @@ DEFAULTS = {
     "max_period": "one point is searched, a range is followed",
     "max_impacts": "likewise",
     "reverse": "an ensemble has both signs, a run one",
+    "count": "periods of an average, motions of a suite",
+    "seed": "states are drawn anew where none is given, a suite is the same each time",
     "gravity": "housner_restitution takes p and radius with g = 1",
 }
 """Arguments with more than one default, each with the reason."""

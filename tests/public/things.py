@@ -56,6 +56,10 @@ def things() -> dict[str, Any]:
     )
     described = rs.read_object("object.toml")
     falls = rs.LossState(name="overturned", median=0.4, beta=0.5)
+    sliding = rs.ObjectFile(
+        values={**described.values, "friction": 0.1, "demand": {"pga_g": 0.5, "pgv_m_s": 0.5}}
+    )
+    assessed = rs.assess_object(sliding, [record, other])
     for path in ("kept.zarr", "made.csv"):
         if path.endswith("csv"):
             Path(path).write_text("t (s),acc (m/s2)\n0,0\n0.1,1\n0.2,-1\n", encoding="utf-8")
@@ -103,6 +107,8 @@ def things() -> dict[str, Any]:
         "grid": grid,
         "object": described,
         "facts": rs.derive_facts(described),
+        "assessment": assessed,
+        "objects": rs.assess_objects([described], [record, other], pga_g=0.3, pgv_m_s=0.3),
         "output": rs.Output(name="value"),
         "map": maps,
         "basins": rs.compute_basins(bare, shaking, angles=few, velocities=few, max_cycles=20),

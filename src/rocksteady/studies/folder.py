@@ -1,15 +1,9 @@
-"""Output folder of a study: checked before computing, written whole or left unchanged."""
+"""What a study reports: what is done, and what it runs on."""
 
-import os
 import platform
-import re
-import shutil
 from collections.abc import Callable
-from contextlib import suppress
-from pathlib import Path
-from tempfile import TemporaryDirectory
 
-from rocksteady import OutputError, check_installation, durable
+from rocksteady import check_installation
 
 Done = Callable[[str], None]
 """Called with the name of each thing that has been computed or written."""
@@ -17,113 +11,6 @@ Done = Callable[[str], None]
 
 def nothing(_: str) -> None:
     """Ignore what has been done."""
-
-
-def check_folder(folder: Path | str, ours: str, *, force: bool = False) -> None:
-    """Refuse, before anything is computed, a folder into which a study could not be written.
-
-    Parameters
-    ----------
-    folder
-        Where it goes.
-    ours
-        Regular expression of the names of its files.
-    force
-        Whether files of such names are replaced.
-
-    Raises
-    ------
-    OutputError
-        If its parent is missing or not writable, it is a file, or it holds files of these names and
-        `force` is off; with `force`, if one of these names is that of a folder, a device or a pipe.
-    """
-    target = Path(folder)
-    parent = target.absolute().parent
-    try:
-        target.exists()
-    except OSError as error:  # a name of too many characters
-        raise OutputError(
-            "out", target, error.strerror or str(error), "name another folder"
-        ) from error
-    if target.is_dir():
-        named = sorted(file for file in target.iterdir() if re.fullmatch(ours, file.name))
-        for file in named:
-            found = durable.obstacle(file)
-            if found is not None:
-                raise OutputError("out", file, found[0], "move it, or name another folder")
-        held = [] if force else [file.name for file in named]
-        if held:
-            raise OutputError(
-                "out",
-                target,
-                f"it holds {held[0]}" + (f" and {len(held) - 1} more" if held[1:] else ""),
-                "add --force to replace them, or name another folder",
-            )
-    if os.path.lexists(target) and not target.is_dir():
-        valid, hint = "it is a file", "name a folder"
-    elif not parent.is_dir():
-        valid, hint = "the folder it would be in does not exist", "create that folder"
-    elif not os.access(target if target.is_dir() else parent, os.W_OK):
-        valid, hint = "it is not writable", "choose another folder"
-    else:
-        return
-    raise OutputError("out", target, valid, hint)
-
-
-def fill_folder(
-    folder: Path | str, write: Callable[[Path], None], *, within: Path | None = None
-) -> list[Path]:
-    """Write files into a hidden folder in the target first and move them out of it at the end.
-
-    Parameters
-    ----------
-    folder
-        Made if it does not exist, in an existing folder; what else it holds stays.
-    write
-        Writes every file into the folder that it is given.
-    within
-        Where the hidden folder is made, inside the target; by default the target itself.
-
-    Returns
-    -------
-    list of Path
-        What is there now.
-
-    Raises
-    ------
-    OutputError
-        If the folder cannot be made or written.
-    """
-    target = Path(folder)
-    made = not target.is_dir()
-    try:
-        target.mkdir(exist_ok=True)
-        durable.sync_folder(target.absolute().parent)
-        # Inside the target, so that moving never crosses from one disk to another.
-        with TemporaryDirectory(prefix=".partial-", dir=within or target) as stage:
-            write(Path(stage))
-            made = False  # from here on it holds something
-            return [_moved(file, target / file.name) for file in sorted(Path(stage).iterdir())]
-    except OSError as error:
-        raise OutputError(
-            "out",
-            target,
-            error.strerror or str(error),
-            "check the folder and the space that is left",
-        ) from error
-    finally:
-        if made:
-            with suppress(OSError):
-                target.rmdir()
-
-
-def _moved(staged: Path, place: Path) -> Path:
-    """Move a file to its place and return that; where a link is there, write what it leads to."""
-    if place.is_symlink():  # perhaps to another disk
-        durable.write(place, lambda new: shutil.copyfile(staged, new))
-    else:
-        durable.move(staged, place)
-    return place
 
 
 def environment() -> str:

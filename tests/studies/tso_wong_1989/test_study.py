@@ -291,7 +291,7 @@ def test_a_place_that_cannot_be_a_folder_is_refused_before_anything_is_drawn(
 def test_a_folder_that_is_not_writable_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("rocksteady.studies.folder.os.access", lambda *_: False)
+    monkeypatch.setattr("rocksteady.show.export.folders.os.access", lambda *_: False)
     for target in (tmp_path, tmp_path / "new"):
         with pytest.raises(OutputError, match="not writable"):
             check_folder(target)

@@ -95,8 +95,8 @@ def atlas(
     as_json: options.Json = False,
 ) -> None:
     """Run `rocksteady study atlas`; `ATLAS_HELP` is what its users read."""
+    from rocksteady.show.export.folders import check_folder
     from rocksteady.studies.atlas import study as module
-    from rocksteady.studies.folder import check_folder
 
     arguments: dict[str, Any] = {"restitution": number("restitution", restitution)}
     for name, text in (("amplitude", amplitude), ("frequency_ratio", frequency_ratio)):

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from rocksteady import Run, __version__
 from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
+from rocksteady.show.export.folders import check_folder, fill_folder
 from rocksteady.show.report import svg_data_uri
 from rocksteady.studies.atlas.analysis.coexistence import Coexistence, coexistence
 from rocksteady.studies.atlas.analysis.columns import columns
@@ -29,7 +30,7 @@ from rocksteady.studies.atlas.pages.findings import (
 )
 from rocksteady.studies.atlas.pages.pictures import draw_coexistence, draw_families, draw_from_rest
 from rocksteady.studies.atlas.pages.report import report_html
-from rocksteady.studies.folder import Done, check_folder, environment, fill_folder, nothing
+from rocksteady.studies.folder import Done, environment, nothing
 from rocksteady.studies.parts import Parts
 
 if TYPE_CHECKING:

@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import Any
 
 from rocksteady import InputError, __version__
+from rocksteady.show.export import folders
 from rocksteady.show.export.files import figure_bytes, json_text, save_csv, save_text
 from rocksteady.show.report import svg_data_uri
-from rocksteady.studies import folder as study_folder
-from rocksteady.studies.folder import Done, environment, fill_folder, nothing
+from rocksteady.studies.folder import Done, environment, nothing
 from rocksteady.studies.parts import Parts
 from rocksteady.studies.tso_wong_1989._report import ReportedPanel, report_html
 from rocksteady.studies.tso_wong_1989.claims.evidence import Evidence
@@ -131,7 +131,9 @@ class Study:
         if parts is not None:
             parts.begin()
         within = None if parts is None else parts.folder
-        return fill_folder(folder, lambda stage: self._write(stage, parts, done), within=within)
+        return folders.fill_folder(
+            folder, lambda stage: self._write(stage, parts, done), within=within
+        )
 
     def _write(self, stage: Path, parts: Parts | None, done: Done) -> None:
         """Write every file into a hidden folder."""
@@ -277,4 +279,4 @@ def check_folder(folder: Path | str, only: Sequence[str] = (), *, force: bool = 
     names = "|".join(re.escape(name) for name in chosen_figures(only))
     ours = rf"figure-({names})(\.png|\.svg|\.pdf|(-\w+)?\.csv)"
     ours += "" if only else r"|claims\.json|report\.html"
-    study_folder.check_folder(folder, ours, force=force)
+    folders.check_folder(folder, ours, force=force)

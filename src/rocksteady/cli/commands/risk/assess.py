@@ -1,54 +1,108 @@
 """`rocksteady assess`: from an object to an answer."""
 
+import shlex
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from rocksteady.cli.console import terminal
-from rocksteady.cli.console.outputs import print_json, write_csv
-from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.console.outputs import (
+    announce_compilation,
+    announce_file,
+    print_json,
+    write_csv,
+)
+from rocksteady.cli.console.progress import sweeping
+from rocksteady.cli.console.refusals import FlagError, missing
 from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
 from rocksteady.cli.flags.demand import DEMAND, PeakFlags, RowFlags, probability, sized_block
+from rocksteady.cli.flags.ensemble import Suite, SuiteFlags
 from rocksteady.cli.flags.groups import grouped
+from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.results.rendering import print_description
 
 if TYPE_CHECKING:
+    from rocksteady.results.description import Description
+    from rocksteady.risk.assess.assessment import Assessment
+    from rocksteady.risk.assess.described.objects import ObjectFile
+    from rocksteady.risk.assess.objects_table import ObjectsTable
     from rocksteady.risk.assess.two_numbers import QuickAssessment
+    from rocksteady.risk.hazard.hazard_curve import HazardCurve
 
 HELP = (
-    "Will it fall? From a block, a peak acceleration and a peak velocity to a probability and one "
-    "sentence, by a closed form fitted to published runs.\n\n"
-    "With --friction it answers whether the block rocks at all: where it slides there is no "
-    "probability of falling by rocking."
+    "Will it fall? From an object to a probability, a sentence and a reason.\n\n"
+    "FILE is an object in TOML (docs/objects.md): it is run on the motions of --records, with "
+    "published formulas, sensitivity, risk and remedies beside; --out keeps all in a folder. A "
+    "FILE that ends in .csv is a table of objects, each with a probability, a colour and a "
+    "sentence, at --pga-g and --pgv-m-s. --example needs no file.\n\n"
+    "Without FILE a block, a peak acceleration and a peak velocity give a probability by a closed "
+    "form fitted to published runs. Where friction lets the object slide there is no probability "
+    "of falling by rocking."
 )
 EXAMPLES = (
     "Examples:\n\n"
     "rocksteady assess --width-m 0.32 --height-m 1.8 --pga-g 0.35 --pgv-m-s 0.4\n\n"
-    "rocksteady assess --width-m 0.32 --height-m 1.8 --pga-g 0.35 --pgv-m-s 0.4 --friction 0.4 "
-    "--check --target 0.1 --json"
+    "rocksteady assess statue.toml --records motions --hazard site.csv --out answer\n\n"
+    "rocksteady assess objects.csv --records motions --pga-g 0.35 --pgv-m-s 0.4 --csv answers.csv"
+    "\n\nrocksteady assess --example --out answer"
 )
 NEGATIVE = 1
 """Exit code with --check where the object may fall more often than the target, or slides."""
-ObjectFile = Annotated[
+USUAL_TARGET = 0.1
+EXAMPLE_MOTIONS = 24
+FULL = "Object files"
+
+ObjectPath = Annotated[
     Path | None,
-    typer.Argument(metavar="FILE", help="An object file or a table of objects: not read yet."),
+    typer.Argument(metavar="FILE", help="An object in TOML, or a table of objects in CSV."),
+]
+HazardPath = Annotated[
+    Path | None,
+    typer.Option(
+        "--hazard",
+        metavar="FILE",
+        help="Read hazard curves of the site, as OpenQuake writes them or in two columns, and "
+        "compute the annual rate of falling.",
+        rich_help_panel=FULL,
+    ),
+]
+OutFolder = Annotated[
+    Path | None,
+    typer.Option(
+        "--out",
+        metavar="DIR",
+        help="Write runs, fragility for pelicun and OpenQuake, and inputs with their hashes into a "
+        "new folder; --force replaces those of an earlier assessment.",
+        rich_help_panel=FULL,
+    ),
+]
+ExampleFlag = Annotated[
+    bool,
+    typer.Option(
+        "--example",
+        help="Assess a made-up object with synthetic motions: no file is needed.",
+        rich_help_panel=FULL,
+    ),
 ]
 CheckFlag = Annotated[
     bool,
     typer.Option(
         "--check",
-        help="Leave with exit code 1 where the probability is above --target, or the block slides.",
+        help="Leave with exit code 1 where a probability is above the target, or an object slides.",
         rich_help_panel=options.OUTPUT,
     ),
 ]
 TargetFlag = Annotated[
-    float,
+    float | None,
     typer.Option(
         "--target",
         metavar="P",
-        help="Set the largest probability of falling that --check accepts.",
+        help=f"Set the largest probability of falling that --check accepts; default "
+        f"{USUAL_TARGET}, or that of FILE.",
         rich_help_panel=DEMAND,
     ),
 ]
@@ -56,33 +110,48 @@ TargetFlag = Annotated[
 
 @grouped
 def assess(
+    context: typer.Context,
     block: BlockFlags,
     peaks: PeakFlags,
+    recorded: SuiteFlags,
+    reading: ReadingFlags,
     output: RowFlags,
-    file: ObjectFile = None,
+    file: ObjectPath = None,
+    hazard: HazardPath = None,
+    out: OutFolder = None,
+    example: ExampleFlag = False,
     check: CheckFlag = False,
-    target: TargetFlag = 0.1,
+    target: TargetFlag = None,
 ) -> None:
     """Run `rocksteady assess`; `HELP` is what its users read."""
-    if file is not None:
-        raise FlagError(
-            finding=f"in place of --width-m and --height-m {str(file)!r} is given",
-            valid="object files and tables of objects are not read yet",
-            hint="describe the block, as --width-m 0.32 --height-m 1.8 --pga-g 0.35 --pgv-m-s 0.4",
-        )
-    output.check([])
-    most = probability("--target", target)
-    found = quick_answer(block, peaks)
+    output.check([each for each in (file, hazard) if each is not None])
+    most = None if target is None else probability("--target", target)
+    table = file is not None and file.suffix.lower() == ".csv"
+    _refuse_idle(block, peaks, recorded, reading, file, hazard, out, example=example)
+    found: QuickAssessment | Assessment | ObjectsTable
+    if file is None and not example:
+        found = quick_answer(block, peaks)
+        shares = [found.probability]
+    elif table:
+        assert file is not None
+        found = _answers(file, peaks, recorded, reading, most)
+        shares = [row["probability"] for row in found.rows]
+    else:
+        words = shlex.join(["rocksteady", *context.find_root().obj])
+        found = _answer(file, recorded, reading, hazard, out, most, words, force=output.force)
+        shares = [found.probability]
+        most = found.described.given.assessment.target_probability
     description = found.describe()
     if output.csv is not None:
-        facts = {fact.key: fact.value for fact in description.facts if fact.key}
-        row = {key: each for key, each in facts.items() if not isinstance(each, list | dict)}
-        write_csv(output.csv, list(row), [list(row.values())])
+        _write_rows(output.csv, description, table=table)
     if output.as_json:
-        print_json("assess", description.to_dict())
+        print_json("assess", {**description.to_dict(), "synthetic": example})
     else:
-        print_description(description, terminal.console())
-    if check and (found.probability is None or found.probability > most):
+        note = ["The motions are synthetic: they are no earthquake's."] if example else []
+        shown = replace(description, notes=[*note, *description.notes])
+        print_description(shown, terminal.console())
+    limit = USUAL_TARGET if most is None else most
+    if check and any(share is None or share > limit for share in shares):
         raise typer.Exit(NEGATIVE)
 
 
@@ -99,3 +168,178 @@ def quick_answer(block: BlockFlags, peaks: PeakFlags) -> "QuickAssessment":
     from rocksteady.risk.assess.two_numbers import assess_two_numbers
 
     return assess_two_numbers(body, pga_g, pgv_m_s, peaks.friction)
+
+
+def _answer(
+    file: Path | None,
+    recorded: SuiteFlags,
+    reading: ReadingFlags,
+    hazard: Path | None,
+    out: Path | None,
+    target: float | None,
+    command: str,
+    *,
+    force: bool,
+) -> "Assessment":
+    """Return the whole assessment of one object, and write its folder.
+
+    Raises
+    ------
+    InputError, OutputError, FlagError
+        If a file cannot be read, the folder cannot be filled, or a motion is missing.
+    """
+    from rocksteady.risk.assess.assessment import assess_object
+    from rocksteady.risk.assess.described.objects import EXAMPLE, read_object
+    from rocksteady.show.assessment.folder import check_assessment_folder, write_assessment
+    from rocksteady.sweep.run import Run
+
+    if out is not None:
+        check_assessment_folder(out, force=force)
+    described = read_object(EXAMPLE if file is None else file)
+    if target is not None:
+        described = described.with_target(target)
+    curves = _hazard_curves(hazard)
+    suite = _suite(file, recorded, reading, described)
+    announce_compilation("records.record_fates")
+    with sweeping("running the object", _cells(described, suite)) as meter:
+        found = assess_object(described, suite.motions, hazard=curves, run=Run(progress=meter))
+    if out is not None:
+        files = [each for each in (file, hazard, *suite.files) if each is not None]
+        for written in write_assessment(found, out, command=command, files=files, force=force):
+            announce_file(written)
+    return found
+
+
+def _cells(described: "ObjectFile", suite: Suite) -> int:
+    """Return how many runs the ensemble of an object has."""
+    from rocksteady.model.motions.base_motion import BaseMotion
+
+    lifts = sum(isinstance(each, BaseMotion) for each in suite.motions)
+    ways = (len(suite.motions) + lifts) * (1 if described.block.symmetric else 2)
+    options = described.given.assessment
+    draws = 1 if isinstance(described.given.restitution, float) else options.draws
+    return ways * options.levels * draws
+
+
+def _answers(
+    file: Path,
+    peaks: PeakFlags,
+    recorded: SuiteFlags,
+    reading: ReadingFlags,
+    target: float | None,
+) -> "ObjectsTable":
+    """Return the answers of a table of objects.
+
+    Raises
+    ------
+    InputError, FlagError
+        If a file cannot be read, or neither peak is given.
+    """
+    from rocksteady.risk.assess.described.tables import read_objects
+    from rocksteady.risk.assess.objects_table import assess_objects
+    from rocksteady.sweep.run import Run
+
+    if peaks.pga_g is None and peaks.pgv_m_s is None:
+        raise missing(
+            "--pgv-m-s",
+            valid="objects are assessed under one demand",
+            hint="add --pgv-m-s 0.4, and --pga-g 0.35 where it is known",
+        )
+    objects = read_objects(file)
+    suite = recorded.suite(reading)
+    announce_compilation("records.record_fates")
+    ways = 1 if all(each.block.symmetric for each in objects) else 2
+    with sweeping("running objects", ways * len(objects) * len(suite.motions)) as meter:
+        return assess_objects(
+            objects,
+            suite.motions,
+            pga_g=peaks.pga_g,
+            pgv_m_s=peaks.pgv_m_s,
+            target_probability=USUAL_TARGET if target is None else target,
+            run=Run(progress=meter),
+        )
+
+
+def _suite(
+    file: Path | None, recorded: SuiteFlags, reading: ReadingFlags, described: "ObjectFile"
+) -> Suite:
+    """Return the motions: of --records, of the folder that the file names, or synthetic ones."""
+    if file is None:
+        from rocksteady.risk.assess.synthetic import make_synthetic_suite
+
+        return Suite(motions=[*make_synthetic_suite(EXAMPLE_MOTIONS)], files=[])
+    named = described.given.assessment.records
+    if recorded.records is None and named is not None:
+        recorded = replace(recorded, records=[file.parent / named])
+    return recorded.suite(reading)
+
+
+def _hazard_curves(hazard: Path | None) -> "Sequence[HazardCurve] | None":
+    """Return the curves of --hazard."""
+    if hazard is None:
+        return None
+    from rocksteady.risk.hazard.read_hazard import read_hazard_curves
+
+    return read_hazard_curves(hazard)
+
+
+def _refuse_idle(
+    block: BlockFlags,
+    peaks: PeakFlags,
+    recorded: SuiteFlags,
+    reading: ReadingFlags,
+    file: Path | None,
+    hazard: Path | None,
+    out: Path | None,
+    *,
+    example: bool,
+) -> None:
+    """Refuse flags that have no meaning beside what is assessed.
+
+    Raises
+    ------
+    FlagError
+        With the flag and what to do.
+    """
+    if example and file is not None:
+        raise FlagError("--example", True, f"{file} is assessed already", "leave one of them out")
+    given = {
+        "--width-m, --height-m or another flag of the block": block.given or None,
+        "--friction": peaks.friction,
+        "--pga-g": peaks.pga_g,
+        "--pgv-m-s": peaks.pgv_m_s,
+        "--records": recorded.records[0] if recorded.records else None,
+        "--pair": recorded.pair or None,
+        "--hazard": hazard,
+        "--out": out,
+        **reading.given,
+    }
+    own = list(given)[:4]
+    if file is None and not example:
+        idle = [flag for flag in given if flag not in own]
+        reason, hint = (
+            "a block and two peaks need no motions",
+            "name an object FILE, or leave it out",
+        )
+    elif file is not None and file.suffix.lower() == ".csv":
+        idle = [own[0], own[1], "--hazard", "--out"]
+        reason, hint = "a table of objects does not take it", "leave it out; --csv keeps the table"
+    else:
+        idle = own if not example else [flag for flag in given if flag not in ("--hazard", "--out")]
+        reason = "the object's file states it" if not example else "--example reads no files"
+        hint = "write it into the file, or leave it out" if not example else "leave it out"
+    for flag in idle:
+        value = given[flag]
+        if value is not None and value is not False:
+            raise FlagError(flag, value, reason, hint)
+
+
+def _write_rows(file: Path, description: "Description", *, table: bool) -> None:
+    """Write what --csv asks for: a row for each object, or one of the plain facts."""
+    if table:
+        rows = description.tables[0]
+        write_csv(file, rows.header, rows.records())
+        return
+    facts = {fact.key: fact.value for fact in description.facts if fact.key}
+    row = {key: each for key, each in facts.items() if not isinstance(each, list | dict)}
+    write_csv(file, list(row), [list(row.values())])

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.risk.assess._schema import Content, Geometry
-from rocksteady.risk.assess.objects import ObjectFile, content_of
+from rocksteady.risk.assess.described.objects import ObjectFile, content_of
+from rocksteady.risk.assess.described.schema import Content, Geometry
 
 COLUMNS: Mapping[str, tuple[str, str]] = {
     **{key: ("", key) for key in ("name", "kind", "friction", "restitution", "gravity_m_s2")},

@@ -9,8 +9,8 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import angle, length, number, quantity
 from rocksteady.results.result import Result
-from rocksteady.risk.assess._schema import Range
-from rocksteady.risk.assess.objects import ObjectFile, bounds_of
+from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
+from rocksteady.risk.assess.described.schema import Range
 
 STOCKY = 0.4
 """Slenderness [rad] from which on a block on most floors slides before it rocks."""

@@ -5,8 +5,8 @@ from typing import Any
 
 import pytest
 
-from rocksteady.risk.assess.facts import derive_facts
-from rocksteady.risk.assess.objects import ObjectFile
+from rocksteady.risk.assess.described.facts import derive_facts
+from rocksteady.risk.assess.described.objects import ObjectFile
 
 
 def facts_of(geometry: dict[str, Any] | None = None, **keys: Any) -> Any:

@@ -8,7 +8,7 @@ import pytest
 
 from rocksteady.errors import RocksteadyError
 from rocksteady.model.blocks.block import Block
-from rocksteady.risk.assess.objects import EXAMPLE, ObjectFile, read_object
+from rocksteady.risk.assess.described.objects import EXAMPLE, ObjectFile, read_object
 
 SIZES = {"width_m": 0.32, "height_m": 1.8}
 

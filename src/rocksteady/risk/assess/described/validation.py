@@ -10,7 +10,7 @@ import msgspec
 
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.checks.validation import in_range, whole_number
-from rocksteady.risk.assess._schema import (
+from rocksteady.risk.assess.described.schema import (
     TABLES,
     ObjectInput,
     Range,

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.sides import Restitution
-from rocksteady.risk.assess._schema import Geometry, ObjectInput, Range, Value
-from rocksteady.risk.assess._validation import named
+from rocksteady.risk.assess.described.schema import Geometry, ObjectInput, Range, Value
+from rocksteady.risk.assess.described.validation import named
 
 Choose = Callable[[str, Value], float]
 """Returns the number to compute with, of a key ("content.mass_kg") and its value."""

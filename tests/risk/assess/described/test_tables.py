@@ -6,7 +6,7 @@ import pytest
 
 from rocksteady.errors import RocksteadyError
 from rocksteady.model.blocks.block import Block
-from rocksteady.risk.assess.tables import read_objects
+from rocksteady.risk.assess.described.tables import read_objects
 
 
 def written(tmp_path: Path, text: str | bytes) -> Path:

@@ -3,7 +3,7 @@
 import hashlib
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,9 +14,9 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
-from rocksteady.risk.assess._body import Body, Choose, body_of, nominal
-from rocksteady.risk.assess._schema import Content, Geometry, ObjectInput, Range, Value
-from rocksteady.risk.assess._validation import named, validated
+from rocksteady.risk.assess.described.body import Body, Choose, body_of, nominal
+from rocksteady.risk.assess.described.schema import Content, Geometry, ObjectInput, Range, Value
+from rocksteady.risk.assess.described.validation import named, validated
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -126,6 +126,19 @@ inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
         """Return the block of a changed body, with the object's restitution and gravity."""
         return self._made(body, self.restitution)
 
+    def with_target(self, probability: float) -> "ObjectFile":
+        """Return the object with another target probability, in (0, 1).
+
+        Raises
+        ------
+        InputError
+            If it is outside.
+        """
+        options = self.values.get("assessment", {})
+        assert isinstance(options, Mapping)
+        changed = {**options, "target_probability": probability}
+        return replace(self, values={**self.values, "assessment": changed})
+
     def variants(self) -> tuple[Variant, ...]:
         """Return the object at both ends of each range of its geometry and content."""
         return tuple(
@@ -223,7 +236,7 @@ def read_object(path: Path | str) -> ObjectFile:
 
     Examples
     --------
-    >>> from rocksteady.risk.assess.objects import EXAMPLE
+    >>> from rocksteady.risk.assess.described.objects import EXAMPLE
     >>> read_object(EXAMPLE).name
     'marble bust on a pedestal (example)'
     """

@@ -1,0 +1,132 @@
+"""Runs of an ensemble counted: trials, uplifts and falls of a block, by record and level."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.model.motions.record import Record
+from rocksteady.outcomes import Status
+from rocksteady.risk.ensemble.levels import Stripes
+from rocksteady.risk.ensemble.restitution_band import RestitutionBand
+from rocksteady.risk.ensemble.runs import run_ensemble
+from rocksteady.risk.fits.two_stages import TwoStageCurve, fit_two_stages
+from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.sweep.run import Run
+
+if TYPE_CHECKING:
+    import xarray
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Motions = Sequence[Record | BaseMotion]
+
+MULTIPLES = (0.6, 1.0, 1.6)
+"""Levels about a demand at which a changed object is run."""
+OWN = RestitutionBand(draws=1)
+"""A block's own restitution, alone."""
+THE_DEMAND = MULTIPLES.index(1.0)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Counts:
+    """Runs of one block, over record and level.
+
+    Attributes
+    ----------
+    levels
+        Of the measure, shape (levels,).
+    trials, lifted, fell
+        Numbers of runs, shape (records, levels).
+    measure
+        Name and unit of the levels.
+    """
+
+    levels: Floats
+    trials: Integers
+    lifted: Integers
+    fell: Integers
+    measure: tuple[str, str]
+
+    def totals(self, level: int) -> tuple[int, int]:
+        """Return falls and trials at a level."""
+        return int(self.fell[:, level].sum()), int(self.trials[:, level].sum())
+
+    def curve(self) -> TwoStageCurve:
+        """Return the curve in two stages, without a band."""
+        records, levels = self.trials.shape
+        return fit_two_stages(
+            np.tile(self.levels, records),
+            self.lifted.ravel(),
+            self.fell.ravel(),
+            self.trials.ravel(),
+            groups=np.repeat(np.arange(records), levels),
+            measure=self.measure,
+        )
+
+
+def count_runs(ensemble: "xarray.Dataset", blocks: Sequence[Block]) -> list[Counts]:
+    """Return the counts of each block; of a symmetric one mirror images are counted once."""
+    order = ("block", "record", "level", "direction", "vertical", "draw")
+    runs = ensemble[["status", "peak_angle"]].transpose(*order)
+    fell = runs["status"].values == int(Status.OVERTURNED)
+    lifted = runs["peak_angle"].values > 0.0
+    level = ensemble["level"]
+    levels = np.asarray(level.values, dtype=np.float64)
+    unit = str(level.attrs["units"])
+    measure = str(level.attrs["long_name"]), "" if unit == "1" else unit
+    found = []
+    for place, block in enumerate(blocks):
+        kept = slice(0, 1) if block.symmetric else slice(None)
+        own_fell, own_lifted = (each[place, :, :, kept] for each in (fell, lifted))
+        shape, count = own_fell.shape[:2], int(np.prod(own_fell.shape[2:]))
+        found.append(
+            Counts(
+                levels=levels,
+                trials=np.full(shape, count, dtype=np.int64),
+                lifted=own_lifted.sum((2, 3, 4), dtype=np.int64),
+                fell=own_fell.sum((2, 3, 4), dtype=np.int64),
+                measure=measure,
+            )
+        )
+    return found
+
+
+def run_at(
+    blocks: Sequence[Block],
+    motions: Motions,
+    measure: str | Intensity,
+    levels: Sequence[float],
+    *,
+    restitution: RestitutionBand = OWN,
+    vertical: bool = False,
+    run: Run | None = None,
+) -> list[Counts]:
+    """Run blocks at some levels, and count.
+
+    Parameters
+    ----------
+    blocks, motions
+        Every block meets every motion, as recorded and reversed.
+    measure, levels
+        As for `Stripes`.
+    restitution
+        By default the blocks' own alone.
+    vertical
+        Whether vertical components shake too; default False.
+    run
+        As for `run_ensemble`.
+    """
+    ensemble = run_ensemble(
+        list(blocks),
+        list(motions),
+        stripes=Stripes(measure, list(levels), beside=()),
+        restitution=restitution,
+        vertical=vertical,
+        run=run,
+    )
+    return count_runs(ensemble, blocks)

@@ -1,0 +1,303 @@
+"""Remedies: the least width, ballast or friction cap that brings a probability below a target."""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.kernels.elementary.arrays import tan
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.results.numbers import length, number
+from rocksteady.risk.assess._counts import Counts, Motions, run_at
+from rocksteady.risk.assess._demand_level import DemandLevel, measured
+from rocksteady.risk.assess._sensitivity import (
+    CENTRE,
+    MOST_DRAWS,
+    Case,
+    band_of,
+    case_of,
+    levels_about,
+)
+from rocksteady.risk.assess.described.body import Body
+from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
+from rocksteady.risk.fits.fragility_curve import FragilityCurve
+from rocksteady.risk.screens.friction import first_side
+from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.sweep.run import Run
+
+Floats = NDArray[np.float64]
+
+BALLAST_HEIGHT_M = 0.05
+"""Height of the ballast's mass centre above the base [m]."""
+MOST_WIDTH, MOST_BALLAST = 3.0, 10.0
+"""Factor of the width and share of the mass beyond which a remedy is none."""
+FINEST = 0.005
+"""Relative change of the object below which the search ends."""
+ROUNDS = 6
+"""Fits of the changed object after which the search ends."""
+NEAR = 0.9
+"""Share of the target above which a probability is near enough."""
+RESERVE = 0.98
+"""What the aim of a round is multiplied by, so that the search ends below the target."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Remedy:
+    """One change that brings the probability of falling down to the target.
+
+    Attributes
+    ----------
+    name
+        "width", "ballast" or "friction cap".
+    words
+        What to do.
+    change
+        Relative change of the design variable; None where no change within reach is enough.
+    value, unit
+        The design variable: width between the edges [m], ballast [kg] or as a share of the mass, or
+        the largest coefficient of friction.
+    fitted, counted
+        Probability of the changed object at the demand, fitted over the levels about it, and the
+        share of its runs; None where it was not run.
+    fell, trials
+        Those runs.
+    confirmed
+        Whether the fitted probability of the changed object's own runs is at the target or below.
+    """
+
+    name: str
+    words: str
+    change: float | None = None
+    value: float | None = None
+    unit: str = ""
+    fitted: float | None = None
+    counted: float | None = None
+    fell: int | None = None
+    trials: int | None = None
+    confirmed: bool = False
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return plain values."""
+        return dict(vars(self))
+
+
+class Search:
+    """The probability of falling of a changed object, fitted, and what its own runs say.
+
+    Parameters
+    ----------
+    described, motions, level
+        The object, the suite and the demand.
+    target
+        Probability to come down to.
+    run
+        As for `run_ensemble`.
+    """
+
+    def __init__(
+        self,
+        described: ObjectFile,
+        motions: Motions,
+        level: DemandLevel,
+        target: float,
+        run: Run | None,
+    ) -> None:
+        self.described, self.motions, self.level = described, motions, level
+        self.target, self.run = target, run
+        at_one = measured(motions, level.measure)
+        pga = measured(motions, Intensity("pga_g")) * (level.value / at_one)
+        logs = np.log(pga)
+        self.centre, self.spread = (
+            float(logs.mean()),
+            float(logs.std(ddof=1)) if len(pga) > 1 else 0.0,
+        )
+
+    def fitted(self, block: Block, curve: FragilityCurve) -> float:
+        """Return P(uplift) P(falls | uplift) of a block at the demand.
+
+        P(uplift) is that of a lognormal through the PGA of the records at the demand, and the curve
+        is over the measure relative to the block's uplift and size.
+        """
+        from scipy.special import ndtr
+
+        uplift = math.log(block.gravity * tan(first_side(block).alpha) / STANDARD_GRAVITY)
+        lifts = float(ndtr((self.centre - uplift) / max(self.spread, 1e-6)))
+        falls = float(curve.probability(np.array([relative(self.level, block)]))[0])
+        return lifts * (0.0 if math.isnan(falls) else falls)
+
+    def curve_of(self, counts: Counts, block: Block) -> FragilityCurve:
+        """Return P(falls | uplift) of some runs over the relative measure."""
+        from rocksteady.risk.fits.fragility_curve import fit_curve
+
+        lifted = counts.lifted > 0
+        at = np.broadcast_to(
+            counts.levels / self.level.value * relative(self.level, block), lifted.shape
+        )
+        groups = np.broadcast_to(np.arange(len(lifted))[:, np.newaxis], lifted.shape)
+        return fit_curve(
+            at[lifted], counts.fell[lifted], counts.lifted[lifted], groups=groups[lifted]
+        )
+
+    def runs(self, block: Block) -> Counts:
+        """Return the runs of a changed object about the demand."""
+        (found,) = run_at(
+            [block],
+            self.motions,
+            self.level.measure,
+            levels_about(self.level),
+            restitution=band_of(self.described, most=MOST_DRAWS),
+            run=self.run,
+        )
+        return found
+
+    def least(self, made: Callable[[float], Body], most: float) -> tuple[float, Case] | None:
+        """Return the least change, from 0 to `most`, whose own fitted probability is the target.
+
+        Each round finds the root of the fitted probability, runs the object there, and fits anew.
+        None where the largest change is not enough.
+        """
+        from scipy.optimize import brentq
+
+        block_of = self.described.block_of
+        low, high, change = 0.0, most, 0.0
+        found: tuple[float, Case] | None = None
+        for _ in range(ROUNDS):
+            block = block_of(made(change))
+            counts = self.runs(block)
+            case = case_of("", "", counts)
+            if case.probability <= self.target:
+                found, high = (change, case), change
+                if case.probability >= NEAR * self.target or change == 0.0:
+                    break
+            elif change == most:
+                break
+            else:
+                low = change
+            if high - low < FINEST * (1.0 + low):
+                break
+            curve = self.curve_of(counts, block)
+            # What the model is beside the object's own runs, here, it is taken to be nearby.
+            here = max(self.fitted(block, curve), 1e-9)
+            aim = RESERVE * self.target * here / max(case.probability, 1e-3)
+
+            def excess(tried: float, curve: FragilityCurve = curve, aim: float = aim) -> float:
+                return self.fitted(block_of(made(tried)), curve) - aim
+
+            if excess(high) > 0.0:
+                change = most if found is None else 0.5 * (low + high)
+            elif excess(low) < 0.0:
+                change = 0.5 * (low + high)
+            else:
+                change = float(brentq(excess, low, high, xtol=1e-4))
+                if min(change - low, high - change) < FINEST * (1.0 + low) and found is not None:
+                    change = 0.5 * (low + high)
+        return found
+
+
+def relative(level: DemandLevel, block: Block) -> float:
+    """Return the demand relative to a block's uplift, and to its size where it is a velocity."""
+    name = level.measure.name
+    if name == "pgv_m_s":
+        return level.of(Intensity("p_pgv_per_uplift"), block)
+    if name == "pga_g":
+        return level.of(Intensity("pga_per_uplift"), block)
+    return level.value / math.tan(first_side(block).alpha)
+
+
+def find_remedies(search: Search) -> tuple[Remedy, ...]:
+    """Return width, ballast and friction cap, those that need the least change first."""
+    found = [_width(search), _ballast(search), _friction_cap(search.described)]
+    return tuple(sorted(found, key=lambda each: math.inf if each.change is None else each.change))
+
+
+def cheapest(remedies: Sequence[Remedy]) -> Remedy | None:
+    """Return the remedy of the least relative change; None where none is within reach."""
+    possible = [each for each in remedies if each.change is not None]
+    return min(possible, key=lambda each: each.change or 0.0, default=None)
+
+
+def _width(search: Search) -> Remedy:
+    """Return the least width between the edges."""
+    body = search.described.body
+    before = body.left + body.right
+    found = search.least(lambda change: body.wider(1.0 + change), MOST_WIDTH - 1.0)
+    if found is None:
+        return Remedy(
+            name="width", words=f"not even {MOST_WIDTH:g} times the width is enough", unit="m"
+        )
+    change, case = found
+    width = before * (1.0 + change)
+    return _confirmed(
+        Remedy(
+            name="width",
+            words=f"widen the base from {length(before)} to {length(width)}, mass centre and "
+            "inertia as they are",
+            change=change,
+            value=width,
+            unit="m",
+        ),
+        case,
+        search.target,
+    )
+
+
+def _ballast(search: Search) -> Remedy:
+    """Return the least ballast at the base."""
+    body = search.described.body
+    if body.centre_height <= BALLAST_HEIGHT_M:
+        return Remedy(name="ballast", words="the mass centre is at the base already")
+    found = search.least(
+        lambda share: body.with_share(share, BALLAST_HEIGHT_M) if share > 0.0 else body,
+        MOST_BALLAST,
+    )
+    if found is None:
+        return Remedy(name="ballast", words=f"not even {MOST_BALLAST:g} times its mass is enough")
+    share, case = found
+    mass = None if body.mass_kg is None else share * body.mass_kg
+    centre = body.with_share(share, BALLAST_HEIGHT_M).centre_height if share else body.centre_height
+    amount = f"{number(100.0 * share)} % of its mass" if mass is None else f"{number(mass)} kg"
+    return _confirmed(
+        Remedy(
+            name="ballast",
+            words=f"fix {amount} in its base, {length(BALLAST_HEIGHT_M)} up: its mass centre sinks "
+            f"from {length(body.centre_height)} to {length(centre)}",
+            change=share,
+            value=share if mass is None else mass,
+            unit="of its mass" if mass is None else "kg",
+        ),
+        case,
+        search.target,
+    )
+
+
+def _friction_cap(described: ObjectFile) -> Remedy:
+    """Return the friction below which it slides and does not lift, with its mass centre higher."""
+    block = described.block_of(described.body.with_centre(1.0 + CENTRE))
+    cap = tan(first_side(block).alpha)
+    friction = described.given.friction
+    change = None if friction is None else max(0.0, 1.0 - cap / bounds_of(friction)[1])
+    return Remedy(
+        name="friction cap",
+        words=f"let it slide: on a base with a friction of at most {number(cap)} it does not lift, "
+        f"with its mass centre {CENTRE:.0%} higher than stated; it needs room to slide, and no "
+        "edge to stumble on" + ("" if friction is not None else "; its friction now is not given"),
+        change=change,
+        value=cap,
+        fitted=0.0,
+        confirmed=True,
+    )
+
+
+def _confirmed(remedy: Remedy, case: Case, target: float) -> Remedy:
+    """Return a remedy with what its own runs say."""
+    return replace(
+        remedy,
+        fitted=case.probability,
+        counted=case.counted,
+        fell=case.fell,
+        trials=case.trials,
+        confirmed=case.probability <= target,
+    )

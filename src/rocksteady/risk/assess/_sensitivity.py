@@ -1,0 +1,166 @@
+"""Sensitivity of an object's answer: one thing changed at a time, run anew."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.risk.assess._counts import MULTIPLES, THE_DEMAND, Counts, Motions, run_at
+from rocksteady.risk.assess._demand_level import DemandLevel
+from rocksteady.risk.assess.described.objects import ObjectFile
+from rocksteady.risk.assess.described.schema import Range
+from rocksteady.risk.ensemble.restitution_band import RestitutionBand
+from rocksteady.sweep.run import Run
+
+CENTRE = 0.1
+"""Share by which the height of the mass centre is varied."""
+MOST_DRAWS = 3
+"""Restitutions of a changed object: both ends of the band and its middle."""
+WORN = 0.05
+"""Share of the width that worn edges take."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Case:
+    """The object with one thing changed.
+
+    Attributes
+    ----------
+    parameter
+        What is changed; "as described" of the first case.
+    change
+        How, in words.
+    probability, counted
+        Of falling at the demand: fitted over the levels about it, and the share of the runs there.
+    fell, trials
+        Runs at the demand.
+    median
+        Level at which half of the runs fall; NaN where none was found.
+    """
+
+    parameter: str
+    change: str
+    probability: float
+    counted: float
+    fell: int
+    trials: int
+    median: float
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return plain values, None for what does not exist."""
+        return {
+            key: None if isinstance(value, float) and math.isnan(value) else value
+            for key, value in vars(self).items()
+        }
+
+
+def vary(
+    described: ObjectFile, motions: Motions, level: DemandLevel, *, run: Run | None = None
+) -> tuple[Case, ...]:
+    """Return the object as described and each of its changes, at the demand.
+
+    The object as described has the restitutions of its band and no vertical motion; every case
+    meets all records in both signs at 0.6 to 1.6 times the demand.
+    """
+    base, levels = described.block, levels_about(level)
+    band = band_of(described, most=MOST_DRAWS)
+    changes = changes_of(described)
+    blocks = [base, *(block for _, _, block in changes)]
+    counts = run_at(blocks, motions, level.measure, levels, restitution=band, run=run)
+    names = [("as described", ""), *((parameter, change) for parameter, change, _ in changes)]
+    cases = [
+        case_of(parameter, change, found)
+        for (parameter, change), found in zip(names, counts, strict=True)
+    ]
+    if band.draws > 1:
+        ends = band.ratios(base)[[0, -1]].tolist()
+        alone = [base.with_restitution((ratio, other)) for ratio, other in ends]
+        found = run_at(alone, motions, level.measure, levels, run=run)
+        cases += [
+            case_of("restitution", f"{max(pair):.3f} alone", each)
+            for pair, each in zip(ends, found, strict=True)
+        ]
+    lifted = [
+        each for each in motions if isinstance(each, BaseMotion) and each.vertical is not None
+    ]
+    if lifted:
+        (shaken,) = run_at(
+            [base], motions, level.measure, levels, restitution=band, vertical=True, run=run
+        )
+        cases.append(case_of("vertical motion", f"with {len(lifted)} components", shaken))
+    return tuple(cases)
+
+
+def band_of(described: ObjectFile, *, most: int) -> RestitutionBand:
+    """Return the restitutions of an object: a band of its file, its one value, or the usual band.
+
+    Parameters
+    ----------
+    described
+        The object.
+    most
+        Largest number of values.
+    """
+    given, draws = described.given.restitution, min(most, described.given.assessment.draws)
+    if isinstance(given, Range):
+        return RestitutionBand(low=given.low, high=given.high, draws=draws)
+    if given == "housner":
+        return RestitutionBand(draws=draws)
+    return RestitutionBand(draws=1)
+
+
+def levels_about(level: DemandLevel) -> list[float]:
+    """Return the levels at which a changed object is run."""
+    return [multiple * level.value for multiple in MULTIPLES]
+
+
+def case_of(parameter: str, change: str, counts: Counts) -> Case:
+    """Return a case of its counts."""
+    curve = counts.curve()
+    fell, trials = counts.totals(THE_DEMAND)
+    probability = float(curve.probability(np.array([counts.levels[THE_DEMAND]]))[0])
+    counted = fell / trials
+    return Case(
+        parameter=parameter,
+        change=change,
+        # Without a curve, where no run falls or all do, the share is all there is.
+        probability=counted if math.isnan(probability) else probability,
+        counted=counted,
+        fell=fell,
+        trials=trials,
+        median=float(curve.median),
+    )
+
+
+def changes_of(described: ObjectFile) -> list[tuple[str, str, Block]]:
+    """Return parameter, change and block of each case without vertical motion."""
+    body = described.body
+    found: list[tuple[str, str, Block]] = []
+    for factor in (1.0 - CENTRE, 1.0 + CENTRE):
+        changed = described.block_of(body.with_centre(factor))
+        found.append(("mass centre", f"{factor - 1.0:+.0%}", changed))
+    found.append(
+        ("base width", f"{-WORN:+.0%}, worn edges", described.block_of(body.wider(1.0 - WORN)))
+    )
+    found += [
+        (variant.key, variant.label.removeprefix(variant.key).strip(), variant.block)
+        for variant in described.variants()
+    ]
+    return found
+
+
+def tornado(cases: Sequence[Case]) -> list[dict[str, Any]]:
+    """Return a bar for each parameter, the widest first: lowest and highest probability."""
+    base = cases[0].probability
+    bars: dict[str, list[float]] = {}
+    for case in cases[1:]:
+        bars.setdefault(case.parameter, [base]).append(case.probability)
+    rows = [
+        {"parameter": name, "low": min(values), "high": max(values), "base": base}
+        for name, values in bars.items()
+    ]
+    return sorted(rows, key=lambda row: row["low"] - row["high"])

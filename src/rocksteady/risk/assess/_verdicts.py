@@ -1,0 +1,109 @@
+"""Verdict, colour, sentence and reason of an assessment."""
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from rocksteady.results.numbers import number, quantity
+from rocksteady.risk.assess._demand_level import DemandLevel
+from rocksteady.risk.assess._remedies import Remedy
+from rocksteady.risk.assess._sensitivity import tornado
+from rocksteady.risk.assess.two_numbers import share_words
+
+if TYPE_CHECKING:
+    from rocksteady.risk.assess.assessment import Assessment
+
+AMBER = 0.2
+"""Share of the target probability up to which an object is green; up to the target it is amber."""
+
+WORDS = {"green": "low", "amber": "raised", "red": "high", "grey": "no answer"}
+"""What a colour stands for, for those who do not see it."""
+
+
+class Answer(NamedTuple):
+    """What a client reads first."""
+
+    verdict: str
+    colour: str
+    sentence: str
+    reason: str
+
+
+def colour_of(probability: float | None, target: float) -> str:
+    """Return green up to a fifth of the target, amber up to the target, red above.
+
+    Examples
+    --------
+    >>> [colour_of(share, 0.1) for share in (0.02, 0.1, 0.2, None)]
+    ['green', 'amber', 'red', 'grey']
+    """
+    if probability is None:
+        return "grey"
+    if probability <= AMBER * target:
+        return "green"
+    return "amber" if probability <= target else "red"
+
+
+def answer_of(
+    assessment: "Assessment", motion: str | None, level: DemandLevel, remedy: Remedy | None = None
+) -> Answer:
+    """Return the answer of an assessment whose numbers are complete.
+
+    Parameters
+    ----------
+    assessment
+        With its probability.
+    motion
+        What the demand's PGA begins; None without a PGA.
+    level
+        The demand.
+    remedy
+        That of the least change, where one is needed.
+    """
+    facts, given = assessment.facts, assessment.described.given
+    pga = given.demand.pga_g or 0.0
+    lifts = f"It lifts at {quantity(facts.uplift_pga_g, 'g')}"
+    if motion in ("slides", "slides and rocks"):
+        low = facts.friction[0] if facts.friction else 0.0
+        need = assessment.friction_needed or 0.0
+        return Answer(
+            "slides",
+            "grey",
+            f"{facts.name} slides at a PGA of {quantity(pga, 'g')}: rocking is no answer, and no "
+            "probability of falling is given.",
+            f"Rocking alone needs a friction of {number(need)}, and {number(low)} is the lowest "
+            "given: what is needed is an analysis of sliding, room to slide, or a friction that is "
+            "measured and higher.",
+        )
+    if motion == "rest":
+        return Answer(
+            "stands",
+            "green",
+            f"{facts.name} stays where it stands: a PGA of {quantity(pga, 'g')} does not lift it.",
+            f"{lifts}. The curve is of motions scaled to the demand's velocity, some of which have "
+            "a higher PGA.",
+        )
+    target = given.assessment.target_probability
+    probability = assessment.probability or 0.0
+    verdict = "above target" if probability > target else "below target"
+    side = "more than" if probability > target else "within"
+    sentence = (
+        f"{share_words(probability)} such objects would fall at {level.words}: {side} the target "
+        f"of {number(100.0 * target)} %."
+    )
+    if remedy is not None:
+        sentence = f"{sentence[:-1]}; the least change that helps is to {remedy.words}."
+    return Answer(verdict, colour_of(probability, target), sentence, _reason(assessment, lifts))
+
+
+def _reason(assessment: "Assessment", lifts: str) -> str:
+    """Return why: uplift, the median, and what matters most."""
+    reason = f"{lifts}; the demand is {assessment.demand}."
+    base = assessment.cases[0]
+    reason += f" At the demand {base.fell} of {base.trials} runs fall."
+    bars = tornado(assessment.cases)
+    if bars:
+        widest = bars[0]
+        reason += (
+            f" What matters most is {widest['parameter']}: between "
+            f"{number(100.0 * widest['low'])} and {number(100.0 * widest['high'])} %."
+        )
+    return reason

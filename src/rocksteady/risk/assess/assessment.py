@@ -1,0 +1,485 @@
+"""The whole assessment of one object: screens, ensemble, fragility, sensitivity, risk, remedies."""
+
+import math
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.model.motions.record import Record
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, quantity
+from rocksteady.results.result import Result
+from rocksteady.risk.assess._caveats import CAVEATS
+from rocksteady.risk.assess._counts import MULTIPLES, count_runs
+from rocksteady.risk.assess._demand_level import DemandLevel, demand_level, horizontal, measured
+from rocksteady.risk.assess._remedies import Remedy, Search, cheapest, find_remedies
+from rocksteady.risk.assess._sensitivity import Case, band_of, tornado, vary
+from rocksteady.risk.assess._verdicts import Answer, answer_of
+from rocksteady.risk.assess.described.facts import ObjectFacts, derive_facts
+from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
+from rocksteady.risk.assess.described.schema import Options, own_states
+from rocksteady.risk.ensemble.levels import Stripes
+from rocksteady.risk.ensemble.runs import run_ensemble
+from rocksteady.risk.fits.fragility_curve import FragilityCurve
+from rocksteady.risk.fits.two_stages import TwoStageCurve, fit_two_stages
+from rocksteady.risk.fragility.damage_states import OVERTURNED, DamageState
+from rocksteady.risk.fragility.fit_fragility import fit_fragility
+from rocksteady.risk.fragility.fitting import Fitting
+from rocksteady.risk.fragility.fragility import Fragility
+from rocksteady.risk.hazard.failure_risk import Risk, compute_risk
+from rocksteady.risk.hazard.hazard_curve import HazardCurve
+from rocksteady.risk.screens.demand import Demand
+from rocksteady.risk.screens.friction import first_motion, needed_friction
+from rocksteady.risk.screens.screens import Screens, screen_block
+from rocksteady.seismic.measures.scalar import Intensity
+from rocksteady.sweep.cases.spacing import in_equal_ratios
+from rocksteady.sweep.run import Run
+
+if TYPE_CHECKING:
+    import xarray
+
+USUAL_LEVELS = 20
+"""Levels of `Stripes` itself."""
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Assessment(Result):
+    """Assessment of an object, from `rocksteady.assess_object`.
+
+    Attributes
+    ----------
+    described, facts, screens
+        The object, what follows from its geometry, and published formulas side by side.
+    friction_needed
+        Friction with which it rocks without sliding at the demand's PGA; None without a PGA.
+    demand
+        The demand in words.
+    verdict
+        "stands": the PGA does not lift it; "slides": rocking is no answer; "below target" or
+        "above target" of the probability.
+    colour
+        "green", "amber" or "red" of the probability; "grey" where there is none.
+    sentence, reason
+        The answer and why.
+    probability, probability_band
+        Of falling at the demand, from the fragility curve, and its confidence band; None where
+        there is none.
+    fragility
+        Curves of all damage states, with the runs; None where it slides.
+    cases
+        One thing changed at a time; the first is the object as described.
+    remedies
+        Width, ballast and friction cap, the least change first.
+    risks
+        Annual rate of falling for each hazard curve.
+    motions
+        The motions, as they were given.
+    seconds
+        Time that it took [s].
+    """
+
+    described: ObjectFile
+    facts: ObjectFacts
+    screens: Screens
+    friction_needed: float | None
+    demand: str
+    verdict: str
+    colour: str
+    sentence: str
+    reason: str
+    probability: float | None = None
+    probability_band: tuple[float, float] | None = None
+    fragility: Fragility | None = None
+    cases: tuple[Case, ...] = ()
+    remedies: tuple[Remedy, ...] = ()
+    risks: tuple[Risk, ...] = ()
+    motions: tuple[Record | BaseMotion, ...] = ()
+    seconds: float = 0.0
+
+    @property
+    def curve(self) -> FragilityCurve | TwoStageCurve | None:
+        """The fragility curve of overturning; None where it slides."""
+        return None if self.fragility is None else self.fragility.state(OVERTURNED).curve
+
+    def describe(self) -> Description:
+        """Return the sentence, facts, screens, sensitivity, remedies, risk, caveats and inputs."""
+        own = self.facts.describe()
+        return Description(
+            headline=self.sentence,
+            facts=[*self._answer(), *(fact for fact in own.facts if fact.key != "name")],
+            tables=list(self._tables()),
+            notes=[self.reason, *self.facts.warnings, *self._warnings(), *CAVEATS],
+        )
+
+    def _answer(self) -> list[Fact]:
+        """Return the facts of the answer."""
+        share = "—" if self.probability is None else f"{number(100.0 * self.probability)} %"
+        if self.probability_band is not None:
+            low, high = (number(100.0 * side) for side in self.probability_band)
+            share += f" ({low} to {high} %)"
+        curve = self.curve
+        target = self.described.given.assessment.target_probability
+        facts = [
+            Fact("name", self.described.name, "object"),
+            Fact("verdict", self.verdict, "verdict", f"{self.verdict} ({self.colour})"),
+            Fact("colour", self.colour),
+            Fact("sentence", self.sentence),
+            Fact("reason", self.reason),
+            Fact("demand", self.demand, "demand"),
+            Fact("probability", self.probability, "probability of falling", share),
+            Fact("probability_band", self.probability_band and list(self.probability_band)),
+            Fact("target_probability", target, "target", f"{number(100.0 * target)} %"),
+            Fact("friction_needed", self.friction_needed),
+        ]
+        if self.friction_needed is not None:
+            words = f"{number(self.friction_needed)} to rock without sliding at the demand"
+            facts[-1] = Fact("friction_needed", self.friction_needed, "friction needed", words)
+        if self.fragility is not None and curve is not None:
+            median = float(curve.median)
+            measure = self.fragility.measure
+            words = f"{number(median)} {measure.unit} of {measure.label}".replace("  ", " ")
+            facts += [
+                Fact("median", None if math.isnan(median) else median, "median", words),
+                Fact("measure", measure.key),
+                Fact("records", self.fragility.records, "records"),
+                Fact("runs", self.fragility.runs, "runs"),
+            ]
+        return [*facts, Fact("seconds", self.seconds)]
+
+    def _tables(self) -> "list[Table]":
+        """Return screens, sensitivity, remedies, risk and inputs."""
+        rows = [dict(row.values()) for row in self.screens.rows]
+        screen_columns = [
+            Column("name", "screen", left=True),
+            Column("value", "value"),
+            Column("unit", "", left=True),
+            Column("verdict", "verdict", left=True),
+        ]
+        case_columns = [
+            Column("parameter", "changed", left=True),
+            Column("change", "to", left=True),
+            Column("probability", "P fitted"),
+            Column("counted", "P counted"),
+            Column("median", "median"),
+        ]
+        remedy_columns = [
+            Column("name", "remedy", left=True),
+            Column("words", "do", left=True),
+            Column("fitted", "P fitted"),
+            Column("counted", "P counted"),
+        ]
+        risks = [
+            {
+                "hazard": risk.hazard.name or risk.hazard.label,
+                "annual_rate": risk.annual_rate,
+                "years": risk.years,
+                "probability": risk.probability,
+                "hclpf": risk.hclpf,
+            }
+            for risk in self.risks
+        ]
+        risk_columns = [
+            Column("hazard", "hazard", left=True),
+            Column("annual_rate", "falls a year"),
+            Column("years", "years"),
+            Column("probability", "P in these"),
+            Column("hclpf", "HCLPF"),
+        ]
+        cases = [case.to_dict() for case in self.cases]
+        bars = tornado(self.cases) if self.cases else []
+        bar_columns = [
+            Column("parameter", "uncertain", left=True),
+            Column("low", "lowest P"),
+            Column("high", "highest P"),
+        ]
+        input_columns = [
+            Column("name", "motion", left=True),
+            Column("samples", "samples"),
+            Column("dt_s", "dt [s]"),
+            Column("pga_g", "PGA [g]"),
+            Column("pgv_m_s", "PGV [m/s]"),
+        ]
+        found = [
+            Table("cases", cases, case_columns, title="One thing changed at a time"),
+            Table("tornado", bars, bar_columns, title="What matters most"),
+            Table(
+                "remedies",
+                [remedy.to_dict() for remedy in self.remedies],
+                remedy_columns,
+                title="Remedies",
+            ),
+            Table("risks", risks, risk_columns, title="Risk"),
+            Table("screens", rows, screen_columns, title="Code formulas, side by side"),
+            Table("inputs", _inputs(self.motions), input_columns, title="Motions", most=12),
+        ]
+        return [table for table in found if table.rows]
+
+    def _warnings(self) -> list[str]:
+        """Return what limits the fits, and what was noted of risk."""
+        found = [] if self.fragility is None else list(self.fragility.warnings)
+        if self.cases and self.probability:
+            found.append(
+                "One thing changed at a time: fitted to runs at "
+                f"{MULTIPLES[0]:g} to {MULTIPLES[-1]:g} times the demand, where the object as "
+                f"described has {number(100.0 * self.cases[0].probability)} %; the probability "
+                "above is of the curve through all levels."
+            )
+        found += [remark for risk in self.risks for remark in risk.remarks]
+        return list(dict.fromkeys(found))
+
+
+@checked
+def assess_object(
+    described: ObjectFile,
+    motions: Sequence[Record | BaseMotion],
+    *,
+    hazard: HazardCurve | Sequence[HazardCurve] | None = None,
+    run: Run | None = None,
+) -> Assessment:
+    """Assess an object: whether it falls, how sure that is, and what would help.
+
+    Its steps are those of practice: check and derive; uplift and sliding first, where friction
+    governs rocking is refused as an answer; published formulas side by side; an ensemble of runs by
+    the full equations; fragility; one thing changed at a time; risk under hazard curves; remedies,
+    found on the fitted probability and confirmed by runs of the changed object.
+
+    Parameters
+    ----------
+    described
+        The object.
+    motions
+        Records of the ground or the floor, with a vertical one beside them as `BaseMotion`.
+    hazard
+        A hazard curve or several; none by default.
+    run
+        Executor, workers, store and progress of the ensemble; default `Run()`.
+
+    Returns
+    -------
+    Assessment
+        With the fragility and its runs.
+
+    Raises
+    ------
+    InputError, ModelError
+        If a measure needs a demand that the object does not state, or a motion is none.
+
+    Examples
+    --------
+    >>> from rocksteady import ObjectFile, assess_object, make_synthetic_suite
+    >>> cabinet = ObjectFile(
+    ...     values={
+    ...         "name": "cabinet",
+    ...         "friction": 0.1,
+    ...         "geometry": {"width_m": 0.4, "height_m": 1.8},
+    ...         "demand": {"pga_g": 0.4, "pgv_m_s": 0.4},
+    ...     }
+    ... )
+    >>> found = assess_object(cabinet, make_synthetic_suite(2))
+    >>> found.verdict, found.probability is None
+    ('slides', True)
+    """
+    began = time.perf_counter()
+    suite = [*motions]
+    if not suite:
+        raise InputError("motions", [], "an assessment needs motions", "give records")
+    given = described.given
+    facts = derive_facts(described)
+    block = facts.block
+    intensity = Intensity(given.assessment.intensity_measure, given.assessment.period_s)
+    level = demand_level(intensity, given.demand, suite, block, described.source)
+    friction = None if given.friction is None else bounds_of(given.friction)[0]
+    screens = screen_block(block, _demand_of(described), friction=friction)
+    pga, lift = given.demand.pga_g, given.demand.vertical_g or 0.0
+    motion = None
+    if pga is not None:
+        # Without a friction only uplift is judged.
+        motion = first_motion(block, pga, 100.0 if friction is None else friction, lift)
+    assessment = Assessment(
+        described=described,
+        facts=facts,
+        screens=screens,
+        friction_needed=None if pga is None else needed_friction(block, pga, lift),
+        demand=_words_of(described, level),
+        verdict="",
+        colour="grey",
+        sentence="",
+        reason="",
+        motions=tuple(suite),
+    )
+    if motion in ("slides", "slides and rocks"):
+        answer = answer_of(assessment, motion, level)
+    else:
+        assessment, answer = _rocking(assessment, suite, intensity, level, motion, run)
+        assessment = replace(assessment, risks=_risks(assessment, suite, _curves(hazard)))
+    return replace(assessment, **answer._asdict(), seconds=time.perf_counter() - began)
+
+
+def _rocking(
+    assessment: Assessment,
+    suite: list[Record | BaseMotion],
+    intensity: Intensity,
+    level: DemandLevel,
+    motion: str | None,
+    run: Run | None,
+) -> tuple[Assessment, Answer]:
+    """Return the assessment with its ensemble, fragility, sensitivity and remedies."""
+    described, block = assessment.described, assessment.facts.block
+    options = described.given.assessment
+    inner = None if run is None else replace(run, store=None, progress=None)
+    fragility = fit_fragility(
+        run_ensemble(
+            block,
+            suite,
+            stripes=_stripes(intensity, block, options),
+            restitution=band_of(described, most=options.draws),
+            run=run,
+        ),
+        fitting=_fitting(options),
+    )
+    cases = vary(described, suite, level, run=inner)
+    curve = fragility.state(OVERTURNED).curve
+    at = np.array([level.of(fragility.measure, block)])
+    probability = float(curve.probability(at)[0])
+    band = curve.probability_band(at)
+    if math.isnan(probability):  # without a curve the runs about the demand are what there is
+        probability, band = cases[0].counted, None
+    found = replace(
+        assessment,
+        fragility=fragility,
+        cases=cases,
+        probability=0.0 if motion == "rest" else probability,
+        probability_band=(
+            None if band is None or motion == "rest" else (float(band[0][0]), float(band[1][0]))
+        ),
+    )
+    remedies: tuple[Remedy, ...] = ()
+    if motion != "rest" and probability > options.target_probability:
+        remedies = find_remedies(Search(described, suite, level, options.target_probability, inner))
+    found = replace(found, remedies=remedies)
+    return found, answer_of(found, motion, level, cheapest(remedies))
+
+
+def _stripes(intensity: Intensity, block: Block, options: Options) -> Stripes:
+    """Return the levels: as many as the file says over the usual span."""
+    usual = Stripes(intensity)
+    if options.levels == USUAL_LEVELS:
+        return usual
+    levels = usual.levels_for([block])
+    return Stripes(intensity, list(in_equal_ratios(levels[0], levels[-1], options.levels)))
+
+
+def _fitting(options: Options) -> Fitting:
+    """Return the damage states of the file, overturning among them."""
+    states: list[DamageState | float | str] = [
+        name if peak is None else DamageState(name, peak) for name, peak in own_states(options)
+    ]
+    if not states:
+        return Fitting()
+    return Fitting(states=[*states, *([] if OVERTURNED in states else [OVERTURNED])])
+
+
+def _demand_of(described: ObjectFile) -> Demand:
+    """Return the demand of the object as the screens take it."""
+    given = described.given.demand
+    spectrum = given.spectrum
+    table = None
+    if spectrum is not None:
+        table = np.column_stack([spectrum.period_s, spectrum.sa_g])
+    return Demand(
+        pga_g=given.pga_g,
+        pgv_m_s=given.pgv_m_s,
+        spectrum=table,
+        spectrum_damping=None if spectrum is None else spectrum.damping,
+        vertical_g=given.vertical_g or 0.0,
+    )
+
+
+def _words_of(described: ObjectFile, level: DemandLevel) -> str:
+    """Return the demand in words."""
+    given = described.given.demand
+    if level.assumed:
+        return f"{level.words}, the median of the motions as they are: none is given"
+    peaks = [
+        quantity(value, unit)
+        for value, unit in ((given.pga_g, "g of PGA"), (given.pgv_m_s, "m/s of PGV"))
+        if value is not None
+    ]
+    return f"{' and '.join(peaks) or level.words}, {given.place}"
+
+
+def _curves(hazard: HazardCurve | Sequence[HazardCurve] | None) -> list[HazardCurve]:
+    """Return one or more hazard curves, or none."""
+    if hazard is None:
+        return []
+    return [hazard] if isinstance(hazard, HazardCurve) else [*hazard]
+
+
+def _risks(
+    assessment: Assessment, suite: list[Record | BaseMotion], curves: list[HazardCurve]
+) -> tuple[Risk, ...]:
+    """Return the risk under each hazard curve, of a fragility over that curve's own measure."""
+    fragility = assessment.fragility
+    if fragility is None:
+        return ()
+    block = assessment.facts.block
+    return tuple(
+        compute_risk(
+            _curve_over(_measure_of(hazard), fragility.ensemble, suite, block),
+            hazard,
+            measure=hazard.measure,
+        )
+        for hazard in curves
+    )
+
+
+def _measure_of(hazard: HazardCurve) -> Intensity:
+    """Return the measure of a hazard curve."""
+    name, _, period = str(hazard.measure).partition(":")
+    return Intensity(name, float(period) if period else None)
+
+
+def _curve_over(
+    measure: Intensity,
+    ensemble: "xarray.Dataset",
+    suite: list[Record | BaseMotion],
+    block: Block,
+) -> TwoStageCurve:
+    """Return the fragility of the same runs over another measure."""
+    (counts,) = count_runs(ensemble, [block])
+    scale = ensemble["scale"].isel(block=0).transpose("record", "level").values
+    at = measured(suite, measure)[:, np.newaxis] * scale
+    records = np.broadcast_to(np.arange(len(suite))[:, np.newaxis], at.shape)
+    return fit_two_stages(
+        at.ravel(),
+        counts.lifted.ravel(),
+        counts.fell.ravel(),
+        counts.trials.ravel(),
+        groups=records.ravel(),
+        measure=(measure.label, measure.unit),
+    )
+
+
+def _inputs(suite: Sequence[Record | BaseMotion]) -> list[dict[str, object]]:
+    """Return what each motion is."""
+    records = [horizontal(each) for each in suite]
+    pga, pgv = (measured(suite, Intensity(name)) for name in ("pga_g", "pgv_m_s"))
+    return [
+        {
+            "name": record.name,
+            "samples": len(record.acceleration_m_s2),
+            "dt_s": record.dt_s,
+            "pga_g": float(first),
+            "pgv_m_s": float(second),
+            "vertical": isinstance(each, BaseMotion) and each.vertical is not None,
+        }
+        for each, record, first, second in zip(suite, records, pga, pgv, strict=True)
+    ]

@@ -1,0 +1,148 @@
+"""The folder of an assessment: runs, curves for loss tools, and what is needed to do it again."""
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rocksteady.errors import InputError, OutputError
+from rocksteady.model.checks.arguments import checked
+from rocksteady.show.export.components import LossComponent
+from rocksteady.show.export.ensemble_rows import write_results_csv
+from rocksteady.show.export.folders import check_folder, fill_folder
+from rocksteady.show.export.manifest import make_manifest, write_manifest
+from rocksteady.show.export.openquake import write_openquake
+from rocksteady.show.export.pelicun import write_pelicun
+
+if TYPE_CHECKING:
+    from rocksteady.risk.assess.assessment import Assessment
+
+OURS = r"report\.html|results\.csv|fragility\.(csv|json|xml)|run\.json"
+"""Names of the files of an assessment."""
+
+POINTS = 40
+"""Intensities at which curves in two stages are written for OpenQuake."""
+
+
+@checked
+def write_assessment(
+    assessment: "Assessment",
+    folder: Path | str,
+    *,
+    command: str = "",
+    files: Sequence[Path] = (),
+    force: bool = False,
+) -> list[Path]:
+    """Write an assessment into a folder: results, curves for loss tools, and its inputs.
+
+    Every file is written whole, in a hidden folder first: what fails leaves all as it was.
+
+    Parameters
+    ----------
+    assessment
+        From `rocksteady.assess_object`.
+    folder
+        New, empty, or with files of an assessment, which `force` replaces.
+    command
+        The command line that makes it again; default "".
+    files
+        The files that were read, whose hashes are kept; none by default.
+    force
+        Replace files of an earlier assessment; default False.
+
+    Returns
+    -------
+    list of Path
+        ``results.csv`` (a row a run), ``fragility.csv`` and ``fragility.json`` as pelicun reads
+        them, ``fragility.xml`` for OpenQuake, and ``run.json``; without an ensemble the last alone.
+
+    Raises
+    ------
+    OutputError
+        If the folder holds anything else, or cannot be written.
+    """
+    check_assessment_folder(folder, force=force)
+    stale = [each.name for each in Path(folder).glob("*")] if Path(folder).is_dir() else []
+    written = fill_folder(folder, lambda stage: _fill(assessment, stage, command, files))
+    fresh = {each.name for each in written}
+    for name in stale:  # of an earlier answer, to which this one has no counterpart
+        if name not in fresh:
+            (Path(folder) / name).unlink()
+    return written
+
+
+def check_assessment_folder(folder: Path | str, *, force: bool = False) -> None:
+    """Refuse, before anything is computed, a folder that could not be filled.
+
+    Raises
+    ------
+    OutputError
+        If it holds anything but files of an assessment, or those without `force`.
+    """
+    target = Path(folder)
+    check_folder(target, OURS, force=force)
+    foreign = sorted(each.name for each in target.iterdir()) if target.is_dir() else []
+    foreign = [name for name in foreign if not re.fullmatch(OURS, name)]
+    if foreign:
+        raise OutputError(
+            "out",
+            target,
+            f"it holds {foreign[0]}, which is no file of an assessment",
+            "name a new or an empty folder",
+        )
+
+
+def _fill(assessment: "Assessment", stage: Path, command: str, files: Sequence[Path]) -> None:
+    """Write all files into a folder."""
+    described, fragility = assessment.described, assessment.fragility
+    notes: list[str] = []
+    if fragility is not None:
+        write_results_csv(stage / "results.csv", fragility.ensemble)
+        notes = _write_curves(assessment, stage)
+    answer = assessment.to_dict()
+    answer.pop("seconds")  # the same inputs give the same bytes
+    settings = {
+        "object": {
+            "source": described.source,
+            "sha256": described.sha256,
+            "values": described.values,
+        },
+        "bands_seed": None if fragility is None else getattr(fragility.fitting.bands, "seed", None),
+        "left_out": notes,
+        "answer": answer,
+    }
+    manifest = make_manifest(
+        assessment.motions,
+        files=files,
+        ensemble=None if fragility is None else fragility.ensemble,
+        command=command,
+        settings=settings,
+        warnings=() if fragility is None else fragility.warnings,
+    )
+    write_manifest(stage / "run.json", manifest)
+
+
+def _write_curves(assessment: "Assessment", stage: Path) -> list[str]:
+    """Write the curves that loss tools take; return what was left out and why."""
+    described = assessment.described
+    plain = re.sub(r"[^A-Za-z0-9_.]+", "_", described.name).strip("_.")
+    identifier = f"RS.{plain}"[:75]
+    try:
+        component = LossComponent.from_fragility(
+            assessment.fragility,
+            identifier,
+            floor=described.given.demand.place == "floor",
+            description=f"{described.name}: {assessment.facts.describe().headline}",
+        )
+    except InputError as error:
+        return [f"No fragility for loss tools: {error}"]
+    with_lognormal = tuple(state for state in component.states if state.median is not None)
+    left_out = [state.name for state in component.states if state.median is None]
+    notes = [f"{name} has no lognormal and is in fragility.xml alone" for name in left_out]
+    if with_lognormal:
+        write_pelicun(stage / "fragility.csv", [replace(component, states=with_lognormal)])
+    else:
+        notes.append("No state has a lognormal: there is no fragility.csv")
+    write_openquake(stage / "fragility.xml", [component], points=POINTS)
+    return notes

@@ -1,0 +1,255 @@
+"""The whole assessment: its numbers against runs made another way, its refusals, its words."""
+
+import json
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rocksteady.errors import InputError, ModelError
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.model.motions.record import Record
+from rocksteady.outcomes import Status
+from rocksteady.risk.assess._counts import THE_DEMAND
+from rocksteady.risk.assess._remedies import Search, cheapest, find_remedies
+from rocksteady.risk.assess._sensitivity import tornado, vary
+from rocksteady.risk.assess.assessment import Assessment, assess_object
+from rocksteady.risk.assess.described.objects import ObjectFile
+from rocksteady.risk.assess.synthetic import make_synthetic_suite
+from rocksteady.risk.fits.bands import Bands
+from rocksteady.risk.hazard.failure_risk import compute_risk
+from rocksteady.risk.hazard.hazard_curve import HazardCurve
+from rocksteady.seismic.measures.scalar import Intensity, measure_scalar
+from rocksteady.seismic.spectra.many import simulate_many
+from rocksteady.sweep.run import Run
+from tests.risk.assess.levels import level_of
+
+SUITE = make_synthetic_suite(12)
+PGV = 0.45
+FEW = {"damage_states": ["overturned"], "draws": 2, "levels": 6}
+
+
+def described(assessment: dict[str, Any] | None = None, **keys: Any) -> ObjectFile:
+    values: dict[str, Any] = {
+        "name": "statue",
+        "friction": 0.5,
+        "geometry": {"width_m": 0.34, "height_m": 1.8, "mass_kg": 200.0},
+        "demand": {"pga_g": 0.4, "pgv_m_s": PGV},
+        "assessment": {**FEW, **(assessment or {})},
+    }
+    return ObjectFile(values={**values, **keys})
+
+
+def fallen(block: Block, pgv_m_s: float, ratios: tuple[float, ...] = ()) -> int:
+    """Count falls by another route: record by record, each scaled by its own factor."""
+    count = 0
+    for ratio in ratios or (block.restitution,):
+        body = block.with_restitution(ratio)
+        for record in SUITE:
+            factor = pgv_m_s / measure_scalar(record, Intensity("pgv_m_s"))
+            found = simulate_many(body, record, scales=factor)
+            count += int(found["status"] == Status.OVERTURNED)
+    return count
+
+
+@pytest.fixture(scope="module", name="found")
+def _found() -> Assessment:
+    hazard = HazardCurve(measure="pgv_m_s", levels=[0.01, 1.0, 10.0], rates=[1.0, 1e-3, 1e-4])
+    return assess_object(described(), SUITE, hazard=hazard)
+
+
+def test_the_probability_is_that_of_the_fragility_at_the_demand(found: Assessment) -> None:
+    assert found.fragility is not None
+    assert found.curve is not None
+    block = found.facts.block
+    at = block.p * PGV / (block.gravity * math.tan(block.alpha))
+    expected = float(found.curve.probability(np.array([at]))[0])
+    assert found.probability == pytest.approx(expected, rel=1e-9)
+    assert found.probability_band is not None
+    low, high = found.probability_band
+    assert low <= expected <= high
+    assert found.fragility.records == len(SUITE)
+    assert found.verdict == "above target"
+    assert found.colour == "red"
+
+
+def test_the_cases_count_what_runs_of_their_own_do(found: Assessment) -> None:
+    """Each record by itself, scaled by its own factor, for the restitutions of the band."""
+    block = found.facts.block
+    e = block.restitution
+    ends = (e, min(0.98, math.sqrt(e)))
+    base = found.cases[0]
+    assert (base.fell, base.trials) == (fallen(block, PGV, ends), 2 * len(SUITE))
+    low, high = (case for case in found.cases if case.parameter == "restitution")
+    assert low.fell == fallen(block, PGV, ends[:1])
+    assert high.fell == fallen(block, PGV, ends[1:])
+    assert low.fell + high.fell == base.fell
+    assert 0 < base.fell < base.trials
+
+
+def test_a_case_is_the_object_with_that_changed(found: Assessment) -> None:
+    worn = next(case for case in found.cases if case.parameter == "base width")
+    k = math.hypot(0.34, 1.8) / math.sqrt(12.0)
+    body = Block.asymmetric(left=0.1615, right=0.1615, height=1.8, gyration=k)
+    e = body.restitution
+    assert worn.fell == fallen(body, PGV, (e, min(0.98, math.sqrt(e))))
+    assert {case.parameter for case in found.cases[1:]} == {
+        "mass centre", "base width", "restitution",
+    }  # fmt: skip
+
+
+def test_bars_of_the_tornado_hold_their_cases_and_the_widest_is_first(found: Assessment) -> None:
+    bars = tornado(found.cases)
+    widths = [bar["high"] - bar["low"] for bar in bars]
+    assert widths == sorted(widths, reverse=True)
+    assert widths[0] > 0.0
+    for case in found.cases[1:]:
+        bar = next(bar for bar in bars if bar["parameter"] == case.parameter)
+        assert bar["low"] <= case.probability <= bar["high"]
+        assert bar["low"] <= found.cases[0].probability <= bar["high"]
+
+
+def test_remedies_are_confirmed_by_their_own_runs(found: Assessment) -> None:
+    width = next(each for each in found.remedies if each.name == "width")
+    assert width.value is not None
+    assert width.value > 0.34
+    assert width.confirmed
+    assert width.fitted is not None
+    assert width.fitted <= 0.1
+    k = math.hypot(0.34, 1.8) / math.sqrt(12.0)
+    half = 0.17 * (1.0 + (width.change or 0.0))
+    body = Block.asymmetric(left=half, right=half, height=1.8, gyration=k)
+    e = body.restitution
+    assert width.fell == fallen(body, PGV, (e, min(0.98, math.sqrt(e))))
+    ballast = next(each for each in found.remedies if each.name == "ballast")
+    assert ballast.change is not None
+    assert ballast.value == pytest.approx(200.0 * ballast.change)
+    centre = (0.9 + 0.05 * ballast.change) / (1.0 + ballast.change)
+    assert f"{1000.0 * centre:.3g} mm" in ballast.words
+    changes = [each.change for each in found.remedies if each.change is not None]
+    assert changes == sorted(changes)
+    least = cheapest(found.remedies)
+    assert least is found.remedies[0]
+    assert found.remedies[0].words in found.sentence
+
+
+def test_the_friction_cap_is_the_slope_of_the_block_with_a_higher_mass_centre(
+    found: Assessment,
+) -> None:
+    cap = next(each for each in found.remedies if each.name == "friction cap")
+    assert cap.value == pytest.approx(0.17 / (1.1 * 0.9))
+    assert cap.change == pytest.approx(1.0 - 0.17 / (1.1 * 0.9) / 0.5)
+
+
+def test_a_target_out_of_reach_has_no_width_and_one_reached_needs_none() -> None:
+    vase = described(
+        geometry={"width_m": 0.05, "height_m": 0.5}, demand={"pgv_m_s": 5.0}, friction=0.6
+    )
+    search = Search(vase, SUITE, level_of(vase, SUITE), 0.01, None)
+    width, ballast = (
+        next(each for each in find_remedies(search) if each.name == name)
+        for name in ("width", "ballast")
+    )
+    assert (width.change, ballast.change) == (None, None)
+    assert "not even" in width.words
+    chest = described(geometry={"width_m": 0.9, "height_m": 1.8}, demand={"pgv_m_s": 0.05})
+    done = find_remedies(Search(chest, SUITE, level_of(chest, SUITE), 0.1, None))
+    assert next(each for each in done if each.name == "width").change == 0.0
+
+
+def test_the_risk_is_that_of_the_fragility_over_the_velocity(found: Assessment) -> None:
+    """The measure of the runs is a multiple of PGV: risk over it must be the same."""
+    (risk,) = found.risks
+    assert found.curve is not None
+    other = compute_risk(
+        found.curve, risk.hazard, measure="p_pgv_per_uplift", block=found.facts.block
+    )
+    assert risk.annual_rate == pytest.approx(other.annual_rate, rel=1e-3)
+    assert 0.0 < risk.annual_rate < 1.0
+    assert found.to_dict()["risks"][0]["annual_rate"] == risk.annual_rate
+
+
+def test_everything_is_plain_json_and_every_caveat_is_printed(found: Assessment) -> None:
+    text = json.dumps(found.to_dict(), allow_nan=False)
+    assert len(text) > 1000
+    notes = " ".join(found.describe().notes)
+    for words in ("rigid body", "no prediction", "stronger", "Vertical", "Restitution in tests",
+                  "slide", "not averaged", "anchorage"):  # fmt: skip
+        assert words in notes, words
+    assert found.summary().startswith("About ")
+    assert "fall" in found.summary()
+
+
+def test_no_number_depends_on_the_workers(found: Assessment) -> None:
+    again = assess_object(described(), SUITE, run=Run(executor="serial"))
+    first, second = found.to_dict(), again.to_dict()
+    for key in ("probability", "cases", "tornado", "remedies", "median", "probability_band"):
+        assert first[key] == second[key], key
+
+
+@pytest.mark.parametrize(("friction", "verdict"), [(0.1, "slides"), (0.2, "slides")])
+def test_where_friction_governs_there_is_no_probability(friction: float, verdict: str) -> None:
+    """Below tan alpha it slides; between that and Shenton's need it slides and rocks."""
+    found = assess_object(described(friction=friction), SUITE)
+    assert found.verdict == verdict
+    assert (found.probability, found.fragility, found.colour) == (None, None, "grey")
+    assert found.cases == found.remedies == ()
+    assert "rocking is no answer" in found.sentence
+    assert "friction of 0.2" in found.reason
+    assert found.screens.rows
+
+
+def test_the_lowest_friction_of_a_range_counts() -> None:
+    found = assess_object(described(friction={"low": 0.1, "high": 0.9}), SUITE)
+    assert found.verdict == "slides"
+    assert "0.1 is the lowest given" in found.reason
+
+
+def test_an_acceleration_that_does_not_lift_is_an_answer() -> None:
+    found = assess_object(described(demand={"pga_g": 0.18, "pgv_m_s": PGV}), SUITE)
+    assert (found.verdict, found.colour, found.probability) == ("stands", "green", 0.0)
+    assert found.remedies == ()
+    assert found.fragility is not None
+    assert "does not lift it" in found.sentence
+
+
+def test_a_target_that_is_met_needs_no_remedy() -> None:
+    found = assess_object(described({"target_probability": 0.9}), SUITE)
+    assert found.verdict == "below target"
+    assert found.remedies == ()
+    assert "within the target of 90 %" in found.sentence
+    assert found.colour in ("amber", "green")
+
+
+def test_without_a_demand_the_motions_as_they_are_give_it() -> None:
+    found = assess_object(described(demand={}), SUITE)
+    median = np.median([measure_scalar(each, Intensity("pgv_m_s")) for each in SUITE])
+    assert f"{median:.3g} m/s, the median of the motions" in found.demand
+
+
+def test_vertical_motion_is_a_case_of_its_own() -> None:
+    pairs = [
+        BaseMotion(each, Record(acceleration_m_s2=0.6 * each.acceleration_m_s2[::-1],
+                                dt_s=each.dt_s))
+        for each in SUITE[:6]
+    ]  # fmt: skip
+    cases = vary(described({"draws": 1}), pairs, level_of(described(), pairs))
+    assert [case.parameter for case in cases][-1] == "vertical motion"
+    assert cases[-1].trials == len(pairs)
+
+
+def test_a_measure_needs_its_demand() -> None:
+    with pytest.raises(ModelError, match=r"\[demand\] pga_g is missing: the intensity measure"):
+        assess_object(described({"intensity_measure": "pga_g"}, demand={"pgv_m_s": 0.4}), SUITE)
+    with pytest.raises(InputError, match="motions"):
+        assess_object(described(), [])
+
+
+def test_the_demand_is_the_middle_of_the_levels_of_a_case() -> None:
+    from rocksteady.risk.assess._sensitivity import levels_about
+
+    level = level_of(described(), SUITE)
+    assert levels_about(level)[THE_DEMAND] == pytest.approx(PGV)
+    assert Bands().seed == 0

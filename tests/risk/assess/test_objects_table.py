@@ -1,0 +1,143 @@
+"""Tables of objects: each row against runs of its own, colours, order, and what is refused."""
+
+import math
+
+import numpy as np
+import pytest
+
+from rocksteady.errors import InputError, ModelError
+from rocksteady.model.blocks.block import Block
+from rocksteady.outcomes import Status
+from rocksteady.risk.assess.described.objects import ObjectFile
+from rocksteady.risk.assess.objects_table import ObjectsTable, assess_objects
+from rocksteady.risk.assess.synthetic import make_synthetic_suite
+from rocksteady.risk.assess.two_numbers import assess_two_numbers
+from rocksteady.seismic.measures.scalar import Intensity, measure_scalar
+from rocksteady.seismic.spectra.many import simulate_many
+
+SUITE = make_synthetic_suite(12)
+SIZES = {f"object {b} {h}": (b, h) for b in (0.2, 0.3, 0.4) for h in (1.2, 1.6, 2.0)}
+
+
+def objects() -> list[ObjectFile]:
+    plain = [
+        ObjectFile(
+            values={"name": name, "geometry": {"width_m": b, "height_m": h}},
+            extra={"room": "4", "name": "again"},
+        )
+        for name, (b, h) in SIZES.items()
+    ]
+    geometry = {"width_m": 0.4, "height_m": 1.6, "offset_m": 0.05}
+    smooth = {"width_m": 0.3, "height_m": 1.8}
+    return [
+        *plain,
+        ObjectFile(values={"name": "off centre", "geometry": geometry}),
+        ObjectFile(values={"name": "smooth", "geometry": smooth, "friction": 0.1}),
+        ObjectFile(values={"name": "chest", "geometry": {"width_m": 1.0, "height_m": 1.2}}),
+    ]
+
+
+@pytest.fixture(scope="module", name="table")
+def _table() -> ObjectsTable:
+    return assess_objects(objects(), SUITE, pga_g=0.4, pgv_m_s=0.45)
+
+
+def test_each_row_counts_what_runs_of_its_own_do(table: ObjectsTable) -> None:
+    factors = [0.45 / measure_scalar(each, Intensity("pgv_m_s")) for each in SUITE]
+    rows = {row["name"]: row for row in table.rows}
+    fallen = 0
+    for described in objects():
+        signs = [False] if described.block.symmetric else [False, True]
+        statuses = [
+            int(simulate_many(described.block, each, scales=factor, reverse=sign)["status"])
+            for sign in signs
+            for each, factor in zip(SUITE, factors, strict=True)
+        ]
+        row = rows[described.name]
+        assert row["trials"] == len(SUITE) * len(signs)
+        assert row["fell"] == statuses.count(Status.OVERTURNED), described.name
+        assert row["counted"] == row["fell"] / row["trials"]
+        fallen += row["fell"]
+    assert fallen > 10
+
+
+def test_fitted_and_closed_form_stand_beside_the_count(table: ObjectsTable) -> None:
+    assert table.curve is not None
+    for described, row in zip(objects(), table.rows, strict=True):
+        closed = assess_two_numbers(described.block, 0.4, 0.45).probability
+        assert row["closed_form"] == closed
+        side = min(
+            (described.block.positive, described.block.negative), key=lambda each: each.alpha
+        )
+        at = side.p * 0.45 / (9.80665 * math.tan(side.alpha))
+        falls = float(table.curve.probability(np.array([at]))[0])
+        assert row["fitted"] == pytest.approx(falls * row["lifted"] / row["trials"])
+    fitted = [row["fitted"] for row in table.rows]
+    counted = [row["counted"] for row in table.rows]
+    assert np.corrcoef(fitted, counted)[0, 1] > 0.9
+
+
+def test_a_colour_is_its_probability_and_has_a_word(table: ObjectsTable) -> None:
+    words = {"red": "high", "amber": "raised", "green": "low", "grey": "no answer"}
+    for row in table.rows:
+        share = row["probability"]
+        colour = "grey" if share is None else "green" if share <= 0.02 else "red"
+        if share is not None and 0.02 < share <= 0.1:
+            colour = "amber"
+        assert row["colour"] == colour
+        assert row["class"] == words[colour]
+        assert row["sentence"].startswith(row["name"])
+        assert row["sentence"].endswith(".")
+    rows = {row["name"]: row for row in table.rows}
+    assert (rows["smooth"]["verdict"], rows["smooth"]["probability"]) == ("slides", None)
+    assert (rows["chest"]["verdict"], rows["chest"]["probability"]) == ("stands", 0.0)
+    assert {"red", "green", "grey"} <= {row["colour"] for row in table.rows}
+
+
+def test_further_columns_are_kept_and_overwrite_none(table: ObjectsTable) -> None:
+    first = table.rows[0]
+    assert first["room"] == "4"
+    assert first["name"] == "object 0.2 1.2"
+    assert first["name (given)"] == "again"
+
+
+def test_rows_are_sorted_by_any_column_and_those_without_a_value_are_last(
+    table: ObjectsTable,
+) -> None:
+    ranked = table.sorted_by("probability")
+    shares = [row["probability"] for row in ranked]
+    assert shares[-1] is None
+    assert shares[:-1] == sorted(shares[:-1], reverse=True)
+    names = [row["name"] for row in table.sorted_by("name", descending=False)]
+    assert names == sorted(names)
+    assert len(names) == len(table.rows)
+    with pytest.raises(InputError, match="columns are name, kind"):
+        table.sorted_by("colours")
+
+
+def test_the_whole_table_is_in_json_and_the_worst_come_first(table: ObjectsTable) -> None:
+    values = table.to_dict()
+    assert [row["name"] for row in values["objects"]] == [
+        row["name"] for row in table.sorted_by("probability")
+    ]
+    assert sum(values["colours"].values()) == len(table.rows)
+    assert "colour" in table.summary()
+
+
+def test_an_acceleration_alone_counts_and_has_no_closed_form() -> None:
+    block = Block.rectangle(width=0.3, height=1.6)
+    described = ObjectFile(values={"name": "x", "geometry": {"width_m": 0.3, "height_m": 1.6}})
+    (row,) = assess_objects([described], SUITE, pga_g=0.6).rows
+    found = simulate_many(block, SUITE, pga_g=0.6)
+    assert row["fell"] == int((found["status"] == Status.OVERTURNED).sum())
+    assert (row["fitted"], row["closed_form"]) == (None, None)
+    assert row["probability"] == row["counted"]
+
+
+def test_what_is_missing_is_named() -> None:
+    with pytest.raises(ModelError, match="pga_g, pgv_m_s are both missing"):
+        assess_objects(objects()[:1], SUITE)
+    with pytest.raises(InputError, match="objects"):
+        assess_objects([], SUITE, pga_g=0.3)
+    with pytest.raises(InputError, match="pgv_m_s = 45"):
+        assess_objects(objects()[:1], SUITE, pgv_m_s=45.0)
