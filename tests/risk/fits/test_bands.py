@@ -1,7 +1,6 @@
 """Bands: their coverage on synthetic suites, their spread, their seeds and their limits."""
 
 import math
-import time
 from typing import Any
 
 import numpy as np
@@ -171,12 +170,3 @@ def test_bands_of_56_records_cover_what_they_promise(within: float) -> None:
 def test_options_out_of_range_are_refused(options: dict[str, Any], name: str) -> None:
     with pytest.raises(ValueError, match=name):
         Bands(**options)
-
-
-@pytest.mark.slow
-def test_bands_of_56_records_take_a_second_of_one_core() -> None:
-    suite = make_suite(56, seed=0)
-    begin = time.process_time()
-    found = fit_curve(suite.intensity, suite.failures, groups=suite.record, bands=Bands())
-    assert time.process_time() - begin < 1.5
-    assert found.beta_band is not None
