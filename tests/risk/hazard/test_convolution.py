@@ -31,7 +31,7 @@ def power_law(k: float, low: float = 1e-4, high: float = 1e4, points: int = 9) -
 
 def rate(median: float, beta: float, hazard: HazardCurve) -> float:
     curve = Converted(Lognormal(median, beta), 1.0)
-    return convolve(curve.probability, curve, hazard).total
+    return convolve(curve.probability, curve.knots, hazard).total
 
 
 def stieltjes(probability: Callable[[Floats], Floats], hazard: HazardCurve, steps: int) -> float:
@@ -105,13 +105,13 @@ class Gated:
 def test_any_curve_agrees_with_a_sum_over_a_million_steps(fragile: Logistic | Gated) -> None:
     curve = Converted(fragile, 1.0)  # type: ignore[arg-type]
     slow = stieltjes(fragile.probability, BENT, 1_000_000)
-    assert convolve(curve.probability, curve, BENT).total == pytest.approx(slow, rel=2e-5)
+    assert convolve(curve.probability, curve.knots, BENT).total == pytest.approx(slow, rel=2e-5)
 
 
 @pytest.mark.parametrize("hazard", [BENT, BENT.extended()])
 def test_parts_add_up_and_quantiles_divide_the_integral(hazard: HazardCurve) -> None:
     curve = Converted(Lognormal(0.3, 0.5), 1.0)
-    found = convolve(curve.probability, curve, hazard)
+    found = convolve(curve.probability, curve.knots, hazard)
     parts = found.between(hazard.levels)
     assert parts.sum() == pytest.approx(found.total, rel=1e-12)
     assert (parts[0] > 0.0) == (hazard.tail == "power-law")
@@ -123,7 +123,7 @@ def test_parts_add_up_and_quantiles_divide_the_integral(hazard: HazardCurve) -> 
         levels = np.array([cut[0], *inner, at])
         below = HazardCurve(measure="pgv_m_s", levels=levels, rates=hazard.rate(levels))
         # What is below a level: the integral up to it, without what counts beyond it.
-        part = convolve(curve.probability, curve, below)
+        part = convolve(curve.probability, curve.knots, below)
         assert (part.total - part.lump + parts[0]) / found.total == pytest.approx(share, rel=1e-9)
 
 
@@ -131,7 +131,7 @@ def test_what_lies_outside_is_that_of_power_laws() -> None:
     k, median, beta = 2.5, 0.4, 0.6
     hazard = power_law(k, 0.1, 1.0)
     curve = Converted(Lognormal(median, beta), 1.0)
-    found = convolve(curve.probability, curve, hazard)
+    found = convolve(curve.probability, curve.knots, hazard)
     exact = 1e-4 * median**-k * math.exp(0.5 * k * k * beta * beta)
     inside = found.total - found.lump
     assert found.below + inside + found.above == pytest.approx(exact, rel=1e-9)
@@ -144,8 +144,8 @@ def test_what_lies_outside_is_that_of_power_laws() -> None:
 def test_a_lower_tail_that_rises_faster_than_the_fragility_falls_has_no_end() -> None:
     curve = Converted(Logistic(), 1.0)  # type: ignore[arg-type]
     steep, flat = power_law(6.0, 0.1, 1.0), power_law(3.0, 0.1, 1.0)
-    assert math.isinf(convolve(curve.probability, curve, steep).below)
-    assert 0.0 < convolve(curve.probability, curve, flat).below < math.inf
+    assert math.isinf(convolve(curve.probability, curve.knots, steep).below)
+    assert 0.0 < convolve(curve.probability, curve.knots, flat).below < math.inf
 
 
 def test_a_flat_curve_has_no_shaking_between_its_levels() -> None:

@@ -15,7 +15,6 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.risk.hazard._fragile import Converted
 from rocksteady.risk.hazard.hazard_curve import LARGEST_EXPONENT, HazardCurve
 
 Floats = NDArray[np.float64]
@@ -105,7 +104,7 @@ class Integral:
 
 
 def convolve(
-    probability: Callable[[Floats], Floats], fragility: Converted, hazard: HazardCurve
+    probability: Callable[[Floats], Floats], knots: Floats, hazard: HazardCurve
 ) -> Integral:
     """Return the risk integral of a probability of failure over a hazard curve.
 
@@ -113,8 +112,8 @@ def convolve(
     ----------
     probability
         Of failure, at intensities of the hazard curve.
-    fragility
-        Whose probability it is, or whose band: where it changes fast.
+    knots
+        Logarithms of intensities at which it changes fast, or is not smooth.
     hazard
         Without tails the rate of its last level counts with the probability there, which is a
         lower bound of what lies above it, and nothing counts below its first level.
@@ -132,7 +131,6 @@ def convolve(
         found: Floats = k[at] * rate * probability(np.exp(np.clip(u, -FURTHEST, FURTHEST)))
         return found
 
-    knots = fragility.knots
     inside = _integrate(density, _edges(x, knots))
     first = x[0] - np.arange(REACH + 1.0)[::-1]
     below = _integrate(density, _edges(first, knots)) if low > 0.0 else _nothing()

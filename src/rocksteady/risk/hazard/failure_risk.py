@@ -29,6 +29,10 @@ SHARES = (0.05, 0.5, 0.95)
 """Of the risk integral, at whose intensities it is divided."""
 HCLPF_FACTOR = 1.645
 """Of both betas in the exponent of the HCLPF capacity."""
+BAND_POINTS = 200
+"""Points at which a band is evaluated."""
+BEYOND = 5.0
+"""Of the levels of a hazard curve with tails, in units of ln(intensity), for a band."""
 MUCH = 0.05
 """Share of the risk integral that is worth a sentence."""
 
@@ -325,13 +329,8 @@ def compute_risk(
     beta_u = in_range("beta_u", beta_u, 0.0, 20.0, "[]", hint="give 0, or .2 to .4")
     curve, words, remarks = fragility_over(fragility, hazard, measure, block)
     found = failure_integral(curve, hazard)
-    low, high = hazard.levels[0], hazard.levels[-1]
     median, beta = curve.quantile(0.5), curve.beta if curve.quantile(0.5) > 0.0 else math.nan
     k, closed = _closed_form(hazard, median, beta)
-    band = None
-    if curve.band(hazard.levels) is not None:
-        low, high = (_edge_rate(curve, hazard, side) for side in (0, 1))
-        band = (low, high)
     return Risk(
         fragility=curve.curve,
         hazard=hazard,
@@ -340,7 +339,7 @@ def compute_risk(
         years=years,
         beta_u=beta_u,
         annual_rate=found.total,
-        annual_rate_band=band,
+        annual_rate_band=_edge_rates(curve, hazard),
         rate_below=found.below,
         rate_above=found.above,
         median=median,
@@ -418,7 +417,7 @@ def failure_integral(curve: Converted, hazard: HazardCurve) -> Integral:
     InputError
         If the hazard's lower tail rises faster than the fragility falls.
     """
-    found = convolve(curve.probability, curve, hazard)
+    found = convolve(curve.probability, curve.knots, hazard)
     if hazard.tail == "power-law" and math.isinf(found.below):
         raise InputError(
             "tail",
@@ -430,14 +429,23 @@ def failure_integral(curve: Converted, hazard: HazardCurve) -> Integral:
     return found
 
 
-def _edge_rate(curve: Converted, hazard: HazardCurve, side: int) -> float:
-    """Return the rate of failure of the lower (0) or the upper (1) edge of a band."""
+def _edge_rates(curve: Converted, hazard: HazardCurve) -> tuple[float, float] | None:
+    """Return the rates of failure of both edges of a band; None without one.
 
-    def probability(intensity: Floats) -> Floats:
-        band = curve.band(intensity)
-        return curve.probability(intensity) if band is None else band[side]
+    A bootstrap is evaluated once, at points between which its edges are straight lines.
+    """
+    ends = np.log(hazard.levels[[0, -1]])
+    if hazard.tail == "power-law":
+        ends = ends + np.array([-BEYOND, BEYOND])
+    at = np.linspace(ends[0], ends[1], BAND_POINTS)
+    band = curve.band(np.exp(at))
+    if band is None:
+        return None
 
-    return convolve(probability, curve, hazard).total
+    def rate(edge: Floats) -> float:
+        return convolve(lambda x: np.interp(np.log(x), at, edge, left=0.0), at, hazard).total
+
+    return rate(band[0]), rate(band[1])
 
 
 def _closed_form(hazard: HazardCurve, median: float, beta: float) -> tuple[float, float]:
