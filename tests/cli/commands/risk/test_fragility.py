@@ -109,11 +109,14 @@ def test_a_vertical_channel_is_run_with_its_station(tmp_path: Path) -> None:
 
 
 def test_runs_are_kept_continued_and_written(folder: Path, tmp_path: Path) -> None:
-    store, table, data = (tmp_path / name for name in ("runs.zarr", "runs.csv", "runs.nc"))
+    names = ("runs.zarr", "runs.csv", "runs.nc", "curves.png")
+    store, table, data, picture = (tmp_path / name for name in names)
     first = rocksteady(
-        f"{FEW} --json --records {folder} --out {store} --csv {table} --netcdf {data}"
+        f"{FEW} --json --records {folder} --out {store} --csv {table} --netcdf {data} "
+        f"--plot {picture}"
     )
     assert first.code == 0
+    assert picture.read_bytes().startswith(b"\x89PNG")
     assert "it exists" in refused(f"{FEW} --records {folder} --out {store}")
     again = rocksteady(f"{FEW} --json --records {folder} --out {store} --resume")
     assert again.json["fits"] == first.json["fits"]
