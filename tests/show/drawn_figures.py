@@ -11,13 +11,16 @@ from rocksteady import (
     Block,
     BranchSearch,
     DimensionlessBlock,
+    Fitting,
     Harmonic,
     Record,
+    RestitutionBand,
     State,
     Still,
     Trajectory,
     compute_basins,
     compute_erosion,
+    compute_fragility,
     compute_region_map,
     compute_response_curve,
     compute_response_spectrum,
@@ -35,6 +38,7 @@ from rocksteady import (
 from rocksteady.model.equations import Linear, Nonlinear
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.show.figures.maps import map_figure
+from rocksteady.show.figures.risk import fragility_figure
 from rocksteady.show.figures.single import (
     basins_figure,
     bifurcation_figure,
@@ -133,6 +137,9 @@ def makers() -> dict[str, Callable[[Page], Figure]]:
         BARE, SHAKING, angles=np.linspace(-1, 1, 40), velocities=np.linspace(-1, 1, 40)
     )
     free = simulate(BLOCK, Still(), start=State(angle=0.8, velocity=0.0), model=Linear())
+    fallen = compute_fragility(
+        BLOCK, suite, restitution=RestitutionBand(draws=1), fitting=Fitting(bands=None)
+    )
     return {
         "simulation": lambda page: simulation_figure(rocking(), TITLE, page),
         "free": lambda page: simulation_figure(free, TITLE, page),
@@ -156,6 +163,7 @@ def makers() -> dict[str, Callable[[Page], Figure]]:
         "line": lambda page: map_figure(line, TITLE, page),
         "spectrum": lambda page: spectrum_figure(spectrum.isel(record=0), TITLE, page),
         "spectrum-map": lambda page: spectrum_figure(many, TITLE, page),
+        "fragility": lambda page: fragility_figure(fallen, title=TITLE, page=page),
         "suite": lambda page: suite_figure(summarise_spectra(spectrum), TITLE, page),
     }
 
@@ -163,7 +171,7 @@ def makers() -> dict[str, Callable[[Page], Figure]]:
 NAMES = (
     *("simulation", "free", "vertical", "rest", "orbit", "cloud", "orbits", "steady", "response"),
     *("basins", "erosion", "overturning", "bifurcation", "record", "records"),
-    *("map", "panels", "line", "spectrum", "spectrum-map", "suite"),
+    *("map", "panels", "line", "spectrum", "spectrum-map", "suite", "fragility"),
 )
 
 

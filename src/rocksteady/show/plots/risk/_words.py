@@ -13,4 +13,7 @@ def greek(text: str) -> str:
     >>> greek("theta/alpha > 0.5")
     'θ/α > 0.5'
     """
-    return re.sub(r"\btheta\b", "θ", re.sub(r"\balpha\b", "α", literal(text)))
+    shown = literal(text)
+    for word, letter in (("theta", "θ"), ("alpha", "α"), ("pi", "π")):
+        shown = re.sub(rf"\b{word}\b", letter, shown)
+    return shown

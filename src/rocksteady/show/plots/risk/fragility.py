@@ -190,7 +190,9 @@ def plot_fragility_states(
     for number_, each in enumerate(drawn):
         colour = inks.lines[number_ % len(inks.lines)]
         mark = palette.MARKS[number_ % len(palette.MARKS)]
-        style = {"color": colour, "lw": 1.5 * size, "zorder": 2.8}
+        # Worse states are thinner: the curve of one that never differs from the next is seen.
+        width = max(1.0, 2.2 - 0.3 * number_) * size
+        style = {"color": colour, "lw": width, "zorder": 2.8}
         at, shares, _ = _shares(each)
         axes.plot(at, shares, mark, color=colour, ms=3.6 * size, mew=0.0, alpha=0.75, zorder=2.9)
         name = greek(each.name or "fragility")
