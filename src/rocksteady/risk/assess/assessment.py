@@ -27,6 +27,7 @@ from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
 from rocksteady.risk.assess.described.schema import Options, own_states
 from rocksteady.risk.ensemble.levels import Stripes
 from rocksteady.risk.ensemble.runs import run_ensemble
+from rocksteady.risk.fits.bands import Bands
 from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve, fit_two_stages
 from rocksteady.risk.fragility.damage_states import OVERTURNED, DamageState
@@ -379,12 +380,14 @@ def _stripes(intensity: Intensity, block: Block, options: Options) -> Stripes:
 
 def _fitting(options: Options) -> Fitting:
     """Return the damage states of the file, overturning among them."""
+    bands = Bands(replicates=options.replicates) if options.replicates else None
     states: list[DamageState | float | str] = [
         name if peak is None else DamageState(name, peak) for name, peak in own_states(options)
     ]
     if not states:
-        return Fitting()
-    return Fitting(states=[*states, *([] if OVERTURNED in states else [OVERTURNED])])
+        return Fitting(bands=bands)
+    added = [] if OVERTURNED in states else [OVERTURNED]
+    return Fitting(states=[*states, *added], bands=bands)
 
 
 def _demand_of(described: ObjectFile) -> Demand:
@@ -433,18 +436,12 @@ def _risks(
     block = assessment.facts.block
     return tuple(
         compute_risk(
-            _curve_over(_measure_of(hazard), fragility.ensemble, suite, block),
+            _curve_over(hazard.intensity, fragility.ensemble, suite, block),
             hazard,
-            measure=hazard.measure,
+            measure=hazard.intensity,
         )
         for hazard in curves
     )
-
-
-def _measure_of(hazard: HazardCurve) -> Intensity:
-    """Return the measure of a hazard curve."""
-    name, _, period = str(hazard.measure).partition(":")
-    return Intensity(name, float(period) if period else None)
 
 
 def _curve_over(

@@ -83,6 +83,7 @@ class Options(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     target_probability: float = 0.1
     draws: int = 5
     levels: int = 20
+    replicates: int = 1000
     records: str | None = None
 
 

@@ -48,6 +48,7 @@ BOUNDS: Mapping[str, tuple[float, float, str, str]] = {
 WHOLE: Mapping[str, tuple[int, int, str]] = {
     "draws": (1, 1000, "give the number of restitutions, as 5"),
     "levels": (2, 1000, "give the number of levels of intensity, as 20"),
+    "replicates": (0, 100_000, "give the number of suites of the bands, as 1000; 0 for no bands"),
 }
 
 KINDS: Mapping[str, str] = {
