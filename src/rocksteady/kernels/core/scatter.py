@@ -10,9 +10,9 @@ Words of 32 bits are kept in whole numbers of 64, so that no sum or shift of the
 anything but `WORD`.
 """
 
+from rocksteady.kernels.core._quantile import normal_quantile
 from rocksteady.kernels.core.tables import KEY, RESTITUTION, SCATTER, SCATTERED_SIDE_COLUMNS, Floats
 from rocksteady.kernels.core.typed import whole
-from rocksteady.kernels.elementary.quantile import normal_quantile
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
 WORD = whole(2**32 - 1)
@@ -23,6 +23,7 @@ EVEN = (whole(13), whole(15), whole(26), whole(6))
 ODD = (whole(17), whole(29), whole(16), whole(24))
 """Places by which four rounds turn a word, in turn."""
 UNIFORM_BITS = 52
+UNIFORM_PART = 2.0**-52
 ATTEMPTS = 1000
 """Draws after which the mean is taken: never in practice, with no larger deviation than below."""
 LARGEST_DEVIATION = 1.0
@@ -69,7 +70,7 @@ def uniform(key: int, impact: int, attempt: int) -> float:
     """Return a uniform number inside (0, 1): the middle of one of 2^52 equal parts."""
     high, low = threefry(key & WORD, key >> WORD_BITS, impact & WORD, attempt & WORD)
     bits = (high << (UNIFORM_BITS - 32)) | (low >> (64 - UNIFORM_BITS))
-    return (bits + 0.5) * 2.0**-UNIFORM_BITS
+    return (bits + 0.5) * UNIFORM_PART
 
 
 @compiled

@@ -119,15 +119,14 @@ def shaken_fates(
     for _, on_ground in groupby(sorted(range(count), key=shaken_alike), lambda c: id(shaking[c])):
         cells = list(on_ground)
         table = _table(shaking[cells[0]], is_nonlinear(own[cells[0]]), gravity)
-        lift = table[:, LIFT:]
+        scaled = table if shaking[cells[0]].vertical is None else table.copy()
         for (_, factor), alike in groupby(cells, shaken_alike):
-            if factor != 1.0:
-                table = table.copy() if np.shares_memory(table, lift) else table
-                np.multiply(lift, factor, out=table[:, LIFT:])
+            if scaled is not table:
+                np.multiply(table[:, LIFT:], factor, out=scaled[:, LIFT:])
             place = list(alike)
             fates = np.empty(len(place), dtype=np.int64), np.empty(len(place), dtype=np.int64)
             tops = np.empty((len(place), PEAK_COLUMNS))
-            record_fates(table, own[place], afterwards[place], FLIGHT_LIMIT, *fates, tops)
+            record_fates(scaled, own[place], afterwards[place], FLIGHT_LIMIT, *fates, tops)
             status[place], impacts[place], peaks[place] = *fates, tops
     return Fared(status, impacts, peaks[:, PEAK_ANGLE], peaks[:, PEAK_SPEED])
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from mpmath import mp
 
-from rocksteady.kernels.elementary.quantile import normal_quantile
+from rocksteady.kernels.core._quantile import normal_quantile
 from tests.strategies import inner_sample_size
 
 
