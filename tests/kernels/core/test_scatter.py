@@ -57,7 +57,7 @@ def test_an_impact_has_the_first_draw_inside_the_bounds(mean: float, deviation: 
     impacts = rng.integers(1, 2**31, count)
     found = [
         restitution_of(scattered(both_sides(mean), deviation, int(key)), row, int(impact))
-        for row, key, impact in zip(count // 2 * [0, 1], keys, impacts, strict=True)
+        for row, key, impact in zip((np.arange(count) % 2).tolist(), keys, impacts, strict=True)
     ]
     np.testing.assert_allclose(found, draws(mean, deviation, keys, impacts), rtol=1e-13, atol=1e-15)
 
