@@ -254,6 +254,21 @@ def test_limits_leave_out_what_lies_beyond_them() -> None:
     assert found.sampled == (at[inside].min(), at[inside].max())
 
 
+def test_levels_that_differ_by_rounding_are_one_stripe() -> None:
+    """A level over a record's measure, times that measure, is the level but for rounding."""
+    levels, measures = np.geomspace(0.2, 3.0, 6), np.random.default_rng(3).uniform(0.1, 9.0, 30)
+    at = (levels / measures[:, None] * measures[:, None]).ravel()
+    assert len(set(at.tolist())) > 6
+    capacity = np.exp(np.random.default_rng(4).normal(0.0, 0.5, (30, 1)))
+    failures = (levels >= capacity).astype(int).ravel()
+    found = fit_curve(at, failures)
+    assert [row[1] for row in found.stripes] == [30] * 6
+    exact = fit_curve(np.tile(levels, 30), failures)
+    assert found.deviance == pytest.approx(exact.deviance, rel=1e-9)
+    gate = fit_curve(at, np.tile(levels > 0.5, 30).astype(int))
+    assert gate.step == pytest.approx((levels[levels < 0.5].max(), levels[levels > 0.5].min()))
+
+
 def test_few_records_have_a_warning() -> None:
     at, groups = np.tile(np.geomspace(0.2, 3.0, 8), 30), np.repeat(np.arange(30), 8)
     failures = (at > np.exp(np.random.default_rng(2).normal(0.0, 0.4, 30))[groups]).astype(int)

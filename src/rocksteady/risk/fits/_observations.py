@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
 Floats = NDArray[np.float64]
+SAME_LEVEL = 1e-12
+"""Relative difference of intensities that rounding makes."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -114,7 +116,7 @@ def counts_of(
         found = Words("has no trial" if within is None else "has no trial within the limits")
         raise InputError("trials", found, "there must be one or more", "give those that were run")
     intensity, nested = intensity[inside], [counts[inside] for counts in nested]
-    levels, level = np.unique(intensity, return_inverse=True)
+    levels, level = _levels(intensity)
     if names is None:
         cells, multiplicity = _cells(level, nested, len(levels))
     else:
@@ -122,6 +124,16 @@ def counts_of(
     return [
         _stage(levels, outer, inner, multiplicity) for outer, inner in itertools.pairwise(cells)
     ]
+
+
+def _levels(intensity: Floats) -> tuple[Floats, NDArray[np.intp]]:
+    """Return distinct intensities and the place of each observation among them.
+
+    A stripe that was reached by scaling each record differs by rounding from record to record.
+    """
+    distinct, place = np.unique(intensity, return_inverse=True)
+    first = np.append(True, distinct[1:] * (1.0 - SAME_LEVEL) > distinct[:-1])
+    return distinct[first], (np.cumsum(first) - 1)[place]
 
 
 def same_length(name: str, length: int, needed: int) -> None:
