@@ -11,6 +11,16 @@ from rocksteady.model.checks.validation import in_range, whole_number
 class Bands:
     """Hold the options of a bootstrap by record.
 
+    Records are drawn with replacement, all trials of a record together, and each redrawn suite is
+    fitted.  Intervals are studentised: deviations are measured in the standard deviation of their
+    own suite, from the scores of its records.  A redrawn suite without a curve is left out; above 5
+    % of them there is a warning, above half of them and below 11 records no band.
+
+    Of 500 synthetic suites of 11, 22 and 56 records, intervals of 90 % held the median in .884,
+    .906 and .904, beta in .890, .858 and .868, and probabilities of .1, .5 and .9 in .860 to .894,
+    .878 to .914 and .864 to .914.  Percentiles of the redrawn curves held beta in .658, .748 and
+    .806, with bias correction and acceleration in .744, .810 and .848.
+
     Attributes
     ----------
     confidence
