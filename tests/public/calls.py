@@ -410,6 +410,7 @@ def calls() -> dict[str, Call]:
         },
         rs.fit_fragility: {"ensemble": t["fragility"].ensemble, "fitting": t["fitting"]},
         t["fragility"].state: {"name": "overturned"},
+        t["fragility"].describe: {},
         t["fragility"].states[0].rows: {"measure": "pga_g"},
         rs.simulate_many: {"blocks": block, "motions": record, "scales": [1.0, 2.0]},
         rs.scale_motion: {"motion": t["pulse"], "factor": -1.0},

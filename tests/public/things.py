@@ -65,7 +65,7 @@ def things() -> dict[str, Any]:
             Path(path).write_text("t (s),acc (m/s2)\n0,0\n0.1,1\n0.2,-1\n", encoding="utf-8")
         else:
             rs.evaluate(square, grid, (rs.Output(name="value"),), run=rs.Run(store=path))
-    stripes = rs.Stripes("pga_g", [0.2, 0.4])
+    stripes = rs.Stripes("pga_g", [0.4, 0.8, 1.6])
     fitting = rs.Fitting(states=["uplift", "overturned"], bands=None)
     fragility = rs.compute_fragility(
         block,
