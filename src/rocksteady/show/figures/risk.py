@@ -36,8 +36,8 @@ def fragility_figure(
         with page.figure(6.6, 4.4, title) as figure:
             plot_fragility(fragility, figure.add_subplot(), state=state, legend=page.legend)
         return figure
-    with page.figure(11.4, 4.6, title, stacked=1.6) as figure:
-        stacked = page.stacks(11.4)
+    with page.figure(10.8, 4.6, title, stacked=1.6) as figure:
+        stacked = page.stacks(10.8)
         first, second = figure.subplots(2, 1) if stacked else figure.subplots(1, 2)
         beside: LegendPlace = "below" if stacked else "inside"
         plot_fragility(fragility, first, state=state, legend=page.legend)

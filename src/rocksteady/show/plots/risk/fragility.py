@@ -45,6 +45,7 @@ NO_CURVE = {
     "not-rising": "no curve: not more frequent with intensity",
 }
 """Legend entries of data without a curve."""
+NO_BREAK = "\N{NO-BREAK SPACE}"
 LEGEND_WIDTH = 215.0
 """Of curves and their medians [points]."""
 
@@ -244,7 +245,7 @@ def _prepare(axes: "Axes", drawn: Sequence[Drawn]) -> tuple[float, float]:
 
 def _words(curve: Curve, name: str) -> str:
     """Return the legend entry of a curve: its median, and the beta of one that has one."""
-    unit = f" {curve.measure[1]}" if curve.measure[1] else ""
+    unit = _unit(curve)
     if isinstance(curve, FragilityCurve):
         if curve.step is not None:
             return f"step between {' and '.join(map(number, curve.step))}{unit}"
@@ -254,6 +255,11 @@ def _words(curve: Curve, name: str) -> str:
     if not math.isfinite(curve.median):
         return f"{name}, no median"
     return f"{name}, median {number(curve.median)}{unit}"
+
+
+def _unit(curve: Curve) -> str:
+    """Return the unit after a number, from which no line break parts it."""
+    return f"{NO_BREAK}{curve.measure[1]}" if curve.measure[1] else ""
 
 
 def _draw_curve(
@@ -321,9 +327,9 @@ def _draw_gate(axes: "Axes", curve: Curve, limits: tuple[float, float], inks: In
         return []
     uplift = curve.uplift
     style: dict[str, Any] = {"color": inks.base, "lw": 1.2, "zorder": 2.4}
-    if uplift.status == "separated":
-        unit = f" {curve.measure[1]}" if curve.measure[1] else ""
-        words = f"uplift limit {number(uplift.median)}{unit}"
+    if uplift.step is not None:
+        unit = _unit(curve)
+        words = f"uplift between {' and '.join(map(number, uplift.step))}{unit}"
         return [axes.axvline(uplift.median, ls=(0, (1, 1.2)), label=words, **style)]
     if uplift.status != "fitted":
         return []
@@ -337,7 +343,8 @@ def _draw_points(axes: "Axes", shown: Drawn, inks: Inks, size: float) -> Any:
     if not len(at):
         return None
     low, high = _wilson(shares, np.minimum(trials, max(shown.records, 1)))
-    words = f"share of runs, 90 % bar of {plural(shown.records, 'record')}"
+    words = f"share of runs, {100.0 * INTERVAL:g} % bar of "
+    words += plural(shown.records, "record").replace(" ", NO_BREAK)
     axes.vlines(at, low, high, color=inks.faint, lw=0.9 * size, zorder=2.3)
     (points,) = axes.plot(
         at, shares, "o", ms=4.2 * size, color=inks.ink, mec=inks.paper, mew=0.5, label=words,
