@@ -17,6 +17,7 @@ from rocksteady.show.export.pelicun import write_pelicun
 
 if TYPE_CHECKING:
     from rocksteady.risk.assess.assessment import Assessment
+    from rocksteady.risk.fragility.fragility import Fragility
 
 OURS = r"report\.html|results\.csv|fragility\.(csv|json|xml)|run\.json"
 """Names of the files of an assessment."""
@@ -99,7 +100,7 @@ def _fill(assessment: "Assessment", stage: Path, command: str, files: Sequence[P
     notes: list[str] = []
     if fragility is not None:
         write_results_csv(stage / "results.csv", fragility.ensemble)
-        notes = _write_curves(assessment, stage)
+        notes = _write_curves(assessment, fragility, stage)
     answer = assessment.to_dict()
     answer.pop("seconds")  # the same inputs give the same bytes
     settings = {
@@ -123,15 +124,16 @@ def _fill(assessment: "Assessment", stage: Path, command: str, files: Sequence[P
     write_manifest(stage / "run.json", manifest)
 
 
-def _write_curves(assessment: "Assessment", stage: Path) -> list[str]:
+def _write_curves(assessment: "Assessment", fragility: "Fragility", stage: Path) -> list[str]:
     """Write the curves that loss tools take; return what was left out and why."""
     described = assessment.described
     plain = re.sub(r"[^A-Za-z0-9_.]+", "_", described.name).strip("_.")
     identifier = f"RS.{plain}"[:75]
     try:
         component = LossComponent.from_fragility(
-            assessment.fragility,
+            fragility,
             identifier,
+            steps=True,
             floor=described.given.demand.place == "floor",
             description=f"{described.name}: {assessment.facts.describe().headline}",
         )
@@ -139,7 +141,8 @@ def _write_curves(assessment: "Assessment", stage: Path) -> list[str]:
         return [f"No fragility for loss tools: {error}"]
     with_lognormal = tuple(state for state in component.states if state.median is not None)
     left_out = [state.name for state in component.states if state.median is None]
-    notes = [f"{name} has no lognormal and is in fragility.xml alone" for name in left_out]
+    notes = list(component.left_out)
+    notes += [f"{name} has no lognormal and is in fragility.xml alone" for name in left_out]
     if with_lognormal:
         write_pelicun(stage / "fragility.csv", [replace(component, states=with_lognormal)])
     else:
