@@ -55,13 +55,28 @@ def write_assessment(
     Returns
     -------
     list of Path
-        ``results.csv`` (a row a run), ``fragility.csv`` and ``fragility.json`` as pelicun reads
-        them, ``fragility.xml`` for OpenQuake, and ``run.json``; without an ensemble the last alone.
+        A table with a row for each run, curves as pelicun and OpenQuake read them, and the manifest
+        of the run; without an ensemble the manifest alone.
 
     Raises
     ------
     OutputError
         If the folder holds anything else, or cannot be written.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> from rocksteady import ObjectFile, assess_object, make_synthetic_suite, write_assessment
+    >>> values = {
+    ...     "name": "cabinet",
+    ...     "friction": 0.1,
+    ...     "geometry": {"width_m": 0.4, "height_m": 1.8},
+    ...     "demand": {"pga_g": 0.4, "pgv_m_s": 0.4},
+    ... }
+    >>> found = assess_object(ObjectFile(values=values), make_synthetic_suite(2))
+    >>> with TemporaryDirectory() as folder:
+    ...     [file.name for file in write_assessment(found, folder)]
+    ['run.json']
     """
     check_assessment_folder(folder, force=force)
     stale = [each.name for each in Path(folder).glob("*")] if Path(folder).is_dir() else []

@@ -142,6 +142,7 @@ WRONG: list[tuple[dict[str, Any], str]] = [
     ({"demand": {"place": "roof"}}, "it must be one of ground, floor; leave it out for 'ground'"),
     ({"assessment": {"draws": 2.5}}, "[assessment] draws = 2.5 is not valid: it must be a whole"),
     ({"assessment": {"draws": 0}}, "it must be a whole number from 1 to 1000"),
+    ({"assessment": {"replicates": 50}}, "a band needs 100 suites or more"),
     ({"assessment": {"target_probability": 1}}, "it must lie in (0, 1)"),
     ({"assessment": {"damage_states": []}}, "there must be one or more, each of another name"),
     ({"assessment": {"damage_states": [{"name": "a", "peek": 1}]}}, "did you mean peak?"),

@@ -24,6 +24,9 @@ LARGEST_M = 50.0
 
 _METRES = "sizes are in metres: write 0.6 for 600 mm"
 
+FEWEST_REPLICATES = 100
+"""Suites of a bootstrap, below which there is no band."""
+
 BOUNDS: Mapping[str, tuple[float, float, str, str]] = {
     "offset_m": (-LARGEST_M, LARGEST_M, "[]", "give how far right of the middle it is, in metres"),
     "inertia_kg_m2": (0.0, 1e15, "(]", "give the moment of inertia about the mass centre"),
@@ -117,7 +120,10 @@ def _check(table: str, key: str, value: object, source: str) -> None:
     name = named(source, table, key)
     if key in WHOLE:
         least, most, hint = WHOLE[key]
-        whole_number(name, value, at_least=least, at_most=most, hint=hint)
+        count = whole_number(name, value, at_least=least, at_most=most, hint=hint)
+        if key == "replicates" and 0 < count < FEWEST_REPLICATES:
+            valid = f"a band needs {FEWEST_REPLICATES} suites or more"
+            raise InputError(name, count, valid, hint)
         return
     low, high, ends, hint = BOUNDS.get(key, (0.0, LARGEST_M, "(]", _METRES))
     bounds = (value.low, value.high) if isinstance(value, Range) else (value,)

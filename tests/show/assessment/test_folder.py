@@ -1,0 +1,146 @@
+"""The folder of an assessment: read back, the same bytes twice, and all or nothing."""
+
+import csv
+import hashlib
+import json
+import re
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import pytest
+
+from rocksteady.errors import OutputError
+from rocksteady.risk.assess.assessment import Assessment, assess_object
+from rocksteady.risk.assess.described.objects import ObjectFile
+from rocksteady.risk.assess.synthetic import make_synthetic_suite
+from rocksteady.show.assessment import folder as module
+from rocksteady.show.assessment.folder import write_assessment
+
+SUITE = make_synthetic_suite(11)
+FILES = ["fragility.csv", "fragility.json", "fragility.xml", "results.csv", "run.json"]
+
+
+def described(friction: float) -> ObjectFile:
+    return ObjectFile(
+        values={
+            "name": "Büste, 3 (Saal)",
+            "friction": friction,
+            "geometry": {"width_m": 0.34, "height_m": 1.8},
+            "demand": {"pga_g": 0.4, "pgv_m_s": 0.3, "place": "floor"},
+            "assessment": {
+                "damage_states": ["overturned"], "draws": 2, "levels": 6, "replicates": 0,
+                "target_probability": 0.9,
+            },
+        }
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="module", name="rocking")
+def _rocking() -> Assessment:
+    return assess_object(described(0.5), SUITE)
+
+
+@pytest.fixture(scope="module", name="sliding")
+def _sliding() -> Assessment:
+    return assess_object(described(0.1), SUITE)
+
+
+def names(folder: Path) -> list[str]:
+    return sorted(each.name for each in folder.iterdir())
+
+
+def test_every_file_is_there_and_reads_back(rocking: Assessment, tmp_path: Path) -> None:
+    read = tmp_path / "read.toml"
+    read.write_bytes(b"name = 'x'")
+    out = tmp_path / "answer"
+    written = write_assessment(rocking, out, command="rocksteady assess x", files=[read])
+    assert sorted(file.name for file in written) == names(out) == FILES
+
+    assert rocking.fragility is not None
+    with (out / "results.csv").open(encoding="utf-8", newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    assert len(rows) == rocking.fragility.ensemble["status"].size
+    fell = sum(row["status"] == "overturned" for row in rows)
+    assert fell == rocking.fragility.state("overturned").plain.failures
+
+    values = json.loads((out / "run.json").read_text(encoding="utf-8"))
+    assert values["command"] == "rocksteady assess x"
+    assert values["files"][0]["sha256"] == hashlib.sha256(b"name = 'x'").hexdigest()
+    samples = SUITE[0].acceleration_m_s2.astype("<f8").tobytes()
+    assert values["records"][0]["sha256"] == hashlib.sha256(samples).hexdigest()
+    assert len(values["records"]) == len(SUITE)
+    assert values["settings"]["answer"]["probability"] == rocking.probability
+    assert values["settings"]["object"]["values"]["geometry"]["width_m"] == 0.34
+
+
+def test_curves_are_in_metres_a_second_for_pelicun_and_centimetres_for_openquake(
+    rocking: Assessment, tmp_path: Path
+) -> None:
+    write_assessment(rocking, tmp_path / "answer")
+    with (tmp_path / "answer" / "fragility.csv").open(encoding="utf-8", newline="") as stream:
+        (row,) = csv.DictReader(stream)
+    assert rocking.fragility is not None
+    block = rocking.facts.block
+    plain = rocking.fragility.state("overturned").plain
+    unit = block.gravity * (0.34 / 1.8) / block.p
+    assert row["Demand-Type"] == "Peak Floor Velocity"
+    assert row["Demand-Directional"] == "1"
+    assert float(row["LS1-Theta_0"]) == pytest.approx(plain.median * unit, rel=1e-9)
+    assert float(row["LS1-Theta_1"]) == pytest.approx(plain.beta, rel=1e-9)
+    assert re.fullmatch(r"RS\.[A-Za-z0-9_.]+", row["ID"])
+    root = ET.fromstring((tmp_path / "answer" / "fragility.xml").read_text(encoding="utf-8"))
+    space = {"n": "http://openquake.org/xmlns/nrml/0.5"}
+    imls = root.find(".//n:imls", space)
+    poes = root.find(".//n:poes", space)
+    assert imls is not None
+    assert poes is not None
+    levels = [float(text) for text in (imls.text or "").split()]
+    shares = [float(text) for text in (poes.text or "").split()]
+    curve = rocking.fragility.state("overturned").curve
+    assert imls.attrib["imt"] == "PGV"
+    expected = curve.probability([level / 100.0 / unit for level in levels])
+    assert shares == pytest.approx(expected.tolist(), abs=1e-12)
+
+
+def test_the_same_answer_gives_the_same_bytes(rocking: Assessment, tmp_path: Path) -> None:
+    for name in ("one", "two"):
+        write_assessment(rocking, tmp_path / name)
+    for file in FILES:
+        assert (tmp_path / "one" / file).read_bytes() == (tmp_path / "two" / file).read_bytes()
+
+
+def test_an_object_that_slides_leaves_its_inputs_alone(
+    sliding: Assessment, rocking: Assessment, tmp_path: Path
+) -> None:
+    out = tmp_path / "answer"
+    write_assessment(rocking, out)
+    with pytest.raises(OutputError, match=r"it holds fragility\.csv and 4 more; add --force"):
+        write_assessment(sliding, out)
+    assert names(out) == FILES
+    write_assessment(sliding, out, force=True)
+    assert names(out) == ["run.json"], "no curve of another answer stays behind"
+    values = json.loads((out / "run.json").read_text(encoding="utf-8"))
+    assert values["settings"]["answer"]["verdict"] == "slides"
+
+
+def test_a_folder_with_anything_else_is_left_alone(sliding: Assessment, tmp_path: Path) -> None:
+    (tmp_path / "thesis.txt").write_text("years of work", encoding="utf-8")
+    for force in (False, True):
+        with pytest.raises(OutputError, match=r"it holds thesis\.txt, which is no file"):
+            write_assessment(sliding, tmp_path, force=force)
+    assert names(tmp_path) == ["thesis.txt"]
+    (tmp_path / "empty").mkdir()
+    write_assessment(sliding, tmp_path / "empty")
+    assert names(tmp_path / "empty") == ["run.json"]
+
+
+def test_what_fails_leaves_nothing_half_written(
+    rocking: Assessment, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object, **__: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(module, "write_openquake", full)
+    with pytest.raises(OutputError, match="No space left"):
+        write_assessment(rocking, tmp_path / "answer")
+    assert not (tmp_path / "answer").exists()
