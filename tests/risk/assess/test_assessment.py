@@ -55,7 +55,11 @@ def fallen(block: Block, pgv_m_s: float, ratios: tuple[float, ...] = ()) -> int:
 
 @pytest.fixture(scope="module", name="found")
 def _found() -> Assessment:
-    hazard = HazardCurve(measure="pgv_m_s", levels=[0.01, 1.0, 10.0], rates=[1.0, 1e-3, 1e-4])
+    hazard = HazardCurve(
+        measure="pgv_m_s",
+        levels=np.array([0.01, 1.0, 10.0]),
+        rates=np.array([1.0, 1e-3, 1e-4]),
+    )
     return assess_object(described({"replicates": 200}), SUITE, hazard=hazard)
 
 
@@ -194,7 +198,7 @@ def test_where_friction_governs_there_is_no_probability(friction: float, verdict
     found = assess_object(described(friction=friction), SUITE)
     assert found.verdict == verdict
     assert (found.probability, found.fragility, found.colour) == (None, None, "grey")
-    assert found.cases == found.remedies == ()
+    assert (found.cases, found.remedies) == ((), ())
     assert "rocking is no answer" in found.sentence
     assert "friction of 0.2" in found.reason
     assert found.screens.rows

@@ -1,15 +1,14 @@
 """Verdict, colour, sentence and reason of an assessment."""
 
-from typing import TYPE_CHECKING, NamedTuple
+from dataclasses import dataclass
+from typing import NamedTuple
 
 from rocksteady.results.numbers import number, quantity
 from rocksteady.risk.assess._demand_level import DemandLevel
 from rocksteady.risk.assess._remedies import Remedy
-from rocksteady.risk.assess._sensitivity import tornado
+from rocksteady.risk.assess._sensitivity import Case, tornado
+from rocksteady.risk.assess.described.facts import ObjectFacts
 from rocksteady.risk.assess.two_numbers import share_words
-
-if TYPE_CHECKING:
-    from rocksteady.risk.assess.assessment import Assessment
 
 AMBER = 0.2
 """Share of the target probability up to which an object is green; up to the target it is amber."""
@@ -27,6 +26,40 @@ class Answer(NamedTuple):
     reason: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class Findings:
+    """The numbers that an answer is made of.
+
+    Attributes
+    ----------
+    facts
+        What follows from the geometry.
+    level, demand
+        The demand, and the demand in words.
+    pga_g, motion
+        Its PGA, and what that begins; None without.
+    friction_needed
+        To rock without sliding at it; None without a PGA.
+    target
+        Probability that is accepted.
+    probability, cases
+        Of falling at the demand, and one thing changed at a time; none where it slides.
+    remedy
+        That of the least change, where one is needed.
+    """
+
+    facts: ObjectFacts
+    level: DemandLevel
+    demand: str
+    pga_g: float | None
+    motion: str | None
+    friction_needed: float | None
+    target: float
+    probability: float | None = None
+    cases: tuple[Case, ...] = ()
+    remedy: Remedy | None = None
+
+
 def colour_of(probability: float | None, target: float) -> str:
     """Return green up to a fifth of the target, amber up to the target, red above.
 
@@ -42,28 +75,14 @@ def colour_of(probability: float | None, target: float) -> str:
     return "amber" if probability <= target else "red"
 
 
-def answer_of(
-    assessment: "Assessment", motion: str | None, level: DemandLevel, remedy: Remedy | None = None
-) -> Answer:
-    """Return the answer of an assessment whose numbers are complete.
-
-    Parameters
-    ----------
-    assessment
-        With its probability.
-    motion
-        What the demand's PGA begins; None without a PGA.
-    level
-        The demand.
-    remedy
-        That of the least change, where one is needed.
-    """
-    facts, given = assessment.facts, assessment.described.given
-    pga = given.demand.pga_g or 0.0
+def answer_of(findings: Findings) -> Answer:
+    """Return the answer of some numbers, for a client."""
+    facts, remedy, target = findings.facts, findings.remedy, findings.target
+    pga = findings.pga_g or 0.0
     lifts = f"It lifts at {quantity(facts.uplift_pga_g, 'g')}"
-    if motion in ("slides", "slides and rocks"):
+    if findings.motion in ("slides", "slides and rocks"):
         low = facts.friction[0] if facts.friction else 0.0
-        need = assessment.friction_needed or 0.0
+        need = findings.friction_needed or 0.0
         return Answer(
             "slides",
             "grey",
@@ -73,7 +92,7 @@ def answer_of(
             "given: what is needed is an analysis of sliding, room to slide, or a friction that is "
             "measured and higher.",
         )
-    if motion == "rest":
+    if findings.motion == "rest":
         return Answer(
             "stands",
             "green",
@@ -81,25 +100,26 @@ def answer_of(
             f"{lifts}. The curve is of motions scaled to the demand's velocity, some of which have "
             "a higher PGA.",
         )
-    target = given.assessment.target_probability
-    probability = assessment.probability or 0.0
+    probability = findings.probability or 0.0
     verdict = "above target" if probability > target else "below target"
     side = "more than" if probability > target else "within"
     sentence = (
-        f"{share_words(probability)} such objects would fall at {level.words}: {side} the target "
-        f"of {number(100.0 * target)} %."
+        f"{share_words(probability)} such objects would fall at {findings.level.words}: {side} the "
+        f"target of {number(100.0 * target)} %."
     )
     if remedy is not None:
         sentence = f"{sentence[:-1]}; the least change that helps is to {remedy.words}."
-    return Answer(verdict, colour_of(probability, target), sentence, _reason(assessment, lifts))
+    return Answer(verdict, colour_of(probability, target), sentence, _reason(findings, lifts))
 
 
-def _reason(assessment: "Assessment", lifts: str) -> str:
+def _reason(findings: Findings, lifts: str) -> str:
     """Return why: uplift, the median, and what matters most."""
-    reason = f"{lifts}; the demand is {assessment.demand}."
-    base = assessment.cases[0]
-    reason += f" At the demand {base.fell} of {base.trials} runs fall."
-    bars = tornado(assessment.cases)
+    base = findings.cases[0]
+    reason = (
+        f"{lifts}; the demand is {findings.demand}. At the demand {base.fell} of {base.trials} "
+        "runs fall."
+    )
+    bars = tornado(findings.cases)
     if bars:
         widest = bars[0]
         reason += (

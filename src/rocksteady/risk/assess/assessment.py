@@ -21,7 +21,7 @@ from rocksteady.risk.assess._counts import MULTIPLES, count_runs
 from rocksteady.risk.assess._demand_level import DemandLevel, demand_level, horizontal, measured
 from rocksteady.risk.assess._remedies import Remedy, Search, cheapest, find_remedies
 from rocksteady.risk.assess._sensitivity import Case, band_of, tornado, vary
-from rocksteady.risk.assess._verdicts import Answer, answer_of
+from rocksteady.risk.assess._verdicts import Findings, answer_of
 from rocksteady.risk.assess.described.facts import ObjectFacts, derive_facts
 from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
 from rocksteady.risk.assess.described.schema import Options, own_states
@@ -304,36 +304,50 @@ def assess_object(
     if pga is not None:
         # Without a friction only uplift is judged.
         motion = first_motion(block, pga, 100.0 if friction is None else friction, lift)
+    findings = Findings(
+        facts=facts,
+        level=level,
+        demand=_words_of(described, level),
+        pga_g=pga,
+        motion=motion,
+        friction_needed=None if pga is None else needed_friction(block, pga, lift),
+        target=given.assessment.target_probability,
+    )
     assessment = Assessment(
         described=described,
         facts=facts,
         screens=screens,
-        friction_needed=None if pga is None else needed_friction(block, pga, lift),
-        demand=_words_of(described, level),
+        friction_needed=findings.friction_needed,
+        demand=findings.demand,
         verdict="",
         colour="grey",
         sentence="",
         reason="",
         motions=tuple(suite),
     )
-    if motion in ("slides", "slides and rocks"):
-        answer = answer_of(assessment, motion, level)
-    else:
-        assessment, answer = _rocking(assessment, suite, intensity, level, motion, run)
+    if motion not in ("slides", "slides and rocks"):
+        assessment = _rocking(assessment, suite, intensity, findings, run)
         assessment = replace(assessment, risks=_risks(assessment, suite, _curves(hazard)))
-    return replace(assessment, **answer._asdict(), seconds=time.perf_counter() - began)
+        findings = replace(
+            findings,
+            probability=assessment.probability,
+            cases=assessment.cases,
+            remedy=cheapest(assessment.remedies),
+        )
+    answer = answer_of(findings)._asdict()
+    return replace(assessment, **answer, seconds=time.perf_counter() - began)
 
 
 def _rocking(
     assessment: Assessment,
     suite: list[Record | BaseMotion],
     intensity: Intensity,
-    level: DemandLevel,
-    motion: str | None,
+    findings: Findings,
     run: Run | None,
-) -> tuple[Assessment, Answer]:
+) -> Assessment:
     """Return the assessment with its ensemble, fragility, sensitivity and remedies."""
     described, block = assessment.described, assessment.facts.block
+    level, resting = findings.level, findings.motion == "rest"
     options = described.given.assessment
     inner = None if run is None else replace(run, store=None, progress=None)
     fragility = fit_fragility(
@@ -353,20 +367,18 @@ def _rocking(
     band = curve.probability_band(at)
     if math.isnan(probability):  # without a curve the runs about the demand are what there is
         probability, band = cases[0].counted, None
-    found = replace(
+    remedies: tuple[Remedy, ...] = ()
+    if not resting and probability > findings.target:
+        remedies = find_remedies(Search(described, suite, level, findings.target, inner))
+    shown = None if band is None or resting else (float(band[0][0]), float(band[1][0]))
+    return replace(
         assessment,
         fragility=fragility,
         cases=cases,
-        probability=0.0 if motion == "rest" else probability,
-        probability_band=(
-            None if band is None or motion == "rest" else (float(band[0][0]), float(band[1][0]))
-        ),
+        probability=0.0 if resting else probability,
+        probability_band=shown,
+        remedies=remedies,
     )
-    remedies: tuple[Remedy, ...] = ()
-    if motion != "rest" and probability > options.target_probability:
-        remedies = find_remedies(Search(described, suite, level, options.target_probability, inner))
-    found = replace(found, remedies=remedies)
-    return found, answer_of(found, motion, level, cheapest(remedies))
 
 
 def _stripes(intensity: Intensity, block: Block, options: Options) -> Stripes:
