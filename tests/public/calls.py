@@ -10,7 +10,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import rocksteady as rs
-from tests.public.things import MANY, square, things
+from tests.public.risk_calls import risk_calls
+from tests.public.things import MANY, fields, square, things
 
 
 class Call(NamedTuple):
@@ -47,29 +48,6 @@ def calls() -> dict[str, Call]:
     segment = rs.Segment(duration=1.0, constant=2.0)
     table: dict[Any, dict[str, Any]] = {
         rs.Axis: {"name": "amplitude", "values": [1.0, 2.0]},
-        rs.Bands: {"replicates": 100},
-        rs.fit_curve: {"intensity": [0.2, 0.4, 0.8], "failures": [1, 9, 14], "trials": [15] * 3},
-        rs.fit_two_stages: {
-            "intensity": [0.2, 0.4, 0.8],
-            "uplifted": [0, 15, 15],
-            "failures": [0, 9, 14],
-            "trials": [15] * 3,
-        },
-        rs.fit_vector: {
-            "intensity": [[0.2, 0.3], [0.4, 0.2], [0.8, 0.9]],
-            "failures": [1, 6, 14],
-            "trials": [15] * 3,
-        },
-        t["fragility_curve"].describe: {},
-        t["fragility_curve"].probability: {"intensity": [0.3, 0.5]},
-        t["fragility_curve"].probability_band: {"intensity": [0.3, 0.5]},
-        t["fragility_curve"].quantile: {"probability": 0.5},
-        t["two_stages"].describe: {},
-        t["two_stages"].probability: {"intensity": [0.3, 0.5]},
-        t["two_stages"].probability_band: {"intensity": [0.3, 0.5]},
-        t["two_stages"].quantile: {"probability": 0.5},
-        t["vector_fit"].describe: {},
-        t["vector_fit"].probability: {"intensity": [0.3, 0.5]},
         rs.Block: {"positive": block.positive, "negative": block.negative},
         rs.Block.asymmetric: {"left": 0.15, "right": 0.25, "height": 1.2},
         rs.Block.from_alphas: {"positive": 0.2, "negative": 0.3, "radius": 1.0},
@@ -223,18 +201,6 @@ def calls() -> dict[str, Call]:
         t["trail"].runs: {},
         t["orbit"].trajectory: {},
         t["point"].orbit: {},
-        rs.Demand: {"pga_g": 0.5, "pgv_m_s": 0.6},
-        rs.Demand.from_record: {"record": record},
-        rs.screen_block: {"block": block, "demand": t["demand"], "friction": 0.5},
-        rs.Screens: fields(t["screens"]),
-        t["screens"].describe: {},
-        t["screens"].row: {"name": "uplift"},
-        rs.Screen: fields(t["screen"]),
-        t["screen"].describe: {},
-        t["screen"].values: {},
-        rs.assess_two_numbers: {"block": block, "pga_g": 0.5, "pgv_m_s": 0.6},
-        rs.QuickAssessment: fields(t["quick"]),
-        t["quick"].describe: {},
         rs.add_motions: {"motions": [t["pulse"], rs.Still()]},
         rs.animate: {"trajectory": run, "span": (0.0, 0.2), "fps": 5.0},
         rs.find_attractor: {"block": bare, "motion": shaking, "max_cycles": 20},
@@ -311,27 +277,6 @@ def calls() -> dict[str, Call]:
             "within": (3.0, 4.0),
             "resolution": 0.1,
         },
-        rs.ObjectFacts: fields(t["facts"]),
-        t["facts"].describe: {},
-        rs.ObjectFile: {"values": t["object"].values},
-        t["object"].describe: {},
-        t["object"].block_of: {"body": t["object"].body},
-        t["object"].variants: {},
-        t["object"].with_target: {"probability": 0.2},
-        rs.Assessment: fields(t["assessment"]),
-        t["assessment"].describe: {},
-        rs.ObjectsTable: fields(t["objects"]),
-        t["objects"].describe: {},
-        t["objects"].sorted_by: {"column": "probability"},
-        rs.assess_object: {"described": t["assessment"].described, "motions": [record]},
-        rs.assess_objects: {"objects": [t["object"]], "motions": [record], "pgv_m_s": 0.3},
-        rs.write_assessment: {
-            "assessment": t["assessment"], "folder": "assessment", "force": True,
-        },
-        rs.derive_facts: {"described": t["object"]},
-        rs.make_synthetic_suite: {"count": 2},
-        rs.read_object: {"path": "object.toml"},
-        rs.read_objects: {"path": "objects.csv"},
         rs.pair_records: {"paths": []},
         rs.plot_base: {"trajectory": run},
         rs.plot_basins: {"basins": t["basins"]},
@@ -342,27 +287,6 @@ def calls() -> dict[str, Call]:
         rs.plot_free_rocking: {"restitutions": [0.8], "impacts": 3},
         rs.plot_integrated_record: {"course": t["course"]},
         rs.plot_husid: {"course": t["course"]},
-        rs.plot_fragility: {"fragility": t["fragility"]},
-        rs.plot_fragility_states: {"fragility": t["fragility"]},
-        rs.plot_ranking: {"fragility": t["fragility"]},
-        rs.plot_tornado: {"rows": [("restitution", 0.3, 0.5)], "base": 0.4},
-        rs.LossState: {"name": "overturned", "median": 0.4, "beta": 0.5},
-        t["loss state"].probability: {"intensity": [0.2, 0.4]},
-        rs.LossComponent: {
-            "identifier": "RS.vase",
-            "measure": "pga_g",
-            "states": (t["loss state"],),
-        },
-        rs.LossComponent.from_fragility: {
-            "fragility": t["fragility"],
-            "identifier": "RS.vase",
-            "steps": True,
-        },
-        rs.write_pelicun: {"path": "fragility.csv", "components": [t["component"]]},
-        rs.write_openquake: {"path": "fragility.xml", "components": [t["component"]]},
-        rs.write_results_csv: {"path": "results.csv", "ensemble": t["fragility"].ensemble},
-        rs.make_manifest: {"motions": [record]},
-        rs.write_manifest: {"path": "run.json", "manifest": {"seed": 1}},
         rs.plot_map: {"found": t["map"]},
         rs.plot_multipliers: {"orbits": [t["orbit"]]},
         rs.plot_orbit: {"orbit": t["steady"]},
@@ -378,7 +302,6 @@ def calls() -> dict[str, Call]:
         rs.plot_spectrum_map: {"found": t["spectrum"]},
         rs.plot_suite_spectrum: {"summary": t["summary"]},
         rs.plot_trajectory: {"trajectory": run},
-        rs.read_hazard_curves: {"path": "hazard.csv"},
         rs.read_record: {"path": "made.csv"},
         rs.read_recordings: {"path": "made.csv"},
         rs.compute_region_map: {"frequency_ratio": [3.0, 4.0], "restitution": 0.8},
@@ -386,32 +309,6 @@ def calls() -> dict[str, Call]:
         rs.compute_response_curve: {"block": bare, "amplitude": 2.0, "frequency_ratio": [3.0, 4.0]},
         rs.compute_response_spectrum: {"record": record, "periods_s": [0.5, 1.0]},
         rs.compute_rocking_spectrum: {"motions": record, "alpha": [0.2], "periods_s": [1.0, 2.0]},
-        rs.Intensity: {"name": "sa_g", "period_s": 0.5},
-        rs.RestitutionBand: {"draws": 2},
-        rs.RestitutionBand().ratios: {"block": block},
-        rs.Stripes: {"measure": "pga_g", "levels": [0.2, 0.4], "beside": ()},
-        t["stripes"].levels_for: {"blocks": [block]},
-        t["stripes"].at_scale_one: {"records": [record], "blocks": [block]},
-        rs.measure_scalar: {"record": record, "intensity": "pga_per_uplift", "block": block},
-        rs.run_ensemble: {
-            "blocks": block,
-            "motions": record,
-            "stripes": t["stripes"],
-            "restitution": rs.RestitutionBand(draws=1),
-        },
-        rs.DamageState: {"name": "half", "peak": 0.5},
-        rs.Fitting: {"states": ["uplift", 0.5], "bands": None},
-        rs.compute_fragility: {
-            "blocks": block,
-            "motions": [record, record.scaled(0.8)],
-            "stripes": t["stripes"],
-            "restitution": rs.RestitutionBand(draws=1),
-            "fitting": t["fitting"],
-        },
-        rs.fit_fragility: {"ensemble": t["fragility"].ensemble, "fitting": t["fitting"]},
-        t["fragility"].state: {"name": "overturned"},
-        t["fragility"].describe: {},
-        t["fragility"].states[0].rows: {"measure": "pga_g"},
         rs.simulate_many: {"blocks": block, "motions": record, "scales": [1.0, 2.0]},
         rs.scale_motion: {"motion": t["pulse"], "factor": -1.0},
         rs.simulate: {"block": block, "motion": shaking, "cycles": 2.0},
@@ -466,14 +363,6 @@ def calls() -> dict[str, Call]:
         rs.IntensityMeasures: fields(rs.measure_intensity(record, block)),
         rs.measure_intensity(record, block).describe: {},
         rs.Samples: fields(run([0.1, 0.2])),
-        rs.compute_risk: {"fragility": (0.4, 0.5), "hazard": t["hazard"]},
-        rs.reject_branches: {
-            "fragility": (0.4, 0.5), "branches": [t["hazard"]], "age_years": 10_000.0,
-        },
-        t["hazard"].rate: {"level": [0.2, 0.4]},
-        t["risk"].density: {"level": [0.2, 0.4]},
-        t["risk"].failure_probability: {"level": [0.2, 0.4]},
-        rs.plot_risk: {"risk": t["risk"]},
         rs.check_installation: {},
         rs.Installation: fields(t["installation"]),
         rs.KernelCheck: fields(t["installation"].checks[0]),
@@ -490,6 +379,7 @@ def calls() -> dict[str, Call]:
         rs.Fragility: "fragility", rs.StateFragility: "state_fragility",
         rs.Efficiency: "efficiency",
     }  # fmt: skip
+    table |= risk_calls(t)
     table |= {kind: fields(t[name]) for kind, name in results.items()}
     table |= {rs.Flights: fields(run.flights), rs.Impacts: fields(run.impacts)}
     found = {}
@@ -504,12 +394,6 @@ def calls() -> dict[str, Call]:
     for label, (name, arguments) in variants.items():
         found[label] = found[name]._replace(arguments=arguments)
     return found
-
-
-def fields(thing: Any) -> dict[str, Any]:
-    """Return the arguments that make a dataclass or a named tuple again."""
-    names = inspect.signature(type(thing)).parameters
-    return {name: getattr(thing, name) for name in names}
 
 
 def label_of(function: Any) -> str:

@@ -2,6 +2,7 @@
 
 import dataclasses
 import functools
+import inspect
 from pathlib import Path
 from typing import Any
 
@@ -152,3 +153,9 @@ def things() -> dict[str, Any]:
         "component": rs.LossComponent(identifier="RS.vase", measure="pga_g", states=(falls,)),
         "installation": rs.check_installation(),
     }
+
+
+def fields(thing: Any) -> dict[str, Any]:
+    """Return the arguments that make a dataclass or a named tuple again."""
+    names = inspect.signature(type(thing)).parameters
+    return {name: getattr(thing, name) for name in names}
