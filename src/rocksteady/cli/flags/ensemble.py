@@ -77,8 +77,9 @@ Draws = Annotated[
     typer.Option(
         "--draws",
         metavar="N",
-        help=f"Set the number of restitutions in the band of --restitution; default {BAND_DRAWS}, "
-        "and 1 of a single value.",
+        help="Set the number of restitutions in a band: --restitution LOW:HIGH, or by default from "
+        f"Housner's value e to the root of e, at most 0.98; default {BAND_DRAWS}, and 1 of a "
+        "single value.",
         rich_help_panel=ENSEMBLE,
     ),
 ]

@@ -16,7 +16,7 @@ from rocksteady.cli.console.outputs import (
 from rocksteady.cli.console.progress import sweeping
 from rocksteady.cli.console.refusals import FlagError
 from rocksteady.cli.flags.block_and_shaking import BlockFlags
-from rocksteady.cli.flags.ensemble import EnsembleFlags, Suite, SuiteFlags
+from rocksteady.cli.flags.ensemble import ENSEMBLE, EnsembleFlags, Suite, SuiteFlags
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.cli.flags.sweep import SweepFlags
@@ -92,7 +92,7 @@ Example = Annotated[
         "--example",
         help="Run 24 synthetic motions, no earthquake's, in place of --records; of a cabinet of "
         f"{EXAMPLE_SIZE[0]} x {EXAMPLE_SIZE[1]} m where no block is given.",
-        rich_help_panel=FITS,
+        rich_help_panel=ENSEMBLE,
     ),
 ]
 
