@@ -1,0 +1,159 @@
+"""Pictures of an assessment, each with the words for those who do not see it."""
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rocksteady.results.numbers import number
+from rocksteady.risk.assess.assessment import Assessment
+from rocksteady.risk.fragility.damage_states import OVERTURNED
+from rocksteady.show.assessment._demand_in_units import demand_in_measure
+from rocksteady.show.assessment._object_drawing import draw_object
+from rocksteady.show.assessment._wording import greek, percent, span
+from rocksteady.show.export.files import figure_bytes
+from rocksteady.show.plots.risk.fragility import plot_fragility, plot_fragility_states
+from rocksteady.show.plots.risk.tornado import plot_ranking, plot_tornado
+from rocksteady.show.report import svg_data_uri
+from rocksteady.show.style import palette
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+WIDTH = 7.2
+"""Of a figure across the page [inches]."""
+ROW = 0.34
+"""Height of a row of bars [inches]."""
+
+
+def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
+    """Return address and alternative text of each picture that the assessment has."""
+    found = {"object": _picture(draw_object(assessment.described), _words_of_object(assessment))}
+    fragility = assessment.fragility
+    if fragility is None:
+        return found
+    found["fragility"] = _drawn(
+        lambda axes: _draw_fragility(axes, assessment), 3.7, _words_of_curve(assessment)
+    )
+    if len(fragility.states) > 1:
+        names = ", ".join(greek(each.state.name) for each in fragility.states)
+        found["states"] = _drawn(
+            lambda axes: plot_fragility_states(fragility, axes, legend="below"),
+            4.2,
+            f"Shares of runs and fragility curves of the damage states {names}.",
+        )
+    ranked = [each for each in fragility.ranking if math.isfinite(each.beta)]
+    if len(ranked) > 1:
+        best = " and ".join(greek(part.label) for part in ranked[0].measure)
+        found["ranking"] = _drawn(
+            lambda axes: plot_ranking(fragility, axes),
+            0.7 + ROW * len(ranked),
+            f"Bars of beta for {len(ranked)} measures of intensity; the best is {best}.",
+        )
+    bars = tornado_rows(assessment)
+    if bars:
+        base = assessment.cases[0].probability
+        found["tornado"] = _drawn(
+            lambda axes: plot_tornado(
+                [(name, 100.0 * low, 100.0 * high) for name, low, high in bars],
+                100.0 * base,
+                axes,
+                label="probability of falling at the demand [%]",
+            ),
+            1.1 + 1.2 * ROW * len(bars),
+            f"Tornado plot about {percent(base)}; the widest bar is {bars[0][0]}, "
+            f"{span(min(bars[0][1:]), max(bars[0][1:]), 100.0)} %.",
+        )
+    return found
+
+
+def tornado_rows(assessment: Assessment) -> list[tuple[str, float, float]]:
+    """Return assumption, and probability at its low and at its high end, the widest first.
+
+    An assumption that is changed to one side alone has the object as described at its other end.
+    """
+    if not assessment.cases:
+        return []
+    base, changes = assessment.cases[0].probability, dict[str, list[Any]]()
+    for case in assessment.cases[1:]:
+        changes.setdefault(case.parameter, []).append(case)
+    rows = []
+    for name, cases in changes.items():
+        first, last = cases[0], cases[-1]
+        if len(cases) > 1:
+            words = f"{name}, {first.change} to {last.change}"
+            rows.append((words, first.probability, last.probability))
+        elif first.change.startswith(("-", "−")):
+            rows.append((f"{name}, {first.change}", first.probability, base))
+        else:
+            rows.append((f"{name}, {first.change}", base, first.probability))
+    rows = [row for row in rows if all(math.isfinite(end) for end in row[1:])]
+    return sorted(rows, key=lambda row: -abs(row[1] - row[2]))
+
+
+def _draw_fragility(axes: "Axes", assessment: Assessment) -> None:
+    """Draw the curve of falling, the range that was run, and the demand."""
+    fragility = assessment.fragility
+    assert fragility is not None
+    plot_fragility(fragility, axes, state=OVERTURNED)
+    low, high = fragility.state(OVERTURNED).plain.sampled
+    limits = axes.get_xlim()
+    for begin, end in ((limits[0], low), (high, limits[1])):
+        if begin < end:
+            axes.axvspan(begin, end, color=palette.GROUND, lw=0.0, zorder=0.2)
+    demand = demand_in_measure(assessment)
+    if math.isfinite(demand):
+        axes.set_xlim(min(limits[0], demand / 1.1), max(limits[1], demand * 1.1))
+        axes.axvline(demand, color=palette.INK, lw=1.0, ls=(0, (1, 1.5)), zorder=2.5)
+        # Halves of the picture: the words stand on the side that has more room.
+        middle = math.sqrt(np.prod(axes.get_xlim())) if axes.get_xscale() == "log" else (
+            0.5 * sum(axes.get_xlim()))  # fmt: skip
+        side = 1.0 if demand < middle else -1.0
+        axes.annotate(
+            "demand", (demand, 1.0), (3.0 * side, 2.0), xycoords=("data", "axes fraction"),
+            textcoords="offset points", ha="left" if side > 0.0 else "right", va="bottom",
+            fontsize=8.0, annotation_clip=False,
+        )  # fmt: skip
+    axes.set_ylabel("probability of falling")
+
+
+def _drawn(draw: "Callable[[Axes], object]", height: float, words: str) -> dict[str, str]:
+    """Return a picture as wide as the page."""
+    from matplotlib.figure import Figure
+
+    with palette.style():
+        figure = Figure(figsize=(WIDTH, height))
+        draw(figure.add_subplot())
+    return _picture(figure, words)
+
+
+def _picture(figure: Any, words: str) -> dict[str, str]:
+    """Return address and alternative text of a figure."""
+    return {"source": svg_data_uri(figure_bytes(figure, "svg")), "alt": words}
+
+
+def _words_of_object(assessment: Assessment) -> str:
+    """Return what the drawing of the object shows."""
+    from rocksteady.risk.screens.friction import first_side
+
+    side = first_side(assessment.facts.block)
+    return (
+        f"The object to true scale on its two edges, its mass centre {number(side.centre_height)} "
+        f"m above the ground, its slenderness {number(math.degrees(side.alpha))}°."
+    )
+
+
+def _words_of_curve(assessment: Assessment) -> str:
+    """Return what the fragility plot shows."""
+    fragility, curve = assessment.fragility, assessment.curve
+    assert fragility is not None
+    assert curve is not None
+    name = greek(str(fragility.measure))
+    words = f"Probability of falling over {name}, run from {span(*curve.sampled)}"
+    if math.isfinite(curve.median):
+        words += f", median {number(curve.median)}"
+    demand = demand_in_measure(assessment)
+    if math.isfinite(demand):
+        words += f"; the demand is at {number(demand)}, with {percent(assessment.probability)}"
+    return f"{words}."

@@ -1,0 +1,289 @@
+"""Rows of the tables of an assessment's page, in words."""
+
+import math
+from typing import Any
+
+from rocksteady.results.numbers import angle, length, number, quantity
+from rocksteady.risk.assess.assessment import Assessment
+from rocksteady.risk.fits.fragility_curve import FragilityCurve
+from rocksteady.risk.fragility.fragility import Fragility
+from rocksteady.risk.fragility.state_fragility import StateFragility
+from rocksteady.show.assessment._demand_in_units import PEAKS, unit_of
+from rocksteady.show.assessment._wording import NOTHING, greek, percent, span
+
+Row = dict[str, Any]
+
+STATUS = {
+    "fitted": "fitted",
+    "separated": "a step",
+    "never": "none",
+    "always": "all",
+    "not-rising": "no curve",
+}
+"""Status of a curve in a word."""
+SYNTHETIC = "synthetic "
+"""What the names of made motions begin with."""
+
+
+def answer_rows(assessment: Assessment) -> list[Row]:
+    """Return the rows of the first page: object, demand, probability, median, what would help."""
+    given = assessment.described.given
+    bands = None if assessment.fragility is None else assessment.fragility.fitting.bands
+    rows = [
+        _row("Object", _object_words(assessment)),
+        _row("Demand", assessment.demand),
+    ]
+    if assessment.probability is not None:
+        words = percent(assessment.probability)
+        if assessment.probability_band is not None and bands is not None:
+            low, high = assessment.probability_band
+            words += f" ({span(low, high, 100.0)} %, {number(100.0 * bands.confidence)} % band)"
+        target = f"target {number(100.0 * given.assessment.target_probability)} %"
+        rows.append(_row("Probability of falling", words, target))
+    if assessment.curve is not None:
+        rows.append(_row("Half of such objects fall at", *_median_words(assessment)))
+    rows.append(_row("Lifts at", f"{quantity(assessment.facts.uplift_pga_g, 'g')} of PGA"))
+    rows.append(_row("Friction", *_friction_words(assessment)))
+    rows += [_row("Least remedy", *_remedy_words(assessment))] if assessment.fragility else []
+    return rows
+
+
+def _row(name: str, words: str, note: str = "") -> Row:
+    return {"name": name, "words": words, "note": note}
+
+
+def _object_words(assessment: Assessment) -> str:
+    """Return kind, slenderness and mass of the object."""
+    block, facts = assessment.facts.block, assessment.facts
+    kind = assessment.described.given.kind
+    words = [] if kind == "other" else [kind]
+    words.append(f"base {length(block.positive.distance + block.negative.distance)} wide")
+    words.append(f"mass centre {length(0.5 * block.height)} up")
+    if facts.mass_kg is not None:
+        words.append(quantity(facts.mass_kg, "kg"))
+    return ", ".join(words)
+
+
+def _median_words(assessment: Assessment) -> tuple[str, str]:
+    """Return the median in units that a reader knows, and in the measure of the curve."""
+    fragility, curve = assessment.fragility, assessment.curve
+    assert fragility is not None
+    assert curve is not None
+    median, band = float(curve.median), curve.median_band
+    label = greek(fragility.measure.label)
+    unit = f" {fragility.measure.unit}".rstrip()
+    if math.isnan(median):
+        low, high = curve.sampled
+        return f"no level from {span(low, high)}{unit} of {label}", "no median was found"
+    words = f"{number(median)}{unit} of {label}"
+    if band is not None:
+        words += f" ({span(*band)})"
+    one = unit_of(assessment)
+    if math.isnan(one) or one == 1.0:
+        return words, ""
+    peak = f"{number(one * median)} {PEAKS[fragility.measure.name][1]}"
+    if band is not None:
+        peak += f" ({span(band[0], band[1], one)})"
+    return peak, words
+
+
+def _friction_words(assessment: Assessment) -> tuple[str, str]:
+    """Return the friction that rocking needs, and the one that is given."""
+    given = assessment.facts.friction
+    known = "none given" if given is None else f"{span(*given)} given"
+    need = assessment.friction_needed
+    if need is None:
+        return f"more than {number(assessment.facts.friction_to_lift)} to lift at all", known
+    return f"{number(need)} needed to rock without sliding at the demand", known
+
+
+def _remedy_words(assessment: Assessment) -> tuple[str, str]:
+    """Return the remedy of the least change."""
+    possible = [each for each in assessment.remedies if each.change is not None]
+    if not possible:
+        return ("none within reach" if assessment.remedies else "none needed"), ""
+    least = min(possible, key=lambda each: each.change or 0.0)
+    return least.words, f"then {percent(least.fitted)}"
+
+
+def object_rows(assessment: Assessment) -> list[Row]:
+    """Return the derived facts of the object."""
+    facts = assessment.facts.describe().facts
+    rows = [_row(greek(fact.label), greek(fact.words)) for fact in facts if fact.label]
+    if assessment.facts.friction is not None:
+        rows.append(_row("friction given", span(*assessment.facts.friction)))
+    return [row for row in rows if row["name"] != "object"]
+
+
+def side_rows(assessment: Assessment) -> list[Row]:
+    """Return a row for each edge; none of an object whose sides are alike."""
+    block = assessment.facts.block
+    if block.symmetric:
+        return []
+    return [
+        {
+            "name": name,
+            "alpha": angle(side.alpha),
+            "p": number(side.p),
+            "radius": length(side.radius),
+            "restitution": number(side.restitution),
+            "lifts": f"{number(math.tan(side.alpha))} g",
+        }
+        for name, side in (("left edge", block.positive), ("right edge", block.negative))
+    ]
+
+
+def motion_rows(assessment: Assessment) -> list[Row]:
+    """Return a row for each motion, with the factors that its accelerations were run at."""
+    factors: list[str] = []
+    if assessment.fragility is not None:
+        scale = assessment.fragility.ensemble["scale"].isel(block=0)
+        scale = scale.transpose("record", "level").values
+        factors = [span(float(row.min()), float(row.max())) for row in scale]
+    return [
+        {
+            "name": each["name"],
+            "synthetic": str(each["name"]).startswith(SYNTHETIC),
+            "pga": number(float(str(each["pga_g"]))),
+            "pgv": number(float(str(each["pgv_m_s"]))),
+            "lasts": f"{number(int(str(each['samples'])) * float(str(each['dt_s'])))} s",
+            "vertical": bool(each.get("vertical")),
+            "factors": factors[place] if factors else "",
+            "sha256": each.get("sha256") or "",
+        }
+        for place, each in enumerate(assessment.inputs)
+    ]
+
+
+def state_rows(fragility: Fragility) -> list[Row]:
+    """Return a row for each damage state."""
+    return [_state_row(each) for each in fragility.states]
+
+
+def _state_row(each: StateFragility) -> Row:
+    """Return the curve of a damage state: its median, and beta of its lognormal part."""
+    curve, plain = each.curve, each.plain
+    shape = curve if isinstance(curve, FragilityCurve) else curve.given_uplift
+    status = STATUS.get(shape.status, shape.status)
+    if shape.step is not None:
+        status += f" between {number(shape.step[0])} and {number(shape.step[1])}"
+    two = each.two_stage is not None
+    return {
+        "name": greek(each.state.name),
+        "median": _banded(curve.median, curve.median_band),
+        "beta": _banded(shape.beta, shape.beta_band),
+        "status": status + (", given uplift" if two else ""),
+        "exceeded": f"{plain.failures:,} of {plain.trials:,}",
+        "misfit": number(curve.misfit),
+        "goodness": NOTHING if shape.goodness is None else number(shape.goodness),
+        "plain": (
+            f"median {number(plain.median)}, β {number(plain.beta)}, misfit {number(plain.misfit)}"
+            if two
+            else NOTHING
+        ),
+    }
+
+
+def _banded(value: float, band: tuple[float, float] | None) -> str:
+    """Return a number with its band."""
+    if math.isnan(value):
+        return NOTHING
+    return number(value) if band is None else f"{number(value)} ({span(*band)})"
+
+
+def ranking_rows(fragility: Fragility) -> list[Row]:
+    """Return a row for each measure, the most efficient first."""
+    trials = max(fragility.states[-1].plain.trials, 1)
+    return [
+        {
+            "name": " and ".join(greek(part.label) for part in each.measure),
+            "median": number(each.median),
+            "beta": number(each.beta),
+            "likelihood": f"{each.log_likelihood / trials:.4f}".replace("-", "−"),
+            "aic": f"{each.aic:.0f}",
+            "status": STATUS.get(each.status, each.status),
+        }
+        for each in fragility.ranking
+    ]
+
+
+def screen_rows(assessment: Assessment) -> list[Row]:
+    """Return a row for each published formula."""
+    looks = {True: ("passes", "agrees"), False: ("does not pass", "differs"), None: ("", "")}
+    rows = []
+    for row in assessment.screens.rows:
+        word, look = looks[row.passes]
+        rows.append(
+            {
+                "name": greek(row.name),
+                "value": row.words,
+                "verdict": greek(row.verdict),
+                "word": word,
+                "look": look,
+                "equation": greek(row.equation),
+                "edition": row.edition,
+                "confidence": row.confidence,
+                "status": row.status,
+                "source": greek(row.source),
+                "remark": greek(row.remark),
+            }
+        )
+    return rows
+
+
+def case_rows(assessment: Assessment) -> list[Row]:
+    """Return a row for each change of the sensitivity."""
+    return [
+        {
+            "name": case.parameter,
+            "change": case.change,
+            "fitted": percent(case.probability),
+            "counted": percent(case.counted),
+            "runs": f"{case.fell:,} of {case.trials:,}",
+            "median": number(case.median),
+        }
+        for case in assessment.cases
+    ]
+
+
+def remedy_rows(assessment: Assessment) -> list[Row]:
+    """Return a row for each remedy."""
+    return [
+        {
+            "name": each.name,
+            "words": each.words,
+            "change": NOTHING if each.change is None else f"{number(100.0 * each.change)} %",
+            "fitted": percent(each.fitted),
+            "counted": percent(each.counted),
+            "runs": "" if each.trials is None else f"{each.fell:,} of {each.trials:,}",
+            "word": "confirmed" if each.confirmed else "not confirmed",
+            "look": "agrees" if each.confirmed else "open",
+            "none": each.change is None and each.fitted is None,
+        }
+        for each in assessment.remedies
+    ]
+
+
+def risk_rows(assessment: Assessment) -> list[Row]:
+    """Return a row for each hazard curve."""
+    rows = []
+    for risk in assessment.risks:
+        band = risk.annual_rate_band
+        low, middle, high = (
+            f"above {number(float(risk.hazard.levels[-1]))}" if math.isinf(each) else number(each)
+            for each in risk.contributing
+        )
+        rows.append(
+            {
+                "name": risk.hazard.name or greek(risk.hazard.label),
+                "measure": greek(f"{risk.hazard.label} [{risk.hazard.unit}]"),
+                "rate": number(risk.annual_rate),
+                "rate_band": "" if band is None else span(*band),
+                "years": number(risk.years),
+                "probability": percent(risk.probability),
+                "closed": number(risk.closed_form_rate),
+                "hclpf": number(risk.hclpf),
+                "middle": f"{middle} ({low} to {high})",
+            }
+        )
+    return rows

@@ -1,0 +1,125 @@
+"""Drawing of an object to true scale: outline, edges, mass centre and slenderness."""
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rocksteady.results.numbers import length, number
+from rocksteady.risk.assess.described.objects import ObjectFile
+from rocksteady.risk.assess.described.schema import Range
+from rocksteady.risk.screens.friction import first_side
+from rocksteady.show.style import palette
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+WIDTH, TALLEST, LOWEST = 4.2, 4.4, 2.0
+"""Of the figure [inches]."""
+BESIDE = 0.32
+"""Room to either side of the object, in its larger size."""
+SMALL = 8.0
+"""Size of text [points]."""
+
+
+def draw_object(described: ObjectFile) -> "Figure":
+    """Draw an object on its two edges, in metres or millimetres.
+
+    Where the outline is not given, a dashed line stands for it, twice as high as the mass centre.
+    """
+    from matplotlib.figure import Figure
+
+    block = described.block
+    left, right = block.positive.distance, block.negative.distance
+    centre = (0.5 * (left - right), 0.5 * block.height)
+    width, height, known = _outline(described, left + right, block.height)
+    size = max(width, height)
+    factor, unit = (1.0, "m") if size >= 1.0 else (1000.0, "mm")
+    margin = BESIDE * size
+    across, up = width + 2.0 * margin, height * 1.09 + 0.2 * size
+    with palette.style():
+        figure = Figure(figsize=(WIDTH, min(TALLEST, max(LOWEST, 0.9 * WIDTH * up / across))))
+        axes = figure.add_subplot()
+        _draw_body(axes, factor * width, factor * height, dashed=not known)
+        _draw_ground(axes, factor * (0.5 * width + margin), factor * size)
+        half = 0.5 * factor * (left + right)
+        x, y = factor * centre[0], factor * centre[1]
+        for edge in (-half, half):
+            axes.plot([edge, x], [0.0, y], color=palette.INK, lw=0.8, zorder=3.0)
+        axes.plot([-half, half], [0.0, 0.0], "^", ms=7.0, color=palette.INK, zorder=4.0)
+        axes.plot([x, x], [0.0, y], color=palette.NUMBER, lw=0.7, ls=(0, (4, 3)), zorder=2.9)
+        axes.plot([x], [y], "o", ms=7.0, mfc="white", mec=palette.INK, mew=1.3, zorder=4.0)
+        _write_angle(axes, described, (half, x, y))
+        axes.annotate(
+            f"mass centre\n{length(centre[1])} up", (x, y),
+            (factor * (0.5 * width + 0.04 * size), y), va="center", fontsize=SMALL,
+            arrowprops={"arrowstyle": "-", "color": palette.NUMBER, "lw": 0.6, "shrinkB": 5.0},
+        )  # fmt: skip
+        axes.set_aspect("equal")
+        axes.set(
+            xlim=(-factor * 0.5 * across, factor * 0.5 * across),
+            ylim=(-0.12 * factor * size, factor * 1.09 * height),
+            xlabel=f"position [{unit}]",
+            ylabel=f"height [{unit}]",
+        )
+        axes.locator_params(nbins=6)
+        axes.grid(visible=False)
+    return figure
+
+
+def _outline(described: ObjectFile, base: float, high: float) -> tuple[float, float, bool]:
+    """Return width and height of the outline, and whether they are given."""
+    shape = described.given.geometry
+    if shape.width_m is None or shape.height_m is None:
+        return base, high, shape.p_rad_s is not None
+    width, height = (
+        value.middle if isinstance(value, Range) else value
+        for value in (shape.width_m, shape.height_m)
+    )
+    return width, height, True
+
+
+def _draw_body(axes: "Axes", width: float, height: float, *, dashed: bool) -> None:
+    """Draw the outline."""
+    from matplotlib.patches import Rectangle
+
+    axes.add_patch(
+        Rectangle(
+            (-0.5 * width, 0.0), width, height, facecolor=palette.tinted(palette.BLOCK, 0.6),
+            edgecolor=palette.INK, lw=1.1, ls=(0, (5, 3)) if dashed else "-", zorder=2.0,
+        )
+    )  # fmt: skip
+
+
+def _draw_ground(axes: "Axes", half: float, size: float) -> None:
+    """Draw the ground with its hatching."""
+    deep = 0.035 * size
+    axes.plot([-half, half], [0.0, 0.0], color=palette.INK, lw=1.1, zorder=2.2)
+    for place in np.arange(-half + deep, half, deep):
+        axes.plot([place, place - 0.7 * deep], [0.0, -0.7 * deep], color=palette.FAINT, lw=0.6)
+
+
+def _write_angle(
+    axes: "Axes", described: ObjectFile, place: tuple[float, float, float]
+) -> None:
+    """Draw the slenderness of the side that lifts first, between edge, mass centre and vertical."""
+    from matplotlib.patches import Arc
+
+    half, x, y = place
+    side = first_side(described.block)
+    sign = -1.0 if side.distance == described.block.positive.distance else 1.0
+    reach = 0.55 * y
+    degrees = math.degrees(side.alpha)
+    ends = (270.0 - degrees, 270.0) if sign < 0.0 else (270.0, 270.0 + degrees)
+    axes.add_patch(
+        Arc((x, y), 2 * reach, 2 * reach, theta1=ends[0], theta2=ends[1],
+            color=palette.LINES[0], lw=1.3, zorder=3.2)
+    )  # fmt: skip
+    angle = 0.5 * side.alpha
+    at = (x + sign * reach * math.sin(angle), y - reach * math.cos(angle))
+    axes.annotate(
+        f"α = {number(degrees)}°", at, (-half - 0.1 * y, at[1]), ha="right", va="center",
+        fontsize=SMALL, color=palette.LINES[0],
+        arrowprops={"arrowstyle": "-", "color": palette.LINES[0], "lw": 0.6, "shrinkB": 0.0},
+    )  # fmt: skip

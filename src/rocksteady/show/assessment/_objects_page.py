@@ -1,0 +1,87 @@
+"""Page of a table of objects, sorted without a script."""
+
+from collections.abc import Sequence
+from typing import Any
+
+from rocksteady.risk.assess.caveats import CAVEATS
+from rocksteady.risk.assess.objects_table import ObjectsTable
+from rocksteady.results.numbers import number
+from rocksteady.show.assessment._wording import BADGES, NOTHING, cleaned, greek, percent
+from rocksteady.show.report import render
+
+ORDERS = (
+    ("probability", "probability of falling", True),
+    ("uplift_pga_g", "acceleration that lifts it", False),
+    ("name", "name", False),
+)
+"""Column, words, and whether the largest comes first, of each order."""
+
+
+def objects_html(
+    table: ObjectsTable, *, command: str = "", hashes: Sequence[tuple[str, str]] = ()
+) -> str:
+    """Return the page of a table of objects as the text of one HTML file.
+
+    Rows stand in the order of the probability. Each has its place in every other order, which a
+    style sheet applies: nothing runs, and what is printed is what is seen.
+
+    Parameters
+    ----------
+    table, command, hashes
+        As of `rocksteady.write_report`.
+    """
+    from rocksteady import __version__
+
+    rows = table.sorted_by("probability")
+    places = {key: _places(rows, key, descending) for key, _, descending in ORDERS}
+    description = table.describe()
+    facts = {fact.key: fact for fact in description.facts}
+    shown = [
+        {
+            "name": row["name"],
+            "badge": dict(zip(("word", "look"), BADGES[row["colour"]], strict=True)),
+            "probability": percent(row["probability"]),
+            "uplift": number(row["uplift_pga_g"]),
+            "friction": NOTHING
+            if row["friction_needed"] is None
+            else number(row["friction_needed"]),
+            "sentence": greek(row["sentence"]),
+            "places": ";".join(f"--{key}:{places[key][place]}" for key in places),
+        }
+        for place, row in enumerate(rows)
+    ]
+    colours: dict[str, int] = facts["colours"].value
+    values: dict[str, Any] = {
+        "caveats": [greek(sentence) for sentence in CAVEATS],
+        "command": command,
+        "counts": [
+            {"word": BADGES[each][0], "look": BADGES[each][1], "count": f"{count:,}"}
+            for each, count in colours.items()
+            if count
+        ],
+        "demand": facts["demand"].words,
+        "hashes": [{"name": name, "sha256": digest} for name, digest in hashes],
+        "notes": [greek(note) for note in description.notes if note not in CAVEATS],
+        "orders": [{"key": key, "words": words} for key, words, _ in ORDERS],
+        "records": f"{table.records:,}",
+        "rows": shown,
+        "target": percent(table.target_probability),
+        "version": __version__,
+    }
+    return render(__package__, "objects.html.j2", **cleaned(values))
+
+
+def _places(rows: Sequence[dict[str, Any]], key: str, descending: bool) -> list[int]:
+    """Return the place of each row in an order; rows without a value come last."""
+
+    def rank(place: int) -> tuple[bool, Any]:
+        value = rows[place][key]
+        if value is None:
+            return True, 0.0
+        return False, value.casefold() if isinstance(value, str) else (-value if descending else value)
+
+    order = sorted(range(len(rows)), key=rank)
+    places = [0] * len(rows)
+    for place, row in enumerate(order):
+        places[row] = place
+    return places

@@ -1,0 +1,94 @@
+"""Words of the pages of assessments: verdicts, shares, ranges, Greek letters, safe texts."""
+
+import dataclasses
+import math
+import re
+from collections.abc import Mapping
+from typing import Any, Final
+
+from rocksteady.results.numbers import number
+from rocksteady.results.rendering import printable
+
+BADGES: Final = {
+    "green": ("low", "agrees"),
+    "amber": ("raised", "raised"),
+    "red": ("high", "differs"),
+    "grey": ("no answer", "open"),
+}
+"""Word and look of each colour: the word tells it, colour and fill repeat it."""
+LEAST_SHARE: Final = 1e-4
+"""Below it a share has no figures."""
+LONGEST: Final = 70
+"""Letters of a name at the foot of a printed page."""
+NOTHING: Final = "—"
+
+
+def percent(share: float | None) -> str:
+    """Return a share in per cent.
+
+    Examples
+    --------
+    >>> percent(0.3992), percent(2e-7), percent(0.0), percent(None)
+    ('39.9 %', 'below 0.01 %', '0 %', '—')
+    """
+    if share is None or math.isnan(share):
+        return NOTHING
+    if 0.0 < share < LEAST_SHARE:
+        return f"below {number(100.0 * LEAST_SHARE)} %"
+    return f"{number(100.0 * share)} %"
+
+
+def span(low: float, high: float, factor: float = 1.0) -> str:
+    """Return a range in words, of equal ends their number.
+
+    Examples
+    --------
+    >>> span(0.45, 0.6), span(0.1, 0.2, 100.0), span(0.3, 0.3)
+    ('0.45 to 0.6', '10 to 20', '0.3')
+    """
+    first, last = number(factor * low), number(factor * high)
+    return first if first == last else f"{first} to {last}"
+
+
+def greek(text: str) -> str:
+    """Return a text with the Greek letters that it names.
+
+    Examples
+    --------
+    >>> greek("p PGV/(g tan alpha)"), greek("theta/alpha > 0.5"), greek("Sa(2 pi/p)")
+    ('p PGV/(g tan α)', 'θ/α > 0.5', 'Sa(2 π/p)')
+    """
+    for name, letter in (("alpha", "α"), ("theta", "θ"), ("pi", "π")):
+        text = re.sub(rf"\b{name}\b", letter, text)
+    return text
+
+
+def plain_name(name: str) -> str:
+    r"""Return a name for a string of a style sheet: short, without marks that could end it.
+
+    Examples
+    --------
+    >>> plain_name('vase "7"\\'), plain_name("<b>"), plain_name("壺 3")
+    ('vase 7', 'b', '壺 3')
+    """
+    kept = re.sub(r"[^\w .,()+/-]+", " ", name)
+    return " ".join(kept.split())[:LONGEST].strip() or "object"
+
+
+def cleaned(value: Any) -> Any:
+    r"""Return values with all unprintable characters of their texts escaped.
+
+    Examples
+    --------
+    >>> cleaned({"name": ["a\u202eb"], "count": 3})
+    {'name': ['a\\u202eb'], 'count': 3}
+    """
+    if isinstance(value, str):
+        return printable(value, keep="\n\N{NO-BREAK SPACE}")
+    if isinstance(value, Mapping):
+        return {key: cleaned(each) for key, each in value.items()}
+    if isinstance(value, list | tuple):
+        return [cleaned(each) for each in value]
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        return cleaned({each.name: getattr(value, each.name) for each in dataclasses.fields(value)})
+    return value

@@ -1,0 +1,217 @@
+"""Page of an assessment, one HTML file for screen and paper."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from rocksteady.model.checks.arguments import checked
+from rocksteady.results.numbers import number, plural
+from rocksteady.risk.assess.assessment import Assessment
+from rocksteady.risk.assess.caveats import CAVEATS
+from rocksteady.risk.assess.objects_table import ObjectsTable
+from rocksteady.show.assessment._assessment_pictures import pictures_of
+from rocksteady.show.assessment._assessment_tables import (
+    answer_rows,
+    case_rows,
+    motion_rows,
+    object_rows,
+    ranking_rows,
+    remedy_rows,
+    risk_rows,
+    screen_rows,
+    side_rows,
+    state_rows,
+)
+from rocksteady.show.assessment._objects_page import objects_html
+from rocksteady.show.assessment._wording import BADGES, cleaned, greek, percent, plain_name, span
+from rocksteady.show.export.files import save_text
+from rocksteady.show.report import render
+
+Hashes = Sequence[tuple[str, str]]
+
+
+@checked
+def write_report(
+    path: Path | str,
+    assessment: Assessment | ObjectsTable,
+    *,
+    command: str = "",
+    hashes: Hashes = (),
+) -> Path:
+    """Write the page of an assessment, one HTML file that needs no other.
+
+    Parameters
+    ----------
+    path
+        The file, which is replaced.
+    assessment
+        From `rocksteady.assess_object` or `rocksteady.assess_objects`.
+    command
+        Command that makes it again; none by default.
+    hashes
+        Name and SHA-256 of each file that was read; none by default.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    OutputError
+        If the file cannot be written.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> from rocksteady import ObjectFile, assess_object, make_synthetic_suite
+    >>> cabinet = ObjectFile(
+    ...     values={
+    ...         "name": "cabinet",
+    ...         "friction": 0.1,
+    ...         "geometry": {"width_m": 0.4, "height_m": 1.8},
+    ...         "demand": {"pga_g": 0.4, "pgv_m_s": 0.4},
+    ...     }
+    ... )
+    >>> found = assess_object(cabinet, make_synthetic_suite(2, seed=0))
+    >>> with TemporaryDirectory() as folder:
+    ...     file = write_report(f"{folder}/report.html", found)
+    ...     print(file.read_text(encoding="utf-8").count("<h1>"))
+    1
+    """
+    file = Path(path)
+    save_text("path", file, report_html(assessment, command=command, hashes=hashes))
+    return file
+
+
+def report_html(
+    assessment: Assessment | ObjectsTable, *, command: str = "", hashes: Hashes = ()
+) -> str:
+    """Return the page of an assessment as the text of one HTML file.
+
+    The same assessment gives the same text: times are left out.
+
+    Parameters
+    ----------
+    assessment, command, hashes
+        As of `write_report`.
+    """
+    if isinstance(assessment, ObjectsTable):
+        return objects_html(assessment, command=command, hashes=hashes)
+    from rocksteady import __version__
+
+    fragility = assessment.fragility
+    word, look = BADGES[assessment.colour]
+    name = assessment.described.name
+    values: dict[str, Any] = {
+        "answer": answer_rows(assessment),
+        "answer_badge": {"word": word, "look": look},
+        "cases": case_rows(assessment),
+        "caveats": [greek(sentence) for sentence in CAVEATS],
+        "command": command,
+        "facts": object_rows(assessment),
+        "given": list(_given(assessment.described.values)),
+        "hashes": [{"name": each, "sha256": digest} for each, digest in _hashes(assessment, hashes)],
+        "method": _method(assessment),
+        "motions": motion_rows(assessment),
+        "name": name,
+        "reason": greek(assessment.reason),
+        "refused": fragility is None,
+        "remedies": remedy_rows(assessment),
+        "risks": risk_rows(assessment),
+        "risk_notes": _risk_notes(assessment),
+        "running": plain_name(name),
+        "screens": screen_rows(assessment),
+        "sentence": greek(assessment.sentence),
+        "sides": side_rows(assessment),
+        "states": [] if fragility is None else state_rows(fragility),
+        "ranking": [] if fragility is None else ranking_rows(fragility),
+        "target": percent(assessment.described.given.assessment.target_probability),
+        "version": __version__,
+        "warnings": _warnings(assessment),
+    }
+    return render(
+        __package__, "object.html.j2", **cleaned(values), pictures=pictures_of(assessment)
+    )
+
+
+def _warnings(assessment: Assessment) -> list[str]:
+    """Return sentences on what is assumed and what limits the answer."""
+    found = list(assessment.facts.warnings)
+    if assessment.fragility is not None:
+        found += assessment.fragility.warnings
+    made = [row["name"] for row in motion_rows(assessment) if row["synthetic"]]
+    if made:
+        found.append(
+            f"{len(made)} of {plural(len(assessment.inputs), 'motion')} are synthetic, made from "
+            "random numbers and no earthquake's: the answer is an example, not one for a site."
+        )
+    return [_sentence(greek(each)) for each in dict.fromkeys(found)]
+
+
+def _sentence(text: str) -> str:
+    """Return a text with a capital letter and a full stop."""
+    whole = text[:1].upper() + text[1:]
+    return whole if whole.endswith((".", "!", "?")) else f"{whole}."
+
+
+def _risk_notes(assessment: Assessment) -> list[str]:
+    """Return what is to be known of the risk, each once."""
+    notes = [note for risk in assessment.risks for note in risk.describe().notes]
+    return [_sentence(greek(note)) for note in dict.fromkeys(notes)]
+
+
+def _method(assessment: Assessment) -> dict[str, Any]:
+    """Return the numbers of the paragraphs on the method."""
+    fragility = assessment.fragility
+    if fragility is None:
+        return {}
+    runs, bands = fragility.ensemble, fragility.fitting.bands
+    levels = runs["level"].values
+    ratios = runs["restitution"].values
+    return {
+        "linear": str(runs.attrs["model"]) == "linear",
+        "records": plural(fragility.records, "motion"),
+        "levels": plural(len(levels), "level"),
+        "reach": span(float(levels.min()), float(levels.max())),
+        "measure": greek(str(fragility.measure)),
+        "draws": int(runs.sizes["draw"]),
+        "ratios": span(float(ratios.min()), float(ratios.max())),
+        "scatter": float(runs.attrs["scatter"]),
+        "signs": int(runs.sizes["direction"]) > 1,
+        "vertical": int(runs.sizes["vertical"]) > 1,
+        "runs": f"{fragility.runs:,}",
+        "family": fragility.fitting.family,
+        "stages": any(each.two_stage is not None for each in fragility.states),
+        "band": bands is not None,
+        "confidence": "" if bands is None else number(100.0 * bands.confidence),
+        "replicates": "" if bands is None else f"{bands.replicates:,}",
+        "seed": "" if bands is None else str(bands.seed),
+        "scatter_seed": str(runs.attrs["seed"]),
+        "factor": number(fragility.scale_factor_max),
+    }
+
+
+def _given(values: Mapping[str, object], table: str = "") -> Iterator[dict[str, str]]:
+    """Yield table, key and value of what the object's file holds."""
+    for key, value in values.items():
+        if isinstance(value, Mapping) and set(value) != {"low", "high"}:
+            yield from _given(value, f"{table}.{key}" if table else str(key))
+        else:
+            yield {"table": table, "key": str(key), "value": _written(value)}
+
+
+def _written(value: object) -> str:
+    """Return a value of the object's file, every digit of it."""
+    if isinstance(value, Mapping):
+        return ", ".join(f"{key} {_written(each)}" for key, each in value.items())
+    if isinstance(value, list | tuple):
+        return ", ".join(_written(each) for each in value)
+    return str(value)
+
+
+def _hashes(assessment: Assessment, hashes: Hashes) -> list[tuple[str, str]]:
+    """Return the hashes of all files, that of the object's first."""
+    described = assessment.described
+    own = [] if described.sha256 is None else [(described.source, described.sha256)]
+    return [*own, *(pair for pair in hashes if pair[1] != described.sha256)]
