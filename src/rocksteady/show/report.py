@@ -64,7 +64,7 @@ def svg_data_uri(svg: bytes) -> str:
 
 
 def prose(text: str) -> str:
-    r"""Return a plain text as one would print it: powers of ten, minus signs, whole equations.
+    r"""Return a plain text as one would print it: powers of ten, minus signs, no breaks in numbers.
 
     Examples
     --------
@@ -77,6 +77,7 @@ def prose(text: str) -> str:
     text = re.sub(r"(?<![\d.])1·10\^", "10^", text)
     text = re.sub(r"\b10\^(-?\d+)", lambda found: "10" + found[1].translate(RAISED), text)
     text = re.sub(r"(?<![\w.,)\]-])-(?=\.?\d)", "−", text)
+    text = re.sub(r"(?<=\d) (?=%)", "\N{NO-BREAK SPACE}", text)
     return re.sub(r"(?<=\S) ([=<>≤≥≈]) (?=\S)", "\N{NO-BREAK SPACE}\\1\N{NO-BREAK SPACE}", text)
 
 

@@ -4,8 +4,6 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from rocksteady.results.numbers import number
 from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.fragility.damage_states import OVERTURNED
@@ -25,6 +23,8 @@ WIDTH = 7.2
 """Of a figure across the page [inches]."""
 ROW = 0.34
 """Height of a row of bars [inches]."""
+ROOM = 1.25
+"""Factor by which a picture goes beyond a demand outside of it."""
 
 
 def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
@@ -34,7 +34,7 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
     if fragility is None:
         return found
     found["fragility"] = _drawn(
-        lambda axes: _draw_fragility(axes, assessment), 3.7, _words_of_curve(assessment)
+        lambda axes: _draw_fragility(axes, assessment), 4.1, _words_of_curve(assessment)
     )
     if len(fragility.states) > 1:
         names = ", ".join(greek(each.state.name) for each in fragility.states)
@@ -97,25 +97,24 @@ def _draw_fragility(axes: "Axes", assessment: Assessment) -> None:
     fragility = assessment.fragility
     assert fragility is not None
     plot_fragility(fragility, axes, state=OVERTURNED)
-    low, high = fragility.state(OVERTURNED).plain.sampled
-    limits = axes.get_xlim()
-    for begin, end in ((limits[0], low), (high, limits[1])):
-        if begin < end:
-            axes.axvspan(begin, end, color=palette.GROUND, lw=0.0, zorder=0.2)
-    demand = demand_in_measure(assessment)
+    demand, limits = demand_in_measure(assessment), axes.get_xlim()
     if math.isfinite(demand):
-        axes.set_xlim(min(limits[0], demand / 1.1), max(limits[1], demand * 1.1))
-        axes.axvline(demand, color=palette.INK, lw=1.0, ls=(0, (1, 1.5)), zorder=2.5)
-        # Halves of the picture: the words stand on the side that has more room.
-        middle = math.sqrt(np.prod(axes.get_xlim())) if axes.get_xscale() == "log" else (
-            0.5 * sum(axes.get_xlim()))  # fmt: skip
-        side = 1.0 if demand < middle else -1.0
-        axes.annotate(
-            "demand", (demand, 1.0), (3.0 * side, 2.0), xycoords=("data", "axes fraction"),
-            textcoords="offset points", ha="left" if side > 0.0 else "right", va="bottom",
-            fontsize=8.0, annotation_clip=False,
-        )  # fmt: skip
+        _draw_demand(axes, demand, limits)
     axes.set_ylabel("probability of falling")
+
+
+def _draw_demand(axes: "Axes", demand: float, limits: tuple[float, float]) -> None:
+    """Draw the demand; the picture grows where it lies outside."""
+    shown = (min(limits[0], demand / ROOM), max(limits[1], demand * ROOM))
+    for begin, end in zip(shown, limits, strict=True):
+        if begin != end:  # not run either
+            axes.axvspan(begin, end, color=palette.FAINT, alpha=0.16, lw=0.0, zorder=0.5)
+    axes.set_xlim(shown)
+    axes.axvline(demand, color=palette.INK, lw=1.0, ls=(0, (1, 1.5)), zorder=2.5)
+    axes.annotate(
+        "demand", (demand, 1.0), (0.0, 2.0), xycoords=("data", "axes fraction"),
+        textcoords="offset points", ha="center", va="bottom", fontsize=8.0, annotation_clip=False,
+    )  # fmt: skip
 
 
 def _drawn(draw: "Callable[[Axes], object]", height: float, words: str) -> dict[str, str]:

@@ -1,6 +1,7 @@
 """Rows of the tables of an assessment's page, in words."""
 
 import math
+from collections.abc import Mapping
 from typing import Any
 
 from rocksteady.results.numbers import angle, length, number, quantity
@@ -41,7 +42,7 @@ def answer_rows(assessment: Assessment) -> list[Row]:
         target = f"target {number(100.0 * given.assessment.target_probability)} %"
         rows.append(_row("Probability of falling", words, target))
     if assessment.curve is not None:
-        rows.append(_row("Half of such objects fall at", *_median_words(assessment)))
+        rows.append(_row("Median, half fall at", *_median_words(assessment)))
     rows.append(_row("Lifts at", f"{quantity(assessment.facts.uplift_pga_g, 'g')} of PGA"))
     rows.append(_row("Friction", *_friction_words(assessment)))
     rows += [_row("Least remedy", *_remedy_words(assessment))] if assessment.fragility else []
@@ -133,25 +134,27 @@ def side_rows(assessment: Assessment) -> list[Row]:
     ]
 
 
-def motion_rows(assessment: Assessment) -> list[Row]:
+def motion_rows(assessment: Assessment, manifest: Mapping[str, Any]) -> list[Row]:
     """Return a row for each motion, with the factors that its accelerations were run at."""
     factors: list[str] = []
     if assessment.fragility is not None:
         scale = assessment.fragility.ensemble["scale"].isel(block=0)
         scale = scale.transpose("record", "level").values
         factors = [span(float(row.min()), float(row.max())) for row in scale]
+    hashes = [each.get("sha256", "") for each in manifest["records"]]
+    inputs: list[Row] = assessment.to_dict().get("inputs", [])
     return [
         {
             "name": each["name"],
             "synthetic": str(each["name"]).startswith(SYNTHETIC),
-            "pga": number(float(str(each["pga_g"]))),
-            "pgv": number(float(str(each["pgv_m_s"]))),
-            "lasts": f"{number(int(str(each['samples'])) * float(str(each['dt_s'])))} s",
-            "vertical": bool(each.get("vertical")),
+            "pga": number(each["pga_g"]),
+            "pgv": number(each["pgv_m_s"]),
+            "lasts": f"{number(each['samples'] * each['dt_s'])} s",
+            "vertical": each["vertical"],
             "factors": factors[place] if factors else "",
-            "sha256": each.get("sha256") or "",
+            "sha256": hashes[place] if len(hashes) == len(inputs) else "",
         }
-        for place, each in enumerate(assessment.inputs)
+        for place, each in enumerate(inputs)
     ]
 
 

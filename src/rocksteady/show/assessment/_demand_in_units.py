@@ -40,5 +40,5 @@ def demand_in_measure(assessment: Assessment) -> float:
     key, _ = PEAKS[assessment.fragility.measure.name]
     peak = getattr(assessment.described.given.demand, key)
     if peak is None:
-        peak = float(np.median([float(str(row[key])) for row in assessment.inputs]))
+        peak = float(np.median([row[key] for row in assessment.to_dict()["inputs"]]))
     return float(peak) / unit_of(assessment)

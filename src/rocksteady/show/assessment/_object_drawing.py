@@ -63,7 +63,7 @@ def draw_object(described: ObjectFile) -> "Figure":
             xlabel=f"position [{unit}]",
             ylabel=f"height [{unit}]",
         )
-        axes.locator_params(nbins=6)
+        axes.locator_params(axis="x", nbins=4)
         axes.grid(visible=False)
     return figure
 

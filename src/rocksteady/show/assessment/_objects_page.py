@@ -1,11 +1,12 @@
 """Page of a table of objects, sorted without a script."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.results.numbers import number
+from rocksteady.show.assessment._provenance import provenance
 from rocksteady.show.assessment._wording import BADGES, NOTHING, cleaned, greek, percent
 from rocksteady.show.report import render
 
@@ -17,9 +18,7 @@ ORDERS = (
 """Column, words, and whether the largest comes first, of each order."""
 
 
-def objects_html(
-    table: ObjectsTable, *, command: str = "", hashes: Sequence[tuple[str, str]] = ()
-) -> str:
+def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
     """Return the page of a table of objects as the text of one HTML file.
 
     Rows stand in the order of the probability. Each has its place in every other order, which a
@@ -27,11 +26,11 @@ def objects_html(
 
     Parameters
     ----------
-    table, command, hashes
-        As of `rocksteady.write_report`.
+    table
+        From `rocksteady.assess_objects`.
+    manifest
+        From `rocksteady.make_manifest`.
     """
-    from rocksteady import __version__
-
     rows = table.sorted_by("probability")
     places = {key: _places(rows, key, descending) for key, _, descending in ORDERS}
     description = table.describe()
@@ -53,20 +52,18 @@ def objects_html(
     colours: dict[str, int] = facts["colours"].value
     values: dict[str, Any] = {
         "caveats": [greek(sentence) for sentence in CAVEATS],
-        "command": command,
         "counts": [
             {"word": BADGES[each][0], "look": BADGES[each][1], "count": f"{count:,}"}
             for each, count in colours.items()
             if count
         ],
         "demand": facts["demand"].words,
-        "hashes": [{"name": name, "sha256": digest} for name, digest in hashes],
         "notes": [greek(note) for note in description.notes if note not in CAVEATS],
         "orders": [{"key": key, "words": words} for key, words, _ in ORDERS],
+        "provenance": provenance(manifest),
         "records": f"{table.records:,}",
         "rows": shown,
         "target": percent(table.target_probability),
-        "version": __version__,
     }
     return render(__package__, "objects.html.j2", **cleaned(values))
 

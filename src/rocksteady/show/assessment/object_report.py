@@ -24,10 +24,10 @@ from rocksteady.show.assessment._assessment_tables import (
 )
 from rocksteady.show.assessment._objects_page import objects_html
 from rocksteady.show.assessment._wording import BADGES, cleaned, greek, percent, plain_name, span
+from rocksteady.show.assessment._provenance import provenance
 from rocksteady.show.export.files import save_text
+from rocksteady.show.export.manifest import make_manifest
 from rocksteady.show.report import render
-
-Hashes = Sequence[tuple[str, str]]
 
 
 @checked
@@ -36,7 +36,7 @@ def write_report(
     assessment: Assessment | ObjectsTable,
     *,
     command: str = "",
-    hashes: Hashes = (),
+    files: Sequence[Path | str] = (),
 ) -> Path:
     """Write the page of an assessment, one HTML file that needs no other.
 
@@ -48,8 +48,8 @@ def write_report(
         From `rocksteady.assess_object` or `rocksteady.assess_objects`.
     command
         Command that makes it again; none by default.
-    hashes
-        Name and SHA-256 of each file that was read; none by default.
+    files
+        Files that were read, whose hashes stand on the page; none by default.
 
     Returns
     -------
@@ -58,8 +58,10 @@ def write_report(
 
     Raises
     ------
+    InputError
+        If a file that was read cannot be read again.
     OutputError
-        If the file cannot be written.
+        If the page cannot be written.
 
     Examples
     --------
@@ -80,71 +82,70 @@ def write_report(
     1
     """
     file = Path(path)
-    save_text("path", file, report_html(assessment, command=command, hashes=hashes))
+    motions = assessment.motions if isinstance(assessment, Assessment) else ()
+    manifest = make_manifest(motions, files=files, command=command)
+    save_text("path", file, report_html(assessment, manifest))
     return file
 
 
-def report_html(
-    assessment: Assessment | ObjectsTable, *, command: str = "", hashes: Hashes = ()
-) -> str:
+def report_html(assessment: Assessment | ObjectsTable, manifest: Mapping[str, Any]) -> str:
     """Return the page of an assessment as the text of one HTML file.
 
     The same assessment gives the same text: times are left out.
 
     Parameters
     ----------
-    assessment, command, hashes
-        As of `write_report`.
+    assessment
+        From `rocksteady.assess_object` or `rocksteady.assess_objects`.
+    manifest
+        From `rocksteady.make_manifest`: versions, command, and the hashes of motions and files.
     """
     if isinstance(assessment, ObjectsTable):
-        return objects_html(assessment, command=command, hashes=hashes)
-    from rocksteady import __version__
-
+        return objects_html(assessment, manifest)
     fragility = assessment.fragility
     word, look = BADGES[assessment.colour]
-    name = assessment.described.name
+    described, motions = assessment.described, motion_rows(assessment, manifest)
     values: dict[str, Any] = {
         "answer": answer_rows(assessment),
         "answer_badge": {"word": word, "look": look},
         "cases": case_rows(assessment),
         "caveats": [greek(sentence) for sentence in CAVEATS],
-        "command": command,
         "facts": object_rows(assessment),
-        "given": list(_given(assessment.described.values)),
-        "hashes": [{"name": each, "sha256": digest} for each, digest in _hashes(assessment, hashes)],
+        "given": list(_given(described.values)),
         "method": _method(assessment),
-        "motions": motion_rows(assessment),
-        "name": name,
+        "motions": motions,
+        "provenance": provenance(manifest, described.source, described.sha256),
+        "name": described.name,
         "reason": greek(assessment.reason),
         "refused": fragility is None,
         "remedies": remedy_rows(assessment),
         "risks": risk_rows(assessment),
         "risk_notes": _risk_notes(assessment),
-        "running": plain_name(name),
+        "running": plain_name(described.name),
         "screens": screen_rows(assessment),
         "sentence": greek(assessment.sentence),
         "sides": side_rows(assessment),
         "states": [] if fragility is None else state_rows(fragility),
         "ranking": [] if fragility is None else ranking_rows(fragility),
-        "target": percent(assessment.described.given.assessment.target_probability),
-        "version": __version__,
-        "warnings": _warnings(assessment),
+        "target": percent(described.given.assessment.target_probability),
+        "warnings": _warnings(assessment, motions),
     }
     return render(
         __package__, "object.html.j2", **cleaned(values), pictures=pictures_of(assessment)
     )
 
 
-def _warnings(assessment: Assessment) -> list[str]:
+def _warnings(assessment: Assessment, motions: Sequence[Mapping[str, Any]]) -> list[str]:
     """Return sentences on what is assumed and what limits the answer."""
     found = list(assessment.facts.warnings)
     if assessment.fragility is not None:
         found += assessment.fragility.warnings
-    made = [row["name"] for row in motion_rows(assessment) if row["synthetic"]]
+    made = sum(row["synthetic"] for row in motions)
     if made:
         found.append(
-            f"{len(made)} of {plural(len(assessment.inputs), 'motion')} are synthetic, made from "
-            "random numbers and no earthquake's: the answer is an example, not one for a site."
+            f"{made} of {plural(len(motions), 'motion')} {'is' if made == 1 else 'are'} synthetic, "
+            "made from random numbers and no earthquake's: the answer is an example, not one for a "
+            "site."
         )
     return [_sentence(greek(each)) for each in dict.fromkeys(found)]
 
@@ -208,10 +209,3 @@ def _written(value: object) -> str:
     if isinstance(value, list | tuple):
         return ", ".join(_written(each) for each in value)
     return str(value)
-
-
-def _hashes(assessment: Assessment, hashes: Hashes) -> list[tuple[str, str]]:
-    """Return the hashes of all files, that of the object's first."""
-    described = assessment.described
-    own = [] if described.sha256 is None else [(described.source, described.sha256)]
-    return [*own, *(pair for pair in hashes if pair[1] != described.sha256)]
