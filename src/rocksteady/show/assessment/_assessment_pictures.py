@@ -9,18 +9,20 @@ from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.fragility.damage_states import OVERTURNED
 from rocksteady.show.assessment._demand_in_units import demand_in_measure
 from rocksteady.show.assessment._object_drawing import draw_object
-from rocksteady.show.assessment._wording import greek, percent, span
+from rocksteady.show.assessment._wording import greek, key_words, percent, span
 from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.plots.risk.fragility import plot_fragility, plot_fragility_states
 from rocksteady.show.plots.risk.tornado import plot_ranking, plot_tornado
 from rocksteady.show.report import svg_data_uri
 from rocksteady.show.style import palette
+from rocksteady.show.style.page import SCREEN, Page
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 WIDTH = 7.2
 """Of a figure across the page [inches]."""
+PHONE = Page(width_mm=105.0)
 ROW = 0.34
 """Height of a row of bars [inches]."""
 ROOM = 1.25
@@ -28,8 +30,14 @@ ROOM = 1.25
 
 
 def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
-    """Return address and alternative text of each picture that the assessment has."""
-    found = {"object": _picture(draw_object(assessment.described), _words_of_object(assessment))}
+    """Return addresses and alternative text of each picture that the assessment has.
+
+    Each is drawn for a page ("source") and, with larger letters, for a phone ("narrow").
+    """
+    drawing = _address(draw_object(assessment.described))
+    found = {
+        "object": {"source": drawing, "narrow": drawing, "alt": _words_of_object(assessment)},
+    }
     fragility = assessment.fragility
     if fragility is None:
         return found
@@ -43,8 +51,8 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
             4.2,
             f"Shares of runs and fragility curves of the damage states {names}.",
         )
-    ranked = [each for each in fragility.ranking if math.isfinite(each.beta)]
-    if len(ranked) > 1:
+    ranked = [each for each in fragility.ranking if math.isfinite(each.aic)]
+    if len(ranked) > 1 and any(each.beta > 0.0 for each in ranked):
         best = " and ".join(greek(part.label) for part in ranked[0].measure)
         found["ranking"] = _drawn(
             lambda axes: plot_ranking(fragility, axes),
@@ -79,10 +87,11 @@ def tornado_rows(assessment: Assessment) -> list[tuple[str, float, float]]:
     for case in assessment.cases[1:]:
         changes.setdefault(case.parameter, []).append(case)
     rows = []
-    for name, cases in changes.items():
+    for parameter, cases in changes.items():
+        name = key_words(parameter)
         first, last = cases[0], cases[-1]
         if len(cases) > 1:
-            words = f"{name}, {first.change} to {last.change}"
+            words = f"{name}, {first.change.removesuffix(' alone')} to {last.change.removesuffix(' alone')}"
             rows.append((words, first.probability, last.probability))
         elif first.change.startswith(("-", "−")):
             rows.append((f"{name}, {first.change}", first.probability, base))
@@ -118,18 +127,18 @@ def _draw_demand(axes: "Axes", demand: float, limits: tuple[float, float]) -> No
 
 
 def _drawn(draw: "Callable[[Axes], object]", height: float, words: str) -> dict[str, str]:
-    """Return a picture as wide as the page."""
-    from matplotlib.figure import Figure
+    """Return a picture for a page and for a phone."""
+    addresses = {}
+    for name, page in (("source", SCREEN), ("narrow", PHONE)):
+        with page.figure(WIDTH, height, "") as figure:
+            draw(figure.add_subplot())
+        addresses[name] = _address(figure)
+    return {**addresses, "alt": words}
 
-    with palette.style():
-        figure = Figure(figsize=(WIDTH, height))
-        draw(figure.add_subplot())
-    return _picture(figure, words)
 
-
-def _picture(figure: Any, words: str) -> dict[str, str]:
-    """Return address and alternative text of a figure."""
-    return {"source": svg_data_uri(figure_bytes(figure, "svg")), "alt": words}
+def _address(figure: Any) -> str:
+    """Return the address of a figure, which carries the figure itself."""
+    return svg_data_uri(figure_bytes(figure, "svg"))
 
 
 def _words_of_object(assessment: Assessment) -> str:

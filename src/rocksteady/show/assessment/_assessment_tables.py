@@ -10,7 +10,7 @@ from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.fragility.state_fragility import StateFragility
 from rocksteady.show.assessment._demand_in_units import PEAKS, unit_of
-from rocksteady.show.assessment._wording import NOTHING, greek, percent, span
+from rocksteady.show.assessment._wording import NOTHING, greek, key_words, percent, span
 
 Row = dict[str, Any]
 
@@ -238,7 +238,7 @@ def case_rows(assessment: Assessment) -> list[Row]:
     """Return a row for each change of the sensitivity."""
     return [
         {
-            "name": case.parameter,
+            "name": key_words(case.parameter),
             "change": case.change,
             "fitted": percent(case.probability),
             "counted": percent(case.counted),
@@ -259,9 +259,8 @@ def remedy_rows(assessment: Assessment) -> list[Row]:
             "fitted": percent(each.fitted),
             "counted": percent(each.counted),
             "runs": "" if each.trials is None else f"{each.fell:,} of {each.trials:,}",
-            "word": "confirmed" if each.confirmed else "not confirmed",
+            "word": "" if not each.trials else "confirmed" if each.confirmed else "not confirmed",
             "look": "agrees" if each.confirmed else "open",
-            "none": each.change is None and each.fitted is None,
         }
         for each in assessment.remedies
     ]

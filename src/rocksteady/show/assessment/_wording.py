@@ -55,12 +55,30 @@ def greek(text: str) -> str:
 
     Examples
     --------
-    >>> greek("p PGV/(g tan alpha)"), greek("theta/alpha > 0.5"), greek("Sa(2 pi/p)")
-    ('p PGV/(g tan α)', 'θ/α > 0.5', 'Sa(2 π/p)')
+    >>> greek("p PGV/(g tan alpha)"), greek("theta/alpha > 0.5"), greek("Sa(2 pi/p), sqrt e")
+    ('p PGV/(g tan α)', 'θ/α > 0.5', 'Sa(2 π/p), √e')
     """
-    for name, letter in (("alpha", "α"), ("theta", "θ"), ("pi", "π")):
-        text = re.sub(rf"\b{name}\b", letter, text)
-    return text
+    for name, letter in (("alpha", "α"), ("theta", "θ"), ("beta", "β"), ("pi", "π")):
+        text = re.sub(rf"\b{name}(?=\d|\b)", letter, text)
+    return re.sub(r"\bsqrt e\b", "√e", text)
+
+
+def key_words(key: str) -> str:
+    """Return the key of an object's file in words, with its unit.
+
+    Examples
+    --------
+    >>> key_words("geometry.mass_centre_height_m"), key_words("content.mass_kg")
+    ('mass centre height [m]', 'content mass [kg]')
+    >>> key_words("mass centre")
+    'mass centre'
+    """
+    table, _, name = key.rpartition(".")
+    if not table:
+        return key
+    name, _, unit = name.rpartition("_")
+    words = name.replace("_", " ") + f" [{unit}]"
+    return words if table == "geometry" else f"{table} {words}"
 
 
 def plain_name(name: str) -> str:
