@@ -170,6 +170,7 @@ from .seismic.spectra.many import simulate_many as simulate_many
 from .seismic.spectra.rocking import compute_rocking_spectrum as compute_rocking_spectrum
 from .seismic.spectra.suite import summarise_spectra as summarise_spectra
 from .show.assessment.folder import write_assessment as write_assessment
+from .show.assessment.object_report import write_report as write_report
 from .show.export.components import LossComponent as LossComponent
 from .show.export.components import LossState as LossState
 from .show.export.dataset import export as export

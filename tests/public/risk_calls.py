@@ -10,6 +10,9 @@ def risk_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
     """Return the arguments of each call by its function, from things of `tests.public.things`."""
     block, record = t["block"], t["record"]
     return {
+        rs.FragilityCurve: fields(t["fragility_curve"]),
+        rs.TwoStageCurve: fields(t["two_stages"]),
+        rs.VectorFit: fields(t["vector_fit"]),
         rs.Bands: {"replicates": 100},
         rs.fit_curve: {"intensity": [0.2, 0.4, 0.8], "failures": [1, 9, 14], "trials": [15] * 3},
         rs.fit_two_stages: {
@@ -62,6 +65,7 @@ def risk_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         rs.write_assessment: {
             "assessment": t["assessment"], "folder": "assessment", "force": True,
         },
+        rs.write_report: {"path": "report.html", "assessment": t["assessment"]},
         rs.derive_facts: {"described": t["object"]},
         rs.make_synthetic_suite: {"count": 2},
         rs.read_object: {"path": "object.toml"},

@@ -16,12 +16,12 @@ from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, quantity
 from rocksteady.results.result import Result
-from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess._counts import MULTIPLES, count_runs
 from rocksteady.risk.assess._demand_level import DemandLevel, demand_level, horizontal, measured
 from rocksteady.risk.assess._remedies import Remedy, Search, cheapest, find_remedies
 from rocksteady.risk.assess._sensitivity import Case, band_of, tornado, vary
 from rocksteady.risk.assess._verdicts import Findings, answer_of
+from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.described.facts import ObjectFacts, derive_facts
 from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
 from rocksteady.risk.assess.described.schema import Options, own_states

@@ -20,9 +20,9 @@ from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural, quantity
 from rocksteady.results.result import Result
-from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess._counts import count_runs
 from rocksteady.risk.assess._verdicts import AMBER, WORDS, colour_of
+from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
 from rocksteady.risk.assess.two_numbers import assess_two_numbers, share_words
 from rocksteady.risk.ensemble.levels import Stripes

@@ -57,7 +57,7 @@ def _object_words(assessment: Assessment) -> str:
     """Return kind, slenderness and mass of the object."""
     block, facts = assessment.facts.block, assessment.facts
     kind = assessment.described.given.kind
-    words = [] if kind == "other" else [kind]
+    words: list[str] = [] if kind == "other" else [kind]
     words.append(f"base {length(block.positive.distance + block.negative.distance)} wide")
     words.append(f"mass centre {length(0.5 * block.height)} up")
     if facts.mass_kg is not None:
@@ -138,9 +138,8 @@ def motion_rows(assessment: Assessment, manifest: Mapping[str, Any]) -> list[Row
     """Return a row for each motion, with the factors that its accelerations were run at."""
     factors: list[str] = []
     if assessment.fragility is not None:
-        scale = assessment.fragility.ensemble["scale"].isel(block=0)
-        scale = scale.transpose("record", "level").values
-        factors = [span(float(row.min()), float(row.max())) for row in scale]
+        scale = assessment.fragility.ensemble["scale"].isel(block=0).transpose("record", "level")
+        factors = [span(float(row.min()), float(row.max())) for row in scale.values]
     hashes = [each.get("sha256", "") for each in manifest["records"]]
     inputs: list[Row] = assessment.to_dict().get("inputs", [])
     return [

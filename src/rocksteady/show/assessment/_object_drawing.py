@@ -100,9 +100,7 @@ def _draw_ground(axes: "Axes", half: float, size: float) -> None:
         axes.plot([place, place - 0.7 * deep], [0.0, -0.7 * deep], color=palette.FAINT, lw=0.6)
 
 
-def _write_angle(
-    axes: "Axes", described: ObjectFile, place: tuple[float, float, float]
-) -> None:
+def _write_angle(axes: "Axes", described: ObjectFile, place: tuple[float, float, float]) -> None:
     """Draw the slenderness of the side that lifts first, between edge, mass centre and vertical."""
     from matplotlib.patches import Arc
 

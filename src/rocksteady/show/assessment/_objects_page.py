@@ -3,9 +3,9 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from rocksteady.results.numbers import number
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.objects_table import ObjectsTable
-from rocksteady.results.numbers import number
 from rocksteady.show.assessment._provenance import provenance
 from rocksteady.show.assessment._wording import BADGES, NOTHING, cleaned, greek, percent
 from rocksteady.show.report import render
@@ -75,7 +75,9 @@ def _places(rows: Sequence[dict[str, Any]], key: str, descending: bool) -> list[
         value = rows[place][key]
         if value is None:
             return True, 0.0
-        return False, value.casefold() if isinstance(value, str) else (-value if descending else value)
+        return False, value.casefold() if isinstance(value, str) else (
+            -value if descending else value
+        )
 
     order = sorted(range(len(rows)), key=rank)
     places = [0] * len(rows)

@@ -60,7 +60,7 @@ def greek(text: str) -> str:
     """
     for name, letter in (("alpha", "α"), ("theta", "θ"), ("beta", "β"), ("pi", "π")):
         text = re.sub(rf"\b{name}(?=\d|\b)", letter, text)
-    return re.sub(r"\bsqrt e\b", "√e", text)
+    return re.sub(r"\bsqrt e\b", "√e", text).replace("beta_U", "β_U")
 
 
 def key_words(key: str) -> str:

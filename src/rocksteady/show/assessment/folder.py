@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING
 
 from rocksteady.errors import InputError, OutputError
 from rocksteady.model.checks.arguments import checked
+from rocksteady.show.assessment.object_report import report_html
 from rocksteady.show.export.components import LossComponent
 from rocksteady.show.export.ensemble_rows import write_results_csv
+from rocksteady.show.export.files import save_text
 from rocksteady.show.export.folders import check_folder, fill_folder
 from rocksteady.show.export.manifest import make_manifest, write_manifest
 from rocksteady.show.export.openquake import write_openquake
@@ -137,6 +139,7 @@ def _fill(assessment: "Assessment", stage: Path, command: str, files: Sequence[P
         warnings=() if fragility is None else fragility.warnings,
     )
     write_manifest(stage / "run.json", manifest)
+    save_text("out", stage / "report.html", report_html(assessment, manifest))
 
 
 def _write_curves(assessment: "Assessment", fragility: "Fragility", stage: Path) -> list[str]:

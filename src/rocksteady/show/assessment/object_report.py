@@ -23,8 +23,8 @@ from rocksteady.show.assessment._assessment_tables import (
     state_rows,
 )
 from rocksteady.show.assessment._objects_page import objects_html
-from rocksteady.show.assessment._wording import BADGES, cleaned, greek, percent, plain_name, span
 from rocksteady.show.assessment._provenance import provenance
+from rocksteady.show.assessment._wording import BADGES, cleaned, greek, percent, plain_name, span
 from rocksteady.show.export.files import save_text
 from rocksteady.show.export.manifest import make_manifest
 from rocksteady.show.report import render
@@ -142,7 +142,7 @@ def _warnings(assessment: Assessment, motions: Sequence[Mapping[str, Any]]) -> l
     if assessment.fragility is not None:
         found += assessment.fragility.warnings
     made = sum(row["synthetic"] for row in motions)
-    if made:
+    if made and assessment.fragility is not None:
         found.append(
             f"{made} of {plural(len(motions), 'motion')} {'is' if made == 1 else 'are'} synthetic, "
             "made from random numbers and no earthquake's: the answer is an example, not one for a "
