@@ -115,6 +115,49 @@ def test_the_second_stage_sees_the_runs_that_lift_alone() -> None:
     np.testing.assert_allclose(state.curve.probability(at), product, rtol=1e-14)
 
 
+def test_the_gain_is_the_likelihood_of_the_failures_in_two_stages_above_that_of_one() -> None:
+    state = fragility().state("theta/alpha > 0.25")
+    labels = ensemble().peak_angle > 0.25
+    fell = (labels | (ensemble().status == Status.OVERTURNED)).transpose(..., "level").values
+    chance = np.broadcast_to(state.curve.probability(LEVELS), fell.shape)
+    alone = np.broadcast_to(state.plain.probability(LEVELS), fell.shape)
+    two, one = (float(np.log(np.where(fell, p, 1.0 - p)).sum()) for p in (chance, alone))
+    assert state.gain == pytest.approx(two - one, rel=1e-9)
+    assert fragility().state("uplift").gain is None
+
+
+def test_behind_a_gate_two_stages_gain() -> None:
+    # None lifts at three levels; at the next half of the runs fall, and then a few more.
+    status = np.full(ensemble().status.shape, int(Status.AT_REST), dtype=np.int8)
+    order = np.arange(status[..., 0].size).reshape(status.shape[:-1]) % 10
+    for level, tenths in ((3, 5), (4, 6), (5, 7)):
+        status[..., level] = np.where(order < tenths, Status.OVERTURNED, Status.AT_REST)
+    peaks = np.zeros(status.shape)
+    peaks[..., 3:] = 0.5
+    found = fit_fragility(changed(status=status, peak_angle=peaks), fitting=PLAIN)
+    state = found.state("overturned")
+    assert state.gain is not None
+    assert state.gain > 10.0
+    assert state.curve.misfit < 0.5 * state.plain.misfit
+
+
+def test_a_step_at_one_level_is_not_refuted_by_that_level() -> None:
+    gate = math.tan(BLOCK.alpha)
+    found = compute_fragility(
+        BLOCK,
+        SUITE,
+        stripes=Stripes("pga_g", [0.8 * gate, 1.2 * gate, 2.4 * gate], beside=()),
+        restitution=RestitutionBand(draws=2),
+        fitting=Fitting(states=[0.05], bands=None),
+    )
+    (state,) = found.states
+    assert state.plain.status == "separated"
+    assert state.plain.step == (1.2 * gate, 1.2 * gate)
+    assert state.plain.median == 1.2 * gate
+    assert state.gain is not None
+    assert math.isfinite(state.gain)
+
+
 def test_records_are_the_groups_however_many_blocks_are_pooled() -> None:
     assert fragility().records == fragility().state("overturned").plain.records == len(SUITE)
     one = fit_fragility(ensemble().isel(block=[0]), fitting=PLAIN)

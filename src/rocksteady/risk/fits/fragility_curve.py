@@ -312,7 +312,8 @@ def curve_of(
         a, b = best.coefficients
         median, beta = math.exp(best.centre - best.scale * a / b), best.scale / float(b)
     elif best.step is not None:
-        median, beta = math.sqrt(best.step[0]) * math.sqrt(best.step[1]), 0.0
+        low, high = best.step  # at one level with both outcomes that level, to the last bit
+        median, beta = low if low == high else math.sqrt(low) * math.sqrt(high), 0.0
     failures, trials = (counts.sum() for counts in best.counts.totals)
     levels = best.counts.levels
     flat = best.status == NOT_RISING

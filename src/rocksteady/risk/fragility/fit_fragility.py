@@ -6,6 +6,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Literal
 
+import numpy as np
+from numpy.typing import NDArray
+
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.base_motion import BaseMotion
@@ -32,6 +35,9 @@ from rocksteady.sweep.run import Run
 
 if TYPE_CHECKING:
     import xarray
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
 
 
 @checked
@@ -169,7 +175,7 @@ def _fitted(
     named = (measure.label, measure.unit)
     groups = labels.groups.ravel()
     gate = 0 < lifted.sum() < trials.sum() and state.name != UPLIFT
-    two_stage = None
+    two_stage, gain = None, None
     if gate:
         two_stage = fit_two_stages(
             at,
@@ -182,6 +188,8 @@ def _fitted(
             measure=named,
         )
         plain = two_stage.plain
+        gain = _likelihood(two_stage.probability(at), failures.ravel(), counts)
+        gain -= plain.log_likelihood
     else:
         plain = fit_curve(
             at,
@@ -199,7 +207,16 @@ def _fitted(
             points.append((level, *sums))
     else:
         points += [(level, count, None, fell) for level, count, fell, _ in plain.stripes]
-    return StateFragility(state=state, plain=plain, two_stage=two_stage, points=tuple(points))
+    return StateFragility(
+        state=state, plain=plain, two_stage=two_stage, gain=gain, points=tuple(points)
+    )
+
+
+def _likelihood(share: Floats, failures: Integers, trials: Integers) -> float:
+    """Return the log-likelihood of single runs with given probabilities; NaN of unknown ones."""
+    from scipy.special import xlog1py, xlogy
+
+    return float((xlogy(failures, share) + xlog1py(trials - failures, -share)).sum())
 
 
 def _warnings(labels: Labels, states: Sequence[StateFragility]) -> tuple[str, ...]:

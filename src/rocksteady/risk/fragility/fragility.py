@@ -190,6 +190,7 @@ def _shown_row(each: StateFragility) -> dict[str, Any]:
         "status": shape.status,
         "misfit": number_or_none(curve.misfit),
         "plain_misfit": number_or_none(each.plain.misfit) if each.two_stage else None,
+        "gain": None if each.gain is None else number_or_none(each.gain),
     }
 
 
@@ -206,7 +207,8 @@ def _columns(unit: str) -> tuple[Column, ...]:
         Column("median", f"median [{unit}]" if unit else "median", left=True),
         Column("beta", "beta", left=True),
         Column("misfit", "misfit"),
-        Column("plain_misfit", "plain"),
+        Column("plain_misfit", "of one"),
+        Column("gain", "gain"),
         Column("status", "status", left=True),
     )
 

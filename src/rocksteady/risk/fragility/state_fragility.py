@@ -24,6 +24,9 @@ class StateFragility:
     two_stage
         P(uplift) times P(state given uplift); None where every run lifts, or none does, and of
         uplift itself.
+    gain
+        What two stages add to the log-likelihood of the failures alone; below 0 the one curve
+        describes them better.  None without stages, NaN where the product is unknown.
     points
         Intensity, trials, uplifts and failures of each level; without levels of the measure, those
         of joined neighbours, without uplifts.
@@ -32,6 +35,7 @@ class StateFragility:
     state: DamageState
     plain: FragilityCurve
     two_stage: TwoStageCurve | None = None
+    gain: float | None = None
     points: tuple[tuple[float, int, int | None, int], ...] = ()
 
     @property
@@ -79,6 +83,7 @@ class StateFragility:
             "beta_high": beta_high,
             "log_likelihood": curve.log_likelihood,
             "misfit": number_or_none(curve.misfit),
+            "gain": None if one or self.gain is None else number_or_none(self.gain),
             "goodness": None if one is None else one.goodness,
             "step_low": step_low,
             "step_high": step_high,
