@@ -189,7 +189,6 @@ def _shown_row(each: StateFragility) -> dict[str, Any]:
         "beta": _with_band(shape.beta, shape.beta_band),
         "status": shape.status,
         "misfit": number_or_none(curve.misfit),
-        "plain_misfit": number_or_none(each.plain.misfit) if each.two_stage else None,
         "gain": None if each.gain is None else number_or_none(each.gain),
     }
 
@@ -207,7 +206,6 @@ def _columns(unit: str) -> tuple[Column, ...]:
         Column("median", f"median [{unit}]" if unit else "median", left=True),
         Column("beta", "beta", left=True),
         Column("misfit", "misfit"),
-        Column("plain_misfit", "of one"),
         Column("gain", "gain"),
         Column("status", "status", left=True),
     )
