@@ -108,6 +108,7 @@ def test_bars_of_the_tornado_hold_their_cases_and_the_widest_is_first(found: Ass
     widths = [bar["high"] - bar["low"] for bar in bars]
     assert widths == sorted(widths, reverse=True)
     assert widths[0] > 0.0
+    assert found.bars == [(bar["parameter"], bar["low"], bar["high"]) for bar in bars]
     for case in found.cases[1:]:
         bar = next(bar for bar in bars if bar["parameter"] == case.parameter)
         assert bar["low"] <= case.probability <= bar["high"]

@@ -13,11 +13,12 @@ from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
-from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, quantity
 from rocksteady.results.result import Result
+from rocksteady.risk.assess._assessment_tables import tables_of
 from rocksteady.risk.assess._counts import MULTIPLES, count_runs
-from rocksteady.risk.assess._demand_level import DemandLevel, demand_level, horizontal, measured
+from rocksteady.risk.assess._demand_level import DemandLevel, demand_level, measured
 from rocksteady.risk.assess._remedies import Remedy, Search, cheapest, find_remedies
 from rocksteady.risk.assess._sensitivity import Case, band_of, tornado, vary
 from rocksteady.risk.assess._verdicts import Findings, answer_of
@@ -110,14 +111,26 @@ class Assessment(Result):
         """The fragility curve of overturning; None where it slides."""
         return None if self.fragility is None else self.fragility.state(OVERTURNED).curve
 
+    @property
+    def bars(self) -> list[tuple[str, float, float]]:
+        """Parameter, lowest and highest probability, the widest first, as a tornado plot takes."""
+        rows = tornado(self.cases) if self.cases else []
+        return [(row["parameter"], row["low"], row["high"]) for row in rows]
+
     def describe(self) -> Description:
         """Return the sentence, facts, screens, sensitivity, remedies, risk, caveats and inputs."""
         own = self.facts.describe()
         return Description(
             headline=self.sentence,
             facts=[*self._answer(), *(fact for fact in own.facts if fact.key != "name")],
-            tables=list(self._tables()),
-            notes=[self.reason, *self.facts.warnings, *self._warnings(), *CAVEATS],
+            tables=tables_of(self.screens, self.cases, self.remedies, self.risks, self.motions),
+            notes=[
+                self.reason,
+                *(f"{each.name.capitalize()}: {each.words}." for each in self.remedies),
+                *self.facts.warnings,
+                *self._warnings(),
+                *CAVEATS,
+            ],
         )
 
     def _answer(self) -> list[Fact]:
@@ -154,74 +167,6 @@ class Assessment(Result):
                 Fact("runs", self.fragility.runs, "runs"),
             ]
         return [*facts, Fact("seconds", self.seconds)]
-
-    def _tables(self) -> "list[Table]":
-        """Return screens, sensitivity, remedies, risk and inputs."""
-        rows = [dict(row.values()) for row in self.screens.rows]
-        screen_columns = [
-            Column("name", "screen", left=True),
-            Column("value", "value"),
-            Column("unit", "", left=True),
-            Column("verdict", "verdict", left=True),
-        ]
-        case_columns = [
-            Column("parameter", "changed", left=True),
-            Column("change", "to", left=True),
-            Column("probability", "P fitted"),
-            Column("counted", "P counted"),
-            Column("median", "median"),
-        ]
-        remedy_columns = [
-            Column("name", "remedy", left=True),
-            Column("words", "do", left=True),
-            Column("fitted", "P fitted"),
-            Column("counted", "P counted"),
-        ]
-        risks = [
-            {
-                "hazard": risk.hazard.name or risk.hazard.label,
-                "annual_rate": risk.annual_rate,
-                "years": risk.years,
-                "probability": risk.probability,
-                "hclpf": risk.hclpf,
-            }
-            for risk in self.risks
-        ]
-        risk_columns = [
-            Column("hazard", "hazard", left=True),
-            Column("annual_rate", "falls a year"),
-            Column("years", "years"),
-            Column("probability", "P in these"),
-            Column("hclpf", "HCLPF"),
-        ]
-        cases = [case.to_dict() for case in self.cases]
-        bars = tornado(self.cases) if self.cases else []
-        bar_columns = [
-            Column("parameter", "uncertain", left=True),
-            Column("low", "lowest P"),
-            Column("high", "highest P"),
-        ]
-        input_columns = [
-            Column("name", "motion", left=True),
-            Column("samples", "samples"),
-            Column("dt_s", "dt [s]"),
-            Column("pga_g", "PGA [g]"),
-            Column("pgv_m_s", "PGV [m/s]"),
-        ]
-        found = [
-            Table("cases", cases, case_columns, title="One thing changed at a time"),
-            Table("tornado", bars, bar_columns, title="What matters most"),
-            Table(
-                "remedies",
-                [remedy.to_dict() for remedy in self.remedies],
-                remedy_columns,
-                title="Remedies",
-            ),
-            Table("risks", risks, risk_columns, title="Risk"),
-            Table("screens", rows, screen_columns, title="Code formulas, side by side"),
-            Table("inputs", _inputs(self.motions), input_columns, title="Motions", most=12),
-        ]
-        return [table for table in found if table.rows]
 
     def _warnings(self) -> list[str]:
         """Return what limits the fits, and what was noted of risk."""
@@ -428,7 +373,7 @@ def _words_of(described: ObjectFile, level: DemandLevel) -> str:
         for value, unit in ((given.pga_g, "g of PGA"), (given.pgv_m_s, "m/s of PGV"))
         if value is not None
     ]
-    return f"{' and '.join(peaks) or level.words}, {given.place}"
+    return f"{' and '.join(peaks) or level.words}, of the {given.place}"
 
 
 def _curves(hazard: HazardCurve | Sequence[HazardCurve] | None) -> list[HazardCurve]:
@@ -475,20 +420,3 @@ def _curve_over(
         groups=records.ravel(),
         measure=(measure.label, measure.unit),
     )
-
-
-def _inputs(suite: Sequence[Record | BaseMotion]) -> list[dict[str, object]]:
-    """Return what each motion is."""
-    records = [horizontal(each) for each in suite]
-    pga, pgv = (measured(suite, Intensity(name)) for name in ("pga_g", "pgv_m_s"))
-    return [
-        {
-            "name": record.name,
-            "samples": len(record.acceleration_m_s2),
-            "dt_s": record.dt_s,
-            "pga_g": float(first),
-            "pgv_m_s": float(second),
-            "vertical": isinstance(each, BaseMotion) and each.vertical is not None,
-        }
-        for each, record, first, second in zip(suite, records, pga, pgv, strict=True)
-    ]
