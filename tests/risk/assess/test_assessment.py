@@ -18,6 +18,7 @@ from rocksteady.risk.assess._sensitivity import tornado, vary
 from rocksteady.risk.assess.assessment import Assessment, assess_object
 from rocksteady.risk.assess.described.objects import ObjectFile
 from rocksteady.risk.assess.synthetic import make_synthetic_suite
+from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.hazard.failure_risk import compute_risk
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.seismic.measures.scalar import Intensity, measure_scalar
@@ -231,6 +232,21 @@ def test_without_a_demand_the_motions_as_they_are_give_it() -> None:
     found = assess_object(described(demand={}), SUITE)
     median = np.median([measure_scalar(each, Intensity("pgv_m_s")) for each in SUITE])
     assert f"{median:.3g} m/s, the median of the motions" in found.demand
+
+
+def test_a_step_is_no_answer_between_its_levels_and_the_runs_at_the_demand_are() -> None:
+    """Four levels in three octaves: none falls at one, all at the next, and the demand between."""
+    suite = SUITE[:4]
+    found = assess_object(
+        described({"levels": 4, "draws": 1, "target_probability": 0.9}, demand={"pgv_m_s": 0.4}),
+        suite,
+    )
+    curve = found.curve
+    assert isinstance(curve, TwoStageCurve)
+    assert curve.given_uplift.status == "separated"
+    assert found.probability == found.cases[0].counted
+    assert found.probability_band is None
+    assert any("No curve of falling can be fitted" in note for note in found.describe().notes)
 
 
 def test_vertical_motion_is_a_case_of_its_own() -> None:

@@ -14,6 +14,7 @@ from rocksteady.outcomes import Status
 from rocksteady.risk.ensemble.levels import Stripes
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_ensemble
+from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve, fit_two_stages
 from rocksteady.seismic.measures.scalar import Intensity
 from rocksteady.sweep.run import Run
@@ -67,6 +68,12 @@ class Counts:
             groups=np.repeat(np.arange(records), levels),
             measure=self.measure,
         )
+
+
+def is_fitted(curve: FragilityCurve | TwoStageCurve) -> bool:
+    """Return whether failure, given uplift, has a fitted curve and not a step, or none."""
+    stage = curve.given_uplift if isinstance(curve, TwoStageCurve) else curve
+    return stage.status == "fitted"
 
 
 def count_runs(ensemble: "xarray.Dataset", blocks: Sequence[Block]) -> list[Counts]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.base_motion import BaseMotion
-from rocksteady.risk.assess._counts import MULTIPLES, THE_DEMAND, Counts, Motions, run_at
+from rocksteady.risk.assess._counts import MULTIPLES, THE_DEMAND, Counts, Motions, is_fitted, run_at
 from rocksteady.risk.assess._demand_level import DemandLevel
 from rocksteady.risk.assess.described.objects import ObjectFile
 from rocksteady.risk.assess.described.schema import Range
@@ -35,7 +35,8 @@ class Case:
     change
         How, in words.
     probability, counted
-        Of falling at the demand: fitted over the levels about it, and the share of the runs there.
+        Of falling at the demand: fitted over the levels about it, and the share of the runs there;
+        where no curve can be fitted both are the share.
     fell, trials
         Runs at the demand.
     median
@@ -127,8 +128,8 @@ def case_of(parameter: str, change: str, counts: Counts) -> Case:
     return Case(
         parameter=parameter,
         change=change,
-        # Without a curve, where no run falls or all do, the share is all there is.
-        probability=counted if math.isnan(probability) else probability,
+        # A step, or no curve, knows nothing between the levels: the share is all there is.
+        probability=probability if is_fitted(curve) else counted,
         counted=counted,
         fell=fell,
         trials=trials,

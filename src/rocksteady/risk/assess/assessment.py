@@ -17,7 +17,7 @@ from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.assess._assessment_tables import tables_of
-from rocksteady.risk.assess._counts import MULTIPLES, count_runs
+from rocksteady.risk.assess._counts import MULTIPLES, count_runs, is_fitted
 from rocksteady.risk.assess._demand_level import DemandLevel, demand_level, measured
 from rocksteady.risk.assess._remedies import Remedy, Search, cheapest, find_remedies
 from rocksteady.risk.assess._sensitivity import Case, band_of, tornado, vary
@@ -171,7 +171,12 @@ class Assessment(Result):
     def _warnings(self) -> list[str]:
         """Return what limits the fits, and what was noted of risk."""
         found = [] if self.fragility is None else list(self.fragility.warnings)
-        if self.cases and self.probability:
+        if self.cases and self.curve is not None and not is_fitted(self.curve):
+            found.append(
+                "No curve of falling can be fitted to these runs: the probability is the share of "
+                "the runs at the demand."
+            )
+        elif self.cases and self.probability:
             found.append(
                 "One thing changed at a time: fitted to runs at "
                 f"{MULTIPLES[0]:g} to {MULTIPLES[-1]:g} times the demand, where the object as "
@@ -310,7 +315,7 @@ def _rocking(
     at = np.array([level.of(fragility.measure, block)])
     probability = float(curve.probability(at)[0])
     band = curve.probability_band(at)
-    if math.isnan(probability):  # without a curve the runs about the demand are what there is
+    if not is_fitted(curve):  # a step, or no curve: the runs at the demand are what there is
         probability, band = cases[0].counted, None
     remedies: tuple[Remedy, ...] = ()
     if not resting and probability > findings.target:

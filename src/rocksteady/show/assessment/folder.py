@@ -164,6 +164,9 @@ def _write_curves(assessment: "Assessment", fragility: "Fragility", stage: Path)
     if with_lognormal:
         write_pelicun(stage / "fragility.csv", [replace(component, states=with_lognormal)])
     else:
-        notes.append("No state has a lognormal: there is no fragility.csv")
-    write_openquake(stage / "fragility.xml", [component], points=POINTS)
+        notes.append("No state has a lognormal: there is no table for pelicun")
+    try:
+        write_openquake(stage / "fragility.xml", [component], points=POINTS)
+    except InputError as error:  # beyond its runs nothing is known of a state that never happens
+        notes.append(f"No file for OpenQuake: {error}")
     return notes

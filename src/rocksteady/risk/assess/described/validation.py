@@ -18,6 +18,8 @@ from rocksteady.risk.assess.described.schema import (
     numbers_of,
     own_states,
 )
+from rocksteady.risk.fragility.damage_states import DamageState
+from rocksteady.seismic.measures.scalar import Intensity
 
 LARGEST_M = 50.0
 """Longest size of an object [m]: larger ones are taken for millimetres or centimetres."""
@@ -99,6 +101,7 @@ def validated(values: Mapping[str, object], source: str) -> ObjectInput:
     for table, key, value in numbers_of(given):
         _check(table, key, value, source)
     _check_spectrum(given, source)
+    _check_choices(given, source)
     states = [name for name, _ in own_states(given.assessment)]
     if given.assessment.damage_states is not None and len(set(states)) != max(1, len(states)):
         raise InputError(
@@ -133,6 +136,31 @@ def _check(table: str, key: str, value: object, source: str) -> None:
         raise InputError(
             name, (value.low, value.high), "low must not be above high", "exchange the two"
         )
+
+
+def _check_choices(given: ObjectInput, source: str) -> None:
+    """Refuse a measure of intensity or a damage state that there is not."""
+    options = given.assessment
+    name = named(source, "assessment", "intensity_measure")
+    try:
+        scales = Intensity(options.intensity_measure, options.period_s).scales
+    except InputError as error:
+        if error.name == "period_s":
+            name = named(source, "assessment", "period_s")
+        raise InputError(name, error.value, error.valid, error.hint) from None
+    if not scales:
+        raise InputError(
+            name,
+            options.intensity_measure,
+            "scaling a record does not change it, so that it has no levels",
+            "take another, as 'p_pgv_per_uplift'",
+        )
+    for state, peak in own_states(options):
+        try:
+            DamageState(state, peak)
+        except InputError as error:
+            place = named(source, "assessment", "damage_states")
+            raise InputError(place, state, error.valid, error.hint) from None
 
 
 def _check_spectrum(given: ObjectInput, source: str) -> None:
