@@ -246,6 +246,8 @@ def test_a_step_is_no_answer_between_its_levels_and_the_runs_at_the_demand_are()
     assert curve.given_uplift.status == "separated"
     assert found.probability == found.cases[0].counted
     assert found.probability_band is None
+    base = found.cases[0]
+    assert found.sentence.startswith(f"{base.fell or 'None'} of its {base.trials} runs fall at")
     assert any("No curve of falling can be fitted" in note for note in found.describe().notes)
 
 

@@ -44,6 +44,8 @@ class Findings:
         Probability that is accepted.
     probability, cases
         Of falling at the demand, and one thing changed at a time; none where it slides.
+    fitted
+        Whether that is of a curve, and not the share of the runs.
     remedy
         That of the least change, where one is needed.
     """
@@ -57,6 +59,7 @@ class Findings:
     target: float
     probability: float | None = None
     cases: tuple[Case, ...] = ()
+    fitted: bool = True
     remedy: Remedy | None = None
 
 
@@ -103,9 +106,12 @@ def answer_of(findings: Findings) -> Answer:
     probability = findings.probability or 0.0
     verdict = "above target" if probability > target else "below target"
     side = "more than" if probability > target else "within"
+    share = f"{share_words(probability)} such objects would fall"
+    if not findings.fitted:  # a share of so many runs is no smaller than one of them
+        base = findings.cases[0]
+        share = f"{base.fell or 'None'} of its {base.trials} runs fall"
     sentence = (
-        f"{share_words(probability)} such objects would fall at {findings.level.words}: {side} the "
-        f"target of {number(100.0 * target)} %."
+        f"{share} at {findings.level.words}: {side} the target of {number(100.0 * target)} %."
     )
     if remedy is not None:
         sentence = f"{sentence[:-1]}; the least change that helps is to {remedy.words}."

@@ -282,6 +282,7 @@ def assess_object(
             findings,
             probability=assessment.probability,
             cases=assessment.cases,
+            fitted=assessment.curve is not None and is_fitted(assessment.curve),
             remedy=cheapest(assessment.remedies),
         )
     answer = answer_of(findings)._asdict()

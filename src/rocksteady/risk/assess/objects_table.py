@@ -319,7 +319,9 @@ def _row(
         "uplift_pga_g": uplift_acceleration_g(block),
         "friction_needed": None if pga is None else needed_friction(block, pga),
         "verdict": _verdict(probability, motion, target),
-        "sentence": _sentence(described.name, probability, motion, (fell, trials), peaks),
+        "sentence": _sentence(
+            described.name, probability, motion, (fell, trials), peaks, fitted=fitted is not None
+        ),
     }
     return row | {
         (f"{key} (given)" if key in row else key): text for key, text in described.extra.items()
@@ -341,6 +343,8 @@ def _sentence(
     motion: str | None,
     runs: tuple[int, int],
     peaks: tuple[float | None, float | None],
+    *,
+    fitted: bool,
 ) -> str:
     """Return the one sentence on an object."""
     pga, pgv = peaks
@@ -350,6 +354,8 @@ def _sentence(
         return f"{name} stands: a PGA of {number(pga or 0.0)} g does not lift it."
     level = f"a PGV of {number(pgv)} m/s" if pgv is not None else f"a PGA of {number(pga or 0.0)} g"
     fell, trials = runs
+    if not fitted:  # a share of so many runs is no smaller than one of them
+        return f"{name}: {fell or 'none'} of its {trials} runs fall at {level}."
     return (
         f"{name}: {share_words(probability).lower()} such objects would fall at {level}; of its "
         f"own runs {fell} of {trials} did."
