@@ -17,7 +17,11 @@ from rocksteady.show.assessment import folder as module
 from rocksteady.show.assessment.folder import write_assessment
 
 SUITE = make_synthetic_suite(11)
-FILES = ["fragility.csv", "fragility.json", "fragility.xml", "results.csv", "run.json"]
+FILES = [
+    "fragility.csv", "fragility.json", "fragility.xml", "report.html", "results.csv", "run.json",
+]  # fmt: skip
+ALONE = ["report.html", "run.json"]
+"""Files of an object that slides."""
 
 
 def described(friction: float) -> ObjectFile:
@@ -114,11 +118,11 @@ def test_an_object_that_slides_leaves_its_inputs_alone(
 ) -> None:
     out = tmp_path / "answer"
     write_assessment(rocking, out)
-    with pytest.raises(OutputError, match=r"it holds fragility\.csv and 4 more; add --force"):
+    with pytest.raises(OutputError, match=r"it holds fragility\.csv and 5 more; add --force"):
         write_assessment(sliding, out)
     assert names(out) == FILES
     write_assessment(sliding, out, force=True)
-    assert names(out) == ["run.json"], "no curve of another answer stays behind"
+    assert names(out) == ALONE, "no curve of another answer stays behind"
     values = json.loads((out / "run.json").read_text(encoding="utf-8"))
     assert values["settings"]["answer"]["verdict"] == "slides"
 
@@ -131,7 +135,7 @@ def test_a_folder_with_anything_else_is_left_alone(sliding: Assessment, tmp_path
     assert names(tmp_path) == ["thesis.txt"]
     (tmp_path / "empty").mkdir()
     write_assessment(sliding, tmp_path / "empty")
-    assert names(tmp_path / "empty") == ["run.json"]
+    assert names(tmp_path / "empty") == ALONE
 
 
 def test_what_fails_leaves_nothing_half_written(

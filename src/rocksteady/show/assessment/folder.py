@@ -57,8 +57,8 @@ def write_assessment(
     Returns
     -------
     list of Path
-        A table with a row for each run, curves as pelicun and OpenQuake read them, and the manifest
-        of the run; without an ensemble the manifest alone.
+        The report, a table with a row for each run, curves as pelicun and OpenQuake read them, and
+        the manifest of the run; without an ensemble report and manifest alone.
 
     Raises
     ------
@@ -78,7 +78,7 @@ def write_assessment(
     >>> found = assess_object(ObjectFile(values=values), make_synthetic_suite(2))
     >>> with TemporaryDirectory() as folder:
     ...     [file.name for file in write_assessment(found, folder)]
-    ['run.json']
+    ['report.html', 'run.json']
     """
     check_assessment_folder(folder, force=force)
     stale = [each.name for each in Path(folder).glob("*")] if Path(folder).is_dir() else []
