@@ -91,7 +91,8 @@ def tornado_rows(assessment: Assessment) -> list[tuple[str, float, float]]:
         name = key_words(parameter)
         first, last = cases[0], cases[-1]
         if len(cases) > 1:
-            words = f"{name}, {first.change.removesuffix(' alone')} to {last.change.removesuffix(' alone')}"
+            ends = " to ".join(case.change.removesuffix(" alone") for case in (first, last))
+            words = f"{name}, {ends}"
             rows.append((words, first.probability, last.probability))
         elif first.change.startswith(("-", "−")):
             rows.append((f"{name}, {first.change}", first.probability, base))

@@ -1,0 +1,254 @@
+"""The page of an assessment: its figures, its sections, and that it needs and runs nothing."""
+
+import base64
+import math
+import re
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rocksteady.errors import OutputError
+from rocksteady.model.motions.record import Record
+from rocksteady.results.numbers import number
+from rocksteady.risk.assess.assessment import Assessment, assess_object
+from rocksteady.risk.assess.described.objects import ObjectFile
+from rocksteady.risk.assess.synthetic import make_synthetic_suite
+from rocksteady.risk.hazard.hazard_curve import HazardCurve
+from rocksteady.show.assessment.object_report import report_html, write_report
+from rocksteady.show.export.manifest import make_manifest
+from tests.show.assessment.pages import Page, check_alone
+
+HOSTILE = "<script>alert('1')</script> & \u202eevil \"q\" $\\frac{x}$ {{ 7*7 }} </style>\\"
+SUITE = make_synthetic_suite(12)
+COMMAND = "rocksteady assess statue.toml --records <DIR> --out \"OUT\" && echo '$x$'"
+ALL = {
+    "Why, and what to mind", "The object", "Motions", "Method", "Fragility",
+    "Efficiency of measures", "Published formulas, side by side", "Sensitivity", "Remedies", "Risk",
+    "What the answer depends on", "Inputs",
+}  # fmt: skip
+
+
+def statue(name: str = "statue", **keys: Any) -> ObjectFile:
+    values: dict[str, Any] = {
+        "name": name,
+        "friction": 0.5,
+        "geometry": {"width_m": 0.34, "height_m": 1.8, "mass_kg": 200.0},
+        "demand": {"pga_g": 0.4, "pgv_m_s": 0.45},
+        "assessment": {"draws": 2, "levels": 6},
+    }
+    return ObjectFile(values=values | keys)
+
+
+def page_of(assessment: Assessment, command: str = COMMAND) -> str:
+    return report_html(assessment, make_manifest(assessment.motions, command=command))
+
+
+@pytest.fixture(scope="module", name="found")
+def _found() -> Assessment:
+    levels, rates = [0.01, 1.0, 10.0], [1.0, 1e-3, 1e-4]
+    curves = [
+        HazardCurve(measure=measure, levels=levels, rates=rates, name=f"{measure} <mean>")
+        for measure in ("pgv_m_s", "pga_g")
+    ]
+    return assess_object(statue(), SUITE, hazard=curves)
+
+
+@pytest.fixture(scope="module", name="html")
+def _html(found: Assessment) -> str:
+    return page_of(found)
+
+
+@pytest.fixture(scope="module", name="page")
+def _page(html: str) -> Page:
+    return Page(html)
+
+
+@pytest.fixture(scope="module", name="slides")
+def _slides() -> Assessment:
+    return assess_object(statue(friction=0.1), SUITE[:3])
+
+
+def test_it_is_one_page_that_runs_and_fetches_nothing(page: Page) -> None:
+    check_alone(page)
+    assert page.tags["h1"] == 1
+
+
+def test_its_headings_are_in_order_and_numbered(page: Page) -> None:
+    assert page.headings[0] == (1, "statue")
+    inside = [text for level, text in page.headings[2:] if level == 2]
+    assert [int(re.match(r"\d+", text)[0]) for text in inside] == [*range(1, len(inside) + 1)]  # type: ignore[index]
+    assert {re.sub(r"^\d+", "", text) for text in inside} == ALL
+    linked = [each["href"][1:] for each in page.of("a") if "skip" not in each.get("class", "")]
+    assert linked == [each["id"] for each in page.of("h2") if each["id"] != "contents"]
+
+
+def test_all_figures_of_the_answer_stand_on_it(found: Assessment, page: Page) -> None:
+    values = found.to_dict()
+    shares = [values["probability"], *values["probability_band"], values["target_probability"]]
+    expected = [number(100.0 * share) for share in shares]
+    expected += [number(values[key]) for key in ("median", "friction_needed", "uplift_pga_g")]
+    for case in values["cases"]:
+        expected += [number(100.0 * case["probability"]), f"{case['fell']} of {case['trials']}"]
+    for row in values["screens"]:
+        expected += [row["edition"], row["confidence"], row["status"]]
+        expected += [] if row["value"] is None else [number(row["value"])]
+    for row in values["inputs"]:
+        expected += [row["name"], number(row["pga_g"]), number(row["pgv_m_s"])]
+    for remedy in values["remedies"]:
+        assert remedy["words"] in page.text
+    for risk in values["risks"]:
+        expected += [risk["hazard"], number(risk["hclpf"])]
+    assert [each for each in expected if each not in page.text] == []
+
+
+def test_the_curves_of_all_states_stand_on_it(found: Assessment, page: Page) -> None:
+    assert found.fragility is not None
+    for each in found.fragility.states:
+        assert number(each.curve.median) in page.text
+        assert f"{each.plain.failures:,} of {each.plain.trials:,}" in page.text
+    assert "theta" not in page.text
+    for measure in found.fragility.ranking:
+        assert f"{measure.aic:.0f}" in page.text
+
+
+def test_the_median_is_given_as_a_peak_velocity(found: Assessment, page: Page) -> None:
+    """p PGV/(g tan alpha) of the median, solved for PGV with alpha and p of the rectangle."""
+    assert found.curve is not None
+    alpha = math.atan(0.34 / 1.8)
+    rate = math.sqrt(0.75 * 9.80665 / (0.5 * math.hypot(0.34, 1.8)))
+    peak = found.curve.median * 9.80665 * math.tan(alpha) / rate
+    assert f"{number(peak)} m/s of PGV" in page.text
+
+
+def test_the_same_assessment_gives_the_same_bytes(found: Assessment, html: str) -> None:
+    assert page_of(replace(found, seconds=found.seconds + 1.0)) == html
+
+
+def test_hashes_versions_seed_and_command_stand_on_it(found: Assessment, page: Page) -> None:
+    manifest = make_manifest(found.motions)
+    for record in manifest["records"]:
+        assert record["sha256"][:16] in page.text
+    assert COMMAND in page.text
+    assert f"rocksteady {manifest['rocksteady']}" in page.text
+    assert "Seeds: bands 0" in page.text
+    assert {"mass_kg", "200.0", "friction", "0.5"} <= {word.strip() for word in page.words}
+
+
+def test_each_file_that_was_read_has_its_hash(slides: Assessment, tmp_path: Path) -> None:
+    file = tmp_path / "a&b.toml"
+    file.write_bytes(b"")
+    written = write_report(tmp_path / "report.html", slides, files=[file])
+    text = Page(written.read_text(encoding="utf-8")).text
+    assert "a&b.toml" in text
+    # The hash of no bytes, which everyone knows.
+    assert "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855" in text
+
+
+def test_every_picture_is_a_drawing_with_words(page: Page) -> None:
+    pictures = page.of("img")
+    assert len(pictures) == 5
+    for each in pictures:
+        assert len(each["alt"]) > 40
+        assert each["alt"].endswith(".")
+        content = each["src"].removeprefix("data:image/svg+xml;base64,")
+        assert ET.fromstring(base64.b64decode(content)).tag.endswith("svg")
+    assert len({each["alt"] for each in pictures}) == 5
+    # Drawn anew for a phone, all but the object, and never for paper.
+    sources = page.of("source")
+    assert len(sources) == 4
+    assert {each["media"] for each in sources} == {"screen and (max-width: 40rem)"}
+
+
+def test_motions_from_random_numbers_are_named_so(page: Page, slides: Assessment) -> None:
+    assert "12 of 12 motions are synthetic" in page.text
+    assert "synthetic" not in page_of(slides)  # none was run
+
+
+def test_names_of_any_kind_are_shown_and_never_run(page: Page) -> None:
+    record = Record(
+        acceleration_m_s2=SUITE[0].acceleration_m_s2, dt_s=SUITE[0].dt_s, name="<b>&amp;$x$"
+    )
+    hazard = HazardCurve(measure="pgv_m_s", levels=[0.1, 1.0], rates=[0.1, 0.01], name="<i>x</i>")
+    found = assess_object(statue(HOSTILE), [record, *SUITE[1:3]], hazard=hazard)
+    html = page_of(found, command="<script>'\"&")
+    plain, page = page, Page(html)
+    check_alone(page)
+    assert page.tags["b"] == plain.tags["b"]
+    assert page.tags["i"] == 0
+    assert "\u202e" not in html
+    assert page.headings[0][1] == HOSTILE.replace("\u202e", "\\u202e")
+    for text in ("<b>&amp;$x$", "<i>x</i>", "<script>'\"&"):
+        assert text in page.text
+    assert "49" not in page.headings[0][1]
+    assert page.style.count("<") == 0
+    running = re.search(r'@bottom-left { content: "([^"]*)"; color', page.style)
+    assert running is not None
+    assert not set(running[1]) & set("\\<>&{}'")
+
+
+def test_a_refused_object_has_a_short_page(slides: Assessment) -> None:
+    page = Page(page_of(slides))
+    check_alone(page)
+    inside = {re.sub(r"^\d+", "", text) for _, text in page.headings[2:]}
+    assert inside == {
+        "What is needed", "The object", "Published formulas, side by side",
+        "What the answer depends on", "Inputs",
+    }  # fmt: skip
+    assert slides.sentence in page.text
+    assert slides.reason in page.text
+    assert "no answer" in page.text
+    assert "Probability of falling" not in page.text
+    assert len(page.of("img")) == 1
+
+
+def test_headings_stand_over_content_alone(found: Assessment) -> None:
+    """Without hazard, remedies, sensitivity and further measures their sections are gone."""
+    fragility = found.fragility
+    assert fragility is not None
+    bare = replace(
+        found,
+        risks=(),
+        remedies=(),
+        cases=found.cases[:1],
+        fragility=replace(fragility, ranking=fragility.ranking[:1]),
+    )
+    page = Page(page_of(bare))
+    inside = {re.sub(r"^\d+", "", text) for _, text in page.headings[2:]}
+    assert ALL - inside == {"Risk", "Remedies", "Sensitivity", "Efficiency of measures"}
+    assert "none needed" in page.text
+
+
+def test_an_object_that_no_run_topples_has_a_page_without_a_median() -> None:
+    squat = statue(
+        geometry={"width_m": 1.0, "height_m": 0.8}, demand={"pga_g": 0.9, "pgv_m_s": 0.1}
+    )
+    found = assess_object(ObjectFile(values={**squat.values, "friction": 2.0}), SUITE[:3])
+    page = Page(page_of(found))
+    check_alone(page)
+    assert found.verdict == "stands"
+    assert "chance of falling: low" in page.text
+    assert "nan" not in page.text.lower().split()
+
+
+def test_few_motions_have_no_band_and_the_page_says_none() -> None:
+    found = assess_object(statue(), SUITE[:3])
+    page = Page(page_of(found))
+    assert found.probability_band is None
+    assert "studentised" not in page.text
+    assert "90 % band" not in page.text
+
+
+def test_two_sides_that_differ_have_a_table() -> None:
+    shape = {"width_m": 0.4, "height_m": 1.6, "offset_m": 0.05}
+    page = Page(page_of(assess_object(statue(geometry=shape), SUITE[:3])))
+    assert "Its two sides differ." in page.text
+    for side in (0.15, 0.25):
+        assert f"{number(math.degrees(math.atan(side / 0.8)))}°" in page.text
+
+
+def test_what_cannot_be_written_is_refused(slides: Assessment, tmp_path: Path) -> None:
+    with pytest.raises(OutputError):
+        write_report(tmp_path / "missing" / "report.html", slides)
