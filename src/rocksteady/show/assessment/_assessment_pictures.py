@@ -58,6 +58,7 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
             lambda axes: plot_ranking(fragility, axes),
             0.7 + ROW * len(ranked),
             f"Bars of beta for {len(ranked)} measures of intensity; the best is {best}.",
+            phone=False,
         )
     bars = tornado_rows(assessment)
     if bars:
@@ -72,6 +73,7 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
             1.1 + 1.2 * ROW * len(bars),
             f"Tornado plot about {percent(base)}; the widest bar is {bars[0][0]}, "
             f"{span(min(bars[0][1:]), max(bars[0][1:]), 100.0)} %.",
+            phone=False,  # its names leave no room for bars; the table below has its numbers
         )
     return found
 
@@ -127,14 +129,16 @@ def _draw_demand(axes: "Axes", demand: float, limits: tuple[float, float]) -> No
     )  # fmt: skip
 
 
-def _drawn(draw: "Callable[[Axes], object]", height: float, words: str) -> dict[str, str]:
-    """Return a picture for a page and for a phone."""
-    addresses = {}
-    for name, page in (("source", SCREEN), ("narrow", PHONE)):
+def _drawn(
+    draw: "Callable[[Axes], object]", height: float, words: str, *, phone: bool = True
+) -> dict[str, str]:
+    """Return a picture for a page, and drawn anew for a phone or not."""
+    found = {"alt": words}
+    for name, page in (("source", SCREEN), *([("narrow", PHONE)] if phone else [])):
         with page.figure(WIDTH, height, "") as figure:
             draw(figure.add_subplot())
-        addresses[name] = _address(figure)
-    return {**addresses, "alt": words}
+        found[name] = _address(figure)
+    return {"narrow": found["source"], **found}
 
 
 def _address(figure: Any) -> str:

@@ -79,13 +79,15 @@ def _median_words(assessment: Assessment) -> tuple[str, str]:
     words = f"{number(median)}{unit} of {label}"
     if band is not None:
         words += f" ({span(*band)})"
+    low, high = curve.sampled
+    beyond = "" if low <= median <= high else f"beyond what was run, {span(low, high)}{unit}"
     one = unit_of(assessment)
     if math.isnan(one) or one == 1.0:
-        return words, ""
+        return words, beyond
     peak = f"{number(one * median)} {PEAKS[fragility.measure.name][1]}"
     if band is not None:
         peak += f" ({span(band[0], band[1], one)})"
-    return peak, words
+    return peak, f"{words}, {beyond}" if beyond else words
 
 
 def _friction_words(assessment: Assessment) -> tuple[str, str]:

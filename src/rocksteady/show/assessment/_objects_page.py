@@ -50,10 +50,17 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
         for place, row in enumerate(rows)
     ]
     colours: dict[str, int] = facts["colours"].value
+    over, target = f"{colours['red']:,} of {len(rows):,}", percent(table.target_probability)
     values: dict[str, Any] = {
+        "above": f"{over} objects are more likely to fall than the target of {target}.",
         "caveats": [greek(sentence) for sentence in CAVEATS],
         "counts": [
-            {"word": BADGES[each][0], "look": BADGES[each][1], "count": f"{count:,}"}
+            {
+                "word": BADGES[each][0],
+                "look": BADGES[each][1],
+                "colour": each,
+                "count": f"{count:,}",
+            }
             for each, count in colours.items()
             if count
         ],
@@ -63,7 +70,7 @@ def objects_html(table: ObjectsTable, manifest: Mapping[str, Any]) -> str:
         "provenance": provenance(manifest),
         "records": f"{table.records:,}",
         "rows": shown,
-        "target": percent(table.target_probability),
+        "target": target,
     }
     return render(__package__, "objects.html.j2", **cleaned(values))
 

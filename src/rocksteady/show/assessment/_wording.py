@@ -16,8 +16,8 @@ BADGES: Final = {
     "grey": ("no answer", "open"),
 }
 """Word and look of each colour: the word tells it, colour and fill repeat it."""
-LEAST_SHARE: Final = 1e-4
-"""Below it a share has no figures."""
+LEAST_SHARE, MOST_SHARE = 1e-4, 0.999
+"""Below the one and above the other a share has no figures."""
 LONGEST: Final = 70
 """Letters of a name at the foot of a printed page."""
 NOTHING: Final = "—"
@@ -28,13 +28,15 @@ def percent(share: float | None) -> str:
 
     Examples
     --------
-    >>> percent(0.3992), percent(2e-7), percent(0.0), percent(None)
-    ('39.9 %', 'below 0.01 %', '0 %', '—')
+    >>> percent(0.3992), percent(2e-7), percent(0.9999), percent(1.0), percent(None)
+    ('39.9 %', 'below 0.01 %', 'above 99.9 %', '100 %', '—')
     """
     if share is None or math.isnan(share):
         return NOTHING
     if 0.0 < share < LEAST_SHARE:
         return f"below {number(100.0 * LEAST_SHARE)} %"
+    if MOST_SHARE < share < 1.0:
+        return f"above {number(100.0 * MOST_SHARE)} %"
     return f"{number(100.0 * share)} %"
 
 
