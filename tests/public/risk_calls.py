@@ -66,7 +66,6 @@ def risk_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
             "assessment": t["assessment"], "folder": "assessment", "force": True,
         },
         rs.write_report: {"path": "report.html", "assessment": t["assessment"]},
-        rs.write_report: {"path": "report.html", "assessment": t["assessment"]},
         rs.derive_facts: {"described": t["object"]},
         rs.make_synthetic_suite: {"count": 2},
         rs.read_object: {"path": "object.toml"},

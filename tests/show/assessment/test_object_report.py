@@ -38,7 +38,7 @@ def statue(name: str = "statue", **keys: Any) -> ObjectFile:
         "friction": 0.5,
         "geometry": {"width_m": 0.34, "height_m": 1.8, "mass_kg": 200.0},
         "demand": {"pga_g": 0.4, "pgv_m_s": 0.45},
-        "assessment": {"draws": 2, "levels": 6},
+        "assessment": {"draws": 2, "levels": 6, "replicates": 100},
     }
     return ObjectFile(values=values | keys)
 

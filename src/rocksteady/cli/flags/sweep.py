@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from itertools import combinations
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, ClassVar
 
 import typer
 
@@ -63,6 +63,24 @@ Workers = Annotated[
         rich_help_panel=SWEEP,
     ),
 ]
+RunsStore = Annotated[
+    Path | None,
+    typer.Option(
+        "--runs",
+        metavar="STORE",
+        help="Keep the runs of the ensemble on disk, as runs.zarr: what is finished survives an "
+        "interruption. Without it they are kept in memory.",
+        rich_help_panel=SWEEP,
+    ),
+]
+ResumeRuns = Annotated[
+    bool,
+    typer.Option(
+        "--resume",
+        help="Continue the store of --runs where it stopped; begin it if it is not there.",
+        rich_help_panel=SWEEP,
+    ),
+]
 Chunk = Annotated[
     int | None,
     typer.Option(
@@ -87,6 +105,8 @@ NetCdf = Annotated[
 @dataclass(frozen=True, kw_only=True)
 class SweepFlags:
     """Who computes the cells, and where they are kept."""
+
+    STORE: ClassVar[str] = "--out"
 
     out: OutStore = None
     resume: Resume = False
@@ -149,18 +169,18 @@ class SweepFlags:
                     raise FlagError(
                         flag,
                         value,
-                        "without --out there is no store",
-                        "add --out map.zarr, or leave it out",
+                        f"without {self.STORE} there is no store",
+                        f"add {self.STORE} map.zarr, or leave it out",
                     )
             return None
         impossible = impossible_name(self.out)
         if impossible is not None:
-            raise OutputError("--out", self.out, impossible, "name another folder")
+            raise OutputError(self.STORE, self.out, impossible, "name another folder")
         if self.resume and force:
             raise both("--resume", "--force", valid="a store is continued or begun anew")
         if is_store(self.out) and not (self.resume or force):
             raise OutputError(
-                "--out",
+                self.STORE,
                 self.out,
                 "it exists",
                 "add --resume to continue it, or --force to begin anew",
@@ -193,6 +213,29 @@ class SweepFlags:
                     file=sys.stderr,
                 )
             raise
+
+
+class _KeptRuns(SweepFlags):
+    """Flags of a sweep whose store is that of --runs."""
+
+    STORE: ClassVar[str] = "--runs"
+
+
+@dataclass(frozen=True, kw_only=True)
+class RunsFlags:
+    """Who computes the runs of an ensemble, and where they are kept, beside a folder of --out."""
+
+    runs: RunsStore = None
+    resume: ResumeRuns = False
+    executor: Executor = "threads"
+    workers: Workers = None
+
+    @property
+    def sweep(self) -> SweepFlags:
+        """The same as flags of a sweep."""
+        return _KeptRuns(
+            out=self.runs, resume=self.resume, executor=self.executor, workers=self.workers
+        )
 
 
 @contextmanager

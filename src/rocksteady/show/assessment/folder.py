@@ -37,7 +37,7 @@ def write_assessment(
     files: Sequence[Path] = (),
     force: bool = False,
 ) -> list[Path]:
-    """Write an assessment into a folder: results, curves for loss tools, and its inputs.
+    """Write an assessment into a folder: page, runs, curves for loss tools, and its inputs.
 
     Every file is written whole, in a hidden folder first: what fails leaves all as it was.
 

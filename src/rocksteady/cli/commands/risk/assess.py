@@ -23,6 +23,7 @@ from rocksteady.cli.flags.demand import DEMAND, PeakFlags, RowFlags, probability
 from rocksteady.cli.flags.ensemble import Suite, SuiteFlags
 from rocksteady.cli.flags.groups import grouped
 from rocksteady.cli.flags.record_files import ReadingFlags
+from rocksteady.cli.flags.sweep import RunsFlags
 from rocksteady.results.rendering import print_description
 
 if TYPE_CHECKING:
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     from rocksteady.risk.assess.objects_table import ObjectsTable
     from rocksteady.risk.assess.two_numbers import QuickAssessment
     from rocksteady.risk.hazard.hazard_curve import HazardCurve
+    from rocksteady.sweep.run import Run
 
 HELP = (
     "Will it fall? From an object to a probability, a sentence and a reason.\n\n"
@@ -53,6 +55,8 @@ EXAMPLES = (
 NEGATIVE = 1
 """Exit code with --check where the object may fall more often than the target, or slides."""
 USUAL_TARGET = 0.1
+MEANT = ("--hazard", "--out", "--runs", "--resume", "--workers")
+"""Flags that have a meaning beside --example."""
 EXAMPLE_MOTIONS = 24
 FULL = "Object files"
 
@@ -115,6 +119,7 @@ def assess(
     peaks: PeakFlags,
     recorded: SuiteFlags,
     reading: ReadingFlags,
+    kept: RunsFlags,
     output: RowFlags,
     file: ObjectPath = None,
     hazard: HazardPath = None,
@@ -127,18 +132,22 @@ def assess(
     output.check([each for each in (file, hazard) if each is not None])
     most = None if target is None else probability("--target", target)
     table = file is not None and file.suffix.lower() == ".csv"
-    _refuse_idle(block, peaks, recorded, reading, file, hazard, out, example=example)
+    _refuse_idle(block, peaks, recorded, reading, kept, file, hazard, out, example=example)
     found: QuickAssessment | Assessment | ObjectsTable
     if file is None and not example:
         found = quick_answer(block, peaks)
         shares = [found.probability]
     elif table:
         assert file is not None
-        found = _answers(file, peaks, recorded, reading, most)
+        with kept.sweep.resumable(context.find_root().obj):
+            run = kept.sweep.run(force=output.force)
+            found = _answers(file, peaks, recorded, reading, run, most)
         shares = [row["probability"] for row in found.rows]
     else:
-        words = shlex.join(["rocksteady", *context.find_root().obj])
-        found = _answer(file, recorded, reading, hazard, out, most, words, force=output.force)
+        with kept.sweep.resumable(context.find_root().obj):
+            found = _answer(
+                context, file, recorded, reading, kept, hazard, out, most, force=output.force
+            )
         shares = [found.probability]
         most = found.described.given.assessment.target_probability
     description = found.describe()
@@ -171,13 +180,14 @@ def quick_answer(block: BlockFlags, peaks: PeakFlags) -> "QuickAssessment":
 
 
 def _answer(
+    context: typer.Context,
     file: Path | None,
     recorded: SuiteFlags,
     reading: ReadingFlags,
+    kept: RunsFlags,
     hazard: Path | None,
     out: Path | None,
     target: float | None,
-    command: str,
     *,
     force: bool,
 ) -> "Assessment":
@@ -191,10 +201,10 @@ def _answer(
     from rocksteady.risk.assess.assessment import assess_object
     from rocksteady.risk.assess.described.objects import EXAMPLE, read_object
     from rocksteady.show.assessment.folder import check_assessment_folder, write_assessment
-    from rocksteady.sweep.run import Run
 
     if out is not None:
         check_assessment_folder(out, force=force)
+    run = kept.sweep.run(force=force)
     described = read_object(EXAMPLE if file is None else file)
     if target is not None:
         described = described.with_target(target)
@@ -202,9 +212,12 @@ def _answer(
     suite = _suite(file, recorded, reading, described)
     announce_compilation("records.record_fates")
     with sweeping("running the object", _cells(described, suite)) as meter:
-        found = assess_object(described, suite.motions, hazard=curves, run=Run(progress=meter))
+        found = assess_object(
+            described, suite.motions, hazard=curves, run=replace(run, progress=meter)
+        )
     if out is not None:
         files = [each for each in (file, hazard, *suite.files) if each is not None]
+        command = shlex.join(["rocksteady", *context.find_root().obj])
         for written in write_assessment(found, out, command=command, files=files, force=force):
             announce_file(written)
     return found
@@ -226,6 +239,7 @@ def _answers(
     peaks: PeakFlags,
     recorded: SuiteFlags,
     reading: ReadingFlags,
+    run: "Run",
     target: float | None,
 ) -> "ObjectsTable":
     """Return the answers of a table of objects.
@@ -237,7 +251,6 @@ def _answers(
     """
     from rocksteady.risk.assess.described.tables import read_objects
     from rocksteady.risk.assess.objects_table import assess_objects
-    from rocksteady.sweep.run import Run
 
     if peaks.pga_g is None and peaks.pgv_m_s is None:
         raise missing(
@@ -256,7 +269,7 @@ def _answers(
             pga_g=peaks.pga_g,
             pgv_m_s=peaks.pgv_m_s,
             target_probability=USUAL_TARGET if target is None else target,
-            run=Run(progress=meter),
+            run=replace(run, progress=meter),
         )
 
 
@@ -288,6 +301,7 @@ def _refuse_idle(
     peaks: PeakFlags,
     recorded: SuiteFlags,
     reading: ReadingFlags,
+    kept: RunsFlags,
     file: Path | None,
     hazard: Path | None,
     out: Path | None,
@@ -312,6 +326,9 @@ def _refuse_idle(
         "--pair": recorded.pair or None,
         "--hazard": hazard,
         "--out": out,
+        "--runs": kept.runs,
+        "--resume": kept.resume or None,
+        "--workers": kept.workers,
         **reading.given,
     }
     own = list(given)[:4]
@@ -325,7 +342,7 @@ def _refuse_idle(
         idle = [own[0], own[1], "--hazard", "--out"]
         reason, hint = "a table of objects does not take it", "leave it out; --csv keeps the table"
     else:
-        idle = own if not example else [flag for flag in given if flag not in ("--hazard", "--out")]
+        idle = own if not example else [flag for flag in given if flag not in MEANT]
         reason = "the object's file states it" if not example else "--example reads no files"
         hint = "write it into the file, or leave it out" if not example else "leave it out"
     for flag in idle:
