@@ -91,6 +91,20 @@ def test_check_compares_with_the_target_of_the_file_or_the_flag(place: Path) -> 
     assert ran.json["remedies"]
 
 
+def test_runs_are_kept_and_continued_and_do_not_depend_on_the_workers(place: Path) -> None:
+    command = "assess statue.toml --records motions --json"
+    plain = rocksteady(f"{command} --workers 1").json
+    kept = rocksteady(f"{command} --runs runs.zarr --workers 2").json
+    assert "--runs" in refused(f"{command} --runs runs.zarr")
+    again = rocksteady(f"{command} --runs runs.zarr --resume")
+    for each in (plain, kept, again.json):
+        del each["seconds"]
+    assert plain == kept == again.json
+    assert "100 %" not in again.err, "nothing is run again"
+    assert (place / "runs.zarr").is_dir()
+    assert "--runs" in refused(f"{command} --resume")
+
+
 def test_a_table_is_assessed_row_by_row(place: Path) -> None:
     ran = rocksteady(
         "assess objects.csv --records motions --pga-g 0.4 --pgv-m-s 0.45 --csv out.csv --json"
