@@ -231,6 +231,8 @@ def test_an_object_that_no_run_topples_has_a_page_without_a_median() -> None:
     page = Page(page_of(found))
     check_alone(page)
     assert found.verdict == "stands"
+    assert "No change that was tried moves it." in page.text
+    assert not [each for each in page.of("img") if "Tornado" in each["alt"]]
     assert "chance of falling: low" in page.text
     assert "nan" not in page.text.lower().split()
 

@@ -25,6 +25,8 @@ WIDTH = 7.2
 PHONE = Page(width_mm=105.0)
 ROW = 0.34
 """Height of a row of bars [inches]."""
+LEAST_BAR = 1e-4
+"""Width of the widest bar below which there is nothing to be seen."""
 ROOM = 1.25
 """Factor by which a picture goes beyond a demand outside of it."""
 
@@ -61,7 +63,7 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
             phone=False,
         )
     bars = tornado_rows(assessment)
-    if bars:
+    if bars and abs(bars[0][1] - bars[0][2]) > LEAST_BAR:
         base = assessment.cases[0].probability
         found["tornado"] = _drawn(
             lambda axes: plot_tornado(

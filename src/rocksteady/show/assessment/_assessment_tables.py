@@ -170,7 +170,7 @@ def _state_row(each: StateFragility) -> Row:
     shape = curve if isinstance(curve, FragilityCurve) else curve.given_uplift
     status = STATUS.get(shape.status, shape.status)
     if shape.step is not None:
-        status += f" between {number(shape.step[0])} and {number(shape.step[1])}"
+        status += f" at {span(*shape.step)}"
     two = each.two_stage is not None
     return {
         "name": greek(each.state.name),

@@ -152,8 +152,8 @@ def _warnings(assessment: Assessment, motions: Sequence[Mapping[str, Any]]) -> l
 
 
 def _sentence(text: str) -> str:
-    """Return a text with a capital letter and a full stop."""
-    whole = text[:1].upper() + text[1:]
+    """Return a text with a capital letter, which Greek symbols have not, and a full stop."""
+    whole = text[:1].upper() + text[1:] if text[:1].isascii() else text
     return whole if whole.endswith((".", "!", "?")) else f"{whole}."
 
 
