@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 
 from rocksteady.errors import InputError, OutputError
 from rocksteady.model.checks.arguments import checked
+from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.show.assessment.object_report import report_html
 from rocksteady.show.export.components import LossComponent
 from rocksteady.show.export.ensemble_rows import write_results_csv
-from rocksteady.show.export.files import save_text
+from rocksteady.show.export.files import save_csv, save_text
 from rocksteady.show.export.folders import check_folder, fill_folder
 from rocksteady.show.export.manifest import make_manifest, write_manifest
 from rocksteady.show.export.openquake import write_openquake
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from rocksteady.risk.assess.assessment import Assessment
     from rocksteady.risk.fragility.fragility import Fragility
 
-OURS = r"report\.html|results\.csv|fragility\.(csv|json|xml)|run\.json"
+OURS = r"report\.html|answers\.csv|results\.csv|fragility\.(csv|json|xml)|run\.json"
 """Names of the files of an assessment."""
 
 POINTS = 40
@@ -30,7 +31,7 @@ POINTS = 40
 
 @checked
 def write_assessment(
-    assessment: "Assessment",
+    assessment: "Assessment | ObjectsTable",
     folder: Path | str,
     *,
     command: str = "",
@@ -44,7 +45,7 @@ def write_assessment(
     Parameters
     ----------
     assessment
-        From `rocksteady.assess_object`.
+        From `rocksteady.assess_object` or `rocksteady.assess_objects`.
     folder
         New, empty, or with files of an assessment, which `force` replaces.
     command
@@ -58,7 +59,8 @@ def write_assessment(
     -------
     list of Path
         The report, a table with a row for each run, curves as pelicun and OpenQuake read them, and
-        the manifest of the run; without an ensemble report and manifest alone.
+        the manifest of the run; without an ensemble report and manifest alone; of a table of
+        objects report, rows and manifest.
 
     Raises
     ------
@@ -81,12 +83,11 @@ def write_assessment(
     ['report.html', 'run.json']
     """
     check_assessment_folder(folder, force=force)
-    stale = [each.name for each in Path(folder).glob("*")] if Path(folder).is_dir() else []
     written = fill_folder(folder, lambda stage: _fill(assessment, stage, command, files))
     fresh = {each.name for each in written}
-    for name in stale:  # of an earlier answer, to which this one has no counterpart
-        if name not in fresh:
-            (Path(folder) / name).unlink()
+    for file in Path(folder).iterdir():  # of an earlier answer, without a counterpart in this one
+        if file.name not in fresh and re.fullmatch(OURS, file.name):
+            file.unlink()
     return written
 
 
@@ -111,8 +112,25 @@ def check_assessment_folder(folder: Path | str, *, force: bool = False) -> None:
         )
 
 
-def _fill(assessment: "Assessment", stage: Path, command: str, files: Sequence[Path]) -> None:
+def _fill_with_table(table: ObjectsTable, stage: Path, command: str, files: Sequence[Path]) -> None:
+    """Write the page, the rows and the manifest of a table of objects into a folder."""
+    answer = table.to_dict()
+    for name in ("seconds", "objects"):  # the same inputs give the same bytes; the rows have a file
+        answer.pop(name)
+    manifest = make_manifest(files=files, command=command, settings={"answer": answer})
+    rows = table.describe().tables[0]
+    save_csv("out", stage / "answers.csv", rows.header, rows.records())
+    write_manifest(stage / "run.json", manifest)
+    save_text("out", stage / "report.html", report_html(table, manifest))
+
+
+def _fill(
+    assessment: "Assessment | ObjectsTable", stage: Path, command: str, files: Sequence[Path]
+) -> None:
     """Write all files into a folder."""
+    if isinstance(assessment, ObjectsTable):
+        _fill_with_table(assessment, stage, command, files)
+        return
     described, fragility = assessment.described, assessment.fragility
     notes: list[str] = []
     if fragility is not None:

@@ -33,7 +33,6 @@ if TYPE_CHECKING:
     from rocksteady.risk.assess.objects_table import ObjectsTable
     from rocksteady.risk.assess.two_numbers import QuickAssessment
     from rocksteady.risk.hazard.hazard_curve import HazardCurve
-    from rocksteady.sweep.run import Run
 
 HELP = (
     "Will it fall? From an object to a probability, a sentence and a reason.\n\n"
@@ -79,8 +78,9 @@ OutFolder = Annotated[
     typer.Option(
         "--out",
         metavar="DIR",
-        help="Write runs, fragility for pelicun and OpenQuake, and inputs with their hashes into a "
-        "new folder; --force replaces those of an earlier assessment.",
+        help="Write the report, runs, fragility for pelicun and OpenQuake, and inputs with their "
+        "hashes into a new folder; of a table its report and rows. --force replaces those of an "
+        "earlier assessment.",
         rich_help_panel=FULL,
     ),
 ]
@@ -140,8 +140,9 @@ def assess(
     elif table:
         assert file is not None
         with kept.sweep.resumable(context.find_root().obj):
-            run = kept.sweep.run(force=output.force)
-            found = _answers(file, peaks, recorded, reading, run, most)
+            found = _answers(
+                context, file, peaks, recorded, reading, kept, out, most, force=output.force
+            )
         shares = [row["probability"] for row in found.rows]
     else:
         with kept.sweep.resumable(context.find_root().obj):
@@ -200,7 +201,7 @@ def _answer(
     """
     from rocksteady.risk.assess.assessment import assess_object
     from rocksteady.risk.assess.described.objects import EXAMPLE, read_object
-    from rocksteady.show.assessment.folder import check_assessment_folder, write_assessment
+    from rocksteady.show.assessment.folder import check_assessment_folder
 
     if out is not None:
         check_assessment_folder(out, force=force)
@@ -217,9 +218,7 @@ def _answer(
         )
     if out is not None:
         files = [each for each in (file, hazard, *suite.files) if each is not None]
-        command = shlex.join(["rocksteady", *context.find_root().obj])
-        for written in write_assessment(found, out, command=command, files=files, force=force):
-            announce_file(written)
+        _write_folder(context, found, out, files, force=force)
     return found
 
 
@@ -235,14 +234,18 @@ def _cells(described: "ObjectFile", suite: Suite) -> int:
 
 
 def _answers(
+    context: typer.Context,
     file: Path,
     peaks: PeakFlags,
     recorded: SuiteFlags,
     reading: ReadingFlags,
-    run: "Run",
+    kept: RunsFlags,
+    out: Path | None,
     target: float | None,
+    *,
+    force: bool,
 ) -> "ObjectsTable":
-    """Return the answers of a table of objects.
+    """Return the answers of a table of objects, and write its folder.
 
     Raises
     ------
@@ -251,6 +254,7 @@ def _answers(
     """
     from rocksteady.risk.assess.described.tables import read_objects
     from rocksteady.risk.assess.objects_table import assess_objects
+    from rocksteady.show.assessment.folder import check_assessment_folder
 
     if peaks.pga_g is None and peaks.pgv_m_s is None:
         raise missing(
@@ -258,12 +262,15 @@ def _answers(
             valid="objects are assessed under one demand",
             hint="add --pgv-m-s 0.4, and --pga-g 0.35 where it is known",
         )
+    if out is not None:
+        check_assessment_folder(out, force=force)
+    run = kept.sweep.run(force=force)
     objects = read_objects(file)
     suite = recorded.suite(reading)
     announce_compilation("records.record_fates")
     ways = 1 if all(each.block.symmetric for each in objects) else 2
     with sweeping("running objects", ways * len(objects) * len(suite.motions)) as meter:
-        return assess_objects(
+        found = assess_objects(
             objects,
             suite.motions,
             pga_g=peaks.pga_g,
@@ -271,6 +278,25 @@ def _answers(
             target_probability=USUAL_TARGET if target is None else target,
             run=replace(run, progress=meter),
         )
+    if out is not None:
+        _write_folder(context, found, out, [file, *suite.files], force=force)
+    return found
+
+
+def _write_folder(
+    context: typer.Context,
+    found: "Assessment | ObjectsTable",
+    out: Path,
+    files: Sequence[Path],
+    *,
+    force: bool,
+) -> None:
+    """Write the folder of an answer, and name its files."""
+    from rocksteady.show.assessment.folder import write_assessment
+
+    command = shlex.join(["rocksteady", *context.find_root().obj])
+    for written in write_assessment(found, out, command=command, files=files, force=force):
+        announce_file(written)
 
 
 def _suite(
@@ -339,10 +365,13 @@ def _refuse_idle(
             "name an object FILE, or leave it out",
         )
     elif file is not None and file.suffix.lower() == ".csv":
-        idle = [own[0], own[1], "--hazard", "--out"]
-        reason, hint = "a table of objects does not take it", "leave it out; --csv keeps the table"
+        idle = [own[0], own[1], "--hazard"]
+        reason, hint = (
+            "a table of objects does not take it",
+            "leave it out; --out and --csv keep the table",
+        )
     else:
-        idle = own if not example else [flag for flag in given if flag not in MEANT]
+        idle = [flag for flag in given if flag not in MEANT] if example else own
         reason = "the object's file states it" if not example else "--example reads no files"
         hint = "write it into the file, or leave it out" if not example else "leave it out"
     for flag in idle:
