@@ -6,7 +6,6 @@ from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.show.plots.risk.fragility import plot_fragility, plot_fragility_states
-from rocksteady.show.style.legends import LegendPlace
 from rocksteady.show.style.page import SCREEN, Page
 
 if TYPE_CHECKING:
@@ -39,7 +38,6 @@ def fragility_figure(
     with page.figure(10.8, 4.6, title, stacked=1.6) as figure:
         stacked = page.stacks(10.8)
         first, second = figure.subplots(2, 1) if stacked else figure.subplots(1, 2)
-        beside: LegendPlace = "below" if stacked else "inside"
         plot_fragility(fragility, first, state=state, legend=page.legend)
-        plot_fragility_states(fragility, second, legend=page.legend or beside)
+        plot_fragility_states(fragility, second, legend=page.legend or "below")
     return figure

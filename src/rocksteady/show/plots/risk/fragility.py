@@ -46,8 +46,6 @@ NO_CURVE = {
 }
 """Legend entries of data without a curve."""
 NO_BREAK = "\N{NO-BREAK SPACE}"
-LEGEND_WIDTH = 215.0
-"""Of curves and their medians [points]."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -78,7 +76,7 @@ def plot_fragility(
     state: str | None = None,
     legend: LegendPlace | None = None,
 ) -> "Axes":
-    """Draw the fragility of a damage state: shares of runs, curves, and the range that was run.
+    """Draw the fragility of a damage state: shares of runs, curves, range of the runs.
 
     A curve is solid over the intensities that were run and dashed beyond. Bars are 90 % Wilson
     intervals of as many trials as there are records, since runs on one record depend on each other.
@@ -92,7 +90,7 @@ def plot_fragility(
     state
         Name of the damage state; the last, which is the worst, by default.
     legend
-        "inside" the axes, to their "right", "below" them or "none"; by default where there is room.
+        "inside" the axes, to their "right", "below" them (default) or "none".
 
     Returns
     -------
@@ -121,7 +119,7 @@ def plot_fragility(
         )
     shown = drawn[-1] if state is None else drawn[names.index(state)]
     axes = axes_or_new(ax)
-    inks, place = inks_of(axes), place_of(axes, legend, "inside", width=LEGEND_WIDTH)
+    inks, place = inks_of(axes), place_of(axes, legend, "below")
     limits = _prepare(axes, [shown])
     size = line_scale(axes)
     band = _draw_band(axes, shown.best, limits, inks)
