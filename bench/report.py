@@ -62,7 +62,8 @@ with the default tolerance, every fourth cell of either axis of B1, by the march
 map of fates in one thread, the same cells with a block whose sides differ (0.15 and 0.25 m, height
 1.2 m), the windows of a Ricker pulse, and the noise above in flight and as an
 earthquake; some cells that stand beside scipy's DOP853 (rtol 1e-12, an event for each impact,
-Python functions), which finds as many impacts in {solved} of them.
+Python functions), which finds as many impacts in {solved} of them. **Risk**: elapsed time on all
+cores; a block of 0.32 x 1.8 m on 56 synthetic motions at 20 levels with 10 restitutions.
 """
 
 
@@ -88,6 +89,7 @@ def main(source: Path, target: Path) -> None:
         "continuation": continuation_line,
         "overturning": overturning_line,
         "spectra": spectra_line,
+        "risk": risk_line,
     }
     for unit in ("B1", "B2"):
         if f"march[{unit}]" not in march:
@@ -195,6 +197,13 @@ def spectra_line(name: str, result: dict[str, Any]) -> Line:
         "",
         f"guide {info['guide']:g} s",
     )
+
+
+def risk_line(_: str, result: dict[str, Any]) -> Line:
+    """Return the row of a step of an assessment."""
+    info, seconds = result["extra_info"], result["stats"]["median"]
+    each = f"{1e6 * seconds / info['count']:.0f} µs each"
+    return Line(info["what"], duration(seconds), each, "", info["aim"])
 
 
 def samples_line(

@@ -1,0 +1,75 @@
+"""Fragility: an ensemble, the bands of a curve and a table of objects, on all cores."""
+
+import functools
+import time
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rocksteady import (
+    Bands,
+    Block,
+    ObjectFile,
+    RestitutionBand,
+    Status,
+    Stripes,
+    assess_objects,
+    fit_curve,
+    make_synthetic_suite,
+    run_ensemble,
+)
+
+RECORDS = 56
+risk_benchmark = pytest.mark.benchmark(group="risk", timer=time.perf_counter)
+
+
+@functools.cache
+def ensemble() -> Any:
+    """Return 56 motions at 20 levels with 10 restitutions, both signs."""
+    return run_ensemble(
+        Block.rectangle(width=0.32, height=1.8),
+        make_synthetic_suite(RECORDS),
+        stripes=Stripes(beside=()),
+        restitution=RestitutionBand(draws=10),
+    )
+
+
+@risk_benchmark
+def test_ensemble(benchmark: Any) -> None:
+    found = benchmark.pedantic(ensemble.__wrapped__, rounds=3, warmup_rounds=1)
+    benchmark.extra_info["what"] = f"ensemble of {found.status.size:,} runs, both signs"
+    benchmark.extra_info["count"] = found.status.size
+    benchmark.extra_info["aim"] = "aim 30 s"
+
+
+@risk_benchmark
+def test_bands(benchmark: Any) -> None:
+    runs = ensemble()
+    fell = (runs.status == Status.OVERTURNED).sum(["block", "direction", "vertical", "draw"])
+    levels = np.broadcast_to(runs.level.values, fell.shape)
+    groups = np.repeat(np.arange(RECORDS), runs.sizes["level"])
+    trials = np.full(fell.size, 20)
+    arguments = (levels.ravel(), fell.values.ravel(), trials)
+    options = {"groups": groups, "bands": Bands()}
+    benchmark.pedantic(fit_curve, args=arguments, kwargs=options, rounds=3, warmup_rounds=1)
+    benchmark.extra_info["what"] = "curve with bands, 1,000 suites redrawn"
+    benchmark.extra_info["count"] = 1000
+    benchmark.extra_info["aim"] = "aim 1.5 s"
+
+
+@risk_benchmark
+def test_table(benchmark: Any) -> None:
+    rng = np.random.default_rng(22)
+    heights = rng.uniform(0.4, 2.4, 1000)
+    sizes = zip((heights * rng.uniform(0.1, 0.4, 1000)).tolist(), heights.tolist(), strict=True)
+    objects = [
+        ObjectFile(values={"name": f"{k}", "geometry": {"width_m": width, "height_m": height}})
+        for k, (width, height) in enumerate(sizes)
+    ]
+    suite = make_synthetic_suite(RECORDS)
+    options = {"pga_g": 0.35, "pgv_m_s": 0.4}
+    benchmark.pedantic(assess_objects, args=(objects, suite), kwargs=options, rounds=1)
+    benchmark.extra_info["what"] = f"1,000 objects on {RECORDS} motions at one level"
+    benchmark.extra_info["count"] = len(objects)
+    benchmark.extra_info["aim"] = "aim 45 s"
