@@ -138,6 +138,21 @@ def test_a_folder_with_anything_else_is_left_alone(sliding: Assessment, tmp_path
     assert names(tmp_path / "empty") == ALONE
 
 
+def test_a_run_that_was_killed_does_not_stand_in_the_way(
+    sliding: Assessment, tmp_path: Path
+) -> None:
+    """As of `kill -9`, after which nothing can be tidied."""
+    left = tmp_path / ".partial-ab_12xyz"
+    left.mkdir()
+    (left / "run.json").write_text("{", encoding="utf-8")
+    write_assessment(sliding, tmp_path)
+    write_assessment(sliding, tmp_path, force=True)
+    assert names(tmp_path) == [left.name, *ALONE]
+    (tmp_path / ".partially").mkdir()
+    with pytest.raises(OutputError, match=r"it holds \.partially, which is no file"):
+        write_assessment(sliding, tmp_path, force=True)
+
+
 def test_what_fails_leaves_nothing_half_written(
     rocking: Assessment, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -207,8 +207,12 @@ class SuiteFlags:
 
     def _across(self, file: Path, reading: ReadingFlags, suite: Suite) -> "list[Record]":
         """Return the horizontal channels of a file."""
+        from rocksteady.seismic.measures.time_course import refuse_extreme
+
         found = reading.recordings(file)
         across = [one for one in found if one.orientation != "vertical"]
+        for one in across:
+            refuse_extreme(one.record)
         if not across and not self.pair:
             suite.left_out.append((file, "its channel is vertical; --pair runs it with the others"))
         return [one.record for one in across]

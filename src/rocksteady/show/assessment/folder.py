@@ -25,6 +25,9 @@ if TYPE_CHECKING:
 OURS = r"report\.html|answers\.csv|results\.csv|fragility\.(csv|json|xml)|run\.json"
 """Names of the files of an assessment."""
 
+KILLED = r"\.(partial|rocksteady)-\w{8}"
+"""Names of the hidden folders that a run leaves which was killed while it wrote."""
+
 POINTS = 40
 """Intensities at which curves in two stages are written for OpenQuake."""
 
@@ -101,8 +104,7 @@ def check_assessment_folder(folder: Path | str, *, force: bool = False) -> None:
     """
     target = Path(folder)
     check_folder(target, OURS, force=force)
-    foreign = sorted(each.name for each in target.iterdir()) if target.is_dir() else []
-    foreign = [name for name in foreign if not re.fullmatch(OURS, name)]
+    foreign = [name for name in _names(target) if not re.fullmatch(f"{OURS}|{KILLED}", name)]
     if foreign:
         raise OutputError(
             "out",
@@ -110,6 +112,11 @@ def check_assessment_folder(folder: Path | str, *, force: bool = False) -> None:
             f"it holds {foreign[0]}, which is no file of an assessment",
             "name a new or an empty folder",
         )
+
+
+def _names(folder: Path) -> list[str]:
+    """Return the names in a folder, sorted; none where it does not exist."""
+    return sorted(each.name for each in folder.iterdir()) if folder.is_dir() else []
 
 
 def _fill_with_table(table: ObjectsTable, stage: Path, command: str, files: Sequence[Path]) -> None:

@@ -112,6 +112,7 @@ WRONG: list[tuple[dict[str, Any], str]] = [
     ({"geometry": {**SIZES, "height_m": True}}, "height_m = True is not valid: it must be a"),
     ({"geometry": {**SIZES, "height_m": "1.8"}}, "height_m = '1.8' is not valid: it must be a num"),
     ({"geometry": {**SIZES, "height_m": [1.8]}}, "height_m = [1.8] is not valid: it must be a num"),
+    ({"geometry": {**SIZES, "height_m": 10**400}}, "is not valid: it must be a number of usual"),
     ({"geometry": {**SIZES, "left_m": 0.1}}, "[geometry] has both width_m and left_m"),
     ({"geometry": {"width_m": 0.3}}, "[geometry] height_m is missing"),
     ({"geometry": {"left_m": 0.3}}, "[geometry] right_m is missing"),
@@ -178,6 +179,9 @@ def test_what_is_wrong_is_named_in_one_line(values: dict[str, Any], line: str) -
         (b"[geometry]\n[geometry]\n", "it is not TOML: Cannot declare ('geometry',) twice"),
         (b"name = 'x'\nname = 'y'\n", "it is not TOML: Cannot overwrite a value (at line 2"),
         (b"name = statue\n", "it is not TOML: Invalid value (at line 1, column 8)"),
+        (b"x = " + b"[" * 5000 + b"]" * 5000, "nested or its numbers are long beyond reason"),
+        (b"x = 1" + b"0" * 5000, "nested or its numbers are long beyond reason"),
+        (b"x = .5", "write key = 0.5 (not .5)"),
         (b"\xef\xbb\xbfname = 'x'\n", "[geometry] is missing"),  # a byte-order mark is no fault
     ],
 )

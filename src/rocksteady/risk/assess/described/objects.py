@@ -251,12 +251,15 @@ def read_object(path: Path | str) -> ObjectFile:
             f"byte {error.start + 1} is not UTF-8, as TOML must be",
             "save the file as UTF-8",
         ) from None
-    except tomllib.TOMLDecodeError as error:
+    except (ValueError, RecursionError) as error:
+        # Deep nesting and an integer of thousands of digits raise errors of Python itself.
+        words = isinstance(error, tomllib.TOMLDecodeError)
+        why = str(error) if words else "its lists are nested or its numbers are long beyond reason"
         raise InputError(
             file.name,
             str(path),
-            f"it is not TOML: {error}",
-            "write key = number or key = 'text', each key and each [table] once",
+            f"it is not TOML: {why}",
+            "write key = 0.5 (not .5) or key = 'text', each key and each [table] once",
         ) from None
     return ObjectFile(values=values, source=file.name, sha256=hashlib.sha256(content).hexdigest())
 

@@ -3,6 +3,7 @@
 import csv
 import difflib
 import hashlib
+import io
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
@@ -96,7 +97,8 @@ def _rows(text: str, source: str) -> tuple[list[tuple[int, list[str]]], list[str
     """Return the lines with their numbers, and the names of the columns."""
     first = text.partition("\n")[0]
     separator = max(",;\t", key=first.count)
-    reader = csv.reader(text.splitlines(), delimiter=separator, strict=True)
+    # In quotes a cell has lines of its own; a line separator of Unicode ends no row.
+    reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
     hint = "give each line as many cells as the first, texts with commas in quotes"
     rows: list[tuple[int, list[str]]] = []
     header: list[str] = []

@@ -215,6 +215,8 @@ def _translated(message: str, values: Mapping[str, object], source: str) -> Inpu
     wanted = [KINDS[kind] for kind in word[0].split(" | ") if kind in KINDS] if word else []
     if path in TABLES or not key:
         wanted = ["a table of keys"]
+    if not wanted:  # of an integer beyond 64 bits nothing is quoted
+        wanted = ["a number of usual size"]
     return InputError(
         named(source, table, key) if key else source,
         value,
