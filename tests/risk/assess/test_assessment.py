@@ -13,14 +13,15 @@ from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
 from rocksteady.risk.assess._counts import THE_DEMAND
-from rocksteady.risk.assess._remedies import Search, cheapest, find_remedies
-from rocksteady.risk.assess._sensitivity import tornado, vary
+from rocksteady.risk.assess._remedies import Search, _friction_cap, cheapest, find_remedies
+from rocksteady.risk.assess._sensitivity import case_of, tornado, vary
 from rocksteady.risk.assess.assessment import Assessment, assess_object
-from rocksteady.risk.assess.described.objects import ObjectFile
+from rocksteady.risk.assess.described.objects import EXAMPLE, ObjectFile, read_object
 from rocksteady.risk.assess.synthetic import make_synthetic_suite
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.hazard.failure_risk import compute_risk
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
+from rocksteady.risk.screens.friction import first_motion
 from rocksteady.seismic.measures.scalar import Intensity, measure_scalar
 from rocksteady.seismic.spectra.many import simulate_many
 from rocksteady.sweep.run import Run
@@ -274,3 +275,46 @@ def test_the_demand_is_the_middle_of_the_levels_of_a_case() -> None:
 
     level = level_of(described(), SUITE)
     assert levels_about(level)[THE_DEMAND] == pytest.approx(PGV)
+
+
+@pytest.mark.parametrize("name", ["width", "ballast"])
+def test_a_remedy_is_the_least_change_to_one_part_in_a_hundred(name: str) -> None:
+    """Less of it by up to 1 % was run, and is above the target."""
+    suite = make_synthetic_suite(24)
+    bust = read_object(EXAMPLE)
+    search = Search(bust, suite, level_of(bust, suite), 0.1, None)
+    remedy = next(each for each in find_remedies(search) if each.name == name)
+    assert remedy.change is not None
+    assert remedy.fitted is not None
+    assert 0.03 < remedy.fitted <= 0.1
+
+    def block_of(change: float) -> Block:
+        body = bust.body
+        return bust.block_of(
+            body.wider(1.0 + change) if name == "width" else body.with_share(change, 0.05)
+        )
+
+    own = block_of(remedy.change)
+    assert case_of("", "", search.runs(own)).probability == remedy.fitted
+    # What was run just short of it: alpha grows with either change.
+    short = block_of((1.0 + remedy.change) / 1.0101 - 1.0).alpha
+    tried = [block for block in search.made if short <= block.alpha < own.alpha]
+    assert max(case_of("", "", search.runs(block)).probability for block in tried) > 0.1
+
+
+def test_the_friction_cap_holds_for_the_worst_end_of_every_range() -> None:
+    """With its mass centre as high as the file allows, 1.3 m, it slides before it lifts."""
+    statue = described(
+        geometry={
+            "width_m": 0.34,
+            "height_m": 1.8,
+            "offset_m": 0.03,
+            "mass_centre_height_m": {"low": 0.7, "high": 1.3},
+        }
+    )
+    cap = _friction_cap(statue)
+    assert cap.value == pytest.approx((0.17 - 0.03) / 1.3)
+    worst = Block.asymmetric(left=0.2, right=0.14, height=2.6, gyration=0.5)
+    for pga in (0.2, 0.5, 2.0, 10.0):
+        assert first_motion(worst, pga, 0.999 * (cap.value or 0.0)) == "slides"
+    assert first_motion(worst, 0.11, 1.05 * (cap.value or 0.0)) == "rocks"

@@ -26,8 +26,8 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Motions = Sequence[Record | BaseMotion]
 
-MULTIPLES = (0.6, 1.0, 1.6)
-"""Levels about a demand at which a changed object is run."""
+MULTIPLES = (0.63, 0.8, 1.0, 1.25, 1.6)
+"""Levels about a demand at which a changed object is run: a third of an octave apart."""
 OWN = RestitutionBand(draws=1)
 """A block's own restitution, alone."""
 THE_DEMAND = MULTIPLES.index(1.0)

@@ -34,14 +34,14 @@ BALLAST_HEIGHT_M = 0.05
 """Height of the ballast's mass centre above the base [m]."""
 MOST_WIDTH, MOST_BALLAST = 3.0, 10.0
 """Factor of the width and share of the mass beyond which a remedy is none."""
-FINEST = 0.005
-"""Relative change of the object below which the search ends."""
-ROUNDS = 6
-"""Fits of the changed object after which the search ends."""
-NEAR = 0.9
-"""Share of the target above which a probability is near enough."""
-RESERVE = 0.98
-"""What the aim of a round is multiplied by, so that the search ends below the target."""
+FINEST = 0.01
+"""Relative width of the bracket of the least change at which the search ends."""
+ROUNDS = 16
+"""Runs of the changed object after which the search ends; halves alone need 8 for a width."""
+MARGIN = 0.1
+"""Share of a bracket that a step keeps from both ends."""
+SMALLEST = 1e-3
+"""Probability below which a step takes every other for the same."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -107,6 +107,7 @@ class Search:
     ) -> None:
         self.described, self.motions, self.level = described, motions, level
         self.target, self.run = target, run
+        self.made: dict[Block, Counts] = {}
         at_one = measured(motions, level.measure)
         pga = measured(motions, Intensity("pga_g")) * (level.value / at_one)
         logs = np.log(pga)
@@ -143,58 +144,83 @@ class Search:
 
     def runs(self, block: Block) -> Counts:
         """Return the runs of a changed object about the demand."""
-        (found,) = run_at(
-            [block],
-            self.motions,
-            self.level.measure,
-            levels_about(self.level),
-            restitution=band_of(self.described, most=MOST_DRAWS),
-            run=self.run,
-        )
-        return found
+        if block not in self.made:
+            (self.made[block],) = run_at(
+                [block],
+                self.motions,
+                self.level.measure,
+                levels_about(self.level),
+                restitution=band_of(self.described, most=MOST_DRAWS),
+                run=self.run,
+            )
+        return self.made[block]
 
     def least(self, made: Callable[[float], Body], most: float) -> tuple[float, Case] | None:
         """Return the least change, from 0 to `most`, whose own fitted probability is the target.
 
-        Each round finds the root of the fitted probability, runs the object there, and fits anew.
-        None where the largest change is not enough.
+        Every step runs the changed object, and its own fit is what counts.  The search ends with
+        two changes, 1 % of the object apart: one is above the target, the other, which is
+        returned, at the target or below.  None where the largest change is not enough.
         """
-        from scipy.optimize import brentq
-
         block_of = self.described.block_of
-        low, high, change = 0.0, most, 0.0
+        low = high = change = 0.0
+        # Fitted probabilities at both ends, as distances from the target.
+        above = below = 0.0
         found: tuple[float, Case] | None = None
         for _ in range(ROUNDS):
             block = block_of(made(change))
             counts = self.runs(block)
             case = case_of("", "", counts)
             if case.probability <= self.target:
-                found, high = (change, case), change
-                if case.probability >= NEAR * self.target or change == 0.0:
-                    break
+                # An end that has stood twice counts half, so that the other comes to it.
+                above *= 0.5
+                found, high, below = (change, case), change, self._beyond(case)
             elif change == most:
                 break
             else:
-                low = change
-            if high - low < FINEST * (1.0 + low):
+                below *= 0.5
+                low, above = change, self._beyond(case)
+            if found is None:
+                change = self._guess(block, self.curve_of(counts, block), made, (low, most))
+                continue
+            apart = math.log1p(high) - math.log1p(low)
+            if apart <= math.log1p(FINEST):
                 break
-            curve = self.curve_of(counts, block)
-            # What the model is beside the object's own runs, here, it is taken to be nearby.
-            here = max(self.fitted(block, curve), 1e-9)
-            aim = RESERVE * self.target * here / max(case.probability, 1e-3)
-
-            def excess(tried: float, curve: FragilityCurve = curve, aim: float = aim) -> float:
-                return self.fitted(block_of(made(tried)), curve) - aim
-
-            if excess(high) > 0.0:
-                change = most if found is None else 0.5 * (low + high)
-            elif excess(low) < 0.0:
-                change = 0.5 * (low + high)
-            else:
-                change = float(brentq(excess, low, high, xtol=1e-4))
-                if min(change - low, high - change) < FINEST * (1.0 + low) and found is not None:
-                    change = 0.5 * (low + high)
+            part = min(max(above / (above - below), MARGIN), 1.0 - MARGIN) if above else 0.5
+            change = math.expm1(math.log1p(low) + part * apart)
         return found
+
+    def _beyond(self, case: Case) -> float:
+        """Return by how much a probability is above the target, in standard deviations."""
+        from scipy.special import ndtri
+
+        fitted, target = (
+            min(max(share, SMALLEST), 1.0 - SMALLEST) for share in (case.probability, self.target)
+        )
+        # Exactly at the target is still below.
+        return float(ndtri(fitted) - ndtri(target)) or -SMALLEST
+
+    def _guess(
+        self,
+        block: Block,
+        curve: FragilityCurve,
+        made: Callable[[float], Body],
+        reach: tuple[float, float],
+    ) -> float:
+        """Return a change further than one that is not enough, from the curve of its runs."""
+        from scipy.optimize import brentq
+
+        low, most = reach
+        here = max(self.fitted(block, curve), SMALLEST)
+        aim = min(self.target, 0.5 * here)
+
+        def excess(tried: float) -> float:
+            return self.fitted(self.described.block_of(made(tried)), curve) - aim
+
+        if excess(most) > 0.0:
+            return most
+        guess = float(brentq(excess, low, most, xtol=1e-3)) if excess(low) > 0.0 else low
+        return min(most, max(guess, math.expm1(math.log1p(low) + 2.0 * FINEST)))
 
 
 def relative(level: DemandLevel, block: Block) -> float:
@@ -275,14 +301,17 @@ def _ballast(search: Search) -> Remedy:
 
 def _friction_cap(described: ObjectFile) -> Remedy:
     """Return the friction below which it slides and does not lift, with its mass centre higher."""
-    block = described.block_of(described.body.with_centre(1.0 + CENTRE))
-    cap = tan(first_side(block).alpha)
+    # At either end of every range of the file too: the side that lifts first of all of them.
+    blocks = [described.block_of(described.body.with_centre(1.0 + CENTRE))]
+    blocks += [variant.block for variant in described.variants()]
+    cap = min(tan(first_side(block).alpha) for block in blocks)
     friction = described.given.friction
     change = None if friction is None else max(0.0, 1.0 - cap / bounds_of(friction)[1])
     return Remedy(
         name="friction cap",
         words=f"let it slide: on a base with a friction of at most {number(cap)} it does not lift, "
-        f"with its mass centre {CENTRE:.0%} higher than stated; it needs room to slide, and no "
+        f"with its mass centre {CENTRE:.0%} higher than stated and at both ends of each range of "
+        "its geometry; it needs room to slide, and no "
         "edge to stumble on" + ("" if friction is not None else "; its friction now is not given"),
         change=change,
         value=cap,

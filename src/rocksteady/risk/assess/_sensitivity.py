@@ -65,7 +65,7 @@ def vary(
     """Return the object as described and each of its changes, at the demand.
 
     The object as described has the restitutions of its band and no vertical motion; every case
-    meets all records in both signs at 0.6 to 1.6 times the demand.
+    meets all records in both signs at 0.63 to 1.6 times the demand.
     """
     base, levels = described.block, levels_about(level)
     band = band_of(described, most=MOST_DRAWS)
