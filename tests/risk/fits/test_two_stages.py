@@ -5,6 +5,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+import statsmodels.api as sm
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from scipy import stats
 
 from rocksteady import Bands, InputError, TwoStageCurve, fit_curve, fit_two_stages
@@ -166,3 +169,153 @@ def test_failures_above_uplifted_are_refused() -> None:
         fit_two_stages([1.0, 2.0], [0, 0], [0, 1])
     with pytest.raises(InputError, match=r"uplifted\[0\] = 2 .*trials\[0\] = 1"):
         fit_two_stages([1.0, 2.0], [2, 0], [0, 0])
+
+
+EXCESS = (0.277, 0.25, 0.9)
+"""Gate, median of the excess over it, and beta."""
+STRIPES = np.linspace(0.1, 1.5, 29)
+
+
+def behind(
+    gate: float, median: float, beta: float, *, records: int = 60, seed: int = 0
+) -> tuple[np.ndarray, ...]:
+    """Return intensity, failures and record of capacities gate + lognormal."""
+    rng = np.random.default_rng(seed)
+    capacity = gate + median * np.exp(beta * rng.normal(size=(records, 1)))
+    at = np.broadcast_to(STRIPES, (records, len(STRIPES)))
+    number = np.repeat(np.arange(records), len(STRIPES))
+    return at.ravel(), (at >= capacity).astype(int).ravel(), number
+
+
+def test_an_exact_gate_recovers_the_excess_that_was_drawn() -> None:
+    gate, median, beta = EXCESS
+    at, failures, record = behind(*EXCESS, records=400)
+    found = fit_two_stages(at, gate, failures, groups=record, bands=Bands(replicates=200))
+    given = found.given_uplift
+    assert (found.gate, found.offset) == (gate, gate)
+    # 400 capacities: five standard errors of the mean, and of the spread, of their logarithm.
+    assert math.log(given.median / median) == pytest.approx(0.0, abs=5.0 * beta / 20.0)
+    assert given.beta == pytest.approx(beta, abs=5.0 * beta / math.sqrt(800.0))
+    truth = stats.norm.cdf(np.log((0.6 - gate) / median) / beta)
+    assert found.probability(0.6) == pytest.approx(truth, abs=5.0 * 0.5 / 20.0)
+    assert found.median == pytest.approx(gate + given.median, rel=1e-12)
+    assert found.misfit < 0.05 < found.plain.misfit
+    # Without the gate the second stage is a lognormal of the intensity, and less likely.
+    unknown = fit_two_stages(at, (at > gate).astype(int), failures, groups=record)
+    assert (unknown.gate, unknown.offset) == (None, 0.0)
+    assert unknown.log_likelihood < found.log_likelihood - 5.0
+
+
+@pytest.mark.parametrize("family", ["lognormal", "logistic"])
+def test_the_second_stage_is_the_glm_of_the_logarithm_of_the_excess(family: Any) -> None:
+    gate = EXCESS[0]
+    at, failures, record = behind(*EXCESS)
+    given = fit_two_stages(at, gate, failures, groups=record, family=family).given_uplift
+    above = at > gate
+    link = sm.families.links.Probit() if family == "lognormal" else sm.families.links.Logit()
+    design = sm.add_constant(np.log(at[above] - gate))
+    model = sm.GLM(failures[above], design, family=sm.families.Binomial(link=link))
+    fit = model.fit(tol=1e-12, maxiter=200)
+    constant, slope = fit.params
+    assert given.beta == pytest.approx(1.0 / slope, rel=1e-6)
+    assert given.median == pytest.approx(math.exp(-constant / slope), rel=1e-6)
+    assert given.log_likelihood == pytest.approx(fit.llf, rel=1e-9)
+    assert given.trials == int(above.sum())
+
+
+def test_the_uplift_stage_is_the_exact_step() -> None:
+    gate = EXCESS[0]
+    at, failures, record = behind(*EXCESS)
+    found = fit_two_stages(at, gate, failures, groups=record, bands=Bands(replicates=100))
+    assert (found.uplift.status, found.uplift.step) == ("separated", (gate, gate))
+    assert (found.uplift.median, found.uplift.failures) == (gate, int((at > gate).sum()))
+    assert found.uplift.log_likelihood == 0.0
+    assert found.log_likelihood == found.given_uplift.log_likelihood
+    assert not any("separated" in sentence for sentence in found.warnings)
+    assert found.probability([0.0, 0.5 * gate, gate]).tolist() == [0.0, 0.0, 0.0]
+    # It is continuous at the gate, which a lognormal of the intensity is not.
+    assert 0.0 < found.probability(gate + 1e-3) < 1e-6
+    low, high = found.probability_band([0.5 * gate, gate, gate + 1e-3]) or (at, at)
+    assert low.tolist()[:2] == high.tolist()[:2] == [0.0, 0.0]
+    assert high[2] < 1e-3
+
+
+def test_the_words_name_what_the_median_is_of() -> None:
+    at, failures, record = behind(*EXCESS)
+    found = fit_two_stages(at, EXCESS[0], failures, groups=record, measure=("PGA", "g"))
+    given = found.given_uplift
+    assert given.measure == ("PGA - 0.277 g", "g")
+    labels = {fact.label: fact.text for fact in found.describe().facts if fact.label}
+    assert labels["median of the excess over uplift, PGA - 0.277 g"] == f"{given.median:.3g} g"
+    assert labels["second stage"].startswith("in the excess over uplift, PGA - 0.277 g")
+    assert labels["uplift"] == "step in PGA at 0.277 g"
+    values = found.to_dict()
+    assert (values["gate"], values["offset"]) == (EXCESS[0], EXCESS[0])
+
+
+def test_the_likelier_of_both_forms_is_kept() -> None:
+    # Capacities are lognormal in the intensity, far above the gate for nearly all of them.
+    at, failures, record = behind(0.0, 0.6, 0.25, records=200, seed=3)
+    gate = 0.277
+    found = fit_two_stages(
+        at, gate, failures * (at > gate), groups=record, measure=("PGA", "g"), bands=Bands()
+    )
+    lifted = at > gate
+    alone = fit_curve(at[lifted], failures[lifted], groups=record[lifted])
+    excess = fit_curve(at[lifted] - gate, failures[lifted], groups=record[lifted])
+    assert alone.log_likelihood > excess.log_likelihood
+    assert (found.gate, found.offset) == (gate, 0.0)
+    assert found.given_uplift.median == alone.median
+    assert found.probability([gate, 0.6]).tolist() == [0.0, float(alone.probability(0.6))]
+    assert found.quantile(0.5) == pytest.approx(alone.median, rel=1e-12)
+    assert found.quantile(1e-9) == gate  # the step jumps over it
+    assert found.median_band is not None
+    assert found.median_band[0] < found.median < found.median_band[1]
+    assert "in PGA, at least as likely as in the excess" in " ".join(found.summary().split())
+
+
+@given(
+    gate=st.floats(0.02, 1.2),
+    median=st.floats(0.05, 2.0),
+    beta=st.floats(0.2, 1.5),
+    seed=st.integers(0, 50),
+    p=st.floats(0.02, 0.98),
+)
+@settings(max_examples=60, deadline=None)
+def test_behind_any_gate_a_curve_rises_from_nothing(
+    gate: float, median: float, beta: float, seed: int, p: float
+) -> None:
+    at, failures, record = behind(gate, median, beta, records=12, seed=seed)
+    found = fit_two_stages(at, gate, failures, groups=record)
+    excess, whole = (
+        fit_curve(at[at > gate] - shift, failures[at > gate]).log_likelihood
+        for shift in (gate, 0.0)
+    )
+    assert found.log_likelihood == pytest.approx(max(excess, whole), rel=1e-9, abs=1e-9)
+    assert (found.probability(np.linspace(0.0, gate, 9)) == 0.0).all()
+    if found.given_uplift.status == "fitted":
+        rising = found.probability(gate + np.geomspace(1e-6, 10.0, 50))
+        assert (np.diff(rising) >= 0.0).all()
+        level = found.quantile(p)
+        assert level >= gate
+        if level > gate * (1.0 + 1e-6):
+            assert found.probability(level) == pytest.approx(p, rel=1e-6)
+
+
+def test_a_gate_and_failures_below_it_are_refused() -> None:
+    with pytest.raises(InputError, match=r"failures\[0\] = 1 .*uplifted\[0\] = 0"):
+        fit_two_stages([0.2, 0.4], 0.3, [1, 1])
+    for bad in (0.0, -0.3, math.inf, math.nan):
+        with pytest.raises(InputError, match=r"uplifted = .* above 0"):
+            fit_two_stages([0.2, 0.4], bad, [0, 1])
+    with pytest.raises(InputError, match="trials has 1 values"):
+        fit_two_stages([0.2, 0.4], 0.3, [0, 1], [1])
+
+
+@pytest.mark.parametrize("failures", [[0, 0, 0, 0], [0, 1, 1, 1]])
+def test_behind_a_gate_no_failure_and_no_survival_have_their_status(failures: list[int]) -> None:
+    found = fit_two_stages([0.2, 0.4, 0.6, 0.8], 0.3, failures)
+    sure = float(failures[1])
+    assert found.given_uplift.status == ("always" if sure else "never")
+    assert found.probability([0.3, 0.4, 0.8]).tolist() == [0.0, sure, sure]
+    assert (found.median == 0.3) if sure else math.isnan(found.median)

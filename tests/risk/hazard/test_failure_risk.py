@@ -167,6 +167,26 @@ def test_two_stages_integrate_across_the_gate() -> None:
     assert risk.hclpf == pytest.approx(curve.quantile(0.05), rel=1e-3)
 
 
+def test_the_excess_over_a_gate_integrates_as_the_sum_over_fine_steps() -> None:
+    curve = fit_two_stages([0.2, 0.4, 0.8, 1.6], 0.3, [0, 3, 33, 39], [40] * 4)
+    assert curve.offset == 0.3
+    risk = compute_risk(curve, HAZARD)
+    at = np.geomspace(LEVELS[0], LEVELS[-1], 400_001)
+    middle, rate = np.sqrt(at[1:] * at[:-1]), HAZARD.rate(at)
+    fine = float(-(curve.probability(middle) * np.diff(rate)).sum())
+    fine += float(curve.probability(at[-1]) * rate[-1])
+    assert risk.annual_rate == pytest.approx(fine, rel=1e-2)
+    assert risk.median == pytest.approx(0.3 + curve.given_uplift.median, rel=1e-12)
+
+
+@pytest.mark.parametrize(("failures", "bound"), [([0, 0], 0.8), ([40, 40], 0.3)])
+def test_behind_a_gate_the_bound_starts_at_it(failures: list[int], bound: float) -> None:
+    # Without failures it is unknown above the highest level; with all it is 1 above the gate.
+    curve = fit_two_stages([0.2, 0.4, 0.8], 0.3, [0, *failures], [40] * 3)
+    risk = compute_risk(curve, HAZARD)
+    assert risk.annual_rate == pytest.approx(float(HAZARD.rate(bound)), rel=1e-9)
+
+
 @pytest.mark.parametrize(("failures", "bound"), [([0, 0, 0], 0.8), ([40, 40, 40], 0.02)])
 def test_without_failures_or_survivals_the_rate_is_an_upper_bound(
     failures: list[int], bound: float

@@ -1,5 +1,6 @@
 """Components from fragilities: units of the block, gates, states that have no lognormal."""
 
+import dataclasses
 import importlib
 import math
 from functools import cache
@@ -145,6 +146,20 @@ def test_the_lognormal_given_uplift_is_named() -> None:
     plain = LossComponent.from_fragility(found, "A").states[0].note
     assert f"largest distance from the stripes {found.states[1].plain.misfit:.3f}" in plain
     assert f"of the curve in two stages {stages.misfit:.3f}." in plain
+
+
+def test_a_lognormal_of_the_excess_over_the_gate_is_not_written_as_one_of_pga() -> None:
+    found = fragility()
+    gate, labels = math.tan(ALPHA), ("PGA", "g")
+    fell = np.array([0, 0, 3, 33, 39])
+    stages = fit_two_stages(LEVELS, gate, fell, [40] * 5, measure=labels)
+    assert stages.offset == gate
+    state = StateFragility(state=DamageState("overturned"), plain=stages.plain, two_stage=stages)
+    gated = dataclasses.replace(found, states=(state,))
+    (made,) = LossComponent.from_fragility(gated, "A", given_uplift=True).states
+    assert (made.median, made.beta) == (stages.plain.median, stages.plain.beta)
+    assert "given uplift the lognormal is in PGA - 0.277 g, which loss tools do not" in made.note
+    np.testing.assert_array_equal(made.probability(LEVELS), stages.probability(LEVELS))
 
 
 def test_a_period_is_that_of_the_measure_or_of_the_block() -> None:

@@ -26,6 +26,7 @@ from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.described.facts import ObjectFacts, derive_facts
 from rocksteady.risk.assess.described.objects import ObjectFile, bounds_of
 from rocksteady.risk.assess.described.schema import Options, own_states
+from rocksteady.risk.ensemble.gates import uplift_of
 from rocksteady.risk.ensemble.levels import Stripes
 from rocksteady.risk.ensemble.runs import run_ensemble
 from rocksteady.risk.fits.bands import Bands
@@ -418,9 +419,12 @@ def _curve_over(
     scale = ensemble["scale"].isel(block=0).transpose("record", "level").values
     at = measured(suite, measure)[:, np.newaxis] * scale
     records = np.broadcast_to(np.arange(len(suite))[:, np.newaxis], at.shape)
+    uplifted = uplift_of(
+        ensemble, measure, intensity=at, lifted=counts.lifted, trials=counts.trials
+    )
     return fit_two_stages(
         at.ravel(),
-        counts.lifted.ravel(),
+        uplifted if isinstance(uplifted, float) else uplifted.ravel(),
         counts.fell.ravel(),
         counts.trials.ravel(),
         groups=records.ravel(),

@@ -227,8 +227,9 @@ class FragilityCurve(Result):
                 f"beta {number(self.beta)}, {plural(self.records, 'record')}"
             )
         if self.step is not None:
-            sides = " and ".join(value_words(end, unit, None) for end in self.step)
-            return f"step in {name} between {sides}"
+            ends = list(dict.fromkeys(value_words(end, unit, None) for end in self.step))
+            place = f"between {' and '.join(ends)}" if len(ends) > 1 else f"at {ends[0]}"
+            return f"step in {name} {place}"
         if self.status == NEVER:
             return f"no failure in {plural(self.trials, 'trial')}, {name} up to {high}"
         if self.status == ALWAYS:

@@ -9,11 +9,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.validation import positive
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
-from rocksteady.risk.fits._maximum import maximum_of
-from rocksteady.risk.fits._observations import counts_of, values_of
+from rocksteady.risk.fits._maximum import Maximum, maximum_of
+from rocksteady.risk.fits._observations import SAME_LEVEL, counts_of, same_length, values_of
 from rocksteady.risk.fits._spread import Spread, spread_of
 from rocksteady.risk.fits._status import ALWAYS, FITTED, SEPARATED
 from rocksteady.risk.fits._stripes import Row, compare_stripes, stripe_table
@@ -41,12 +42,13 @@ STEPS = 121
 class TwoStageCurve(Result):
     """Hold a fragility curve in two stages, from `rocksteady.fit_two_stages`.
 
-    P(failure | im) = P(uplift | im) P(failure | uplift, im).
+    P(failure | im) = P(uplift | im) P(failure | uplift, im - offset).
 
     Attributes
     ----------
     uplift, given_uplift
-        The curves of the two factors; the second is fitted to trials with uplift alone.
+        The curves of the two factors; the second is fitted to trials with uplift alone, and its
+        intensity is im - offset.
     plain
         One curve without stages, for comparison.
     log_likelihood
@@ -65,6 +67,10 @@ class TwoStageCurve(Result):
         Name and unit of the intensity.
     warnings
         Sentences on what limits the curves.
+    gate
+        Intensity of uplift, where it is known exactly; None otherwise.
+    offset
+        The gate where the second stage is a curve of the excess over it, im - gate; 0 otherwise.
     """
 
     uplift: FragilityCurve
@@ -79,6 +85,8 @@ class TwoStageCurve(Result):
     spread: Spread | None = None
     measure: tuple[str, str] = ("intensity", "")
     warnings: tuple[str, ...] = ()
+    gate: float | None = None
+    offset: float = 0.0
 
     def probability(self, intensity: ArrayLike) -> Floats:
         """Return the probability of failure at intensities.
@@ -99,7 +107,7 @@ class TwoStageCurve(Result):
             If an intensity is negative or NaN.
         """
         at = intensities(intensity)
-        first, second = self.uplift.probability(at), self.given_uplift.probability(at)
+        first, second = self._lifts(at), self.given_uplift.probability(self._excess(at))
         return np.where((first == 0.0) | (second == 0.0), 0.0, first * second)
 
     @property
@@ -126,7 +134,20 @@ class TwoStageCurve(Result):
             If an intensity is negative or NaN.
         """
         at = intensities(intensity)
-        return None if self.spread is None else self.spread.probability(at)
+        if self.spread is None:
+            return None
+        low, high = self.spread.probability(self._excess(at))
+        return (low, high) if self.gate is None else (low * self._lifts(at), high * self._lifts(at))
+
+    def _lifts(self, at: Floats) -> Floats:
+        """Return the probability of uplift; of an exact gate 0 at the gate itself."""
+        return (
+            self.uplift.probability(at) if self.gate is None else np.where(at > self.gate, 1.0, 0.0)
+        )
+
+    def _excess(self, at: Floats) -> Floats:
+        """Return the intensity of the second stage, 0 up to the offset."""
+        return np.maximum(at - self.offset, 0.0)
 
     def quantile(self, probability: float) -> float:
         """Return the intensity of a probability.
@@ -147,6 +168,8 @@ class TwoStageCurve(Result):
         stages = [s for s in (self.uplift, self.given_uplift) if s.status != ALWAYS]
         if any(s.status not in (FITTED, SEPARATED) for s in stages) or not stages:
             return math.nan
+        if self.gate is not None:
+            return max([self.gate, *(self.offset + stage.quantile(p) for stage in stages[1:])])
         # The product is below each factor, and above p where both are above the root of p.
         low = max(stage.quantile(p) for stage in stages)
         if len(stages) == 1 or any(stage.status == SEPARATED for stage in stages):
@@ -172,6 +195,7 @@ class TwoStageCurve(Result):
             ),
             Fact("median_band", listed(self.median_band)),
             *band_facts(self.bands),
+            *self._gate_facts(),
             Fact("uplift", self.uplift.to_dict(), "uplift", self.uplift.describe().headline),
             Fact(
                 "given_uplift",
@@ -193,6 +217,27 @@ class TwoStageCurve(Result):
             notes=list(self.warnings),
         )
 
+    def _gate_facts(self) -> list[Fact]:
+        """Return the gate and what the second stage is over; words where the gate is exact."""
+        if self.gate is None:
+            return [Fact("gate", None), Fact("offset", self.offset)]
+        name, unit = self.measure
+        over = self.given_uplift.measure[0]
+        kept, other = (
+            (f"the excess over uplift, {over}", name) if self.offset else (name, "the excess")
+        )
+        middle = value_words(self.given_uplift.median, unit, self.given_uplift.median_band)
+        return [
+            Fact("gate", self.gate, "uplift above", value_words(self.gate, unit, None)),
+            Fact(
+                "offset",
+                self.offset,
+                "second stage",
+                f"in {kept}, at least as likely as in {other}",
+            ),
+            Fact("", None, f"median of {kept}" if self.offset else "median given uplift", middle),
+        ]
+
 
 @checked
 def fit_two_stages(
@@ -212,12 +257,17 @@ def fit_two_stages(
     likelihood of a trial is a product: P(stands), P(uplift) P(rocks | uplift) or P(uplift)
     P(fails | uplift).
 
+    Where the intensity of uplift is known exactly, the second stage is a curve of the excess over
+    it, P(fails | uplift) = F(ln((im - gate)/median)/beta), which is 0 at the gate, or a curve of
+    im as otherwise, whichever has the larger likelihood; both have two parameters.
+
     Parameters
     ----------
     intensity
         Of each observation, above 0, shape (n,).
     uplifted
-        Number of trials with uplift in each observation, shape (n,).
+        Number of trials with uplift in each observation, shape (n,); where the gate is exact, its
+        intensity, a number: trials above it lift, and no others.
     failures
         Number of these with failure, shape (n,).
     trials
@@ -239,7 +289,7 @@ def fit_two_stages(
     Raises
     ------
     InputError
-        As of `rocksteady.fit_curve`, and if failures are above uplifted.
+        As of `rocksteady.fit_curve`, and if failures are above uplifted or a gate is not above 0.
 
     Examples
     --------
@@ -251,15 +301,39 @@ def fit_two_stages(
     ... )
     >>> curve.uplift.status, curve.uplift.step, f"{curve.median:.3f}"
     ('separated', (0.2, 0.4), '0.608')
+
+    The same of a block that lifts above 0.3 exactly:
+
+    >>> curve = fit_two_stages([0.2, 0.4, 0.8, 1.6], 0.3, [0, 4, 30, 39], [40, 40, 40, 40])
+    >>> curve.offset, f"{curve.median:.3f}", curve.probability([0.3, 0.4]).round(2)
+    (0.3, '0.584', array([0. , 0.1]))
     """
     at = values_of("intensity", intensity, positive=True)
+    gate = None
+    if np.ndim(uplifted) == 0:
+        gate = positive("uplifted", uplifted, hint="give the intensity above which trials lift")
+        tried = np.ones_like(at) if trials is None else values_of("trials", trials)
+        same_length("trials", len(tried), len(at))
+        uplifted = np.where(at > gate, tried, 0.0)
     given = (("trials", trials), ("uplifted", uplifted), ("failures", failures))
     stages = counts_of(at, given, groups)
     (whole,) = counts_of(at, (given[0], given[2]), groups)
-    best = [maximum_of(counts, family) for counts in stages]
-    uplift, given_uplift = (curve_of(stage, family, measure, bands) for stage in best)
+    best, offset = [maximum_of(counts, family) for counts in stages], 0.0
+    name, unit = measure
+    if gate is not None:
+        best, offset = _behind_gate(best, gate)
+    over = (f"{name} - {value_words(offset, unit, None)}", unit) if offset else measure
+    uplift, given_uplift = (
+        curve_of(stage, family, label, bands)
+        for stage, label in zip(best, (measure, over), strict=True)
+    )
     single = curve_of(maximum_of(whole, family), family, measure, bands)
-    spread, sentences = spread_of(best, bands)
+    if gate is None:
+        spread, sentences = spread_of(best, bands)
+    else:  # the first stage is certain, and what limits the second one is among its sentences
+        spread, sentences = given_uplift.spread, []
+        few = [text for text in uplift.warnings if "separated" not in text]
+        uplift = replace(uplift, warnings=tuple(few))
     limits = (f"uplift: {sentence}" for sentence in uplift.warnings)
     given_limits = (f"failure given uplift: {sentence}" for sentence in given_uplift.warnings)
     found = TwoStageCurve(
@@ -274,10 +348,30 @@ def fit_two_stages(
         spread=spread,
         measure=measure,
         warnings=(*limits, *given_limits, *sentences),
+        gate=gate,
+        offset=offset,
     )
     rows, misfit = compare_stripes(whole, found.probability(whole.levels))
-    band = None if spread is None else _crossings(spread, found.median)
+    middle = found.median if gate is None else given_uplift.median
+    band = None if spread is None else _crossings(spread, middle)
+    if band is not None and gate is not None:
+        band = max(gate, offset + band[0]), max(gate, offset + band[1])
     return replace(found, stripes=rows, misfit=misfit, median_band=band)
+
+
+def _behind_gate(stages: Sequence[Maximum], gate: float) -> tuple[list[Maximum], float]:
+    """Return both stages behind an exact gate, and the offset of the second one.
+
+    The second is that of the larger likelihood: of the excess over the gate, or of the intensity.
+    """
+    uplift, whole = stages
+    counts = whole.counts
+    excess = np.maximum(counts.levels - gate, SAME_LEVEL * gate)
+    shifted = maximum_of(replace(counts, levels=excess), whole.name)
+    exact = replace(uplift, status=SEPARATED, step=(gate, gate))
+    if shifted.log_likelihood >= whole.log_likelihood:
+        return [exact, shifted], gate
+    return [exact, whole], 0.0
 
 
 def _crossings(spread: Spread, median: float) -> tuple[float, float] | None:

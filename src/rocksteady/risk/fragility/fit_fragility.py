@@ -1,6 +1,7 @@
 """Fragility curves of an ensemble, for each damage state, and of blocks and records at once."""
 
 import json
+import re
 import time
 from collections.abc import Sequence
 from dataclasses import replace
@@ -14,6 +15,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import plural
+from rocksteady.risk.ensemble.gates import uplift_of
 from rocksteady.risk.ensemble.levels import Stripes
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_ensemble
@@ -38,6 +40,8 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
+STAGE = "^(uplift|failure given uplift): "
+"""What a sentence on one of two stages begins with."""
 
 
 @checked
@@ -174,12 +178,17 @@ def _fitted(
     at, counts = intensity.ravel(), trials.ravel()
     named = (measure.label, measure.unit)
     groups = labels.groups.ravel()
-    gate = 0 < lifted.sum() < trials.sum() and state.name != UPLIFT
+    uplifted = uplift_of(
+        labels.ensemble, measure, intensity=at, lifted=lifted.ravel(), trials=counts
+    )
+    some = 0 < lifted.sum() < trials.sum()
+    known = isinstance(uplifted, float) and lifted.any()  # it may lie below the lowest level
+    gate = (some or known) and state.name != UPLIFT
     two_stage, gain = None, None
     if gate:
         two_stage = fit_two_stages(
             at,
-            lifted.ravel(),
+            uplifted,
             failures.ravel(),
             counts,
             family=options.family,
@@ -224,11 +233,11 @@ def _warnings(labels: Labels, states: Sequence[StateFragility]) -> tuple[str, ..
     found = list(json.loads(labels.ensemble.attrs["warnings"]))
     if labels.without:
         found.append(f"{labels.without:,} runs without an answer are left out of the fits")
-    records = plural(labels.ensemble.sizes["record"], "record")
+    records = re.compile(rf"\b{plural(labels.ensemble.sizes['record'], 'record')}\b")
     for each in states:
         for sentence in (*each.plain.warnings, *each.curve.warnings):
-            # Of the number of records there is one sentence for all curves.
-            common = records in sentence
-            text = sentence[sentence.index(records) :] if common else sentence
-            found.append(text if common else f"{each.state.name}: {text}")
+            # Of the number of records there is one sentence for all curves and stages.
+            common = records.search(sentence) is not None
+            text = re.sub(STAGE, "", sentence) if common else f"{each.state.name}: {sentence}"
+            found.append(text)
     return tuple(dict.fromkeys(found))

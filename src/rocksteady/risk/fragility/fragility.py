@@ -139,6 +139,8 @@ class Fragility(Result):
         shape = last.curve if isinstance(last.curve, FragilityCurve) else last.curve.given_uplift
         if not math.isnan(shape.beta):
             given = "" if shape is last.curve else " given uplift"
+            if last.two_stage is not None and last.two_stage.offset:
+                given = f" of the excess over uplift, {shape.measure[0]}"
             answer += f", beta {number(shape.beta)}{given}"
         return (
             f"Fragility in {self.measure.label}: {last.state.name} {answer}; "

@@ -9,6 +9,9 @@ from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.fragility.damage_states import DamageState
 
+GIVEN = "given-uplift"
+"""Stage whose intensity, and with it median and beta, is that above the offset."""
+
 
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -22,8 +25,8 @@ class StateFragility:
     plain
         One curve over all runs.
     two_stage
-        P(uplift) times P(state given uplift); None where every run lifts, or none does, and of
-        uplift itself.
+        P(uplift) times P(state given uplift); None where no run lifts, or every one does and the
+        gate is not known, and of uplift itself.
     gain
         What two stages add to the log-likelihood of the failures alone; below 0 the one curve
         describes them better.  None without stages, NaN where the product is unknown.
@@ -57,7 +60,7 @@ class StateFragility:
             curves = [
                 ("two-stage", stages),
                 ("uplift", stages.uplift),
-                ("given-uplift", stages.given_uplift),
+                (GIVEN, stages.given_uplift),
                 *curves,
             ]
         return [self._row(measure, stage, curve) for stage, curve in curves]
@@ -76,6 +79,7 @@ class StateFragility:
             "stage": stage,
             "status": "product" if one is None else one.status,
             "median": number_or_none(curve.median),
+            "offset": self.two_stage.offset if self.two_stage and stage == GIVEN else 0.0,
             "beta": None if one is None else number_or_none(one.beta),
             "low": low,
             "high": high,

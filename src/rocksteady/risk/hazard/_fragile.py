@@ -93,7 +93,8 @@ class Converted:
         if self.statuses & UNKNOWN_OUTSIDE:
             found = np.ones_like(intensity)
             for stage in self.stages[1:] or self.stages:
-                known = np.asarray(stage.probability(at), dtype=np.float64)
+                above = np.maximum(at - self._offset(stage), 0.0)
+                known = np.asarray(stage.probability(above), dtype=np.float64)
                 found = found * np.where(np.isnan(known), 1.0, known)
         valid = found.shape == intensity.shape and bool(np.all((found >= 0.0) & (found <= 1.0)))
         if not valid:
@@ -110,6 +111,11 @@ class Converted:
         """The curve, and the two whose product it is, where there are such."""
         parts = (getattr(self.curve, name, None) for name in ("uplift", "given_uplift"))
         return [self.curve, *(part for part in parts if part is not None)]
+
+    def _offset(self, stage: Any) -> float:
+        """Return the intensity from which a stage counts, that of a gate."""
+        second = stage is getattr(self.curve, "given_uplift", None)
+        return float(getattr(self.curve, "offset", 0.0)) if second else 0.0
 
     @property
     def statuses(self) -> set[str]:
@@ -148,7 +154,7 @@ class Converted:
     @property
     def knots(self) -> Floats:
         """Logarithms of intensities at which the probability changes fast, steps among them."""
-        found = [_quantile(stage, p) for stage in self.stages for p in _KNOTS]
+        found = [self._offset(stage) + _quantile(stage, p) for stage in self.stages for p in _KNOTS]
         inside = [value / self.factor for value in found if 0.0 < value < math.inf]
         inside += [value for value in self.sampled or () if 0.0 < value < math.inf]
         return np.log(np.array(inside)) if inside else np.empty(0)

@@ -172,11 +172,14 @@ def _state_row(each: StateFragility) -> Row:
     if shape.step is not None:
         status += f" at {span(*shape.step)}"
     two = each.two_stage is not None
+    given = ", given uplift" if two else ""
+    if each.two_stage is not None and each.two_stage.offset:
+        given += f", in {shape.measure[0]}"
     return {
         "name": greek(each.state.name),
         "median": _banded(curve.median, curve.median_band),
         "beta": _banded(shape.beta, shape.beta_band),
-        "status": status + (", given uplift" if two else ""),
+        "status": status + given,
         "exceeded": f"{plain.failures:,} of {plain.trials:,}",
         "misfit": number(curve.misfit),
         "goodness": NOTHING if shape.goodness is None else number(shape.goodness),

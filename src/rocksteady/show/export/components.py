@@ -232,7 +232,8 @@ class LossComponent:
             Whether the motions are those of a floor; off by default.
         given_uplift
             Whether the lognormal is that of the runs that lift, and not of all; off by default.
-            With a gate in PGA it is the better one, above the gate.
+            Where that lognormal is in the excess over the gate, loss tools have no name for its
+            measure: the lognormal of all runs is kept, with a note.
         steps
             Whether states without a lognormal, as a step, are kept for files of points; off by
             default. What never or always happens has no curve, and is left out in either case.
@@ -401,7 +402,12 @@ def _gate_of(fragility: Fragility) -> float | None:
 def _state_of(found: StateFragility, factor: float, given_uplift: bool) -> LossState | str:
     """Return a damage state in the unit of the export, or why there is no curve of it."""
     two, chosen, words = found.two_stage, found.plain, "of all runs"
-    if given_uplift and two is not None:
+    if given_uplift and two is not None and two.offset:
+        words = (
+            f"of all runs, as given uplift the lognormal is in {two.given_uplift.measure[0]}, "
+            "which loss tools do not know"
+        )
+    elif given_uplift and two is not None:
         chosen, words = two.given_uplift, "of the runs that lift, given uplift"
     best = found.curve
     usable = chosen.status == "fitted" and chosen.family == "lognormal"

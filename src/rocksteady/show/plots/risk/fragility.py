@@ -246,13 +246,19 @@ def _words(curve: Curve, name: str) -> str:
     unit = _unit(curve)
     if isinstance(curve, FragilityCurve):
         if curve.step is not None:
-            return f"step between {' and '.join(map(number, curve.step))}{unit}"
+            return f"step {_between_words(curve.step)}{unit}"
         if curve.status in NO_CURVE:
             return NO_CURVE[curve.status]
         return rf"{name}, median {number(curve.median)}{unit}, $\beta$ {curve.beta:.2f}"
     if not math.isfinite(curve.median):
         return f"{name}, no median"
     return f"{name}, median {number(curve.median)}{unit}"
+
+
+def _between_words(step: tuple[float, float]) -> str:
+    """Return where a step lies: between two numbers, or at one."""
+    ends = list(dict.fromkeys(map(number, step)))
+    return f"between {' and '.join(ends)}" if len(ends) > 1 else f"at {ends[0]}"
 
 
 def _unit(curve: Curve) -> str:
@@ -327,7 +333,7 @@ def _draw_gate(axes: "Axes", curve: Curve, limits: tuple[float, float], inks: In
     style: dict[str, Any] = {"color": inks.base, "lw": 1.2, "zorder": 2.4}
     if uplift.step is not None:
         unit = _unit(curve)
-        words = f"uplift between {' and '.join(map(number, uplift.step))}{unit}"
+        words = f"uplift {_between_words(uplift.step)}{unit}"
         return [axes.axvline(uplift.median, ls=(0, (1, 1.2)), label=words, **style)]
     if uplift.status != "fitted":
         return []
