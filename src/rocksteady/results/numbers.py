@@ -4,6 +4,8 @@ import math
 
 DIGITS = 3
 """Default number of significant digits of a number in a text."""
+LEAST_SHARE, MOST_SHARE = 1e-4, 0.99
+"""Probabilities below the one and above the other have no figures of their own."""
 LARGEST_WHOLE = 1e6
 """Numbers below it are written without an exponent."""
 
@@ -68,6 +70,23 @@ def share(part: int, whole: int) -> str:
     ('37.5 %', '—')
     """
     return f"{number(100.0 * part / whole)} %" if whole else "—"
+
+
+def percent(probability: float | None) -> str:
+    """Return a probability in per cent, with two significant digits.
+
+    Examples
+    --------
+    >>> percent(0.3992), percent(0.0623), percent(2e-7), percent(0.9999), percent(1.0)
+    ('40 %', '6.2 %', 'below 0.01 %', 'above 99 %', '100 %')
+    """
+    if probability is None or math.isnan(probability):
+        return "—"
+    if 0.0 < probability < LEAST_SHARE:
+        return f"below {100.0 * LEAST_SHARE:g} %"
+    if MOST_SHARE < probability < 1.0:
+        return f"above {100.0 * MOST_SHARE:g} %"
+    return f"{number(100.0 * probability, 3 if probability == 1.0 else 2)} %"
 
 
 def plural(count: int, thing: str) -> str:

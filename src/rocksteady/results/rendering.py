@@ -53,18 +53,13 @@ def print_description(description: Description, console: "Console") -> None:
         Of rich: of a terminal, or of a text in memory.
     """
     width = min(console.width, WIDTH)
-    console.print(textwrap.fill(printable(description.headline), width), style="bold")
+    console.print(_filled(printable(description.headline), width), style="bold")
     facts = [(printable(fact.label), fact) for fact in description.facts if fact.label]
     indent = max((len(label) for label, _ in facts), default=0) + 2
     for label, fact in facts:
         # A path is one word, and stays whole to be copied.
-        lines = textwrap.wrap(
-            printable(fact.words),
-            width - indent,
-            break_long_words=False,
-            break_on_hyphens=False,
-        )
-        console.print(f"{label:<{indent}}" + f"\n{'':{indent}}".join(lines or [""]))
+        lines = _filled(printable(fact.words), width - indent, whole=True).split("\n")
+        console.print(f"{label:<{indent}}" + f"\n{'':{indent}}".join(lines))
     for table in description.tables:
         if not (table.columns and table.rows):
             continue
@@ -74,8 +69,15 @@ def print_description(description: Description, console: "Console") -> None:
         if table.remark:
             console.print(table.remark, style="dim")
     for note in description.notes:
-        lines = [textwrap.fill(line, width) for line in printable(note, keep="\n").split("\n")]
+        lines = [_filled(line, width) for line in printable(note, keep="\n").split("\n")]
         console.print("\n".join(lines), style="dim")
+
+
+def _filled(text: str, width: int, *, whole: bool = False) -> str:
+    """Return a text in lines; no break parts a number from its per cent sign, or a whole word."""
+    tied = text.replace(" %", "\N{NO-BREAK SPACE}%")
+    lines = textwrap.fill(tied, width, break_long_words=not whole, break_on_hyphens=not whole)
+    return lines.replace("\N{NO-BREAK SPACE}%", " %")
 
 
 def as_text(description: Description) -> str:

@@ -5,10 +5,10 @@ from collections.abc import Sequence
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Column, Table
-from rocksteady.results.numbers import number
+from rocksteady.results.numbers import percent, quantity
 from rocksteady.risk.assess._demand_level import horizontal, measured
 from rocksteady.risk.assess._remedies import Remedy
-from rocksteady.risk.assess._sensitivity import Case, tornado
+from rocksteady.risk.assess._sensitivity import Case, parameter_words, tornado
 from rocksteady.risk.hazard.failure_risk import Risk
 from rocksteady.risk.screens.screens import Screens
 from rocksteady.seismic.measures.scalar import Intensity
@@ -21,26 +21,13 @@ def tables_of(
     risks_found: Sequence[Risk],
     motions: Sequence[Record | BaseMotion],
 ) -> list[Table]:
-    """Return the tables of an assessment; those without rows are left out."""
+    """Return the tables of an assessment that have rows; some are for JSON alone."""
     rows = [dict(row.values()) for row in screens.rows]
+    words = [{**row.values(), "value": row.words} for row in screens.rows]
     screen_columns = [
-        Column("name", "screen", left=True),
-        Column("value", "value"),
-        Column("unit", "", left=True),
+        Column("name", "formula", left=True),
+        Column("value", "value", str),
         Column("verdict", "verdict", left=True),
-    ]
-    case_columns = [
-        Column("parameter", "changed", left=True),
-        Column("change", "to", left=True),
-        Column("probability", "P fitted"),
-        Column("counted", "P counted"),
-        Column("median", "median"),
-    ]
-    remedy_columns = [
-        Column("name", "remedy", left=True),
-        Column("change", "least change", _per_cent),
-        Column("fitted", "P fitted"),
-        Column("counted", "P counted"),
     ]
     risks = [
         {
@@ -52,46 +39,42 @@ def tables_of(
         }
         for risk in risks_found
     ]
+    risks_read = [
+        {**row, "hclpf": quantity(risk.hclpf, risk.hazard.unit).rstrip()}
+        for row, risk in zip(risks, risks_found, strict=True)
+    ]
     risk_columns = [
         Column("hazard", "hazard", left=True),
-        Column("annual_rate", "falls a year"),
+        Column("annual_rate", "annual rate [1/yr]"),
         Column("years", "years"),
-        Column("probability", "P in these"),
-        Column("hclpf", "HCLPF"),
+        Column("probability", "probability in them", percent),
+        Column("hclpf", "HCLPF", str),
     ]
     cases = [case.to_dict() for case in cases_found]
     bars = tornado(cases_found) if cases_found else []
     bar_columns = [
-        Column("parameter", "uncertain", left=True),
-        Column("low", "lowest P"),
-        Column("high", "highest P"),
+        Column("parameter", "what is varied alone", parameter_words, left=True),
+        Column("range", "over", left=True),
+        Column("low", "lowest probability", percent),
+        Column("high", "highest", percent),
     ]
-    input_columns = [
-        Column("name", "motion", left=True),
-        Column("samples", "samples"),
-        Column("dt_s", "dt [s]"),
-        Column("pga_g", "PGA [g]"),
-        Column("pgv_m_s", "PGV [m/s]"),
-    ]
+    bars = [{**bar, "range": _range(cases_found, bar["parameter"])} for bar in bars]
     found = [
-        Table("cases", cases, case_columns, title="One thing changed at a time"),
+        Table("cases", cases),
         Table("tornado", bars, bar_columns, title="What matters most"),
-        Table(
-            "remedies",
-            [remedy.to_dict() for remedy in remedies],
-            remedy_columns,
-            title="Remedies",
-        ),
-        Table("risks", risks, risk_columns, title="Risk"),
-        Table("screens", rows, screen_columns, title="Code formulas, side by side"),
-        Table("inputs", _inputs(motions), input_columns, title="Motions", most=12),
+        Table("remedies", [remedy.to_dict() for remedy in remedies]),
+        Table("risks", risks),
+        Table("", risks_read, risk_columns, title="Risk of falling"),
+        Table("screens", rows),
+        Table("", words, screen_columns, title="Code formulas, side by side"),
+        Table("inputs", _inputs(motions)),
     ]
     return [table for table in found if table.rows]
 
 
-def _per_cent(change: float | None) -> str:
-    """Return a relative change in per cent."""
-    return "—" if change is None else f"{number(100.0 * change)} %"
+def _range(cases: Sequence[Case], parameter: str) -> str:
+    """Return the changes of a parameter in words."""
+    return ", ".join(case.change for case in cases if case.parameter == parameter)
 
 
 def _inputs(suite: Sequence[Record | BaseMotion]) -> list[dict[str, object]]:

@@ -35,7 +35,7 @@ class DemandLevel:
     value
         In its unit.
     words
-        As "0.4 m/s of PGV".
+        As "PGV of 0.4 m/s".
     assumed
         Whether it is the median of the records, as no demand is given.
     """
@@ -98,7 +98,7 @@ def demand_level(
     return DemandLevel(
         measure=measure,
         value=value,
-        words=f"{measure.label} {number(value)} {measure.unit}".strip(),
+        words=f"{measure.label} of {number(value)} {measure.unit}".strip(),
         assumed=assumed,
     )
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
-from rocksteady.results.numbers import length, number
+from rocksteady.results.numbers import length, number, percent
 from rocksteady.risk.assess._counts import Counts, Motions, run_at
 from rocksteady.risk.assess._demand_level import DemandLevel, measured
 from rocksteady.risk.assess._sensitivity import (
@@ -42,6 +42,8 @@ MARGIN = 0.1
 """Share of a bracket that a step keeps from both ends."""
 SMALLEST = 1e-3
 """Probability below which a step takes every other for the same."""
+NO_FALLS = "not worked out: the runs about the demand are within the target as they are"
+"""Of remedies where the runs about the demand have nothing to remedy."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -78,6 +80,13 @@ class Remedy:
     fell: int | None = None
     trials: int | None = None
     confirmed: bool = False
+
+    @property
+    def result(self) -> str:
+        """What to do, and the probability that follows."""
+        if self.fitted is None:
+            return self.words
+        return f"{self.words}; the probability is then {percent(self.fitted)}"
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain values."""
@@ -255,12 +264,14 @@ def _width(search: Search) -> Remedy:
             name="width", words=f"not even {MOST_WIDTH:g} times the width is enough", unit="m"
         )
     change, case = found
+    if change == 0.0:
+        return Remedy(name="width", words=NO_FALLS, unit="m")
     width = before * (1.0 + change)
     return _confirmed(
         Remedy(
             name="width",
             words=f"widen the base from {length(before)} to {length(width)}, mass centre and "
-            "inertia as they are",
+            "inertia unchanged",
             change=change,
             value=width,
             unit="m",
@@ -282,14 +293,17 @@ def _ballast(search: Search) -> Remedy:
     if found is None:
         return Remedy(name="ballast", words=f"not even {MOST_BALLAST:g} times its mass is enough")
     share, case = found
+    if share == 0.0:
+        return Remedy(name="ballast", words=NO_FALLS)
     mass = None if body.mass_kg is None else share * body.mass_kg
-    centre = body.with_share(share, BALLAST_HEIGHT_M).centre_height if share else body.centre_height
+    centre = body.with_share(share, BALLAST_HEIGHT_M).centre_height
     amount = f"{number(100.0 * share)} % of its mass" if mass is None else f"{number(mass)} kg"
     return _confirmed(
         Remedy(
             name="ballast",
-            words=f"fix {amount} in its base, {length(BALLAST_HEIGHT_M)} up: its mass centre sinks "
-            f"from {length(body.centre_height)} to {length(centre)}",
+            words=f"fix {amount} of ballast in its base, {length(BALLAST_HEIGHT_M)} above the "
+            f"floor, which lowers the mass centre from {length(body.centre_height)} to "
+            f"{length(centre)}",
             change=share,
             value=share if mass is None else mass,
             unit="of its mass" if mass is None else "kg",
@@ -309,10 +323,11 @@ def _friction_cap(described: ObjectFile) -> Remedy:
     change = None if friction is None else max(0.0, 1.0 - cap / bounds_of(friction)[1])
     return Remedy(
         name="friction cap",
-        words=f"let it slide: on a base with a friction of at most {number(cap)} it does not lift, "
-        f"with its mass centre {CENTRE:.0%} higher than stated and at both ends of each range of "
-        "its geometry; it needs room to slide, and no "
-        "edge to stumble on" + ("" if friction is not None else "; its friction now is not given"),
+        words=f"let it slide on a base with a coefficient of friction of at most {number(cap)}, "
+        f"where it does not lift even with its mass centre {100.0 * CENTRE:g} % higher than "
+        "stated and at both ends of each range of "
+        "its geometry; it needs room to slide and no edge to catch on"
+        + ("" if friction is not None else "; its friction now is not given"),
         change=change,
         value=cap,
         fitted=0.0,

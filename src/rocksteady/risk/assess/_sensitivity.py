@@ -143,15 +143,36 @@ def changes_of(described: ObjectFile) -> list[tuple[str, str, Block]]:
     found: list[tuple[str, str, Block]] = []
     for factor in (1.0 - CENTRE, 1.0 + CENTRE):
         changed = described.block_of(body.with_centre(factor))
-        found.append(("mass centre", f"{factor - 1.0:+.0%}", changed))
+        found.append(("mass centre", f"{100.0 * (factor - 1.0):+.0f} %", changed))
     found.append(
-        ("base width", f"{-WORN:+.0%}, worn edges", described.block_of(body.wider(1.0 - WORN)))
+        (
+            "base width",
+            f"{-100.0 * WORN:+.0f} %, worn edges",
+            described.block_of(body.wider(1.0 - WORN)),
+        )
     )
     found += [
         (variant.key, variant.label.removeprefix(variant.key).strip(), variant.block)
         for variant in described.variants()
     ]
     return found
+
+
+def parameter_words(parameter: str) -> str:
+    """Return what was changed in words: of a key of the object's file its name without the unit.
+
+    Examples
+    --------
+    >>> parameter_words("geometry.mass_centre_height_m"), parameter_words("mass centre")
+    ('mass centre height', 'mass centre')
+    """
+    table, dot, key = parameter.rpartition(".")
+    if not dot:
+        return parameter
+    for unit in ("_kg_m2", "_rad_s", "_m_s2", "_m", "_kg", "_rad", "_deg"):
+        key = key.removesuffix(unit)
+    words = key.replace("_", " ")
+    return f"{table} {words}" if table == "content" else words
 
 
 def tornado(cases: Sequence[Case]) -> list[dict[str, Any]]:

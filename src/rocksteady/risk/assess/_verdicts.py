@@ -3,10 +3,10 @@
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from rocksteady.results.numbers import number, quantity
+from rocksteady.results.numbers import number, percent, quantity
 from rocksteady.risk.assess._demand_level import DemandLevel
 from rocksteady.risk.assess._remedies import Remedy
-from rocksteady.risk.assess._sensitivity import Case, tornado
+from rocksteady.risk.assess._sensitivity import Case, parameter_words, tornado
 from rocksteady.risk.assess.described.facts import ObjectFacts
 from rocksteady.risk.assess.two_numbers import share_words
 
@@ -91,45 +91,51 @@ def answer_of(findings: Findings) -> Answer:
             "grey",
             f"{facts.name} slides at a PGA of {quantity(pga, 'g')}: rocking is no answer, and no "
             "probability of falling is given.",
-            f"Rocking alone needs a friction of {number(need)}, and {number(low)} is the lowest "
-            "given: what is needed is an analysis of sliding, room to slide, or a friction that is "
-            "measured and higher.",
+            f"Rocking alone needs a coefficient of friction of {number(need)}; the lowest given is "
+            f"{number(low)}. Analyse the sliding, leave room for it, or measure a higher "
+            "friction.",
         )
     if findings.motion == "rest":
         return Answer(
             "stands",
             "green",
             f"{facts.name} stays where it stands: a PGA of {quantity(pga, 'g')} does not lift it.",
-            f"{lifts}. The curve is of motions scaled to the demand's velocity, some of which have "
-            "a higher PGA.",
+            f"{lifts}. The fragility curve is of motions scaled to the demand's intensity, some of "
+            "which have a higher PGA.",
         )
     probability = findings.probability or 0.0
     verdict = "above target" if probability > target else "below target"
     side = "more than" if probability > target else "within"
-    share = f"{share_words(probability)} such objects would fall"
+    share = f"{share_words(probability)} objects of this shape and size would fall"
     if not findings.fitted:  # a share of so many runs is no smaller than one of them
         base = findings.cases[0]
         share = f"{base.fell or 'None'} of its {base.trials} runs fall"
     sentence = (
-        f"{share} at {findings.level.words}: {side} the target of {number(100.0 * target)} %."
+        f"{share} at {_article(findings.level.words)} ({percent(probability)}): {side} the target "
+        f"of {number(100.0 * target)} %."
     )
     if remedy is not None:
-        sentence = f"{sentence[:-1]}; the least change that helps is to {remedy.words}."
+        sentence = f"{sentence[:-1]}; the least change that meets the target is to {remedy.words}."
     return Answer(verdict, colour_of(probability, target), sentence, _reason(findings, lifts))
+
+
+def _article(words: str) -> str:
+    """Return words with the indefinite article before them, as "an Sa(1 s) of 0.3 g"."""
+    return f"{'an' if words.startswith('Sa') else 'a'} {words}"
 
 
 def _reason(findings: Findings, lifts: str) -> str:
     """Return why: uplift, the median, and what matters most."""
     base = findings.cases[0]
     reason = (
-        f"{lifts}; the demand is {findings.demand}. At the demand {base.fell} of {base.trials} "
-        "runs fall."
+        f"{lifts}; the demand is {findings.demand}. In {base.fell} of {base.trials} runs at the "
+        "demand it falls."
     )
     bars = tornado(findings.cases)
     if bars:
         widest = bars[0]
         reason += (
-            f" What matters most is {widest['parameter']}: between "
-            f"{number(100.0 * widest['low'])} and {number(100.0 * widest['high'])} %."
+            f" What matters most is the {parameter_words(widest['parameter'])}: it moves the "
+            f"probability between {percent(widest['low'])} and {percent(widest['high'])}."
         )
     return reason

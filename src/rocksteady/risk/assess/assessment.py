@@ -14,7 +14,7 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
 from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import number, quantity
+from rocksteady.results.numbers import number, percent, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.assess._assessment_tables import tables_of
 from rocksteady.risk.assess._counts import MULTIPLES, count_runs, is_fitted
@@ -126,8 +126,6 @@ class Assessment(Result):
             facts=[*self._answer(), *(fact for fact in own.facts if fact.key != "name")],
             tables=tables_of(self.screens, self.cases, self.remedies, self.risks, self.motions),
             notes=[
-                self.reason,
-                *(f"{each.name.capitalize()}: {each.words}." for each in self.remedies),
                 *self.facts.warnings,
                 *self._warnings(),
                 *CAVEATS,
@@ -136,10 +134,11 @@ class Assessment(Result):
 
     def _answer(self) -> list[Fact]:
         """Return the facts of the answer."""
-        share = "—" if self.probability is None else f"{number(100.0 * self.probability)} %"
-        if self.probability_band is not None:
-            low, high = (number(100.0 * side) for side in self.probability_band)
-            share += f" ({low} to {high} %)"
+        share = percent(self.probability)
+        bands = None if self.fragility is None else self.fragility.fitting.bands
+        if self.probability_band is not None and bands is not None:
+            low, high = (percent(side) for side in self.probability_band)
+            share += f" ({low} to {high}: {100.0 * bands.confidence:g} % band of the records)"
         curve = self.curve
         target = self.described.given.assessment.target_probability
         facts = [
@@ -147,22 +146,23 @@ class Assessment(Result):
             Fact("verdict", self.verdict, "verdict", f"{self.verdict} ({self.colour})"),
             Fact("colour", self.colour),
             Fact("sentence", self.sentence),
-            Fact("reason", self.reason),
-            Fact("demand", self.demand, "demand"),
-            Fact("probability", self.probability, "probability of falling", share),
+            Fact("reason", self.reason, "why"),
+            Fact("probability", self.probability, "probability", share),
             Fact("probability_band", self.probability_band and list(self.probability_band)),
             Fact("target_probability", target, "target", f"{number(100.0 * target)} %"),
+            *(Fact("", label=each.name, text=each.result) for each in self.remedies),
+            Fact("demand", self.demand, "demand"),
             Fact("friction_needed", self.friction_needed),
         ]
         if self.friction_needed is not None:
-            words = f"{number(self.friction_needed)} to rock without sliding at the demand"
+            words = f"{number(self.friction_needed)} or more, to rock without sliding at the demand"
             facts[-1] = Fact("friction_needed", self.friction_needed, "friction needed", words)
         if self.fragility is not None and curve is not None:
             median = float(curve.median)
             measure = self.fragility.measure
-            words = f"{number(median)} {measure.unit} of {measure.label}".replace("  ", " ")
+            words = f"{measure.label} {number(median)} {measure.unit}".rstrip()
             facts += [
-                Fact("median", None if math.isnan(median) else median, "median", words),
+                Fact("median", None if math.isnan(median) else median, "half fall at", words),
                 Fact("measure", measure.key),
                 Fact("records", self.fragility.records, "records"),
                 Fact("runs", self.fragility.runs, "runs"),
@@ -179,10 +179,10 @@ class Assessment(Result):
             )
         elif self.cases and self.probability:
             found.append(
-                "One thing changed at a time: fitted to runs at "
-                f"{MULTIPLES[0]:g} to {MULTIPLES[-1]:g} times the demand, where the object as "
-                f"described has {number(100.0 * self.cases[0].probability)} %; the probability "
-                "above is of the curve through all levels."
+                "What matters and what helps is fitted to runs at "
+                f"{MULTIPLES[0]:g} to {MULTIPLES[-1]:g} times the demand alone, which give "
+                f"{percent(self.cases[0].probability)} for the object as described; the answer is "
+                "of the curve through all levels."
             )
         found += [remark for risk in self.risks for remark in risk.remarks]
         return list(dict.fromkeys(found))
@@ -321,7 +321,9 @@ def _rocking(
         probability, band = cases[0].counted, None
     remedies: tuple[Remedy, ...] = ()
     if not resting and probability > findings.target:
-        remedies = find_remedies(Search(described, suite, level, findings.target, inner))
+        # Where the runs about the demand give less than the curve, remedies owe the same factor.
+        goal = findings.target * min(1.0, cases[0].probability / probability)
+        remedies = find_remedies(Search(described, suite, level, goal, inner))
     shown = None if band is None or resting else (float(band[0][0]), float(band[1][0]))
     return replace(
         assessment,

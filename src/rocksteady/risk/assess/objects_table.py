@@ -357,6 +357,6 @@ def _sentence(
     if not fitted:  # a share of so many runs is no smaller than one of them
         return f"{name}: {fell or 'none'} of its {trials} runs fall at {level}."
     return (
-        f"{name}: {share_words(probability).lower()} such objects would fall at {level}; of its "
-        f"own runs {fell} of {trials} did."
+        f"{name}: {share_words(probability).lower()} objects of its shape and size would fall at "
+        f"{level}; in {fell} of its own {trials} runs it fell."
     )

@@ -1,4 +1,4 @@
-"""Two numbers to one sentence: the probability that a block falls, from PGA and PGV alone."""
+"""The probability that a block falls, from PGA and PGV alone, by a closed form."""
 
 import math
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from rocksteady.model.checks.arguments import checked, checked_result
 from rocksteady.model.checks.validation import LARGEST, in_range
 from rocksteady.model.facts import block_text, block_values
 from rocksteady.results.description import Description, Fact
-from rocksteady.results.numbers import number, quantity
+from rocksteady.results.numbers import number, percent, quantity
 from rocksteady.results.result import Result
 from rocksteady.risk.screens.friction import (
     Mode,
@@ -25,16 +25,16 @@ MEDIAN, BETA = 0.757, 0.592
 OTHER_MEDIAN, OTHER_BETA = 0.672, 0.462
 """The same of nonlinear runs of this package on 56 records."""
 SOURCE = (
-    "Lognormal in p PGV/(g tan alpha), median 0.757 and beta 0.592, behind the gate PGA > g tan "
-    "alpha: inferred from 28,399 classified runs of Chu, Giouvanidis, Loong and Dimitrakopoulos, "
-    "Earthq. Eng. Struct. Dyn. 54, 3576 (2025), doi 10.1002/eqe.70042. Nonlinear runs of "
-    "this package on 56 records gave 0.672 and 0.462: the other probability."
+    "Lognormal in p PGV/(g tan alpha), median 0.757 and beta 0.592, where PGA > g tan alpha; "
+    "0 below. Inferred from 28,399 classified runs of Chu, Giouvanidis, Loong and "
+    "Dimitrakopoulos, Earthq. Eng. Struct. Dyn. 54, 3576 (2025), doi 10.1002/eqe.70042. The "
+    "second probability has 0.672 and 0.462, from nonlinear runs of this package on 56 records."
 )
 CAVEAT = (
-    "Not covered: the shaking's own uncertainty, bouncing, sliding during rocking, a soft floor, "
-    "three dimensions, vertical motion, and restitution other than Housner's. It is the share of "
-    "many motions of this PGA and PGV, no prediction for one; it is no substitute for anchorage "
-    "rules, and the engineer verifies."
+    "Not covered: the uncertainty of the shaking, bouncing, sliding during rocking, a soft floor, "
+    "three dimensions, vertical motion, and restitution other than Housner's. The probability is a "
+    "share of many motions of this PGA and PGV, not a prediction for one of them. It is no "
+    "substitute for anchorage rules; the engineer verifies."
 )
 USUAL_RATIO_S = (0.01, 0.5)
 """PGV/PGA [s] of recorded motions; beyond it a unit is doubtful."""
@@ -113,10 +113,7 @@ class QuickAssessment(Result):
 
     def describe(self) -> Description:
         """Return the sentence, both probabilities, the thresholds and the source."""
-        shares = [
-            "—" if share is None else f"{number(100.0 * share)} %"
-            for share in (self.probability, self.other_probability)
-        ]
+        shares = [percent(share) for share in (self.probability, self.other_probability)]
         given = "not given" if self.friction is None else f"{number(self.friction)} given"
         return Description(
             headline=self.sentence,
@@ -125,16 +122,13 @@ class QuickAssessment(Result):
                 Fact("pga_g", self.pga_g, "PGA", quantity(self.pga_g, "g")),
                 Fact("pgv_m_s", self.pgv_m_s, "PGV", quantity(self.pgv_m_s, "m/s")),
                 Fact("probability", self.probability, "probability of falling", shares[0]),
-                Fact(
-                    "other_probability", self.other_probability, "by this package's runs", shares[1]
-                ),
+                Fact("other_probability", self.other_probability, "second probability", shares[1]),
                 Fact(
                     "median_pgv_m_s",
                     self.median_pgv_m_s,
                     "median PGV",
-                    f"{quantity(self.median_pgv_m_s, 'm/s')}, beta {self.beta:g}; by this "
-                    f"package's runs {quantity(self.other_median_pgv_m_s, 'm/s')}, "
-                    f"{self.other_beta:g}",
+                    f"{quantity(self.median_pgv_m_s, 'm/s')}, beta {self.beta:g}; second "
+                    f"{quantity(self.other_median_pgv_m_s, 'm/s')}, {self.other_beta:g}",
                 ),
                 Fact("beta", self.beta),
                 Fact("other_median_pgv_m_s", self.other_median_pgv_m_s),
@@ -146,7 +140,7 @@ class QuickAssessment(Result):
                     "friction_needed",
                     self.friction_needed,
                     "friction needed",
-                    f"{number(self.friction_needed)} to rock alone at this PGA; {given}",
+                    f"{number(self.friction_needed)} to rock without sliding at this PGA; {given}",
                 ),
                 Fact("friction", self.friction),
                 Fact("verdict", self.verdict),
@@ -162,7 +156,7 @@ class QuickAssessment(Result):
 def assess_two_numbers(
     block: Block, pga_g: float, pgv_m_s: float, friction: float | None = None
 ) -> QuickAssessment:
-    """Assess whether a block falls, from the peak acceleration and velocity of its base.
+    """Compute the probability that a block falls, from PGA and PGV.
 
     ``P = 1[PGA > g tan alpha] Phi(ln(p PGV/(0.757 g tan alpha))/0.592)``, of the side that lifts
     first.
@@ -196,7 +190,7 @@ def assess_two_numbers(
     >>> print(f"{found.probability:.4f} {found.median_pgv_m_s:.4f} {found.uplift_pga_g:.4f}")
     0.3992 0.4653 0.1778
     >>> print(found.sentence)
-    About 2 in 5 such blocks would fall at a PGA of 0.35 g and a PGV of 0.4 m/s.
+    About 2 in 5 blocks of this shape and size would fall at a PGA of 0.35 g and a PGV of 0.4 m/s.
     """
     pga = in_range("pga_g", pga_g, 0.0, LARGEST, hint="give the peak in g; 0.3 is usual")
     pgv = in_range("pgv_m_s", pgv_m_s, 0.0, LARGEST, hint="give the peak in m/s; 0.4 is usual")
@@ -247,16 +241,19 @@ def _sentence(
     pga, pgv = quantity(peaks[0], "g"), quantity(peaks[1], "m/s")
     if mode == "rest":
         return (
-            f"It stays where it stands: a PGA of {pga} does not lift it, which takes "
-            f"{quantity(uplift, 'g')}."
+            f"It stays where it stands: a PGA of {pga} does not lift it; {quantity(uplift, 'g')} "
+            "would."
         )
     if share is None:
         more = "also slides while it rocks" if mode == "slides and rocks" else "slides"
         return (
-            f"It {more} at a PGA of {pga}: rocking alone needs a friction of {number(need)}, so "
-            "there is no probability of falling by rocking."
+            f"It {more} at a PGA of {pga}: rocking alone needs a coefficient of friction of "
+            f"{number(need)}, and no probability of falling is given."
         )
-    return f"{share_words(share)} such blocks would fall at a PGA of {pga} and a PGV of {pgv}."
+    return (
+        f"{share_words(share)} blocks of this shape and size would fall at a PGA of {pga} and a "
+        f"PGV of {pgv}."
+    )
 
 
 def share_words(share: float) -> str:
@@ -291,8 +288,8 @@ def _remarks(
         )
     if friction is None:
         remarks.append(
-            f"The friction is not given: with less than {number(need)} it slides, and this is no "
-            "answer."
+            f"The friction is not given: with a coefficient below {number(need)} the block slides, "
+            "and this answer does not hold."
         )
     side = first_side(block)
     outside = [
@@ -309,7 +306,7 @@ def _remarks(
             "0.3 rad, p 1 to 3 rad/s)."
         )
     if not block.symmetric:
-        remarks.append("The sides differ: the one that lifts first is taken, as if both were so.")
+        remarks.append("The sides differ: both are taken to be as the side that lifts first.")
     return remarks
 
 

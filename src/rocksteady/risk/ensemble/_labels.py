@@ -122,7 +122,7 @@ def warnings_of(
         alike.setdefault((record.dt_s, record.acceleration_m_s2.tobytes()), []).append(name)
     found += [
         f"{', '.join(same[:MOST_NAMES])} hold the same samples: they count as "
-        f"{len(same)} records and are one"
+        f"{len(same)} records and are one."
         for same in alike.values()
         if len(same) > 1
     ]
@@ -130,14 +130,14 @@ def warnings_of(
     if large.any():
         strongest = names[int(np.unravel_index(int(np.argmax(scale)), scale.shape)[1])]
         found.append(
-            f"records are scaled by up to {number(float(scale.max()))} ({strongest}), and "
-            f"in {large.mean():.0%} of the runs by more than {LARGE_FACTOR:g}: so strong a motion "
-            "has another spectrum and another duration as a rule"
+            f"Records are scaled by up to {number(float(scale.max()))} ({strongest}), in "
+            f"{100.0 * large.mean():.0f} % of the runs by more than {LARGE_FACTOR:g}: a real "
+            "motion that strong usually has another spectrum and duration."
         )
     for outcome in (Status.LOST_CONTACT, Status.UNDECIDED):
         count = int((status == outcome).sum())
         if count:
             found.append(
-                f"{count:,} of {status.size:,} runs ended {outcome.label}, without an answer"
+                f"{count:,} of {status.size:,} runs ended {outcome.label}, without an answer."
             )
     return json.dumps(found)

@@ -21,12 +21,19 @@ if TYPE_CHECKING:
     import xarray
 
 _RANKING: Final = (
-    Column("measure", "measure", left=True),
+    Column("measure", "measure (or pair)", left=True),
     Column("median", "median"),
     Column("beta", "beta"),
-    Column("log_likelihood_per_run", "ln L a run", "{:.4f}".format),
-    Column("status", "status", left=True),
+    Column("log_likelihood_per_run", "log-likelihood per run", "{:.3f}".format),
 )
+
+_LEGEND: Final = (
+    "Median and beta (standard deviation of the logarithm) with their bands; beta is given uplift "
+    "where the curve has two stages. Misfit: largest difference between the curve and the share of "
+    "runs at a level. Gain: log-likelihood of two stages above that of one curve. Efficiency: the "
+    "measure of the highest log-likelihood predicts best."
+)
+"""What the columns mean."""
 
 
 @checked_result
@@ -113,7 +120,7 @@ class Fragility(Result):
             Fact(
                 "scale_factor_max",
                 self.scale_factor_max,
-                "largest factor of a record",
+                "largest scale factor",
             ),
             Fact("seconds", self.seconds),
             Fact("warnings", list(self.warnings)),
@@ -125,9 +132,12 @@ class Fragility(Result):
                 Table("fits", fits),
                 Table("", [_shown_row(each) for each in self.states], _columns(self.measure.unit)),
                 Table("points", self._points()),
-                Table("ranking", self._ranking(), _RANKING, title=f"Efficiency, {last.state.name}"),
+                Table("ranking", self._ranking()),
+                Table(
+                    "", self._best(), _RANKING, title=f"Efficiency of measures, {last.state.name}"
+                ),
             ],
-            notes=self.warnings,
+            notes=[_LEGEND, *self.warnings],
         )
 
     def _headline(self) -> str:
@@ -162,6 +172,12 @@ class Fragility(Result):
             for each in self.states
             for level, trials, lifted, failures in each.points
         ]
+
+    def _best(self) -> list[dict[str, Any]]:
+        """Return single measures and the best pair, the best first."""
+        rows = self._ranking()
+        pairs = [row for row in rows if " and " in row["measure"]]
+        return [row for row in rows if row not in pairs[1:]]
 
     def _ranking(self) -> list[dict[str, Any]]:
         """Return a row for each measure."""

@@ -24,12 +24,12 @@ def test_the_worked_case() -> None:
     assert values["beta"] == 0.592
     assert values["uplift_pga_g"] == pytest.approx(0.1778, abs=5e-5)
     assert values["friction_needed"] == pytest.approx(0.2199, abs=5e-5)
-    assert values["sentence"].startswith("About 2 in 5 such blocks would fall")
+    assert values["sentence"].startswith("About 2 in 5 blocks of this shape and size would fall")
 
 
 def test_the_text_begins_with_the_sentence_and_fits() -> None:
     ran = rocksteady(WORKED)
-    assert ran.out.startswith("About 2 in 5 such blocks would fall")
+    assert ran.out.startswith("About 2 in 5 blocks of this shape and size would fall")
     assert fits(ran.out)
 
 

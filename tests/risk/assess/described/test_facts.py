@@ -36,13 +36,13 @@ def test_the_weaker_side_of_an_off_centre_object_counts() -> None:
 @pytest.mark.parametrize(
     ("geometry", "keys", "words"),
     [
-        (None, {}, "Friction is not given: above 0.178 the object rocks"),
+        (None, {}, "with a coefficient below 0.178 the object slides"),
         ({"width_m": 1.0, "height_m": 1.8}, {}, "most objects slide before they rock"),
         ({"width_m": 0.06, "height_m": 1.8}, {}, "out of level by half a degree"),
         ({"width_m": 0.3, "height_m": 1.8, "mass_centre_height_m": 0.8}, {}, "give gyration_m or"),
         ({"width_m": 0.3, "height_m": 1.8, "mass_kg": 9},
          {"content": {"mass_kg": 3, "mass_centre_height_m": 1}}, "one point mass, fixed"),
-        (None, {"restitution": 0.99}, "takes almost nothing at an impact"),
+        (None, {"restitution": 0.99}, "leaves almost all velocity after an impact"),
         ({"width_m": {"low": 0.3, "high": 0.4}, "height_m": 1.8}, {}, "range of geometry.width_m"),
         (None, {"restitution": {"low": 0.8, "high": 0.9}}, "The lowest restitution of its range"),
         (None, {"demand": {"place": "floor"}}, "the motions must be those of that floor"),

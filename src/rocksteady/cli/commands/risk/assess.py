@@ -157,9 +157,8 @@ def assess(
     if output.as_json:
         print_json("assess", {**description.to_dict(), "synthetic": example})
     else:
-        note = ["The motions are synthetic: they are no earthquake's."] if example else []
-        shown = replace(description, notes=[*note, *description.notes])
-        print_description(shown, terminal.console())
+        notes = _notes(description.notes, out, example=example)
+        print_description(replace(description, notes=notes), terminal.console())
     limit = USUAL_TARGET if most is None else most
     if check and any(share is None or share > limit for share in shares):
         raise typer.Exit(NEGATIVE)
@@ -178,6 +177,17 @@ def quick_answer(block: BlockFlags, peaks: PeakFlags) -> "QuickAssessment":
     from rocksteady.risk.assess.two_numbers import assess_two_numbers
 
     return assess_two_numbers(body, pga_g, pgv_m_s, peaks.friction)
+
+
+def _notes(notes: Sequence[str], out: Path | None, *, example: bool) -> list[str]:
+    """Return the notes of an answer; its caveats stand in the report where one is written."""
+    from rocksteady.risk.assess.caveats import CAVEATS
+
+    synthetic = ["The motions are synthetic: no earthquake made them."] if example else []
+    if out is None:
+        return [*synthetic, *notes]
+    kept = [note for note in notes if note not in CAVEATS]
+    return [*synthetic, *kept, f"Caveats, motions and inputs stand in {out / 'report.html'}."]
 
 
 def _answer(

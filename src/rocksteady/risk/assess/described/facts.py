@@ -132,7 +132,7 @@ def derive_facts(described: ObjectFile) -> ObjectFacts:
     >>> print(f"{facts.uplift_pga_g:.4f} g")
     0.1778 g
     >>> print(facts.warnings[0])
-    Friction is not given: above 0.178 the object rocks, below it slides.
+    The friction is not given: with a coefficient below 0.178 the object slides.
     """
     block, body = described.block, described.body
     side = weaker_side(block)
@@ -155,7 +155,8 @@ def _warnings(described: ObjectFile, block: Block, uplift: float) -> list[str]:
     sentences = []
     if given.friction is None:
         sentences.append(
-            f"Friction is not given: above {number(uplift)} the object rocks, below it slides."
+            f"The friction is not given: with a coefficient below {number(uplift)} the object "
+            "slides."
         )
     if side.alpha > STOCKY:
         sentences.append(
@@ -180,12 +181,12 @@ def _warnings(described: ObjectFile, block: Block, uplift: float) -> list[str]:
         )
     if isinstance(given.restitution, float) and given.restitution > 0.98:
         sentences.append(
-            f"A restitution of {number(given.restitution)} takes almost nothing at an impact: few "
-            "tests of stone or timber found so much."
+            f"A restitution of {number(given.restitution)} leaves almost all velocity after an "
+            "impact: few tests of stone or timber found so much."
         )
     keys = list(dict.fromkeys(variant.key for variant in described.variants()))
     if keys:
-        sentences.append(f"The middle is taken of the range of {' and '.join(keys)}.")
+        sentences.append(f"Of the range of {' and '.join(keys)} the middle is taken.")
     if isinstance(given.restitution, Range):
         sentences.append("The lowest restitution of its range is the block's own.")
     if given.demand.place == "floor":
