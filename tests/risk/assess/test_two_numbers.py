@@ -39,7 +39,7 @@ def test_the_other_probability_is_that_of_our_own_runs() -> None:
     assert "second probability 47 %" in text
     assert "28,399" in text
     assert "10.1002/eqe.70042" in text
-    assert "no prediction for one" in text
+    assert "not a prediction for one" in text
     assert "anchorage rules" in text
 
 
