@@ -7,6 +7,7 @@ import pytest
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.sides import Side
 from rocksteady.outcomes import Status
 from rocksteady.risk.assess.described.objects import ObjectFile
 from rocksteady.risk.assess.objects_table import ObjectsTable, assess_objects
@@ -61,20 +62,66 @@ def test_each_row_counts_what_runs_of_its_own_do(table: ObjectsTable) -> None:
     assert fallen > 10
 
 
+def first_side_of(block: Block) -> Side:
+    return min((block.positive, block.negative), key=lambda each: each.alpha)
+
+
 def test_fitted_and_closed_form_stand_beside_the_count(table: ObjectsTable) -> None:
-    assert table.curve is not None
-    for described, row in zip(objects(), table.rows, strict=True):
+    """The curve of all objects is the probit regression of statsmodels on their counts."""
+    import statsmodels.api as sm
+
+    sides = [first_side_of(each.block) for each in objects()]
+    slopes = np.array([math.tan(side.alpha) for side in sides])
+    at = np.array([side.p for side in sides]) * 0.45 / (9.80665 * slopes)
+    design = sm.add_constant(np.log(np.column_stack([at, slopes])))
+    lifted, fell = (np.array([row[key] for row in table.rows]) for key in ("lifted", "fell"))
+    there = lifted > 0
+    family = sm.families.Binomial(link=sm.families.links.Probit())
+    counts = np.column_stack([fell, lifted - fell])
+    model = sm.GLM(counts[there], design[there], family=family).fit(tol=1e-12)
+    falls = model.predict(design)
+    for k, (described, row) in enumerate(zip(objects(), table.rows, strict=True)):
         closed = assess_two_numbers(described.block, 0.4, 0.45).probability
         assert row["closed_form"] == closed
-        side = min(
-            (described.block.positive, described.block.negative), key=lambda each: each.alpha
-        )
-        at = side.p * 0.45 / (9.80665 * math.tan(side.alpha))
-        falls = float(table.curve.probability(np.array([at]))[0])
-        assert row["fitted"] == pytest.approx(falls * row["lifted"] / row["trials"])
+        assert row["fitted"] == pytest.approx(falls[k] * row["lifted"] / row["trials"], rel=1e-5)
     fitted = [row["fitted"] for row in table.rows]
     counted = [row["counted"] for row in table.rows]
     assert np.corrcoef(fitted, counted)[0, 1] > 0.9
+
+
+def test_neither_large_slender_objects_nor_small_stout_ones_are_fitted_wrongly() -> None:
+    """Of each quarter by slenderness the mean fitted is the mean counted, whatever the size."""
+    rng = np.random.default_rng(8)
+    sizes = np.column_stack([rng.uniform(0.1, 0.35, 60), rng.uniform(0.5, 2.5, 60)])
+    many = [
+        ObjectFile(values={"name": f"{k}", "geometry": {"width_m": h * a, "height_m": h}})
+        for k, (a, h) in enumerate(sizes.tolist())
+    ]
+    found = assess_objects(many, SUITE, pgv_m_s=0.35)
+    assert found.curve is not None
+    rows = sorted(found.rows, key=lambda row: float(row["alpha_rad"]))
+    for first in range(0, 60, 15):
+        fitted, counted = (
+            np.mean([row[key] for row in rows[first : first + 15]]) for key in ("fitted", "counted")
+        )
+        assert fitted == pytest.approx(counted, abs=0.04)
+
+
+@pytest.mark.parametrize("height", [1.6, None])
+def test_objects_of_one_shape_have_a_curve_over_one_measure(height: float | None) -> None:
+    sizes = [(0.25 * h, h) for h in (0.6, 0.8, 1.0, 1.4, 1.8, 2.2)]
+    if height is not None:  # all alike: no curve at all
+        sizes = [(0.25 * height, height)] * 6
+    many = [
+        ObjectFile(values={"name": f"{k}", "geometry": {"width_m": b, "height_m": h}})
+        for k, (b, h) in enumerate(sizes)
+    ]
+    curve = assess_objects(many, SUITE, pgv_m_s=0.7).curve
+    if height is None:
+        assert curve is not None
+        assert curve.names == ("p PGV/(g tan alpha)",)
+    else:
+        assert curve is None
 
 
 def test_a_colour_is_its_probability_and_has_a_word(table: ObjectsTable) -> None:

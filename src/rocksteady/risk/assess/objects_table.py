@@ -28,7 +28,7 @@ from rocksteady.risk.assess.two_numbers import assess_two_numbers, share_words
 from rocksteady.risk.ensemble.levels import Stripes
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.risk.ensemble.runs import run_ensemble
-from rocksteady.risk.fits.fragility_curve import FragilityCurve, fit_curve
+from rocksteady.risk.fits.vector_fit import VectorFit, fit_vector
 from rocksteady.risk.screens.friction import (
     first_motion,
     first_side,
@@ -41,6 +41,8 @@ Integers = NDArray[np.int64]
 
 FEWEST = 5
 """Objects that lift, below which no curve is fitted through all of them."""
+MEASURES = ("p PGV/(g tan alpha)", "tan alpha")
+"""What the curve of all objects is over."""
 
 
 @checked_result
@@ -60,8 +62,9 @@ class ObjectsTable(Result):
     target_probability
         Above it an object is red, above a fifth of it amber.
     curve
-        P(falls | lifts) over p PGV/(g tan alpha) of all objects and motions; None where too few
-        lift, or without a PGV.
+        P(falls | lifts) over p PGV/(g tan alpha) and tan alpha of all objects and motions, or over
+        the first alone where all have one shape or one size; None where too few lift, or without a
+        PGV.
     records, seconds
         Number of motions, and time that it took [s].
     """
@@ -70,7 +73,7 @@ class ObjectsTable(Result):
     pga_g: float | None
     pgv_m_s: float | None
     target_probability: float
-    curve: FragilityCurve | None
+    curve: VectorFit | None
     records: int
     seconds: float
 
@@ -155,8 +158,10 @@ def assess_objects(
     """Assess many objects under one demand, in one sweep.
 
     Every object meets every motion in both signs, without vertical motion and with its own
-    restitution, at one level.  Of all that lift one curve is fitted over p PGV/(g tan alpha), so
-    that the probability of an object does not hang on a few dozen runs alone.
+    restitution, at one level.  Of all that lift one curve is fitted over p PGV/(g tan alpha) and
+    tan alpha, so that the probability of an object does not hang on a few dozen runs alone.  Over
+    the first alone large slender objects would get half of what their runs show: at one PGV it does
+    not tell a slender object from a small one.
 
     Parameters
     ----------
@@ -250,28 +255,31 @@ def assess_objects(
 
 def _pooled(
     blocks: Sequence[Block], pgv: float, lifted: Integers, fell: Integers
-) -> FragilityCurve | None:
+) -> VectorFit | None:
     """Return P(falls | lifts) of all objects; None where too few lift, or no curve fits."""
     if (lifted.sum(axis=1) > 0).sum() < FEWEST:
         return None
-    at = np.array([_relative(block, pgv) for block in blocks])
-    whole = np.broadcast_to(at[:, np.newaxis], lifted.shape)
-    records = np.broadcast_to(np.arange(lifted.shape[1]), lifted.shape)
     there = lifted > 0
-    curve = fit_curve(
-        whole[there],
-        fell[there],
-        lifted[there],
-        groups=records[there],
-        measure=("p PGV/(g tan alpha)", ""),
-    )
-    return curve if curve.status == "fitted" else None
+    records = np.broadcast_to(np.arange(lifted.shape[1]), lifted.shape)[there]
+    points = np.array([_point(block, pgv) for block in blocks])
+    for width in (2, 1):
+        at = np.broadcast_to(points[:, np.newaxis, :width], (*lifted.shape, width))[there]
+        try:
+            curve = fit_vector(
+                at, fell[there], lifted[there], groups=records, names=MEASURES[:width]
+            )
+        except InputError:  # of one shape, or of one size: the two depend on each other
+            continue
+        if curve.status == "fitted" and curve.coefficients[1] > 0.0:
+            return curve
+    return None
 
 
-def _relative(block: Block, pgv: float) -> float:
-    """Return p PGV/(g tan alpha) of the side that lifts first."""
+def _point(block: Block, pgv: float) -> tuple[float, float]:
+    """Return p PGV/(g tan alpha) and tan alpha of the side that lifts first."""
     side = first_side(block)
-    return side.p * pgv / (block.gravity * tan(side.alpha))
+    slope = tan(side.alpha)
+    return side.p * pgv / (block.gravity * slope), slope
 
 
 def _row(
@@ -279,7 +287,7 @@ def _row(
     block: Block,
     peaks: tuple[float | None, float | None],
     target: float,
-    curve: FragilityCurve | None,
+    curve: VectorFit | None,
     runs: tuple[Integers, Integers, Integers],
 ) -> dict[str, Any]:
     """Return the row of an object."""
@@ -293,7 +301,7 @@ def _row(
     if pga is not None and pgv is not None:
         closed = assess_two_numbers(block, pga, pgv).probability
     if curve is not None and pgv is not None:
-        falls = float(curve.probability(np.array([_relative(block, pgv)]))[0])
+        falls = float(curve.probability(np.array(_point(block, pgv)[: len(curve.names)])))
         fitted = None if math.isnan(falls) else falls * lifted / trials
     probability: float | None = counted if fitted is None else fitted
     if motion == "rest":

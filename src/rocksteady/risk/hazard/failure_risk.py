@@ -298,7 +298,9 @@ def compute_risk(
     block
         Of a fragility over a dimensionless measure; none by default.
     beta_u
-        Standard deviation of the logarithm of the median, which is not known well; default 0.
+        Standard deviation of the logarithm of the median, which is not known well; default 0.  It
+        lowers the HCLPF capacity alone: the rate is that of the fragility as it is.  For the mean
+        rate give a fragility with beta sqrt(beta^2 + beta_u^2).
 
     Returns
     -------
