@@ -120,6 +120,12 @@ def test_a_step_of_uplift_is_a_gate_and_any_other_a_curve() -> None:
     assert "uplift" in entries(plot_fragility(two_stages(None), axes()))
 
 
+def test_an_exact_gate_is_drawn_at_its_intensity() -> None:
+    fell, labels = [0, 3, 33, 39], ("PGA", "g")
+    curve = fit_two_stages([0.2, 0.4, 0.8, 1.6], 0.277, fell, [40] * 4, measure=labels)
+    assert "uplift at 0.277 g" in entries(plot_fragility(curve, axes()))
+
+
 def test_a_band_is_shaded_over_what_was_run() -> None:
     class Banded(FragilityCurve):
         def probability_band(self, intensity: Any) -> Any:
