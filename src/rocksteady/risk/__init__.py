@@ -1,1 +1,1 @@
-"""Whether an object falls: ensembles, fragility, code screens, hazard and risk."""
+"""Fragility, code screens, hazard, risk and assessment of objects that may fall."""

@@ -1,1 +1,1 @@
-"""From an object to an answer: two numbers, an object file, a table of objects."""
+"""Assessment of objects: by two numbers, by an object file, by a table; remedies."""

@@ -196,12 +196,12 @@ def assess_object(
     hazard: HazardCurve | Sequence[HazardCurve] | None = None,
     run: Run | None = None,
 ) -> Assessment:
-    """Assess an object: whether it falls, how sure that is, and what would help.
+    """Compute the probability that an object falls, its sensitivity, and remedies.
 
-    Its steps are those of practice: check and derive; uplift and sliding first, where friction
-    governs rocking is refused as an answer; published formulas side by side; an ensemble of runs by
-    the full equations; fragility; one thing changed at a time; risk under hazard curves; remedies,
-    found on the fitted probability and confirmed by runs of the changed object.
+    The steps of practice: check and derive; uplift and sliding first, and where friction governs no
+    probability is given; published formulas side by side; an ensemble of runs by the full
+    equations; fragility; one thing changed at a time; risk under hazard curves; remedies, found on
+    the fitted probability and confirmed by runs of the changed object.
 
     Parameters
     ----------

@@ -68,7 +68,7 @@ WORDS = (
 @checked_result
 @dataclass(frozen=True, kw_only=True, repr=False)
 class QuickAssessment(Result):
-    """Whether a block falls, from PGA and PGV, by `rocksteady.assess_two_numbers`.
+    """Probability that a block falls, from `rocksteady.assess_two_numbers`.
 
     Attributes
     ----------

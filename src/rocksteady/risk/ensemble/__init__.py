@@ -1,1 +1,1 @@
-"""Ensembles: blocks on records at many levels, restitutions and signs, each cell a run."""
+"""Ensembles of runs: blocks on records at many levels, restitutions and signs."""

@@ -1,1 +1,1 @@
-"""How the probability of an event grows with intensity: curves, their likelihood, their bands."""
+"""Fragility curves: maximum likelihood, confidence bands, goodness of fit."""

@@ -7,7 +7,7 @@ from rocksteady.seismic.measures.scalar import Intensity
 
 @dataclass(frozen=True, kw_only=True)
 class Efficiency:
-    """Efficiency of a measure of intensity: how well it alone tells failures from the rest.
+    """Efficiency of a measure of intensity in telling failures from survivals.
 
     Attributes
     ----------

@@ -1,1 +1,1 @@
-"""Which hazard, and what risk: hazard curves, annual rates of failure, balanced rocks."""
+"""Hazard curves (files of OpenQuake), annual rates of failure, balanced rocks."""

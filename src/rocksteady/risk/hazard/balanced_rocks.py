@@ -48,7 +48,7 @@ SENTENCES = (
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class BranchTest(Result):
-    """Branches of a hazard model against an object that stands, from `rocksteady.reject_branches`.
+    """Test of hazard branches against a standing object, from `rocksteady.reject_branches`.
 
     Attributes
     ----------
@@ -146,7 +146,7 @@ def reject_branches(
     alpha_cv: float = 0.05,
     level: float = 0.95,
 ) -> BranchTest:
-    """Test branches of a hazard model against an object that still stands.
+    """Test branches of a hazard model against a standing object.
 
     If it topples at a rate r, it stands for its age with the probability exp(-age r): a branch is
     rejected at the confidence 1 - exp(-age r).  The alpha of an object in the field is known to

@@ -1,1 +1,1 @@
-"""Published formulas for uplift, rocking and overturning, side by side."""
+"""Published formulas side by side: uplift, ASCE 43-05, Ishiyama, FEMA P-58 and others."""

@@ -186,6 +186,10 @@ def _root(function: Callable[[float], float], low: float, high: float) -> float:
     return found
 
 
+MOST_SHOWN = 3
+"""Largest number of roots that a text lists."""
+
+
 def rotations_text(roots_rad: Sequence[float]) -> str:
     """Return rotations as people read them.
 
@@ -193,5 +197,9 @@ def rotations_text(roots_rad: Sequence[float]) -> str:
     --------
     >>> rotations_text((0.02, 0.1))
     '0.02 and 0.1 rad'
+    >>> rotations_text((0.001, 0.002, 0.02, 0.05, 0.1))
+    '5 angles from 0.001 to 0.1 rad'
     """
+    if len(roots_rad) > MOST_SHOWN:
+        return f"{len(roots_rad)} angles from {roots_rad[0]:.3g} to {roots_rad[-1]:.3g} rad"
     return " and ".join(f"{root:.3g}" for root in roots_rad) + " rad"

@@ -324,7 +324,9 @@ def velocity_row(case: Case) -> Screen:
         elif share is None:
             verdict, passes = "nearly all such runs fell", False
         else:
-            verdict = f"{share.published:.0%} and {share.ours:.0%} of such runs fell"
+            verdict = (
+                f"{100.0 * share.published:.0f} % and {100.0 * share.ours:.0f} % of such runs fell"
+            )
             passes = False
         ratio = pgv / impulse_velocity_m_s(case.side, gravity)
         details.append(("PGV/V_i", ratio, ""))

@@ -32,7 +32,7 @@ def make_manifest(
     settings: Mapping[str, Any] | None = None,
     warnings: Sequence[str] = (),
 ) -> dict[str, Any]:
-    """Return the manifest of a run, from which it can be made again and compared.
+    """Return the manifest of a run: inputs, hashes, seeds, versions.
 
     It has no date and no folder: the same run gives the same manifest anywhere.
 

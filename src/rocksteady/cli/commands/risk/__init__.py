@@ -1,1 +1,1 @@
-"""Commands that say whether an object falls: screens, assessments."""
+"""Commands on falling objects: fragility, assess, screens."""

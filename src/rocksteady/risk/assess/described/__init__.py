@@ -1,1 +1,1 @@
-"""An object as its owner describes it: a file or a line of a table, checked, and what follows."""
+"""Object files (TOML) and tables of objects (CSV): keys, checks, derived properties."""

@@ -50,7 +50,7 @@ class Variant:
 @checked
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class ObjectFile(Result):
-    """An object: geometry, content, friction, restitution, demand and how it is assessed.
+    """Geometry, content, friction, restitution, demand and assessment options of an object.
 
     Parameters
     ----------

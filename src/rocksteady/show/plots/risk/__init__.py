@@ -1,1 +1,1 @@
-"""Plots of fragility and of what it depends on."""
+"""Plots of fragility, risk, sensitivity and the ranking of measures."""

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 @checked
 def plot_ranking(fragility: Fragility, ax: "Axes | None" = None) -> "Axes":
-    """Draw how efficient measures of intensity are: beta of each, the most likely on top.
+    """Draw the beta of each measure of intensity, the most efficient on top.
 
     A pair of measures has no beta, and no bar.
 
@@ -99,7 +99,7 @@ def plot_tornado(
     label: str = "probability of overturning",
     legend: LegendPlace | None = None,
 ) -> "Axes":
-    """Draw how far an answer moves with each assumption, the farthest on top.
+    """Draw the range of a probability under each assumption, the widest on top.
 
     Parameters
     ----------
