@@ -113,7 +113,7 @@ class Screens(Result):
         sized = [{**row, "size": f"{row['depth_in']} x {row['height_in']} in"} for row in cabinets]
         remarks = [f"{row.name}: {row.remark}" for row in self.rows if row.remark]
         return Description(
-            headline=f"Screens of a block{shaking}: {passed} of {len(judged)} verdicts are passes",
+            headline=f"Screens of a block{shaking}: it passes {passed} of {len(judged)}",
             facts=[
                 Fact("block", block_values(self.block), "block", block_text(self.block)),
                 Fact("pga_g", demand.pga_g),
