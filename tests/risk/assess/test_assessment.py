@@ -141,6 +141,21 @@ def test_remedies_are_confirmed_by_their_own_runs(found: Assessment) -> None:
     assert found.remedies[0].words in found.sentence
 
 
+def test_where_runs_about_the_demand_give_less_than_the_curve_remedies_change_something() -> None:
+    wide = described(
+        {"target_probability": 0.11},
+        geometry={"width_m": 0.5, "height_m": 1.8},
+        demand={"pgv_m_s": 0.5},
+    )
+    found = assess_object(wide, SUITE)
+    base, probability = found.cases[0].probability, found.probability or 0.0
+    assert base < 0.11 < probability
+    width = next(each for each in found.remedies if each.name == "width")
+    assert (width.change or 0.0) > 0.0
+    assert width.fitted is not None
+    assert width.fitted <= 0.11 * base / probability
+
+
 def test_the_friction_cap_is_the_slope_of_the_block_with_a_higher_mass_centre(
     found: Assessment,
 ) -> None:
