@@ -114,6 +114,12 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     )
     for name in ("RSN77_PUL164.AT2", "one.AT2", "two.AT2", "three.AT2", "FILE"):
         (tmp_path / name).write_text(header + "\n".join(rows) + "\n", encoding="ascii")
+    suite = tmp_path / "suite"
+    suite.mkdir()
+    for number in range(1, 4):
+        scaled = [" ".join(f"{float(x) / number: .7E}" for x in row.split()) for row in rows]
+        text = header + "\n".join(scaled) + "\n"
+        (suite / f"{number}.AT2").write_text(text, encoding="ascii")
     np.savetxt(tmp_path / "column.txt", 9.80665 * swelling)
     return tmp_path
 

@@ -7,6 +7,7 @@ from typing import Literal
 
 import numpy as np
 
+from rocksteady.errors import InputError
 from rocksteady.risk.fits.fragility_curve import fit_curve
 from rocksteady.risk.fits.vector_fit import fit_vector
 from rocksteady.risk.fragility._labels_of_runs import Labels
@@ -70,10 +71,10 @@ def _together(
 ) -> Efficiency | None:
     """Return the efficiency of two measures; None where one follows from the other here."""
     at = np.column_stack([labels.intensity(measure).ravel() for measure in pair])
-    logs = np.log(at)
-    if np.linalg.matrix_rank(logs - logs.mean(axis=0)) < len(pair):
+    try:
+        fit = fit_vector(at, labels.count(state).ravel(), labels.trials.ravel())
+    except InputError:  # records of one shape: the two depend on each other
         return None
-    fit = fit_vector(at, labels.count(state).ravel(), labels.trials.ravel())
     return Efficiency(
         measure=pair,
         state=state.name,
