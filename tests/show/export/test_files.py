@@ -102,6 +102,16 @@ def test_a_text_is_utf_8(tmp_path: Path) -> None:
     assert (tmp_path / "a.txt").read_bytes() == "θ/α ≤ 1\n".encode()
 
 
+def test_a_name_that_is_no_text_is_written_and_json_reads_it_back(tmp_path: Path) -> None:
+    """As of a file whose name has bytes that are no UTF-8."""
+    name = b"G\xff\xfe.AT2".decode("utf-8", "surrogateescape")
+    save_text("out", tmp_path / "run.json", json_text("rocksteady/x/1", {"name": name}, indent=2))
+    back = json.loads((tmp_path / "run.json").read_text(encoding="utf-8"))
+    assert back["name"] == name
+    save_csv("out", tmp_path / "runs.csv", ["record"], [[name]])
+    assert (tmp_path / "runs.csv").read_text(encoding="utf-8") == "record\nG\\udcff\\udcfe.AT2\n"
+
+
 # ---------------------------------------------------------------------------------------- figures
 
 

@@ -15,6 +15,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
+STRAY = "backslashreplace"
+"""Writes a byte of a file's name that is no UTF-8 as \\udcff; JSON reads the same name back."""
+
+
 def check_writable(name: str, file: Path, *, force: bool) -> None:
     """Refuse a file that could not be written.
 
@@ -115,7 +119,7 @@ def save_csv(
     """Save a table; floats are written so that reading them gives the same number."""
 
     def save(target: Path) -> None:
-        with target.open("w", newline="", encoding="utf-8") as stream:
+        with target.open("w", newline="", encoding="utf-8", errors=STRAY) as stream:
             writer = csv.writer(stream, lineterminator="\n")
             writer.writerow(header)
             writer.writerows(rows)
@@ -125,7 +129,7 @@ def save_csv(
 
 def save_text(name: str, file: Path, text: str) -> None:
     """Save a text as UTF-8."""
-    save_whole(name, file, lambda target: target.write_text(text, encoding="utf-8"))
+    save_whole(name, file, lambda target: target.write_text(text, encoding="utf-8", errors=STRAY))
 
 
 def json_text(schema: str, values: dict[str, Any], *, indent: int | None = None) -> str:

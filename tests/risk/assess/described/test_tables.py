@@ -81,3 +81,12 @@ def test_a_fault_is_named_with_its_line(text: str | bytes, line: str, tmp_path: 
     assert line in str(refusal.value)
     assert str(refusal.value).startswith("store.csv")
     assert "\n" not in str(refusal.value)
+
+
+def test_a_quoted_cell_has_lines_of_its_own(tmp_path: Path) -> None:
+    """Also a line separator of Unicode, which ends no row of a table."""
+    text = 'name,width_m,height_m\n"vase\nblue",0.3,1\ncup\u2028red,0.2,1\n'
+    assert [each.name for each in read_objects(written(tmp_path, text))] == [
+        "vase\nblue",
+        "cup\u2028red",
+    ]
