@@ -10,7 +10,7 @@ from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.sides import Side
 from rocksteady.model.checks.arguments import checked
-from rocksteady.model.checks.validation import positive
+from rocksteady.model.checks.validation import in_range
 from rocksteady.model.motions.record import Record
 from rocksteady.results.numbers import number
 from rocksteady.seismic.measures.response_spectrum import (
@@ -32,6 +32,9 @@ class Words(NamedTuple):
     of_period: bool = False
     """Whether it has a period, which that of a block may be."""
 
+
+LONGEST_S = 60.0
+"""Longest period that is measured: what is longer is a slip of the pen."""
 
 MEASURES: Final = {
     "pga_g": Words("PGA", "g"),
@@ -97,7 +100,9 @@ class Intensity:
                 f"{self.name} has no period; sa_g and sa_avg_g have one",
                 "leave it out",
             )
-        period = positive("period_s", self.period_s, hint="give a period in seconds")
+        period = in_range(
+            "period_s", self.period_s, 0.0, LONGEST_S, "(]", hint="give a period in seconds"
+        )
         object.__setattr__(self, "period_s", period)
 
     @property

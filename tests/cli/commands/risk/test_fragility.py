@@ -195,6 +195,8 @@ def test_the_example_says_that_its_motions_are_synthetic() -> None:
         ("--states uplift,uplift", "each once"),
         ("--family normal", "--family"),
         ("--confidence 1.5", "--confidence"),
+        ("--confidence 1.5 --replicates 0", "--confidence"),
+        ("--measure sa_g:1e9", "--measure"),
         ("--replicates 5", "--replicates"),
         ("--seed -1", "--seed = -1"),
         ("--example", "--example has synthetic motions"),

@@ -202,9 +202,8 @@ def _fitting(states: str, family: str, confidence: float, replicates: int, seed:
 
     flags = {"peak": "--states", "name": "--states", "states": "--states"}
     try:
-        bands = None
-        if replicates != 0:
-            bands = Bands(confidence=confidence, replicates=replicates, seed=seed)
+        options = Bands(confidence=confidence, seed=seed)  # checked where there are no bands too
+        bands = replace(options, replicates=replicates) if replicates != 0 else None
         named: Any = family
         parts = [part.strip() for part in states.split(",")]
         return Fitting(states=parts, family=named, bands=bands)
