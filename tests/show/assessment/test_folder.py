@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from rocksteady import durable
 from rocksteady.errors import OutputError
 from rocksteady.risk.assess.assessment import Assessment, assess_object
 from rocksteady.risk.assess.described.objects import ObjectFile
@@ -163,3 +164,25 @@ def test_what_fails_leaves_nothing_half_written(
     with pytest.raises(OutputError, match="No space left"):
         write_assessment(rocking, tmp_path / "answer")
     assert not (tmp_path / "answer").exists()
+
+
+def test_what_is_interrupted_at_the_disk_leaves_no_mixture(
+    sliding: Assessment, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The old files stay, all of them, where Ctrl-C comes while the second is forced to it."""
+    out = tmp_path / "answer"
+    write_assessment(sliding, out, command="first")
+    before = {each.name: each.read_bytes() for each in out.iterdir()}
+    sync, forced = durable.sync, []
+
+    def interrupted(file: Path) -> None:
+        if file.parent.parent == out:
+            forced.append(file)
+        if len(forced) == 2:
+            raise KeyboardInterrupt
+        sync(file)
+
+    monkeypatch.setattr(durable, "sync", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        write_assessment(sliding, out, command="second", force=True)
+    assert {each.name: each.read_bytes() for each in out.iterdir()} == before

@@ -3,7 +3,7 @@
 import os
 import re
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -96,7 +96,7 @@ def fill_folder(
         with TemporaryDirectory(prefix=".partial-", dir=within or target) as stage:
             write(Path(stage))
             made = False  # from here on it holds something
-            return [_moved(file, target / file.name) for file in sorted(Path(stage).iterdir())]
+            return _move(sorted(Path(stage).iterdir()), target)
     except OSError as error:
         raise OutputError(
             "out",
@@ -110,10 +110,15 @@ def fill_folder(
                 target.rmdir()
 
 
-def _moved(staged: Path, place: Path) -> Path:
-    """Move a file to its place and return that; where a link is there, write what it leads to."""
-    if place.is_symlink():  # perhaps to another disk
-        durable.write(place, lambda new: shutil.copyfile(staged, new))
-    else:
-        durable.move(staged, place)
-    return place
+def _move(staged: Sequence[Path], folder: Path) -> list[Path]:
+    """Move files into a folder; where a link is there, write what it leads to.
+
+    All are forced to the disk before the first is moved: a run that is ended while it waits for the
+    disk leaves the old files, and no mixture of old and new ones.
+    """
+    places = {file: folder / file.name for file in staged}
+    links = {file: place for file, place in places.items() if place.is_symlink()}
+    durable.move_all({file: place for file, place in places.items() if file not in links})
+    for file, place in links.items():  # perhaps to another disk
+        durable.write(place, lambda new, file=file: shutil.copyfile(file, new))  # type: ignore[misc]
+    return list(places.values())
