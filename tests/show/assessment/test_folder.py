@@ -186,3 +186,16 @@ def test_what_is_interrupted_at_the_disk_leaves_no_mixture(
     with pytest.raises(KeyboardInterrupt):
         write_assessment(sliding, out, command="second", force=True)
     assert {each.name: each.read_bytes() for each in out.iterdir()} == before
+
+
+def test_a_full_disk_is_reported_with_the_folder_of_the_answer(
+    sliding: Assessment, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(durable, "write", full)
+    with pytest.raises(OutputError, match="No space left") as refusal:
+        write_assessment(sliding, tmp_path / "answer")
+    assert ".partial-" not in str(refusal.value)
+    assert not (tmp_path / "answer").exists()

@@ -94,7 +94,10 @@ def fill_folder(
         durable.sync_folder(target.absolute().parent)
         # Inside the target, so that moving never crosses from one disk to another.
         with TemporaryDirectory(prefix=".partial-", dir=within or target) as stage:
-            write(Path(stage))
+            try:
+                write(Path(stage))
+            except OutputError as error:  # whose path is one that goes away with this folder
+                raise OutputError("out", target, error.valid, error.hint) from error
             made = False  # from here on it holds something
             return _move(sorted(Path(stage).iterdir()), target)
     except OSError as error:
