@@ -63,8 +63,8 @@ class Integral:
 
     def quantile(self, share: float) -> float:
         """Return the intensity below which a share of the integral lies; infinite in the lump."""
-        if not self.total > 0.0:
-            return math.nan
+        if not self.total > 0.0:  # what risk there is lies above the last level
+            return math.inf
         wanted = share * self.total
         sums = np.cumsum(self.values)
         if not sums.size or wanted > sums[-1]:
