@@ -45,3 +45,9 @@ def test_a_measure_with_a_period_keeps_it() -> None:
     stripes = Stripes(Intensity("sa_g", 0.5), [0.3])
     assert stripes.key == "sa_g_0.5s"
     assert stripes.intensity == Intensity("sa_g", 0.5)
+
+
+def test_no_more_than_a_thousand_levels() -> None:
+    assert len(Stripes("pga_g", [0.001 * k for k in range(1, 1001)]).levels_for([BLOCK])) == 1000
+    with pytest.raises(InputError, match=r"has 1,001 values: an ensemble takes 1000 at most"):
+        Stripes("pga_g", [0.001 * k for k in range(1, 1002)])

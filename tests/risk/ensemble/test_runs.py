@@ -204,7 +204,7 @@ def test_warnings_count_what_they_warn_of() -> None:
     alike, large, lost = json.loads(found.attrs["warnings"])
     assert "once more" in alike
     assert "30" in large
-    assert "50%" in large
+    assert "50 %" in large
     count = int((found.status == Status.LOST_CONTACT).sum())
     assert lost.startswith(f"{count} of 24 runs")
     assert count > 0

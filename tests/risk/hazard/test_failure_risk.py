@@ -200,7 +200,9 @@ def test_without_failures_or_survivals_the_rate_is_an_upper_bound(
 
 def test_what_never_fails_below_the_last_level_has_no_rate_and_its_risk_above() -> None:
     """A step of 4 m/s, beyond a hazard curve that ends at 1 m/s."""
-    hazard = HazardCurve(measure="pgv_m_s", levels=[0.1, 0.5, 1.0], rates=[0.1, 0.01, 0.001])
+    hazard = HazardCurve(
+        measure="pgv_m_s", levels=np.array([0.1, 0.5, 1.0]), rates=np.array([0.1, 0.01, 0.001])
+    )
     risk = compute_risk(fit_curve([1.0, 2.0, 4.0], [0, 0, 0], [40] * 3), hazard)
     assert risk.annual_rate == 0.0
     assert risk.contributing == (math.inf,) * 3

@@ -7,7 +7,7 @@ from typing import Final, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rocksteady.errors import InputError
+from rocksteady.errors import InputError, Words
 from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked
@@ -22,6 +22,7 @@ Floats = NDArray[np.float64]
 SCALE: Final = "scale"
 """Levels that are plain factors."""
 COUNT: Final = 20
+MOST_LEVELS: Final = 1000
 RANGES: Final = {
     SCALE: (0.5, 16.0),
     "p_pgv_per_uplift": (0.15, 3.0),
@@ -67,7 +68,7 @@ class Stripes:
     Raises
     ------
     InputError
-        If scaling does not change the measure, or a level is not above 0.
+        If scaling does not change the measure, a level is not above 0, or there are more than 1000.
 
     Examples
     --------
@@ -95,9 +96,17 @@ class Stripes:
         object.__setattr__(self, "beside", tuple(self.beside))
         if self.levels is not None:
             hint = "give levels in the unit of the measure, as [0.2, 0.5, 1.0]"
+            given = axis_values("levels", self.levels)
+            if len(given) > MOST_LEVELS:
+                raise InputError(
+                    "levels",
+                    Words(f"has {len(given):,} values"),
+                    f"an ensemble takes {MOST_LEVELS} at most",
+                    "give fewer, as 20",
+                )
             levels = [
                 in_range("levels", level, 1.0 / LARGEST, LARGEST, "[]", hint=hint)
-                for level in axis_values("levels", self.levels)
+                for level in given
             ]
             object.__setattr__(self, "levels", tuple(levels))
 
