@@ -22,6 +22,8 @@ ROOT = Path(__file__).parents[1]
 SOURCE = ROOT / "src" / "rocksteady"
 FREE = {"kernels", "show"}
 """Layers without this rule: kernels have a stricter one, and pictures need not agree."""
+STATISTICS = ("risk/fits/", "risk/fragility/", "risk/hazard/", "risk/screens/")
+"""Folders without it: they count what was run, and all but the last digits of a curve agree."""
 
 
 def words(text: str) -> set[str]:
@@ -58,6 +60,8 @@ INTEGERS = {"numpy.random.SeedSequence", "numpy.random.Generator"}
 
 LAPACK = "LAPACK solves for the points of a branch: all but their last digits agree"
 PYTHON = "SciPy's is Python code, and calls nothing but the function"
+DEMAND = "a demand read from the object's spectrum, or the median of the motions"
+SEARCH = "the search for the least change, which its own runs confirm"
 ALLOWED = {
     ("dynamics/basins/_safe.py", "scipy.ndimage"): "distances in a picture of cells",
     ("dynamics/basins/basins.py", "scipy.stats"): "the interval about a share that was drawn",
@@ -74,6 +78,18 @@ ALLOWED = {
     ("model/motions/synthetic.py", "numpy.random"): "noise of NumPy",
     ("model/motions/synthetic.py", "scipy.signal"): "filters of SciPy",
     ("records/processing.py", "scipy.signal"): "the low-pass filter before a coarser sampling",
+    ("risk/assess/_demand_level.py", "numpy.exp"): DEMAND,
+    ("risk/assess/_demand_level.py", "numpy.interp"): DEMAND,
+    ("risk/assess/_demand_level.py", "numpy.log"): DEMAND,
+    ("risk/assess/_remedies.py", "math.expm1"): SEARCH,
+    ("risk/assess/_remedies.py", "math.log"): SEARCH,
+    ("risk/assess/_remedies.py", "math.log1p"): SEARCH,
+    ("risk/assess/_remedies.py", "numpy.log"): SEARCH,
+    ("risk/assess/_remedies.py", "scipy.optimize"): SEARCH,
+    ("risk/assess/_remedies.py", "scipy.special"): SEARCH,
+    ("risk/assess/two_numbers.py", "math.erfc"): "the normal distribution, for a probability",
+    ("risk/assess/two_numbers.py", "math.log"): "the same",
+    ("risk/ensemble/_uplift.py", "numpy.interp"): "vertical samples at times of horizontal ones",
     ("seismic/measures/intensity.py", "numpy.fft"): "the spectrum behind the mean period",
     ("seismic/measures/intensity.py", "scipy.fft"): "a whole number",
     ("studies/atlas/pages/pictures.py", "numpy.interp"): "where a drawn line ends",
@@ -166,7 +182,12 @@ def inexact_in(source: str) -> Iterator[str]:
 
 
 def inexact_of_the_package() -> set[tuple[str, str]]:
-    files = [file for file in SOURCE.rglob("*.py") if file.relative_to(SOURCE).parts[0] not in FREE]
+    files = [
+        file
+        for file in SOURCE.rglob("*.py")
+        if file.relative_to(SOURCE).parts[0] not in FREE
+        and not file.relative_to(SOURCE).as_posix().startswith(STATISTICS)
+    ]
     assert len(files) > 100
     return {
         (file.relative_to(SOURCE).as_posix(), name)

@@ -250,9 +250,9 @@ NAME, ROOM, WORDS = 8.0, 7.0, 6.6
 """Sizes of text in points: names of layers, names of rooms, all else."""
 HEAD, ROW, BETWEEN, KEY = 0.22, 0.24, 0.045, 0.36
 """Heights: of a layer's line of words, of a row of rooms, between two layers, of the key."""
-BOX, HIGH, GAP = 0.7, 0.18, 0.135
+BOX, HIGH, GAP = 0.7, 0.18, 0.12
 """Least width and height of a room's box, and the distance to the next."""
-LANE = 0.1
+LANE = 0.085
 """Between two lines at the right."""
 ROOMS = 5.6
 """Width that rooms may take before the lines at the right."""

@@ -239,7 +239,7 @@ def relative(level: DemandLevel, block: Block) -> float:
         return level.of(Intensity("p_pgv_per_uplift"), block)
     if name == "pga_g":
         return level.of(Intensity("pga_per_uplift"), block)
-    return level.value / math.tan(first_side(block).alpha)
+    return level.value / tan(first_side(block).alpha)
 
 
 def find_remedies(search: Search) -> tuple[Remedy, ...]:

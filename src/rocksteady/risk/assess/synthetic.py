@@ -3,6 +3,7 @@
 import math
 from typing import TYPE_CHECKING
 
+from rocksteady.kernels.elementary.arrays import exp, log
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.model.motions.record import Record
@@ -65,7 +66,7 @@ def _motion(place: int, count: int, seed: int) -> Record:
     low, high = FREQUENCIES_HZ
     # The golden ratio spreads frequencies over any number of motions, beside every duration.
     part = (place * 0.6180339887498949) % 1.0 if count > 1 else 0.5
-    frequency = low * math.exp(part * math.log(high / low))
+    frequency = low * exp(part * log(high / low))
     made = SyntheticMotion(
         rms=RMS_M_S2,
         frequency_ratio=2.0 * math.pi * frequency,  # of a p of 1 rad/s: pivot time is seconds

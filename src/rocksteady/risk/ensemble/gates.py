@@ -1,11 +1,11 @@
 """Gate of uplift, where it is known exactly: no run lifts up to it, and each lifts above it."""
 
-import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.kernels.elementary.arrays import tan
 from rocksteady.seismic.measures.scalar import Intensity
 
 if TYPE_CHECKING:
@@ -62,8 +62,7 @@ def _gate_of(ensemble: "xarray.Dataset", measure: Intensity) -> float | None:
         return None
     linear = ensemble.attrs["model"] != "nonlinear"
     gates = [
-        (alpha if linear else math.tan(alpha))
-        / (1.0 if measure.name == "pga_g" else math.tan(alpha))
+        (alpha if linear else tan(alpha)) / (1.0 if measure.name == "pga_g" else tan(alpha))
         for alpha in alphas
     ]
     first = gates[0]

@@ -353,8 +353,9 @@ def _refuse_idle(
     """
     if example and file is not None:
         raise FlagError("--example", True, f"{file} is assessed already", "leave one of them out")
+    sizes = {f"--{name.replace('_', '-')}": value for name, value in vars(block).items()}
     given = {
-        "--width-m, --height-m or another flag of the block": block.given or None,
+        **sizes,
         "--friction": peaks.friction,
         "--pga-g": peaks.pga_g,
         "--pgv-m-s": peaks.pgv_m_s,
@@ -367,7 +368,7 @@ def _refuse_idle(
         "--workers": kept.workers,
         **reading.given,
     }
-    own = list(given)[:4]
+    own = [*sizes, "--friction", "--pga-g", "--pgv-m-s"]
     if file is None and not example:
         idle = [flag for flag in given if flag not in own]
         reason, hint = (
@@ -375,7 +376,7 @@ def _refuse_idle(
             "name an object FILE, or leave it out",
         )
     elif file is not None and file.suffix.lower() == ".csv":
-        idle = [own[0], own[1], "--hazard"]
+        idle = [*sizes, "--friction", "--hazard"]
         reason, hint = (
             "a table of objects does not take it",
             "leave it out; --out and --csv keep the table",

@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.kernels.elementary.arrays import cos, hypot, sin
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.sides import Restitution
 from rocksteady.risk.assess.described.schema import Geometry, ObjectInput, Range, Value
@@ -82,7 +83,9 @@ class Body:
         return replace(
             self,
             centre_height=self.centre_height + apart * share / whole,
-            gyration=math.sqrt(self.gyration**2 / whole + share * apart**2 / whole**2),
+            gyration=math.sqrt(
+                (self.gyration * self.gyration + share * apart * apart / whole) / whole
+            ),
             mass_kg=None if self.mass_kg is None else self.mass_kg * whole,
             rectangle=None,
         )
@@ -221,7 +224,7 @@ def _of_sizes(numbers: Mapping[str, float], source: str) -> Body:
         left=0.5 * base + offset,
         right=0.5 * base - offset,
         centre_height=centre,
-        gyration=_gyration(numbers, math.hypot(width, height) / math.sqrt(12.0)),
+        gyration=_gyration(numbers, hypot(width, height) / math.sqrt(12.0)),
         mass_kg=numbers.get("mass_kg"),
         rectangle=(width, height) if plain else None,
     )
@@ -236,7 +239,7 @@ def _of_edges(numbers: Mapping[str, float], source: str) -> Body:
         left=left,
         right=right,
         centre_height=centre,
-        gyration=_gyration(numbers, math.hypot(left + right, 2.0 * centre) / math.sqrt(12.0)),
+        gyration=_gyration(numbers, hypot(left + right, 2.0 * centre) / math.sqrt(12.0)),
         mass_kg=numbers.get("mass_kg"),
     )
 
@@ -244,8 +247,9 @@ def _of_edges(numbers: Mapping[str, float], source: str) -> Body:
 def _of_slenderness(numbers: Mapping[str, float], gravity: float) -> Body:
     """Return the homogeneous rectangle of a slenderness and a frequency parameter."""
     alpha = numbers.get("alpha_rad", math.radians(numbers.get("alpha_deg", 0.0)))
-    diagonal = 1.5 * gravity / numbers["p_rad_s"] ** 2
-    width, height = diagonal * math.sin(alpha), diagonal * math.cos(alpha)
+    p = numbers["p_rad_s"]
+    diagonal = 1.5 * gravity / (p * p)
+    width, height = diagonal * sin(alpha), diagonal * cos(alpha)
     return Body(
         left=0.5 * width,
         right=0.5 * width,
