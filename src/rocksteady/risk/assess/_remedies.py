@@ -243,7 +243,7 @@ def relative(level: DemandLevel, block: Block) -> float:
 
 
 def find_remedies(search: Search) -> tuple[Remedy, ...]:
-    """Return width, ballast and friction cap, those that need the least change first."""
+    """Return width, ballast and friction cap in the order of their change."""
     found = [_width(search), _ballast(search), _friction_cap(search.described)]
     return tuple(sorted(found, key=lambda each: math.inf if each.change is None else each.change))
 

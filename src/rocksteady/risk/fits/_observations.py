@@ -114,7 +114,7 @@ def counts_of(
         inside &= (intensity >= low) & (intensity <= high)
     if not inside.any():
         found = Words("has no trial" if within is None else "has no trial within the limits")
-        raise InputError("trials", found, "there must be one or more", "give those that were run")
+        raise InputError("trials", found, "there must be one or more", "give the number of runs")
     intensity, nested = intensity[inside], [counts[inside] for counts in nested]
     levels, level = _levels(intensity)
     if names is None:

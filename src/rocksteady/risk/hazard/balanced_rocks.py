@@ -88,7 +88,7 @@ class BranchTest(Result):
         return np.greater_equal(self.confidence, self.level)
 
     def rows(self) -> list[dict[str, Any]]:
-        """Return what is known of each branch, as rows."""
+        """Return rate, survival, verdict and weights of each branch."""
         return [
             {
                 "branch": curve.name or str(at + 1),
