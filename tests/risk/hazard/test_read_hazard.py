@@ -1,6 +1,7 @@
 """Hazard files: OpenQuake's and two columns, whole, spoilt and random."""
 
 import math
+import re
 from pathlib import Path
 from typing import Any
 
@@ -42,6 +43,29 @@ def test_probabilities_in_a_year_are_rates(file: Any) -> None:
     assert curve.rates[:2] == pytest.approx([0.6030892, 0.0575211], abs=9e-8)
     assert curve.levels.tolist() == [0.1, 0.4, 0.6]
     assert (of(curve), curve.site, curve.name) == ("pga_g", (0.0, 45.5), "")
+
+
+@pytest.mark.parametrize(
+    ("name", "second"),
+    [
+        ("rate per 50 years", 0.01 / 50.0),
+        ("rate/50yr", 0.01 / 50.0),
+        ("rate [1/yr]", 0.01),
+        ("probability in 50 years [%]", -math.log1p(-1e-4) / 50.0),
+        ("annual probability (%)", -math.log1p(-1e-4)),
+    ],
+)
+def test_rates_of_several_years_and_per_cents_are_counted_as_such(
+    file: Any, name: str, second: float
+) -> None:
+    (curve,) = read_hazard_curves(file(f"PGA [g], {name}\n0.1,0.1\n0.2,0.01\n"))
+    assert curve.rates[1] == pytest.approx(second, rel=1e-14)
+
+
+@pytest.mark.parametrize("name", ["rate per month", "annual rate [%]", "return period [ka]"])
+def test_rates_of_other_times_and_in_per_cent_are_refused(file: Any, name: str) -> None:
+    with pytest.raises(InputError, match=re.escape(repr(name))):
+        read_hazard_curves(file(f"PGA [g], {name}\n0.1,100\n0.2,10\n"))
 
 
 @pytest.mark.parametrize("kind", ["mean", "quantile-0.15", "rlz-000"])

@@ -38,6 +38,9 @@ _RATE: Final = re.compile(r"rate|\bm?afo?e\b|freq|lambda|1/y|/\s?yr|/\s?year|/\s
 _POE: Final = re.compile(r"prob|\baep\b|\bp\s?\(|\b[a-z]?po?e\b")
 _RETURN: Final = re.compile(r"return|recurrence")
 _IN_YEARS: Final = re.compile(r"\bin (\d+(?:\.\d+)?) ?y")
+_PERCENT: Final = re.compile(r"%|per ?cent")
+_PER_YEARS: Final = re.compile(r"(?:\bper|\bin|/) ?(\d+(?:\.\d+)?) ?(?:y|a\b)")
+_OTHER_TIME: Final = re.compile(r"month|week|day|hour|decade|centur|millen|ka\b|kyr")
 _ANNUAL: Final = re.compile(r"annual|yearly|\bapo?e\b|\baep\b|per year|\bin 1 y")
 
 _NAME_IT: Final = 'name the columns, as "PGA [g], annual rate", or give measure='
@@ -208,6 +211,9 @@ def _rate(text: HazardText, name: str, poe_years: float | None) -> Callable[[flo
     """Return the function that makes annual rates of the second column."""
     years = poe_years
     found = _IN_YEARS.search(name)
+    if _OTHER_TIME.search(name):
+        raise text.error(f"{name!r} is of a time that is not counted in years", _NAME_IT)
+    part = 0.01 if _PERCENT.search(name) else 1.0
     if _POE.search(name):
         stated = float(found[1]) if found else 1.0 if _ANNUAL.search(name) else None
         if stated is None and years is None:
@@ -227,11 +233,17 @@ def _rate(text: HazardText, name: str, poe_years: float | None) -> Callable[[flo
         time = years
         if not 0.0 < time <= 1e6:
             raise text.error(f"{time:g} years is no time", "give poe_years=")
-        return lambda value, line: rate_of(text, value, time, line)
+        return lambda value, line: rate_of(text, part * value, time, line)
+    if part != 1.0:
+        raise text.error(f"{name!r} is in per cent, which is for probabilities", _NAME_IT)
+    counted = _PER_YEARS.search(name)
+    span = float(counted[1]) if counted and not _RETURN.search(name) else 1.0
+    if span == 0.0:
+        raise text.error(f"{name!r} is of no time", _NAME_IT)
 
     def to_rate(value: float, line: int) -> float:
         if value < 0.0 or (value == 0.0 and _RETURN.search(name)):
             raise text.error("a rate is not negative, a return period above 0", line=line)
-        return 1.0 / value if _RETURN.search(name) and value > 1e-300 else value
+        return 1.0 / value if _RETURN.search(name) and value > 1e-300 else value / span
 
     return to_rate
