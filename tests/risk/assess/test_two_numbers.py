@@ -83,7 +83,7 @@ def test_enough_friction_and_none_give_the_same_probability() -> None:
     assert "friction is not given" in unknown.remarks[0]
 
 
-@pytest.mark.parametrize(("pga", "pgv"), [(0.35, 40.0), (35.0, 0.4), (0.35, 0.01)])
+@pytest.mark.parametrize(("pga", "pgv"), [(0.35, 40.0), (35.0, 0.4), (0.35, 0.01), (35.0, 40.0)])
 def test_a_ratio_that_no_ground_has_is_remarked_on(pga: float, pgv: float) -> None:
     found = assess_two_numbers(BLOCK, pga, pgv, 99.0)
     assert any("are the units right?" in remark for remark in found.remarks)

@@ -36,6 +36,8 @@ CAVEAT = (
     "share of many motions of this PGA and PGV, not a prediction for one of them. It is no "
     "substitute for anchorage rules; the engineer verifies."
 )
+STRONGEST_PGA_G = 4.0
+"""Beyond it a PGA is remarked on: about 4 g was recorded in 2008 (IWTH25, vertical included)."""
 USUAL_RATIO_S = (0.01, 0.5)
 """PGV/PGA [s] of recorded motions; beyond it a unit is doubtful."""
 SAMPLED_ALPHA, SAMPLED_P = (0.1, 0.3), (1.0, 3.0)
@@ -285,6 +287,11 @@ def _remarks(
         remarks.append(
             f"PGV/PGA is {number(ratio)} s; recorded motions have {low:g} to {high:g} s: are the "
             "units right?"
+        )
+    elif pga > STRONGEST_PGA_G:
+        remarks.append(
+            f"A PGA of {number(pga)} g is beyond recorded ones, up to about {STRONGEST_PGA_G:g} g: "
+            "are the units right?"
         )
     if friction is None:
         remarks.append(
