@@ -1,0 +1,1 @@
+"""Commands on what fell and what stood: calibrate, predict, back-analyse, restitution."""

@@ -1,0 +1,1 @@
+"""Back-analysis: which shaking agrees with what fell and what stood."""

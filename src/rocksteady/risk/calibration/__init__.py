@@ -1,0 +1,1 @@
+"""Calibration: what outcomes of tests say of a block, and predictions of others."""

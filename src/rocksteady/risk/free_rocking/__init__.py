@@ -1,0 +1,1 @@
+"""Restitution from measured free rocking."""

@@ -1,0 +1,1 @@
+"""Calibrations on paper and on disk: the folder and the page of one."""

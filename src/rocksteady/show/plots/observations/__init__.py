@@ -1,0 +1,1 @@
+"""Plots of calibrations, back-analyses and measured restitution."""
