@@ -1,1 +1,1 @@
-"""Observations: which blocks fell and which stood, what is known of them before, and their fates."""
+"""Observations: which blocks fell and which stood, what is known of them, and their fates."""
