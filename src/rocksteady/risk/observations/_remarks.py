@@ -1,0 +1,73 @@
+"""What is unusual in tests: large gains, bases that do not come to rest, coarse records."""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from rocksteady.model.motions.record import Record
+from rocksteady.results.numbers import number, plural
+from rocksteady.risk.observations._sides import P
+from rocksteady.risk.observations.object_prior import ObjectPrior
+from rocksteady.risk.observations.shaking_test import ShakingTest
+
+LARGE_GAIN = 10.0
+MOVING_BASE = 0.1
+"""Velocity after a record over the largest in it, above which the base has not come to rest."""
+COARSE = 0.1
+"""Interval times p, above which the form of a pulse is lost between samples."""
+
+
+def remarks_on(tests: Sequence[ShakingTest], objects: Mapping[str, ObjectPrior]) -> tuple[str, ...]:
+    """Return sentences on what is unusual."""
+    return (*_gains(tests), *_moving(tests), *_coarse(tests, objects))
+
+
+def _gains(tests: Sequence[ShakingTest]) -> list[str]:
+    scaled = [test for test in tests if not 1.0 / LARGE_GAIN <= test.gain <= LARGE_GAIN]
+    if not scaled:
+        return []
+    worst = max(scaled, key=lambda test: abs(np.log(test.gain)))
+    words = (
+        f"{plural(len(scaled), 'test')} scale a record by more than 10 or by less than 1/10, "
+        f"{worst.name} by {number(worst.gain)}: check the units of the record."
+    )
+    return [words]
+
+
+def _moving(tests: Sequence[ShakingTest]) -> list[str]:
+    records = {id(test.record): test.record for test in tests}
+    moving = [record for record in records.values() if _left_moving(record)]
+    if not moving:
+        return []
+    words = (
+        f"After {plural(len(moving), 'record')} the base still moves, as after "
+        f"{moving[0].name}: its velocity at the end is above a tenth of the largest. Correct the "
+        "baseline, or give the whole record."
+    )
+    return [words]
+
+
+def _left_moving(record: Record) -> bool:
+    """Return whether the base still moves after a record."""
+    a = record.acceleration_m_s2
+    velocity = np.cumsum(0.5 * (a[1:] + a[:-1]))
+    return bool(abs(velocity[-1]) > MOVING_BASE * np.abs(velocity).max())
+
+
+def _coarse(tests: Sequence[ShakingTest], objects: Mapping[str, ObjectPrior]) -> list[str]:
+    rates = {name: _rate(one) for name, one in objects.items()}
+    coarse = [test for test in tests if test.record.dt_s * rates[test.object] > COARSE]
+    if not coarse:
+        return []
+    worst = max(coarse, key=lambda test: test.record.dt_s * rates[test.object])
+    words = (
+        f"The intervals of the records of {plural(len(coarse), 'test')} are coarse for the object: "
+        f"of {worst.name} dt p is {number(worst.record.dt_s * rates[worst.object])}, above 0.1."
+    )
+    return [words]
+
+
+def _rate(one: ObjectPrior) -> float:
+    """Return p of the middle of what is known [rad/s]."""
+    middle = one.draw(np.full((1, len(one.parameters)), 0.5))
+    return float(one.sides(middle)[0, :, P].max())

@@ -1,0 +1,427 @@
+"""What is known of an object before the tests: sizes, base, restitution, each with its spread."""
+
+import itertools
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.kernels.elementary.arrays import atan2
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.arguments import checked
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import angle, plural
+from rocksteady.results.result import Result
+from rocksteady.risk.observations._sides import (
+    LOWEST_RESTITUTION,
+    blocks_of_sides,
+    least_momentum_ratio,
+    sides_of_numbers,
+)
+from rocksteady.risk.observations.spread import Spread, spread_of
+
+Floats = NDArray[np.float64]
+Given = Spread | float | str
+
+LARGEST_M: Final = 20.0
+"""Longest size [m]: larger ones are taken for millimetres or centimetres."""
+
+_METRES = "sizes are in metres: write 0.6 for 600 mm"
+
+BOUNDS: Final[Mapping[str, tuple[float, float, str]]] = {
+    "width_m": (1e-3, LARGEST_M, _METRES),
+    "height_m": (1e-3, LARGEST_M, _METRES),
+    "alpha_rad": (1e-3, 1.5, "give the angle in radians: 1 degree is 0.01745"),
+    "p_rad_s": (0.3, 100.0, "give the frequency parameter sqrt(M g R / I_0) in rad/s"),
+    "left_m": (1e-4, LARGEST_M, _METRES),
+    "right_m": (1e-4, LARGEST_M, _METRES),
+    "mass_centre_height_m": (1e-3, LARGEST_M, _METRES),
+    "gyration_m": (1e-4, LARGEST_M, "give the radius of gyration about the mass centre in metres"),
+    "base": (0.05, 1.0, "give the width of the base that rocks over that of the outline"),
+    "offset": (-0.95, 0.95, "give the distance of the mass centre from the middle over half base"),
+    "restitution": (LOWEST_RESTITUTION, 1.0, "give a ratio of angular velocities"),
+    "housner_factor": (0.1, 2.0, "give a factor on the value of angular momentum, as 0.95"),
+    "scatter": (0.0, 0.5, "give a standard deviation of the restitution, as 0.05"),
+}  # fmt: skip
+"""Lowest and highest of each number, and what to do; in the order of the parameters."""
+
+DEFAULTS: Final[Mapping[str, Spread]] = {
+    "base": Spread.between(0.6, 1.0),
+    "offset": Spread.exactly(0.0),
+    "housner_factor": Spread.between(0.85, 1.1),
+    "scatter": Spread.between(0.0, 0.1),
+}
+"""Of what nothing is known."""
+
+_FORMS: Final = (
+    ("width_m", "height_m"),
+    ("alpha_rad", "p_rad_s"),
+    ("left_m", "right_m", "mass_centre_height_m"),
+)
+_BESIDE: Final = (
+    ("mass_centre_height_m", "gyration_m", "base", "offset"),
+    (),
+    ("gyration_m",),
+)
+_WAYS: Final = "; ".join(" and ".join(form) for form in _FORMS)
+
+
+@checked
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class ObjectPrior(Result):
+    """What is known of an object before the tests, each number with its spread.
+
+    A number, a text as ``"0.3:0.5"`` (uniform) or ``"0.4+-0.05"`` (normal, cut off at what is
+    possible), or a `Spread`.  The size is given in one of three ways: the outline, angle and
+    frequency parameter, or the edges.  All numbers are independent of each other.
+
+    Parameters
+    ----------
+    name
+        Name of the object.
+    width_m, height_m
+        Full width and height of the outline [m].
+    alpha_rad, p_rad_s
+        Slenderness [rad] and frequency parameter [rad/s] of a homogeneous rectangle.
+    left_m, right_m
+        Distances from the edges to the mass centre [m], with `mass_centre_height_m`.
+    mass_centre_height_m
+        Height of the mass centre [m]; default half of `height_m`.
+    gyration_m
+        Radius of gyration about the mass centre [m]; default that of the rectangle of the outline,
+        ``sqrt((width^2 + height^2)/12)``.
+    base
+        Width of the base that rocks over that of the outline; default 0.6 to 1.  It goes with an
+        outline alone.
+    offset
+        Distance of the mass centre to the right of the middle over half of the base; default 0.  It
+        goes with an outline alone.
+    restitution
+        Ratio of angular velocities at an impact, on both sides.
+    housner_factor
+        Factor on the restitution that conserves angular momentum, which is at most 0.999 after it;
+        default 0.85 to 1.1.
+    scatter
+        Standard deviation of the restitution from impact to impact; default 0 to 0.1.
+
+    Attributes
+    ----------
+    spreads
+        Spread of each number that the object has, defaults among them.
+    defaults
+        Names of the numbers that are not given.
+
+    Raises
+    ------
+    InputError
+        If a number is not possible, or no block has the sizes.
+    ModelError
+        If the size is given twice or in part, or both a restitution and a factor are given.
+
+    Examples
+    --------
+    >>> column = ObjectPrior(name="column", width_m=0.15, height_m="0.58:0.62", base=1.0)
+    >>> column.parameters
+    ('height_m', 'housner_factor', 'scatter')
+    >>> draws = column.draw([[0.5, 0.6, 0.0]])
+    >>> draws.round(4).tolist()
+    [[0.6, 1.0, 0.0]]
+    >>> print(f"{column.block(draws[0]).alpha:.4f} rad")
+    0.2450 rad
+    """
+
+    name: str
+    width_m: Given | None = None
+    height_m: Given | None = None
+    alpha_rad: Given | None = None
+    p_rad_s: Given | None = None
+    left_m: Given | None = None
+    right_m: Given | None = None
+    mass_centre_height_m: Given | None = None
+    gyration_m: Given | None = None
+    base: Given | None = None
+    offset: Given | None = None
+    restitution: Given | None = None
+    housner_factor: Given | None = None
+    scatter: Given | None = None
+    spreads: Mapping[str, Spread] = field(init=False)
+    defaults: tuple[str, ...] = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Validate, and fill in the defaults."""
+        given_name: object = self.name
+        if not isinstance(given_name, str) or not given_name.strip():
+            raise InputError("name", given_name, "it must be a text that is not empty", "give one")
+        given = {}
+        for key in BOUNDS:
+            value = getattr(self, key)
+            if value is not None:
+                given[key] = possible(key, value)
+                object.__setattr__(self, key, given[key])
+        form = _form(tuple(given), self.name)
+        if "restitution" in given and "housner_factor" in given:
+            raise ModelError(
+                "restitution, housner_factor",
+                Words(f"are both given of {self.name}"),
+                "the restitution is given itself, or as a factor on that of angular momentum",
+                "leave one out",
+            )
+        fits = (*_FORMS[form], *_BESIDE[form], "restitution", "housner_factor", "scatter")
+        silent = [key for key in DEFAULTS if key in fits and key not in given]
+        if "restitution" in given:
+            silent.remove("housner_factor")
+        known = {key: given.get(key, DEFAULTS.get(key)) for key in BOUNDS}
+        spreads = {k: s for k, s in known.items() if s is not None and (k in given or k in silent)}
+        object.__setattr__(self, "spreads", spreads)
+        object.__setattr__(self, "defaults", tuple(silent))
+        self._check_corners()
+
+    @cached_property
+    def parameters(self) -> tuple[str, ...]:
+        """Names of the numbers that are not exact, in a fixed order."""
+        return tuple(key for key, spread in self.spreads.items() if not spread.fixed)
+
+    @property
+    def outline_alpha_rad(self) -> float:
+        """Slenderness that the sizes show [rad]: of an outline its own, not that of its base."""
+        middle = {key: spread.middle for key, spread in self.spreads.items()}
+        if "base" in middle:
+            centre = middle.get("mass_centre_height_m", 0.5 * middle["height_m"])
+            return atan2(0.5 * middle["width_m"], centre)
+        if "alpha_rad" in middle:
+            return middle["alpha_rad"]
+        return atan2(min(middle["left_m"], middle["right_m"]), middle["mass_centre_height_m"])
+
+    def with_defaults(self, others: Mapping[str, Spread]) -> "ObjectPrior":
+        """Return the object with other spreads where its own are defaults.
+
+        Parameters
+        ----------
+        others
+            Spread by name: of ``base``, ``offset``, ``restitution``, ``housner_factor`` and
+            ``scatter``.  What does not go with the object's sizes is left out.
+        """
+        silent = set(self.defaults)
+        if "housner_factor" in silent and "restitution" in others:
+            silent = (silent - {"housner_factor"}) | {"restitution"}
+        changed = {key: spread for key, spread in others.items() if key in silent}
+        return replace(self, **changed) if changed else self  # type: ignore[arg-type]
+
+    def draw(self, uniforms: ArrayLike) -> Floats:
+        """Return values of the parameters at shares of their densities.
+
+        Parameters
+        ----------
+        uniforms
+            Shares from 0 to 1, shape (n, k) for k parameters.
+
+        Returns
+        -------
+        ndarray
+            Values, shape (n, k).
+
+        Raises
+        ------
+        InputError
+            If there are not k columns.
+        """
+        shares = self._rows("uniforms", uniforms)
+        columns = [
+            self.spreads[key].quantile(shares[:, place])
+            for place, key in enumerate(self.parameters)
+        ]
+        return np.stack(columns, axis=1) if columns else np.empty((len(shares), 0))
+
+    def log_density(self, values: ArrayLike) -> Floats:
+        """Return the logarithm of the density of rows of values, shape (n,); -inf outside."""
+        rows = self._rows("values", values)
+        total = np.zeros(len(rows))
+        for place, key in enumerate(self.parameters):
+            total = total + self.spreads[key].log_density(rows[:, place])
+        return total
+
+    def scatter_of(self, values: ArrayLike) -> Floats:
+        """Return the standard deviation of the restitution from impact to impact, shape (n,)."""
+        rows = self._rows("values", values)
+        if "scatter" in self.parameters:
+            return rows[:, self.parameters.index("scatter")].copy()
+        return np.full(len(rows), self.spreads["scatter"].low)
+
+    def block(self, row: ArrayLike) -> Block:
+        """Return the block of a row of values, shape (k,).
+
+        Raises
+        ------
+        InputError
+            If there are not k values, or no block has them.
+        """
+        values = np.asarray(row, dtype=np.float64)
+        if values.ndim != 1:
+            raise InputError("row", Words(f"has the shape {values.shape}"), *self._wanted())
+        return self.blocks(values[np.newaxis])[0]
+
+    def blocks(self, values: ArrayLike) -> list[Block]:
+        """Return the blocks of rows of values, shape (n, k).
+
+        Raises
+        ------
+        InputError
+            As for `block`.
+        """
+        return blocks_of_sides(self.sides(values))
+
+    def sides(self, values: ArrayLike) -> Floats:
+        """Return the sides of the blocks of rows of values, without making the blocks.
+
+        Parameters
+        ----------
+        values
+            Shape (n, k).
+
+        Returns
+        -------
+        ndarray
+            Shape (n, 2, 4): of the positive and the negative side alpha [rad], the radius [m], p
+            [rad/s] and the restitution, to the last bit those of `blocks`.
+
+        Raises
+        ------
+        InputError
+            If there are not k columns.
+        """
+        return sides_of_numbers(self._numbers(self._rows("values", values)))
+
+    def _numbers(self, rows: Floats) -> dict[str, Floats]:
+        """Return the column of each number, those that are exact among them."""
+        return {
+            key: rows[:, self.parameters.index(key)].copy()
+            if key in self.parameters
+            else np.full(len(rows), spread.low)
+            for key, spread in self.spreads.items()
+        }
+
+    def describe(self) -> Description:
+        """Return each number with its spread, and which of them are defaults."""
+        rows = [
+            {
+                "parameter": key,
+                "low": spread.low,
+                "high": spread.high,
+                "mean": spread.mean,
+                "sd": spread.sd,
+                "from": "default" if key in self.defaults else "given",
+                "spread": str(spread),
+            }
+            for key, spread in self.spreads.items()
+        ]
+        columns = [
+            Column("parameter", "parameter", left=True),
+            Column("spread", "spread", left=True),
+            Column("from", "from", left=True),
+        ]
+        outline = self.outline_alpha_rad
+        return Description(
+            headline=f"{self.name}: alpha {angle(outline)} by its sizes, "
+            f"{plural(len(self.parameters), 'number')} not exact",
+            facts=[
+                Fact("name", self.name, "object"),
+                Fact("outline_alpha_rad", outline, "alpha by sizes", angle(outline)),
+            ],
+            tables=[Table("parameters", rows, columns)],
+        )
+
+    def _rows(self, name: str, values: ArrayLike) -> Floats:
+        """Return rows of one value for each parameter."""
+        rows = np.asarray(values, dtype=np.float64)
+        if rows.ndim != 2 or rows.shape[1] != len(self.parameters):
+            raise InputError(name, Words(f"has the shape {rows.shape}"), *self._wanted())
+        return rows
+
+    def _wanted(self) -> tuple[str, str]:
+        count = len(self.parameters)
+        names = ", ".join(self.parameters) or "none"
+        return f"each row has {count} values: {names}", "give the values in this order"
+
+    def _check_corners(self) -> None:
+        """Refuse sizes that no block has, at the ends of their spreads.
+
+        Of a normal density the ends are 3 standard deviations from the mean.
+        """
+        centre, top = self.spreads.get("mass_centre_height_m"), self.spreads.get("height_m")
+        if centre is not None and top is not None and centre.middle >= top.middle:
+            raise InputError(
+                "mass_centre_height_m",
+                str(centre),
+                f"it is below the top of {self.name}, height_m = {top}",
+                "measure it again, or leave it out for half of height_m",
+            )
+        if "restitution" in self.spreads:
+            return
+        ends = [_ends(self.spreads[key]) for key in self.parameters]
+        corners = np.array(list(itertools.product(*ends))).reshape(2 ** len(ends), len(ends))
+        least = least_momentum_ratio(self._numbers(corners))
+        if least <= 0.0:
+            raise InputError(
+                f"object {self.name}",
+                Words("is too stocky at an end of its spreads"),
+                f"its restitution by angular momentum is {least:.4g}, and rocking needs one above "
+                "0",
+                "give a restitution, or narrower spreads of a more slender block",
+            )
+
+
+def _ends(spread: Spread) -> tuple[float, float]:
+    """Return both bounds, of a normal density 3 standard deviations from the mean at most."""
+    if spread.mean is None or spread.sd is None:
+        return spread.low, spread.high
+    reach = 3.0 * spread.sd
+    return max(spread.low, spread.mean - reach), min(spread.high, spread.mean + reach)
+
+
+def possible(key: str, value: Given) -> Spread:
+    """Return the spread of a number inside what is possible.
+
+    Raises
+    ------
+    InputError
+        If it is not possible.
+    """
+    low, high, hint = BOUNDS[key]
+    return spread_of(key, value).within(key, low, high, hint=hint)
+
+
+def _form(given: tuple[str, ...], name: str) -> int:
+    """Return in which of the three ways the size is given."""
+    heads = (*_FORMS[:2], _FORMS[2][:2])
+    found = [place for place, head in enumerate(heads) if set(head) & set(given)]
+    if len(found) != 1:
+        both = [next(key for key in heads[place] if key in given) for place in found]
+        raise ModelError(
+            f"object {name}",
+            Words(f"has both {both[0]} and {both[1]}" if found else "has no size"),
+            f"the size is given in one way: {_WAYS}",
+            "leave one of the two out" if found else "add width_m and height_m",
+        )
+    (form,) = found
+    for key in _FORMS[form]:
+        if key not in given:
+            raise ModelError(
+                f"object {name}: {key}",
+                Words("is missing"),
+                f"the size is given in one way: {_WAYS}",
+                "add it",
+            )
+    fits = (*_FORMS[form], *_BESIDE[form], "restitution", "housner_factor", "scatter")
+    for key in given:
+        if key not in fits:
+            raise ModelError(
+                f"object {name}: {key}",
+                Words(f"does not go with {_FORMS[form][0]}"),
+                f"beside it stand {', '.join(fits)}",
+                "leave it out",
+            )
+    return form

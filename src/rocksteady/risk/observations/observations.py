@@ -1,0 +1,212 @@
+"""Tests and what is known of the objects before them."""
+
+import difflib
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.errors import InputError, Words
+from rocksteady.model.checks.arguments import checked
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import plural
+from rocksteady.results.result import Result
+from rocksteady.risk.observations._remarks import remarks_on
+from rocksteady.risk.observations.object_prior import DEFAULTS, ObjectPrior
+from rocksteady.risk.observations.shaking_test import ShakingTest
+
+Floats = NDArray[np.float64]
+
+
+@checked
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Observations(Result):
+    """Shaking tests, and what is known of their objects before them.
+
+    Parameters
+    ----------
+    tests
+        One or more, each of another name.
+    objects
+        What is known of each object, by its name; objects without a test are left out.
+    sources
+        Hash (SHA-256) of each file that they come from, by name; default none.
+    remarks
+        Sentences on how the files were read; default none.
+
+    Raises
+    ------
+    InputError
+        If there is no test, two have one name, or an object of one is not there.
+
+    Examples
+    --------
+    >>> from rocksteady import Record
+    >>> from rocksteady.risk.observations.object_prior import ObjectPrior
+    >>> record = Record(acceleration_m_s2=[0.0, 3.1, -1.2, -1.9, 0.0], dt_s=0.02, name="run 7")
+    >>> tests = [
+    ...     ShakingTest(name=f"t{k}", record=record, object="column", fell=k > 0, gain=1.0 + k)
+    ...     for k in range(3)
+    ... ]
+    >>> column = ObjectPrior(name="column", width_m=0.15, height_m=0.6)
+    >>> shaken = Observations(tests=tests, objects={"column": column})
+    >>> shaken
+    <Observations: 3 tests of 1 object on 1 record: 2 fell, 1 stood>
+    >>> shaken.subset([1, 2]).fell.tolist()
+    [1.0, 1.0]
+    """
+
+    tests: Sequence[ShakingTest]
+    objects: Mapping[str, ObjectPrior]
+    sources: Mapping[str, str] = field(default_factory=dict)
+    remarks: Sequence[str] = ()
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        tests = tuple(self.tests)
+        if not tests:
+            raise InputError("tests", [], "there must be one or more", "give a list of ShakingTest")
+        doubled = [name for name, count in Counter(t.name for t in tests).items() if count > 1]
+        if doubled:
+            raise InputError(
+                "tests", doubled[0], "two tests have this name", "give each another name"
+            )
+        for test in tests:
+            if test.object not in self.objects:
+                close = difflib.get_close_matches(test.object, list(self.objects), n=1)
+                raise InputError(
+                    "objects",
+                    Words(f"has no {test.object!r}, which test {test.name!r} shook"),
+                    "each test has an object there",
+                    f"did you mean {close[0]}?" if close else "add it",
+                )
+        used = {test.object for test in tests}
+        object.__setattr__(self, "tests", tests)
+        object.__setattr__(
+            self, "objects", {name: one for name, one in self.objects.items() if name in used}
+        )
+        object.__setattr__(self, "sources", dict(self.sources))
+        object.__setattr__(self, "remarks", tuple(self.remarks))
+
+    def __len__(self) -> int:
+        """Return the number of tests."""
+        return len(self.tests)
+
+    @cached_property
+    def fell(self) -> Floats:
+        """1 of each test that fell, 0 of one that stood, NaN where it is not known."""
+        return np.array([np.nan if t.fell is None else float(t.fell) for t in self.tests])
+
+    @cached_property
+    def groups(self) -> NDArray[np.str_]:
+        """Group of each test, shape (n,)."""
+        return np.array([test.group for test in self.tests])
+
+    @cached_property
+    def warnings(self) -> tuple[str, ...]:
+        """Sentences on what is unusual in the tests and in how they were read."""
+        return tuple(dict.fromkeys((*self.remarks, *remarks_on(self.tests, self.objects))))
+
+    def subset(self, indices: ArrayLike) -> "Observations":
+        """Return some of the tests, with their objects.
+
+        Parameters
+        ----------
+        indices
+            Places of the tests from 0, or True and False for each.
+
+        Raises
+        ------
+        InputError
+            If there is no such test, or none is left.
+        """
+        chosen = np.asarray(indices)
+        count = len(self.tests)
+        if chosen.dtype == bool and chosen.shape == (count,):
+            chosen = np.flatnonzero(chosen)
+        whole = chosen.ndim == 1 and (chosen.dtype.kind in "iu" or chosen.size == 0)
+        if not whole or (chosen.size and not -count <= chosen.min() <= chosen.max() < count):
+            raise InputError(
+                "indices",
+                indices,
+                f"it must be a row of whole numbers from 0 to {count - 1}",
+                "give places of tests, or True and False for each",
+            )
+        return self._with([self.tests[k] for k in chosen.tolist()])
+
+    def of(self, name: str) -> "Observations":
+        """Return the tests of an object.
+
+        Raises
+        ------
+        InputError
+            If there are none.
+        """
+        if name not in self.objects:
+            raise InputError("name", name, f"objects are {', '.join(self.objects)}", "give one")
+        return self._with([test for test in self.tests if test.object == name])
+
+    def describe(self) -> Description:
+        """Return how many tests fell, and a row for each."""
+        outcomes = {True: "fell", False: "stood", None: "unknown"}
+        rows = [
+            {
+                "test": test.name,
+                "object": test.object,
+                "record": test.record.name,
+                "outcome": outcomes[test.fell],
+                "gain": test.gain,
+                "reversed": test.reversed,
+                "sigma_ln": test.sigma_ln,
+                "group": test.group,
+                "session": test.session,
+                "peak_rad": test.peak_rad,
+                "sigma_rad": test.sigma_rad,
+                "vertical": None if test.vertical is None else test.vertical.name,
+            }
+            for test in self.tests
+        ]
+        columns = [
+            Column("test", "test", left=True),
+            Column("object", "object", left=True),
+            Column("record", "record", left=True),
+            Column("gain", "gain"),
+            Column("outcome", "outcome", left=True),
+        ]
+        counts = Counter(outcomes[test.fell] for test in self.tests)
+        words = ", ".join(f"{counts[word]} {word}" for word in outcomes.values() if counts[word])
+        records = len({id(test.record) for test in self.tests})
+        facts = [
+            Fact("tests", len(self.tests), "tests"),
+            Fact("counts", dict(counts), "outcomes", words),
+            Fact("objects", list(self.objects), "objects"),
+            Fact("records", records, "records"),
+            Fact("groups", len(set(self.groups.tolist())), "groups"),
+            Fact("sources", dict(self.sources)),
+            Fact("warnings", list(self.warnings)),
+        ]
+        return Description(
+            headline=f"{plural(len(self.tests), 'test')} of {plural(len(self.objects), 'object')} "
+            f"on {plural(records, 'record')}: {words}",
+            facts=facts,
+            tables=[Table("rows", rows, columns)],
+            notes=[*self.warnings, *self._defaults_used()],
+        )
+
+    def _with(self, tests: Sequence[ShakingTest]) -> "Observations":
+        return Observations(
+            tests=tests, objects=self.objects, sources=self.sources, remarks=self.remarks
+        )
+
+    def _defaults_used(self) -> list[str]:
+        """Return a sentence on each number that is not given of some objects."""
+        found = []
+        for key, spread in DEFAULTS.items():
+            silent = [name for name, one in self.objects.items() if key in one.defaults]
+            if silent:
+                of = silent[0] if len(silent) == 1 else f"{len(silent)} objects"
+                found.append(f"{key} of {of} is not given: default {spread}, or that of the prior.")
+        return found

@@ -1,0 +1,211 @@
+"""What is known of amplitudes, outliers and objects in general before the tests."""
+
+import difflib
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Final
+
+from rocksteady.errors import InputError, Words
+from rocksteady.model.checks.arguments import checked
+from rocksteady.results.description import Column, Description, Table
+from rocksteady.results.result import Result
+from rocksteady.risk.observations.object_prior import ObjectPrior, possible
+from rocksteady.risk.observations.shaking_test import LARGEST_SIGMA
+from rocksteady.risk.observations.small_files import content_of, toml_of
+from rocksteady.risk.observations.spread import Spread, spread_of
+
+GENERAL: Final = ("base", "offset", "restitution", "housner_factor", "scatter")
+"""Numbers of an object that may be known of all objects alike."""
+
+SIGMA_LN: Final = Spread.between(0.05, 0.2)
+OUTLIERS: Final = Spread.between(0.01, 0.05)
+
+_NOISE: Final[Mapping[str, tuple[float, str]]] = {
+    "sigma_ln": (LARGEST_SIGMA, "give the standard deviation of ln(gain), as 0.1"),
+    "outliers": (0.5, "give the share of tests whose outcome has nothing to do with the model"),
+}
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class Noise:
+    """What is known of the errors of tests.
+
+    Parameters
+    ----------
+    sigma_ln
+        Amplitude error of a test that has none of its own: standard deviation of ln(gain), from 0
+        to 3; default 0.05 to 0.2.
+    outliers
+        Share of tests whose outcome has nothing to do with the model, from 0 to 0.5; default 0.01
+        to 0.05.
+
+    Raises
+    ------
+    InputError
+        If one is outside its range.
+
+    Examples
+    --------
+    >>> Noise(sigma_ln=Spread.exactly(0.1)).sigma_ln.fixed
+    True
+    """
+
+    sigma_ln: Spread = SIGMA_LN
+    outliers: Spread = OUTLIERS
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        for name, (most, hint) in _NOISE.items():
+            spread = getattr(self, name).within(name, 0.0, most, hint=hint)
+            object.__setattr__(self, name, spread)
+
+
+@checked
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Prior(Result):
+    """What is known before the tests of all objects alike, and of the errors of tests.
+
+    Parameters
+    ----------
+    noise
+        Amplitude error and outliers; default `Noise()`.
+    defaults
+        Spread, number or text by name for every object that has none of its own: of ``base``,
+        ``offset``, ``restitution`` or ``housner_factor``, and ``scatter``; default none.
+    sources
+        Hash (SHA-256) of each file that it comes from, by name; default none.
+
+    Raises
+    ------
+    InputError
+        If a name is unknown, a number not possible, or restitution and factor are both given.
+
+    Examples
+    --------
+    >>> from rocksteady.risk.observations.object_prior import ObjectPrior
+    >>> prior = Prior(defaults={"base": "0.9:1.0"})
+    >>> column = prior.object_prior(ObjectPrior(name="column", width_m=0.15, height_m=0.6))
+    >>> column.spreads["base"], column.defaults
+    (<Spread 0.9:1.0>, ('offset', 'housner_factor', 'scatter'))
+    """
+
+    noise: Noise = Noise()
+    defaults: Mapping[str, Spread | float | str] = field(default_factory=dict)
+    sources: Mapping[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        made = {}
+        for key, value in self.defaults.items():
+            if key not in GENERAL:
+                raise InputError("defaults", key, f"it must be one of {_listed()}", _near(key))
+            made[key] = possible(key, value)
+        if "restitution" in made and "housner_factor" in made:
+            raise InputError(
+                "defaults",
+                ("restitution", "housner_factor"),
+                "the restitution is given itself, or as a factor on that of angular momentum",
+                "leave one out",
+            )
+        object.__setattr__(self, "defaults", made)
+
+    def object_prior(self, given: ObjectPrior) -> ObjectPrior:
+        """Return an object with the defaults in place of those of the package."""
+        return given.with_defaults(
+            {key: spread_of(key, value) for key, value in self.defaults.items()}
+        )
+
+    def describe(self) -> Description:
+        """Return each spread."""
+        spreads = {f"noise.{key}": getattr(self.noise, key) for key in _NOISE}
+        spreads |= {f"object.{key}": spread_of(key, value) for key, value in self.defaults.items()}
+        rows = [
+            {"parameter": key, "low": one.low, "high": one.high, "spread": str(one)}
+            for key, one in spreads.items()
+        ]
+        columns = [
+            Column("parameter", "parameter", left=True),
+            Column("spread", "spread", left=True),
+        ]
+        return Description(
+            headline=f"prior: sigma_ln {self.noise.sigma_ln}, outliers {self.noise.outliers}",
+            tables=[Table("parameters", rows, columns)],
+        )
+
+
+@checked
+def read_prior(path: Path | str) -> Prior:
+    r"""Read what is known before the tests from a TOML file.
+
+    Parameters
+    ----------
+    path
+        The file, with the tables ``[noise]`` (``sigma_ln``, ``outliers``) and ``[object]``
+        (``base``, ``offset``, ``restitution`` or ``housner_factor``, ``scatter``), both optional.
+        A value is a number, or a text as ``"0.6:1.0"`` or ``"0.1+-0.02"``.
+
+    Returns
+    -------
+    Prior
+        With the hash of the file.
+
+    Raises
+    ------
+    InputError
+        If it cannot be read, or a table, a key or a value is not valid; the line names them.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     file = Path(folder, "prior.toml")
+    ...     _ = file.write_text('[noise]\nsigma_ln = "0.1:0.3"\n[object]\nbase = 1\n', "utf-8")
+    ...     prior = read_prior(file)
+    >>> prior.noise.sigma_ln, prior.defaults["base"]
+    (<Spread 0.1:0.3>, <Spread 1.0>)
+    """
+    file = Path(path)
+    content = content_of(file, "prior", "name a file in TOML with [noise] and [object]")
+    values = toml_of(content, file.name)
+    known: Mapping[str, tuple[str, ...]] = {"noise": tuple(_NOISE), "object": GENERAL}
+    tables: dict[str, dict[str, Spread]] = {"noise": {}, "object": {}}
+    for table, content_of_table in values.items():
+        if table not in known or not isinstance(content_of_table, dict):
+            raise InputError(
+                f"{file.name}: {table}",
+                Words("is unknown"),
+                "the tables are [noise] and [object]",
+                "write keys below one of the two",
+            )
+        for key, value in content_of_table.items():
+            name = f"{file.name}: [{table}] {key}"
+            if key not in known[table]:
+                close = difflib.get_close_matches(key, known[table], n=1)
+                raise InputError(
+                    name,
+                    Words("is unknown"),
+                    f"the keys of [{table}] are {', '.join(known[table])}",
+                    f"did you mean {close[0]}?" if close else "remove it",
+                )
+            tables[table][key] = spread_of(name, value)
+    sources = {file.name: hashlib.sha256(content).hexdigest()}
+    try:
+        noise = Noise(**tables["noise"])
+        return Prior(noise=noise, defaults=tables["object"], sources=sources)
+    except InputError as error:
+        raise InputError(
+            f"{file.name}: {error.name}", error.value, error.valid, error.hint
+        ) from None
+
+
+def _listed() -> str:
+    return ", ".join(GENERAL)
+
+
+def _near(key: object) -> str:
+    """Return a hint with the name that is most like another one."""
+    close = difflib.get_close_matches(str(key), GENERAL, n=1)
+    return f"did you mean {close[0]}?" if close else "give sizes in the object itself"

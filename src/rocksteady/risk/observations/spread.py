@@ -1,0 +1,243 @@
+"""What is known of a number: its value, two bounds, or a mean with a standard deviation."""
+
+import math
+import re
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.errors import InputError
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import finite, in_range, positive
+
+Floats = NDArray[np.float64]
+
+_NUMBER: Final = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+_FORMS: Final = re.compile(rf"({_NUMBER})(?:\s*(:|\+-|\+/-|±)\s*({_NUMBER}))?")
+_LONGEST: Final = 200
+"""Characters of a text that is a number; longer ones are not tried."""
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class Spread:
+    """What is known of a number before a test.
+
+    A value (`exactly`), a uniform density between two bounds (`between`), or a normal density that
+    is cut off at bounds (`around`).
+
+    Parameters
+    ----------
+    low, high
+        Bounds; equal of a value.
+    mean, sd
+        Of the normal density before it is cut off; none for a value and for a uniform density.
+
+    Raises
+    ------
+    InputError
+        If a number is not finite, `low` is above `high`, the standard deviation is not above 0, or
+        the mean is outside the bounds.  Bounds of a normal density may be infinite.
+
+    Examples
+    --------
+    >>> Spread.parse("0.6:1.0").quantile([0.0, 0.5, 1.0]).tolist()
+    [0.6, 0.8, 1.0]
+    >>> Spread.parse("0.30+-0.02").within("height_m", 0.0, 1.0)
+    <Spread 0.3+-0.02>
+    >>> Spread.exactly(0.25).fixed
+    True
+    """
+
+    low: float
+    high: float
+    mean: float | None = None
+    sd: float | None = None
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        normal = self.mean is not None or self.sd is not None
+        for name in ("low", "high"):
+            value = getattr(self, name)
+            if not (normal and isinstance(value, float) and math.isinf(value)):
+                number = finite(name, value, hint="give a number")
+                object.__setattr__(self, name, number + 0.0)  # of -0.0 it makes 0.0
+        if self.low > self.high:
+            raise InputError(
+                "low", self.low, f"it must not be above high = {self.high:g}", "exchange the two"
+            )
+        if not normal:
+            return
+        object.__setattr__(self, "sd", positive("sd", self.sd, hint="give a standard deviation"))
+        mean = finite("mean", self.mean, hint="give a number")
+        object.__setattr__(self, "mean", mean)
+        if not self.low <= mean <= self.high or self.low == self.high:
+            raise InputError(
+                "mean",
+                mean,
+                f"it must lie in [{self.low:g}, {self.high:g}], which is what is possible",
+                "give another mean",
+            )
+
+    @classmethod
+    def exactly(cls, value: float) -> "Spread":
+        """Return a number without any spread."""
+        return cls(low=value, high=value)
+
+    @classmethod
+    def between(cls, low: float, high: float) -> "Spread":
+        """Return a uniform density between two bounds."""
+        return cls(low=low, high=high)
+
+    @classmethod
+    def around(
+        cls, mean: float, sd: float, *, low: float = -math.inf, high: float = math.inf
+    ) -> "Spread":
+        """Return a normal density, cut off at bounds where they are given."""
+        return cls(low=low, high=high, mean=mean, sd=sd)
+
+    @classmethod
+    def parse(cls, text: str, *, name: str = "spread") -> "Spread":
+        """Return the spread of a text.
+
+        Parameters
+        ----------
+        text
+            A number, ``low:high`` or ``mean+-sd``.
+        name
+            What it is called in messages; default "spread".
+
+        Raises
+        ------
+        InputError
+            If it is none of the three, or as for `Spread`.
+        """
+        found = _FORMS.fullmatch(text.strip()) if len(text) <= _LONGEST else None
+        if found is None:
+            comma = "write a point for a decimal comma" if "," in text else "leave units out"
+            valid = "it must be a number, a range as 0.3:0.5, or mean and deviation as 0.4+-0.05"
+            raise InputError(name, text, valid, comma)
+        first, sign, second = found.groups()
+        numbers = [float(part) for part in (first, second) if part is not None]
+        hint = "give numbers of usual size"
+        for number in numbers:
+            in_range(name, number, -1e50, 1e50, "[]", hint=hint)
+        try:
+            if sign is None:
+                return cls.exactly(numbers[0])
+            return cls.between(*numbers) if sign == ":" else cls.around(*numbers)
+        except InputError as error:
+            raise InputError(name, text, f"{error.name}: {error.valid}", error.hint) from None
+
+    @property
+    def fixed(self) -> bool:
+        """Whether it is a value without any spread."""
+        return self.low == self.high
+
+    @property
+    def middle(self) -> float:
+        """The value, the mean of both bounds, or the mean of the normal density."""
+        return 0.5 * (self.low + self.high) if self.mean is None else self.mean
+
+    def within(self, name: str, low: float, high: float, *, hint: str = "") -> "Spread":
+        """Return the spread inside what is possible.
+
+        Parameters
+        ----------
+        name, hint
+            What it is called in messages, and what to do next.
+        low, high
+            Limits: a normal density is cut off there, a value or a bound outside is refused.
+
+        Raises
+        ------
+        InputError
+            If a value, a bound or a mean is outside.
+        """
+        hint = hint or f"give a number from {low:.6g} to {high:.6g}"
+        ends = (self.low, self.high) if self.mean is None else (self.mean,)
+        for end in ends:
+            in_range(name, end, low, high, "[]", hint=hint)
+        if self.mean is None:
+            return self
+        return replace(self, low=max(self.low, low), high=min(self.high, high))
+
+    def quantile(self, uniforms: ArrayLike) -> Floats:
+        """Return the value below which a share of the density lies.
+
+        Parameters
+        ----------
+        uniforms
+            Shares from 0 to 1, of any shape.
+
+        Returns
+        -------
+        ndarray
+            Values, of that shape.
+        """
+        share = np.asarray(uniforms, dtype=np.float64)
+        if self.mean is None or self.sd is None:
+            return np.asarray(
+                np.clip(self.low + share * (self.high - self.low), self.low, self.high)
+            )
+        from scipy.special import ndtri
+
+        below, inside = self._mass()
+        # From the nearer end, where the share of what lies beyond it is a small number.
+        from_low = below + share * inside
+        from_high = (1.0 - below - inside) + (1.0 - share) * inside
+        score = np.where(from_low < 0.5, ndtri(from_low), -ndtri(from_high))
+        return np.asarray(np.clip(self.mean + self.sd * score, self.low, self.high))
+
+    def log_density(self, values: ArrayLike) -> Floats:
+        """Return the logarithm of the density at values of any shape; minus infinity outside.
+
+        Of a value without any spread it is 0 there.
+        """
+        at = np.asarray(values, dtype=np.float64)
+        inside = (at >= self.low) & (at <= self.high)
+        if self.fixed:
+            return np.where(inside, 0.0, -np.inf)
+        if self.mean is None or self.sd is None:
+            return np.where(inside, -math.log(self.high - self.low), -np.inf)
+        score = (at - self.mean) / self.sd
+        constant = math.log(self._mass()[1] * self.sd * math.sqrt(2.0 * math.pi))
+        return np.where(inside, -0.5 * score * score - constant, -np.inf)
+
+    def _mass(self) -> tuple[float, float]:
+        """Return the shares of the whole normal density below the bounds and between them."""
+        from scipy.special import ndtr
+
+        assert self.mean is not None
+        assert self.sd is not None
+        low, high = ((end - self.mean) / self.sd for end in (self.low, self.high))
+        below = float(ndtr(low))
+        return below, max(0.0, 1.0 - below - float(ndtr(-high)))
+
+    def __str__(self) -> str:
+        """Return it as `parse` reads it."""
+        if self.mean is not None:
+            return f"{self.mean!r}+-{self.sd!r}"
+        return f"{self.low!r}" if self.fixed else f"{self.low!r}:{self.high!r}"
+
+    def __repr__(self) -> str:
+        """Return one line."""
+        return f"<Spread {self}>"
+
+
+def spread_of(name: str, value: "Spread | float | str") -> Spread:
+    """Return what a caller means by a spread, a number or a text.
+
+    Raises
+    ------
+    InputError
+        If it is none of them.
+    """
+    given: object = value
+    if isinstance(given, Spread):
+        return given
+    if isinstance(given, str):
+        return Spread.parse(given, name=name)
+    return Spread.exactly(finite(name, given, hint="give a number, or a text as '0.3:0.5'"))
