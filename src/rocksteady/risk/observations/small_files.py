@@ -42,7 +42,7 @@ def text_of(content: bytes, source: str, kind: str) -> str:
     content
         Its bytes.
     source, kind
-        What the file is called in messages, and what it is: "CSV".
+        What the file is called in messages, and what it is: "TOML".
 
     Raises
     ------
@@ -55,15 +55,15 @@ def text_of(content: bytes, source: str, kind: str) -> str:
         raise InputError(
             source,
             content[error.start : error.start + 1],
-            f"byte {error.start + 1} is not UTF-8",
-            f"save the file as {kind} in UTF-8",
+            f"byte {error.start + 1} is not UTF-8, as {kind} must be",
+            "save the file as UTF-8",
         ) from None
     if "\0" in text:
         raise InputError(
             source,
             "\0",
-            f"line {text[: text.index(chr(0))].count(chr(10)) + 1} has a zero byte",
-            f"save the file as {kind} in UTF-8",
+            f"line {text[: text.index(chr(0))].count(chr(10)) + 1} has a zero byte, which no text has",
+            "save the file as UTF-8",
         )
     return text
 

@@ -114,18 +114,16 @@ class Spread:
         InputError
             If it is none of the three, or as for `Spread`.
         """
-        found = _FORMS.fullmatch(text.strip()) if len(text) <= _LONGEST else None
-        if found is None:
+        parts = parts_of(text)
+        if parts is None:
             comma = "write a point for a decimal comma" if "," in text else "leave units out"
             valid = "it must be a number, a range as 0.3:0.5, or mean and deviation as 0.4+-0.05"
             raise InputError(name, text, valid, comma)
-        first, sign, second = found.groups()
-        numbers = [float(part) for part in (first, second) if part is not None]
-        hint = "give numbers of usual size"
+        numbers, sign = parts
         for number in numbers:
-            in_range(name, number, -1e50, 1e50, "[]", hint=hint)
+            in_range(name, number, -1e50, 1e50, "[]", hint="give numbers of usual size")
         try:
-            if sign is None:
+            if sign == "":
                 return cls.exactly(numbers[0])
             return cls.between(*numbers) if sign == ":" else cls.around(*numbers)
         except InputError as error:
@@ -225,6 +223,20 @@ class Spread:
     def __repr__(self) -> str:
         """Return one line."""
         return f"<Spread {self}>"
+
+
+def parts_of(text: str) -> tuple[tuple[float, ...], str] | None:
+    """Return the numbers of a text, one or two, and the sign between them; None where it has none.
+
+    The sign is ":" or "+-", and empty of a single number.
+    """
+    found = _FORMS.fullmatch(text.strip()) if len(text) <= _LONGEST else None
+    if found is None:
+        return None
+    first, sign, second = found.groups()
+    if sign is None:
+        return (float(first),), ""
+    return (float(first), float(second)), ":" if sign == ":" else "+-"
 
 
 def spread_of(name: str, value: "Spread | float | str") -> Spread:

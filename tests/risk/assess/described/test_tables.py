@@ -64,7 +64,7 @@ def test_a_spreadsheet_may_separate_and_end_lines_its_way(
         ("name,width_m,height_m\na,0.3 m,1\n", "line 2, width_m = '0.3 m' is not valid"),
         ('name;width_m;height_m\na;"0,3";1\n', "write a point for a decimal comma"),
         ("name,width_m,height_m\na,0.3:0.4:0.5,1\n", "it must be a number, or a range as 0.3:0.5"),
-        ("name,width_m,height_m\na,nan,1\n", "line 2: [geometry] width_m = nan is not valid"),
+        ("name,width_m,height_m\na,nan,1\n", "line 2, width_m = 'nan' is not valid"),
         ("name,width_m,height_m\na,,1\n", "line 2: [geometry] width_m is missing"),
         ("name,width_m,height_m\na,,\n", "line 2: [geometry] has no size"),
         ("name,width_m,height_m\n,0.3,1\n", "line 2: name is missing"),

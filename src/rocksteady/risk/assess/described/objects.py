@@ -1,13 +1,12 @@
 """One object as its owner knows it: a TOML file, checked, and the blocks that it can be."""
 
 import hashlib
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rocksteady.errors import InputError, RocksteadyError
+from rocksteady.errors import RocksteadyError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.sides import Restitution
 from rocksteady.model.checks.arguments import checked
@@ -17,12 +16,12 @@ from rocksteady.results.result import Result
 from rocksteady.risk.assess.described.body import Body, Choose, body_of, nominal
 from rocksteady.risk.assess.described.schema import Content, Geometry, ObjectInput, Range, Value
 from rocksteady.risk.assess.described.validation import named, validated
+from rocksteady.risk.observations.small_files import content_of, toml_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-MOST_BYTES = 1_000_000
-"""Of an object file, which has some hundred."""
+FILE_HINT = "name a file of one object in TOML, or a table of objects in CSV"
 
 EXAMPLE = Path(__file__).with_name("example.toml")
 """The object of ``rocksteady assess --example``, of our own making."""
@@ -241,45 +240,6 @@ def read_object(path: Path | str) -> ObjectFile:
     'marble bust on a pedestal (example)'
     """
     file = Path(path)
-    content = content_of(file)
-    try:
-        values = tomllib.loads(content.decode("utf-8-sig"))
-    except UnicodeDecodeError as error:
-        raise InputError(
-            file.name,
-            content[error.start : error.start + 1],
-            f"byte {error.start + 1} is not UTF-8, as TOML must be",
-            "save the file as UTF-8",
-        ) from None
-    except (ValueError, RecursionError) as error:
-        # Deep nesting and an integer of thousands of digits raise errors of Python itself.
-        words = isinstance(error, tomllib.TOMLDecodeError)
-        why = str(error) if words else "its lists are nested or its numbers are long beyond reason"
-        raise InputError(
-            file.name,
-            str(path),
-            f"it is not TOML: {why}",
-            "write key = 0.5 (not .5) or key = 'text', each key and each [table] once",
-        ) from None
+    content = content_of(file, "object", FILE_HINT)
+    values = toml_of(content, file.name)
     return ObjectFile(values=values, source=file.name, sha256=hashlib.sha256(content).hexdigest())
-
-
-def content_of(file: Path) -> bytes:
-    """Return the bytes of a small file.
-
-    Raises
-    ------
-    InputError
-        If it cannot be read, or is none of a person's making.
-    """
-    hint = "name a file of one object in TOML, or a table of objects in CSV"
-    try:
-        if file.stat().st_size > MOST_BYTES * 100:
-            raise InputError("object", file, "it is larger than 100 MB", hint)
-        return file.read_bytes()
-    except (OSError, ValueError) as error:
-        if isinstance(error, InputError):
-            raise
-        raise InputError(
-            "object", file, getattr(error, "strerror", None) or str(error), hint
-        ) from None

@@ -1,16 +1,14 @@
 """Tables of objects: a CSV file with an object in each line."""
 
-import csv
-import difflib
-import hashlib
-import io
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 
-from rocksteady.errors import InputError, Words
+from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
-from rocksteady.risk.assess.described.objects import ObjectFile, content_of
+from rocksteady.risk.assess.described.objects import FILE_HINT, ObjectFile
 from rocksteady.risk.assess.described.schema import Content, Geometry
+from rocksteady.risk.observations.csv_table import Columns, read_csv_table, refuse_doubled
+from rocksteady.risk.observations.spread import parts_of
 
 COLUMNS: Mapping[str, tuple[str, str]] = {
     **{key: ("", key) for key in ("name", "kind", "friction", "restitution", "gravity_m_s2")},
@@ -23,10 +21,18 @@ TEXTS = ("name", "kind")
 
 DEMANDS = ("pga_g", "pgv_m_s")
 
-NEAR = 0.8
-"""Likeness from which on a column that is not read is taken for a slip of the pen."""
+_ONE_DEMAND = (
+    "all objects of a table meet one demand",
+    "give it beside the table, as --pga-g and --pgv-m-s, and name the column otherwise",
+)
 
-MOST_OBJECTS = 100_000
+TABLE = Columns(
+    known=COLUMNS,
+    needed={"name": ("each object has a name", "add a column name, and width_m and height_m")},
+    things="objects",
+    example="name,width_m,height_m",
+    refused=dict.fromkeys(DEMANDS, _ONE_DEMAND),
+)
 
 
 @checked
@@ -64,113 +70,22 @@ def read_objects(path: Path | str) -> list[ObjectFile]:
     >>> vase.name, dict(vase.extra)
     ('vase', {'room': '4'})
     """
-    file = Path(path)
-    content = content_of(file)
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise InputError(
-            file.name,
-            content[error.start : error.start + 1],
-            f"byte {error.start + 1} is not UTF-8",
-            "save the table as CSV in UTF-8",
-        ) from None
-    rows, header = _rows(text, file.name)
-    sha256 = hashlib.sha256(content).hexdigest()
-    lines: dict[str, int] = {}
+    table = read_csv_table(Path(path), TABLE, name="object", hint=FILE_HINT)
+    lines: dict[str, str] = {}
     objects = []
-    for line, row in rows:
-        made = _object(header, row, f"{file.name}: line {line}", sha256)
-        if made.name in lines:
-            raise InputError(
-                f"{file.name}: line {line}, name",
-                made.name,
-                f"line {lines[made.name]} has it too",
-                "give each object another name, as its inventory number",
-            )
-        lines[made.name] = line
+    for place, cells in table.lines():
+        made = _object(cells, place, table.sha256)
+        hint = "give each object another name, as its inventory number"
+        refuse_doubled(place, "name", made.name, lines, hint)
         objects.append(made)
     return objects
 
 
-def _rows(text: str, source: str) -> tuple[list[tuple[int, list[str]]], list[str]]:
-    """Return the lines with their numbers, and the names of the columns."""
-    first = text.partition("\n")[0]
-    separator = max(",;\t", key=first.count)
-    # In quotes a cell has lines of its own; a line separator of Unicode ends no row.
-    reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
-    hint = "give each line as many cells as the first, texts with commas in quotes"
-    rows: list[tuple[int, list[str]]] = []
-    header: list[str] = []
-    try:
-        for cells in reader:
-            row = [cell.strip() for cell in cells]
-            if not any(row):
-                continue
-            if not header:
-                header = _header(row, source)
-            elif len(row) != len(header):
-                raise InputError(
-                    f"{source}: line {reader.line_num}",
-                    Words(f"has {len(row)} cells"),
-                    f"the first line names {len(header)} columns",
-                    hint,
-                )
-            else:
-                rows.append((reader.line_num, row))
-    except csv.Error as error:
-        raise InputError(
-            f"{source}: line {reader.line_num}", Words("is not CSV"), str(error), hint
-        ) from None
-    if not rows or len(rows) > MOST_OBJECTS:
-        raise InputError(
-            source,
-            Words(f"has {len(rows)} objects" if header else "is empty"),
-            f"a table has from 1 to {MOST_OBJECTS} objects below the names of its columns",
-            "write name,width_m,height_m and a line for each object",
-        )
-    return rows, header
-
-
-def _header(names: Sequence[str], source: str) -> list[str]:
-    """Return the names of the columns, checked."""
-    for place, name in enumerate(names):
-        if name and name in names[:place]:
-            raise InputError(
-                f"{source}: line 1, column {place + 1}", name, "it occurs twice", "leave one out"
-            )
-        if name in COLUMNS:
-            continue
-        if name in DEMANDS:
-            raise InputError(
-                f"{source}: line 1, column {place + 1}",
-                name,
-                "all objects of a table meet one demand",
-                "give it beside the table, as --pga-g and --pgv-m-s, and name the column otherwise",
-            )
-        near = difflib.get_close_matches(name.lower(), COLUMNS, n=1, cutoff=NEAR)
-        if not name or near:
-            raise InputError(
-                f"{source}: line 1, column {place + 1}",
-                name,
-                "columns that are read are " + ", ".join(COLUMNS),
-                f"did you mean {near[0]}? else give it another name" if near else "give it a name",
-            )
-    if "name" not in names:
-        raise InputError(
-            f"{source}: line 1",
-            Words("has no column name"),
-            "each object has a name",
-            "add a column name, and width_m and height_m",
-        )
-    return list(names)
-
-
-def _object(header: Sequence[str], row: Sequence[str], source: str, sha256: str) -> ObjectFile:
+def _object(cells: Mapping[str, str], source: str, sha256: str) -> ObjectFile:
     """Return the object of a line."""
     values: dict[str, object] = {}
     extra: dict[str, str] = {}
-    for column, cell in zip(header, row, strict=True):
+    for column, cell in cells.items():
         if column not in COLUMNS:
             extra[column] = cell
         elif cell:
@@ -187,13 +102,11 @@ def _value(cell: str, name: str) -> object:
     """Return the number or the range of a cell; "housner" stays."""
     if cell == "housner":
         return cell
-    try:
-        numbers = [float(part) for part in cell.split(":")]
-    except ValueError:
-        numbers = []
-    if len(numbers) not in (1, 2):
+    parts = parts_of(cell)
+    if parts is None or parts[1] == "+-":
         comma = "write a point for a decimal comma" if "," in cell else "leave units to the column"
         raise InputError(
             name, cell, "it must be a number, or a range as 0.3:0.5", f"{comma}, or the cell empty"
         )
-    return numbers[0] if len(numbers) == 1 else {"low": numbers[0], "high": numbers[1]}
+    numbers, sign = parts
+    return numbers[0] if sign == "" else {"low": numbers[0], "high": numbers[1]}
