@@ -16,7 +16,7 @@ from rocksteady.results.result import Result
 from rocksteady.risk.assess.described.body import Body, Choose, body_of, nominal
 from rocksteady.risk.assess.described.schema import Content, Geometry, ObjectInput, Range, Value
 from rocksteady.risk.assess.described.validation import named, validated
-from rocksteady.risk.observations.small_files import content_of, toml_of
+from rocksteady.risk.observations.files.small_files import content_of, toml_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -7,7 +7,7 @@ from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.assess.described.objects import FILE_HINT, ObjectFile
 from rocksteady.risk.assess.described.schema import Content, Geometry
-from rocksteady.risk.observations.csv_table import Columns, read_csv_table, refuse_doubled
+from rocksteady.risk.observations.files.csv_table import Columns, read_csv_table, refuse_doubled
 from rocksteady.risk.observations.spread import parts_of
 
 COLUMNS: Mapping[str, tuple[str, str]] = {

@@ -59,12 +59,9 @@ def text_of(content: bytes, source: str, kind: str) -> str:
             "save the file as UTF-8",
         ) from None
     if "\0" in text:
-        raise InputError(
-            source,
-            "\0",
-            f"line {text[: text.index(chr(0))].count(chr(10)) + 1} has a zero byte, which no text has",
-            "save the file as UTF-8",
-        )
+        line = text[: text.index("\0")].count("\n") + 1
+        hint = "save the file as UTF-8"
+        raise InputError(source, "\0", f"line {line} has a zero byte, as no text has", hint)
     return text
 
 

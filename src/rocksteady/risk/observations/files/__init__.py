@@ -1,0 +1,1 @@
+"""Files that a person has written or named: tables in CSV, TOML, records in a folder."""

@@ -1,0 +1,194 @@
+"""Reader of a table of shaking tests, with its objects and its records."""
+
+import difflib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Final
+
+from rocksteady.errors import InputError, RocksteadyError, Words
+from rocksteady.model.checks.arguments import checked
+from rocksteady.risk.observations.files.csv_table import Columns, read_csv_table, refuse_doubled
+from rocksteady.risk.observations.files.record_files import Channel, RecordFiles
+from rocksteady.risk.observations.object_table import placed, read_object_table, unread_remark
+from rocksteady.risk.observations.observations import Observations
+from rocksteady.risk.observations.shaking_test import ShakingTest
+from rocksteady.risk.observations.spread import parts_of
+
+NUMBERS: Final = ("gain", "sigma_ln", "peak_rad", "sigma_rad")
+
+TEST_COLUMNS: Final = (
+    "test", "record", "object", "outcome", "gain", "sigma_ln", "group", "session", "peak_rad",
+    "sigma_rad", "reversed", "channel", "vertical", "vertical_channel",
+)  # fmt: skip
+
+OUTCOMES: Final[Mapping[str, bool | None]] = {
+    "fell": True, "overturned": True, "toppled": True, "1": True,
+    "stood": False, "standing": False, "survived": False, "0": False,
+    "": None,
+}  # fmt: skip
+"""Whether an object fell, by the word of a table."""
+
+_YES: Final[Mapping[str, bool]] = {
+    "yes": True, "true": True, "1": True, "no": False, "false": False, "0": False, "": False,
+}  # fmt: skip
+
+_TABLE: Final = Columns(
+    known=TEST_COLUMNS,
+    needed={
+        name: (f"a test has {what}", f"add a column {name}")
+        for name, what in (
+            ("test", "a name"),
+            ("record", "a record"),
+            ("object", "an object"),
+            ("outcome", "an outcome, which may be an empty cell"),
+        )
+    },
+    things="tests",
+    example="test,record,object,outcome",
+)
+
+
+@checked
+def read_tests(
+    path: Path | str,
+    *,
+    records: Path | str | None = None,
+    objects: Path | str | None = None,
+    units: str | None = None,
+    dt_s: float | None = None,
+) -> Observations:
+    r"""Read shaking tests, their objects and their records.
+
+    Parameters
+    ----------
+    path
+        Table of tests in CSV and UTF-8, a test in each line, with the columns ``test`` (a name),
+        ``record`` (a file, with or without its suffix), ``object`` (a name in the table of objects)
+        and ``outcome`` (fell, overturned, toppled or 1; stood, standing, survived or 0; empty where
+        it is not known); further ``gain``, ``sigma_ln``, ``group``, ``session``, ``peak_rad``,
+        ``sigma_rad``, ``reversed`` (yes or no), ``channel`` of the record's file, ``vertical`` (a
+        file) and ``vertical_channel``, as for `ShakingTest`.
+    records
+        Folder of the records; default the folder of the table.
+    objects
+        Table of objects, whose columns are the keys of `ObjectPrior`; a cell holds a number,
+        ``low:high`` or ``mean+-sd``.  Default ``objects.csv`` beside the table of tests.
+    units, dt_s
+        Unit and interval [s] of record files that do not state them, as for `read_record`.
+
+    Returns
+    -------
+    Observations
+        With the hash of each file.
+
+    Raises
+    ------
+    InputError, ModelError
+        With file, line and column, if a cell is not valid, a column is missing or looks misspelt, a
+        file cannot be read, an object is unknown, or two tests have one name.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> from rocksteady.risk.observations.read_tests import read_tests
+    >>> files = {
+    ...     "tests.csv": "test,record,object,outcome,gain\n1,shock,column,stood,0.5\n",
+    ...     "objects.csv": "name,width_m,height_m,base\ncolumn,0.15,0.58:0.62,0.8:1.0\n",
+    ...     "shock.csv": "time (s),acceleration (g)\n0,0\n0.01,0.2\n0.02,-0.2\n0.03,0\n",
+    ... }
+    >>> with TemporaryDirectory() as folder:
+    ...     for name, text in files.items():
+    ...         _ = Path(folder, name).write_text(text, "utf-8")
+    ...     read_tests(Path(folder, "tests.csv"))
+    <Observations: 1 test of 1 object on 1 record: 1 stood>
+    """
+    file = Path(path)
+    hint = "name a table of tests in CSV, with test, record, object and outcome"
+    table = read_csv_table(file, _TABLE, name="tests", hint=hint)
+    known = read_object_table(Path(objects) if objects is not None else file.parent / "objects.csv")
+    folder = Path(records) if records is not None else file.parent
+    if not folder.is_dir():
+        raise InputError("records", folder, "it must be a folder", "name the folder of the records")
+    files = RecordFiles(folder, units, dt_s)
+    names: dict[str, str] = {}
+    rows: list[tuple[str, dict[str, Any], Channel, Channel | None]] = []
+    remarks = [*unread_remark(table.source, table.unread(_TABLE)), *known.remarks]
+    coded = False
+    for place, cells in table.lines():
+        refuse_doubled(place, "test", cells["test"], names, "give each test another name")
+        if cells["object"] not in known.objects:
+            raise _unknown_object(place, cells["object"], known.source, list(known.objects))
+        coded |= cells["outcome"] in ("0", "1")
+        record = files.channel(cells["record"], cells.get("channel", ""), place, "record")
+        vertical = None
+        if cells.get("vertical"):
+            channel = cells.get("vertical_channel", "")
+            vertical = files.channel(cells["vertical"], channel, place, "vertical")
+        rows.append((place, _values(cells, place), record, vertical))
+    if coded:
+        remarks.append(f"{table.source}: an outcome 1 is read as fell, and 0 as stood.")
+    motions = files.records()
+    tests = []
+    for place, values, record, vertical in rows:
+        try:
+            tests.append(
+                ShakingTest(
+                    record=motions[record],
+                    vertical=None if vertical is None else motions[vertical],
+                    **values,
+                )
+            )
+        except RocksteadyError as error:
+            raise placed(error, place) from None
+    return Observations(
+        tests=tests,
+        objects=known.objects,
+        sources={table.source: table.sha256, known.source: known.sha256} | files.sources,
+        remarks=[*remarks, *files.remarks],
+    )
+
+
+def _values(cells: Mapping[str, str], place: str) -> dict[str, Any]:
+    """Return the arguments of a test but its motions."""
+    values: dict[str, Any] = {
+        "name": cells["test"],
+        "object": cells["object"],
+        "fell": _word(cells["outcome"], OUTCOMES, f"{place}, outcome", "leave the cell empty"),
+        "reversed": _word(cells.get("reversed", ""), _YES, f"{place}, reversed", "write yes or no"),
+    }
+    for key in ("group", "session"):
+        if cells.get(key):
+            values[key] = cells[key]
+    for key in NUMBERS:
+        if cells.get(key):
+            values[key] = _number(cells[key], f"{place}, {key}")
+    return values
+
+
+def _word(cell: str, known: Mapping[str, Any], name: str, otherwise: str) -> Any:
+    """Return what a word means, in capitals too."""
+    word = cell.lower()
+    if word not in known:
+        words = [each for each in known if each]
+        near = difflib.get_close_matches(word, words, n=1)
+        hint = f"did you mean {near[0]}?" if near else otherwise
+        raise InputError(name, cell, f"it must be one of {', '.join(words)}, or empty", hint)
+    return known[word]
+
+
+def _number(cell: str, name: str) -> float:
+    """Return the number of a cell."""
+    parts = parts_of(cell)
+    if parts is None or parts[1]:
+        hint = "write a point for a decimal comma" if "," in cell else "leave units to the column"
+        raise InputError(name, cell, "it must be a number", f"{hint}, or the cell empty")
+    return parts[0][0]
+
+
+def _unknown_object(place: str, name: str, source: str, known: list[str]) -> InputError:
+    """Return the refusal of an object that the table of objects does not have."""
+    valid = f"{source} has no such object"
+    near = difflib.get_close_matches(name, known, n=1)
+    hint = f"did you mean {near[0]}?" if near else f"its objects are {', '.join(known[:5])}"
+    given = name or Words("is empty")
+    return InputError(f"{place}, object", given, valid, hint)
