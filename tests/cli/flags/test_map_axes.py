@@ -49,6 +49,9 @@ def test_the_sizes_of_a_block_are_axes_and_bring_housners_restitution() -> None:
         "restitution": "housner",
     }
     assert case.body == Block.rectangle(width=0.3, height=1.2)
+    measured = BlockFlags(width_m="0.3:0.6:4", height_m="1.2", restitution="housner*0.9")
+    case = map_case(shaken(), measured, MapStartFlags())
+    assert case.fixed["restitution"] == ("housner", 0.9)
     own = BlockFlags(width_m="0.3:0.6:4", height_m="1.2", restitution="0.9")
     assert "restitution" not in map_case(shaken(), own, MapStartFlags()).fixed
     # A block that stays as it is has its sizes in itself.

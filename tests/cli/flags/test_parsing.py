@@ -98,6 +98,8 @@ def test_a_restitution_is_a_number_a_pair_or_housners() -> None:
     assert restitution_from("0.8,0.9", default=None) == (0.8, 0.9)
     assert restitution_from("housner", default="housner") == "housner"
     assert restitution_from(None, default="housner") == "housner"
+    for text in ("housner*0.965", "0.965*housner", " housner * .965 "):
+        assert restitution_from(text, default="housner") == ("housner", 0.965)
 
 
 @pytest.mark.parametrize(
@@ -105,9 +107,12 @@ def test_a_restitution_is_a_number_a_pair_or_housners() -> None:
     [
         (None, "--restitution/-r is not given: without a block it is needed"),
         ("housner", "follows from a block's slenderness"),
-        ("0.8,", "two of them, or 'housner'"),
-        ("0.8,0.9,0.7", "two of them, or 'housner'"),
-        ("Housner", "two of them, or 'housner'"),
+        ("0.8,", "two of them, 'housner', or a factor"),
+        ("0.8,0.9,0.7", "two of them, 'housner', or a factor"),
+        ("housner*0.9", "follows from a block's slenderness"),
+        ("housner*-1", "must be a finite number above 0"),
+        ("housner0.9", r"write it as -r housner\*0.9"),
+        ("Housner", "two of them, 'housner', or a factor"),
     ],
 )
 def test_what_is_no_restitution_is_refused(text: str | None, words: str) -> None:

@@ -28,7 +28,7 @@ def scenario(case: Case) -> Scenario:
         motion=case.shaking,
         start=case.start,
         fixed=tuple(case.fixed.items()),
-        housner=case.housner,
+        housner=1.0 if case.housner else None,
     )
 
 
@@ -140,7 +140,7 @@ def test_two_sizes_may_be_fixed_in_place_of_those_of_the_block() -> None:
         axes=("frequency_ratio",),
         block=block,
         fixed=(("alpha", 0.25), ("p", 3.0), ("acceleration_m_s2", 4.0)),
-        housner=True,
+        housner=1.0,
     )
     other = Block.from_p(alpha=0.25, p=3.0)
     assert whole.at({"frequency_ratio": 2.0})[0] == other
@@ -159,7 +159,12 @@ def test_a_parameter_is_named_once(fixed: Any) -> None:
 
 def test_restitution_follows_the_slenderness_only_where_asked() -> None:
     block = Block.rectangle(width=0.4, height=1.2, restitution=0.7)
-    for housner, wide in ((False, 0.7), (True, Block.rectangle(width=0.8, height=1.2).restitution)):
+    own = Block.rectangle(width=0.8, height=1.2).restitution
+    for housner, wide, words in (
+        (None, 0.7, 0.7),
+        (1.0, own, "housner"),
+        (0.965, 0.965 * own, "housner*0.965"),
+    ):
         whole = Scenario(
             axes=("width",),
             block=block,
@@ -168,7 +173,7 @@ def test_restitution_follows_the_slenderness_only_where_asked() -> None:
         )
         cells = whole.cells({"width": np.array([0.8, 0.8])})
         assert cells.sides[:, 0, 0].tolist() == [wide, wide]
-        assert whole.attributes["restitution"] == ("housner" if housner else 0.7)
+        assert whole.attributes["restitution"] == words
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 """Bands of restitution: their ends, by default and given."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -36,9 +37,20 @@ def test_each_side_has_its_own() -> None:
     assert given == pytest.approx(np.array([[0.5, 0.5], [0.6, 0.6], [0.7, 0.7]]), rel=1e-15)
 
 
+def test_ends_may_be_factors_of_each_sides_own_housner_value() -> None:
+    block = Block.asymmetric(left=0.25, right=0.4, height=2.4, restitution=0.5)
+    own = Block.asymmetric(left=0.25, right=0.4, height=2.4)
+    whole = np.array([own.positive.restitution, own.negative.restitution])
+    found = RestitutionBand(low=("housner", 0.9), high="housner", draws=3).ratios(block)
+    assert found == pytest.approx(np.outer([0.9, 0.95, 1.0], whole), rel=1e-15)
+    with pytest.raises(InputError, match=r"low .*exchange the two"):
+        RestitutionBand(low=0.95, high="housner").ratios(own)
+
+
 @pytest.mark.parametrize(
     "wrong",
     [
+        {"low": "housner", "high": ("housner", 0.9)},
         {"low": 0.0},
         {"high": 1.1},
         {"low": 0.9, "high": 0.8},
@@ -49,6 +61,6 @@ def test_each_side_has_its_own() -> None:
         {"draws": 2.0},
     ],
 )
-def test_what_is_no_band_is_refused(wrong: dict[str, float]) -> None:
+def test_what_is_no_band_is_refused(wrong: dict[str, Any]) -> None:
     with pytest.raises(InputError, match="|".join(wrong)):
-        RestitutionBand(**wrong)  # type: ignore[arg-type]
+        RestitutionBand(**wrong)

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import typer
 
@@ -26,7 +26,8 @@ from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
-from rocksteady.model.blocks.sides import p_value
+from rocksteady.model.blocks.housner_forms import form_text, housner_factor
+from rocksteady.model.blocks.sides import impact_pair, p_value
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.results.rendering import print_description
 
@@ -118,8 +119,8 @@ RestitutionFlag = Annotated[
         "--restitution",
         "-r",
         metavar="R",
-        help="Set the ratio of angular velocities after and before an impact, in (0, 1], or "
-        "'housner' (default) for that of each slenderness.",
+        help="Set the ratio of angular velocities after and before an impact, in (0, 1], "
+        "'housner' (default) for that of each slenderness, or 'housner*0.965' for a factor of it.",
         rich_help_panel=options.BLOCK,
     ),
 ]
@@ -186,10 +187,11 @@ def spectrum(
     dataset = dataset.load()
     dataset.attrs["direction"] = "reversed" if recorded.reverse else "as recorded"
     described = describe(dataset)
+    factor = housner_factor(ratio)
     names = zip(dataset["record"].values.tolist(), recorded.record or [], strict=True)
     values = {
         **described.to_dict(),
-        "restitution": ratio,
+        "restitution": ratio if factor is None else form_text(factor),
         "gravity_m_s2": gravity,
         "records": [{"name": name, "file": str(file)} for name, file in names],
         "pga_g": recorded.pga_g,
@@ -344,14 +346,14 @@ def _restitution(text: str | None) -> "Restitution":
         If it is no number, or two.
     """
     found = restitution_from(text, default="housner")
-    if isinstance(found, tuple):
+    if impact_pair(found) is not None:
         raise InputError(
             "restitution",
             text,
             "both sides of a rectangle are alike",
-            "give one number, or 'housner'",
+            "give one number, 'housner' or 'housner*0.965'",
         )
-    return found
+    return cast("Restitution", found)
 
 
 def _check_drawable(recorded: RecordFlags, slendernesses: int, sizes: int) -> None:

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, cast
 
 from rocksteady.cli.console.refusals import FlagError, both
 from rocksteady.cli.flags import options
@@ -15,7 +15,12 @@ from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.blocks.examples import named_block
-from rocksteady.model.blocks.sides import Restitution, length_value
+from rocksteady.model.blocks.sides import (
+    Restitution,
+    impact_pair,
+    length_value,
+    restitution_pair,
+)
 from rocksteady.model.checks.validation import LARGEST, in_range, non_negative
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.model.motions.pulses import Pulse
@@ -233,11 +238,11 @@ class BlockFlags:
                     "without a block gravity has no meaning",
                     "describe a block, or leave it out",
                 )
-            ratio = restitution_from(self.restitution, default=None)
-            first, second = ratio if isinstance(ratio, tuple) else (ratio, None)
-            return DimensionlessBlock(restitution=float(first), negative_restitution=second)
+            first, second = restitution_pair(restitution_from(self.restitution, default=None))
+            return DimensionlessBlock(restitution=first, negative_restitution=second)
         ratio = restitution_from(self.restitution, default="housner")
-        block = self._sized(ratio[0] if isinstance(ratio, tuple) else ratio, gravity)
+        pair = impact_pair(ratio)
+        block = self._sized(cast("Restitution", ratio) if pair is None else pair[0], gravity)
         if block is None:
             flags_given = " ".join(["--block", *given] if self.block is not None else given)
             raise FlagError(
@@ -248,7 +253,7 @@ class BlockFlags:
                 "--height-m, or by --block alone",
                 hint="give one of these pairs, or the three",
             )
-        return block.with_restitution(ratio) if isinstance(ratio, tuple) else block
+        return block if pair is None else block.with_restitution(pair)
 
     def _sized(self, ratio: Restitution, gravity: float) -> Block | None:
         """Return the block of the sizes that are given; None where they are not those of one."""

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -13,6 +13,8 @@ from rocksteady.cli.flags.parsing import axis, decimal, number, restitution_from
 from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.housner_forms import form_of_text
+from rocksteady.model.blocks.sides import Restitution
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.results.rendering import printable
 
@@ -274,7 +276,8 @@ class EnsembleFlags:
         Parameters
         ----------
         block
-            The flags of the block, whose --restitution may be a band, as 0.85:0.95.
+            The flags of the block, whose --restitution may be a band, as 0.85:0.95 or
+            housner*0.95:housner.
         default
             The block where no flag describes one; None where one must.
 
@@ -286,7 +289,7 @@ class EnsembleFlags:
         text = block.restitution
         low, colon, high = (text or "").partition(":")
         if colon:
-            ends = {"low": _decimal(low, text), "high": _decimal(high, text)}
+            ends = {"low": _end(low, text), "high": _end(high, text)}
             return _body(replace(block, restitution=low), default), self._band(BAND_DRAWS, ends)
         body = _body(block, default)
         if text is None:
@@ -310,7 +313,7 @@ class EnsembleFlags:
         ratio = body.positive.restitution
         return body, self._band(1, {"low": ratio, "high": ratio})
 
-    def _band(self, draws: int, ends: dict[str, float]) -> "RestitutionBand":
+    def _band(self, draws: int, ends: dict[str, Any]) -> "RestitutionBand":
         """Return a band, whose errors name the flags."""
         from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 
@@ -362,13 +365,17 @@ def _levels(flag: str, measure: "Intensity | str", levels: list[float] | None) -
         raise FlagError(flag, error.value, error.valid, error.hint) from None
 
 
-def _decimal(text: str, whole: str | None) -> float:
+def _end(text: str, whole: str | None) -> Restitution:
     """Return one end of a band of restitutions."""
+    form = form_of_text(text)
     try:
-        return decimal(text)
+        return decimal(text) if form is None else form
     except ValueError:
         raise InputError(
-            "restitution", whole, "a band has two numbers in (0, 1]", "write it as -r 0.85:0.95"
+            "restitution",
+            whole,
+            "a band has two ends, numbers in (0, 1] or factors of Housner's value",
+            "write it as -r 0.85:0.95, or -r housner*0.95:housner",
         ) from None
 
 

@@ -18,6 +18,7 @@ from rocksteady.dynamics.parameters import AXES, SIZES, shaking_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.blocks.housner_forms import Housner, form_of_text
 from rocksteady.model.facts import harmonic_values
 from rocksteady.model.motions.segments import Harmonic
 
@@ -175,14 +176,14 @@ class MapCase:
     fixed
         Parameters that were given one value, as it was given: what follows from it in a cell is
         then what follows from it at that point alone.
-        The restitution is "housner" where it follows from the slenderness in each cell.
+        The restitution is a form of "housner" where it follows from the slenderness in each cell.
     """
 
     body: Block | DimensionlessBlock
     motion: Harmonic
     start: StartFlags
     axes: dict[str, list[float]]
-    fixed: dict[str, float | str]
+    fixed: dict[str, float | Housner]
 
     @property
     def values(self) -> dict[str, Any]:
@@ -246,9 +247,8 @@ def map_case(shaking: ShakingFlags, block: BlockFlags, start: MapStartFlags) -> 
             valid="at least one flag of block, shaking or start must be",
             hint="give one as start:stop:count, as -A 0.1:6:300",
         )
-    housner: dict[str, float | str] = {}
-    if resized and block.restitution in (None, "housner"):
-        housner["restitution"] = "housner"
+    follows = form_of_text("housner" if block.restitution is None else block.restitution)
+    housner = {} if follows is None or not resized else {"restitution": follows}
     return MapCase(
         body=body,
         motion=shaken,

@@ -188,9 +188,9 @@ Restitution = Annotated[
         "--restitution",
         "-r",
         metavar="R",
-        help="Set the ratio of angular velocities after and before an impact, in (0, 1], or "
-        "'housner' (default for a block); two with a comma, as 0.8,0.9, for the impact that ends "
-        "positive rotation and for the other.",
+        help="Set the ratio of angular velocities after and before an impact, in (0, 1], "
+        "'housner' (default for a block) or a measured factor of it, as 'housner*0.965'; two with "
+        "a comma, as 0.8,0.9, for the impact that ends positive rotation and for the other.",
         rich_help_panel=BLOCK,
     ),
 ]

@@ -1,10 +1,12 @@
 """Conversion of command-line text to numbers and axes."""
 
 import math
+import re
 
 from rocksteady.cli.console.refusals import FlagError, missing
 from rocksteady.cli.flags.options import FLAG_OF_ARGUMENT
 from rocksteady.errors import InputError
+from rocksteady.model.blocks.housner_forms import VALID_TEXT, form_of_text
 from rocksteady.model.blocks.sides import Restitution, Restitutions
 from rocksteady.sweep.cases.spacing import in_equal_ratios
 
@@ -94,7 +96,7 @@ def axis(flag: str, text: str) -> list[float]:
 
 
 def restitution_from(text: str | None, *, default: Restitution | None) -> Restitutions:
-    """Return a restitution: a number, two, "housner", or the default where none was given.
+    """Return a restitution: numbers, a form of "housner", or the default where none was given.
 
     Raises
     ------
@@ -109,7 +111,8 @@ def restitution_from(text: str | None, *, default: Restitution | None) -> Restit
                 hint="add -r 0.8, or describe a block to take Housner's value",
             )
         return default
-    if text == "housner":
+    form = form_of_text(text)
+    if form is not None:
         if default is None:
             raise InputError(
                 "restitution",
@@ -117,16 +120,19 @@ def restitution_from(text: str | None, *, default: Restitution | None) -> Restit
                 "Housner's value follows from a block's slenderness",
                 "describe a block, or give a number in (0, 1]",
             )
-        return "housner"
+        return form
     first, comma, second = text.partition(",")
     try:
         return (decimal(first), decimal(second)) if comma else decimal(text)
     except ValueError:
+        near = re.search(r"[0-9]*\.?[0-9]+$", text) if text[:1] in "hH" else None
         raise InputError(
             "restitution",
             text,
-            "it must be a number in (0, 1], two of them, or 'housner'",
-            "write it as -r 0.8, or -r 0.8,0.9",
+            VALID_TEXT.replace("],", "], two of them,"),
+            f"write it as -r housner*{near.group()}"
+            if near
+            else "write it as -r 0.8 or -r 0.8,0.9",
         ) from None
 
 

@@ -15,6 +15,7 @@ from rocksteady.dynamics.parameters import AXES, validated_axes
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.blocks.housner_forms import housner_factor
 from rocksteady.model.equations import Model, chosen_model
 from rocksteady.model.motions.segments import Harmonic
 from rocksteady.sweep.cases.axes import Axis
@@ -98,8 +99,8 @@ def map_of(
     return refined(cases, grid, question.outputs, classes=classes, coarse=refine, **how)
 
 
-def _grid(axes: Mapping[str, ArrayLike]) -> tuple[Grid, tuple[tuple[str, Any], ...], bool]:
-    """Return the grid, the parameters that are fixed, and whether the restitution is Housner's."""
+def _grid(axes: Mapping[str, ArrayLike]) -> tuple[Grid, tuple[tuple[str, Any], ...], float | None]:
+    """Return the grid, the parameters that are fixed, and the factor of Housner's restitution."""
     given: object = axes
     if not isinstance(given, Mapping):
         raise InputError(
@@ -108,23 +109,15 @@ def _grid(axes: Mapping[str, ArrayLike]) -> tuple[Grid, tuple[tuple[str, Any], .
             "it names parameters, each with its values",
             "give a mapping, as {'amplitude': [1.0, 2.0]}",
         )
-    housner = _is_housner(axes.get("restitution"))
-    moved = {name: value for name, value in axes.items() if not (housner and name == "restitution")}
+    housner = housner_factor(axes.get("restitution"))
+    follows = {"restitution"} if housner is not None else set()
+    moved = {name: value for name, value in axes.items() if name not in follows}
     fixed = {name: value for name, value in moved.items() if _is_single(value)}
     names = validated_axes([name for name in moved if name not in fixed], fixed)
     grid = Grid(
         axes=tuple(Axis(name=name, values=axes[name], **AXES[name]._asdict()) for name in names)
     )
     return grid, tuple(fixed.items()), housner
-
-
-def _is_housner(restitution: object) -> bool:
-    """Return whether a restitution is to follow from the slenderness of each cell."""
-    if isinstance(restitution, str) and restitution != "housner":
-        raise InputError(
-            "restitution", restitution, 'the one word for it is "housner"', "give it, or numbers"
-        )
-    return isinstance(restitution, str)
 
 
 def _is_single(value: object) -> bool:

@@ -7,6 +7,7 @@ import numpy as np
 
 from rocksteady.dynamics.parameters import AXES
 from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.blocks.housner_forms import ratio_words
 from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import angle, length, number, quantity
 from rocksteady.sweep.cases.accessor import (
@@ -79,11 +80,9 @@ def headline(dataset: "xr.Dataset") -> str:
     elif "frequency_hz" in given:
         parts.append(_text("frequency_hz", given))
     restitution = given.get("restitution")
-    if restitution == "housner":
-        parts.append("Housner's restitution")
-    elif restitution is not None:
+    if restitution is not None:
         other = given.get("negative_restitution")
-        parts.append(f"restitution {restitution:.4g}" + (f"/{other:.4g}" if other else ""))
+        parts.append(ratio_words(restitution) + (f"/{other:.4g}" if other else ""))
     parts += [
         f"{symbol} = {_text(name, given)}"
         for name, symbol in (("alpha", "α"), ("p", "p"))

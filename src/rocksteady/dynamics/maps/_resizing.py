@@ -103,7 +103,8 @@ def block_of(
     given
         Values of these sizes, and of ratios of its sides, by their names.
     restitution
-        A number, of both impacts; where sizes are given, also "housner"; None for its own.
+        A number, of both impacts; where sizes are given, also a form of "housner"; None for its
+        own.
 
     Raises
     ------
@@ -112,7 +113,10 @@ def block_of(
     """
     if isinstance(block, Block) and sizes:
         return resized(block, sizes, given, "housner" if restitution is None else restitution)
-    moved = block if restitution is None else block.with_restitution(float(restitution))
+    moved = block
+    if restitution is not None:
+        assert not isinstance(restitution, str | tuple)  # without sizes it is a number
+        moved = block.with_restitution(restitution)
     if isinstance(moved, DimensionlessBlock):
         return replace(moved, **{name: given[name] for name in ASYMMETRY if name in given})
     return moved
@@ -155,7 +159,11 @@ class Measures(NamedTuple):
 
 
 def measures_of(
-    block: Block, sizes: Sequence[str], given: Mapping[str, float | Floats], *, housner: bool
+    block: Block,
+    sizes: Sequence[str],
+    given: Mapping[str, float | Floats],
+    *,
+    housner: float | None,
 ) -> Measures:
     """Return what the constructors of `Block` would make of sizes, in many cells at once.
 
@@ -169,13 +177,13 @@ def measures_of(
         Parameters, these sizes among them, within their ranges: numbers, or arrays of shape
         (cells,).
     housner
-        Whether the restitution of blocks of other sizes is Housner's; else it is that of `block`.
+        Factor of Housner's restitution that blocks of other sizes have; None for that of `block`.
 
     Examples
     --------
     >>> block = Block.rectangle(width=0.4, height=1.2)
     >>> given = {"height": 1.2, "width": np.array([0.5, 0.3])}
-    >>> found = measures_of(block, ("width", "height"), given, housner=True)
+    >>> found = measures_of(block, ("width", "height"), given, housner=1.0)
     >>> print(found.p.round(4), found.restitution.round(4))
     [3.3638 3.4485] [0.7781 0.9118]
     """
@@ -193,7 +201,8 @@ def measures_of(
             radius = 0.5 * hypot(first, second)
         p = np.sqrt(0.75 * gravity / radius)
     restitution: float | Floats = block.restitution
-    if housner:
+    if housner is not None:
         sine = sin(alpha)
         restitution = 1.0 - 2.0 * (p * p * radius / gravity) * (sine * sine)
+        restitution = housner * restitution
     return Measures(alpha * gravity, p, restitution, alpha)

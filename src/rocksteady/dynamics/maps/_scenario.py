@@ -29,7 +29,8 @@ from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.core.tables import ALPHA, LEAN, RATE, RESTITUTION
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.blocks.sides import Restitution, housner_restitution
+from rocksteady.model.blocks.housner_forms import form_text
+from rocksteady.model.blocks.sides import Restitution
 from rocksteady.model.checks.validation import finite
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.model.motions.segments import Harmonic
@@ -95,7 +96,8 @@ class Scenario:
         Names of the same kind, each with a value that takes the place of that of block, shaking or
         start.
     housner
-        Whether the restitution follows from the slenderness, in place of the block's own.
+        Factor of Housner's restitution, which follows from the slenderness, in place of the
+        block's own; None (default) for the block's own.
     model
         `Linear()` or `Nonlinear()`, which needs a `Block`.
 
@@ -119,7 +121,7 @@ class Scenario:
     motion: Harmonic | None = None
     start: Start = field(default_factory=Rest)
     fixed: tuple[tuple[str, float], ...] = ()
-    housner: bool = False
+    housner: float | None = None
     model: Model = field(default_factory=Linear)
 
     def __post_init__(self) -> None:
@@ -133,7 +135,6 @@ class Scenario:
         if self.motion is not None:
             harmonic(self.motion)
         validated_start(self.start)
-        object.__setattr__(self, "housner", bool(self.housner))
         object.__setattr__(self, "model", chosen_model(self.model, self.block))
         check_sizes(self.block, self.given)
         self._check_restitution()
@@ -158,12 +159,10 @@ class Scenario:
         """
         block, given = self.block, set(self.given)
         found: dict[str, float] = {name: getattr(block, name) for name in self.sizes}
-        if not self.housner and block.symmetric:
+        if self.housner is None and block.symmetric:
             found["restitution"] = block.restitution
-        elif self.housner and isinstance(block, Block) and not self.sizes:
-            found["restitution"] = housner_restitution(
-                block.alpha, p=block.p, radius=block.radius, gravity=block.gravity
-            )
+        elif self.housner is not None and isinstance(block, Block) and not self.sizes:
+            found["restitution"] = block.with_restitution(("housner", self.housner)).restitution
         if not isinstance(self.start, Steady):  # which decides on the phase
             found["phase"] = 0.0 if self.motion is None else self.motion.phase
         if self.motion is not None and not given & AMPLITUDES:
@@ -195,8 +194,8 @@ class Scenario:
                 found.update(restitution=first)
                 found.setdefault("negative_restitution", second)
             found = {name: value for name, value in found.items() if name not in self.axes}
-        if self.housner:
-            found.setdefault("restitution", "housner")
+        if self.housner is not None:
+            found.setdefault("restitution", form_text(self.housner))
         if isinstance(self.start, Steady):
             steady = self.start
             found.update(start="steady", branch=steady.branch, order=steady.order, side=steady.side)
@@ -215,7 +214,8 @@ class Scenario:
             If a value is outside its parameter's range.
         """
         given = {**self.kept, **cell}
-        own: Restitution | None = "housner" if self.block.symmetric else None
+        factor = 1.0 if self.housner is None else self.housner
+        own: Restitution | None = ("housner", factor) if self.block.symmetric else None
         restitution: Restitution | None = given.get("restitution", own)
         block = block_of(self.block, self.sizes, given, restitution)
         shaking = shaking_of(block, given)
@@ -298,7 +298,7 @@ class Scenario:
         return sides
 
     def _check_restitution(self) -> None:
-        if not self.housner:
+        if self.housner is None:
             return
         if not self.block.symmetric:
             raise ModelError(

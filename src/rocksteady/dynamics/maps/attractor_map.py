@@ -57,7 +57,8 @@ def map_attractors(
         ==================================  ======================================================
         amplitude, frequency_ratio, phase   of the motion; acceleration_m_s2, frequency_hz of a
                                             `Block`; the phase [rad] not with a steady start
-        restitution                         of both impacts; "housner" follows the slenderness
+        restitution                         of both impacts; "housner" follows the slenderness,
+                                            and so does ("housner", 0.965), a factor of it
         negative_restitution, alpha_ratio,  of a `DimensionlessBlock`: by what its sides differ
         p_ratio
         width, height, alpha, radius, p     of a `Block`, a homogeneous rectangle: width and height

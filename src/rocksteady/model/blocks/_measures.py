@@ -9,7 +9,9 @@ ROUNDED = 1e-6
 """Relative difference of moments of inertia that are the same."""
 
 
-def description_of(positive: Side, negative: Side, gravity: float) -> Description:
+def description_of(
+    positive: Side, negative: Side, gravity: float, housner_factor: float | None = None
+) -> Description:
     """Return the facts of a block of two sides.
 
     A rectangle has a width and a height; of any other body the height is not known.
@@ -20,6 +22,8 @@ def description_of(positive: Side, negative: Side, gravity: float) -> Descriptio
     alphas = " and ".join(angle(side.alpha) for side in sides)
     impacts = dict.fromkeys(number(side.restitution) for side in sides)
     restitutions = " and ".join(impacts)
+    if housner_factor is not None:
+        restitutions += f" ({number(housner_factor)} of Housner's)"
     size = f"{number(width)} x {number(height)} m block"
     lengths = Fact("", label="size", text=f"{length(width)} x {length(height)}")
     if not _rectangular(positive, width, height, gravity):
@@ -35,6 +39,8 @@ def description_of(positive: Side, negative: Side, gravity: float) -> Descriptio
         Fact("restitution", positive.restitution, "restitution", restitutions),
         Fact("", label="uplift at", text=uplifts),
     ]
+    if housner_factor is not None:
+        facts.append(Fact("housner_factor", housner_factor))
     if not symmetric:
         facts.insert(0, Fact("", label="sides", text="positive (left) and negative (right)"))
         facts += [

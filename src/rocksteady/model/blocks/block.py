@@ -9,7 +9,7 @@ Sizes are full dimensions in metres.  Much of the literature writes b and h for 
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin, tan
@@ -22,6 +22,7 @@ from rocksteady.model.blocks._sizes import (
     radius_of_p,
 )
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.blocks.housner_forms import housner_factor, restitution_of
 from rocksteady.model.blocks.sides import (
     Restitution,
     Restitutions,
@@ -29,12 +30,14 @@ from rocksteady.model.blocks.sides import (
     alpha_value,
     check_one_body,
     gravity_value,
+    housner_pair,
     housner_ratio,
     housner_restitution,
     length_value,
     p_value,
     radius_value,
     restitution_pair,
+    restitution_value,
     sides_of_body,
 )
 from rocksteady.model.checks.arguments import checked
@@ -72,6 +75,9 @@ class Block(Result):
         The two sides.  Positive rotation is about the pivot of `positive`.
     gravity
         Acceleration of gravity [m/s^2].
+    housner_factor
+        Factor of Housner's restitution that was given; None (default) where none was.  It is kept
+        for descriptions; blocks that move alike are equal.
 
     Raises
     ------
@@ -93,6 +99,7 @@ class Block(Result):
     positive: Side
     negative: Side
     gravity: float = STANDARD_GRAVITY
+    housner_factor: float | None = field(default=None, compare=False)
 
     def __post_init__(self) -> None:
         """Validate."""
@@ -115,7 +122,8 @@ class Block(Result):
         width, height
             Full dimensions [m].
         restitution
-            A ratio of angular velocities in (0, 1]; "housner" (default) for 1 - 1.5 sin^2 alpha.
+            A ratio of angular velocities in (0, 1]; "housner" (default) for 1 - 1.5 sin^2 alpha;
+            ("housner", 0.965) for a measured factor of that.
         gravity
             [m/s^2]
 
@@ -129,7 +137,7 @@ class Block(Result):
         h = length_value("height", height, hint="give the full height in metres")
         question_millimetres({"width": b, "height": h}, height=h)
         alpha = atan2(b, h)
-        if restitution == "housner" and housner_ratio(alpha) <= 0.0:
+        if housner_factor(restitution) is not None and housner_ratio(alpha) <= 0.0:
             # Not left to the check of alpha, which the caller has not given.
             raise InputError(
                 "width",
@@ -205,7 +213,8 @@ class Block(Result):
             Slenderness [rad].
         restitution
             A ratio of angular velocities in (0, 1]; "housner" (default) for
-            1 - 2 (M R^2 / I_0) sin^2 alpha, from angular momentum about the new pivot.
+            1 - 2 (M R^2 / I_0) sin^2 alpha, from angular momentum about the new pivot;
+            ("housner", 0.965) for a measured factor of that.
         gravity
             [m/s^2]
 
@@ -254,7 +263,8 @@ class Block(Result):
         restitution
             A ratio of angular velocities in (0, 1] for both impacts; a pair, for the impact that
             ends positive rotation and for the other; or "housner" (default), that of each impact
-            which conserves angular momentum about the edge that is struck (`impact_restitution`).
+            which conserves angular momentum about the edge that is struck (`impact_restitution`),
+            or ("housner", 0.965) for a measured factor of both.
         gravity
             [m/s^2]
 
@@ -374,7 +384,7 @@ class Block(Result):
             restitution=restitution,
             gravity=g,
         )
-        return cls(positive=one, negative=other, gravity=g)
+        return cls(positive=one, negative=other, gravity=g, housner_factor=_noted(restitution))
 
     @classmethod
     def _homogeneous(
@@ -394,7 +404,7 @@ class Block(Result):
         **sizes: float,
     ) -> "Block":
         """Return a symmetric block of a constructor, with one restitution or two."""
-        if restitution == "housner":
+        if housner_factor(restitution) is not None:
             return make(restitution=restitution, gravity=gravity, **sizes)
         pair = restitution_pair(restitution)
         return make(restitution=pair[0], gravity=gravity, **sizes).with_restitution(pair)
@@ -405,12 +415,15 @@ class Block(Result):
     ) -> "Block":
         """Return the block whose sides are both made of these."""
         angle = alpha_value(alpha)
-        if restitution == "housner":
-            ratio = housner_restitution(angle, p=p, radius=radius, gravity=gravity)
-        else:
-            ratio = restitution
-        side = Side(alpha=angle, radius=radius, p=p, restitution=ratio)
-        return cls(positive=side, negative=side, gravity=gravity)
+        factor, ratio = housner_factor(restitution), restitution
+        if factor is not None:
+            ratio = restitution_of(
+                factor, housner_restitution(angle, p=p, radius=radius, gravity=gravity)
+            )
+        side = Side(alpha=angle, radius=radius, p=p, restitution=restitution_value(ratio))
+        return cls(
+            positive=side, negative=side, gravity=gravity, housner_factor=_noted(restitution)
+        )
 
     @property
     def alpha(self) -> float:
@@ -461,17 +474,23 @@ class Block(Result):
         """
         return self.positive.alpha * self.gravity
 
-    def with_restitution(self, restitution: float | tuple[float, float]) -> "Block":
-        """Return the block with other restitutions: a number for both impacts, or a pair.
+    def with_restitution(self, restitution: Restitutions) -> "Block":
+        """Return the block with other restitutions, as the constructors take them.
 
         Raises
         ------
         InputError
             If one lies outside (0, 1].
         """
-        first, second = restitution_pair(restitution)
+        factor = housner_factor(restitution)
+        if factor is None:
+            first, second = restitution_pair(restitution)
+        else:
+            pair = housner_pair(self.positive, self.negative, self.gravity)
+            first, second = (restitution_value(restitution_of(factor, ratio)) for ratio in pair)
         return replace(
             self,
+            housner_factor=_noted(restitution),
             positive=replace(self.positive, restitution=first),
             negative=replace(self.negative, restitution=second),
         )
@@ -496,4 +515,10 @@ class Block(Result):
 
     def describe(self) -> Description:
         """Return its size, slenderness and rates, for people and under the names of JSON."""
-        return description_of(self.positive, self.negative, self.gravity)
+        return description_of(self.positive, self.negative, self.gravity, self.housner_factor)
+
+
+def _noted(restitution: Restitutions) -> float | None:
+    """Return the factor of Housner's value that a description shows; None of 1."""
+    factor = housner_factor(restitution)
+    return None if factor == 1.0 else factor

@@ -67,7 +67,7 @@ def named_block(
         "server-rack", "gas-cylinder" or "statue-on-plinth".  Sizes, sources and assumptions are in
         `rocksteady.model.blocks.examples.SOURCES`.
     restitution
-        In place of the source's.
+        In place of the source's; all forms of the constructors of `Block`.
     gravity
         [m/s^2]; default 9.80665.
 

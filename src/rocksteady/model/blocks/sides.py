@@ -6,10 +6,10 @@ to the right (positive) drives; the negative side is rotation about the right ed
 
 import math
 from dataclasses import dataclass
-from typing import Literal
 
 from rocksteady.errors import InputError, ModelError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin
+from rocksteady.model.blocks.housner_forms import Housner, housner_factor, restitution_of
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
 
@@ -17,8 +17,9 @@ SAME_BODY = 1e-6
 """How near two sides' heights and moments of inertia are, relative to their size, if they belong to
 one body: measured values agree to less, computed ones to rounding."""
 
-Restitution = float | Literal["housner"]
-"""A ratio of angular velocities in (0, 1], or "housner" for that of inelastic impact."""
+Restitution = float | Housner
+"""A ratio of angular velocities in (0, 1], "housner" for that of inelastic impact, or a measured
+factor of it as ("housner", 0.965)."""
 
 Restitutions = Restitution | tuple[float, float]
 """One for both impacts, or a pair: of the impact that ends positive rotation, and of the other."""
@@ -153,7 +154,10 @@ def sides_of_body(
     alphas = atan2(left, centre_height), atan2(right, centre_height)
     radii = hypot(left, centre_height), hypot(right, centre_height)
     rates = [math.sqrt(gravity * r / (gyration * gyration + r * r)) for r in radii]
-    if restitution == "housner":
+    factor = housner_factor(restitution)
+    if factor is None:
+        ratios = restitution_pair(restitution)
+    else:
         ratios = (
             impact_ratio(alphas, radii, gyration),
             impact_ratio(alphas[::-1], radii[::-1], gyration),
@@ -168,8 +172,7 @@ def sides_of_body(
                 "rocking needs one above 0",
                 "give a measured restitution in (0, 1], or a more slender block",
             )
-    else:
-        ratios = restitution_pair(restitution)
+        ratios = restitution_of(factor, ratios[0]), restitution_of(factor, ratios[1])
     first, second = (
         Side(alpha=alpha, radius=radius, p=p, restitution=ratio)
         for alpha, radius, p, ratio in zip(alphas, radii, rates, ratios, strict=True)
@@ -282,6 +285,27 @@ def housner_ratio(
     """Return the value of `housner_restitution`, positive or not."""
     sine = sin(alpha)
     return 1.0 - 2.0 * (p * p * radius / gravity) * (sine * sine)
+
+
+def housner_pair(positive: Side, negative: Side, gravity: float) -> tuple[float, float]:
+    """Return Housner's restitutions of both impacts of a body, positive or not.
+
+    That of the impact that ends positive rotation is the first.
+    """
+    if positive.alpha == negative.alpha and positive.p == negative.p:
+        both = housner_ratio(positive.alpha, p=positive.p, radius=positive.radius, gravity=gravity)
+        return both, both
+    square = positive.radius * (gravity / (positive.p * positive.p) - positive.radius)
+    alphas, radii = (positive.alpha, negative.alpha), (positive.radius, negative.radius)
+    gyration = math.sqrt(max(square, 0.0))
+    return impact_ratio(alphas, radii, gyration), impact_ratio(alphas[::-1], radii[::-1], gyration)
+
+
+def impact_pair(value: Restitutions) -> tuple[float, float] | None:
+    """Return a pair of numbers, one for each impact; None where both impacts have one form."""
+    if isinstance(value, tuple) and housner_factor(value) is None:
+        return restitution_pair(value)
+    return None
 
 
 def impact_ratio(alphas: tuple[float, ...], radii: tuple[float, ...], gyration: float) -> float:

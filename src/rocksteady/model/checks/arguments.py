@@ -127,7 +127,8 @@ def _plan(function: Callable[..., Any], numbers: bool) -> list[tuple[str, int, b
         if parameter.name in CHECKED_INSIDE:
             fit = _plain_text
         chosen = parameter.name == "model" and parameter.default is None  # a text has its own hint
-        if chosen or (function.__qualname__, parameter.name) in CHECKED_INSIDE_OF:
+        measured = Literal["housner"] in get_args(parameter.annotation)  # so has a restitution
+        if chosen or measured or (function.__qualname__, parameter.name) in CHECKED_INSIDE_OF:
             fit = _kept
         many = parameter.kind is parameter.VAR_POSITIONAL
         by_name = parameter.kind is parameter.KEYWORD_ONLY

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
-from rocksteady.model.blocks.sides import restitution_value
+from rocksteady.model.blocks.housner_forms import housner_factor
+from rocksteady.model.blocks.sides import Restitution, restitution_value
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range, whole_number
 
@@ -33,9 +34,11 @@ class RestitutionBand:
     Parameters
     ----------
     low
-        One end, in (0, 1]; by default the block's own restitution e.
+        One end: in (0, 1], "housner" or ("housner", 0.965) for a factor of each block's own
+        Housner's value; by default the block's own restitution e.
     high
-        The other end; default min(0.98, sqrt(e)), which lies below e for the most slender blocks.
+        The other end, of the same forms; default min(0.98, sqrt(e)), which lies below e for the
+        most slender blocks.
     draws
         Values in equal steps from `low` to `high`, ends included; a single draw is `low`.
         Default 5.
@@ -58,8 +61,8 @@ class RestitutionBand:
     [[0.9118, 0.9118], [0.9333, 0.9333], [0.9549, 0.9549]]
     """
 
-    low: float | None = None
-    high: float | None = None
+    low: Restitution | None = None
+    high: Restitution | None = None
     draws: int = 5
     scatter: float = 0.0
     seed: int = 0
@@ -68,15 +71,9 @@ class RestitutionBand:
         """Validate."""
         for name in ("low", "high"):
             value = getattr(self, name)
-            if value is not None:
+            if value is not None and housner_factor(value) is None:
                 object.__setattr__(self, name, restitution_value(value, name=name))
-        if self.low is not None and self.high is not None and self.low > self.high:
-            raise InputError(
-                "low",
-                self.low,
-                f"it is the lower end of a band up to {self.high:g}",
-                "exchange the two",
-            )
+        _check_order(self.low, self.high)
         hint = "give the number of values in the band, as 5"
         draws = whole_number("draws", self.draws, at_least=1, at_most=MOST_DRAWS, hint=hint)
         hint = "give a standard deviation, as 0.05"
@@ -96,10 +93,28 @@ class RestitutionBand:
         >>> band.ratios(Block.from_p(alpha=0.2, p=2.0)).tolist()
         [[0.8, 0.8], [0.9, 0.9]]
         """
-        columns = []
-        for side in (block.positive, block.negative):
-            e = side.restitution
-            low = e if self.low is None else self.low
-            high = min(HIGHEST, math.sqrt(e)) if self.high is None else self.high
-            columns.append(np.linspace(low, high, self.draws))
+        low = block if self.low is None else block.with_restitution(self.low)
+        lows = _both(low)
+        highs = [min(HIGHEST, math.sqrt(e)) for e in _both(block)]
+        if self.high is not None:
+            highs = _both(block.with_restitution(self.high))
+            if self.low is not None:
+                _check_order(max(lows), max(highs))
+        columns = [np.linspace(*ends, self.draws) for ends in zip(lows, highs, strict=True)]
         return np.stack(columns, axis=1)
+
+
+def _both(block: Block) -> list[float]:
+    """Return the restitutions of both impacts."""
+    return [block.positive.restitution, block.negative.restitution]
+
+
+def _check_order(low: Restitution | None, high: Restitution | None) -> None:
+    """Refuse a band upside down, as far as its ends can be compared without a block."""
+    first, second = housner_factor(low), housner_factor(high)
+    if first is None and isinstance(low, float) and isinstance(high, float):
+        first, second = low, high
+    if first is not None and second is not None and first > second:
+        raise InputError(
+            "low", low, f"it is the lower end of a band up to {high}", "exchange the two"
+        )

@@ -34,6 +34,7 @@ from rocksteady.kernels.core.tables import (
     is_nonlinear,
 )
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.housner_forms import housner_factor
 from rocksteady.model.blocks.sides import Restitution, housner_ratio
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.record import Record
@@ -157,7 +158,7 @@ def rectangles_in_si(
     alpha, p
         Slenderness [rad] and frequency parameter [rad/s], shape (cells,).
     restitution
-        A number, or "housner" for that of each slenderness.
+        A number, or "housner" for that of each slenderness, or ("housner", factor).
     gravity, model
         As for `sides_in_si`, of a block whose gravity this is.
     """
@@ -166,9 +167,10 @@ def rectangles_in_si(
     sides[:, :, LEAN] = (alpha * gravity)[:, np.newaxis]
     sides[:, :, RATE] = p[:, np.newaxis]
     sides[:, :, ALPHA : ALPHA + 1] = alpha[:, np.newaxis, np.newaxis]  # of the nonlinear model
-    if restitution == "housner":
+    factor = housner_factor(restitution)
+    if factor is not None:
         # One by one: NumPy's sine may round as its place in the array has it.
-        ratios = np.array([housner_ratio(value) for value in alpha.tolist()])
+        ratios = factor * np.array([housner_ratio(value) for value in alpha.tolist()])
         sides[:, :, RESTITUTION] = ratios[:, np.newaxis]
     else:
         sides[:, :, RESTITUTION] = restitution

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rocksteady.model.blocks.housner_forms import ratio_words
 from rocksteady.outcomes import Status
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import angle, length, number, plural
@@ -96,7 +97,7 @@ def _headline(dataset: "xarray.Dataset") -> str:
         parts.append("both directions" if direction == "both" else direction)
     ratio = dataset.attrs.get("restitution")
     if ratio is not None:
-        parts.append("Housner's restitution" if ratio == "housner" else f"restitution {ratio:.4g}")
+        parts.append(ratio_words(ratio))
     if "level" in dataset.coords:
         parts.insert(0, plural(dataset.sizes.get("block", 1), "block"))
     parts.append(str(dataset.attrs["model"]))

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.housner_forms import form_text, housner_factor
 from rocksteady.model.blocks.sides import Restitution, alpha_value, restitution_value
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
@@ -65,7 +66,8 @@ def compute_rocking_spectrum(
     periods_s
         Periods 2 pi/p [s], a number or several.
     restitution
-        A number in (0, 1], or "housner" (default) for that of each slenderness.
+        A number in (0, 1]; "housner" (default) for that of each slenderness, or
+        ("housner", 0.965) for a measured factor of it.
     model
         `Linear()` or `Nonlinear()` (default), the full equations.
     scales
@@ -121,9 +123,8 @@ def compute_rocking_spectrum(
     ]
     given = 1.0 if scales is None else scales
     factors = scale_values(given)
-    ratio: Restitution = "housner"
-    if restitution != "housner":
-        ratio = restitution_value(restitution)
+    factor = housner_factor(restitution)
+    ratio = restitution_value(restitution) if factor is None else restitution
     # Of the grid, the corner that asks most of the records, and the shape with least restitution.
     corner, _ = (
         Block.from_p(
@@ -158,7 +159,7 @@ def compute_rocking_spectrum(
         run=run,
         attributes={
             "model": equations.name,
-            "restitution": ratio,
+            "restitution": ratio if factor is None else form_text(factor),
             "gravity": corner.gravity,
             "vertical": ", ".join(names_of(ground.vertical for ground in grounds)) or "none",
         },

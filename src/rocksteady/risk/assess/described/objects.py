@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from rocksteady.errors import RocksteadyError
 from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.housner_forms import form_of_text
 from rocksteady.model.blocks.sides import Restitution
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Description, Fact
@@ -112,8 +113,10 @@ inertia_kg_m2, mass_kg, alpha_rad, alpha_deg, p_rad_s; did you mean width_m?
 
     @property
     def restitution(self) -> Restitution:
-        """Restitution of the block: "housner", a number, or the lowest of a band."""
+        """Restitution of the block: a form of "housner", a number, or the lowest of a band."""
         value = self.given.restitution
+        if isinstance(value, str):
+            return form_of_text(value) or "housner"  # checked: it is a form
         return value.low if isinstance(value, Range) else value
 
     @property

@@ -94,7 +94,7 @@ class ObjectInput(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fiel
     geometry: Geometry
     kind: Kind = "other"
     friction: Value | None = None
-    restitution: Literal["housner"] | Value = "housner"
+    restitution: str | Value = "housner"
     gravity_m_s2: float = 9.80665
     content: Content | None = None
     demand: ObjectDemand = ObjectDemand()

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 import msgspec
 
 from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.model.blocks.housner_forms import form_of_text
 from rocksteady.model.checks.validation import in_range, whole_number
 from rocksteady.risk.assess.described.schema import (
     TABLES,
@@ -37,7 +38,7 @@ BOUNDS: Mapping[str, tuple[float, float, str, str]] = {
     "alpha_deg": (0.0, 90.0, "()", "give the angle in degrees; alpha_rad takes radians"),
     "p_rad_s": (0.3, 100.0, "[]", "give the frequency parameter sqrt(M g R / I_0) in rad/s"),
     "friction": (0.0, 3.0, "(]", "give the coefficient of friction, as 0.4"),
-    "restitution": (0.0, 1.0, "(]", "give a ratio of angular velocities, or 'housner'"),
+    "restitution": (0.0, 1.0, "(]", "give a ratio of angular velocities, or a form of 'housner'"),
     "gravity_m_s2": (0.1, 100.0, "[]", "leave it out for 9.80665 m/s^2"),
     "pga_g": (0.0, 10.0, "(]", "give the peak acceleration in g, as 0.35"),
     "pgv_m_s": (0.0, 10.0, "(]", "give the peak velocity in m/s: write 0.4 for 40 cm/s"),
@@ -98,6 +99,7 @@ def validated(values: Mapping[str, object], source: str) -> ObjectInput:
             raise InputError(
                 named(source, "", key), text, "it must not be empty", "give a text, or leave it out"
             )
+    _check_restitution(given, source)
     for table, key, value in numbers_of(given):
         _check(table, key, value, source)
     _check_spectrum(given, source)
@@ -135,6 +137,25 @@ def _check(table: str, key: str, value: object, source: str) -> None:
     if isinstance(value, Range) and value.low > value.high:
         raise InputError(
             name, (value.low, value.high), "low must not be above high", "exchange the two"
+        )
+
+
+def _check_restitution(given: ObjectInput, source: str) -> None:
+    """Refuse a text that is no form of Housner's restitution, or no factor of it."""
+    text, name = given.restitution, named(source, "", "restitution")
+    if not isinstance(text, str):
+        return
+    try:
+        form = form_of_text(text)
+    except InputError as error:
+        raise InputError(name, text, error.valid, error.hint) from None
+    if form is None:
+        raise InputError(
+            name,
+            text,
+            "it must be 'housner', a factor of it as 'housner*0.965', a number or "
+            "{ low = ..., high = ... }",
+            f"leave it out for {_default('', 'restitution')}",
         )
 
 
@@ -205,10 +226,8 @@ def _translated(message: str, values: Mapping[str, object], source: str) -> Inpu
     table, _, key = path.rpartition(".")
     value = _value_at(values, path)
     if "Invalid enum value" in what:
-        valid = "it must be 'housner', a number or { low = ..., high = ... }"
-        if key != "restitution":
-            annotation = TABLES[table].__annotations__[key]
-            valid = f"it must be one of {', '.join(annotation.__args__)}"
+        annotation = TABLES[table].__annotations__[key]
+        valid = f"it must be one of {', '.join(annotation.__args__)}"
         return InputError(
             named(source, table, key), value, valid, f"leave it out for {_default(table, key)}"
         )
