@@ -2,12 +2,21 @@
 
 import re
 from base64 import b64encode
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.style import palette
+from rocksteady.show.style.page import SCREEN, Page
 
 if TYPE_CHECKING:
     from jinja2 import Environment
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+WIDTH = 7.2
+"""Of a figure across the page [inches]."""
+PHONE = Page(width_mm=105.0)
 
 COLOURS = {
     "paper": palette.REGION_FILLS[2],
@@ -61,6 +70,35 @@ def svg_data_uri(svg: bytes) -> str:
     meet those of another.
     """
     return f"data:image/svg+xml;base64,{b64encode(svg).decode('ascii')}"
+
+
+def picture(
+    draw: "Callable[[Axes], object]", height: float, words: str, *, phone: bool = True
+) -> dict[str, str]:
+    """Return a picture across the page, drawn anew for a phone or not, with its words.
+
+    Parameters
+    ----------
+    draw
+        Draws on the axes that it is given.
+    height
+        Of the figure [inches].
+    words
+        What it shows, for those who do not see it.
+    phone
+        Whether it is drawn with larger letters for a phone too; default True.
+    """
+    found = {"alt": words}
+    for name, page in (("source", SCREEN), *([("narrow", PHONE)] if phone else [])):
+        with page.figure(WIDTH, height, "") as figure:
+            draw(figure.add_subplot())
+        found[name] = picture_address(figure)
+    return {"narrow": found["source"], **found}
+
+
+def picture_address(figure: "Figure") -> str:
+    """Return the address of a figure, which carries the figure itself."""
+    return svg_data_uri(figure_bytes(figure, "svg"))
 
 
 def prose(text: str) -> str:

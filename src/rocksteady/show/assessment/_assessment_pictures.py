@@ -1,7 +1,6 @@
 """Pictures of an assessment, each with the words for those who do not see it."""
 
 import math
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from rocksteady.results.numbers import number
@@ -9,20 +8,15 @@ from rocksteady.risk.assess.assessment import Assessment
 from rocksteady.risk.fragility.damage_states import OVERTURNED
 from rocksteady.show.assessment._demand_in_units import demand_in_measure
 from rocksteady.show.assessment._object_drawing import draw_object
-from rocksteady.show.assessment._wording import greek, key_words, percent, span
-from rocksteady.show.export.files import figure_bytes
 from rocksteady.show.plots.risk.fragility import plot_fragility, plot_fragility_states
 from rocksteady.show.plots.risk.tornado import plot_ranking, plot_tornado
-from rocksteady.show.report import svg_data_uri
+from rocksteady.show.report import picture, picture_address
 from rocksteady.show.style import palette
-from rocksteady.show.style.page import SCREEN, Page
+from rocksteady.show.style.wording import greek, key_words, percent, span
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-WIDTH = 7.2
-"""Of a figure across the page [inches]."""
-PHONE = Page(width_mm=105.0)
 ROW = 0.34
 """Height of a row of bars [inches]."""
 LEAST_BAR = 1e-4
@@ -36,19 +30,19 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
 
     Each is drawn for a page ("source") and, with larger letters, for a phone ("narrow").
     """
-    drawing = _address(draw_object(assessment.described))
+    drawing = picture_address(draw_object(assessment.described))
     found = {
         "object": {"source": drawing, "narrow": drawing, "alt": _words_of_object(assessment)},
     }
     fragility = assessment.fragility
     if fragility is None:
         return found
-    found["fragility"] = _drawn(
+    found["fragility"] = picture(
         lambda axes: _draw_fragility(axes, assessment), 4.1, _words_of_curve(assessment)
     )
     if len(fragility.states) > 1:
         names = ", ".join(greek(each.state.name) for each in fragility.states)
-        found["states"] = _drawn(
+        found["states"] = picture(
             lambda axes: plot_fragility_states(fragility, axes, legend="below"),
             4.2,
             f"Shares of runs and fragility curves of the damage states {names}.",
@@ -56,7 +50,7 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
     ranked = [each for each in fragility.ranking if math.isfinite(each.aic)]
     if len(ranked) > 1 and any(each.beta > 0.0 for each in ranked):
         best = " and ".join(greek(part.label) for part in ranked[0].measure)
-        found["ranking"] = _drawn(
+        found["ranking"] = picture(
             lambda axes: plot_ranking(fragility, axes),
             0.7 + ROW * len(ranked),
             f"Bars of beta for {len(ranked)} measures of intensity; the best is {best}.",
@@ -65,7 +59,7 @@ def pictures_of(assessment: Assessment) -> dict[str, dict[str, str]]:
     bars = tornado_rows(assessment)
     if bars and abs(bars[0][1] - bars[0][2]) > LEAST_BAR:
         base = assessment.cases[0].probability
-        found["tornado"] = _drawn(
+        found["tornado"] = picture(
             lambda axes: plot_tornado(
                 [(name, 100.0 * low, 100.0 * high) for name, low, high in bars],
                 100.0 * base,
@@ -129,23 +123,6 @@ def _draw_demand(axes: "Axes", demand: float, limits: tuple[float, float]) -> No
         "demand", (demand, 1.0), (0.0, 2.0), xycoords=("data", "axes fraction"),
         textcoords="offset points", ha="center", va="bottom", fontsize=8.0, annotation_clip=False,
     )  # fmt: skip
-
-
-def _drawn(
-    draw: "Callable[[Axes], object]", height: float, words: str, *, phone: bool = True
-) -> dict[str, str]:
-    """Return a picture for a page, and drawn anew for a phone or not."""
-    found = {"alt": words}
-    for name, page in (("source", SCREEN), *([("narrow", PHONE)] if phone else [])):
-        with page.figure(WIDTH, height, "") as figure:
-            draw(figure.add_subplot())
-        found[name] = _address(figure)
-    return {"narrow": found["source"], **found}
-
-
-def _address(figure: Any) -> str:
-    """Return the address of a figure, which carries the figure itself."""
-    return svg_data_uri(figure_bytes(figure, "svg"))
 
 
 def _words_of_object(assessment: Assessment) -> str:

@@ -10,7 +10,7 @@ from rocksteady.risk.fits.fragility_curve import FragilityCurve
 from rocksteady.risk.fragility.fragility import Fragility
 from rocksteady.risk.fragility.state_fragility import StateFragility
 from rocksteady.show.assessment._demand_in_units import PEAKS, unit_of
-from rocksteady.show.assessment._wording import NOTHING, greek, key_words, percent, span
+from rocksteady.show.style.wording import NOTHING, greek, key_words, percent, span
 
 Row = dict[str, Any]
 

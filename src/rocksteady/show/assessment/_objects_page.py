@@ -6,9 +6,9 @@ from typing import Any
 from rocksteady.results.numbers import number
 from rocksteady.risk.assess.caveats import CAVEATS
 from rocksteady.risk.assess.objects_table import ObjectsTable
-from rocksteady.show.assessment._provenance import provenance
-from rocksteady.show.assessment._wording import BADGES, NOTHING, cleaned, greek, percent
+from rocksteady.show.export.provenance import provenance
 from rocksteady.show.report import render
+from rocksteady.show.style.wording import BADGES, NOTHING, cleaned, greek, percent
 
 ORDERS = (
     ("probability", "probability of falling", True),

@@ -23,11 +23,19 @@ from rocksteady.show.assessment._assessment_tables import (
     state_rows,
 )
 from rocksteady.show.assessment._objects_page import objects_html
-from rocksteady.show.assessment._provenance import provenance
-from rocksteady.show.assessment._wording import BADGES, cleaned, greek, percent, plain_name, span
 from rocksteady.show.export.files import save_text
 from rocksteady.show.export.manifest import make_manifest
+from rocksteady.show.export.provenance import provenance
 from rocksteady.show.report import render
+from rocksteady.show.style.wording import (
+    BADGES,
+    cleaned,
+    greek,
+    percent,
+    plain_name,
+    sentence,
+    span,
+)
 
 
 @checked
@@ -109,7 +117,7 @@ def report_html(assessment: Assessment | ObjectsTable, manifest: Mapping[str, An
         "answer": answer_rows(assessment),
         "answer_badge": {"word": word, "look": look},
         "cases": case_rows(assessment),
-        "caveats": [greek(sentence) for sentence in CAVEATS],
+        "caveats": [greek(each) for each in CAVEATS],
         "facts": object_rows(assessment),
         "given": list(_given(described.values)),
         "method": _method(assessment),
@@ -148,19 +156,13 @@ def _warnings(assessment: Assessment, motions: Sequence[Mapping[str, Any]]) -> l
             "made from random numbers and no earthquake's: the answer is an example, not one for a "
             "site."
         )
-    return [_sentence(greek(each)) for each in dict.fromkeys(found)]
-
-
-def _sentence(text: str) -> str:
-    """Return a text with a capital letter, which Greek symbols have not, and a full stop."""
-    whole = text[:1].upper() + text[1:] if text[:1].isascii() else text
-    return whole if whole.endswith((".", "!", "?")) else f"{whole}."
+    return [sentence(greek(each)) for each in dict.fromkeys(found)]
 
 
 def _risk_notes(assessment: Assessment) -> list[str]:
     """Return what is to be known of the risk, each once."""
     notes = [note for risk in assessment.risks for note in risk.describe().notes]
-    return [_sentence(greek(note)) for note in dict.fromkeys(notes)]
+    return [sentence(greek(note)) for note in dict.fromkeys(notes)]
 
 
 def _method(assessment: Assessment) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""Words of the pages of assessments: verdicts, shares, ranges, Greek letters, safe texts."""
+"""Words of the pages of reports: verdicts, shares, ranges, Greek letters, safe texts."""
 
 import dataclasses
 import math
@@ -63,6 +63,18 @@ def greek(text: str) -> str:
     for name, letter in (("alpha", "α"), ("theta", "θ"), ("beta", "β"), ("pi", "π")):
         text = re.sub(rf"\b{name}(?=\d|\b)", letter, text)
     return re.sub(r"\bsqrt e\b", "√e", text).replace("beta_U", "β_U")
+
+
+def sentence(text: str) -> str:
+    """Return a text with a capital letter, which Greek symbols have not, and a full stop.
+
+    Examples
+    --------
+    >>> sentence("one test"), sentence("α is identified.")
+    ('One test.', 'α is identified.')
+    """
+    whole = text[:1].upper() + text[1:] if text[:1].isascii() else text
+    return whole if whole.endswith((".", "!", "?")) else f"{whole}."
 
 
 def key_words(key: str) -> str:
