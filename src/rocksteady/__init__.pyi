@@ -148,6 +148,17 @@ from .risk.hazard.failure_risk import Risk as Risk
 from .risk.hazard.failure_risk import compute_risk as compute_risk
 from .risk.hazard.hazard_curve import HazardCurve as HazardCurve
 from .risk.hazard.read_hazard import read_hazard_curves as read_hazard_curves
+from .risk.observations.object_prior import ObjectPrior as ObjectPrior
+from .risk.observations.observations import Observations as Observations
+from .risk.observations.prior import Noise as Noise
+from .risk.observations.prior import Prior as Prior
+from .risk.observations.prior import read_prior as read_prior
+from .risk.observations.read_tests import read_tests as read_tests
+from .risk.observations.shaking_test import ShakingTest as ShakingTest
+from .risk.observations.spread import Spread as Spread
+from .risk.observations.synthetic_tests import (
+    make_synthetic_tests as make_synthetic_tests,
+)
 from .risk.screens.demand import Demand as Demand
 from .risk.screens.screen import Screen as Screen
 from .risk.screens.screens import Screens as Screens
@@ -179,6 +190,7 @@ from .show.export.manifest import make_manifest as make_manifest
 from .show.export.manifest import write_manifest as write_manifest
 from .show.export.openquake import write_openquake as write_openquake
 from .show.export.pelicun import write_pelicun as write_pelicun
+from .show.export.tests_folder import write_tests as write_tests
 from .show.film.animation import animate as animate
 from .show.film.still import plot_block as plot_block
 from .show.plots.basins import plot_basins as plot_basins

@@ -1,0 +1,149 @@
+"""Synthetic shaking tests of a known block, for examples and trials."""
+
+from collections.abc import Sequence
+from typing import Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.errors import InputError, Words
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import in_range, whole_number
+from rocksteady.model.equations import Model
+from rocksteady.model.motions.record import Record
+from rocksteady.outcomes import Status
+from rocksteady.risk.observations.object_prior import ObjectPrior
+from rocksteady.risk.observations.observations import Observations
+from rocksteady.risk.observations.shaking_test import LARGEST_GAIN, LARGEST_SIGMA, ShakingTest
+from rocksteady.seismic.measures.scalar import measure_scalar
+from rocksteady.seismic.spectra.many import simulate_many
+
+Floats = NDArray[np.float64]
+
+LEVELS: Final = (0.4, 0.6, 0.8, 1.0)
+"""p PGV/(g tan alpha) of the tests of a record, where no gains are given."""
+
+HALF_WIDTH: Final = 0.3
+"""Of the prior of alpha and p about the truth, relative."""
+
+NAME: Final = "synthetic block"
+MOST_TESTS: Final = 100_000
+
+
+@checked
+def make_synthetic_tests(
+    truth: Block,
+    motions: Sequence[Record],
+    *,
+    gains: ArrayLike | None = None,
+    gain_error: float = 0.2,
+    prior: ObjectPrior | None = None,
+    model: Model | None = None,
+    seed: int = 0,
+) -> Observations:
+    """Make shaking tests of a known block, whose gains are not quite those of the table.
+
+    Each motion shakes the block at each gain times exp(z), z normal, and the table of tests has the
+    gain without z: what `calibrate` is to see through.
+
+    Parameters
+    ----------
+    truth
+        The block.
+    motions
+        Records with names.
+    gains
+        Factors on the motions, shape (gains,), or (motions, gains) for others of each; by default
+        those with p PGV/(g tan alpha) of 0.4, 0.6, 0.8 and 1.
+    gain_error
+        Standard deviation of z, from 0 to 3; default 0.2.
+    prior
+        What is known of the block before the tests; by default alpha and p within 30 % of the
+        truth, and restitution and scatter as `ObjectPrior` has them.
+    model
+        `Linear()` or `Nonlinear()` (default), the full equations.
+    seed
+        A whole number of 0 or above; the same one gives the same tests.
+
+    Returns
+    -------
+    Observations
+        A test for each motion and gain, the gains of a motion one after another.
+
+    Raises
+    ------
+    InputError
+        If there is no motion, one has no name, or a number is outside its range.
+
+    Examples
+    --------
+    >>> from rocksteady import Block, make_synthetic_suite
+    >>> column = Block.rectangle(width=0.15, height=0.6)
+    >>> make_synthetic_tests(column, make_synthetic_suite(6))
+    <Observations: 24 tests of 1 object on 6 records: 9 fell, 15 stood>
+    """
+    records = list(motions)
+    if not records:
+        raise InputError("motions", [], "there must be one or more", "give a list of Record")
+    nominal = _gains(truth, records, gains)
+    sigma = in_range("gain_error", gain_error, 0.0, LARGEST_SIGMA, "[]", hint="give 0.2")
+    first = whole_number("seed", seed, at_least=0, hint="give a seed, as 0")
+    rng = np.random.default_rng(first)
+    actual = nominal * np.exp(sigma * rng.standard_normal(nominal.shape))
+    known = prior if prior is not None else _around(truth)
+    shaken = [
+        record.scaled(scale)
+        for record, scales in zip(records, actual.tolist(), strict=True)
+        for scale in scales
+    ]
+    ends = np.atleast_1d(simulate_many(truth, shaken, model=model).status.values)
+    tests = [
+        ShakingTest(
+            name=f"test {place + 1}",
+            record=records[place // nominal.shape[1]],
+            object=known.name,
+            fell=bool(end == Status.OVERTURNED),
+            gain=gain,
+        )
+        for place, (gain, end) in enumerate(zip(nominal.ravel().tolist(), ends, strict=True))
+    ]
+    return Observations(tests=tests, objects={known.name: known})
+
+
+def _gains(truth: Block, records: list[Record], gains: ArrayLike | None) -> Floats:
+    """Return the gains of the table, shape (motions, gains)."""
+    if gains is None:
+        unit = [measure_scalar(record, "p_pgv_per_uplift", truth) for record in records]
+        return np.array([[level / each for level in LEVELS] for each in unit])
+    values = np.asarray(gains, dtype=np.float64)
+    fits = values.ndim == 1 or (values.ndim == 2 and len(values) == len(records))
+    if not fits or not 1 <= values.size * len(records) <= MOST_TESTS:
+        raise InputError(
+            "gains",
+            Words(f"has the shape {values.shape}"),
+            f"it is a row, or has a row for each of the {len(records)} motions",
+            "give factors, as [0.5, 1.0, 1.5]",
+        )
+    bad = ~((values > 0.0) & (values <= LARGEST_GAIN))
+    if bad.any():
+        in_range("gains", float(values[bad][0]), 0.0, LARGEST_GAIN, hint="give factors above 0")
+    return np.array(np.broadcast_to(values, (len(records), values.shape[-1])))
+
+
+def _around(truth: Block) -> ObjectPrior:
+    """Return a prior around the truth."""
+    low, high = 1.0 - HALF_WIDTH, 1.0 + HALF_WIDTH
+
+    def near(value: float) -> str:
+        return f"{low * value!r}:{high * value!r}"
+
+    if truth.symmetric:
+        return ObjectPrior(name=NAME, alpha_rad=near(truth.alpha), p_rad_s=near(truth.p))
+    one, other = truth.positive, truth.negative
+    return ObjectPrior(
+        name=NAME,
+        left_m=near(one.distance),
+        right_m=near(other.distance),
+        mass_centre_height_m=near(one.centre_height),
+    )
