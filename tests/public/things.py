@@ -56,6 +56,11 @@ def things() -> dict[str, Any]:
         "name = 'vase'\n[geometry]\nwidth_m = 0.1\nheight_m = 0.5\n", encoding="utf-8"
     )
     described = rs.read_object("object.toml")
+    vase = rs.ObjectPrior(name="vase", width_m="0.10:0.12", height_m=0.5)
+    tests = [
+        rs.ShakingTest(name=f"test {k}", record=record, object="vase", fell=k > 0, gain=0.5 + k)
+        for k in range(2)
+    ]
     falls = rs.LossState(name="overturned", median=0.4, beta=0.5)
     sliding = rs.ObjectFile(
         values={**described.values, "friction": 0.1, "demand": {"pga_g": 0.5, "pgv_m_s": 0.5}}
@@ -151,6 +156,11 @@ def things() -> dict[str, Any]:
         "vector_fit": rs.fit_vector([[0.2, 0.3], [0.4, 0.2], [0.8, 0.9]], [1, 6, 14], [15] * 3),
         "loss state": falls,
         "component": rs.LossComponent(identifier="RS.vase", measure="pga_g", states=(falls,)),
+        "spread": rs.Spread.parse("0.3:0.4"),
+        "object prior": vase,
+        "prior": rs.Prior(),
+        "shaking test": tests[0],
+        "observations": rs.Observations(tests=tests, objects={"vase": vase}),
         "installation": rs.check_installation(),
     }
 

@@ -9,10 +9,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import atan2
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import in_range
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import angle, plural
 from rocksteady.results.result import Result
@@ -259,7 +261,7 @@ class ObjectPrior(Result):
         InputError
             If there are not k values, or no block has them.
         """
-        values = np.asarray(row, dtype=np.float64)
+        values = real_array("row", row)
         if values.ndim != 1:
             raise InputError("row", Words(f"has the shape {values.shape}"), *self._wanted())
         return self.blocks(values[np.newaxis])[0]
@@ -291,9 +293,15 @@ class ObjectPrior(Result):
         Raises
         ------
         InputError
-            If there are not k columns.
+            If there are not k columns, or a value is not possible.
         """
-        return sides_of_numbers(self._numbers(self._rows("values", values)))
+        rows = self._rows("values", values)
+        for place, key in enumerate(self.parameters):
+            low, high, hint = BOUNDS[key]
+            possible_here = (rows[:, place] >= low) & (rows[:, place] <= high)
+            if not possible_here.all():
+                in_range(key, float(rows[~possible_here, place][0]), low, high, "[]", hint=hint)
+        return sides_of_numbers(self._numbers(rows))
 
     def _numbers(self, rows: Floats) -> dict[str, Floats]:
         """Return the column of each number, those that are exact among them."""
@@ -336,7 +344,7 @@ class ObjectPrior(Result):
 
     def _rows(self, name: str, values: ArrayLike) -> Floats:
         """Return rows of one value for each parameter."""
-        rows = np.asarray(values, dtype=np.float64)
+        rows = real_array(name, values)
         if rows.ndim != 2 or rows.shape[1] != len(self.parameters):
             raise InputError(name, Words(f"has the shape {rows.shape}"), *self._wanted())
         return rows

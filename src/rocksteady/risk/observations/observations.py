@@ -83,6 +83,11 @@ class Observations(Result):
                     "each test has an object there",
                     f"did you mean {close[0]}?" if close else "add it",
                 )
+        for name, one in self.objects.items():
+            if not isinstance(one, ObjectPrior):
+                raise InputError(
+                    f"objects[{name!r}]", one, "it must be an ObjectPrior", "give its sizes in one"
+                )
         used = {test.object for test in tests}
         object.__setattr__(self, "tests", tests)
         object.__setattr__(

@@ -8,6 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import finite, in_range, positive
@@ -114,9 +115,10 @@ class Spread:
         InputError
             If it is none of the three, or as for `Spread`.
         """
-        parts = parts_of(text)
+        given: object = text
+        parts = parts_of(given) if isinstance(given, str) else None
         if parts is None:
-            comma = "write a point for a decimal comma" if "," in text else "leave units out"
+            comma = "write a point for a decimal comma" if "," in str(given) else "leave units out"
             valid = "it must be a number, a range as 0.3:0.5, or mean and deviation as 0.4+-0.05"
             raise InputError(name, text, valid, comma)
         numbers, sign = parts
@@ -154,6 +156,9 @@ class Spread:
         InputError
             If a value, a bound or a mean is outside.
         """
+        low, high = (
+            finite(key, end, hint="give it") for key, end in (("low", low), ("high", high))
+        )
         hint = hint or f"give a number from {low:.6g} to {high:.6g}"
         ends = (self.low, self.high) if self.mean is None else (self.mean,)
         for end in ends:
@@ -174,8 +179,13 @@ class Spread:
         -------
         ndarray
             Values, of that shape.
+
+        Raises
+        ------
+        InputError
+            If a share is no number from 0 to 1.
         """
-        share = np.asarray(uniforms, dtype=np.float64)
+        share = shares_of("uniforms", uniforms)
         if self.mean is None or self.sd is None:
             return np.asarray(
                 np.clip(self.low + share * (self.high - self.low), self.low, self.high)
@@ -194,7 +204,7 @@ class Spread:
 
         Of a value without any spread it is 0 there.
         """
-        at = np.asarray(values, dtype=np.float64)
+        at = real_array("values", values)
         inside = (at >= self.low) & (at <= self.high)
         if self.fixed:
             return np.where(inside, 0.0, -np.inf)
@@ -223,6 +233,21 @@ class Spread:
     def __repr__(self) -> str:
         """Return one line."""
         return f"<Spread {self}>"
+
+
+def shares_of(name: str, uniforms: ArrayLike) -> Floats:
+    """Return shares from 0 to 1 as an array.
+
+    Raises
+    ------
+    InputError
+        With the first that is none.
+    """
+    shares = real_array(name, uniforms)
+    valid = (shares >= 0.0) & (shares <= 1.0)
+    if not valid.all():
+        in_range(name, float(shares[~valid].flat[0]), 0.0, 1.0, "[]", hint="give shares")
+    return shares
 
 
 def parts_of(text: str) -> tuple[tuple[float, ...], str] | None:

@@ -6,6 +6,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
@@ -116,7 +117,7 @@ def _gains(truth: Block, records: list[Record], gains: ArrayLike | None) -> Floa
     if gains is None:
         unit = [measure_scalar(record, "p_pgv_per_uplift", truth) for record in records]
         return np.array([[level / each for level in LEVELS] for each in unit])
-    values = np.asarray(gains, dtype=np.float64)
+    values = real_array("gains", gains)
     fits = values.ndim == 1 or (values.ndim == 2 and len(values) == len(records))
     if not fits or not 1 <= values.size * len(records) <= MOST_TESTS:
         raise InputError(

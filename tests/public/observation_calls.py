@@ -1,0 +1,47 @@
+"""One valid call of every public function and method on shaking tests and priors."""
+
+from pathlib import Path
+from typing import Any
+
+import rocksteady as rs
+from tests.public.things import fields
+
+
+def observation_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
+    """Return the arguments of each call by its function, from things of `tests.public.things`."""
+    one, spread = t["object prior"], t["spread"]
+    row = [0.11, 0.8, 1.0, 0.05]
+    Path("tests.csv").write_text("test,record,object,outcome\n1,made,vase,fell\n", encoding="utf-8")
+    Path("prior.toml").write_text("[noise]\noutliers = 0.02\n", encoding="utf-8")
+    return {
+        rs.Spread: fields(spread),
+        rs.Spread.exactly: {"value": 0.3},
+        rs.Spread.between: {"low": 0.3, "high": 0.4},
+        rs.Spread.around: {"mean": 0.3, "sd": 0.1},
+        rs.Spread.parse: {"text": "0.3:0.4"},
+        spread.within: {"name": "width", "low": 0.0, "high": 1.0},
+        spread.quantile: {"uniforms": [0.2, 0.7]},
+        spread.log_density: {"values": [0.2, 0.7]},
+        rs.ShakingTest: {"name": "1", "record": t["record"], "object": "vase", "fell": True},
+        rs.ObjectPrior: {"name": "vase", "width_m": "0.10:0.12", "height_m": 0.5},
+        one.describe: {},
+        one.draw: {"uniforms": [[0.5] * 4]},
+        one.log_density: {"values": [row]},
+        one.scatter_of: {"values": [row]},
+        one.sides: {"values": [row]},
+        one.block: {"row": row},
+        one.blocks: {"values": [row]},
+        one.with_defaults: {"others": {"base": spread}},
+        rs.Noise: fields(t["prior"].noise),
+        rs.Prior: {"defaults": {"base": 0.9}},
+        t["prior"].describe: {},
+        t["prior"].object_prior: {"given": one},
+        rs.Observations: fields(t["observations"]),
+        t["observations"].describe: {},
+        t["observations"].of: {"name": "vase"},
+        t["observations"].subset: {"indices": [0]},
+        rs.read_tests: {"path": "tests.csv"},
+        rs.read_prior: {"path": "prior.toml"},
+        rs.write_tests: {"folder": "kept", "observations": t["observations"], "force": True},
+        rs.make_synthetic_tests: {"truth": t["block"], "motions": [t["record"]], "gains": [0.5]},
+    }
