@@ -1,6 +1,5 @@
 """What is known of an object before the tests: sizes, base, restitution, each with its spread."""
 
-import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -180,7 +179,7 @@ class ObjectPrior(Result):
         spreads = {k: s for k, s in known.items() if s is not None and (k in given or k in silent)}
         object.__setattr__(self, "spreads", spreads)
         object.__setattr__(self, "defaults", tuple(silent))
-        self._check_corners()
+        self._check_sizes()
 
     @cached_property
     def parameters(self) -> tuple[str, ...]:
@@ -354,10 +353,10 @@ class ObjectPrior(Result):
         names = ", ".join(self.parameters) or "none"
         return f"each row has {count} values: {names}", "give the values in this order"
 
-    def _check_corners(self) -> None:
-        """Refuse sizes that no block has, at the ends of their spreads.
+    def _check_sizes(self) -> None:
+        """Refuse sizes that no block has, in the middle of their spreads.
 
-        Of a normal density the ends are 3 standard deviations from the mean.
+        Ends of wide spreads may be of blocks so stocky that they hardly rock.
         """
         centre, top = self.spreads.get("mass_centre_height_m"), self.spreads.get("height_m")
         if centre is not None and top is not None and centre.middle >= top.middle:
@@ -369,25 +368,16 @@ class ObjectPrior(Result):
             )
         if "restitution" in self.spreads:
             return
-        ends = [_ends(self.spreads[key]) for key in self.parameters]
-        corners = np.array(list(itertools.product(*ends))).reshape(2 ** len(ends), len(ends))
-        least = least_momentum_ratio(self._numbers(corners))
+        middle = {key: np.array([spread.middle]) for key, spread in self.spreads.items()}
+        least = least_momentum_ratio(middle)
         if least <= 0.0:
             raise InputError(
                 f"object {self.name}",
-                Words("is too stocky at an end of its spreads"),
+                Words("is too stocky"),
                 f"its restitution by angular momentum is {least:.4g}, and rocking needs one above "
                 "0",
-                "give a restitution, or narrower spreads of a more slender block",
+                "give a restitution, or a more slender object",
             )
-
-
-def _ends(spread: Spread) -> tuple[float, float]:
-    """Return both bounds, of a normal density 3 standard deviations from the mean at most."""
-    if spread.mean is None or spread.sd is None:
-        return spread.low, spread.high
-    reach = 3.0 * spread.sd
-    return max(spread.low, spread.mean - reach), min(spread.high, spread.mean + reach)
 
 
 def possible(key: str, value: Given) -> Spread:

@@ -15,7 +15,7 @@ from rocksteady.model.checks.validation import finite, in_range, positive
 
 Floats = NDArray[np.float64]
 
-_NUMBER: Final = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+_NUMBER: Final = r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
 _FORMS: Final = re.compile(rf"({_NUMBER})(?:\s*(:|\+-|\+/-|±)\s*({_NUMBER}))?")
 _LONGEST: Final = 200
 """Characters of a text that is a number; longer ones are not tried."""

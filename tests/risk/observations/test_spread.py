@@ -1,0 +1,126 @@
+"""Spreads: SciPy's distributions as the oracle, and texts that say what they mean."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy import stats
+from scipy.integrate import quad
+
+from rocksteady.errors import InputError
+from rocksteady.risk.observations.spread import Spread
+
+SHARES = np.linspace(0.0, 1.0, 41)
+
+
+def test_a_uniform_spread_is_that_of_scipy() -> None:
+    spread = Spread.parse("0.6:1.0")
+    oracle = stats.uniform(0.6, 0.4)
+    np.testing.assert_allclose(spread.quantile(SHARES), oracle.ppf(SHARES), rtol=1e-15)
+    at = np.array([0.5, 0.6, 0.77, 1.0, 1.01])
+    np.testing.assert_allclose(spread.log_density(at), oracle.logpdf(at), rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("mean", "sd", "low", "high"),
+    [(0.4, 0.05, 0.0, 1.0), (0.02, 0.05, 0.0, 1.0), (0.9, 0.4, 0.05, 1.0), (3.0, 1e-3, 2.5, 3.5)],
+)
+def test_a_normal_spread_is_cut_off_as_that_of_scipy(
+    mean: float, sd: float, low: float, high: float
+) -> None:
+    spread = Spread.around(mean, sd).within("base", low, high)
+    oracle = stats.truncnorm((low - mean) / sd, (high - mean) / sd, mean, sd)
+    np.testing.assert_allclose(spread.quantile(SHARES), oracle.ppf(SHARES), rtol=1e-9, atol=1e-12)
+    at = np.array([low - 0.1, low, mean, 0.5 * (mean + high), high, high + 0.1])
+    np.testing.assert_allclose(spread.log_density(at), oracle.logpdf(at), rtol=1e-9)
+
+
+def test_far_tails_of_a_normal_spread_are_exact_on_both_sides() -> None:
+    spread = Spread.around(0.0, 1.0)
+    tiny = 1e-15
+    assert spread.quantile(tiny) == pytest.approx(stats.norm.ppf(tiny), rel=1e-9)
+    upper = Spread.around(0.0, 1.0, low=0.0).quantile(1.0 - 2.0**-50)
+    assert upper == pytest.approx(stats.norm.isf(2.0**-51), rel=1e-9)
+
+
+@given(
+    mean=st.floats(-3.0, 3.0), sd=st.floats(0.05, 3.0), below=st.floats(0, 3), above=st.floats(0, 3)
+)
+def test_a_density_integrates_to_one_and_its_quantiles_rise(
+    mean: float, sd: float, below: float, above: float
+) -> None:
+    spread = Spread.around(mean, sd, low=mean - below - 0.1, high=mean + above + 0.1)
+    total, _ = quad(lambda x: math.exp(spread.log_density(x)), spread.low, spread.high)
+    assert total == pytest.approx(1.0, abs=1e-6)
+    values = spread.quantile(SHARES)
+    assert (np.diff(values) > 0.0).all()
+    assert spread.low <= values[0] <= values[-1] <= spread.high
+
+
+@pytest.mark.parametrize(
+    ("text", "numbers"),
+    [
+        ("0.25", (0.25, 0.25, None, None)),
+        (" -1e-2 ", (-0.01, -0.01, None, None)),
+        ("0.6:1", (0.6, 1.0, None, None)),
+        ("-.1 : .1", (-0.1, 0.1, None, None)),
+        ("0.4+-0.05", (-math.inf, math.inf, 0.4, 0.05)),
+        ("0.4 ± 0.05", (-math.inf, math.inf, 0.4, 0.05)),
+        ("4e-1+/-5e-2", (-math.inf, math.inf, 0.4, 0.05)),
+    ],
+)
+def test_a_text_is_read_and_written_again(text: str, numbers: tuple[float, ...]) -> None:
+    spread = Spread.parse(text)
+    assert (spread.low, spread.high, spread.mean, spread.sd) == numbers
+    assert Spread.parse(str(spread)) == spread
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("", "it must be a number, a range as 0.3:0.5, or mean"),
+        ("0,25", "write a point for a decimal comma"),
+        ("0.3 m", "leave units out"),
+        ("0.5:0.3", "low: it must not be above high = 0.3; exchange the two"),
+        ("0.3:0.4:0.5", "it must be a number"),
+        ("0.4+-0", "sd: it must be a finite number above 0"),
+        ("0.4+--0.1", "sd: it must be a finite number above 0"),
+        ("nan", "it must be a number"),
+        ("inf", "it must be a number"),
+        ("1_000", "it must be a number"),
+        ("0x10", "it must be a number"),
+        ("1e999", "it must lie in"),
+        ("9" * 5000, "it must be a number"),
+        ("9" * 150, "it must lie in"),
+        ("٣", "it must be a number"),
+    ],
+)
+def test_a_text_that_is_none_is_refused_in_one_line(text: str, line: str) -> None:
+    with pytest.raises(InputError) as refusal:
+        Spread.parse(text, name="base")
+    assert str(refusal.value).startswith("base = ")
+    assert line in str(refusal.value)
+    assert len(str(refusal.value)) < 400
+
+
+def test_what_is_impossible_is_cut_off_a_normal_spread_and_refused_of_others() -> None:
+    cut = Spread.parse("0.9+-0.2").within("base", 0.05, 1.0)
+    assert (cut.low, cut.high) == (0.05, 1.0)
+    for text in ("0.9:1.2", "1.2", "1.2+-0.2"):
+        with pytest.raises(InputError, match=r"base = 1\.2 is not valid: it must lie in \[0\.05"):
+            Spread.parse(text).within("base", 0.05, 1.0)
+
+
+def test_a_value_without_spread_has_all_its_mass_there() -> None:
+    spread = Spread.exactly(0.3)
+    assert spread.fixed
+    assert spread.quantile([0.0, 0.4, 1.0]).tolist() == [0.3] * 3
+    assert spread.log_density([0.3, 0.31]).tolist() == [0.0, -math.inf]
+
+
+@pytest.mark.parametrize("share", [-0.1, 1.1, math.nan])
+def test_a_share_lies_between_0_and_1(share: float) -> None:
+    with pytest.raises(InputError, match="uniforms"):
+        Spread.between(0.0, 1.0).quantile([0.5, share])
