@@ -122,6 +122,18 @@ def test_each_block_fares_as_in_a_march_in_its_own_units(nonlinear: bool, alike:
 
 
 @pytest.mark.parametrize("nonlinear", [False, True])
+def test_without_room_for_peaks_status_and_impacts_are_the_same(nonlinear: bool) -> None:
+    sides = blocks(sample_size(40, 3), nonlinear=nonlinear, alike=False)
+    segments = table(record(300, 6.0), STEP, nonlinear=nonlinear)
+    status, impacts, _ = fates(segments, sides)
+    bare, fewer = np.zeros_like(status), np.full_like(impacts, -1)
+    afterwards = np.full(len(sides), AFTERWARDS)
+    record_fates(segments, sides, afterwards, PLENTY, bare, fewer, np.zeros((len(sides), 0)))
+    np.testing.assert_array_equal(bare, status)
+    np.testing.assert_array_equal(fewer, impacts)
+
+
+@pytest.mark.parametrize("nonlinear", [False, True])
 def test_to_halve_the_lean_is_to_double_the_motion(nonlinear: bool) -> None:
     values, sides = record(200), blocks(sample_size(20, 3), nonlinear=nonlinear, alike=False)
     half = sides.copy()

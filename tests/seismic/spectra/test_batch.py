@@ -36,13 +36,12 @@ def fared(
 ) -> Fared:
     """Return how each block fares with each factor."""
     cases = list(product(blocks, factors))
-    shaking = np.empty(len(cases), dtype=object)
-    shaking[:] = [ground] * len(cases)
     return shaken_fates(
-        shaking=shaking,
+        [ground],
+        ground=np.zeros(len(cases), dtype=np.int64),
         scale=np.array([factor for _, factor in cases]),
         sides=np.stack([sides_in_si(block, model) for block, _ in cases]),
-        gravity=BLOCKS[0].gravity,
+        gravity=np.full(len(cases), BLOCKS[0].gravity),
     )
 
 
@@ -100,15 +99,18 @@ def test_rectangles_are_blocks_from_alpha_and_p_to_the_last_bit(
 
 def test_each_cell_takes_its_own_ground_in_any_order() -> None:
     grounds = [GroundShaking(record=ground(seed=seed), vertical=lifting()) for seed in (1, 2)]
-    order, factors = [0, 1, 1, 0, 1], np.array([1.0, 1.0, 2.0, 2.0, 1.0])
-    shaking = np.empty(5, dtype=object)
-    shaking[:] = [grounds[place] for place in order]
+    order, factors = np.array([0, 1, 1, 0, 1]), np.array([1.0, 1.0, 2.0, 2.0, 1.0])
+    gravity = np.full(5, 9.80665)
     sides = np.repeat(sides_in_si(BLOCKS[0], Nonlinear())[np.newaxis], 5, axis=0)
-    together = shaken_fates(shaking=shaking, scale=factors, sides=sides, gravity=9.80665)
+    together = shaken_fates(grounds, ground=order, scale=factors, sides=sides, gravity=gravity)
     for cell in range(5):
         here = slice(cell, cell + 1)
         alone = shaken_fates(
-            shaking=shaking[here], scale=factors[here], sides=sides[here], gravity=9.80665
+            [grounds[order[cell]]],
+            ground=np.zeros(1, dtype=np.int64),
+            scale=factors[here],
+            sides=sides[here],
+            gravity=gravity[here],
         )
         assert [column[cell] for column in together] == [column[0] for column in alone]
     assert together.peak_angle[1] == together.peak_angle[4]
@@ -127,18 +129,56 @@ def test_the_peak_velocity_is_that_of_the_sampled_time_history() -> None:
         assert math.isclose(top, run.peak_velocity, rel_tol=1e-3)
 
 
+@pytest.mark.parametrize(
+    ("model", "vertical"), [(Linear(), None), (Nonlinear(), None), (Nonlinear(), lifting())]
+)
+def test_without_peaks_the_fates_are_the_same(model: Model, vertical: Record | None) -> None:
+    """Also of blocks of two gravities, whose vertical motion counts in their own."""
+    record = ground(peak=9.0)
+    moon = Block.rectangle(width=0.4, height=1.6, gravity=4.0)
+    cases = list(product((*BLOCKS, moon), FACTORS))
+    whole, bare = (
+        shaken_fates(
+            [GroundShaking(record=record, vertical=vertical)],
+            ground=np.zeros(len(cases), dtype=np.int64),
+            scale=np.array([factor for _, factor in cases]),
+            sides=np.stack([sides_in_si(block, model) for block, _ in cases]),
+            gravity=np.array([block.gravity for block, _ in cases]),
+            peaks=peaks,
+        )
+        for peaks in (True, False)
+    )
+    np.testing.assert_array_equal(whole.status, bare.status)
+    np.testing.assert_array_equal(whole.impacts, bare.impacts)
+    assert np.isnan(bare.peak_angle).all()
+    assert np.isnan(bare.peak_velocity).all()
+    for cell in range(len(cases) - len(FACTORS), len(cases)):
+        run = history(moon, record, vertical, cases[cell][1], model)
+        assert whole.status[cell] == run.status
+        assert whole.peak_angle[cell] == pytest.approx(run.peak, rel=1e-8, abs=1e-15)
+
+
+def test_no_cells_have_no_fates() -> None:
+    none = np.empty(0)
+    found = shaken_fates(
+        [], ground=np.empty(0, dtype=np.int64), scale=none, sides=np.empty((0, 2, 3)), gravity=none
+    )
+    assert [len(column) for column in found] == [0] * 4
+
+
 @pytest.mark.parametrize("model", [Linear(), Nonlinear()])
 def test_scatter_is_drawn_by_key_in_any_order_of_cells(model: Model) -> None:
     count = 24
-    shaking = np.full(count, GroundShaking(record=ground(peak=9.0)))
+    shaking = [GroundShaking(record=ground(peak=9.0))]
+    number, gravity = np.zeros(count, dtype=np.int64), np.full(count, 9.80665)
     sides = np.repeat(sides_in_si(BLOCKS[3], model)[np.newaxis], count, axis=0)
     keys, factors = np.arange(count) // 2 + 2**52, np.ones(count)
 
     def found(deviation: float, keys: NDArray[np.int64]) -> Fared:
         wide = scattered_sides(sides, np.full(count, deviation), keys)
-        return shaken_fates(shaking=shaking, scale=factors, sides=wide, gravity=9.80665)
+        return shaken_fates(shaking, ground=number, scale=factors, sides=wide, gravity=gravity)
 
-    plain = shaken_fates(shaking=shaking, scale=factors, sides=sides, gravity=9.80665)
+    plain = shaken_fates(shaking, ground=number, scale=factors, sides=sides, gravity=gravity)
     for column, same in zip(plain, found(0.0, keys), strict=True):
         np.testing.assert_array_equal(column, same)
     one, other = found(0.08, keys), found(0.08, keys[::-1].copy())

@@ -70,10 +70,12 @@ def record_fates(
     status, impacts, peaks
         Receive the status code, the number of impacts and, in shape (blocks, 2), the largest
         |theta|/alpha, each side in its own alpha, and the largest |d(theta/alpha)/d(p t)|, with the
-        positive side's alpha and p, until the end or overturning.
+        positive side's alpha and p, until the end or overturning.  In shape (blocks, 0) there are
+        none, and the march is faster.
     """
     none, nothing = np.zeros((0, ROW_COLUMNS)), np.zeros(0)
-    peak = np.zeros(PASSAGE_COLUMNS)
+    watch = peaks.shape[1] > 0
+    peak = np.zeros(PASSAGE_COLUMNS if watch else 0)
     hardest = np.empty(len(segments) - 1)
     if len(sides) > FEW:
         fill_hardest(segments, is_nonlinear(sides[0]), hardest)
@@ -86,6 +88,8 @@ def record_fates(
         start = March(0, 0.0, 0.0, waits, 0, 0.0, 0, waits)
         status[i], end = march(segments, own, start, ZERO, stop, math.inf, limit, none, peak)
         impacts[i] = end.impacts
+        if not watch:
+            continue
         if status[i] == OVERTURNED:
             again, most = March(0, 0.0, 0.0, waits, 0, 0.0, 0, 0), end.flights - waits
             if peak[PASSING_AGAIN] == 0.0:

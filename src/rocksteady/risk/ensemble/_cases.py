@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
@@ -16,13 +15,14 @@ from rocksteady.outcomes import Status
 from rocksteady.risk.ensemble.restitution_band import RestitutionBand
 from rocksteady.seismic.spectra.batch import (
     GroundShaking,
+    keys_of,
     scattered_sides,
     shaken_fates,
     sides_in_si,
+    told_apart,
 )
 from rocksteady.seismic.spectra.grounds import turned_round
 from rocksteady.seismic.spectra.many import DIRECTIONS
-from rocksteady.sweep.cases.draws import uniform
 
 if TYPE_CHECKING:
     import xarray
@@ -30,9 +30,6 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Objects = NDArray[np.object_]
-
-DIGITS = 53
-"""Binary digits of a uniform number, and of the key that is made of it."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -111,33 +108,28 @@ def fates(
     model
         The equations of motion.
     """
-    bodies = [body.block for body in block]
-    records = np.array([way.record for way in motion])
-    scale = level / at_one[np.array([body.number for body in block]), records]
-    sides = np.stack([_sides(body, model) for body in bodies])
-    places = draw.astype(np.int64).tolist()
-    ratios = [_ratios(body, band)[place] for body, place in zip(bodies, places, strict=True)]
-    sides[:, :, RESTITUTION] = ratios
-    shaking = np.empty(len(motion), dtype=object)
-    shaking[:] = [way.shaking for way in motion]
-    runs = np.array(
-        [
-            mirrored_from in (None, way.direction) or not body.symmetric
-            for way, body in zip(motion, bodies, strict=True)
-        ]
-    )
+    ways, way = told_apart(motion)
+    bodies, body = told_apart(block)
+    numbers = np.array([each.number for each in bodies])[body]
+    scale = level / at_one[numbers, np.array([each.record for each in ways])[way]]
+    sides = np.stack([sides_in_si(each.block, model) for each in bodies])[body]
+    ratios = np.stack([band.ratios(each.block) for each in bodies])
+    sides[:, :, RESTITUTION] = ratios[body, draw.astype(np.int64)]
+    if band.scatter > 0.0:
+        keys = keys_of(band.seed, cell.astype(np.int64))
+        sides = scattered_sides(sides, np.full(len(sides), band.scatter), keys)
+    symmetric = np.array([each.block.symmetric for each in bodies])[body]
+    runs = np.array([mirrored_from in (None, each.direction) for each in ways])[way] | ~symmetric
     status = np.full(len(motion), int(Status.UNDECIDED))
     peaks, impacts = np.full(len(motion), np.nan), np.zeros(len(motion), dtype=np.int64)
-    gravity = np.array([body.gravity for body in bodies])
-    for value in np.unique(gravity[runs]):
-        here = np.flatnonzero(runs & (gravity == value))
-        found = shaken_fates(
-            shaking=shaking[here],
-            scale=scale[here],
-            sides=_scattering(sides[here], band, cell[here].astype(np.int64)),
-            gravity=float(value),
-        )
-        status[here], peaks[here], impacts[here] = found.status, found.peak_angle, found.impacts
+    found = shaken_fates(
+        [each.shaking for each in ways],
+        ground=way[runs],
+        scale=scale[runs],
+        sides=sides[runs],
+        gravity=np.array([each.block.gravity for each in bodies])[body][runs],
+    )
+    status[runs], peaks[runs], impacts[runs] = found.status, found.peak_angle, found.impacts
     return {"status": status, "peak_angle": peaks, "impacts": impacts}
 
 
@@ -171,23 +163,3 @@ def whole(
         picked = values[np.arange(len(bodies))[:, np.newaxis], index]
         found[name] = picked.reshape(*shape, *values.shape[2:])
     return found
-
-
-@lru_cache(maxsize=4096)
-def _sides(block: Block, model: Model) -> Floats:
-    """Return the sides of a block, which callers must not change."""
-    return sides_in_si(block, model)
-
-
-@lru_cache(maxsize=4096)
-def _ratios(block: Block, band: RestitutionBand) -> Floats:
-    """Return the restitutions of a block, which callers must not change."""
-    return band.ratios(block)
-
-
-def _scattering(sides: Floats, band: RestitutionBand, cells: Integers) -> Floats:
-    """Return sides whose restitution scatters from impact to impact, keyed on seed and cell."""
-    if band.scatter == 0.0:
-        return sides
-    keys = np.ldexp(uniform(band.seed, cells)[:, 0], DIGITS).astype(np.int64)
-    return scattered_sides(sides, np.full(len(sides), band.scatter), keys)

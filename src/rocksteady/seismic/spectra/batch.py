@@ -5,10 +5,10 @@ its uplift acceleration and its p.  Horizontal motion is scaled by dividing the 
 vertical motion in its columns of the table.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import groupby
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,10 +39,14 @@ from rocksteady.model.blocks.sides import Restitution, housner_ratio
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
+from rocksteady.sweep.cases.draws import uniform
 from rocksteady.sweep.cases.outputs import Output
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
+
+DIGITS = 53
+"""Binary digits of a uniform number, and of the key that is made of it."""
 
 OUTPUTS = (
     Output(
@@ -85,7 +89,13 @@ class Fared(NamedTuple):
 
 
 def shaken_fates(
-    *, shaking: NDArray[np.object_], scale: Floats, sides: Floats, gravity: float
+    grounds: Sequence[GroundShaking],
+    *,
+    ground: Integers,
+    scale: Floats,
+    sides: Floats,
+    gravity: Floats,
+    peaks: bool = True,
 ) -> Fared:
     """Return how blocks fare that are at rest when the ground begins to shake.
 
@@ -95,41 +105,61 @@ def shaken_fates(
 
     Parameters
     ----------
-    shaking
-        A `GroundShaking` for each cell, shape (cells,).
+    grounds
+        What shakes the bases.
+    ground
+        Number of each cell's shaking in `grounds`, shape (cells,).
     scale
         What its accelerations are multiplied by, above 0, shape (cells,).
     sides
         Of the blocks, as `sides_in_si` or `scattered_sides` has them, shape (cells, 2, 3),
-        (cells, 2, 5) or (cells, 2, 7).
+        (cells, 2, 5) or (cells, 2, 7), all of one model.
     gravity
-        Acceleration of gravity [m/s^2].
+        Acceleration of gravity [m/s^2], shape (cells,).
+    peaks
+        Whether the peaks are wanted: without them the march is faster, and they are nan.
     """
     count = len(scale)
     status, impacts = np.empty(count, dtype=np.int64), np.empty(count, dtype=np.int64)
-    peaks = np.empty((count, PEAK_COLUMNS))
+    tops = np.full((count, PEAK_COLUMNS), np.nan)
     own = sides.copy()
     own[:, :, LEAN] /= scale[:, np.newaxis]
     elastic = (sides[:, :, RESTITUTION] == 1.0).all(axis=1)
     afterwards = np.where(elastic, ELASTIC_TIME, LONGEST_REST)
+    # Vertical motion is scaled in its table, where it counts in units of gravity.
+    lifted = np.array([each.vertical is not None for each in grounds], dtype=np.bool_)[ground]
+    for cells in _alike(ground, np.where(lifted, gravity, 1.0), np.where(lifted, scale, 1.0)):
+        shaking = grounds[ground[cells[0]]]
+        weight = 1.0 if shaking.vertical is None else float(gravity[cells[0]])
+        table = _table(shaking, is_nonlinear(own[cells[0]]), weight)
+        if shaking.vertical is not None:
+            table = table.copy()
+            table[:, LIFT:] *= scale[cells[0]]
+        fates = np.empty(len(cells), dtype=np.int64), np.empty(len(cells), dtype=np.int64)
+        highest = np.empty((len(cells), PEAK_COLUMNS if peaks else 0))
+        record_fates(table, own[cells], afterwards[cells], FLIGHT_LIMIT, *fates, highest)
+        status[cells], impacts[cells] = fates
+        if peaks:
+            tops[cells] = highest
+    return Fared(status, impacts, tops[:, PEAK_ANGLE], tops[:, PEAK_SPEED])
 
-    def shaken_alike(cell: int) -> tuple[int, float]:
-        ground = shaking[cell]
-        return id(ground), 1.0 if ground.vertical is None else float(scale[cell])
 
-    for _, on_ground in groupby(sorted(range(count), key=shaken_alike), lambda c: id(shaking[c])):
-        cells = list(on_ground)
-        table = _table(shaking[cells[0]], is_nonlinear(own[cells[0]]), gravity)
-        scaled = table if shaking[cells[0]].vertical is None else table.copy()
-        for (_, factor), alike in groupby(cells, shaken_alike):
-            if scaled is not table:
-                np.multiply(table[:, LIFT:], factor, out=scaled[:, LIFT:])
-            place = list(alike)
-            fates = np.empty(len(place), dtype=np.int64), np.empty(len(place), dtype=np.int64)
-            tops = np.empty((len(place), PEAK_COLUMNS))
-            record_fates(scaled, own[place], afterwards[place], FLIGHT_LIMIT, *fates, tops)
-            status[place], impacts[place], peaks[place] = *fates, tops
-    return Fared(status, impacts, peaks[:, PEAK_ANGLE], peaks[:, PEAK_SPEED])
+def _alike(*columns: NDArray[Any]) -> list[Integers]:
+    """Return the numbers of the cells of each kind: those that agree in all columns."""
+    order = np.lexsort(columns)
+    if not len(order):
+        return []
+    differs = np.zeros(len(order) - 1, dtype=np.bool_)
+    for column in columns:
+        differs |= column[order[1:]] != column[order[:-1]]
+    return np.split(order, np.flatnonzero(differs) + 1)
+
+
+def told_apart(items: NDArray[np.object_]) -> tuple[list[Any], Integers]:
+    """Return the different things of an array, and the number of each cell's among them."""
+    things = {id(item): item for item in items}
+    places = {key: place for place, key in enumerate(things)}
+    return list(things.values()), np.array([places[id(item)] for item in items], dtype=np.int64)
 
 
 def sides_in_si(block: Block, model: Model) -> Floats:
@@ -220,6 +250,19 @@ def scattered_sides(sides: Floats, deviation: Floats, keys: Integers) -> Floats:
     scattered[:, :, SCATTER] = deviation[:, np.newaxis]
     scattered[:, :, KEY] = keys[:, np.newaxis]
     return scattered
+
+
+def keys_of(seed: int, numbers: Integers) -> Integers:
+    """Return a key of `scattered_sides` for each number, drawn from a seed.
+
+    Parameters
+    ----------
+    seed
+        From 0 to 2^64 - 1.
+    numbers
+        0 or more, shape (cells,).
+    """
+    return np.ldexp(uniform(seed, numbers)[:, 0], DIGITS).astype(np.int64)
 
 
 def load_kernel(model: Model) -> None:

@@ -19,6 +19,7 @@ from rocksteady.seismic.spectra.batch import (
     load_kernel,
     shaken_fates,
     sides_in_si,
+    told_apart,
 )
 from rocksteady.seismic.spectra.grounds import (
     axis_values,
@@ -201,24 +202,20 @@ def _fates(
 
     `peak_m_s2` is the peak acceleration of level 1; None where levels are factors.
     """
-    if peak_m_s2 is None:
-        scale = level
-    else:
-        peaks = [ground.record.peak_acceleration_m_s2 for ground in motion]
-        scale = level * peak_m_s2 / np.array(peaks)
-    sides = np.stack([sides_in_si(each, model) for each in block])
-    gravity = np.array([each.gravity for each in block])
-    parts: dict[str, NDArray[Any]] = {
-        output.name: np.empty(len(block), output.dtype) for output in OUTPUTS
-    }
-    for value in np.unique(gravity):
-        here = gravity == value
-        fates = shaken_fates(
-            shaking=motion[here], scale=scale[here], sides=sides[here], gravity=float(value)
-        )
-        for name, column in fates._asdict().items():
-            parts[name][here] = column
-    return parts
+    grounds, ground = told_apart(motion)
+    bodies, body = told_apart(block)
+    scale = level
+    if peak_m_s2 is not None:
+        peaks = np.array([each.record.peak_acceleration_m_s2 for each in grounds])
+        scale = level * peak_m_s2 / peaks[ground]
+    fared = shaken_fates(
+        grounds,
+        ground=ground,
+        scale=scale,
+        sides=np.stack([sides_in_si(each, model) for each in bodies])[body],
+        gravity=np.array([each.gravity for each in bodies])[body],
+    )
+    return fared._asdict()
 
 
 def blocks_of(blocks: Block | Sequence[Block]) -> list[Block]:

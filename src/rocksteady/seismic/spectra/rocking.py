@@ -16,7 +16,13 @@ from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import Model, chosen_model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
-from rocksteady.seismic.spectra.batch import OUTPUTS, load_kernel, rectangles_in_si, shaken_fates
+from rocksteady.seismic.spectra.batch import (
+    OUTPUTS,
+    load_kernel,
+    rectangles_in_si,
+    shaken_fates,
+    told_apart,
+)
 from rocksteady.seismic.spectra.grounds import (
     axis_values,
     check_grounds,
@@ -195,10 +201,12 @@ def _peaks(
         gravity=gravity,
         model=model,
     )
-    fared = shaken_fates(shaking=record, scale=scale, sides=sides, gravity=gravity)
-    return {
-        "status": fared.status.astype(np.int8),
-        "peak_angle": fared.peak_angle,
-        "peak_velocity": fared.peak_velocity,
-        "impacts": fared.impacts,
-    }
+    grounds, ground = told_apart(record)
+    fared = shaken_fates(
+        grounds,
+        ground=ground,
+        scale=scale,
+        sides=sides,
+        gravity=np.full(len(scale), gravity),
+    )
+    return fared._asdict()
