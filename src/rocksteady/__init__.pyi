@@ -159,6 +159,9 @@ from .risk.observations.spread import Spread as Spread
 from .risk.observations.synthetic_tests import (
     make_synthetic_tests as make_synthetic_tests,
 )
+from .risk.observations.fates import Scatter as Scatter
+from .risk.observations.fates import fates_on_records as fates_on_records
+from .risk.observations.shaking_test import ShakingTest as ShakingTest
 from .risk.screens.demand import Demand as Demand
 from .risk.screens.screen import Screen as Screen
 from .risk.screens.screens import Screens as Screens

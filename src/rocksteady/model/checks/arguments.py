@@ -48,6 +48,7 @@ CHECKED_INSIDE_OF: Final = frozenset(
         ("overturning_impulse", "block"),
         ("find_overturning_windows", "within"),
         ("find_steady_states", "order"),
+        ("Scatter.__init__", "deviation"),
     }
 )
 """Likewise of other types, each in one function."""

@@ -1,0 +1,353 @@
+"""Fates of blocks in tests: which blocks fall, at which gain, with which restitutions drawn."""
+
+import functools
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.arrays import real_array
+from rocksteady.errors import InputError, Words
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import LARGEST, in_range, whole_number
+from rocksteady.model.equations import Model, chosen_model
+from rocksteady.risk.observations._fate_cells import Shaken, fates_of_cells, streams_of
+from rocksteady.risk.observations.observations import Observations
+from rocksteady.risk.observations.shaking_test import ShakingTest
+from rocksteady.seismic.spectra.batch import OUTPUTS, GroundShaking, load_kernel, sides_in_si
+from rocksteady.seismic.spectra.grounds import check_grounds, turned_round
+from rocksteady.seismic.spectra.many import blocks_of
+from rocksteady.sweep.cases.axes import Axis
+from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.run import Run
+
+if TYPE_CHECKING:
+    import xarray
+
+Floats = NDArray[np.float64]
+
+MOST_SCATTER: Final = 0.5
+MOST_DRAWS: Final = 1_000_000
+LARGEST_SEED: Final = 2**64 - 1
+KEPT: Final = ("status", "peak_angle", "impacts")
+"""Outputs of a cell."""
+
+
+@checked
+@dataclass(frozen=True, eq=False)
+class Scatter:
+    """Restitution that scatters from impact to impact.
+
+    Parameters
+    ----------
+    deviation
+        Standard deviation of the restitution about its mean, from 0 to 0.5: a number, or one for
+        each block, shape (blocks,), or either by the name of the object.
+    draws
+        Runs of each block with other random numbers; default 1.
+    seed
+        Of the random numbers, from 0 to 2^64 - 1; default 0.
+
+    Raises
+    ------
+    InputError
+        If a number is outside its range.
+
+    Examples
+    --------
+    >>> from rocksteady import Scatter
+    >>> Scatter(0.05, draws=8).draws
+    8
+    """
+
+    deviation: float | ArrayLike | Mapping[str, ArrayLike]
+    draws: int = 1
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        """Validate, and keep read-only arrays."""
+        given = self.deviation
+        kept = (
+            {name: _deviations(value) for name, value in given.items()}
+            if isinstance(given, Mapping)
+            else _deviations(given)
+        )
+        hint = "give the number of runs of each block, as 8"
+        draws = whole_number("draws", self.draws, at_least=1, at_most=MOST_DRAWS, hint=hint)
+        hint = "give a whole number, as 7"
+        seed = whole_number("seed", self.seed, at_least=0, at_most=LARGEST_SEED, hint=hint)
+        for name, value in (("deviation", kept), ("draws", draws), ("seed", seed)):
+            object.__setattr__(self, name, value)
+
+
+@checked
+def fates_on_records(
+    blocks: Block | Sequence[Block] | Mapping[str, Sequence[Block]],
+    tests: Observations | Sequence[ShakingTest],
+    *,
+    gains: ArrayLike = 1.0,
+    scatter: Scatter | None = None,
+    outputs: Sequence[str] = KEPT,
+    model: Model | None = None,
+    run: Run | None = None,
+) -> "xarray.Dataset":
+    """Run every block through every test, at every gain, from rest.
+
+    Without scatter every cell is what `simulate` finds for the block, the motion of the test and
+    the gain.  Of the infinitely many impacts before a rest those are counted that came before it
+    was proved, which `simulate` does later.
+
+    The random numbers of a cell follow from the seed, the name of its test, the place of its block
+    and the number of its draw.  So a cell keeps its bits when tests are added or left out, or
+    blocks and draws added after it, and all gains of a block meet the same random numbers.
+
+    Parameters
+    ----------
+    blocks
+        A block or several for all tests; or, by the name of each object, its own blocks, as many
+        for each object.
+    tests
+        `Observations`, or one test or more, each of another name; their outcomes are not read.
+    gains
+        Factors on the motion of a test and its own gain, above 0: a number, or shape (gains,),
+        (tests, gains) or (tests, blocks, gains); default 1.
+    scatter
+        Restitution that scatters from impact to impact; none by default.
+    outputs
+        Names of what is kept; default all three.  Without "peak_angle" the runs take a quarter to
+        half less time, and with "status" alone 30 million cells take 30 MB.
+    model
+        `Nonlinear()` (default) or `Linear()`.
+    run
+        Executor, workers, store and progress; default `Run()`.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``status`` (with flags), ``peak_angle`` (|theta|/alpha) and ``impacts`` over ``test``,
+        ``block``, ``gain`` and ``draw``.  Coordinates are the names of the tests, their ``object``,
+        and ``scale``, the factor of the accelerations.
+
+    Raises
+    ------
+    InputError, ModelError
+        If an argument is outside its range, has another shape, or leaves an object without blocks;
+        or the linear model meets vertical motion.
+
+    Examples
+    --------
+    The share of two slendernesses that fall in a test whose gain is known to a tenth:
+
+    >>> from rocksteady import Block, Record, ShakingTest, Status, fates_on_records
+    >>> record = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.3, name="shock")
+    >>> test = ShakingTest(name="first", record=record, object="column")
+    >>> columns = [Block.from_p(alpha=alpha, p=3.0) for alpha in (0.15, 0.25)]
+    >>> fates = fates_on_records(columns, [test], gains=[0.9, 1.0, 1.1], outputs=["status"])
+    >>> (fates.status == Status.OVERTURNED).mean(["gain", "draw"]).values
+    array([[1., 0.]])
+    """
+    shaking = _tests(tests)
+    names = [test.name for test in shaking]
+    bodies = _bodies(blocks, shaking)
+    objects = list(bodies)
+    body = [objects.index(test.object) if len(objects) > 1 else 0 for test in shaking]
+    count = len(bodies[objects[0]])
+    factors = _factors(gains, shaking, count)
+    every = [block for several in bodies.values() for block in several]
+    equations = chosen_model(model, every[0], shaking[0].record)
+    grounds, ground = _grounds(shaking)
+    extremes = (
+        max(every, key=lambda block: block.p),
+        min(every, key=lambda block: block.uplift_acceleration),
+    )
+    strongest = np.zeros(len(grounds))
+    np.maximum.at(strongest, ground, factors.max(axis=(1, 2)))
+    check_grounds(grounds, strongest.tolist(), extremes, equations)
+    scattering = Scatter(0.0) if scatter is None else scatter
+    shape = (len(objects), count)
+    shaken = Shaken(
+        grounds=tuple(grounds),
+        ground=ground,
+        body=np.array(body, dtype=np.int64),
+        factors=factors,
+        sides=np.stack([sides_in_si(b, equations) for b in every]).reshape(*shape, 2, -1),
+        gravity=np.array([block.gravity for block in every]).reshape(shape),
+        deviation=_deviation(scattering, objects, count),
+    )
+    kept = _outputs(outputs)
+    sizes = {
+        "test": (len(shaking), "test"),
+        "block": (count, "block"),
+        "gain": (factors.shape[2], "factor on the test's own gain"),
+        "draw": (scattering.draws, "draw of the restitutions"),
+    }
+    load_kernel(equations)
+    swept = evaluate(
+        functools.partial(
+            fates_of_cells,
+            shaken=shaken,
+            streams=streams_of(scattering.seed, names),
+            peaks="peak_angle" in kept,
+        ),
+        Grid(
+            axes=tuple(
+                Axis(name=name, values=np.arange(size), long_name=words)
+                for name, (size, words) in sizes.items()
+            )
+        ),
+        [output for output in OUTPUTS if output.name in kept],
+        run=run,
+        attributes={"model": equations.name, "seed": str(scattering.seed)},
+    )
+    several = factors.shape[1] > 1
+    return swept.assign_coords(
+        {name: (name, np.arange(size), swept[name].attrs) for name, (size, _) in sizes.items()}
+    ).assign_coords(
+        test=("test", names, swept["test"].attrs),
+        object=("test", [test.object for test in shaking], {"long_name": "object"}),
+        scale=(
+            ("test", "block", "gain") if several else ("test", "gain"),
+            factors if several else factors[:, 0],
+            {"units": "1", "long_name": "factor of all accelerations"},
+        ),
+    )
+
+
+def _tests(tests: Observations | Sequence[ShakingTest]) -> list[ShakingTest]:
+    """Return the tests, one or more, each of another name."""
+    found = list(tests.tests if isinstance(tests, Observations) else tests)
+    if not found or not all(isinstance(test, ShakingTest) for test in found):
+        raise InputError(
+            "tests",
+            found,
+            "it must be one ShakingTest or more",
+            "give a list of them, or read_tests('tests.csv')",
+        )
+    doubled = [name for name, times in Counter(test.name for test in found).items() if times > 1]
+    if doubled:
+        raise InputError("tests", doubled[0], "two tests have this name", "give each another name")
+    return found
+
+
+def _bodies(
+    blocks: Block | Sequence[Block] | Mapping[str, Sequence[Block]], tests: Sequence[ShakingTest]
+) -> dict[str, list[Block]]:
+    """Return the blocks of each object that is shaken; of all objects under one empty name."""
+    if not isinstance(blocks, Mapping):
+        return {"": blocks_of(blocks)}
+    found: dict[str, list[Block]] = {}
+    for test in tests:
+        if test.object not in blocks:
+            raise InputError(
+                "blocks",
+                Words(f"has no {test.object!r}, which test {test.name!r} shakes"),
+                "each object of a test has blocks",
+                "add its blocks, or leave the test out",
+            )
+        if test.object not in found:
+            found[test.object] = blocks_of(blocks[test.object])
+    first = next(iter(found))
+    for name, several in found.items():
+        if len(several) != len(found[first]):
+            raise InputError(
+                "blocks",
+                Words(f"has {len(found[first])} of {first!r} and {len(several)} of {name!r}"),
+                "each object has as many blocks",
+                "give as many for each",
+            )
+    return found
+
+
+def _factors(gains: ArrayLike, tests: Sequence[ShakingTest], blocks: int) -> Floats:
+    """Return factors on the records, shape (tests, blocks, gains) or (tests, 1, gains)."""
+    given = np.atleast_1d(real_array("gains", gains))
+    count = len(tests)
+    wanted = {1: (), 2: (count,), 3: (count, blocks)}
+    if given.ndim not in wanted or given.shape[:-1] != wanted[given.ndim] or not given.size:
+        raise InputError(
+            "gains",
+            Words(f"has the shape {given.shape}"),
+            f"it is a number, (gains,), ({count}, gains) or ({count}, {blocks}, gains)",
+            "give factors for all, for each test, or for each test and block",
+        )
+    if given.ndim < 3:
+        given = given[..., np.newaxis, :]
+    factors: Floats = np.array([test.gain for test in tests])[:, np.newaxis, np.newaxis] * given
+    for array in (given, factors):
+        beyond = array[~((array >= 1.0 / LARGEST) & (array <= LARGEST))]
+        if beyond.size:
+            hint = "give a factor, as 1.1; a test that is reversed says so itself"
+            in_range("gains", beyond[0].item(), 1.0 / LARGEST, LARGEST, "[]", hint=hint)
+    return factors
+
+
+def _grounds(tests: Sequence[ShakingTest]) -> tuple[list[GroundShaking], NDArray[np.int64]]:
+    """Return the different shakings, and the number of each test's."""
+    places: dict[GroundShaking, int] = {}
+    numbers = []
+    for test in tests:
+        ground = GroundShaking(record=test.record, vertical=test.vertical)
+        shaking = turned_round(ground) if test.reversed else ground
+        numbers.append(places.setdefault(shaking, len(places)))
+    return list(places), np.array(numbers, dtype=np.int64)
+
+
+def _deviations(value: object) -> Floats:
+    """Return deviations as a read-only array of shape () or (blocks,)."""
+    found = real_array("deviation", value)  # type: ignore[arg-type]
+    if found.ndim > 1:
+        raise InputError(
+            "deviation",
+            Words(f"has the shape {found.shape}"),
+            "it is a number, or one for each block",
+            "give 0.05, or an array of shape (blocks,)",
+        )
+    beyond = found[~((found >= 0.0) & (found <= MOST_SCATTER))]
+    if beyond.size:
+        hint = "give a standard deviation, as 0.05"
+        in_range("deviation", beyond.flat[0].item(), 0.0, MOST_SCATTER, "[]", hint=hint)
+    found = found.copy()
+    found.flags.writeable = False
+    return found
+
+
+def _deviation(scatter: Scatter, objects: Sequence[str], blocks: int) -> Floats:
+    """Return the deviation of each block, shape (objects, blocks)."""
+    given = scatter.deviation
+    found = np.empty((len(objects), blocks))
+    for place, name in enumerate(objects):
+        if isinstance(given, Mapping) and name not in given:
+            raise InputError(
+                "deviation",
+                Words(f"has no {name!r}" if name else "has names, and blocks have none"),
+                "deviations by name go with blocks by name, one for each object",
+                "give blocks={name: [...]} and deviation={name: ...}",
+            )
+        own = np.asarray(given[name] if isinstance(given, Mapping) else given)
+        if own.shape not in ((), (blocks,)):
+            raise InputError(
+                "deviation",
+                Words(f"has the shape {own.shape}"),
+                f"it is a number or one for each of the {blocks} blocks",
+                f"give 0.05, or an array of shape ({blocks},)",
+            )
+        found[place] = own
+    return found
+
+
+def _outputs(outputs: Sequence[str]) -> list[str]:
+    """Return the names of what is kept."""
+    found = list(outputs)
+    if not found or len(set(found)) < len(found) or not set(found) <= set(KEPT):
+        raise InputError(
+            "outputs",
+            found,
+            "it has one or more of 'status', 'peak_angle' and 'impacts', each once",
+            "give outputs=['status'], which is fastest",
+        )
+    return found
