@@ -30,6 +30,7 @@ use_plots(
         "RegionMap": "plot_regions",
         "ResponseCurve": "plot_response",
         "ResponseSpectrum": "plot_response_spectra",
+        "RestitutionFit": "plot_restitution",
         "Risk": "plot_risk",
         "SteadyOrbit": "plot_orbit",
         "Trajectory": "plot_trajectory",

@@ -142,6 +142,9 @@ from .risk.fragility.fit_fragility import (
 from .risk.fragility.fitting import Fitting as Fitting
 from .risk.fragility.fragility import Fragility as Fragility
 from .risk.fragility.state_fragility import StateFragility as StateFragility
+from .risk.free_rocking.fit_restitution import fit_restitution as fit_restitution
+from .risk.free_rocking.release import Release as Release
+from .risk.free_rocking.restitution_fit import RestitutionFit as RestitutionFit
 from .risk.hazard.balanced_rocks import BranchTest as BranchTest
 from .risk.hazard.balanced_rocks import reject_branches as reject_branches
 from .risk.hazard.failure_risk import Risk as Risk
@@ -162,6 +165,7 @@ from .risk.observations.synthetic_tests import (
 from .risk.observations.fates import Scatter as Scatter
 from .risk.observations.fates import fates_on_records as fates_on_records
 from .risk.observations.shaking_test import ShakingTest as ShakingTest
+from .risk.observations.read_peaks import read_peaks as read_peaks
 from .risk.screens.demand import Demand as Demand
 from .risk.screens.screen import Screen as Screen
 from .risk.screens.screens import Screens as Screens
@@ -205,6 +209,7 @@ from .show.plots.maps import plot_map as plot_map
 from .show.plots.motion import plot_base as plot_base
 from .show.plots.motion import plot_phase_portrait as plot_phase_portrait
 from .show.plots.motion import plot_trajectory as plot_trajectory
+from .show.plots.observations.restitution import plot_restitution as plot_restitution
 from .show.plots.orbits import plot_multipliers as plot_multipliers
 from .show.plots.orbits import plot_section as plot_section
 from .show.plots.overturning import plot_free_rocking as plot_free_rocking

@@ -30,6 +30,7 @@ from rocksteady.cli.commands import (
     steady,
     study,
 )
+from rocksteady.cli.commands.observations import restitution
 from rocksteady.cli.commands.risk import assess, fragility, screens
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import INCOMPLETE
@@ -73,6 +74,7 @@ COMMANDS = (
     fragility,
     assess,
     screens,
+    restitution,
     paper,
     doctor,
 )

@@ -44,6 +44,7 @@ CHECKED_INSIDE_OF: Final = frozenset(
         ("find_branches", "within"),
         ("follow_bifurcation", "origin"),
         ("follow_bifurcation", "within"),
+        ("fit_restitution", "peaks"),
         ("follow_branch", "within"),
         ("overturning_impulse", "block"),
         ("find_overturning_windows", "within"),

@@ -1,0 +1,99 @@
+"""`rocksteady restitution`: restitution from the peaks of measured free rocking."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from rocksteady.cli.console import terminal
+from rocksteady.cli.console.outputs import print_json, write_csv, write_figure
+from rocksteady.cli.console.refusals import FlagError, missing
+from rocksteady.cli.flags import options
+from rocksteady.cli.flags.block_and_shaking import BlockFlags, named_model
+from rocksteady.cli.flags.demand import sized_block
+from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.results.rendering import print_description
+
+HELP = (
+    "Restitution from the peaks of measured free rocking: its value for each impact, with standard "
+    "error, beside Housner's, and its scatter from impact to impact, told apart from the measuring "
+    "error.\n\n"
+    "--peaks names a CSV table with a column peak_rad, peak_deg or peak_mrad and a line for each "
+    "half cycle; further columns: sigma_rad (measuring error), test (several releases), side (+ or "
+    "-) and t_s (time, for a check of the block's size)."
+)
+EXAMPLES = (
+    "Examples:\n\n"
+    "rocksteady restitution --peaks peaks.csv --width-m 0.05 --height-m 0.5\n\n"
+    "rocksteady restitution --peaks peaks.csv --alpha-rad 0.1 --p-rad-s 5.4 --plot decay.png\n\n"
+    "rocksteady restitution --peaks peaks.csv --left-m 0.15 --right-m 0.25 --height-m 1.2 "
+    "--each-side --json"
+)
+PANEL = "Peaks"
+
+Peaks = Annotated[
+    Path | None,
+    typer.Option(
+        "--peaks",
+        metavar="FILE",
+        help="Read the peaks of half cycles from a CSV table.",
+        rich_help_panel=PANEL,
+    ),
+]
+EachSide = Annotated[
+    bool | None,
+    typer.Option(
+        "--each-side/--one-factor",
+        help="Fit a factor of Housner's value to each side, or one to both; by default to each "
+        "where the sides differ.",
+        rich_help_panel=PANEL,
+    ),
+]
+
+
+@grouped
+def restitution(
+    block: BlockFlags,
+    output: OutputFlags,
+    peaks: Peaks = None,
+    each_side: EachSide = None,
+    model: options.Model = None,
+) -> None:
+    """Run `rocksteady restitution`; `HELP` is what its users read."""
+    output.check()
+    if peaks is None:
+        raise missing(
+            "--peaks",
+            valid="a restitution follows from the peaks of measured half cycles",
+            hint="add --peaks FILE, a table with a column peak_rad",
+        )
+    if block.restitution is not None:
+        raise FlagError(
+            "--restitution/-r",
+            block.restitution,
+            "the restitution is what this command finds",
+            "leave it out",
+        )
+    body = sized_block(block)
+    output.refuse_read([peaks])
+    from rocksteady.risk.free_rocking.fit_restitution import fit_restitution
+    from rocksteady.risk.observations.read_peaks import read_peaks
+
+    releases = read_peaks(peaks)
+    equations = None if model is None else named_model(model, None)
+    found = fit_restitution(releases, body, each_side=each_side, model=equations)
+    description = found.describe()
+    if output.csv is not None:
+        rows = [vars(each) for each in found.impacts]
+        write_csv(output.csv, list(rows[0]), (list(row.values()) for row in rows))
+    if output.plot is not None:
+        from rocksteady.show.figures.observations import restitution_figure
+
+        write_figure(output.plot, restitution_figure(found, description.headline, output.page))
+    if output.as_json:
+        values = description.to_dict()
+        print_json(
+            "restitution", {**values, "block": body.describe().to_dict(), "file": str(peaks)}
+        )
+    else:
+        print_description(description, terminal.console())

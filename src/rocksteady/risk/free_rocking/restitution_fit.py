@@ -1,0 +1,332 @@
+"""Restitution that measured free rocking shows: estimates, impacts, remarks."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.checks.arguments import checked_result
+from rocksteady.model.equations import Linear, Model
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, plural
+from rocksteady.results.result import Result
+from rocksteady.risk.free_rocking.release import Release
+
+Floats = NDArray[np.float64]
+
+CONFIDENCE = 0.9
+"""Of all intervals."""
+SMALL = 0.05
+"""Part of the first peak down to which impacts are counted."""
+MOST_COUNTED = 1_000_000
+
+
+@dataclass(frozen=True, kw_only=True)
+class Impact:
+    """One step from peak to peak, of one impact or two.
+
+    Attributes
+    ----------
+    release
+        Name of the release.
+    number
+        Number of the peak after it, from 1.
+    side
+        Side whose rotation it ended, 1 or -1; 0 of two impacts, one of each side.
+    peak_rad, next_rad
+        Peaks before and after [rad].
+    restitution
+        Ratio of angular velocities of an impact; of two the geometric mean.
+    measuring_error
+        Standard deviation of it that follows from the measuring error of both peaks.
+    residual
+        Its deviation from the fit, in standard deviations.
+    """
+
+    release: str
+    number: int
+    side: int
+    peak_rad: float
+    next_rad: float
+    restitution: float
+    measuring_error: float
+    residual: float
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, repr=False, eq=False)
+class RestitutionFit(Result):
+    """Restitution that peaks of free rocking show, from `rocksteady.fit_restitution`.
+
+    Pairs are of the impact that ends positive rotation and of the other; equal where one factor of
+    Housner's value was fitted to both.  All intervals have a confidence of 90 %.
+
+    Attributes
+    ----------
+    block, model, releases
+        What was fitted.
+    restitution, standard_error, low, high
+        Geometric mean of the restitution over the impacts, its standard error, and its interval.
+    housner
+        Housner's values of the block; None of a block so stocky that there are none.
+    factor, factor_error
+        Restitution over Housner's value, and its standard error; None without that.
+    scatter, scatter_low, scatter_high
+        Standard deviation of the restitution from impact to impact, without the measuring error,
+        and its interval.
+    sigma_rad
+        Measuring error of a peak [rad]; None where it was given for each.
+    sigma_estimated
+        Whether that is an estimate.
+    trend, trend_error
+        Change of the restitution with theta/alpha before the impact, from 0 to 1, and its standard
+        error; None of fewer than four steps, and of peaks that are all alike.
+    impacts
+        The steps that the fit is made of.
+    left_out
+        Peaks that were left out, because they are lost in the measuring error.
+    half_periods
+        Median of measured over computed half periods; None without times.
+    to_small, to_small_housner
+        Impacts until the peaks are 5 % of the first one of the first release, by the fit and by
+        Housner's values; None where they never are.
+    warnings
+        What speaks against the fit.
+    """
+
+    block: Block
+    model: Model
+    releases: tuple[Release, ...]
+    restitution: tuple[float, float]
+    standard_error: tuple[float, float]
+    low: tuple[float, float]
+    high: tuple[float, float]
+    housner: tuple[float, float] | None
+    factor: tuple[float, float] | None
+    factor_error: tuple[float, float] | None
+    scatter: float
+    scatter_low: float
+    scatter_high: float
+    sigma_rad: float | None
+    sigma_estimated: bool
+    trend: float | None
+    trend_error: float | None
+    impacts: tuple[Impact, ...]
+    left_out: int
+    half_periods: float | None
+    to_small: int | None
+    to_small_housner: int | None
+    warnings: tuple[str, ...]
+
+    @property
+    def measured(self) -> Block:
+        """The block with the restitutions of the fit, those above 1 as 1.
+
+        Examples
+        --------
+        >>> from rocksteady import Block, fit_restitution
+        >>> block = Block.rectangle(width=0.1, height=0.6)
+        >>> fit = fit_restitution([0.08, 0.0679, 0.0584, 0.0505], block)
+        >>> print(f"{fit.measured.restitution:.3f}")
+        0.943
+        """
+        first, second = (min(each, 1.0) for each in self.restitution)
+        return self.block.with_restitution((first, second))
+
+    def peaks_of(self, release: Release, ratios: Sequence[float] | None = None) -> Floats:
+        """Return the peaks of a release that its first one and a restitution bring [rad].
+
+        Parameters
+        ----------
+        release
+            Its first peak and its sides count.
+        ratios
+            Restitution of the impact that ends positive rotation, and of the other; by default
+            those of the fit.
+
+        Returns
+        -------
+        ndarray, shape (peaks,)
+        """
+        ends = self.restitution if ratios is None else ratios
+        return decayed(release, self.block, self.model, (ends[0], ends[1]))
+
+    def describe(self) -> Description:
+        """Return the estimates, the impacts and the remarks."""
+        same = self.restitution[0] == self.restitution[1]
+        sides = (0,) if same else (0, 1)
+        words = " and ".join(number(self.restitution[k], 4) for k in sides)
+        errors = " and ".join(number(self.standard_error[k], 2) for k in sides)
+        spans = " and ".join(
+            f"{number(self.low[k], 4)} to {number(self.high[k], 4)}" for k in sides
+        )
+        counted = plural(sum(2 if each.side == 0 else 1 for each in self.impacts), "impact")
+        facts = [
+            Fact("restitution", list(self.restitution), "restitution", words),
+            Fact("standard_error", list(self.standard_error), "standard error", errors),
+            Fact("low", list(self.low)),
+            Fact("high", list(self.high)),
+            Fact("", label="90 % interval", text=spans),
+        ]
+        housner = None if self.housner is None else list(self.housner)
+        plain = "none: so stocky a block does not rock on"
+        if self.housner is not None:
+            plain = " and ".join(dict.fromkeys(number(each, 4) for each in self.housner))
+        facts.append(Fact("housner", housner, "Housner's", plain))
+        if self.factor is not None and self.factor_error is not None:
+            ratios = " and ".join(
+                f"{number(self.factor[k], 4)} ± {number(self.factor_error[k], 2)}"
+                for k in ((0,) if self.factor[0] == self.factor[1] else (0, 1))
+            )
+            facts += [
+                Fact("factor", list(self.factor), "e/Housner", ratios),
+                Fact("factor_error", list(self.factor_error)),
+            ]
+        high = None if math.isinf(self.scatter_high) else self.scatter_high
+        beyond = "any" if high is None else number(high, 2)
+        facts += [
+            Fact(
+                "scatter",
+                self.scatter,
+                "scatter of impacts",
+                f"sd {number(self.scatter, 2)} ({number(self.scatter_low, 2)} to {beyond})",
+            ),
+            Fact("scatter_low", self.scatter_low),
+            Fact("scatter_high", high),
+            Fact("sigma_estimated", self.sigma_estimated),
+        ]
+        sigma = "given for each peak"
+        if self.sigma_rad is not None:
+            estimated = " (estimated)" if self.sigma_estimated else ""
+            sigma = f"sd {number(1e3 * self.sigma_rad)} mrad{estimated}"
+        facts.append(Fact("sigma_rad", self.sigma_rad, "measuring error", sigma))
+        if self.trend is not None and self.trend_error is not None:
+            words_of = f"{number(self.trend, 2)} ± {number(self.trend_error, 2)} a theta/alpha of 1"
+            facts.append(Fact("trend", self.trend, "trend", words_of))
+            facts.append(Fact("trend_error", self.trend_error))
+        if self.half_periods is not None:
+            times = f"{number(self.half_periods)} of the computed ones"
+            facts.append(Fact("half_periods", self.half_periods, "half periods", times))
+        counts = " and ".join(
+            f"{'never' if count is None else plural(count, 'impact')} by {name}"
+            for count, name in (
+                (self.to_small, "the fit"),
+                (self.to_small_housner, "Housner's value"),
+            )
+        )
+        facts += [
+            Fact("impacts_to_5_percent", self.to_small, "until 5 % of the peak", counts),
+            Fact("impacts_to_5_percent_housner", self.to_small_housner),
+            Fact("left_out", self.left_out),
+            Fact("model", self.model.name),
+            Fact("warnings", list(self.warnings)),
+        ]
+        share = (
+            "" if self.factor is None or not same else f", {number(self.factor[0])} of Housner's"
+        )
+        table = Table(
+            "impacts",
+            [vars(each) for each in self.impacts],
+            [
+                Column("release", "test", left=True),
+                Column("number", "impact"),
+                Column("peak_rad", "peak [rad]"),
+                Column("next_rad", "next [rad]"),
+                Column("restitution", "restitution", lambda e: f"{e:.4f}"),
+                Column("measuring_error", "± measuring"),
+                Column("residual", "residual [sd]", lambda r: f"{r:+.1f}"),
+            ],
+        )
+        return Description(
+            headline=f"restitution {words}{share}, from {counted} of "
+            f"{plural(len(self.releases), 'release')}",
+            facts=facts,
+            tables=[table],
+            notes=self.warnings,
+        )
+
+
+def velocities(peaks: Floats, sides: NDArray[np.int64], block: Block, model: Model) -> Floats:
+    """Return the angular velocity at the impact after, or before, each peak [rad/s]."""
+    found = np.empty(peaks.shape)
+    for sign, side in ((1, block.positive), (-1, block.negative)):
+        here = sides == sign
+        found[here] = side.p * np.sqrt(2.0 * _energy(peaks[here], side.alpha, model))
+    return found
+
+
+def slopes(peaks: Floats, sides: NDArray[np.int64], block: Block, model: Model) -> Floats:
+    """Return the change of the logarithm of `velocities` with the peak [1/rad]."""
+    found = np.empty(peaks.shape)
+    for sign, side in ((1, block.positive), (-1, block.negative)):
+        here = sides == sign
+        force = side.alpha - peaks[here]
+        if not isinstance(model, Linear):
+            force = np.sin(force)
+        found[here] = 0.5 * force / _energy(peaks[here], side.alpha, model)
+    return found
+
+
+def peaks_at(velocity: Floats, side: int, block: Block, model: Model) -> Floats:
+    """Return the peaks that angular velocities after impacts bring [rad]; alpha where they fall."""
+    here = block.positive if side == 1 else block.negative
+    energy = 0.5 * np.square(velocity / here.p)
+    if isinstance(model, Linear):
+        square = np.maximum(here.alpha**2 - 2.0 * energy, 0.0)
+        return np.asarray(2.0 * energy / (here.alpha + np.sqrt(square)))
+    # sin^2(alpha/2) - sin^2((alpha - theta)/2) is half the energy.
+    sine, cosine = math.sin(0.5 * here.alpha), math.cos(0.5 * here.alpha)
+    half = np.minimum(0.5 * energy, sine * sine)
+    square = sine * sine - half
+    fall = half / (sine * np.sqrt(1.0 - square) + np.sqrt(square) * cosine)
+    return np.asarray(2.0 * np.arcsin(fall))
+
+
+def decayed(release: Release, block: Block, model: Model, ratios: tuple[float, float]) -> Floats:
+    """Return the peaks of a release that follow from the first by two restitutions [rad]."""
+    sides = np.asarray(release.sides)
+    first = np.asarray(release.peaks_rad, dtype=np.float64)
+    steps = np.where(sides[:-1] == sides[1:], ratios[0] * ratios[1], 0.0)
+    ends = np.where(sides[:-1] == 1, ratios[0], ratios[1])
+    kept = np.cumprod(np.concatenate([[1.0], np.where(steps > 0.0, steps, ends)]))
+    start = velocities(first[:1], sides[:1], block, model)[0]
+    found = np.empty(sides.shape)
+    for sign in (1, -1):
+        here = sides == sign
+        found[here] = peaks_at(start * kept[here], sign, block, model)
+    found[0] = first[0]
+    return found
+
+
+def impacts_until(
+    release: Release, block: Block, model: Model, ratios: tuple[float, float]
+) -> int | None:
+    """Return after how many impacts the peaks are 5 % of the first; None where they never are."""
+    peak = np.asarray(release.peaks_rad, dtype=np.float64)[0]
+    side = int(np.asarray(release.sides)[0])
+    if ratios[0] * ratios[1] >= 1.0:
+        return None
+    speed = velocities(np.array([peak]), np.array([side]), block, model)
+    aim = SMALL * peak
+    pair = ratios if side == 1 else ratios[::-1]
+    # Two impacts at a time; then the first of the last few that reaches the aim.
+    target = min(velocities(np.array([aim]), np.array([each]), block, model)[0] for each in (1, -1))
+    most = 2 * math.ceil(math.log(target / speed[0]) / math.log(ratios[0] * ratios[1])) + 4
+    if not 0 < most < MOST_COUNTED:
+        return None
+    factors = np.cumprod(np.where(np.arange(most) % 2 == 0, pair[0], pair[1]))
+    here = np.empty(most)
+    here[0::2] = peaks_at(speed[0] * factors[0::2], -side, block, model)
+    here[1::2] = peaks_at(speed[0] * factors[1::2], side, block, model)
+    # Computed peaks of the limit itself may lie above it by rounding.
+    return int(np.argmax(here <= aim * (1.0 + 1e-12))) + 1
+
+
+def _energy(peaks: Floats, alpha: float, model: Model) -> Floats:
+    """Return ``cos(alpha - theta) - cos(alpha)``, without its cancellation, or the linear one."""
+    if isinstance(model, Linear):
+        return peaks * (alpha - 0.5 * peaks)
+    return np.asarray(2.0 * np.sin(alpha - 0.5 * peaks) * np.sin(0.5 * peaks))

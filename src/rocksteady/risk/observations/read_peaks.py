@@ -1,0 +1,145 @@
+"""Tables of measured free rocking: a CSV file with a peak in each line."""
+
+import math
+from collections.abc import Mapping
+from pathlib import Path
+
+from rocksteady.errors import InputError, Words
+from rocksteady.model.checks.arguments import checked
+from rocksteady.risk.free_rocking.release import Release
+from rocksteady.risk.observations.csv_table import Columns, read_csv_table
+
+UNITS: Mapping[str, float] = {
+    "peak_rad": 1.0,
+    "peak_deg": math.pi / 180.0,
+    "peak_mrad": 1e-3,
+}
+"""Columns of the peak, and radians in one of each."""
+
+SIDES: Mapping[str, int] = {
+    **dict.fromkeys(("1", "+1", "+", "positive", "left"), 1),
+    **dict.fromkeys(("-1", "-", "negative", "right"), -1),
+}
+"""Words of the column side: the edge that the block rocks about, or its sign."""
+
+COLUMNS = Columns(
+    known=(*UNITS, "sigma_rad", "test", "side", "t_s"),
+    needed={},
+    things="peaks",
+    example="peak_rad,test",
+)
+
+
+@checked
+def read_peaks(path: Path | str) -> list[Release]:
+    r"""Read a table of measured free rocking in CSV, a peak in each line.
+
+    Parameters
+    ----------
+    path
+        The file, in UTF-8, with the names of the columns in its first line: ``peak_rad``,
+        ``peak_deg`` or ``peak_mrad``, without sign; further ``sigma_rad``, the measuring error;
+        ``test``, the name of the release, which lets a block be let go several times; ``side``,
+        as + or -, left or right, of the edge that it rocks about; and ``t_s``, the time.  Peaks of
+        a test follow each other.  Other columns are not read.
+
+    Returns
+    -------
+    list of Release
+        In the order of the file.
+
+    Raises
+    ------
+    InputError
+        With line and column, if a cell is not valid, a column occurs twice or looks misspelt, or
+        the peak has no column or two; and as for `Release`.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     file = Path(folder, "peaks.csv")
+    ...     _ = file.write_text("test,peak_mrad\na,80\na,61\nb,75\nb,57\n", "utf-8")
+    ...     releases = read_peaks(file)
+    >>> [(each.name, each.peaks_rad.tolist()) for each in releases]
+    [('a', [0.08, 0.061]), ('b', [0.075, 0.057])]
+    """
+    file = Path(path)
+    hint = "name a table in CSV with a column peak_rad and a line for each peak"
+    table = read_csv_table(file, COLUMNS, name="peaks", hint=hint)
+    given = [name for name in UNITS if name in table.header]
+    if len(given) != 1:
+        raise InputError(
+            f"{file.name}: line 1",
+            Words(f"has the columns {' and '.join(given)}" if given else "has no column peak_rad"),
+            f"a peak is given in one of {', '.join(UNITS)}",
+            "leave one out" if given else "add it, or give the column of the peaks that name",
+        )
+    tests: dict[str, list[tuple[str, dict[str, str]]]] = {}
+    last = None
+    for place, cells in table.lines():
+        name = cells.get("test", "") or ("release" if "test" not in cells else "")
+        if not name:
+            raise InputError(
+                f"{place}, test", Words("is empty"), "each peak belongs to a test", "name it"
+            )
+        if name in tests and name != last:
+            raise InputError(
+                f"{place}, test",
+                name,
+                f"peaks of {last} stand between those of this test",
+                "put the peaks of each test in a row, or give the second test another name",
+            )
+        tests.setdefault(name, []).append((place, cells))
+        last = name
+    return [_release(name, rows, given[0]) for name, rows in tests.items()]
+
+
+def _release(name: str, rows: list[tuple[str, dict[str, str]]], peak: str) -> Release:
+    """Return the release of a test; what it refuses names the lines."""
+    peaks = [UNITS[peak] * _number(place, peak, cells[peak]) for place, cells in rows]
+    for value, (place, cells) in zip(peaks, rows, strict=True):
+        if not 0.0 < value < 0.5 * math.pi:
+            raise InputError(
+                f"{place}, {peak}",
+                cells[peak],
+                "a peak is an angle without sign above 0 and below a right angle",
+                "give abs(theta), and its side in a column side",
+            )
+    numbers = {
+        key: [_number(place, column, cells[column]) for place, cells in rows]
+        for key, column in (("sigma_rad", "sigma_rad"), ("times_s", "t_s"))
+        if column in rows[0][1] and any(cells[column] for _, cells in rows)
+    }
+    sides = None
+    if "side" in rows[0][1] and any(cells["side"] for _, cells in rows):
+        sides = [_side(place, cells["side"]) for place, cells in rows]
+    try:
+        return Release(peaks_rad=peaks, sides=sides, name=name, **numbers)
+    except InputError as error:
+        where = f"{rows[0][0]}, test {name}: {error.name}"
+        raise InputError(where, error.value, error.valid, error.hint) from None
+
+
+def _number(place: str, column: str, cell: str) -> float:
+    """Return the number of a cell."""
+    try:
+        value = float(cell) if cell.isascii() else math.nan
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        hint = "write a point for a decimal comma" if "," in cell else "leave units to the column"
+        raise InputError(f"{place}, {column}", cell, "it must be a number", hint)
+    return value
+
+
+def _side(place: str, cell: str) -> int:
+    """Return the side of a cell."""
+    if cell.lower() not in SIDES:
+        raise InputError(
+            f"{place}, side",
+            cell,
+            "a side is one of " + ", ".join(SIDES),
+            "give the edge that the block rocks about, or leave the column out",
+        )
+    return SIDES[cell.lower()]

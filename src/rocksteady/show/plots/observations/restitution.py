@@ -1,0 +1,156 @@
+"""Plots of measured free rocking: the decay of the peaks, and the restitution of each impact."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rocksteady.model.checks.arguments import checked
+from rocksteady.results.numbers import number
+from rocksteady.risk.free_rocking.restitution_fit import RestitutionFit
+from rocksteady.show.style import palette
+from rocksteady.show.style.escaping import literal
+from rocksteady.show.style.layout import axes_or_new, plain_ticks
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
+from rocksteady.show.style.line_colours import Inks, inks_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+MOST_NAMED = 6
+"""Releases with a mark and a name of their own."""
+
+
+@checked
+def plot_restitution(
+    fit: RestitutionFit,
+    ax: "Axes | None" = None,
+    *,
+    panel: str = "peaks",
+    legend: LegendPlace | None = None,
+) -> "Axes":
+    """Draw the decay of measured peaks with the fit, or the restitution of each impact.
+
+    Parameters
+    ----------
+    fit
+        From `rocksteady.fit_restitution`.
+    ax
+        Axes to draw on; those of a new figure without.
+    panel
+        "peaks" (default): peaks over the number of impacts, with the fit and its band of 90 % from
+        the first peak of the first release, and Housner's decay.  "impacts": the restitution of
+        each impact over the peak before it, with bars of one standard deviation of the measuring
+        error, the fit, and a band of one standard deviation of the scatter.
+    legend
+        "inside" the axes, to their "right", "below" them or "none"; inside by default.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes.
+
+    Raises
+    ------
+    InputError
+        If there is no such panel.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import Block, fit_restitution
+    >>> block = Block.rectangle(width=0.1, height=0.6)
+    >>> fit = fit_restitution([0.08, 0.0679, 0.0584, 0.0505], block)
+    >>> plot_restitution(fit, Figure().add_subplot()).get_xlabel()
+    'impacts'
+    """
+    from rocksteady.errors import InputError
+
+    if panel not in ("peaks", "impacts"):
+        raise InputError("panel", panel, "there are two panels", 'give "peaks" or "impacts"')
+    axes = axes_or_new(ax)
+    inks, place = inks_of(axes), place_of(axes, legend, "inside")
+    if panel == "peaks":
+        _draw_peaks(fit, axes, inks)
+    else:
+        _draw_impacts(fit, axes, inks)
+    draw_legend(axes, place, corner="upper right" if panel == "peaks" else "lower right")
+    return axes
+
+
+def _draw_peaks(fit: RestitutionFit, axes: "Axes", inks: Inks) -> None:
+    """Draw peaks over the number of impacts."""
+    alpha = max(fit.block.positive.alpha, fit.block.negative.alpha)
+    for series, release in enumerate(fit.releases):
+        count = _impact_numbers(release.sides)
+        axes.plot(
+            count,
+            np.asarray(release.peaks_rad) / alpha,
+            palette.MARKS[series % len(palette.MARKS)],
+            color=inks.lines[series % len(inks.lines)],
+            ms=5.0,
+            mec=inks.paper,
+            mew=0.6,
+            ls="none",
+            zorder=3.0,
+            label=literal(release.name) if series < MOST_NAMED else None,
+        )
+    first = fit.releases[0]
+    count = _impact_numbers(first.sides)
+    axes.plot(count, fit.peaks_of(first) / alpha, color=inks.ink, label="fit")
+    ends = [fit.peaks_of(first, tuple(min(e, 1.0) for e in pair)) for pair in (fit.low, fit.high)]
+    axes.fill_between(
+        count, ends[0] / alpha, ends[1] / alpha, color=inks.ink, alpha=0.18, lw=0.0, label="90 %"
+    )
+    if fit.housner is not None:
+        axes.plot(
+            count,
+            fit.peaks_of(first, fit.housner) / alpha,
+            color=inks.ink,
+            ls=palette.DASHES[1],
+            label="Housner",
+        )
+    low = min(float(np.min(np.asarray(each.peaks_rad))) for each in fit.releases) / alpha
+    axes.set(xlabel="impacts", ylabel=r"peak $\theta/\alpha$", yscale="log", ylim=(0.7 * low, None))
+    axes.set_xlim(left=-0.02 * max(count[-1], 1))
+    plain_ticks(axes)
+
+
+def _draw_impacts(fit: RestitutionFit, axes: "Axes", inks: Inks) -> None:
+    """Draw the restitution of each impact over the peak before it."""
+    alpha = max(fit.block.positive.alpha, fit.block.negative.alpha)
+    names = [release.name for release in fit.releases]
+    for series, name in enumerate(dict.fromkeys(names)):
+        mine = [each for each in fit.impacts if each.release == name]
+        axes.errorbar(
+            [each.peak_rad / alpha for each in mine],
+            [each.restitution for each in mine],
+            [each.measuring_error for each in mine],
+            fmt=palette.MARKS[series % len(palette.MARKS)],
+            color=inks.lines[series % len(inks.lines)],
+            ecolor=inks.faint,
+            elinewidth=0.9,
+            ms=5.0,
+            mec=inks.paper,
+            mew=0.6,
+            zorder=3.0,
+            label=literal(name) if series < MOST_NAMED else None,
+        )
+    same = fit.restitution[0] == fit.restitution[1]
+    for k in (0,) if same else (0, 1):
+        e = fit.restitution[k]
+        side = "" if same else (", from +", ", from \N{MINUS SIGN}")[k]
+        axes.axhline(e, color=inks.ink, ls=palette.DASHES[2 * k], label=f"fit {number(e)}{side}")
+        axes.axhspan(e - fit.scatter, e + fit.scatter, color=inks.ink, alpha=0.12, lw=0.0)
+        if fit.housner is not None:
+            label = f"Housner {number(fit.housner[k])}{side}"
+            axes.axhline(
+                fit.housner[k], color=inks.faint, ls=palette.DASHES[1 + 2 * k], label=label
+            )
+    axes.set(xlabel=r"peak before, $\theta/\alpha$", ylabel="restitution e")
+    axes.set_xlim(left=0.0)
+
+
+def _impact_numbers(sides: object) -> "np.ndarray[tuple[int], np.dtype[np.int64]]":
+    """Return the number of impacts before each peak: two between peaks of one side."""
+    at = np.asarray(sides)
+    return np.concatenate([[0], np.cumsum(np.where(at[:-1] == at[1:], 2, 1))])
