@@ -49,7 +49,7 @@ from .dynamics.overturning.free_rocking import free_rocking_peaks as free_rockin
 from .dynamics.overturning.free_rocking import free_rocking_period as free_rocking_period
 from .dynamics.overturning.thresholds import overturning_impulse as overturning_impulse
 from .dynamics.overturning.thresholds import overturning_threshold as overturning_threshold
-from .dynamics.overturning.windows import OverturningWindow as OverturningWindow
+from .dynamics.overturning.window_lists import OverturningWindow as OverturningWindow
 from .dynamics.overturning.windows import OverturningWindows as OverturningWindows
 from .dynamics.overturning.windows import find_overturning_windows as find_overturning_windows
 from .dynamics.steady.regions import RegionBoundaries as RegionBoundaries

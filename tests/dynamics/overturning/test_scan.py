@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from rocksteady.dynamics.overturning._scan import Fates, Found, first_grid, scan
+from rocksteady.dynamics.overturning.scan import Fates, Found, first_grid, scan
 
 Floats = NDArray[np.float64]
 

@@ -3,7 +3,7 @@
 import functools
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -11,14 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 from rocksteady.dynamics.history.lowering import side_attributes
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.return_map import bare_block
-from rocksteady.dynamics.overturning._cases import (
-    BATCH,
-    OUTPUTS,
-    load_kernel,
-    uplifts_of,
-    windows_at,
-)
+from rocksteady.dynamics.overturning._cases import BATCH, load_kernel, windows_at
+from rocksteady.dynamics.overturning.search import kept_windows, outputs, uplifts_of
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
+from rocksteady.dynamics.overturning.window_lists import WindowLists
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
@@ -35,7 +31,6 @@ from rocksteady.model.facts import (
 from rocksteady.model.motions.pulses import Pulse
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number
-from rocksteady.results.result import Result
 from rocksteady.sweep.cases.axes import Axis
 from rocksteady.sweep.cases.grid import Grid
 from rocksteady.sweep.evaluate import evaluate
@@ -45,7 +40,6 @@ if TYPE_CHECKING:
     import xarray
 
 Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 TOP = 20.0
 """Default largest amplitude of the search; for a block that hardly lifts by then,"""
@@ -58,23 +52,9 @@ MOST_ROWS = 100
 """Windows that a summary shows."""
 
 
-class OverturningWindow(NamedTuple):
-    """A range of amplitudes over which the block overturns in the same way."""
-
-    low: float
-    high: float
-    """In units of alpha g; where `endless` is true, the end of the range of amplitudes."""
-    impacts: int
-    """Before it overturns; where they are ten or more, they vary, and these are those at `low`."""
-    side: int
-    """On which it falls, +1 or -1."""
-    endless: bool
-    """Whether the window reaches the end of the range, so that its own end is not known."""
-
-
 @checked_result
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
-class OverturningWindows(Result):
+class OverturningWindows(WindowLists):
     """All windows of amplitude in which a pulse overturns a block, over the frequency ratio.
 
     Attributes
@@ -110,43 +90,12 @@ class OverturningWindows(Result):
         thousand amplitudes; above 0 only where windows have no number, or nearly none.
     """
 
-    block: Block | DimensionlessBlock
     pulse: Pulse
-    model: Model
     frequency_ratio: Floats
-    within: tuple[float, float]
-    resolution: float
-    low: Floats
-    high: Floats
-    impacts: Integers
-    side: Integers
-    first: Floats
-    left_out: Integers
-    left_out_width: Floats
-    undecided: Integers
-    unsettled: Integers
 
-    def at(self, index: int) -> tuple[OverturningWindow, ...]:
-        """Return the windows at one of the frequencies, in ascending order."""
-        index = index_value(index, len(self.frequency_ratio), "frequency ratio")
-        return tuple(
-            OverturningWindow(low, high, impacts, side, high >= self.within[1])
-            for low, high, impacts, side in zip(
-                *(part[index].tolist() for part in (self.low, self.high, self.impacts, self.side)),
-                strict=True,
-            )
-            if side != 0
-        )
-
-    def intervals(self, index: int) -> list[tuple[float, float]]:
-        """Return where the block overturns at one of the frequencies, in whatever way."""
-        found: list[tuple[float, float]] = []
-        for window in self.at(index):
-            if found and found[-1][1] == window.low:
-                found[-1] = (found[-1][0], window.high)
-            else:
-                found.append((window.low, window.high))
-        return found
+    def _row_of(self, index: int) -> int:
+        """Return a frequency by its number."""
+        return index_value(index, len(self.frequency_ratio), "frequency ratio")
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the windows as an xarray Dataset over frequency ratio and window."""
@@ -377,7 +326,7 @@ def find_overturning_windows(
     body = bare if isinstance(chosen, Linear) else block
     uplifts = uplifts_of(sides_of(body, chosen))
     usual = min(*uplifts, 1.0), min(max(TOP, UPLIFTS * max(uplifts)), HIGHEST)
-    low, high = _range(usual if within is None else within)
+    low, high = range_of(usual if within is None else within)
     hint = "give a part of the amplitude, as 0.002"
     step = in_range("resolution", resolution, 1e-6, 0.1, "[]", hint=hint)
     load_kernel(body, chosen, unit)
@@ -392,12 +341,10 @@ def find_overturning_windows(
             resolution=step,
         ),
         Grid(axes=(axis,)),
-        OUTPUTS,
+        outputs(),
         run=run,
         batch=BATCH,
     )
-    kept = max(1, int(data["windows"].values.max()))
-    way = np.stack([data[f"way_{k}"].values for k in range(kept)], axis=1).astype(np.int64)
     return OverturningWindows(
         block=block,
         pulse=unit,
@@ -405,15 +352,7 @@ def find_overturning_windows(
         frequency_ratio=axis.points,
         within=(low, high),
         resolution=step,
-        low=np.stack([data[f"low_{k}"].values for k in range(kept)], axis=1),
-        high=np.stack([data[f"high_{k}"].values for k in range(kept)], axis=1),
-        impacts=np.abs(way) - 1,
-        side=np.sign(way),
-        first=data["first"].values,
-        left_out=data["left_out"].values.astype(np.int64),
-        left_out_width=data["left_out_width"].values,
-        undecided=data["undecided"].values.astype(np.int64),
-        unsettled=data["unsettled"].values.astype(np.int64),
+        **kept_windows(data),
     )
 
 
@@ -473,7 +412,7 @@ def _ratios(frequency_ratios: ArrayLike) -> Axis:
     return axis
 
 
-def _range(within: tuple[float, float]) -> tuple[float, float]:
+def range_of(within: tuple[float, float]) -> tuple[float, float]:
     """Return the ends of the range of amplitudes."""
     given: object = within
     hint = "give the lowest and the highest a_max/(alpha g), as (1.0, 20.0)"

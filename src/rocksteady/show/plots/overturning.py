@@ -11,11 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.overturning.free_rocking import free_rocking_peaks, free_rocking_period
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
-from rocksteady.dynamics.overturning.windows import (
-    OverturningWindow,
-    OverturningWindows,
-    threshold_without_impact,
-)
+from rocksteady.dynamics.overturning.window_lists import OverturningWindow
+from rocksteady.dynamics.overturning.windows import OverturningWindows, threshold_without_impact
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Linear

@@ -27,7 +27,7 @@ window, or a gap in one, is missed only if the margin has between two neighbours
 itineraries nor slopes nor maxima around it announce, and that is narrower than the grid's step, or
 than `FINE` in a doubtful place.  No bound on the slope is known: where flights graze it has none.
 
-Where windows have no number the search would not end for a long time.  After `MOST` amplitudes
+Where windows have no number the search would not end for a long time.  After `most` amplitudes
 besides the grid it ends, the widest intervals halved first, and counts those that it leaves.
 """
 
@@ -103,6 +103,7 @@ def scan(
     keep: int = 1000,
     rough: Callable[[Floats], Fates] | None = None,
     closest: float = 0.0,
+    most: int = MOST,
 ) -> Found:
     """Return every window between two amplitudes.
 
@@ -124,10 +125,12 @@ def scan(
         does.  The borders found with it are moved to where `follow` has them.
     closest
         Part of an amplitude to which borders are wanted; 0 (default) for rounding.
+    most
+        Amplitudes, besides the grid, after which doubtful intervals are left as they are.
     """
     amplitude = first_grid(low, high, step, uplifts)
     looked = follow if rough is None else rough
-    fates, left = looked(amplitude), MOST
+    fates, left = looked(amplitude), most
     doubtful = np.flatnonzero(_doubtful(amplitude, fates))
     while doubtful.size and left:
         width = np.diff(amplitude)[doubtful] / amplitude[doubtful + 1]

@@ -1,0 +1,173 @@
+"""A search for windows as one cell of a sweep: its outputs, and the fates that it asks for."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.overturning.scan import Fates, Found
+from rocksteady.kernels.batch.pulses import pulse_fates
+from rocksteady.kernels.core.tables import (
+    ALPHA,
+    LEAN,
+    LEFT_OUT,
+    LIFT,
+    NONLINEAR_SEGMENT_COLUMNS,
+    is_nonlinear,
+)
+from rocksteady.kernels.elementary.arrays import tan
+from rocksteady.outcomes import Status
+from rocksteady.sweep.cases.outputs import Output
+
+if TYPE_CHECKING:
+    import xarray
+
+Floats = NDArray[np.float64]
+
+MOST_WINDOWS = 32
+"""That are kept of one frequency; of more the widest."""
+CLOSEST = 1e-12
+"""Part of an amplitude to which a border is wanted in the nonlinear model, whose steps stay within
+1e-10 of the motion: what is closer has no meaning."""
+REST_VELOCITY = 1e-3
+"""Chatter slower than this, in alpha p, may come to rest: its bounces stay below 1e-6 alpha."""
+SMALLEST = 1e-3
+"""Amplitude below which nothing is tried."""
+FLIGHT_LIMIT = 30_000
+"""Only without loss, and barely lifted, a block has more of them in a pulse."""
+
+
+def outputs(most: int = MOST_WINDOWS) -> tuple[Output, ...]:
+    """Return the outputs of a cell that keeps so many windows: a number a cell in each."""
+    return (
+        Output(name="windows", dtype=np.int32, long_name="windows that are kept"),
+        Output(name="first", long_name="smallest amplitude that overturns"),
+        Output(name="left_out", dtype=np.int32, long_name="windows that are not kept"),
+        Output(name="left_out_width", long_name="their width together"),
+        Output(name="undecided", dtype=np.int32, long_name="amplitudes without a decision"),
+        Output(
+            name="unsettled",
+            dtype=np.int32,
+            long_name="intervals in which a window might still hide",
+        ),
+        *(Output(name=f"low_{k}", long_name=f"lower end of window {k}") for k in range(most)),
+        *(Output(name=f"high_{k}", long_name=f"upper end of window {k}") for k in range(most)),
+        *(
+            Output(name=f"way_{k}", dtype=np.int64, long_name=f"side (1 + impacts) of window {k}")
+            for k in range(most)
+        ),
+    )
+
+
+def uplifts_of(sides: Floats) -> tuple[float, float]:
+    """Return the a/(alpha g) at which either side lifts: 1, or tan(alpha)/alpha, times its lean."""
+    if not is_nonlinear(sides):
+        return float(sides[0, LEAN]), float(sides[1, LEAN])
+    first, second = (tan(side[ALPHA]) / side[ALPHA] * side[LEAN] for side in sides)
+    return first, second
+
+
+def nothing_found(count: int, most: int = MOST_WINDOWS) -> dict[str, NDArray[Any]]:
+    """Return the outputs of some cells before a search, nan or 0."""
+    return {
+        output.name: np.full(count, np.nan if output.dtype.kind == "f" else 0, output.dtype)
+        for output in outputs(most)
+    }
+
+
+def keep(found: dict[str, NDArray[Any]], cell: int, windows: Found, most: int) -> None:
+    """Write the windows of one cell into its outputs, the widest where there are many."""
+    width = windows.high - windows.low
+    kept = np.sort(np.argsort(-width, kind="stable")[:most])
+    found["windows"][cell] = len(kept)
+    found["left_out"][cell] = len(width) - len(kept)
+    found["left_out_width"][cell] = float(np.delete(width, kept).sum())
+    found["undecided"][cell] = windows.undecided
+    found["unsettled"][cell] = windows.unsettled
+    if len(width):
+        found["first"][cell] = windows.low[0]
+    for place, k in enumerate(kept.tolist()):
+        found[f"low_{place}"][cell] = windows.low[k]
+        found[f"high_{place}"][cell] = windows.high[k]
+        found[f"way_{place}"][cell] = windows.side[k] * (1 + windows.impacts[k])
+
+
+def kept_windows(data: "xarray.Dataset") -> dict[str, Any]:
+    """Return the fields of `WindowLists` from the outputs of a sweep, a row a cell."""
+    kept = max(1, int(data["windows"].values.max()))
+
+    def rows(name: str) -> NDArray[Any]:
+        each: NDArray[Any] = np.stack(
+            [data[f"{name}_{k}"].values.ravel() for k in range(kept)], axis=1
+        )
+        return each
+
+    way = rows("way").astype(np.int64)
+    found = {"low": rows("low"), "high": rows("high")}
+    found |= {"impacts": np.abs(way) - 1, "side": np.sign(way)}
+    for name in ("first", "left_out_width"):
+        found[name] = data[name].values.ravel()
+    for name in ("left_out", "undecided", "unsettled"):
+        found[name] = data[name].values.ravel().astype(np.int64)
+    return found
+
+
+def follow(amplitude: Floats, *, table: Floats, sides: Floats, ratio: float = 1.0) -> Fates:
+    """Return the fates of a block at rest under a motion of some amplitudes.
+
+    Parameters
+    ----------
+    amplitude
+        What the motion is multiplied by, its vertical component too.
+    table, sides
+        The motion, without the still base after it, and the block.
+    ratio
+        How many times as fast the motion is.
+    """
+    # A motion of amplitude 0 is none, and the kernel divides by it.
+    size = np.maximum(amplitude, SMALLEST)
+    status, impacts, side, during = (np.empty(len(size), dtype=np.int64) for _ in range(4))
+    margin = np.empty(len(size))
+    lifted = has_vertical(table)
+    scaled, own = (table.copy(), _unproved(sides)) if lifted else (table, sides)
+    # One motion does for all amplitudes, but for its vertical component, which counts in g.
+    for part in (slice(k, k + 1) for k in range(len(size))) if lifted else (slice(None),):
+        if lifted:
+            np.multiply(table[:, LIFT:], size[part], out=scaled[:, LIFT:])
+        pulse_fates(
+            scaled,
+            own,
+            size[part],
+            np.full(len(size[part]), ratio),
+            REST_VELOCITY,
+            FLIGHT_LIMIT,
+            status[part],
+            impacts[part],
+            side[part],
+            during[part],
+            margin[part],
+        )
+    return Fates(
+        status == Status.OVERTURNED,
+        np.isin(status, (Status.OVERTURNED, Status.AT_REST, Status.ROCKING)),
+        impacts,
+        side,
+        during,
+        np.nan_to_num(np.minimum(margin, 1e200), nan=-1.0),  # differences and slopes stay finite
+    )
+
+
+def has_vertical(table: Floats) -> bool:
+    """Return whether the base moves vertically."""
+    return table.shape[1] == NONLINEAR_SEGMENT_COLUMNS and bool(table[:, LIFT:].any())
+
+
+def _unproved(sides: Floats) -> Floats:
+    """Return sides of which `kernels.batch._lossless_bound` proves nothing, as they are unlike.
+
+    It knows of no vertical motion.  They differ in what a step may leave out, by a last digit; the
+    march reads that of the first side alone.
+    """
+    own = sides.copy()
+    own[1, LEFT_OUT] = np.nextafter(own[1, LEFT_OUT], 1.0)
+    return own

@@ -1,0 +1,95 @@
+"""Lists of windows over which a block overturns: what all results that have them share."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.checks.validation import index_value
+from rocksteady.model.equations import Model
+from rocksteady.results.result import Result
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+
+
+class OverturningWindow(NamedTuple):
+    """A range of amplitudes over which the block overturns in the same way."""
+
+    low: float
+    high: float
+    """In the unit of the search; where `endless` is true, the end of the range."""
+    impacts: int
+    """Before it overturns; where they are ten or more, they vary, and these are those at `low`."""
+    side: int
+    """On which it falls, +1 or -1."""
+    endless: bool
+    """Whether the window reaches the end of the range, so that its own end is not known."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class WindowLists(Result):
+    """Windows of some rows: frequencies, records or kicks.
+
+    Attributes
+    ----------
+    block, model
+        What falls, by which equations.
+    within, resolution
+        The range that was searched, and its largest first step as a part of the amplitude.
+    low, high, impacts, side
+        Of the windows, shape (rows, windows); nan, -1 and 0 beyond the last of a row.
+    first
+        The smallest amplitude that overturns the block, shape (rows,); nan where none does.
+    left_out, left_out_width, undecided, unsettled
+        What the search has left, shape (rows,).
+    """
+
+    block: Block | DimensionlessBlock
+    model: Model
+    within: tuple[float, float]
+    resolution: float
+    low: Floats
+    high: Floats
+    impacts: Integers
+    side: Integers
+    first: Floats
+    left_out: Integers
+    left_out_width: Floats
+    undecided: Integers
+    unsettled: Integers
+
+    def _row_of(self, index: int) -> int:
+        """Return a row by its number, counted from the end where that is below 0."""
+        return index_value(index, len(self.first), "row")
+
+    @property
+    def _ends(self) -> Floats:
+        """Ends of the range that was searched, shape (rows,)."""
+        return np.full(len(self.first), self.within[1])
+
+    def at(self, index: int) -> tuple[OverturningWindow, ...]:
+        """Return the windows of one row, in ascending order."""
+        row = self._row_of(index)
+        end = self._ends[row]
+        return tuple(
+            OverturningWindow(low, high, impacts, side, bool(high >= end))
+            for low, high, impacts, side in zip(
+                *(part[row].tolist() for part in (self.low, self.high, self.impacts, self.side)),
+                strict=True,
+            )
+            if side != 0
+        )
+
+    def intervals(self, index: int) -> list[tuple[float, float]]:
+        """Return where the block overturns in one row, in whatever way."""
+        found: list[tuple[float, float]] = []
+        for window in self.at(index):
+            if found and found[-1][1] == window.low:
+                found[-1] = (found[-1][0], window.high)
+            else:
+                found.append((window.low, window.high))
+        return found

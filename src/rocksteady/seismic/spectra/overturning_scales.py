@@ -1,0 +1,443 @@
+"""Overturning factors: all scales of a record at which it overturns a block."""
+
+import functools
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.dynamics.history.lowering import segment_table, side_attributes
+from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
+from rocksteady.dynamics.overturning.scan import MANY, MOST, scan
+from rocksteady.dynamics.overturning.search import (
+    CLOSEST,
+    follow,
+    keep,
+    kept_windows,
+    nothing_found,
+    outputs,
+    uplifts_of,
+)
+from rocksteady.dynamics.overturning.window_lists import WindowLists
+from rocksteady.errors import InputError
+from rocksteady.kernels.core.tables import CEILING, LIFT, LIFT_SLOPE
+from rocksteady.kernels.elementary.arrays import log
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.validation import in_range, index_value, is_pair
+from rocksteady.model.equations import Linear, Model, chosen_model
+from rocksteady.model.facts import block_text, block_values, case_text
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.model.motions.record import Record
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, plural
+from rocksteady.seismic.measures.time_course import integrate_record
+from rocksteady.seismic.spectra.batch import GroundShaking
+from rocksteady.seismic.spectra.grounds import check_grounds, grounds_of, names_of
+from rocksteady.sweep.cases.axes import Axis
+from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.cases.outputs import Output
+from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.run import Run
+
+if TYPE_CHECKING:
+    import xarray
+
+Floats = NDArray[np.float64]
+
+WITHIN = (0.1, 10.0)
+RESOLUTION = 2e-3
+SMALLEST, LARGEST_SCALE = 1e-3, 1e3
+"""Ends beyond which no range of scales goes."""
+KEPT = 128
+"""Windows that are kept of a record; of more the widest."""
+MOST_ROWS = 100
+"""Windows that a summary shows."""
+ON_THE_GROUND = 1.0 - 1e-9
+"""Part of g up to which the base may fall."""
+OUTPUTS = (
+    *outputs(KEPT),
+    Output(name="share", long_name="share of the range that overturns, in the log of the scale"),
+    Output(name="top", long_name="largest scale that was searched"),
+)
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class OverturningScales(WindowLists):
+    """All scales of records at which they overturn a block.
+
+    Attributes
+    ----------
+    block, model
+        What falls, and by which equations.
+    motions, names
+        The records, each with its vertical component where it has one, and their names.
+    within
+        Ends of the range of scales.
+    top
+        The largest scale that was searched, shape (records,): the end of the range, or that at
+        which the vertical component takes the base away under the block, at -g.
+    resolution
+        The largest step of the first scales that were tried, as a part of them.
+    low, high
+        Ends of the windows, shape (records, windows); nan beyond the last of a record.  Windows
+        that touch differ in their side.
+    impacts
+        Before the block overturns at the lower end, the same shape; they vary in a window.
+    side
+        On which it falls, +1 or -1; 0 beyond the last.
+    first
+        The smallest scale that overturns the block, shape (records,); nan where none does.
+    share
+        Part of the range, in the logarithm of the scale, over which the block falls.
+    pga_g, pgv_m_s
+        PGA [g] and PGV [m/s] of the horizontal component at scale 1, shape (records,).
+    left_out, left_out_width
+        How many windows there are beyond the widest 128, and how wide they are together.
+    undecided
+        Scales that were tried and whose fate could not be decided; they count as safe.
+    unsettled
+        Intervals in which a narrow window might still hide when the search ended.
+    """
+
+    motions: tuple[Record | BaseMotion, ...]
+    names: tuple[str, ...]
+    top: Floats
+    share: Floats
+    pga_g: Floats
+    pgv_m_s: Floats
+
+    def _row_of(self, index: int | str) -> int:
+        """Return a record by its name or its number."""
+        if isinstance(index, str) and index in self.names:
+            return self.names.index(index)
+        return index_value(index, len(self.names), "record")
+
+    @property
+    def _ends(self) -> Floats:
+        return self.top
+
+    def falls(self, index: int, scale: float) -> bool:
+        """Return whether a scale lies in one of the windows of a record."""
+        return any(low <= scale <= high for low, high in self.intervals(index))
+
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return the windows as an xarray Dataset over record and window."""
+        import xarray
+
+        along, both = ("record",), ("record", "window")
+        scale = {"units": "1", "long_name": "factor of the accelerations"}
+        values: dict[str, Any] = {
+            "low": (both, self.low, scale),
+            "high": (both, self.high, scale),
+            "impacts": (both, self.impacts, {"units": "1", "long_name": "impacts; -1: no window"}),
+            "side": (both, self.side, {"units": "1"}),
+            "first": (along, self.first, scale),
+            "top": (along, self.top, scale),
+            "share": (along, self.share, {"units": "1"}),
+        }
+        for name in ("left_out", "left_out_width", "undecided", "unsettled"):
+            values[name] = (along, getattr(self, name), {"units": "1"})
+        return xarray.Dataset(
+            values,
+            coords={
+                "record": list(self.names),
+                "window": np.arange(self.low.shape[1]),
+                "pga_g": (along, self.pga_g, {"units": "g", "long_name": "PGA at scale 1"}),
+                "pgv_m_s": (along, self.pgv_m_s, {"units": "m/s", "long_name": "PGV at scale 1"}),
+            },
+            attrs={
+                "model": self.model.name,
+                **side_attributes(self.block),
+                "within": list(self.within),
+                "resolution": self.resolution,
+            },
+        )
+
+    def describe(self) -> Description:
+        """Return the windows by record, in scale, PGA and PGV."""
+        assert isinstance(self.block, Block)
+        low, high = (number(end) for end in self.within)
+        facts = [
+            Fact("block", block_values(self.block), "block", block_text(self.block)),
+            Fact("model", self.model.name, "model"),
+            Fact("scales", list(self.within), "searched", f"scales {low} to {high}"),
+            Fact("resolution", self.resolution),
+        ]
+        rows = [self._row(index) for index in range(len(self.names))]
+        records = [
+            {name: row[name] for name in ("record", "first", "share")}
+            | {"first_g": row["first"] * row["pga_g"], "windows": len(row["intervals"])}
+            for row in rows
+        ]
+        columns = [
+            Column("record", "record"),
+            Column("first", "first scale", lambda value: _or_none(value, 6)),
+            Column("first_g", "PGA g", lambda value: _or_none(value, 4)),
+            Column("windows", "windows"),
+            Column("share", "share that falls", lambda value: f"{value:.1%}"),
+        ]
+        window_columns = [
+            Column("record", "record"),
+            Column("low", "from scale", lambda value: number(value, 6)),
+            Column("high", "to scale", lambda value: number(value, 6)),
+            Column("low_g", "from g", lambda value: number(value, 4)),
+            Column("high_g", "to g", lambda value: number(value, 4)),
+            Column("low_m_s", "from m/s"),
+            Column("high_m_s", "to m/s"),
+            Column("side", "side", lambda value: "+" if value > 0 else "-"),
+        ]
+        return Description(
+            f"Overturning scales: {plural(len(rows), 'record')}, {case_text(self.block)}, "
+            f"{self.model.name} model",
+            facts,
+            [
+                Table("", list(self._window_rows(rows)), window_columns, most=MOST_ROWS),
+                Table("records", records, columns, most=MOST_ROWS),
+                Table("windows", rows),
+            ],
+            self._notes(),
+        )
+
+    def _notes(self) -> list[str]:
+        """Return what the search has left."""
+        notes = []
+        if stands := int(np.isnan(self.first).sum()):
+            notes.append(f"The block stands at all scales of {plural(stands, 'record')}.")
+        if left_out := int(self.left_out.sum()):
+            notes.append(
+                f"{left_out} narrower windows are left out, of no record more than "
+                f"{self.left_out_width.max():.2g} wide together."
+            )
+        if unsettled := int((self.unsettled > 0).sum()):
+            notes.append(
+                f"The windows of {plural(unsettled, 'record')} have no end to their number: those "
+                f"narrower than some {0.1 * self.resolution:.0e} of the scale may be missing."
+            )
+        if short := int((self.top < self.within[1]).sum()):
+            notes.append(
+                f"The vertical component of {plural(short, 'record')} takes the base away under "
+                f"the block, at -g, from scale {number(float(self.top.min()))} on: the search ends "
+                "there."
+            )
+        return notes
+
+    def _row(self, index: int) -> dict[str, Any]:
+        """Return all that is known of one record."""
+        pga, pgv = float(self.pga_g[index]), float(self.pgv_m_s[index])
+        intervals = self.intervals(index)
+        return {
+            "record": self.names[index],
+            "pga_g": pga,
+            "pgv_m_s": pgv,
+            "intervals": [list(ends) for ends in intervals],
+            "intervals_g": [[end * pga for end in ends] for ends in intervals],
+            "intervals_m_s": [[end * pgv for end in ends] for ends in intervals],
+            "modes": [
+                {
+                    "interval": [window.low, window.high],
+                    "impacts": window.impacts,
+                    "side": window.side,
+                    "endless": window.endless,
+                }
+                for window in self.at(index)
+            ],
+            "first": float(self.first[index]),
+            "top": float(self.top[index]),
+            "share": float(self.share[index]),
+            "left_out": int(self.left_out[index]),
+            "left_out_width": float(self.left_out_width[index]),
+            "undecided": int(self.undecided[index]),
+            "unsettled": int(self.unsettled[index]),
+        }
+
+    def _window_rows(self, rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
+        """Yield a row a window, as files and people have it."""
+        for row in rows:
+            for mode in row["modes"]:
+                low, high = mode["interval"]
+                yield {
+                    "record": row["record"],
+                    "low": low,
+                    "high": high,
+                    "low_g": low * row["pga_g"],
+                    "high_g": high * row["pga_g"],
+                    "low_m_s": low * row["pgv_m_s"],
+                    "high_m_s": high * row["pgv_m_s"],
+                    "impacts": mode["impacts"],
+                    "side": mode["side"],
+                    "endless": mode["endless"],
+                }
+
+
+@checked
+def find_overturning_scales(
+    block: Block,
+    motions: Record | BaseMotion | Sequence[Record | BaseMotion],
+    *,
+    within: tuple[float, float] = WITHIN,
+    resolution: float = RESOLUTION,
+    model: Model | None = None,
+    run: Run | None = None,
+) -> OverturningScales:
+    """Find all scales of records at which they overturn a block at rest.
+
+    A record that topples a block may leave it standing when it is made stronger: the scales that
+    overturn are windows, as the amplitudes of a pulse are.  Their borders are found to rounding, in
+    the nonlinear model to a part of 1e-12.  A record's windows have no end to their number: beside
+    each border there are narrower ones.  So a window narrower than `resolution` may be missed, and
+    `unsettled` counts where.
+
+    Parameters
+    ----------
+    block
+        At rest at first.
+    motions
+        A record or several, or `BaseMotion` of a horizontal and a vertical record, which are scaled
+        by the same factor.
+    within
+        Range (low, high) of scales, from 0.001 to 1000; default (0.1, 10).
+    resolution
+        Largest step of the first scales, as a part of them (default 0.002).  The scales that may be
+        tried besides grow with 1/resolution: 10 000 at the default.
+    model
+        `Nonlinear()` (default) or `Linear()`.
+    run
+        Executor, store and progress, as for `evaluate`; a cell is a record.
+
+    Returns
+    -------
+    OverturningScales
+        The windows of each record, and the share of the range that overturns.
+
+    Raises
+    ------
+    InputError, ModelError
+        If an argument is outside its range, or the linear model meets a vertical motion.
+
+    Examples
+    --------
+    >>> from rocksteady import Block, Record, find_overturning_scales
+    >>> block = Block.rectangle(width=0.4, height=1.6)
+    >>> shock = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.3)
+    >>> scales = find_overturning_scales(block, shock, within=(0.5, 2.0))
+    >>> [(round(low, 4), round(high, 4)) for low, high in scales.intervals(0)]
+    []
+    """
+    if not isinstance(block, Block):
+        raise InputError("block", block, "a record needs a block with sizes", "give a Block")
+    grounds = grounds_of(motions)
+    names = names_of(ground.record for ground in grounds)
+    chosen = chosen_model(model, block, grounds[0].record)
+    low, high = _range(within)
+    step = in_range("resolution", resolution, 1e-6, 0.1, "[]", hint="give a part, as 0.002")
+    check_grounds(grounds, [high] * len(grounds), [block], chosen)
+    axis = Axis(name="record", values=names, long_name="record", items=grounds)
+    follow(np.empty(0), table=_table(block, chosen, grounds[0]), sides=sides_of(block, chosen))
+    data = evaluate(
+        functools.partial(
+            _windows_of, block=block, model=chosen, low=low, high=high, resolution=step
+        ),
+        Grid(axes=(axis,)),
+        OUTPUTS,
+        run=run,
+        batch=1,
+    )
+    courses = [integrate_record(ground.record) for ground in grounds]
+    return OverturningScales(
+        block=block,
+        motions=tuple(
+            ground.record if ground.vertical is None else BaseMotion(ground.record, ground.vertical)
+            for ground in grounds
+        ),
+        names=tuple(names),
+        model=chosen,
+        within=(low, high),
+        resolution=step,
+        top=data["top"].values,
+        share=data["share"].values,
+        pga_g=np.array([abs(course.peak_acceleration.value) for course in courses])
+        / STANDARD_GRAVITY,
+        pgv_m_s=np.array([abs(course.peak_velocity.value) for course in courses]),
+        **kept_windows(data),
+    )
+
+
+def _windows_of(
+    record: NDArray[np.object_],
+    *,
+    block: Block,
+    model: Model,
+    low: float,
+    high: float,
+    resolution: float,
+) -> dict[str, NDArray[Any]]:
+    """Return the windows of some records."""
+    sides = sides_of(block, model)
+    found = nothing_found(len(record), KEPT)
+    found |= {"share": np.zeros(len(record)), "top": np.full(len(record), high)}
+    for cell, ground in enumerate(record):
+        table = _table(block, model, ground)
+        lifts = abs(ground.record.peak_acceleration_m_s2) / block.uplift_acceleration
+        end = max(min(high, _largest_scale(table)), low)
+        found["top"][cell] = end
+        if end == low:
+            continue
+
+        def fates(scale: Floats, table: Floats = table) -> Any:
+            # The impacts of a record are many, and make no windows of their own.
+            found = follow(scale, table=table, sides=sides)
+            return found._replace(impacts=found.impacts + MANY)
+
+        windows = scan(
+            fates,
+            low,
+            end,
+            resolution,
+            uplifts=[uplift / lifts for uplift in uplifts_of(sides)] if lifts else (2.0 * end,),
+            keep=KEPT,
+            closest=0.0 if isinstance(model, Linear) else CLOSEST,
+            most=round(MOST * max(1.0, RESOLUTION / resolution)),
+        )
+        keep(found, cell, windows._replace(impacts=windows.impacts - MANY), KEPT)
+        found["share"][cell] = log(windows.high / windows.low).sum() / log(end / low)
+    return found
+
+
+def _table(block: Block, model: Model, ground: GroundShaking) -> Floats:
+    """Return the segments of a ground motion, without the still base after it."""
+    if isinstance(model, Linear):
+        return np.ascontiguousarray(segment_table(ground.record, block)[:-1])
+    table = nonlinear_segment_table(ground.record, block, ground.vertical)
+    found = np.ascontiguousarray(table[:-1])
+    # A ceiling ends a march that is lost before it lies; the margin asks at what speed it will.
+    found[:, CEILING] = math.inf
+    return found
+
+
+def _largest_scale(table: Floats) -> float:
+    """Return the scale up to which the vertical component leaves the base under the block."""
+    if table.shape[1] <= LIFT:
+        return math.inf
+    least = float(min((table[:, LIFT] + table[:, LIFT_SLOPE] * table[:, 0]).min(), 0.0))
+    least = min(least, float(table[:, LIFT].min()))
+    return math.inf if least >= 0.0 else ON_THE_GROUND / -least
+
+
+def _range(within: tuple[float, float]) -> tuple[float, float]:
+    """Return the ends of the range of scales."""
+    given: object = within
+    hint = "give the lowest and the highest scale, as (0.1, 10.0)"
+    if not is_pair(given):
+        raise InputError("within", given, "it must be a pair", hint)
+    low = in_range("within", given[0], SMALLEST, LARGEST_SCALE, "[)", hint=hint)
+    return low, in_range("within", given[1], low, LARGEST_SCALE, "(]", hint=hint)
+
+
+def _or_none(value: float, digits: int) -> str:
+    """Return a number, or a dash for nan."""
+    return "-" if math.isnan(value) else number(value, digits)
