@@ -1,0 +1,98 @@
+"""What shakings a back-analysis tries: limits, levels, draws and temper."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from rocksteady.errors import InputError
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import LARGEST, in_range, whole_number
+
+MOST_LEVELS = 200
+MOST_DRAWS = 10_000
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class Scan:
+    """Shakings that a back-analysis tries.
+
+    Parameters
+    ----------
+    limits
+        Lowest and highest value of the first measure, between which its logarithm is equally likely
+        before the survey; by default from where no object lifts to where nearly all fall.
+    levels
+        Number of scales of each record between the limits; default 22.
+    draws
+        Number of draws of each object at each scale; by default 320 over the number of objects, at
+        least 8 and at most 64.
+    temper
+        Exponent of the likelihood in (0, 1], or "auto" (default) for the largest of which the
+        region covers records that are left out.
+    trials
+        Simulated surveys for each record that is left out; default 4, and 0 for no check.
+    seed
+        A whole number of 0 or above; default 0.
+
+    Raises
+    ------
+    InputError
+        If a number is outside its range, the limits are not two in order, or "auto" meets no
+        trials.
+
+    Examples
+    --------
+    >>> from rocksteady import Scan
+    >>> Scan(limits=(0.05, 1.5), draws=16).temper
+    'auto'
+    """
+
+    limits: tuple[float, float] | None = None
+    levels: int = 22
+    draws: int | None = None
+    temper: float | Literal["auto"] = "auto"
+    trials: int = 4
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        if self.limits is not None:
+            if len(self.limits) != 2:
+                raise InputError(
+                    "limits", self.limits, "there are two", "give the lowest and the highest"
+                )
+            low, high = (
+                in_range("limits", value, 1.0 / LARGEST, LARGEST, "[]", hint="as (0.05, 2)")
+                for value in self.limits
+            )
+            if low >= high:
+                raise InputError(
+                    "limits", (low, high), "the first is below the second", "exchange the two"
+                )
+            object.__setattr__(self, "limits", (low, high))
+        for name, least, most in (("levels", 4, MOST_LEVELS), ("trials", 0, 1000)):
+            value = whole_number(
+                name, getattr(self, name), at_least=least, at_most=most, hint="leave it out"
+            )
+            object.__setattr__(self, name, value)
+        whole_number("seed", self.seed, at_least=0, hint="give a seed, as 0")
+        if self.draws is not None:
+            whole_number(
+                "draws", self.draws, at_least=1, at_most=MOST_DRAWS, hint="give a number, as 16"
+            )
+        if self.temper != "auto":
+            temper = in_range(
+                "temper", self.temper, 0.0, 1.0, "(]", hint="give an exponent, as 0.3, or 'auto'"
+            )
+            object.__setattr__(self, "temper", temper)
+        elif self.trials == 0:
+            raise InputError(
+                "trials",
+                0,
+                "a temper is chosen by simulated surveys",
+                "give a number above 0, or a temper",
+            )
+
+    def draws_of(self, objects: int) -> int:
+        """Return the number of draws of each of some objects at each scale."""
+        return self.draws or min(64, max(8, -(-320 // objects)))

@@ -1,0 +1,137 @@
+"""A survey after a shaking: many objects at one place, and which of them fell."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.errors import InputError, Words
+from rocksteady.model.checks.arguments import checked
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, plural
+from rocksteady.results.result import Result
+from rocksteady.risk.observations.object_prior import ObjectPrior
+
+MOST_OBJECTS = 10_000
+
+
+@checked
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Survey(Result):
+    """Objects of one place that one unknown shaking met, each with its outcome.
+
+    Parameters
+    ----------
+    objects
+        What is known of each object, each of another name.
+    fell
+        Whether it fell, True or False for each.
+    reversed
+        Whether the object faces the other way, so that the shaking acts with the other sign: True,
+        False, or None where its facing is unknown; by default None of all.  It matters for objects
+        with unlike sides alone.
+    sources
+        Hash (SHA-256) of each file that they come from, by name; default none.
+
+    Raises
+    ------
+    InputError
+        If there is no object, two have one name, or there is not one outcome for each.
+
+    Examples
+    --------
+    >>> from rocksteady import ObjectPrior, Survey
+    >>> graves = [
+    ...     ObjectPrior(name=f"grave {k}", width_m="0.2:0.24", height_m=0.8 + 0.2 * k)
+    ...     for k in range(3)
+    ... ]
+    >>> Survey(objects=graves, fell=[False, True, True])
+    <Survey: 3 objects: 2 fell, 1 stood>
+    """
+
+    objects: Sequence[ObjectPrior]
+    fell: Sequence[bool]
+    reversed: Sequence[bool | None] | None = None
+    sources: Mapping[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        objects = tuple(self.objects)
+        if not 1 <= len(objects) <= MOST_OBJECTS:
+            raise InputError(
+                "objects",
+                Words(f"are {len(objects)}"),
+                f"a survey has 1 to {MOST_OBJECTS}",
+                "give a list of ObjectPrior",
+            )
+        names = [each.name for each in objects]
+        for place, name in enumerate(names):
+            if name in names[:place]:
+                raise InputError(
+                    "objects", name, "two objects have this name", "give each another name"
+                )
+        facing = (None,) * len(objects) if self.reversed is None else tuple(self.reversed)
+        for key, values in (("fell", tuple(self.fell)), ("reversed", facing)):
+            if len(values) != len(objects):
+                raise InputError(
+                    key,
+                    Words(f"has {plural(len(values), 'value')}"),
+                    f"there are {len(objects)} objects",
+                    "give one for each object",
+                )
+            allowed = (True, False) if key == "fell" else (True, False, None)
+            for value in values:
+                given: object = value.item() if isinstance(value, np.bool_) else value
+                if not any(given is each for each in allowed):
+                    raise InputError(
+                        key,
+                        given,
+                        "it must be True or False" + ("" if key == "fell" else ", or None"),
+                        "give the outcome of each object"
+                        if key == "fell"
+                        else "leave it out where the facing is unknown",
+                    )
+        object.__setattr__(self, "objects", objects)
+        object.__setattr__(self, "fell", tuple(bool(value) for value in self.fell))
+        object.__setattr__(
+            self, "reversed", tuple(None if each is None else bool(each) for each in facing)
+        )
+        object.__setattr__(self, "sources", dict(self.sources))
+
+    def __len__(self) -> int:
+        """Return the number of objects."""
+        return len(self.objects)
+
+    @property
+    def outcomes(self) -> NDArray[np.float64]:
+        """1 of each object that fell, 0 of one that stood, shape (objects,)."""
+        return np.array(self.fell, dtype=np.float64)
+
+    def describe(self) -> Description:
+        """Return how many objects fell, and a row for each."""
+        assert self.reversed is not None
+        rows = [
+            {
+                "object": each.name,
+                "outcome": "fell" if fell else "stood",
+                "outline_alpha_rad": each.outline_alpha_rad,
+                "reversed": facing,
+            }
+            for each, fell, facing in zip(self.objects, self.fell, self.reversed, strict=True)
+        ]
+        columns = [
+            Column("object", "object", left=True),
+            Column("outcome", "outcome", left=True),
+            Column("outline_alpha_rad", "alpha by sizes, rad", number),
+        ]
+        count = sum(self.fell)
+        return Description(
+            headline=f"{plural(len(self), 'object')}: {count} fell, {len(self) - count} stood",
+            facts=[
+                Fact("objects", len(self), "objects"),
+                Fact("fell", count, "fell"),
+                Fact("sources", dict(self.sources)),
+            ],
+            tables=[Table("rows", rows, columns)],
+        )
