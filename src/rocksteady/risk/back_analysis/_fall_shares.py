@@ -169,7 +169,8 @@ def fall_shares(
     Returns
     -------
     numpy.ndarray
-        Shape (objects, signs, records, levels); one sign where it matters for no object.
+        Of both halves of the draws, shape (2, objects, signs, records, levels); one sign where it
+        matters for no object.
     """
     check_grounds(grounds, scales.max(axis=1).tolist(), pools.extremes, model)
     everything = (*pools.each, *pools.turned)
@@ -198,14 +199,16 @@ def fall_shares(
         run=run,
         attributes={"model": model.name},
     )
-    shares = found["fell"].transpose("pool", "ground", "level", "draw").values.mean(axis=3)
-    ahead = shares[: len(pools.each)]
+    fell = found["fell"].transpose("draw", "pool", "ground", "level").values
+    # Neighbouring draws fill the prior evenly, so that both halves do.
+    shares = np.stack([fell[: draws // 2].mean(axis=0), fell[draws // 2 :].mean(axis=0)])
+    ahead = shares[:, : len(pools.each)]
     if not pools.turned:
-        return np.asarray(ahead[:, np.newaxis], dtype=np.float64)
+        return np.asarray(ahead[:, :, np.newaxis], dtype=np.float64)
     places = [
         place if other < 0 else len(pools.each) + other for place, other in enumerate(pools.other)
     ]
-    return np.stack([ahead, shares[places]], axis=1)
+    return np.stack([ahead, shares[:, places]], axis=2)
 
 
 def model_of(survey: Survey, grounds: Sequence[GroundShaking], model: Model | None) -> Model:

@@ -78,7 +78,7 @@ class Scan:
         whole_number("seed", self.seed, at_least=0, hint="give a seed, as 0")
         if self.draws is not None:
             whole_number(
-                "draws", self.draws, at_least=1, at_most=MOST_DRAWS, hint="give a number, as 16"
+                "draws", self.draws, at_least=2, at_most=MOST_DRAWS, hint="give a number, as 16"
             )
         if self.temper != "auto":
             temper = in_range(

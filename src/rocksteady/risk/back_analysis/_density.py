@@ -1,0 +1,159 @@
+"""Posterior over records and scales as a smooth density in two measures, and intervals of each.
+
+A record draws a line in the logarithms of two measures, as its ratio of the two is fixed.  So the
+plane has the logarithm x of the first measure, in which scales lie, and that of the ratio, y.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+ALONG = 0.1
+"""Width of the normal kernel along a record: of ln(first measure)."""
+ACROSS = 0.6
+"""Of that across records: over the spread of ln(ratio) times records^(-1/5), Silverman's power."""
+NARROWEST = 0.05
+RATIOS = 64
+"""Ratios of the grid."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Plane:
+    """Logarithms of the first measure and of the others over it.
+
+    Attributes
+    ----------
+    nodes
+        Logarithms of the first measure, shape (nodes,).
+    ratios
+        ln(measure/first measure) of each record, shape (records, measures); the first are 0.
+    """
+
+    nodes: Floats
+    ratios: Floats
+
+    @cached_property
+    def across(self) -> Floats:
+        """Width of the kernel in each ratio, shape (measures,); 0 of the first."""
+        count = len(self.ratios)
+        spread = self.ratios.std(axis=0)
+        widths = np.maximum(NARROWEST, ACROSS * spread * count**-0.2)
+        widths[0] = 0.0
+        return np.asarray(widths)
+
+    @cached_property
+    def ordinates(self) -> Floats:
+        """Ratios of the second measure to the first on the grid, logarithms, shape (ratios,)."""
+        second, beyond = self.ratios[:, 1], 3.0 * self.across[1]
+        return np.linspace(second.min() - beyond, second.max() + beyond, RATIOS)
+
+    @property
+    def cell(self) -> float:
+        """Area of a cell of the grid."""
+        step = self.nodes[1] - self.nodes[0]
+        return float(step * (self.ordinates[1] - self.ordinates[0]))
+
+    def masses(self, weights: Floats) -> Floats:
+        """Return the probability of each cell of the grid.
+
+        Parameters
+        ----------
+        weights
+            Of records and nodes, whose sum is 1, shape (..., records, nodes).
+
+        Returns
+        -------
+        numpy.ndarray
+            Shape (..., nodes, ratios).
+        """
+        along = _kernel(self.nodes, self.nodes, ALONG)
+        across = _kernel(self.ratios[:, 1], self.ordinates, float(self.across[1]))
+        smooth = weights @ along
+        return np.asarray(np.swapaxes(smooth, -1, -2) @ across)
+
+    def distribution(self, weights: Floats, measure: int, at: Floats) -> Floats:
+        """Return the probability that a measure is below some values.
+
+        Parameters
+        ----------
+        weights
+            Shape (surveys, records, nodes).
+        measure
+            Number of the measure, from 0.
+        at
+            Logarithms of values, shape (surveys, values).
+
+        Returns
+        -------
+        numpy.ndarray
+            Shape (surveys, values).
+        """
+        from scipy.special import ndtr
+
+        width = float(np.hypot(ALONG, self.across[measure]))
+        total = np.zeros(at.shape)
+        for record, ratio in enumerate(self.ratios[:, measure].tolist()):
+            z = (at[:, :, np.newaxis] - ratio - self.nodes) / width
+            total += np.einsum("svn,sn->sv", ndtr(z), weights[:, record])
+        return total
+
+    def quantiles(self, weights: Floats, measure: int, shares: Floats) -> Floats:
+        """Return values of a measure, shape (shares,), below which shares of weights lie."""
+        width = float(np.hypot(ALONG, self.across[measure]))
+        ratios = self.ratios[:, measure]
+        ends = self.nodes[0] + ratios.min() - 4 * width, self.nodes[-1] + ratios.max() + 4 * width
+        values = np.linspace(*ends, 801)
+        below = self.distribution(weights[np.newaxis], measure, values[np.newaxis])[0]
+        return np.asarray(np.exp(np.interp(shares, below, values)))
+
+
+def mass_above(masses: Floats, level: Floats) -> Floats:
+    """Return the probability of all cells that are likelier than a level, shape (surveys,).
+
+    Parameters
+    ----------
+    masses
+        Shape (surveys, nodes, ratios).
+    level
+        Shape (surveys,).
+    """
+    likelier = masses > level[:, np.newaxis, np.newaxis]
+    return np.asarray(np.where(likelier, masses, 0.0).sum(axis=(1, 2)))
+
+
+def level_of(masses: Floats, share: float) -> float:
+    """Return the probability of the least likely cell of the smallest region with a share."""
+    ordered = np.sort(masses.ravel())[::-1]
+    place = int(np.searchsorted(np.cumsum(ordered), share))
+    return float(ordered[min(place, len(ordered) - 1)])
+
+
+def tempered(log_likelihood: Floats, temper: float) -> Floats:
+    """Return posterior weights of records and nodes, both signs together, whose sum is 1.
+
+    Parameters
+    ----------
+    log_likelihood
+        Shape (surveys, signs, records, nodes).
+    temper
+        Exponent of the likelihood.
+
+    Returns
+    -------
+    numpy.ndarray
+        Shape (surveys, records, nodes).
+    """
+    top = log_likelihood.max(axis=(1, 2, 3), keepdims=True)
+    weights = np.exp(temper * (log_likelihood - top)).sum(axis=1)
+    return np.asarray(weights / weights.sum(axis=(1, 2), keepdims=True))
+
+
+def _kernel(points: Floats, grid: Floats, width: float) -> Floats:
+    """Return a normal density about each point on a grid, shape (points, grid), each of sum 1."""
+    z = (points[:, np.newaxis] - grid) / width
+    found = np.exp(-0.5 * z * z)
+    return np.asarray(found / found.sum(axis=1, keepdims=True))

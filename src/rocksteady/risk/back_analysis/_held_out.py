@@ -1,0 +1,137 @@
+"""Temper and coverage, from records that are left out in turn.
+
+The true shaking is in no suite.  So each record is left out once: surveys are simulated under it,
+at scales that agree with the real survey, and analysed with the other records.
+"""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.risk.back_analysis._chances import log_likelihoods
+from rocksteady.risk.back_analysis._density import Plane, mass_above, tempered
+
+Floats = NDArray[np.float64]
+
+TEMPERS = (1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12, 0.08, 0.05)
+SEARCH = 0.3
+"""Temper of the scales under which surveys are simulated: wider than most posteriors."""
+BATCH = 64
+"""Simulated surveys that are analysed at once."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class HeldOut:
+    """What simulated surveys under records that are left out say of the region.
+
+    Attributes
+    ----------
+    temper
+        Exponent of the likelihood.
+    scores
+        Mean logarithm of the density at the truth by temper.
+    share
+        Posterior probability of the region that covers the wanted share of truths.
+    plain_coverage
+        Coverage of the region whose posterior probability is the wanted share.
+    tails
+        Of each measure the posterior probability of its central interval, shape (measures,).
+    surveys
+        Number of simulated surveys; 0 without a check.
+    """
+
+    temper: float
+    scores: dict[float, float]
+    share: float
+    plain_coverage: float
+    tails: Floats
+    surveys: int
+
+
+def hold_out(
+    log_likelihood: Floats,
+    chance: Floats,
+    plane: Plane,
+    *,
+    temper: float | Literal["auto"],
+    trials: int,
+    seed: int,
+    confidence: float,
+) -> HeldOut:
+    """Return the temper, and the posterior probability that a region must have.
+
+    Parameters
+    ----------
+    log_likelihood
+        Of the real survey, shape (signs, records, nodes).
+    chance
+        Chances of falling, shape (objects, signs, records, nodes).
+    plane
+        The measures.
+    temper
+        Exponent of the likelihood, or "auto" for that of the best held-out score.
+    trials
+        Simulated surveys for each record.
+    seed
+        Of the simulation.
+    confidence
+        Share of truths that a region must cover.
+    """
+    random = np.random.default_rng([seed, 23])
+    truths = _truths(log_likelihood, trials, random)
+    sign, record, node = truths.T
+    each = np.arange(len(truths))
+    fell = random.random((len(truths), len(chance))) < chance[:, sign, record, node].T
+    simulated = log_likelihoods(fell.astype(np.float64), chance)
+    simulated[each, :, record] = -np.inf
+    ordinate = np.abs(plane.ordinates - plane.ratios[record, 1][:, np.newaxis]).argmin(axis=1)
+    scores: dict[float, float] = {}
+    above: dict[float, Floats] = {}
+    for value in TEMPERS if temper == "auto" else (temper,):
+        logs, beyond = np.empty(len(truths)), np.empty(len(truths))
+        for first in range(0, len(truths), BATCH):
+            here = slice(first, first + BATCH)
+            masses = plane.masses(tempered(simulated[here], value))
+            level = masses[np.arange(len(masses)), node[here], ordinate[here]]
+            beyond[here] = mass_above(masses, level)
+            logs[here] = np.log(np.maximum(level / plane.cell, 1e-300))
+        scores[value], above[value] = float(logs.mean()), beyond
+    best = max(scores, key=lambda value: scores[value])
+    at = plane.nodes[node][:, np.newaxis] + plane.ratios[record]
+    weights = tempered(simulated, best)
+    off = [
+        np.abs(2.0 * plane.distribution(weights, k, at[:, k, np.newaxis])[:, 0] - 1.0)
+        for k in range(plane.ratios.shape[1])
+    ]
+    return HeldOut(
+        temper=best,
+        scores=scores,
+        share=_covering(above[best], confidence),
+        plain_coverage=float((above[best] <= confidence).mean()),
+        tails=np.array([_covering(each, confidence) for each in off]),
+        surveys=len(truths),
+    )
+
+
+def _truths(log_likelihood: Floats, trials: int, random: np.random.Generator) -> NDArray[np.int64]:
+    """Return sign, record and node of each simulated survey, shape (surveys, 3)."""
+    signs, records, nodes = log_likelihood.shape
+    found = []
+    for record in range(records):
+        logs = log_likelihood[:, record].ravel()
+        weights = np.exp(SEARCH * (logs - logs.max()))
+        flat = random.choice(signs * nodes, size=trials, p=weights / weights.sum())
+        found += [(place // nodes, record, place % nodes) for place in flat.tolist()]
+    return np.array(found, dtype=np.int64)
+
+
+def _covering(shares: Floats, confidence: float) -> float:
+    """Return the share that covers a part of the truths, as a conformal prediction counts them.
+
+    It is at most 0.999: beyond lie the tails of the kernel alone.
+    """
+    ordered = np.sort(shares)
+    place = int(np.ceil(confidence * (len(ordered) + 1))) - 1
+    return float(min(0.999, ordered[min(place, len(ordered) - 1)]))

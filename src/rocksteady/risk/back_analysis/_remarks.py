@@ -1,0 +1,67 @@
+"""Sentences on what makes a back-analysis doubtful."""
+
+import numpy as np
+
+from rocksteady.results.numbers import number, plural
+from rocksteady.risk.back_analysis.back_analysis import BackAnalysis
+
+FEW_RECORDS = 20
+FEW_EFFECTIVE = 3.0
+NEAR_LIMIT = 0.05
+"""Posterior probability near a limit from which on it is remarked on."""
+ERROR = 0.05
+"""Monte Carlo error of ln(median) from which on it is remarked on."""
+EXTREME = 0.1
+"""Share of the records with the lowest ratios, and of those with the highest."""
+
+
+def remarks_on(found: BackAnalysis) -> tuple[str, ...]:
+    """Return the sentences; none where nothing is doubtful."""
+    said = []
+    first, second = found.measures[:2]
+    if found.bound == "upper bound":
+        said.append(
+            "Nothing fell: there is no lower bound, and the upper one is as wide as the limits and "
+            "the suite make it."
+        )
+    if found.bound == "lower bound":
+        said.append("Everything fell: there is no upper bound.")
+    if len(found.records) < FEW_RECORDS:
+        said.append(
+            f"{plural(len(found.records), 'record')}: fewer than {FEW_RECORDS} show little of how "
+            "shakings of one strength differ."
+        )
+    if found.effective_records < FEW_EFFECTIVE:
+        said.append(
+            f"{number(found.effective_records)} records carry the result: the others agree with "
+            "the survey at no scale."
+        )
+    low, high = found.limits
+    at_nodes = found.weights.sum(axis=0)
+    ends = max(1, len(at_nodes) // 20)
+    for where, value, mass, used in (
+        ("lower", low, at_nodes[:ends].sum(), found.bound != "upper bound"),
+        ("upper", high, at_nodes[-ends:].sum(), found.bound != "lower bound"),
+    ):
+        if used and mass > NEAR_LIMIT:
+            said.append(
+                f"The result reaches the {where} limit of {first.label}, {number(value)} "
+                f"{first.unit}: set other limits."
+            )
+    ratios = found.values_at_one[:, 1] / found.values_at_one[:, 0]
+    few = max(1, round(EXTREME * len(ratios)))
+    order = np.argsort(ratios, kind="stable")
+    for word, places in (("lowest", order[:few]), ("highest", order[-few:])):
+        if found.record_weights[places].sum() > 0.5 > few / len(ratios):
+            said.append(
+                f"Records of the {word} {second.label}/{first.label} carry more than half of the "
+                "result: the suite may lack shakings that agree better."
+            )
+    worst = float(np.max(found.mc_errors))
+    if worst > ERROR:
+        said.append(
+            f"The Monte Carlo error of a median is {number(100.0 * worst)} %: use more draws."
+        )
+    if not found.held_out_surveys:
+        said.append("No record was left out: what the region covers was not checked.")
+    return tuple(said)

@@ -1,0 +1,271 @@
+"""Result of a back-analysis: which shakings agree with what fell and what stood."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.model.checks.arguments import checked_result
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, plural
+from rocksteady.results.result import Result
+from rocksteady.risk.back_analysis.survey import Survey
+from rocksteady.seismic.measures.scalar import Intensity
+
+Floats = NDArray[np.float64]
+Bound = Literal["interval", "lower bound", "upper bound"]
+
+CAVEATS = (
+    "One object that stands bounds no PGA from above: at 0.6 g 66 % of 59 records leave an object "
+    "standing that a static formula topples at 0.42 g. What bounds it here are many objects, all "
+    "records of the suite, and the limits of the scales.",
+    "The region is of shakings like those of the suite, each record as likely as the others before "
+    "the survey. The temper and the probability of the region are chosen so that records that are "
+    "left out are covered: that is no Bayesian posterior.",
+    "Rigid objects, one plane, no slip, no bounce; all objects on the same ground at the same time.",
+)
+"""What is to be known of every back-analysis."""
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class BackAnalysis(Result):
+    """Shakings that agree with a survey, from `rocksteady.back_analyse`.
+
+    Attributes
+    ----------
+    survey, measures, records
+        What was given; of the records the names.
+    values_at_one
+        Measures of the records as they are, shape (records, measures).
+    first_values
+        Values of the first measure that are compared, shape (nodes,).
+    weights
+        Posterior probability of each record at each value, tempered, shape (records, nodes).
+    density
+        Of the logarithms of the first two measures, smoothed, shape (nodes, ratios).
+    ratios
+        Second measure over the first on the grid of `density`, shape (ratios,).
+    threshold
+        Density on the edge of the region.
+    confidence
+        Share of shakings that the region covers where they are in no suite.
+    share
+        Posterior probability of the region.
+    plain_coverage
+        Coverage of records that are left out, by a region whose posterior probability is
+        `confidence`; NaN where none was left out.
+    held_out_surveys
+        Number of simulated surveys that these follow from; 0 where no record was left out.
+    temper
+        Exponent of the likelihood.
+    temper_scores
+        Mean logarithm of the density at the truth, by temper, of records that are left out.
+    bound
+        "interval", "lower bound" where all fell, or "upper bound" where nothing fell.
+    medians, lows, highs
+        Of each measure the posterior median, and the ends of its interval; NaN where outcomes of
+        one kind leave an end open.
+    mc_errors
+        Monte Carlo error of ln(median), from two halves of the draws.
+    effective_records
+        1 over the sum of squared weights of records.
+    runs, seconds
+        Number of runs, and time that they took.
+    warnings
+        Sentences on what makes the result doubtful.
+    """
+
+    survey: Survey
+    measures: tuple[Intensity, ...]
+    records: tuple[str, ...]
+    values_at_one: Floats
+    first_values: Floats
+    weights: Floats
+    density: Floats
+    ratios: Floats
+    threshold: float
+    confidence: float
+    share: float
+    plain_coverage: float
+    held_out_surveys: int
+    temper: float
+    temper_scores: Mapping[float, float]
+    bound: Bound
+    medians: Floats
+    lows: Floats
+    highs: Floats
+    mc_errors: Floats
+    effective_records: float
+    draws: int
+    runs: int
+    seconds: float
+    warnings: tuple[str, ...] = ()
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Limits of the first measure."""
+        return float(self.first_values[0]), float(self.first_values[-1])
+
+    @cached_property
+    def region(self) -> NDArray[np.bool_]:
+        """Whether each cell of `density` is in the region, shape (nodes, ratios)."""
+        return np.asarray(self.density >= self.threshold)
+
+    def density_at(self, first: float, second: float) -> float:
+        """Return the density at values of the first two measures; 0 outside the grid.
+
+        Parameters
+        ----------
+        first, second
+            In the units of the measures.
+        """
+        from scipy.interpolate import RegularGridInterpolator
+
+        grid = np.log(self.first_values), np.log(self.ratios)
+        found = RegularGridInterpolator(grid, self.density, bounds_error=False, fill_value=0.0)
+        return float(found([[np.log(first), np.log(second / first)]])[0])
+
+    def contains(self, first: float, second: float) -> bool:
+        """Return whether values of the first two measures lie in the region.
+
+        Parameters
+        ----------
+        first, second
+            In the units of the measures.
+        """
+        return self.density_at(first, second) >= self.threshold
+
+    @property
+    def record_weights(self) -> Floats:
+        """Posterior probability of each record, shape (records,)."""
+        return np.asarray(self.weights.sum(axis=1))
+
+    def rows(self) -> list[dict[str, Any]]:
+        """Return the interval of each measure."""
+        return [
+            {
+                "measure": measure.key,
+                "label": str(measure),
+                "median": float(self.medians[place]),
+                "low": _or_none(self.lows[place]),
+                "high": _or_none(self.highs[place]),
+                "mc_error": _or_none(self.mc_errors[place]),
+            }
+            for place, measure in enumerate(self.measures)
+        ]
+
+    def record_rows(self) -> list[dict[str, Any]]:
+        """Return the weight of each record and the scale that agrees best, the likeliest first."""
+        weights = self.record_weights
+        peaks = self.first_values[self.weights.argmax(axis=1)]
+        order = np.argsort(-weights, kind="stable").tolist()
+        return [
+            {
+                "record": self.records[place],
+                "weight": float(weights[place]),
+                "scale": float(peaks[place] / self.values_at_one[place, 0]),
+                **{
+                    measure.key: float(
+                        peaks[place] * self.values_at_one[place, k] / self.values_at_one[place, 0]
+                    )
+                    for k, measure in enumerate(self.measures)
+                },
+            }
+            for place in order
+        ]
+
+    def describe(self) -> Description:
+        """Return the interval of each measure, and the weight of each record."""
+        fell, percent = sum(self.survey.fell), f"{number(100.0 * self.confidence)} %"
+        columns = (
+            Column("label", "measure", left=True),
+            Column("median", "median"),
+            Column("low", "low", _or_open),
+            Column("high", "high", _or_open),
+            Column("mc_error", "error of ln(median)", _or_open),
+        )
+        coverage = (
+            "not checked"
+            if self.held_out_surveys == 0
+            else f"{number(self.confidence)} of {self.held_out_surveys} simulated surveys under "
+            f"records that are left out, at a posterior probability of {number(self.share)}"
+        )
+        first = self.measures[0]
+        return Description(
+            headline=f"{fell} of {plural(len(self.survey), 'object')} fell: " + self._sentence(),
+            facts=[
+                Fact("objects", len(self.survey), "Objects"),
+                Fact("fell", fell, "Fell"),
+                Fact("records", len(self.records), "Records"),
+                Fact("bound", self.bound, "Kind of result"),
+                Fact("confidence", self.confidence, "Confidence", percent),
+                Fact("share", self.share),
+                Fact("plain_coverage", _or_none(self.plain_coverage)),
+                Fact("held_out_surveys", self.held_out_surveys, "Coverage of the region", coverage),
+                Fact("temper", self.temper, "Temper of the likelihood"),
+                Fact(
+                    "temper_scores",
+                    {f"{key:g}": value for key, value in self.temper_scores.items()},
+                ),
+                Fact(
+                    "effective_records",
+                    self.effective_records,
+                    "Effective number of records",
+                    number(self.effective_records),
+                ),
+                Fact(
+                    "limits",
+                    list(self.limits),
+                    "Limits that were searched",
+                    f"{number(self.limits[0])} to {number(self.limits[1])} {first.unit}".strip()
+                    + f" of {first.label}",
+                ),
+                Fact("draws", self.draws, "Draws of each object at each scale"),
+                Fact("runs", self.runs, "Runs", f"{self.runs:,}"),
+                Fact("sources", dict(self.survey.sources)),
+                Fact("warnings", list(self.warnings)),
+            ],
+            tables=[
+                Table("measures", self.rows(), columns),
+                Table("record_weights", self.record_rows(), _record_columns(self.measures)),
+            ],
+            notes=[*self.warnings, *CAVEATS],
+        )
+
+    def _sentence(self) -> str:
+        """Return the interval of the first two measures in words."""
+        parts = []
+        for place, measure in enumerate(self.measures[:2]):
+            low, high = number(float(self.lows[place])), number(float(self.highs[place]))
+            unit = f" {measure.unit}" if measure.unit else ""
+            words = {
+                "interval": f"{low} to {high}{unit}",
+                "lower bound": "without a bound" if low == "nan" else f"at least {low}{unit}",
+                "upper bound": "without a bound" if high == "nan" else f"likely below {high}{unit}",
+            }
+            parts.append(f"{measure.label} {words[self.bound]}")
+        return ", ".join(parts)
+
+
+def _record_columns(measures: tuple[Intensity, ...]) -> tuple[Column, ...]:
+    """Return the columns of the records."""
+    return (
+        Column("record", "record", left=True),
+        Column("weight", "weight"),
+        Column("scale", "best scale"),
+        *(Column(measure.key, str(measure)) for measure in measures),
+    )
+
+
+def _or_none(value: float) -> float | None:
+    """Return a number, or None for NaN."""
+    return None if np.isnan(value) else float(value)
+
+
+def _or_open(value: object) -> str:
+    """Return a number in words; an open end is a dash."""
+    return "-" if value is None else number(float(value))  # type: ignore[arg-type]
