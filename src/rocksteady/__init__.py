@@ -18,6 +18,7 @@ use_plots(
     {
         "Attractor": "plot_section",
         "AttractorSweep": "plot_bifurcations",
+        "BackAnalysis": "plot_back_analysis",
         "Basins": "plot_basins",
         "BifurcationDiagram": "plot_bifurcations",
         "Branch": "plot_bifurcations",

@@ -123,6 +123,11 @@ from .risk.assess.two_numbers import (
     QuickAssessment as QuickAssessment,
     assess_two_numbers as assess_two_numbers,
 )
+from .risk.back_analysis.back_analyse import back_analyse as back_analyse
+from .risk.back_analysis.back_analysis import BackAnalysis as BackAnalysis
+from .risk.back_analysis.read_survey import read_survey as read_survey
+from .risk.back_analysis.scan import Scan as Scan
+from .risk.back_analysis.survey import Survey as Survey
 from .risk.ensemble.levels import Stripes as Stripes
 from .risk.ensemble.restitution_band import RestitutionBand as RestitutionBand
 from .risk.ensemble.runs import run_ensemble as run_ensemble
@@ -209,6 +214,7 @@ from .show.plots.maps import plot_map as plot_map
 from .show.plots.motion import plot_base as plot_base
 from .show.plots.motion import plot_phase_portrait as plot_phase_portrait
 from .show.plots.motion import plot_trajectory as plot_trajectory
+from .show.plots.observations.back_analysis import plot_back_analysis as plot_back_analysis
 from .show.plots.observations.restitution import plot_restitution as plot_restitution
 from .show.plots.orbits import plot_multipliers as plot_multipliers
 from .show.plots.orbits import plot_section as plot_section

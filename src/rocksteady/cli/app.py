@@ -30,7 +30,7 @@ from rocksteady.cli.commands import (
     steady,
     study,
 )
-from rocksteady.cli.commands.observations import restitution
+from rocksteady.cli.commands.observations import back_analyse, restitution
 from rocksteady.cli.commands.risk import assess, fragility, screens
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import INCOMPLETE
@@ -75,6 +75,7 @@ COMMANDS = (
     assess,
     screens,
     restitution,
+    back_analyse,
     paper,
     doctor,
 )
@@ -82,7 +83,7 @@ for command in COMMANDS:
     name = command.__name__.rpartition(".")[2]
     function = getattr(command, name)
     app.command(
-        "map" if command is maps else name,
+        "map" if command is maps else name.replace("_", "-"),
         cls=OncePerFlag,
         help=command.HELP,
         epilog=command.EXAMPLES,

@@ -19,13 +19,17 @@ Floats = NDArray[np.float64]
 Bound = Literal["interval", "lower bound", "upper bound"]
 
 CAVEATS = (
-    "One object that stands bounds no PGA from above: at 0.6 g 66 % of 59 records leave an object "
-    "standing that a static formula topples at 0.42 g. What bounds it here are many objects, all "
-    "records of the suite, and the limits of the scales.",
-    "The region is of shakings like those of the suite, each record as likely as the others before "
-    "the survey. The temper and the probability of the region are chosen so that records that are "
-    "left out are covered: that is no Bayesian posterior.",
-    "Rigid objects, one plane, no slip, no bounce; all objects on the same ground at the same time.",
+    (
+        "One object that stands bounds no PGA from above: at 0.6 g 66 % of 59 records leave an "
+        "object standing that a static formula topples at 0.42 g. Many objects, the records of the "
+        "suite and the limits of the scales make the upper end here."
+    ),
+    (
+        "The region is of shakings like those of the suite, each record as likely as the others "
+        "before the survey. The temper and the probability of the region are chosen so that "
+        "records that are left out are covered: that is no Bayesian posterior."
+    ),
+    "Rigid objects in one plane, without slip and bounce, all on the same ground.",
 )
 """What is to be known of every back-analysis."""
 
@@ -115,6 +119,18 @@ class BackAnalysis(Result):
         """Whether each cell of `density` is in the region, shape (nodes, ratios)."""
         return np.asarray(self.density >= self.threshold)
 
+    def threshold_of(self, share: float) -> float:
+        """Return the density on the edge of the smallest region with a share of the posterior.
+
+        Parameters
+        ----------
+        share
+            Of the posterior probability, in (0, 1).
+        """
+        ordered = np.sort(self.density.ravel())[::-1]
+        place = int(np.searchsorted(np.cumsum(ordered), share * ordered.sum()))
+        return float(ordered[min(place, len(ordered) - 1)])
+
     def density_at(self, first: float, second: float) -> float:
         """Return the density at values of the first two measures; 0 outside the grid.
 
@@ -177,6 +193,13 @@ class BackAnalysis(Result):
             }
             for place in order
         ]
+
+    def grid_rows(self) -> list[tuple[float, float, float, bool]]:
+        """Return both measures, the density and whether it is in the region, of each cell."""
+        up = self.first_values[:, np.newaxis] * self.ratios
+        across = np.broadcast_to(self.first_values[:, np.newaxis], up.shape)
+        columns = (across, up, self.density, self.region)
+        return list(zip(*(each.ravel().tolist() for each in columns), strict=True))
 
     def describe(self) -> Description:
         """Return the interval of each measure, and the weight of each record."""

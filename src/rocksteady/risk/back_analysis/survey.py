@@ -72,7 +72,13 @@ class Survey(Result):
                     "objects", name, "two objects have this name", "give each another name"
                 )
         facing = (None,) * len(objects) if self.reversed is None else tuple(self.reversed)
-        for key, values in (("fell", tuple(self.fell)), ("reversed", facing)):
+        valid = {"fell": "it must be True or False", "reversed": "it must be True, False or None"}
+        hint = {
+            "fell": "give the outcome of each object",
+            "reversed": "leave it out where the facing is unknown",
+        }
+        pairs: tuple[tuple[str, tuple[object, ...]], ...] = (("fell", tuple(self.fell)), ("reversed", facing))
+        for key, values in pairs:
             if len(values) != len(objects):
                 raise InputError(
                     key,
@@ -84,14 +90,7 @@ class Survey(Result):
             for value in values:
                 given: object = value.item() if isinstance(value, np.bool_) else value
                 if not any(given is each for each in allowed):
-                    raise InputError(
-                        key,
-                        given,
-                        "it must be True or False" + ("" if key == "fell" else ", or None"),
-                        "give the outcome of each object"
-                        if key == "fell"
-                        else "leave it out where the facing is unknown",
-                    )
+                    raise InputError(key, given, valid[key], hint[key])
         object.__setattr__(self, "objects", objects)
         object.__setattr__(self, "fell", tuple(bool(value) for value in self.fell))
         object.__setattr__(

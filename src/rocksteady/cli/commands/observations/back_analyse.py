@@ -1,0 +1,299 @@
+"""`rocksteady back-analyse`: which shaking agrees with what fell and what stood at one place."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rocksteady.cli.console import terminal
+from rocksteady.cli.console.outputs import (
+    announce_compilation,
+    print_json,
+    write_csv,
+    write_figure,
+)
+from rocksteady.cli.console.progress import sweeping
+from rocksteady.cli.console.refusals import FlagError, missing
+from rocksteady.cli.flags.ensemble import SuiteFlags, intensity_of
+from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.parsing import number
+from rocksteady.cli.flags.record_files import ReadingFlags
+from rocksteady.cli.flags.sweep import Executor, Workers
+from rocksteady.errors import InputError
+from rocksteady.results.rendering import print_description
+
+if TYPE_CHECKING:
+    from rocksteady.model.motions.base_motion import BaseMotion
+    from rocksteady.model.motions.record import Record
+    from rocksteady.risk.back_analysis.back_analysis import BackAnalysis
+    from rocksteady.risk.back_analysis.scan import Scan
+    from rocksteady.risk.back_analysis.survey import Survey
+    from rocksteady.risk.observations.prior import Prior
+
+HELP = (
+    "Back-analysis: which PGA and PGV agree with what fell and what stood in one shaking.\n\n"
+    "Draws of each object are run under every record at every scale. The region of 90 % is tried "
+    "on records that are left out in turn, as the true shaking is in no suite; the temper of the "
+    "likelihood and the probability of the region follow from that. Where everything fell there "
+    "is a lower bound alone, where nothing fell an upper one at most."
+)
+EXAMPLES = (
+    "Examples:\n\n"
+    "rocksteady back-analyse --survey cemetery.csv --records suite --plot region.png\n\n"
+    "rocksteady back-analyse --survey cemetery.csv --records suite --measure sa_g:0.5 "
+    "--measure pgv_m_s --prior prior.toml --json\n\n"
+    "rocksteady back-analyse --survey cemetery.csv --records suite --limits 0.05:1.5 --draws 32\n\n"
+    "rocksteady back-analyse --example"
+)
+SURVEY = "Survey"
+SCAN = "Scan"
+FLAGS = ("limits", "levels", "draws", "temper", "trials", "seed")
+"""Options of a scan that are flags."""
+
+SurveyFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--survey",
+        metavar="FILE",
+        help="Read the objects from a table in CSV: name, width_m, height_m and outcome (fell or "
+        "stood), a cell as 0.4, 0.38:0.42 or 0.4+-0.01.",
+        rich_help_panel=SURVEY,
+    ),
+]
+PriorFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--prior",
+        metavar="FILE",
+        help="Read what is known of all objects and of errors, in TOML: \\[noise] sigma_ln and "
+        "outliers, \\[object] base, offset, restitution or housner_factor, scatter.",
+        rich_help_panel=SURVEY,
+    ),
+]
+Measures = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--measure",
+        metavar="NAME[:S]",
+        help="Set the measures, two or more flags; the region is in the first two. pga_g and "
+        "pgv_m_s by default, sa_g or sa_avg_g with a period \\[s], as sa_g:0.5.",
+        rich_help_panel=SCAN,
+    ),
+]
+Limits = Annotated[
+    str | None,
+    typer.Option(
+        "--limits",
+        metavar="LOW:HIGH",
+        help="Set the limits of the first measure; by default from no uplift to nearly all fallen.",
+        rich_help_panel=SCAN,
+    ),
+]
+LevelCount = Annotated[
+    int,
+    typer.Option(
+        "--levels",
+        metavar="N",
+        help="Set the number of scales of each record.",
+        rich_help_panel=SCAN,
+    ),
+]
+DrawCount = Annotated[
+    int | None,
+    typer.Option(
+        "--draws",
+        metavar="N",
+        help="Set the number of draws of each object at each scale; by default 320 over the number "
+        "of objects, 8 to 64.",
+        rich_help_panel=SCAN,
+    ),
+]
+Temper = Annotated[
+    str,
+    typer.Option(
+        "--temper",
+        metavar="T",
+        help="Set the exponent of the likelihood, in (0, 1], or auto for the one of the best score "
+        "on records that are left out.",
+        rich_help_panel=SCAN,
+    ),
+]
+Trials = Annotated[
+    int,
+    typer.Option(
+        "--trials",
+        metavar="N",
+        help="Set the number of simulated surveys for each record that is left out.",
+        rich_help_panel=SCAN,
+    ),
+]
+SeedNumber = Annotated[
+    int,
+    typer.Option(
+        "--seed",
+        metavar="N",
+        help="Set the seed of the draws and of the simulated surveys.",
+        rich_help_panel=SCAN,
+    ),
+]
+Example = Annotated[
+    bool,
+    typer.Option(
+        "--example",
+        help="Analyse 12 synthetic objects with 12 synthetic motions, no earthquake's: no file is "
+        "needed.",
+        rich_help_panel=SURVEY,
+    ),
+]
+
+
+@grouped
+def back_analyse(
+    recorded: SuiteFlags,
+    reading: ReadingFlags,
+    output: OutputFlags,
+    survey: SurveyFile = None,
+    prior: PriorFile = None,
+    measure: Measures = None,
+    limits: Limits = None,
+    levels: LevelCount = 22,
+    draws: DrawCount = None,
+    temper: Temper = "auto",
+    trials: Trials = 4,
+    seed: SeedNumber = 0,
+    executor: Executor = "threads",
+    workers: Workers = None,
+    example: Example = False,
+) -> None:
+    """Run `rocksteady back-analyse`; `HELP` is what its users read."""
+    from rocksteady.sweep.run import Run
+
+    output.check()
+    read = [path for path in (survey, prior) if path is not None]
+    output.refuse_read(read)
+    scan = _scan(
+        limits=_limits(limits), levels=levels, draws=draws, temper=temper, trials=trials, seed=seed
+    )
+    measures = ["pga_g", "pgv_m_s"] if measure is None else [intensity_of(each) for each in measure]
+    run = Run(executor=executor, workers=workers)
+    if example:
+        objects, motions, left_out, scan = _example(recorded, reading, survey, scan)
+    else:
+        objects = _survey(survey)
+        suite = recorded.suite(reading)
+        output.refuse_read([*read, *suite.files])
+        motions, left_out = suite.motions, suite.left_out
+
+    announce_compilation("records.record_fates")
+    from rocksteady.risk.back_analysis.back_analyse import back_analyse as analysed
+
+    cells = len(motions) * scan.levels * len(objects) * scan.draws_of(len(objects))
+    try:
+        with sweeping("running objects", cells) as meter:
+            found = analysed(
+                objects,
+                motions,
+                measures=measures,
+                prior=_prior(prior),
+                scan=scan,
+                run=replace(run, progress=meter),
+            )
+    except InputError as error:
+        flag = {"measures": "--measure", "motions": "--records"}.get(error.name, error.name)
+        raise FlagError(flag, error.value, error.valid, error.hint) from None
+    description = found.describe()
+    _write(found, output)
+    if output.as_json:
+        values = {
+            **description.to_dict(),
+            "seconds": found.seconds,
+            "synthetic": example,
+            "left_out": [{"file": str(file), "reason": reason} for file, reason in left_out],
+        }
+        print_json("back-analyse", values)
+        return
+    notes = [*description.notes, f"{found.runs:,} runs in {found.seconds:.1f} s"]
+    if example:
+        notes.insert(0, "Objects and motions are synthetic: nothing was surveyed.")
+    if left_out:
+        notes.insert(0, f"{len(left_out)} files were left out, see standard error")
+    print_description(replace(description, notes=notes), terminal.console())
+
+
+def _survey(path: Path | None) -> "Survey":
+    """Return the survey of the flag."""
+    if path is None:
+        raise missing(
+            "--survey",
+            valid="a back-analysis needs objects, each fallen or standing",
+            hint="add --survey cemetery.csv, or --example for a synthetic one",
+        )
+    from rocksteady.risk.back_analysis.read_survey import read_survey
+
+    return read_survey(path)
+
+
+def _prior(path: Path | None) -> "Prior | None":
+    """Return the prior of the flag."""
+    if path is None:
+        return None
+    from rocksteady.risk.observations.prior import read_prior
+
+    return read_prior(path)
+
+
+def _limits(text: str | None) -> tuple[float, float] | None:
+    """Return the two limits of the flag."""
+    if text is None:
+        return None
+    low, colon, high = text.partition(":")
+    if not colon:
+        raise FlagError("--limits", text, "there are two limits", "write them as 0.05:1.5")
+    return number("--limits", low), number("--limits", high)
+
+
+def _scan(*, temper: str, **options: object) -> "Scan":
+    """Return the scan, whose errors name the flags."""
+    from rocksteady.risk.back_analysis.scan import Scan
+
+    exponent = temper if temper == "auto" else number("--temper", temper)
+    try:
+        return Scan(temper=exponent, **options)  # type: ignore[arg-type]
+    except InputError as error:
+        flag = f"--{error.name}" if error.name in FLAGS else error.name
+        raise FlagError(flag, error.value, error.valid, error.hint) from None
+
+
+def _example(
+    recorded: SuiteFlags, reading: ReadingFlags, survey: Path | None, scan: "Scan"
+) -> "tuple[Survey, list[Record | BaseMotion], list[tuple[Path, str]], Scan]":
+    """Return a synthetic survey and synthetic motions, after refusing files."""
+    given = dict(reading.given)
+    if recorded.records:
+        given["--records"] = recorded.records[0]
+    if recorded.pair:
+        given["--pair"] = True
+    if survey is not None:
+        given["--survey"] = survey
+    for flag, value in given.items():
+        raise FlagError(flag, value, "--example is synthetic and reads no file", "leave one out")
+    from rocksteady.risk.assess.synthetic import make_synthetic_suite
+    from rocksteady.risk.back_analysis.synthetic_survey import make_synthetic_survey
+
+    few = scan if scan.draws is not None else replace(scan, draws=4)
+    return make_synthetic_survey(), [*make_synthetic_suite(12)], [], few
+
+
+def _write(found: "BackAnalysis", output: OutputFlags) -> None:
+    """Write the files that the flags name."""
+    if output.csv is not None:
+        first, second = (measure.key for measure in found.measures[:2])
+        write_csv(output.csv, (first, second, "density", "in_region"), found.grid_rows())
+    if output.plot is not None:
+        from rocksteady.show.plots.observations.back_analysis import plot_back_analysis
+
+        title = found.describe().headline
+        with output.page.figure(6.6, 5.0, title) as figure:
+            plot_back_analysis(found, figure.add_subplot(), legend=output.page.legend)
+        write_figure(output.plot, figure)

@@ -1,0 +1,138 @@
+"""Plot of a back-analysis: the shakings that agree with a survey, in two measures."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rocksteady.model.checks.arguments import checked
+from rocksteady.results.numbers import number
+from rocksteady.risk.back_analysis.back_analysis import BackAnalysis
+from rocksteady.show.style import palette
+from rocksteady.show.style.escaping import literal
+from rocksteady.show.style.layout import axes_or_new, plain_ticks
+from rocksteady.show.style.legends import LegendPlace, draw_legend, place_of
+from rocksteady.show.style.line_colours import inks_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+PLAIN = 1e-3
+"""Weight of a record below which its line is faint alone."""
+HALF = 0.5
+"""Posterior probability of the inner region."""
+
+
+@checked
+def plot_back_analysis(
+    found: BackAnalysis, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
+) -> "Axes":
+    """Draw the shakings that agree with a survey, over its first two measures.
+
+    The fill is the region, its darker part the smallest one with half of the posterior
+    probability.  Each record is a faint line, as its ratio of the two measures is fixed; dots on it
+    are the scales that agree, larger where they agree better.
+
+    Parameters
+    ----------
+    found
+        From `rocksteady.back_analyse`.
+    ax
+        Axes to draw on; those of a new figure without.
+    legend
+        "inside" the axes, to their "right", "below" them, the default, or "none".
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: the two measures, both logarithmic.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import ObjectPrior, Scan, Survey, back_analyse, make_synthetic_suite
+    >>> blocks = [
+    ...     ObjectPrior(name=f"block {k}", width_m=0.1 + 0.1 * k, height_m=0.8) for k in range(3)
+    ... ]
+    >>> survey = Survey(objects=blocks, fell=[True, False, False])
+    >>> found = back_analyse(survey, make_synthetic_suite(4), scan=Scan(levels=6, draws=2))
+    >>> axes = plot_back_analysis(found, Figure().add_subplot())
+    >>> axes.get_xlabel(), axes.get_ylabel()
+    ('PGA [g]', 'PGV [m/s]')
+    """
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    axes = axes_or_new(ax)
+    inks, place = inks_of(axes), place_of(axes, legend, "below")
+    first = found.first_values
+    across = np.broadcast_to(first[:, np.newaxis], found.density.shape)
+    up = first[:, np.newaxis] * found.ratios
+    axes.set(xscale="log", yscale="log")
+    lines = first[:, np.newaxis] * (found.values_at_one[:, 1] / found.values_at_one[:, 0])
+    axes.plot(first, lines, color=inks.faint, lw=0.5, alpha=0.55, zorder=1.0)
+    top = float(found.density.max())
+    inner = found.threshold_of(HALF)
+    edges = sorted({min(found.threshold, 0.999 * top), min(inner, 0.9995 * top)})
+    filled = axes.contourf(
+        across,
+        up,
+        found.density,
+        levels=[*edges, 1.001 * top],
+        colors=[palette.SYMMETRIC, palette.LINK][-len(edges) :],
+        alpha=0.55,
+        zorder=1.5,
+    )
+    axes.contour(
+        across, up, found.density, levels=edges[:1], colors=[inks.lines[0]], linewidths=1.2
+    )
+    filled.set_linewidth(0.0)
+    # Dots at the middles of the scales: all of one record weigh as much as the record.
+    step = max(1, len(first) // 40)
+    parts = found.weights[:, ::step]
+    shown = parts > PLAIN * parts.max()
+    rows, columns = np.nonzero(shown)
+    axes.scatter(
+        first[::step][columns],
+        lines[::step][columns, rows],
+        s=14.0 * parts[shown] / parts.max(),
+        color=inks.number,
+        lw=0.0,
+        zorder=2.5,
+    )
+    (middle,) = axes.plot(
+        found.medians[:1],
+        found.medians[1:2],
+        ls="none",
+        marker="D",
+        ms=6.5,
+        mfc=inks.paper,
+        mec=inks.lines[1],
+        mew=1.8,
+        zorder=3.0,
+        label="medians",
+    )
+    corner = found.region.nonzero()
+    margin = 1.6
+    axes.set(
+        xlim=(
+            max(float(first[0]), float(across[corner].min()) / margin),
+            min(float(first[-1]), float(across[corner].max()) * margin),
+        ),
+        ylim=(float(up[corner].min()) / margin, float(up[corner].max()) * margin),
+        xlabel=literal(str(found.measures[0])),
+        ylabel=literal(str(found.measures[1])),
+        title=f"{sum(found.survey.fell)} of {len(found.survey)} fell",
+    )
+    plain_ticks(axes)
+    percent = number(100.0 * found.confidence)
+    handles = [
+        Patch(facecolor=palette.SYMMETRIC, alpha=0.55, label=f"region of {percent} %"),
+        Patch(facecolor=palette.LINK, alpha=0.55, label="half of the weight"),
+        middle,
+        Line2D([], [], color=inks.faint, lw=0.8, label="a record at all scales"),
+        Line2D(
+            [], [], ls="none", marker="o", ms=4.0, color=inks.number, label="scales that agree"
+        ),
+    ]
+    draw_legend(axes, place, handles=handles, gap=44.0)
+    return axes
