@@ -1,0 +1,121 @@
+"""Runs of the draws of one object, and the likelihood of its outcomes."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.model.equations import Model
+from rocksteady.outcomes import Status
+from rocksteady.risk.calibration._shares import normal_strata
+from rocksteady.risk.calibration._space import Space
+from rocksteady.risk.observations.fates import Scatter, fates_on_records
+from rocksteady.risk.observations.shaking_test import ShakingTest
+from rocksteady.sweep.run import Run
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class DrawRuns:
+    """Runs of draws on tests.
+
+    Attributes
+    ----------
+    fell
+        Shape (tests, draws, gains).
+    peak_rad
+        Largest angle of each run, of alpha of the side that lifts first, same shape.
+    gain
+        ln of the gain over that of the test, same shape.
+    sigma
+        Standard deviation of it, shape (tests, draws).
+    unknown
+        How many runs have no answer; they count as standing.
+    """
+
+    fell: Bools
+    peak_rad: Floats
+    gain: Floats
+    sigma: Floats
+    unknown: int
+
+    def beside(self, other: "DrawRuns") -> "DrawRuns":
+        """Return these runs and those of more draws."""
+        return DrawRuns(
+            fell=np.concatenate([self.fell, other.fell], axis=1),
+            peak_rad=np.concatenate([self.peak_rad, other.peak_rad], axis=1),
+            gain=np.concatenate([self.gain, other.gain], axis=1),
+            sigma=np.concatenate([self.sigma, other.sigma], axis=1),
+            unknown=self.unknown + other.unknown,
+        )
+
+
+def run_draws(
+    space: Space,
+    values: Floats,
+    tests: Sequence[ShakingTest],
+    *,
+    gains: int,
+    seed: Sequence[int],
+    model: Model | None,
+    run: Run | None,
+) -> DrawRuns:
+    """Run draws of an object on tests at gains of their own."""
+    rng = np.random.default_rng(list(seed))
+    sigma = space.sigma(values, tests)
+    gain = sigma[:, :, np.newaxis] * normal_strata(len(values), len(tests), gains, rng)
+    block_values = space.block_values(values)
+    deviation = space.block.scatter_of(block_values)
+    scatter = None
+    if (deviation > 0.0).any():
+        scatter = Scatter(deviation=deviation, draws=1, seed=int(rng.integers(2**31)))
+    found = fates_on_records(
+        space.block.blocks(block_values),
+        tests,
+        gains=np.exp(gain),
+        scatter=scatter,
+        model=model,
+        run=run,
+    )
+    status = found["status"].transpose("test", "block", "gain", "draw").values[..., 0]
+    peaks = found["peak_angle"].transpose("test", "block", "gain", "draw").values[..., 0]
+    unknown = np.isin(status, (Status.LOST_CONTACT, Status.UNDECIDED, Status.ROCKING))
+    alpha = space.derived(values)["alpha_rad"]
+    return DrawRuns(
+        fell=status == Status.OVERTURNED,
+        peak_rad=peaks * alpha[:, np.newaxis],
+        gain=gain,
+        sigma=sigma,
+        unknown=int(unknown.sum()),
+    )
+
+
+def log_likelihood(
+    tests: Sequence[ShakingTest],
+    runs: DrawRuns,
+    share: Floats,
+    outliers: Floats,
+    outline_alpha_rad: float,
+) -> Floats:
+    """Return ln of the likelihood of each test at each draw, shape (draws, tests).
+
+    `share` is Q, the probability of a fall without outliers.  The likelihood is (1 - eps) Q + eps/2
+    of a test that fell, and that with 1 - Q of a test that stood.  With a measured peak, a run that
+    stood counts with the normal density of the peak about its own, and an outlier with a uniform
+    density up to the alpha of the outline.
+    """
+    found = np.zeros(share.shape)
+    for place, test in enumerate(tests):
+        if test.fell is None:
+            continue
+        likely, unlike = share[:, place] if test.fell else 1.0 - share[:, place], 0.5
+        if test.peak_rad is not None and test.sigma_rad is not None:
+            apart = (test.peak_rad - runs.peak_rad[place]) / test.sigma_rad
+            density = np.exp(-0.5 * apart * apart) / (test.sigma_rad * np.sqrt(2.0 * np.pi))
+            likely = np.where(runs.fell[place], 0.0, density).mean(axis=1)
+            unlike /= outline_alpha_rad
+        found[:, place] = np.log((1.0 - outliers) * likely + outliers * unlike + 1e-300)
+    return found

@@ -1,0 +1,122 @@
+"""Fates that change with how records are processed and solved: counts of flips."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.model.equations import Linear, Model, Nonlinear
+from rocksteady.model.motions.record import Record
+from rocksteady.outcomes import Status
+from rocksteady.risk.calibration.posterior import Posterior
+from rocksteady.risk.observations.fates import fates_on_records
+from rocksteady.risk.observations.shaking_test import ShakingTest
+from rocksteady.sweep.run import Run
+
+HIGH_PASS_HZ = 0.1
+LOOSER = 100.0
+LARGEST_TOLERANCE = 1e-3
+
+
+def count_flips(
+    posteriors: Sequence[Posterior],
+    tests: Sequence[ShakingTest],
+    *,
+    model: Model | None,
+    run: Run | None,
+) -> dict[str, int]:
+    """Return how many fates change, at the median block of each object without any error.
+
+    Variants are records at half their interval (band-limited between samples, not straight),
+    without their linear baseline, high-passed at 0.1 Hz, and, of the full equations, a tolerance
+    that is 100 times larger.
+
+    Returns
+    -------
+    dict
+        Number of tests whose fate changes, by the variant.
+    """
+    looser = None
+    if not isinstance(model, Linear):
+        given = Nonlinear() if model is None else model
+        looser = Nonlinear(tolerance=min(LARGEST_TOLERANCE, LOOSER * given.tolerance))
+    variants: list[tuple[str, Callable[[Record], Record | None] | None, Model | None]] = [
+        ("half the sampling interval", _halved, model),
+        ("linear baseline removed", _levelled, model),
+        (f"high-pass at {HIGH_PASS_HZ} Hz", _high_passed, model),
+    ]
+    if looser is not None:
+        variants.append((f"tolerance {looser.tolerance:g}", None, looser))
+    usual = _fates(posteriors, tests, model, run)
+    found = {}
+    for words, change, equations in variants:
+        changed = tests if change is None else _changed(tests, change)
+        found[words] = int((usual != _fates(posteriors, changed, equations, run)).sum())
+    return found
+
+
+def _fates(
+    posteriors: Sequence[Posterior],
+    tests: Sequence[ShakingTest],
+    model: Model | None,
+    run: Run | None,
+) -> NDArray[np.bool_]:
+    """Return which tests fall."""
+    fell = np.zeros(len(tests), dtype=bool)
+    for posterior in posteriors:
+        own = [place for place, test in enumerate(tests) if test.object == posterior.object]
+        values = posterior.space.block_values(posterior.median_values()[np.newaxis])
+        block = posterior.space.block.block(values[0])
+        found = fates_on_records(block, [tests[place] for place in own], model=model, run=run)
+        fell[own] = (found["status"].values == Status.OVERTURNED).reshape(len(own))
+    return fell
+
+
+def _changed(
+    tests: Sequence[ShakingTest], change: Callable[[Record], Record | None]
+) -> list[ShakingTest]:
+    """Return tests on changed records, each record changed once."""
+    made: dict[int, Record] = {}
+
+    def of(record: Record) -> Record:
+        if id(record) not in made:
+            changed = change(record)
+            made[id(record)] = record if changed is None else changed
+        return made[id(record)]
+
+    return [
+        replace(
+            test,
+            record=of(test.record),
+            vertical=None if test.vertical is None else of(test.vertical),
+        )
+        for test in tests
+    ]
+
+
+def _halved(record: Record) -> Record:
+    from scipy.signal import resample_poly
+
+    samples = np.asarray(resample_poly(record.acceleration_m_s2, 2, 1))
+    return replace(record, acceleration_m_s2=samples, dt_s=0.5 * record.dt_s)
+
+
+def _levelled(record: Record) -> Record | None:
+    from scipy.signal import detrend
+
+    samples = np.asarray(detrend(record.acceleration_m_s2))
+    # Of a straight line nothing is left, which is no record.
+    return replace(record, acceleration_m_s2=samples) if samples.any() else None
+
+
+def _high_passed(record: Record) -> Record:
+    from scipy.signal import butter, sosfiltfilt
+
+    samples = record.acceleration_m_s2
+    if HIGH_PASS_HZ * 2.0 * record.dt_s >= 1.0:
+        return record
+    sections = butter(2, HIGH_PASS_HZ, "highpass", fs=1.0 / record.dt_s, output="sos")
+    pad = min(len(samples) - 1, round(2.0 / (HIGH_PASS_HZ * record.dt_s)))
+    filtered = sosfiltfilt(sections, samples, padtype="constant", padlen=pad)
+    return replace(record, acceleration_m_s2=np.asarray(filtered))

@@ -1,0 +1,325 @@
+"""Calibrate: from tests that fell or stood to posteriors, scores and verdicts."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.errors import InputError
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import in_range
+from rocksteady.model.equations import Model
+from rocksteady.risk.calibration._draw_runs import DrawRuns, log_likelihood, run_draws
+from rocksteady.risk.calibration._flips import count_flips
+from rocksteady.risk.calibration._importance import Proposal, base_weights, refine
+from rocksteady.risk.calibration._shares import lend
+from rocksteady.risk.calibration._space import Space
+from rocksteady.risk.calibration._verdicts import LIMIT, parameters_of
+from rocksteady.risk.calibration.calibration import (
+    Calibration,
+    Folds,
+    codes_of,
+    error_warnings,
+    make_trial,
+    why_not,
+)
+from rocksteady.risk.calibration.held_out.folds import Evidence, hold_out, normalised
+from rocksteady.risk.calibration.held_out.predictions import predictions_of
+from rocksteady.risk.calibration.held_out.validation import temper_of, validate_trial
+from rocksteady.risk.calibration.posterior import Posterior
+from rocksteady.risk.calibration.sampling import Sampling
+from rocksteady.risk.observations.observations import Observations
+from rocksteady.risk.observations.prior import Prior
+from rocksteady.sweep.run import Run
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+PRIOR_DRAWS = 4096
+"""Draws of the prior that the posterior is compared with; nothing is run for them."""
+
+
+@checked
+def calibrate(
+    tests: Observations,
+    prior: Prior | None = None,
+    *,
+    sampling: Sampling | None = None,
+    groups: Folds = "group",
+    temper: float | Literal["auto"] = "auto",
+    model: Model | None = None,
+    run: Run | None = None,
+) -> Calibration:
+    """Calibrate objects by which tests they fell in.
+
+    A test falls with the probability (1 - eps) Q + eps/2: Q is the share of gains
+    exp(sigma_ln z), z standard normal, at which a run of the block falls, and eps the share of
+    outliers.  Draws of what is not known are weighted by the likelihood of all outcomes to the
+    power of the temper [1].  They come in rounds from mixtures of the prior and of t distributions
+    about the posterior before [2].  A prediction of a training test leaves out its group.  The
+    temper is chosen among tempers from 1 to 0.05 by the held-out log score, for the score of a
+    group among the other groups.
+
+    Parameters
+    ----------
+    tests
+        From `read_tests`, or made by hand.
+    prior
+        What is known of all objects and of the errors; default `Prior()`.
+    sampling
+        Draws, gains, rounds and seed; default `Sampling()`.
+    groups
+        What is held out together: "group" (default; the record's name where tests have none of
+        their own), "record", "test" or "session".
+    temper
+        "auto" (default), or a number in (0, 1]; 1 is Bayes' rule, and no other is.
+    model
+        `Nonlinear()` (default) or `Linear()`.
+    run
+        Executor and workers; default `Run()`.  No number depends on it.
+
+    Returns
+    -------
+    Calibration
+        Posteriors, verdicts, held-out scores, and `predict` for other tests.
+
+    Raises
+    ------
+    InputError, ModelError
+        If an argument is outside its range, or the linear model meets vertical motion.
+
+    References
+    ----------
+    .. [1] P. Grünwald, The Safe Bayesian, Algorithmic Learning Theory (2012), on tempers.
+    .. [2] J.-M. Cornuet, J.-M. Marin, A. Mira and C. P. Robert, Scand. J. Stat. 39, 798-812 (2012).
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from rocksteady import Linear, ObjectPrior, Observations, Record, Sampling, ShakingTest
+    >>> from rocksteady import calibrate
+    >>> column = ObjectPrior(name="column", width_m=0.15, height_m=0.6, base="0.7:1.0")
+    >>> t = 0.02 * np.arange(50)
+    >>> records = [
+    ...     Record(acceleration_m_s2=np.sin(f * t), dt_s=0.02, name=f"{f}") for f in (6, 8, 10)
+    ... ]
+    >>> tests = [
+    ...     ShakingTest(
+    ...         name=f"{record.name}, {gain}",
+    ...         record=record,
+    ...         object="column",
+    ...         fell=gain * 6.0 > 2.0 * float(record.name),
+    ...         gain=gain,
+    ...     )
+    ...     for record in records
+    ...     for gain in (2.0, 3.0, 4.0)
+    ... ]
+    >>> shaken = Observations(tests=tests, objects={"column": column})
+    >>> found = calibrate(shaken, sampling=Sampling(draws=60, rounds=2), model=Linear())
+    >>> [row["verdict"] for row in found.parameters if row["parameter"] == "p_rad_s"]
+    ['prior returned']
+    """
+    options = Sampling() if sampling is None else sampling
+    known = Prior() if prior is None else prior
+    chosen = _temper(temper)
+    objects = {name: known.object_prior(given) for name, given in tests.objects.items()}
+    given = replace(tests, objects=objects)
+    names, codes = codes_of(given.tests, groups)
+    fits = [
+        _fit(
+            Space(block=block, noise=known.noise),
+            given,
+            np.array([k for k, test in enumerate(given.tests) if test.object == name]),
+            codes,
+            _Plan(sampling=options, number=number, model=model, run=run),
+        )
+        for number, (name, block) in enumerate(objects.items())
+    ]
+    evidence = tuple(fit.evidence for fit in fits)
+    trial = make_trial(given, evidence, codes, chosen)
+    reason = why_not(given.fell, codes, groups)
+    power = (1.0 if chosen is None else chosen) if reason else temper_of(trial)
+    validation = None
+    if reason:
+        held = hold_out(evidence, codes, power)
+        group_of = [names[code] for code in codes.tolist()]
+        predictions = predictions_of(given.tests, held, group_of, held_out=[True] * len(given))
+    else:
+        validation = validate_trial(trial, given.tests, names, folds=groups, seed=options.seed)
+        predictions = validation.predictions
+    posteriors = {
+        name: _posterior(name, fit, power) for name, fit in zip(objects, fits, strict=True)
+    }
+    rows = [
+        row
+        for name, posterior in posteriors.items()
+        for row in parameters_of(posterior, _prior_columns(posterior), given.of(name).fell)
+    ]
+    flips = count_flips(list(posteriors.values()), given.tests, model=model, run=run)
+    found = Calibration(
+        tests=given,
+        prior=known,
+        sampling=options,
+        model=model,
+        folds=groups,
+        temper=power,
+        tempered_by_choice=chosen is None,
+        posteriors=posteriors,
+        parameters=tuple(rows),
+        validation=validation,
+        predictions=predictions,
+        flips=flips,
+        warnings=(),
+        evidence=evidence,
+    )
+    return replace(found, warnings=_warnings(found, fits, reason))
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Plan:
+    """How the draws of an object are made and run."""
+
+    sampling: Sampling
+    number: int
+    model: Model | None
+    run: Run | None
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _Fit:
+    """Draws of an object with what they make of its tests."""
+
+    space: Space
+    values: Floats
+    runs: DrawRuns
+    evidence: Evidence
+
+
+def _fit(space: Space, tests: Observations, own: Integers, codes: Integers, plan: _Plan) -> _Fit:
+    """Return the draws of an object, in rounds."""
+    picked = [tests.tests[place] for place in own]
+    sampling, seed = plan.sampling, (plan.sampling.seed, plan.number)
+    proposals: list[Proposal] = []
+    scores = np.empty((0, space.size))
+    runs: DrawRuns | None = None
+    found: _Fit | None = None
+    outline = space.block.outline_alpha_rad
+    for place, draws in enumerate(sampling.per_round):
+        if found is None:
+            proposal = Proposal(draws=draws)
+        else:
+            total = found.evidence.log_likelihood.sum(axis=1)
+            proposal = refine(scores, found.evidence.base, total, draws)
+        proposals.append(proposal)
+        added = proposal.sample(space.size, (*seed, place))
+        scores = np.concatenate([scores, added])
+        more = run_draws(
+            space,
+            space.values_of(added),
+            picked,
+            gains=sampling.gains,
+            seed=(*seed, place, 1),
+            model=plan.model,
+            run=plan.run,
+        )
+        runs = more if runs is None else runs.beside(more)
+        values = space.values_of(scores)
+        share = lend(runs.fell, runs.gain, runs.sigma, space.features(values))
+        outliers = space.outliers(values)
+        likelihood = log_likelihood(picked, runs, share, outliers, outline)
+        if space.size == 0:  # all draws are one block: what differs is noise
+            likelihood = np.zeros_like(likelihood)
+        evidence = Evidence(
+            base=base_weights(scores, proposals),
+            log_likelihood=likelihood,
+            share=(1.0 - outliers)[:, np.newaxis] * share + 0.5 * outliers[:, np.newaxis],
+            tests=own,
+        )
+        found = _Fit(space=space, values=values, runs=runs, evidence=evidence)
+        alone = replace(evidence, tests=np.arange(len(own)))
+        grouped = np.unique(codes[own], return_inverse=True)[1]
+        held = hold_out([alone], grouped, 1.0, ends=False)
+        if float(held.error.max()) < sampling.error and float(held.effective.min()) > 50.0:
+            break
+    assert found is not None
+    return found
+
+
+def _posterior(name: str, fit: _Fit, temper: float) -> Posterior:
+    """Return the posterior of an object."""
+    return Posterior(
+        object=name,
+        space=fit.space,
+        values=fit.values,
+        weights=fit.evidence.weights(temper),
+        untempered_weights=fit.evidence.weights(),
+        prior_weights=normalised(fit.evidence.base[:, np.newaxis])[:, 0],
+        fates=fit.runs.fell.mean(axis=2).T,
+    )
+
+
+def _prior_columns(posterior: Posterior) -> dict[str, Floats]:
+    """Return draws of the prior by name."""
+    space = posterior.space
+    scores = Proposal(draws=PRIOR_DRAWS).sample(space.size, (0,))
+    values = space.values_of(scores)
+    columns = {name: values[:, place] for place, name in enumerate(space.names)}
+    return columns | space.derived(values)
+
+
+def _temper(value: object) -> float | None:
+    """Return a temper, or None for one that is chosen.
+
+    Raises
+    ------
+    InputError
+        If it is neither a number in (0, 1] nor "auto".
+    """
+    if isinstance(value, str):
+        if value != "auto":
+            raise InputError("temper", value, "it must be 'auto' or in (0, 1]", "give 1 for none")
+        return None
+    return in_range("temper", value, 0.0, 1.0, "(]", hint="give 1 for none, or 'auto'")
+
+
+def _warnings(found: Calibration, fits: Sequence[_Fit], reason: str) -> tuple[str, ...]:
+    """Return what limits a calibration."""
+    sentences = list(found.tests.warnings)
+    if reason:
+        sentences.append(f"no held-out scores: {reason}")
+    for fit, (name, posterior) in zip(fits, found.posteriors.items(), strict=True):
+        rows = [row for row in found.parameters if row["object"] == name]
+        for row in rows:
+            if row["verdict"] == LIMIT:
+                sentences.append(
+                    f"{row['parameter']} of {name} lies at the limit of its prior: widen the "
+                    "prior, or doubt the model"
+                )
+            if row["bound_side"] is not None:
+                outcome = "fell" if row["bound_side"] == "upper" else "stood"
+                sentences.append(
+                    f"all tests of {name} {outcome}: {row['bound']:.4g} rad is {row['bound_side']} "
+                    "bound of alpha at 90 %, and no estimate"
+                )
+        if posterior.effective_draws < 50.0:
+            sentences.append(
+                f"the posterior of {name} rests on {posterior.effective_draws:.0f} effective draws "
+                f"of {len(posterior.values)}: make more draws"
+            )
+        if not (fit.runs.fell.any(axis=(1, 2)) & ~fit.runs.fell.all(axis=(1, 2))).any():
+            sentences.append(
+                f"no test of {name} says anything: in each of them all draws fall, or all stand"
+            )
+        if fit.runs.unknown:
+            sentences.append(
+                f"{fit.runs.unknown:,} of {fit.runs.fell.size:,} runs of {name} have no answer, "
+                "and count as standing"
+            )
+    predictions = found.predictions
+    sentences += error_warnings(
+        predictions.mc_error, predictions.effective_draws, found.sampling.error
+    )
+    if found.validation is not None:
+        sentences += found.validation.warnings
+    return tuple(dict.fromkeys(sentences))

@@ -1,0 +1,381 @@
+"""Calibration: posteriors of objects, held-out scores, and predictions of other tests."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.errors import InputError, ModelError, Words
+from rocksteady.model.equations import Model
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, percent, plural
+from rocksteady.results.result import Result
+from rocksteady.risk.calibration._predicting import predict_new
+from rocksteady.risk.calibration._verdicts import MEANINGS
+from rocksteady.risk.calibration.held_out.folds import Evidence, HeldOut
+from rocksteady.risk.calibration.held_out.predictions import Predictions, predictions_of
+from rocksteady.risk.calibration.held_out.rivals import measures_of
+from rocksteady.risk.calibration.held_out.scores import Scores
+from rocksteady.risk.calibration.held_out.validation import Trial, Validation, validate_trial
+from rocksteady.risk.calibration.posterior import Posterior
+from rocksteady.risk.calibration.sampling import Sampling
+from rocksteady.risk.observations.observations import Observations
+from rocksteady.risk.observations.prior import Prior
+from rocksteady.risk.observations.shaking_test import ShakingTest
+from rocksteady.sweep.run import Run
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Folds = Literal["group", "record", "test", "session"]
+FOLDS: tuple[Folds, ...] = ("group", "record", "test", "session")
+
+
+@dataclass(frozen=True, kw_only=True, repr=False, eq=False)
+class Calibration(Result):
+    """What tests say of their objects, from `rocksteady.calibrate`.
+
+    Attributes
+    ----------
+    tests, prior, sampling, model
+        What it was made of.
+    folds
+        What was held out together.
+    temper
+        Exponent of the likelihood, 1 for none.
+    posteriors
+        Weighted draws by object; each object has its own.
+    parameters
+        A row for each parameter and derived number of each object: `prior_low`, `prior_high`,
+        `median`, `low`, `high` (90 %), `sd_ratio` (standard deviation over the prior's),
+        `verdict`, and of alpha `outline`, `bound` and `bound_side`.
+    validation
+        Held-out scores; None where `warnings` have the reason.
+    predictions
+        Of each test without its group.
+    flips
+        How many fates of the median blocks change, by how records are processed and solved.
+    warnings
+        Sentences on what limits the answer.
+    evidence
+        What the draws make of the tests, for other folds.
+    """
+
+    tests: Observations
+    prior: Prior
+    sampling: Sampling
+    model: Model | None
+    folds: Folds
+    temper: float
+    tempered_by_choice: bool
+    posteriors: Mapping[str, Posterior]
+    parameters: tuple[dict[str, Any], ...]
+    validation: Validation | None
+    predictions: Predictions
+    flips: Mapping[str, int]
+    warnings: tuple[str, ...]
+    evidence: tuple[Evidence, ...]
+
+    @property
+    def temper_scores(self) -> Mapping[float, Scores]:
+        """Held-out scores by temper; empty without a validation."""
+        return {} if self.validation is None else self.validation.temper_scores
+
+    @property
+    def mc_error(self) -> float:
+        """Largest Monte Carlo error of a held-out prediction."""
+        return float(np.max(self.predictions.mc_error))
+
+    def predict(
+        self, tests: Observations | Sequence[ShakingTest], *, run: Run | None = None
+    ) -> Predictions:
+        """Predict tests: a training test without its group, any other by all tests.
+
+        Parameters
+        ----------
+        tests
+            Of calibrated objects; outcomes are not needed, and do not change the answer.
+        run
+            Executor and workers; default `Run()`.
+
+        Returns
+        -------
+        Predictions
+            A row for each test; `held_out` is True of training tests.
+
+        Raises
+        ------
+        InputError
+            If there is no test, or an object of one is not calibrated.
+        """
+        given = _listed(tests)
+        known = {test.name: place for place, test in enumerate(self.tests.tests)}
+        trained = [
+            known[test.name]
+            if test.name in known and _same(test, self.tests.tests[known[test.name]])
+            else -1
+            for test in given
+        ]
+        fresh = [place for place, row in enumerate(trained) if row < 0]
+        new = None
+        if fresh:
+            picked = [given[place] for place in fresh]
+            new = predict_new(self.posteriors, picked, self.sampling, model=self.model, run=run)
+        return join_predictions(given, trained, self.predictions, new, limit=self.sampling.error)
+
+    def validate(self, folds: Folds = "record") -> Validation:
+        """Validate with other tests held out together, from the same draws.
+
+        Parameters
+        ----------
+        folds
+            "record" (default), "group", "test" or "session".
+
+        Raises
+        ------
+        ModelError
+            If fewer than two groups have an outcome.
+        """
+        names, codes = codes_of(self.tests.tests, folds)
+        reason = why_not(self.tests.fell, codes, folds)
+        if reason:
+            raise ModelError(
+                "folds", Words(f"are by {folds}"), reason, "give tests of several groups"
+            )
+        temper = None if self.tempered_by_choice else self.temper
+        trial = make_trial(self.tests, self.evidence, codes, temper)
+        return validate_trial(trial, self.tests.tests, names, folds=folds, seed=self.sampling.seed)
+
+    def describe(self) -> Description:
+        """Return scores, parameters with their verdicts, and what limits them."""
+        validation = self.validation
+        counts = self.tests.describe().to_dict()["counts"]
+        rows = {} if validation is None else validation.rows
+        best = rows.get("calibrated")
+        scored = (
+            "no held-out scores"
+            if best is None
+            else f"held-out accuracy {percent(best.accuracy[0])}, "
+            f"Brier score {number(best.brier[0])}"
+        )
+        effective = {name: each.effective_draws for name, each in self.posteriors.items()}
+        facts = [
+            Fact("seed", self.sampling.seed),
+            Fact("tests", len(self.tests), "tests"),
+            Fact("counts", counts),
+            Fact("folds", self.folds, "held out together"),
+            Fact("temper", self.temper, "temper of the likelihood"),
+            Fact("model", "nonlinear" if self.model is None else self.model.name, "model"),
+            *(
+                Fact(key, None if name not in rows else rows[name].values())
+                for key, name in (
+                    ("scores", "calibrated"),
+                    ("untempered", "untempered"),
+                    ("base_rate", "base rate"),
+                    ("logistic", "logistic"),
+                )
+            ),
+            Fact("draws", self.sampling.draws, "draws"),
+            Fact("gains", self.sampling.gains),
+            Fact("effective_draws", effective, "effective draws", _words(effective)),
+            Fact("mc_error", self.mc_error, "largest Monte Carlo error"),
+            Fact("flips", dict(self.flips), "flips", _words(self.flips)),
+            Fact(
+                "inputs",
+                {
+                    "objects": {
+                        name: {key: str(spread) for key, spread in each.space.block.spreads.items()}
+                        for name, each in self.posteriors.items()
+                    },
+                    "noise": {
+                        key: str(getattr(self.prior.noise, key)) for key in ("sigma_ln", "outliers")
+                    },
+                },
+            ),
+            Fact("hashes", {**self.tests.sources, **self.prior.sources}),
+            Fact("warnings", list(self.warnings)),
+        ]
+        tables = [self._table()]
+        if validation is not None:
+            of_scores, tempers, *others = validation.describe().tables
+            tables += [
+                Table("score_rows", of_scores.rows, of_scores.columns, title=of_scores.title),
+                tempers,
+                *others,
+            ]
+        notes = [*self.warnings, *self._remarks()]
+        return Description(
+            headline=f"calibration of {plural(len(self.posteriors), 'object')} by "
+            f"{plural(len(self.tests), 'test')}: {scored}",
+            facts=facts,
+            tables=tables,
+            notes=notes,
+        )
+
+    def _table(self) -> Table:
+        several = len(self.posteriors) > 1
+        columns = [
+            *([Column("object", "object", left=True)] if several else []),
+            Column("parameter", "parameter", left=True),
+            Column("prior_low", "prior 5 %", number),
+            Column("prior_high", "prior 95 %", number),
+            Column("median", "median", number),
+            Column("low", "5 %", number),
+            Column("high", "95 %", number),
+            Column("verdict", "verdict", left=True),
+        ]
+        return Table("parameters", self.parameters, columns)
+
+    def _remarks(self) -> list[str]:
+        """Return what the verdicts and the temper mean."""
+        used = dict.fromkeys(row["verdict"] for row in self.parameters)
+        found = [f"{verdict}: {MEANINGS[verdict]}." for verdict in used]
+        if self.temper != 1.0:
+            found.append(
+                f"The likelihood is taken to the power {number(self.temper)}, which held-out tests "
+                "prefer; that is no Bayesian posterior, and the untempered scores stand beside."
+            )
+        if len(self.posteriors) > 1:
+            found.append("Each object has its own posterior and its own errors.")
+        return found
+
+
+def join_predictions(
+    given: Sequence[ShakingTest],
+    trained: Sequence[int],
+    before: Predictions,
+    new: HeldOut | None,
+    *,
+    limit: float,
+) -> Predictions:
+    """Return predictions of training tests and of others in the order in which they are given.
+
+    Parameters
+    ----------
+    given
+        The tests.
+    trained
+        Row of each in `before`, -1 of a new one.
+    before
+        Held-out predictions of the training tests.
+    new
+        Of the new ones, in their order; None without any.
+    limit
+        Monte Carlo error that is small enough.
+    """
+    columns = {}
+    places = np.array(trained)
+    names = {"p": "p", "low": "low", "high": "high", "error": "mc_error"}
+    for key, name in (names | {"effective": "effective_draws"}).items():
+        column = np.full(len(given), np.nan)
+        column[places >= 0] = getattr(before, name)[places[places >= 0]]
+        if new is not None:
+            column[places < 0] = getattr(new, key)
+        columns[key] = column
+    warnings = error_warnings(columns["error"], columns["effective"], limit)
+    return predictions_of(
+        given,
+        HeldOut(**columns),
+        [test.group or "" for test in given],
+        held_out=[place >= 0 for place in trained],
+        warnings=warnings,
+    )
+
+
+def error_warnings(error: Floats, effective: Floats, limit: float) -> list[str]:
+    """Return sentences on Monte Carlo errors that are too large."""
+    large = int((error > limit).sum())
+    if not large:
+        return []
+    words = (
+        f"the Monte Carlo error of {large} of {plural(len(error), 'prediction')} is above "
+        f"{limit:g}, {number(float(error.max()), 2)} at most, with {effective.min():.0f} effective "
+        "draws at least: make more draws"
+    )
+    return [words]
+
+
+def codes_of(tests: Sequence[ShakingTest], folds: Folds) -> tuple[list[str], Integers]:
+    """Return the names of what is held out together, and the number of it for each test.
+
+    Raises
+    ------
+    InputError
+        If it is none of the four, or a test has no session.
+    """
+    if folds not in FOLDS:
+        raise InputError("folds", folds, f"it must be one of {', '.join(FOLDS)}", "give one")
+    names = []
+    for test in tests:
+        if folds == "session" and test.session is None:
+            raise InputError(
+                "folds",
+                "session",
+                f"test {test.name!r} has no session",
+                "give each test one, or hold out by group",
+            )
+        name = {
+            "group": test.group,
+            "record": test.record.name or test.group,
+            "test": test.name,
+            "session": test.session,
+        }[folds]
+        names.append(str(name))
+    order = {name: place for place, name in enumerate(dict.fromkeys(names))}
+    return list(order), np.array([order[name] for name in names])
+
+
+def why_not(fell: Floats, codes: Integers, folds: str) -> str:
+    """Return why tests cannot be held out; an empty text where they can."""
+    known = np.isfinite(fell)
+    if not known.any():
+        return "no test has an outcome: there is nothing to score"
+    if len(np.unique(codes[known])) < 2:
+        return f"all tests with an outcome are of one {folds}: none is left to predict it from"
+    return ""
+
+
+def make_trial(
+    tests: Observations, evidence: Sequence[Evidence], codes: Integers, temper: float | None
+) -> Trial:
+    """Return all that scores need."""
+    names = list(tests.objects)
+    return Trial(
+        evidence=evidence,
+        codes=codes,
+        objects=np.array([names.index(test.object) for test in tests.tests]),
+        fell=tests.fell,
+        measures=measures_of(tests.tests, tests.objects),
+        temper=temper,
+    )
+
+
+def _listed(tests: Observations | Sequence[ShakingTest]) -> list[ShakingTest]:
+    """Return tests as a list.
+
+    Raises
+    ------
+    InputError
+        If there is none.
+    """
+    given = list(tests.tests if isinstance(tests, Observations) else tests)
+    if not given or not all(isinstance(test, ShakingTest) for test in given):
+        raise InputError(
+            "tests", tests, "it must be Observations, or one ShakingTest or more", "give some"
+        )
+    return given
+
+
+def _same(test: ShakingTest, other: ShakingTest) -> bool:
+    """Return whether a test is one of the training, whatever its outcome."""
+    samples = (test.record.acceleration_m_s2, other.record.acceleration_m_s2)
+    return (
+        (test.object, test.gain, test.reversed) == (other.object, other.gain, other.reversed)
+        and (test.record is other.record or np.array_equal(*samples))
+        and test.record.dt_s == other.record.dt_s
+    )
+
+
+def _words(values: Mapping[str, float]) -> str:
+    return ", ".join(f"{name} {number(float(value))}" for name, value in values.items())

@@ -1,0 +1,1 @@
+"""Scores of tests that were held out, and of simpler rules beside them."""

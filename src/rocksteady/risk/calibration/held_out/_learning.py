@@ -1,0 +1,148 @@
+"""Learning curve: how good predictions from few groups are."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.risk.calibration.held_out.folds import (
+    LADDER,
+    Evidence,
+    best_of,
+    hold_out,
+    normalised,
+)
+from rocksteady.risk.calibration.held_out.rivals import base_rate, logistic
+from rocksteady.risk.calibration.held_out.scores import NAMES, Scores, scores_of
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+RULES = ("calibrated", "logistic", "base rate")
+REPEATS = 10
+"""Random choices of the training groups at each size."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Trial:
+    """All that scores need: what draws and measures make of the tests.
+
+    Attributes
+    ----------
+    evidence
+        Of each object.
+    codes, objects
+        Number of the group and of the object of each test, shape (tests,).
+    fell
+        Outcome, nan where it is not known, shape (tests,).
+    measures
+        Intensity measures, shape (tests, measures).
+    temper
+        A number, or None for that with the best score among the training tests.
+    """
+
+    evidence: Sequence[Evidence]
+    codes: Integers
+    objects: Integers
+    fell: Floats
+    measures: Floats
+    temper: float | None
+
+
+def log_score(p: Floats, fell: Floats) -> float:
+    """Return the sum of ln(probability of what happened) over tests with an outcome."""
+    known = np.isfinite(fell) & np.isfinite(p)
+    happened = np.where(fell[known] > 0.0, p[known], 1.0 - p[known])
+    return float(np.log(np.maximum(happened, 1e-12)).sum())
+
+
+def best_temper(evidence: Sequence[Evidence], codes: Integers, fell: Floats) -> float:
+    """Return the temper whose held-out log score is best; of equal ones the largest."""
+    scores = [log_score(hold_out(evidence, codes, temper, ends=False).p, fell) for temper in LADDER]
+    return LADDER[int(best_of(np.array(scores)[:, np.newaxis])[0])]
+
+
+def learning_curve(trial: Trial, *, seed: int) -> list[dict[str, Any]]:
+    """Return scores of tests that were not used, by the number of groups that were.
+
+    Sizes double from 1.  Training groups are drawn at random, ten times at each size; the temper is
+    chosen among them alone.
+
+    Returns
+    -------
+    list
+        Of each size `groups`, `tests` (mean number of the training), and the `Scores` of
+        "calibrated", "logistic" and "base rate": means of the ten, with their 5 and 95 %.
+    """
+    names = np.unique(trial.codes)
+    sizes = [2**k for k in range(12) if 2**k < len(names)]
+    rng = np.random.default_rng([seed, 5])
+    rows = []
+    for size in sizes:
+        parts = []
+        for _ in range(REPEATS):
+            train = np.isin(trial.codes, rng.choice(names, size=size, replace=False))
+            found = _once(trial, train)
+            if found:
+                parts.append((float((train & np.isfinite(trial.fell)).sum()), found))
+        if parts:
+            row: dict[str, Any] = {"groups": size, "tests": float(np.mean([n for n, _ in parts]))}
+            row |= {name: _mean([found[name] for _, found in parts]) for name in RULES}
+            rows.append(row)
+    return rows
+
+
+def _mean(parts: Sequence[Scores]) -> Scores:
+    """Return the mean of each score, with the 5 and 95 % of the parts as its ends."""
+    means: dict[str, tuple[float, float, float]] = {}
+    for key in NAMES:
+        values = np.array([getattr(part, key)[0] for part in parts])
+        values = values[np.isfinite(values)]
+        low, high = np.quantile(values, [0.05, 0.95]) if len(values) else (np.nan, np.nan)
+        mean = float(values.mean()) if len(values) else np.nan
+        means[key] = (mean, float(low), float(high))
+    tests = round(float(np.mean([part.tests for part in parts])))
+    groups = round(float(np.mean([part.groups for part in parts])))
+    return Scores(**means, tests=tests, groups=groups)
+
+
+def _once(trial: Trial, train: Bools) -> dict[str, Scores]:
+    """Return scores of the other tests; none where no outcome of them is known."""
+    scored = ~train & np.isfinite(trial.fell)
+    if not scored.any():
+        return {}
+    temper = trial.temper
+    if temper is None:
+        inside = [_of_tests(each, train) for each in trial.evidence]
+        # Numbers of the groups stay; of tests that are left out nothing is scored.
+        fell = np.where(train, trial.fell, np.nan)
+        temper = best_temper([each for each in inside if len(each.tests)], trial.codes, fell)
+    p = np.full(len(train), np.nan)
+    for each in trial.evidence:
+        given = each.log_likelihood[:, train[each.tests]].sum(axis=1)
+        weights = normalised((each.base + temper * given)[:, np.newaxis])[:, 0]
+        p[each.tests] = weights @ each.share
+    rules = (
+        p,
+        logistic(trial.measures, trial.fell, train),
+        base_rate(trial.fell, trial.objects, train),
+    )
+    codes = np.unique(trial.codes[scored], return_inverse=True)[1]
+    fell = trial.fell[scored]
+    return {
+        name: scores_of(values[scored], fell, codes, replicates=0)
+        for name, values in zip(RULES, rules, strict=True)
+    }
+
+
+def _of_tests(each: Evidence, kept: Bools) -> Evidence:
+    """Return what draws make of some of the tests."""
+    own = kept[each.tests]
+    return replace(
+        each,
+        log_likelihood=each.log_likelihood[:, own],
+        share=each.share[:, own],
+        tests=each.tests[own],
+    )

@@ -1,0 +1,226 @@
+"""Predictions of each group from the others, from one set of draws, and the choice of a temper."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Bools = NDArray[np.bool_]
+
+LADDER = (1.0, 0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05)
+"""Tempers that are compared."""
+MOST_FOLDS = 20
+"""Folds of the training tests among which a temper is chosen."""
+MOST_WEIGHTS = 6_000_000
+"""Numbers of one array of weights: held-out folds are computed in parts."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Evidence:
+    """What the draws of an object make of its tests.
+
+    Attributes
+    ----------
+    base
+        ln(prior density/density that the draws came from), shape (draws,).
+    log_likelihood
+        ln of the probability of each outcome, 0 of unknown ones, shape (draws, tests).
+    share
+        Probability of a fall, outliers included, shape (draws, tests).
+    tests
+        Numbers of the tests among all.
+    """
+
+    base: Floats
+    log_likelihood: Floats
+    share: Floats
+    tests: Integers
+
+    def weights(self, temper: float = 1.0, kept: Bools | None = None) -> Floats:
+        """Return the weights of the draws by all tests, or by those that are kept."""
+        given = self.log_likelihood if kept is None else self.log_likelihood[:, kept]
+        return normalised((self.base + temper * given.sum(axis=1))[:, np.newaxis])[:, 0]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class HeldOut:
+    """Predictions of tests without their groups, shape (tests,) each.
+
+    Attributes
+    ----------
+    p
+        Probability of a fall.
+    low, high
+        5 and 95 % of it over the draws.
+    error
+        Monte Carlo error of p.
+    effective
+        Effective draws behind it.
+    """
+
+    p: Floats
+    low: Floats
+    high: Floats
+    error: Floats
+    effective: Floats
+
+
+def normalised(logs: Floats) -> Floats:
+    """Return weights that sum to 1 along the first axis, from their logarithms."""
+    weights: Floats = np.exp(logs - logs.max(axis=0))
+    weights /= weights.sum(axis=0)
+    return weights
+
+
+def effective(weights: Floats) -> Floats:
+    """Return how many equal weights are worth as much, 1/sum(w^2), along the first axis."""
+    found: Floats = 1.0 / np.square(weights).sum(axis=0)
+    return found
+
+
+def hold_out(
+    evidence: Sequence[Evidence],
+    codes: Integers,
+    temper: float | Floats,
+    *,
+    ends: bool = True,
+) -> HeldOut:
+    """Return predictions of each test from the tests of other groups.
+
+    The weight of a draw without a group is that with it over the group's likelihood: no run is
+    made again.  The error of a weighted mean is that of self-normalised importance sampling [1];
+    the noise of few gains is in it, for every draw has its own.
+
+    Parameters
+    ----------
+    evidence
+        Of each object.
+    codes
+        Number of each test's group, from 0.
+    temper
+        Exponent of the likelihood, one for all or one for each group.
+    ends
+        Whether the band of p is wanted too, which takes a sort.
+
+    References
+    ----------
+    .. [1] A. B. Owen, Monte Carlo Theory, Methods and Examples (2013), 9.2.
+    """
+    total = len(codes)
+    found = {key: np.full(total, np.nan) for key in ("p", "low", "high", "error", "effective")}
+    exponent = np.broadcast_to(np.asarray(temper, dtype=np.float64), int(codes.max()) + 1)
+    for each in evidence:
+        groups, place = np.unique(codes[each.tests], return_inverse=True)
+        own = _sums_by(each.log_likelihood, place, len(groups))
+        rest = each.log_likelihood.sum(axis=1)[:, np.newaxis] - own
+        weights = normalised(each.base[:, np.newaxis] + exponent[groups] * rest)
+        parts = predict_with(weights[:, place], each.share, ends=ends)
+        for key, values in parts.items():
+            found[key][each.tests] = values
+    return HeldOut(**found)
+
+
+def predict_with(weights: Floats, share: Floats, *, ends: bool = True) -> dict[str, Floats]:
+    """Return weighted means of shares with their errors and bands, shape (tests,) each.
+
+    Parameters
+    ----------
+    weights, share
+        Of each draw and test, shape (draws, tests); of the weights one column may stand for all.
+    ends
+        Whether the band is wanted too.
+    """
+    p = (weights * share).sum(axis=0)
+    count = np.broadcast_to(effective(weights), p.shape)
+    error = np.sqrt((np.square(weights) * np.square(share - p)).sum(axis=0))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        error = error / np.sqrt(1.0 - 1.0 / count)
+    # Of a draw that has all the weight the formula gives 0, and of its error nothing is known.
+    error = np.where(count < 2.0, 0.5, error)
+    found = {"p": p, "error": error, "effective": count}
+    if ends:
+        wide = np.broadcast_to(weights, share.shape)
+        found["low"], found["high"] = weighted_quantiles(share, wide, (0.05, 0.95))
+    return found
+
+
+def weighted_quantiles(values: Floats, weights: Floats, at: Sequence[float]) -> Floats:
+    """Return the least values that have so much weight at or below them, shape (at, columns)."""
+    order = np.argsort(values, axis=0, kind="stable")
+    ranked = np.take_along_axis(values, order, axis=0)
+    below = np.cumsum(np.take_along_axis(weights, order, axis=0), axis=0)
+    rows = [np.minimum((below < share).sum(axis=0), len(values) - 1) for share in at]
+    return np.array([ranked[row, np.arange(values.shape[1])] for row in rows])
+
+
+def choose_tempers(
+    evidence: Sequence[Evidence], codes: Integers, fell: Floats, ladder: Sequence[float] = LADDER
+) -> Floats:
+    """Return the temper for each group, chosen among the tests of the others.
+
+    For a held-out group the others are dealt into at most 20 folds, and each fold is predicted
+    from the rest of them at each temper.  The best log score wins; of equal ones the largest
+    temper.
+
+    Returns
+    -------
+    ndarray
+        Shape (groups,).
+    """
+    groups = int(codes.max()) + 1
+    folds = np.arange(groups) % min(groups, MOST_FOLDS)
+    scores = np.zeros((len(ladder), groups))
+    for each in evidence:
+        scores += _nested_scores(each, codes[each.tests], folds, fell[each.tests], ladder)
+    return np.asarray(ladder)[best_of(scores)]
+
+
+def best_of(scores: Floats) -> Integers:
+    """Return the row of the largest score in each column; of equal ones the first."""
+    found: Integers = np.argmax(scores >= scores.max(axis=0) - 1e-9, axis=0)
+    return found
+
+
+def _nested_scores(
+    each: Evidence, codes: Integers, folds: Integers, fell: Floats, ladder: Sequence[float]
+) -> Floats:
+    """Return sums of the log score of other groups, shape (tempers, groups)."""
+    groups, draws = len(folds), len(each.base)
+    known = np.isfinite(fell)
+    own = _sums_by(each.log_likelihood, codes, groups)
+    total = each.log_likelihood.sum(axis=1)
+    scores = np.zeros((len(ladder), groups))
+    step = max(1, MOST_WEIGHTS // draws)
+    for fold in np.unique(folds[codes]):
+        inside = np.flatnonzero((folds[codes] == fold) & known)
+        if len(inside) == 0:
+            continue
+        left = total - own[:, folds == fold].sum(axis=1)
+        for begin in range(0, groups, step):
+            outer = np.arange(begin, min(groups, begin + step))
+            without = left[:, np.newaxis] - own[:, outer] * (folds[outer] != fold)
+            # Groups whose tests are of other objects, or lie in the fold, change nothing here.
+            same, back = np.unique(
+                np.where((folds[outer] != fold) & np.isin(outer, codes), outer, -1),
+                return_index=True,
+                return_inverse=True,
+            )[1:]
+            counted = codes[inside][np.newaxis] != outer[:, np.newaxis]
+            for row, temper in enumerate(ladder):
+                weights = normalised(each.base[:, np.newaxis] + temper * without[:, same])
+                p = (weights.T @ each.share[:, inside])[back]
+                happened = np.where(fell[inside] > 0.0, p, 1.0 - p)
+                logs = np.log(np.maximum(happened, 1e-12))
+                scores[row, outer] += (logs * counted).sum(axis=1)
+    return scores
+
+
+def _sums_by(values: Floats, place: Integers, groups: int) -> Floats:
+    """Return the sums of columns of the same group, shape (rows, groups)."""
+    member = np.zeros((values.shape[1], groups))
+    member[np.arange(values.shape[1]), place] = 1.0
+    found: Floats = values @ member
+    return found

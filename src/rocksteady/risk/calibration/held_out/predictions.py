@@ -1,0 +1,125 @@
+"""Predictions of tests: probability of a fall, its band, its Monte Carlo error."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, plural
+from rocksteady.results.result import Result
+from rocksteady.risk.calibration.held_out.folds import HeldOut
+from rocksteady.risk.observations.shaking_test import ShakingTest
+
+Floats = NDArray[np.float64]
+OUTCOMES: Mapping[bool | None, str] = {True: "fell", False: "stood", None: "unknown"}
+
+
+@dataclass(frozen=True, kw_only=True, repr=False, eq=False)
+class Predictions(Result):
+    """Probabilities that tests fall.
+
+    Attributes
+    ----------
+    test, object, group
+        Names, one for each row.
+    p
+        Probability of a fall, outliers included, shape (rows,).
+    low, high
+        5 and 95 % of it over the draws of the posterior, shape (rows,).
+    mc_error
+        Monte Carlo error of p, shape (rows,): that of the draws and of the gains.
+    effective_draws
+        Effective draws behind p, shape (rows,).
+    held_out
+        True of a test that was in the training and is predicted without its group, False of one
+        that was not in it.
+    fell
+        Outcome, None where it is not known.
+    warnings
+        Sentences on what limits the answer.
+    """
+
+    test: tuple[str, ...]
+    object: tuple[str, ...]
+    group: tuple[str, ...]
+    p: Floats
+    low: Floats
+    high: Floats
+    mc_error: Floats
+    effective_draws: Floats
+    held_out: tuple[bool, ...]
+    fell: tuple[bool | None, ...]
+    warnings: tuple[str, ...] = ()
+
+    def __len__(self) -> int:
+        """Return the number of rows."""
+        return len(self.test)
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """One mapping of plain values for each test."""
+        return [
+            {
+                "test": self.test[k],
+                "p": float(self.p[k]),
+                "low": float(self.low[k]),
+                "high": float(self.high[k]),
+                "mc_error": float(self.mc_error[k]),
+                "held_out": self.held_out[k],
+                "outcome": OUTCOMES[self.fell[k]],
+                "object": self.object[k],
+                "group": self.group[k],
+                "effective_draws": float(self.effective_draws[k]),
+            }
+            for k in range(len(self.test))
+        ]
+
+    def describe(self) -> Description:
+        """Return a row for each test."""
+        columns = (
+            Column("test", "test", left=True),
+            Column("p", "p", number),
+            Column("low", "5 %", number),
+            Column("high", "95 %", number),
+            Column("mc_error", "MC error", number),
+            Column("held_out", "held out"),
+            Column("outcome", "outcome", left=True),
+        )
+        likely = int((self.p >= 0.5).sum())
+        return Description(
+            headline=f"{plural(len(self.test), 'test')}: {likely} more likely fall than not",
+            facts=[
+                Fact("tests", len(self.test), "tests"),
+                Fact("mc_error", float(np.max(self.mc_error)), "largest Monte Carlo error"),
+                Fact("warnings", list(self.warnings)),
+            ],
+            tables=[Table("predictions", self.rows, columns)],
+            notes=self.warnings,
+        )
+
+
+def predictions_of(
+    tests: Sequence[ShakingTest],
+    held: HeldOut,
+    groups: Sequence[str],
+    *,
+    held_out: Sequence[bool],
+    warnings: Sequence[str] = (),
+) -> Predictions:
+    """Return predictions with the names and outcomes of their tests."""
+    return Predictions(
+        test=tuple(test.name for test in tests),
+        object=tuple(test.object for test in tests),
+        group=tuple(groups),
+        p=held.p,
+        low=held.low,
+        high=held.high,
+        mc_error=held.error,
+        effective_draws=held.effective,
+        held_out=tuple(held_out),
+        fell=tuple(test.fell for test in tests),
+        warnings=tuple(warnings),
+    )

@@ -1,0 +1,207 @@
+"""Scores of probabilities against outcomes, with intervals by a bootstrap of groups."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.errors import InputError
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.validation import whole_number
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, percent
+from rocksteady.results.result import Result
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Interval = tuple[float, float, float]
+"""A value and the ends of its interval of 90 %."""
+
+BINS = 10
+"""Of the reliability and of its error: each a tenth wide."""
+LEAST = 1e-12
+"""A probability of 0 of what happened has this one in the log score."""
+REPLICATES = 1000
+NAMES = ("accuracy", "f1", "brier", "log_score", "ece")
+WORDS = {
+    "accuracy": "accuracy",
+    "f1": "F1 of those that fell",
+    "brier": "Brier score",
+    "log_score": "log score",
+    "ece": "calibration error",
+}
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Scores(Result):
+    """Scores of predictions: value, low and high end of 90 % by a bootstrap of groups.
+
+    Attributes
+    ----------
+    accuracy
+        Share of outcomes that are the likelier one; 0.5 counts as a fall.
+    f1
+        Twice the hits over the predicted and the observed falls; nan where there are none.
+    brier
+        Mean of (p - fell)^2.
+    log_score
+        Mean of -ln(probability of what happened); smaller is better.
+    ece
+        Mean over the tests of abs(mean p - share that fell) of their tenth of p.
+    tests, groups
+        How many were scored.
+    """
+
+    accuracy: Interval
+    f1: Interval
+    brier: Interval
+    log_score: Interval
+    ece: Interval
+    tests: int
+    groups: int
+
+    def describe(self) -> Description:
+        """Return the five scores."""
+        rows = [
+            {"score": key, "value": value, "low": low, "high": high}
+            for key, (value, low, high) in ((key, getattr(self, key)) for key in NAMES)
+        ]
+        columns = (
+            Column("score", "score", lambda key: WORDS[key], left=True),
+            Column("value", "value", number),
+            Column("low", "5 %", number),
+            Column("high", "95 %", number),
+        )
+        return Description(
+            headline=f"accuracy {percent(self.accuracy[0])}, Brier score "
+            f"{number(self.brier[0])} of {self.tests} tests",
+            facts=[
+                Fact("tests", self.tests, "tests"),
+                Fact("groups", self.groups, "groups that the bootstrap draws"),
+            ],
+            tables=[Table("scores", rows, columns)],
+        )
+
+    def values(self) -> dict[str, dict[str, float]]:
+        """Return the scores as plain values for a file."""
+        ends = ("value", "low", "high")
+        return {key: dict(zip(ends, getattr(self, key), strict=True)) for key in NAMES}
+
+
+@checked
+def score_predictions(
+    probabilities: ArrayLike,
+    fell: ArrayLike,
+    *,
+    groups: Sequence[str] | None = None,
+    replicates: int = REPLICATES,
+    seed: int = 0,
+) -> Scores:
+    """Score probabilities of a fall against outcomes.
+
+    Intervals come from redrawn groups: tests of one group depend on each other.
+
+    Parameters
+    ----------
+    probabilities
+        Of a fall, shape (tests,).
+    fell
+        Outcomes, 1 or True of a test that fell, shape (tests,).
+    groups
+        Group of each test; by default each is its own.
+    replicates
+        Redrawn sets, default 1000; 0 leaves the intervals at nan.
+    seed
+        Of the redrawing; default 0.
+
+    Returns
+    -------
+    Scores
+        Five scores with intervals of 90 %.
+
+    Raises
+    ------
+    InputError
+        If the shapes differ, there is no test, or a number is no probability or no outcome.
+
+    Examples
+    --------
+    >>> from rocksteady import score_predictions
+    >>> found = score_predictions([0.9, 0.2, 0.6], [True, False, False], replicates=0)
+    >>> print(f"{found.accuracy[0]:.3f} {found.brier[0]:.3f}")
+    0.667 0.137
+    """
+    p, y = np.asarray(probabilities, dtype=np.float64), np.asarray(fell)
+    hint = "give one probability and one outcome for each test"
+    if p.ndim != 1 or p.shape != y.shape or len(p) == 0:
+        raise InputError("probabilities", p.shape, f"fell has the shape {y.shape}", hint)
+    if not ((p >= 0.0) & (p <= 1.0)).all():
+        raise InputError("probabilities", probabilities, "all must lie in [0, 1]", hint)
+    if not np.isin(y, (0, 1)).all():
+        raise InputError("fell", fell, "each must be True or False, 1 or 0", hint)
+    hint = "give a whole number, as 1000"
+    count = whole_number("replicates", replicates, at_least=0, at_most=100_000, hint=hint)
+    start = whole_number("seed", seed, at_least=0, hint=hint)
+    names = [str(place) for place in range(len(p))] if groups is None else list(groups)
+    if len(names) != len(p):
+        raise InputError("groups", len(names), f"there are {len(p)} tests", "name each one's group")
+    codes = np.unique(names, return_inverse=True)[1]
+    return scores_of(p, y.astype(np.float64), codes, replicates=count, seed=start)
+
+
+def scores_of(
+    p: Floats, fell: Floats, codes: Integers, *, replicates: int = REPLICATES, seed: int = 0
+) -> Scores:
+    """Return the scores of probabilities; `codes` are the numbers of the groups, from 0."""
+    sums = _sums(p, fell, codes)
+    groups = len(sums)
+    values = _from_sums(sums.sum(axis=0)[np.newaxis])[0]
+    ends = np.full((2, len(NAMES)), np.nan)
+    if replicates and groups > 1:
+        drawn = np.random.default_rng(seed).multinomial(
+            groups, np.full(groups, 1.0 / groups), size=replicates
+        )
+        found = _from_sums(drawn @ sums)
+        for place in range(len(NAMES)):
+            known = found[np.isfinite(found[:, place]), place]
+            if len(known):
+                ends[:, place] = np.quantile(known, [0.05, 0.95])
+    intervals = {
+        key: (float(values[place]), float(ends[0, place]), float(ends[1, place]))
+        for place, key in enumerate(NAMES)
+    }
+    return Scores(**intervals, tests=len(p), groups=groups)
+
+
+def bin_of(p: Floats) -> Integers:
+    """Return the tenth that each probability lies in, 0 to 9."""
+    found: Integers = np.minimum((BINS * p).astype(np.int64), BINS - 1)
+    return found
+
+
+def _sums(p: Floats, fell: Floats, codes: Integers) -> Floats:
+    """Return the sums of each group that all scores follow from, shape (groups, 6 + bins)."""
+    called = p >= 0.5
+    happened = np.where(fell > 0.0, p, 1.0 - p)
+    columns = np.zeros((len(p), 6 + BINS))
+    columns[:, 0] = 1.0
+    columns[:, 1] = called == (fell > 0.0)
+    columns[:, 2] = called & (fell > 0.0)
+    columns[:, 3] = called + fell
+    columns[:, 4] = np.square(p - fell)
+    columns[:, 5] = -np.log(np.maximum(happened, LEAST))
+    columns[np.arange(len(p)), 6 + bin_of(p)] = p - fell
+    found = np.zeros((int(codes.max()) + 1, columns.shape[1]))
+    np.add.at(found, codes, columns)
+    return found
+
+
+def _from_sums(sums: Floats) -> Floats:
+    """Return the five scores of rows of sums, in the order of NAMES."""
+    count = sums[:, 0]
+    with np.errstate(invalid="ignore", divide="ignore"):
+        f1 = 2.0 * sums[:, 2] / sums[:, 3]
+    ece = np.abs(sums[:, 6:]).sum(axis=1) / count
+    return np.column_stack([sums[:, 1] / count, f1, sums[:, 4] / count, sums[:, 5] / count, ece])

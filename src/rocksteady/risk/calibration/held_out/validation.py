@@ -1,0 +1,234 @@
+"""Validation: scores of each group's tests from the others, beside those of simpler rules."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number, percent
+from rocksteady.results.result import Result
+from rocksteady.risk.calibration.held_out._learning import Trial, best_temper, learning_curve
+from rocksteady.risk.calibration.held_out.folds import LADDER, choose_tempers, hold_out
+from rocksteady.risk.calibration.held_out.predictions import Predictions, predictions_of
+from rocksteady.risk.calibration.held_out.rivals import out_of_group
+from rocksteady.risk.calibration.held_out.scores import BINS, NAMES, Scores, bin_of, scores_of
+from rocksteady.risk.observations.shaking_test import ShakingTest
+
+Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Row = dict[str, Any]
+ROWS = ("calibrated", "untempered", "base rate", "logistic")
+
+
+@dataclass(frozen=True, kw_only=True, repr=False, eq=False)
+class Validation(Result):
+    """Held-out scores of a calibration, and of what it has to beat.
+
+    Attributes
+    ----------
+    folds
+        What stays together: "group", "record", "test" or "session".
+    rows
+        `Scores` of "calibrated", "untempered", "base rate" and "logistic", on the same folds.
+    tempers
+        Temper by the name of each group, chosen among the tests of the others.
+    temper_scores
+        `Scores` by temper, of all groups at that temper.
+    predictions
+        Of each test without its group.
+    reliability
+        Of each tenth of p that holds tests: `from`, `to`, `tests`, `predicted` (mean p), `observed`
+        (share that fell), and `low`, `high` of its 90 % interval (of Jeffreys).
+    residuals
+        By "record" and by "session" a row for each: `name`, `tests`, `fell`, `expected`,
+        `deviation` of it, and `z`, the difference over the deviation.
+    learning
+        By the number of training `groups` the `Scores` of "calibrated", "logistic" and
+        "base rate", with `tests`, the mean number of the training.
+    warnings
+        Sentences on what limits the scores.
+    """
+
+    folds: str
+    rows: Mapping[str, Scores]
+    tempers: Mapping[str, float]
+    temper_scores: Mapping[float, Scores]
+    predictions: Predictions
+    reliability: tuple[Row, ...]
+    residuals: Mapping[str, tuple[Row, ...]]
+    learning: tuple[Row, ...]
+    warnings: tuple[str, ...] = ()
+
+    def describe(self) -> Description:
+        """Return the scores, one row for each rule."""
+        rows = [{"rule": name} | _plain(scores) for name, scores in self.rows.items()]
+        learning = [
+            {
+                f"{key} {score}" if isinstance(value, Scores) else key: part
+                for key, value in row.items()
+                for score, part in (
+                    [(name, getattr(value, name)[0]) for name in NAMES]
+                    if isinstance(value, Scores)
+                    else [("", value)]
+                )
+            }
+            for row in self.learning
+        ]
+        residuals = [{"by": by} | row for by, rows in self.residuals.items() for row in rows]
+        columns = (
+            Column("rule", "predicted by", left=True),
+            Column("accuracy", "accuracy", number),
+            Column("f1", "F1", number),
+            Column("brier", "Brier", number),
+            Column("log_score", "log score", number),
+            Column("ece", "ECE", number),
+        )
+        best = self.rows["calibrated"]
+        low, high = best.accuracy[1:]
+        span = "" if np.isnan(low) else f" ({percent(low)} to {percent(high)})"
+        return Description(
+            headline=f"held out by {self.folds}: accuracy {percent(best.accuracy[0])}{span}, "
+            f"Brier score {number(best.brier[0])}",
+            facts=[
+                Fact("folds", self.folds, "held out together"),
+                Fact("groups", best.groups, "groups"),
+                Fact("tests", best.tests, "tests"),
+                Fact("warnings", list(self.warnings)),
+            ],
+            tables=[
+                Table("scores", rows, columns, title="scores of tests that were held out"),
+                Table("temper_scores", self._tempers(), title=""),
+                Table("reliability", self.reliability),
+                Table("residuals", residuals),
+                Table("learning", learning),
+            ],
+            notes=self.warnings,
+        )
+
+    def _tempers(self) -> list[Row]:
+        return [
+            {"temper": temper, "log_score": found.log_score[0], "brier": found.brier[0]}
+            for temper, found in self.temper_scores.items()
+        ]
+
+
+def validate_trial(
+    trial: Trial,
+    tests: Sequence[ShakingTest],
+    names: Sequence[str],
+    *,
+    folds: str,
+    seed: int,
+    learning: bool = True,
+) -> Validation:
+    """Return held-out scores of a trial; `names` are those of the groups, by their numbers."""
+    known = np.isfinite(trial.fell)
+    fell, codes = trial.fell[known], np.unique(trial.codes[known], return_inverse=True)[1]
+
+    def scored(p: Floats) -> Scores:
+        return scores_of(p[known], fell, codes, seed=seed)
+
+    if trial.temper is None:
+        tempers = choose_tempers(trial.evidence, trial.codes, trial.fell)
+    else:
+        tempers = np.full(len(names), trial.temper)
+    held = hold_out(trial.evidence, trial.codes, tempers)
+    rates, curves = out_of_group(trial.measures, trial.fell, trial.objects, trial.codes)
+    at_tempers = {
+        temper: hold_out(trial.evidence, trial.codes, temper, ends=False).p for temper in LADDER
+    }
+    rules = (held.p, at_tempers[1.0], rates, curves)
+    groups = [names[code] for code in trial.codes.tolist()]
+    low = np.flatnonzero(held.effective < 50.0)
+    warnings = []
+    if len(low):
+        few = sorted({groups[place] for place in low.tolist()})
+        warnings.append(
+            f"{len(few)} of {len(names)} folds rest on fewer than 50 effective draws, "
+            f"{held.effective.min():.0f} at least: make more draws"
+        )
+    if len(names) < 10:
+        warnings.append(f"with {len(names)} groups the intervals of the scores are rough")
+    return Validation(
+        folds=folds,
+        rows={name: scored(p) for name, p in zip(ROWS, rules, strict=True)},
+        tempers=dict(zip(names, tempers.tolist(), strict=True)),
+        temper_scores={temper: scored(p) for temper, p in at_tempers.items()},
+        predictions=predictions_of(tests, held, groups, held_out=[True] * len(tests)),
+        reliability=tuple(_reliability(held.p[known], fell)),
+        residuals=_residuals(held.p, trial.fell, tests),
+        learning=tuple(learning_curve(trial, seed=seed)) if learning else (),
+        warnings=tuple(warnings),
+    )
+
+
+def temper_of(trial: Trial) -> float:
+    """Return the temper of all tests: the given one, or that of the best held-out log score."""
+    if trial.temper is not None:
+        return trial.temper
+    return best_temper(trial.evidence, trial.codes, trial.fell)
+
+
+def _plain(scores: Scores) -> Row:
+    """Return scores and their ends as values of a row."""
+    found: Row = {}
+    for key in NAMES:
+        value, low, high = getattr(scores, key)
+        found |= {key: value, f"{key}_low": low, f"{key}_high": high}
+    return found
+
+
+def _reliability(p: Floats, fell: Floats) -> list[Row]:
+    """Return the tenths of p that hold tests."""
+    from scipy.special import betaincinv
+
+    found = []
+    place = bin_of(p)
+    for tenth in np.unique(place).tolist():
+        own = place == tenth
+        tests, count = int(own.sum()), float(fell[own].sum())
+        low, high = (betaincinv(count + 0.5, tests - count + 0.5, end) for end in (0.05, 0.95))
+        found.append(
+            {
+                "from": tenth / BINS,
+                "to": (tenth + 1) / BINS,
+                "tests": tests,
+                "predicted": float(p[own].mean()),
+                "observed": count / tests,
+                "low": float(low) if count else 0.0,
+                "high": float(high) if count < tests else 1.0,
+            }
+        )
+    return found
+
+
+def _residuals(p: Floats, fell: Floats, tests: Sequence[ShakingTest]) -> dict[str, tuple[Row, ...]]:
+    """Return observed and expected falls by record and by session."""
+    keys = {
+        "record": [test.record.name or test.group or "" for test in tests],
+        "session": [test.session for test in tests],
+    }
+    found = {}
+    for kind, names in keys.items():
+        rows = []
+        for name in dict.fromkeys(name for name in names if name is not None):
+            own = np.array([each == name for each in names]) & np.isfinite(fell)
+            if not own.any():
+                continue
+            expected, deviation = float(p[own].sum()), float(np.sqrt((p * (1.0 - p))[own].sum()))
+            count = int(fell[own].sum())
+            rows.append(
+                {
+                    "name": name,
+                    "tests": int(own.sum()),
+                    "fell": count,
+                    "expected": expected,
+                    "deviation": deviation,
+                    "z": (count - expected) / deviation if deviation > 0.0 else 0.0,
+                }
+            )
+        found[kind] = tuple(rows)
+    return found

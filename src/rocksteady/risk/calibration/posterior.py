@@ -1,0 +1,111 @@
+"""Posterior of one object: weighted draws of its parameters, with its predictions' shares."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number
+from rocksteady.results.result import Result
+from rocksteady.risk.calibration._space import Space
+from rocksteady.risk.calibration.held_out.folds import effective, weighted_quantiles
+
+Floats = NDArray[np.float64]
+ENDS = (0.5, 0.05, 0.95)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class Posterior(Result):
+    """Weighted draws of the parameters of one object.
+
+    Each object has its own draws, its own noise among them: nothing is shared between objects.
+
+    Attributes
+    ----------
+    object
+        Name of the object.
+    space
+        Its parameters and their prior.
+    values
+        Shape (draws, parameters), in the order of `names`.
+    weights, untempered_weights, prior_weights
+        Of the draws, each summing to 1, shape (draws,): with the likelihood to the power of the
+        temper, with the likelihood itself, and without it.
+    fates
+        Share of the runs of each draw and test that fell, shape (draws, tests of the object).
+    """
+
+    object: str
+    space: Space
+    values: Floats
+    weights: Floats
+    untempered_weights: Floats
+    prior_weights: Floats
+    fates: Floats
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the parameters."""
+        return self.space.names
+
+    @cached_property
+    def effective_draws(self) -> float:
+        """How many draws of equal weight are worth as much, 1/sum(w^2)."""
+        return float(effective(self.weights))
+
+    @cached_property
+    def untempered_effective_draws(self) -> float:
+        """The same of the untempered weights."""
+        return float(effective(self.untempered_weights))
+
+    @cached_property
+    def columns(self) -> dict[str, Floats]:
+        """Each parameter and each derived number by its name, shape (draws,)."""
+        found = {name: self.values[:, place] for place, name in enumerate(self.names)}
+        return found | self.space.derived(self.values)
+
+    def of(self, name: str) -> Floats:
+        """Return the draws of a parameter, or of a derived number, by its name."""
+        return self.columns[name]
+
+    def interval(self, name: str, *, untempered: bool = False) -> tuple[float, float, float]:
+        """Return the median, the 5 % and the 95 % quantile of a number by its name."""
+        weights = self.untempered_weights if untempered else self.weights
+        column = self.columns[name][:, np.newaxis]
+        median, low, high = weighted_quantiles(column, weights[:, np.newaxis], ENDS)[:, 0]
+        return float(median), float(low), float(high)
+
+    def median_values(self) -> Floats:
+        """Return the weighted median of each parameter, shape (parameters,)."""
+        wide = np.broadcast_to(self.weights[:, np.newaxis], self.values.shape)
+        found: Floats = weighted_quantiles(self.values, wide, (0.5,))[0]
+        return found
+
+    def describe(self) -> Description:
+        """Return the median and the 90 % interval of each number."""
+        rows = []
+        for name in self.columns:
+            median, low, high = self.interval(name)
+            rows.append({"parameter": name, "median": median, "low": low, "high": high})
+        columns = (
+            Column("parameter", "parameter", left=True),
+            Column("median", "median", number),
+            Column("low", "5 %", number),
+            Column("high", "95 %", number),
+        )
+        return Description(
+            headline=f"{self.object}: {len(self.values):,} draws, "
+            f"{self.effective_draws:.0f} effective",
+            facts=[
+                Fact("object", self.object, "object"),
+                Fact("effective_draws", self.effective_draws, "effective draws"),
+                Fact(
+                    "untempered_effective_draws",
+                    self.untempered_effective_draws,
+                    "effective draws without tempering",
+                ),
+            ],
+            tables=[Table("parameters", rows, columns)],
+        )

@@ -1,0 +1,68 @@
+"""How many runs a calibration makes, and which seed decides the draws."""
+
+from dataclasses import dataclass
+from typing import Final
+
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import in_range, whole_number
+
+LEAST_DRAWS: Final = 30
+MOST_DRAWS: Final = 100_000
+MOST_GAINS: Final = 1000
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class Sampling:
+    """Draws of the parameters, gains of each, and rounds of refinement.
+
+    Parameters
+    ----------
+    draws
+        Draws of each object in all rounds together, default 1500.
+    gains
+        Gains that each draw and test is run at, default 5.  They are quantiles of the amplitude
+        error in equal strata, shifted at random for each draw and test.
+    rounds
+        Default 3: the first draws from the prior, each other from the posterior before it.  Rounds
+        are left out once the error of every prediction is below `error`.
+    error
+        Monte Carlo error of a prediction that is small enough, default 0.01.
+    seed
+        Of all draws, default 0.
+
+    Raises
+    ------
+    InputError
+        If a number is outside its range, or there are more rounds than a tenth of the draws.
+
+    Examples
+    --------
+    >>> from rocksteady import Sampling
+    >>> Sampling(draws=300).per_round
+    [100, 100, 100]
+    """
+
+    draws: int = 1500
+    gains: int = 5
+    rounds: int = 3
+    error: float = 0.01
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        hint = "give a whole number, as 1500"
+        whole_number("draws", self.draws, at_least=LEAST_DRAWS, at_most=MOST_DRAWS, hint=hint)
+        hint = "give a whole number, as 5"
+        whole_number("gains", self.gains, at_least=1, at_most=MOST_GAINS, hint=hint)
+        hint = "give a whole number, as 3, and at least ten draws for each"
+        whole_number("rounds", self.rounds, at_least=1, at_most=self.draws // 10, hint=hint)
+        whole_number("seed", self.seed, at_least=0, hint="give a whole number, as 0")
+        hint = "give a probability, as 0.01"
+        object.__setattr__(self, "error", in_range("error", self.error, 0.0, 1.0, "(]", hint=hint))
+
+    @property
+    def per_round(self) -> list[int]:
+        """Draws of each round."""
+        share, rest = divmod(self.draws, self.rounds)
+        return [share + (place < rest) for place in range(self.rounds)]
