@@ -128,6 +128,13 @@ from .risk.back_analysis.back_analysis import BackAnalysis as BackAnalysis
 from .risk.back_analysis.read_survey import read_survey as read_survey
 from .risk.back_analysis.scan import Scan as Scan
 from .risk.back_analysis.survey import Survey as Survey
+from .risk.calibration.calibrate import calibrate as calibrate
+from .risk.calibration.calibration import Calibration as Calibration
+from .risk.calibration.held_out.predictions import Predictions as Predictions
+from .risk.calibration.held_out.scores import Scores as Scores, score_predictions as score_predictions
+from .risk.calibration.held_out.validation import Validation as Validation
+from .risk.calibration.posterior import Posterior as Posterior
+from .risk.calibration.sampling import Sampling as Sampling
 from .risk.ensemble.levels import Stripes as Stripes
 from .risk.ensemble.restitution_band import RestitutionBand as RestitutionBand
 from .risk.ensemble.runs import run_ensemble as run_ensemble

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.errors import InputError
-from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, percent
@@ -33,7 +33,6 @@ WORDS = {
 }
 
 
-@checked_result
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Scores(Result):
     """Scores of predictions: value, low and high end of 90 % by a bootstrap of groups.
