@@ -1,0 +1,225 @@
+"""Plots of tests by record: at which gain what fell, and what was predicted of it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.errors import InputError, Words
+from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import whole_number
+from rocksteady.risk.calibration.calibration import Calibration
+from rocksteady.show.plots.observations._rows import CROWDED, name_rows
+from rocksteady.show.style.layout import axes_or_new, plain_ticks
+from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
+from rocksteady.show.style.line_colours import Inks, inks_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Floats = NDArray[np.float64]
+
+MOST = 40
+"""Rows of a picture."""
+TALL = 0.36
+"""Half the height of a strip, in rows."""
+APART = 1.12
+"""Least factor by which a picture goes beyond the smallest and the largest gain."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Rung:
+    """The tests of one object under one record, the weakest first.
+
+    Attributes
+    ----------
+    name
+        Of the record, and of the object where there are several.
+    at
+        Gains, or peak accelerations [g], shape (tests,).
+    p
+        Predicted probabilities of falling, shape (tests,).
+    fell
+        Outcomes, shape (tests,).
+    """
+
+    name: str
+    at: Floats
+    p: Floats
+    fell: NDArray[np.bool_]
+
+    @property
+    def even(self) -> float:
+        """Logarithm of where falling is as likely as standing, beyond the ends by the odds."""
+        odds = np.log(np.clip(self.p, 1e-3, 0.999) / (1.0 - np.clip(self.p, 1e-3, 0.999)))
+        return float(np.mean(np.log(self.at) - 0.15 * odds))
+
+
+@checked
+def plot_ladders(
+    calibration: Calibration,
+    ax: "Axes | None" = None,
+    *,
+    first: int = 0,
+    most: int = MOST,
+    legend: LegendPlace | None = None,
+) -> "Axes":
+    """Draw the tests of each record over the gain, with the predicted probability behind them.
+
+    Each row is a record, the strongest at the bottom; its shade is the probability of falling that
+    the tests of other groups give.  Where every record was run at one gain the abscissa is the peak
+    acceleration.
+
+    Parameters
+    ----------
+    calibration
+        From `rocksteady.calibrate`.
+    ax
+        Axes to draw on; those of a new figure without.
+    first, most
+        Row at the top, and the number of rows; default 0 and 40.
+    legend
+        "inside" the axes, to their "right", "below" them (default) or "none".
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: gain on a logarithmic scale, and a row for each record.
+
+    Raises
+    ------
+    InputError
+        If there is no such row.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import Sampling, calibrate, make_synthetic_tests
+    >>> found = calibrate(make_synthetic_tests(), sampling=Sampling(draws=64, rounds=1))
+    >>> axes = plot_ladders(found, Figure().add_subplot())
+    >>> axes.get_xscale()
+    'log'
+    """
+    hint = "give a number of rows, as 40"
+    begin = whole_number("first", first, at_least=0, hint=hint)
+    count = whole_number("most", most, at_least=1, hint=hint)
+    rungs, label = rungs_of(calibration)
+    shown = rungs[begin : begin + count]
+    if not shown:
+        raise InputError(
+            "first", Words(f"is {begin}"), f"there are {len(rungs)} rows", "give a smaller number"
+        )
+    axes = axes_or_new(ax)
+    inks, place = inks_of(axes), place_of(axes, legend, "below")
+    ends = np.concatenate([each.at for each in rungs])
+    limits = float(ends.min()) / APART, float(ends.max()) * APART
+    _draw_strips(axes, shown, limits, inks)
+    handles = _draw_marks(axes, shown, inks, line_scale(axes))
+    axes.set_xscale("log")
+    axes.set(xlim=limits, xlabel=label)
+    plain_ticks(axes)
+    name_rows(axes, [each.name for each in shown])
+    draw_legend(axes, place, handles=[*handles, *_shades(inks)])
+    return axes
+
+
+def rungs_of(calibration: Calibration) -> tuple[list[Rung], str]:
+    """Return the rows of all records, those that fell an object least first, and the abscissa."""
+    tests, predictions = calibration.tests.tests, calibration.validation.predictions
+    p = np.asarray(predictions.p, dtype=np.float64)
+    rows: dict[tuple[str, str], list[int]] = {}
+    for place, test in enumerate(tests):
+        if test.fell is not None and np.isfinite(p[place]):
+            rows.setdefault((test.record.name or test.group or "", test.object), []).append(place)
+    gains = np.array([test.gain for test in tests])
+    climbs = any(len(set(gains[places].tolist())) > 1 for places in rows.values())
+    if climbs:
+        at, label = gains, "gain on the record"
+    else:
+        peaks = [test.record.peak_acceleration_m_s2 for test in tests]
+        at, label = gains * np.array(peaks) / STANDARD_GRAVITY, "peak acceleration [g]"
+    several = len({test.object for test in tests}) > 1
+    rungs = []
+    for (record, body), places in rows.items():
+        order = np.array(places)[np.argsort(at[places], kind="stable")]
+        rungs.append(
+            Rung(
+                name=f"{record}, {body}" if several else record,
+                at=at[order],
+                p=p[order],
+                fell=np.array([bool(tests[place].fell) for place in order]),
+            )
+        )
+    return sorted(rungs, key=lambda rung: (-rung.even, rung.name)), label
+
+
+def _draw_strips(
+    axes: "Axes", rungs: Sequence[Rung], limits: tuple[float, float], inks: Inks
+) -> None:
+    """Shade each row by what was predicted, halfway to the next test."""
+    from matplotlib.collections import PolyCollection
+
+    boxes, shades = [], []
+    for row, rung in enumerate(rungs):
+        levels, place = np.unique(rung.at, return_inverse=True)
+        mean = np.bincount(place, rung.p) / np.bincount(place)
+        middles = np.sqrt(levels[1:] * levels[:-1])
+        step = float(np.sqrt(levels[1:] / levels[:-1]).min(initial=APART))
+        low = max(limits[0], levels[0] / max(step, 1.03))
+        high = min(limits[1], levels[-1] * max(step, 1.03))
+        edges = [low, *middles.tolist(), high]
+        for left, right, p in zip(edges[:-1], edges[1:], mean.tolist(), strict=True):
+            top, foot = row - TALL, row + TALL
+            boxes.append([(left, top), (right, top), (right, foot), (left, foot)])
+            shades.append(_shade(p, inks))
+    strips = PolyCollection(boxes, facecolors=shades, edgecolors=inks.grid, lw=0.4, zorder=1.5)
+    axes.add_collection(strips, autolim=False)
+
+
+def _shade(p: float, inks: Inks) -> str:
+    """Return the shade of a probability, from that of the paper to full."""
+    from matplotlib.colors import to_hex, to_rgb
+
+    full, paper = to_rgb(inks.sweeps[1]), to_rgb(inks.paper)
+    part = 0.9 * p
+    return to_hex([part * f + (1.0 - part) * w for f, w in zip(full, paper, strict=True)])
+
+
+def _draw_marks(axes: "Axes", rungs: Sequence[Rung], inks: Inks, size: float) -> list[Any]:
+    """Draw outcomes, and rings about those that were not expected; return their entries."""
+    x, y, fell, missed = [], [], [], []
+    for row, rung in enumerate(rungs):
+        for level in np.unique(rung.at):
+            places = np.flatnonzero(rung.at == level)
+            offsets = 0.2 * (np.arange(len(places)) - 0.5 * (len(places) - 1))
+            offsets *= min(1.0, 2.0 / max(len(places) - 1, 1))
+            x += [level] * len(places)
+            y += (row + offsets).tolist()
+            fell += rung.fell[places].tolist()
+            missed += ((rung.p[places] >= 0.5) != rung.fell[places]).tolist()
+    across, up, down, wrong = np.array(x), np.array(y), np.array(fell), np.array(missed)
+    mark = (5.0 if len(rungs) <= CROWDED else 4.2) * size
+    entries = []
+    for which, face, words in ((down, inks.ink, "fell"), (~down, inks.paper, "stood")):
+        entries += axes.plot(
+            across[which], up[which], "o", ms=mark, color=face, mec=inks.ink, mew=0.8, label=words,
+            zorder=3.0,
+        )  # fmt: skip
+    rings = axes.plot(
+        across[wrong], up[wrong], "o", ms=2.0 * mark, mfc="none", mec=inks.lines[0],
+        mew=1.4 * size, label="not expected", zorder=3.2,
+    )  # fmt: skip
+    return [*entries, *(rings if wrong.any() else [])]
+
+
+def _shades(inks: Inks) -> list[Any]:
+    """Return entries of the legend for three shades."""
+    from matplotlib.patches import Patch
+
+    return [
+        Patch(facecolor=_shade(p, inks), edgecolor=inks.grid, lw=0.4, label=f"p = {p:g}")
+        for p in (0.05, 0.5, 0.95)
+    ]

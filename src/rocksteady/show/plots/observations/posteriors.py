@@ -1,0 +1,151 @@
+"""Plots of what tests say of a block: a parameter before and after them."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.errors import InputError
+from rocksteady.model.checks.arguments import checked
+from rocksteady.risk.calibration.calibration import Calibration
+from rocksteady.show.style.layout import axes_or_new
+from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
+from rocksteady.show.style.line_colours import inks_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Floats = NDArray[np.float64]
+
+WITHIN = 10
+"""Bars between the ends of the interval of 90 %."""
+MOST_BARS = 120
+AXIS = {
+    "alpha_rad": r"slenderness  $\alpha$ [rad]",
+    "p_rad_s": r"frequency parameter  $p$ [rad/s]",
+    "restitution": "restitution",
+    "housner_factor": "restitution over Housner's value",
+    "base": "base that rocks over the outline's",
+    "offset": "mass centre off the middle over half the base",
+    "scatter": "scatter of the restitution",
+    "sigma_ln": r"amplitude error  $\sigma_{\ln}$",
+    "outliers": "share of outliers",
+}
+"""Labels of parameters; those in metres have their own names."""
+
+
+@checked
+def plot_posterior(
+    calibration: Calibration,
+    ax: "Axes | None" = None,
+    *,
+    parameter: str = "alpha_rad",
+    object: str | None = None,  # noqa: A002 -- the word of every table
+    legend: LegendPlace | None = None,
+) -> "Axes":
+    """Draw a parameter before and after the tests, with its interval of 90 %.
+
+    Of alpha the value of the outline is marked: the tests know a block that rocks like this, which
+    need not be that of a ruler.
+
+    Parameters
+    ----------
+    calibration
+        From `rocksteady.calibrate`.
+    ax
+        Axes to draw on; those of a new figure without.
+    parameter
+        Name of a row of the parameters; default "alpha_rad".
+    object
+        Name of the object; default the first.
+    legend
+        "inside" the axes, to their "right", "below" them (default) or "none".
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: the parameter, and its density.
+
+    Raises
+    ------
+    InputError
+        If there is no such object, or no such parameter.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import Sampling, calibrate, make_synthetic_tests
+    >>> found = calibrate(make_synthetic_tests(), sampling=Sampling(draws=64, rounds=1))
+    >>> axes = plot_posterior(found, Figure().add_subplot())
+    >>> axes.get_ylabel()
+    'density'
+    """
+    objects = list(calibration.posteriors)
+    name = objects[0] if object is None else object
+    if name not in objects:
+        raise InputError("object", name, "the objects are " + ", ".join(objects), "name one")
+    rows = [each for each in calibration.parameters if each["object"] == name]
+    names = [each["parameter"] for each in rows]
+    if parameter not in names:
+        raise InputError(
+            "parameter", parameter, "the parameters are " + ", ".join(names), "name one"
+        )
+    row = rows[names.index(parameter)]
+    axes = axes_or_new(ax)
+    inks, place, size = inks_of(axes), place_of(axes, legend, "below"), line_scale(axes)
+    posterior = calibration.posteriors[name]
+    values = posterior.of(parameter)
+    edges = _edges(values, row["low"], row["high"])
+    after, _ = np.histogram(values, edges, weights=posterior.weights, density=True)
+    before, _ = np.histogram(values, edges, weights=posterior.prior_weights, density=True)
+    bars = axes.stairs(
+        after, edges, fill=True, color=inks.lines[0], alpha=0.35, lw=0.0, label="after the tests",
+        zorder=2.0,
+    )  # fmt: skip
+    axes.stairs(after, edges, color=inks.lines[0], lw=1.0 * size, zorder=2.4)
+    line = axes.stairs(
+        before, edges, color=inks.number, lw=1.1 * size, ls=(0, (4.0, 2.0)), label="before them",
+        zorder=2.6,
+    )  # fmt: skip
+    top = float(max(after.max(), before.max()))
+    height = -0.06 * top
+    (interval,) = axes.plot(
+        [row["low"], row["high"]], [height] * 2, color=inks.lines[0], lw=3.2 * size,
+        solid_capstyle="butt", label="90\N{NO-BREAK SPACE}% interval and median", zorder=3.0,
+    )  # fmt: skip
+    axes.plot(
+        [row["median"]], [height], "o", ms=5.0 * size, color=inks.paper, mec=inks.lines[0],
+        mew=1.4 * size, zorder=3.2,
+    )  # fmt: skip
+    handles = [bars, line, interval]
+    outline = row.get("outline")
+    if outline is not None and np.isfinite(outline):
+        handles.append(
+            axes.axvline(
+                outline,
+                color=inks.ink,
+                lw=1.2 * size,
+                ls=(0, (1.0, 1.5)),
+                label="the outline's",
+                zorder=2.8,
+            )
+        )
+    axes.set(
+        xlabel=AXIS.get(parameter, parameter.replace("_m", " [m]").replace("_", " ")),
+        ylabel="density",
+        ylim=(-0.12 * top, 1.08 * top),
+    )
+    axes.set_yticks([])
+    axes.grid(visible=False, axis="y")
+    draw_legend(axes, place, handles=handles)
+    return axes
+
+
+def _edges(values: Floats, low: float, high: float) -> Floats:
+    """Return edges of bars over all draws, some ten of them in the interval."""
+    first, last = float(values.min()), float(values.max())
+    if not last > first:
+        half = 0.01 * abs(first) or 0.01
+        return np.array([first - half, first + half])
+    width = max((high - low) / WITHIN, (last - first) / MOST_BARS)
+    return np.linspace(first, last, int(np.ceil((last - first) / width)) + 1)

@@ -1,0 +1,81 @@
+"""Plots of predictions: the probability that each test falls, with its band."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rocksteady.model.checks.arguments import checked
+from rocksteady.risk.calibration.predictions import Predictions
+from rocksteady.show.plots.observations._rows import name_rows
+from rocksteady.show.style.layout import axes_or_new
+from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
+from rocksteady.show.style.line_colours import inks_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+NAMED = 40
+"""Tests up to which each has its name."""
+
+
+@checked
+def plot_predictions(
+    predictions: Predictions, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
+) -> "Axes":
+    """Draw the probability that each test falls, the surest at the ends, with its band.
+
+    Parameters
+    ----------
+    predictions
+        From `rocksteady.Calibration.predict`, or the held-out ones of a validation.
+    ax
+        Axes to draw on; those of a new figure without.
+    legend
+        "inside" the axes, to their "right", "below" them (default) or "none".
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: probability of falling, and a row for each test, with names up to 40 tests.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import Sampling, calibrate, make_synthetic_tests
+    >>> found = calibrate(make_synthetic_tests(), sampling=Sampling(draws=64, rounds=1))
+    >>> axes = plot_predictions(found.validation.predictions, Figure().add_subplot())
+    >>> axes.get_xlabel()
+    'probability of falling'
+    """
+    axes = axes_or_new(ax)
+    inks, place, size = inks_of(axes), place_of(axes, legend, "below"), line_scale(axes)
+    p, low, high = (np.asarray(getattr(predictions, key)) for key in ("p", "low", "high"))
+    order = np.argsort(p, kind="stable")
+    few = len(order) <= NAMED
+    at = np.arange(len(order))
+    band = axes.hlines(
+        at, low[order], high[order], color=inks.lines[0], lw=(3.0 if few else 1.2) * size,
+        alpha=0.35, label="90\N{NO-BREAK SPACE}% of the draws", zorder=2.0,
+    )  # fmt: skip
+    outcomes = [predictions.fell[place_] for place_ in order.tolist()]
+    handles = []
+    for outcome, face, shape, words in (
+        (True, inks.ink, "o", "fell"),
+        (False, inks.paper, "o", "stood"),
+        (None, inks.lines[0], "D", "predicted"),
+    ):
+        which = np.array([each is outcome for each in outcomes])
+        if which.any():
+            handles += axes.plot(
+                p[order][which], at[which], shape, ms=(5.0 if few else 3.0) * size, color=face,
+                mec=inks.paper if outcome is None else inks.ink, mew=0.7, label=words, ls="none",
+                zorder=3.0,
+            )  # fmt: skip
+    axes.axvline(0.5, color=inks.faint, lw=0.8, ls=(0, (4.0, 2.0)), zorder=1.5)
+    axes.set(xlim=(-0.02, 1.02), ylim=(len(order) - 0.4, -0.6), xlabel="probability of falling")
+    if few:
+        name_rows(axes, [predictions.test[each] for each in order.tolist()])
+    else:
+        axes.set_ylabel("tests in the order of their probability")
+    draw_legend(axes, place, handles=[*handles, band])
+    return axes

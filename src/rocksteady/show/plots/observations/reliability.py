@@ -1,0 +1,112 @@
+"""Plots of reliability: how often tests fell, against how often it was predicted."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rocksteady.errors import InputError, Words
+from rocksteady.model.checks.arguments import checked
+from rocksteady.results.numbers import number
+from rocksteady.risk.calibration.calibration import Calibration
+from rocksteady.show.style.layout import axes_or_new
+from rocksteady.show.style.legends import (
+    LegendPlace,
+    draw_legend,
+    line_scale,
+    place_of,
+    text_size,
+)
+from rocksteady.show.style.line_colours import inks_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+FOOT, TALLEST = -0.24, 0.13
+"""Where the bars of counts stand, and the height of the longest one, on the axis of shares."""
+
+
+@checked
+def plot_reliability(
+    calibration: Calibration, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
+) -> "Axes":
+    """Draw the share of tests that fell against the predicted probability, held out.
+
+    Tests are taken together by tenths of the probability; bars at the foot are the numbers of tests
+    in each.  Points of a model that knows its own errors lie on the diagonal.
+
+    Parameters
+    ----------
+    calibration
+        From `rocksteady.calibrate`.
+    ax
+        Axes to draw on; those of a new figure without.
+    legend
+        "inside" the axes, to their "right", "below" them (default) or "none".
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: predicted probability and share that fell.
+
+    Raises
+    ------
+    InputError
+        If no test with an outcome was held out.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import Sampling, calibrate, make_synthetic_tests
+    >>> found = calibrate(make_synthetic_tests(), sampling=Sampling(draws=64, rounds=1))
+    >>> axes = plot_reliability(found, Figure().add_subplot())
+    >>> axes.get_ylabel()
+    'share that fell'
+    """
+    bins = [each for each in calibration.validation.reliability if each["tests"]]
+    if not bins:
+        raise InputError(
+            "calibration", Words("holds out no test"), "a picture needs some", "give more groups"
+        )
+    axes = axes_or_new(ax)
+    inks, place, size = inks_of(axes), place_of(axes, legend, "below"), line_scale(axes)
+    at, share, low, high, count = (
+        np.array([each[key] for each in bins], dtype=np.float64)
+        for key in ("predicted", "observed", "low", "high", "tests")
+    )
+    edges = np.array([(each["from"], each["to"]) for each in bins])
+    bars = axes.bar(
+        edges.mean(axis=1),
+        TALLEST * count / count.max(),
+        bottom=FOOT,
+        width=0.92 * np.diff(edges, axis=1)[:, 0],
+        color=inks.faint,
+        alpha=0.35,
+        lw=0.0,
+        label="number of tests",
+        zorder=1.5,
+    )
+    for x, top, words in zip(
+        edges.mean(axis=1), FOOT + TALLEST * count / count.max(), count.astype(int), strict=True
+    ):
+        axes.annotate(
+            str(words), (x, top), (0.0, 1.5), textcoords="offset points", ha="center",
+            va="bottom", fontsize=text_size(axes, 7.5), color=inks.number, zorder=3.5,
+        )  # fmt: skip
+    (even,) = axes.plot(
+        [0.0, 1.0], [0.0, 1.0], color=inks.faint, lw=1.0, ls=(0, (4.0, 2.0)), label="as predicted",
+        zorder=2.0,
+    )  # fmt: skip
+    axes.vlines(at, low, high, color=inks.lines[0], lw=1.4 * size, alpha=0.6, zorder=2.6)
+    (points,) = axes.plot(
+        at, share, "o", ms=5.5 * size, color=inks.lines[0], mec=inks.paper, mew=0.6,
+        label=f"share that fell, {number(90.0)}\N{NO-BREAK SPACE}% interval", zorder=3.0,
+    )  # fmt: skip
+    axes.set(
+        xlim=(-0.02, 1.02),
+        ylim=(FOOT, 1.04),
+        yticks=np.linspace(0.0, 1.0, 6),
+        xlabel="predicted probability of falling, held out",
+        ylabel="share that fell",
+    )
+    draw_legend(axes, place, handles=[points, even, bars], corner="upper left")
+    return axes

@@ -1,0 +1,173 @@
+"""Plots of held-out scores: over the temper, and over the number of groups learnt from."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rocksteady.errors import InputError, Words
+from rocksteady.model.checks.arguments import checked
+from rocksteady.risk.calibration.calibration import Calibration
+from rocksteady.show.style import palette
+from rocksteady.show.style.layout import axes_or_new, plain_ticks
+from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
+from rocksteady.show.style.line_colours import inks_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+AXIS = {
+    "accuracy": "accuracy, held out",
+    "f1": "F1 of those that fell, held out",
+    "brier": "Brier score, held out",
+    "log_score": "log score, held out",
+    "ece": "calibration error, held out",
+}
+"""Labels of scores; of the Brier and the log score and of the error small ones are good."""
+
+
+@checked
+def plot_temper(
+    calibration: Calibration,
+    ax: "Axes | None" = None,
+    *,
+    score: str = "log_score",
+    legend: LegendPlace | None = None,
+) -> "Axes":
+    """Draw a held-out score over the temper, with the chosen one and the untempered.
+
+    Parameters
+    ----------
+    calibration
+        From `rocksteady.calibrate`.
+    ax
+        Axes to draw on; those of a new figure without.
+    score
+        "accuracy", "f1", "brier", "log_score" (default) or "ece".
+    legend
+        "inside" the axes, to their "right", "below" them (default) or "none".
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: the exponent of the likelihood, and the score with intervals of 90 %.
+
+    Raises
+    ------
+    InputError
+        If there is no such score, or no temper was tried.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import Sampling, calibrate, make_synthetic_tests
+    >>> found = calibrate(make_synthetic_tests(), sampling=Sampling(draws=64, rounds=1))
+    >>> axes = plot_temper(found, Figure().add_subplot())
+    >>> axes.get_ylabel()
+    'log score, held out'
+    """
+    _check_score(score)
+    tried = calibration.temper_scores
+    if not tried:
+        raise InputError(
+            "calibration", Words("tries no temper"), "a picture needs some", "use temper='auto'"
+        )
+    axes = axes_or_new(ax)
+    inks, place, size = inks_of(axes), place_of(axes, legend, "below"), line_scale(axes)
+    at = np.array(sorted(tried))
+    value, low, high = np.array([getattr(tried[each], score) for each in at.tolist()]).T
+    axes.fill_between(at, low, high, color=inks.lines[0], alpha=0.15, lw=0.0, zorder=1.6)
+    (line,) = axes.plot(
+        at, value, "o-", ms=3.5 * size, color=inks.lines[0], lw=1.2 * size, zorder=2.4,
+        label="score, 90\N{NO-BREAK SPACE}% band",
+    )  # fmt: skip
+    handles = [line]
+    for temper, face, words in (
+        (1.0, inks.paper, "untempered"),
+        (calibration.temper, inks.ink, f"chosen, T = {calibration.temper:g}"),
+    ):
+        where = np.flatnonzero(np.isclose(at, temper))
+        if len(where):
+            handles += axes.plot(
+                at[where], value[where], "D", ms=7.0 * size, color=face, mec=inks.ink,
+                mew=1.2 * size, label=words, ls="none", zorder=3.0,
+            )  # fmt: skip
+    axes.set_xscale("log")
+    axes.set(xlim=(0.85 * at[0], at[-1] / 0.85), xlabel="temper T, the exponent of the likelihood")
+    axes.set_ylabel(AXIS[score])
+    plain_ticks(axes)
+    draw_legend(axes, place, handles=handles)
+    return axes
+
+
+@checked
+def plot_learning(
+    calibration: Calibration,
+    ax: "Axes | None" = None,
+    *,
+    score: str = "accuracy",
+    legend: LegendPlace | None = None,
+) -> "Axes":
+    """Draw a held-out score over the number of groups learnt from, beside that of a logistic.
+
+    Parameters
+    ----------
+    calibration
+        From `rocksteady.calibrate`.
+    ax
+        Axes to draw on; those of a new figure without.
+    score
+        "accuracy" (default), "f1", "brier", "log_score" or "ece".
+    legend
+        "inside" the axes, to their "right", "below" them (default) or "none".
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        The axes: number of groups, and the score of calibrated physics and of the logistic.
+
+    Raises
+    ------
+    InputError
+        If there is no such score, or too few groups for a curve.
+
+    Examples
+    --------
+    >>> from matplotlib.figure import Figure
+    >>> from rocksteady import Sampling, calibrate, make_synthetic_tests
+    >>> found = calibrate(make_synthetic_tests(), sampling=Sampling(draws=64, rounds=1))
+    >>> axes = plot_learning(found, Figure().add_subplot())
+    >>> axes.get_ylabel()
+    'accuracy, held out'
+    """
+    _check_score(score)
+    curve = calibration.validation.learning
+    if not curve:
+        raise InputError(
+            "calibration", Words("has no learning curve"), "it takes several groups", "add tests"
+        )
+    axes = axes_or_new(ax)
+    inks, place, size = inks_of(axes), place_of(axes, legend, "below"), line_scale(axes)
+    at = np.array([each["groups"] for each in curve], dtype=np.float64)
+    handles = []
+    for place_, (kind, words) in enumerate(
+        (("calibrated", "calibrated block"), ("logistic", "logistic on intensity"))
+    ):
+        value, low, high = np.array([getattr(each[kind], score) for each in curve]).T
+        colour = inks.lines[place_]
+        axes.fill_between(at, low, high, color=colour, alpha=0.15, lw=0.0, zorder=1.6)
+        handles += axes.plot(
+            at, value, marker="os"[place_], ms=4.0 * size, color=colour, lw=1.4 * size,
+            ls=palette.DASHES[place_], label=words, zorder=2.6,
+        )  # fmt: skip
+    if at.max() > 4.0 * at.min():
+        axes.set_xscale("log")
+        plain_ticks(axes)
+    axes.set(xlabel="groups learnt from", ylabel=AXIS[score])
+    draw_legend(axes, place, handles=handles)
+    return axes
+
+
+def _check_score(score: str) -> None:
+    """Refuse a score that does not exist."""
+    if score not in AXIS:
+        raise InputError("score", score, "the scores are " + ", ".join(AXIS), "name one of them")
