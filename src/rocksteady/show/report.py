@@ -73,7 +73,12 @@ def svg_data_uri(svg: bytes) -> str:
 
 
 def picture(
-    draw: "Callable[[Axes], object]", height: float, words: str, *, phone: bool = True
+    draw: "Callable[[Axes], object]",
+    height: float,
+    words: str,
+    *,
+    phone: bool = True,
+    page: Page = SCREEN,
 ) -> dict[str, str]:
     """Return a picture across the page, drawn anew for a phone or not, with its words.
 
@@ -87,10 +92,12 @@ def picture(
         What it shows, for those who do not see it.
     phone
         Whether it is drawn with larger letters for a phone too; default True.
+    page
+        Width and legend where there is room; default the width of the page.
     """
     found = {"alt": words}
-    for name, page in (("source", SCREEN), *([("narrow", PHONE)] if phone else [])):
-        with page.figure(WIDTH, height, "") as figure:
+    for name, each in (("source", page), *([("narrow", PHONE)] if phone else [])):
+        with each.figure(WIDTH, height, "") as figure:
             draw(figure.add_subplot())
         found[name] = picture_address(figure)
     return {"narrow": found["source"], **found}

@@ -6,14 +6,14 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rocksteady.errors import InputError, OutputError
+from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.assess.objects_table import ObjectsTable
 from rocksteady.show.assessment.object_report import report_html
 from rocksteady.show.export.components import LossComponent
 from rocksteady.show.export.ensemble_rows import write_results_csv
 from rocksteady.show.export.files import save_csv, save_text
-from rocksteady.show.export.folders import check_folder, fill_folder
+from rocksteady.show.export.folders import check_own_folder, fill_own_folder
 from rocksteady.show.export.manifest import make_manifest, write_manifest
 from rocksteady.show.export.openquake import write_openquake
 from rocksteady.show.export.pelicun import write_pelicun
@@ -24,9 +24,7 @@ if TYPE_CHECKING:
 
 OURS = r"report\.html|answers\.csv|results\.csv|fragility\.(csv|json|xml)|run\.json"
 """Names of the files of an assessment."""
-
-KILLED = r"\.(partial|rocksteady)-\w{8}"
-"""Names of the hidden folders that a run leaves which was killed while it wrote."""
+KIND = "an assessment"
 
 POINTS = 40
 """Intensities at which curves in two stages are written for OpenQuake."""
@@ -85,13 +83,9 @@ def write_assessment(
     ...     [file.name for file in write_assessment(found, folder)]
     ['report.html', 'run.json']
     """
-    check_assessment_folder(folder, force=force)
-    written = fill_folder(folder, lambda stage: _fill(assessment, stage, command, files))
-    fresh = {each.name for each in written}
-    for file in Path(folder).iterdir():  # of an earlier answer, without a counterpart in this one
-        if file.name not in fresh and re.fullmatch(OURS, file.name):
-            file.unlink()
-    return written
+    return fill_own_folder(
+        folder, OURS, KIND, lambda stage: _fill(assessment, stage, command, files), force=force
+    )
 
 
 def check_assessment_folder(folder: Path | str, *, force: bool = False) -> None:
@@ -102,21 +96,7 @@ def check_assessment_folder(folder: Path | str, *, force: bool = False) -> None:
     OutputError
         If it holds anything but files of an assessment, or those without `force`.
     """
-    target = Path(folder)
-    check_folder(target, OURS, force=force)
-    foreign = [name for name in _names(target) if not re.fullmatch(f"{OURS}|{KILLED}", name)]
-    if foreign:
-        raise OutputError(
-            "out",
-            target,
-            f"it holds {foreign[0]}, which is no file of an assessment",
-            "name a new or an empty folder",
-        )
-
-
-def _names(folder: Path) -> list[str]:
-    """Return the names in a folder, sorted; none where it does not exist."""
-    return sorted(each.name for each in folder.iterdir()) if folder.is_dir() else []
+    check_own_folder(folder, OURS, KIND, force=force)
 
 
 def _fill_with_table(table: ObjectsTable, stage: Path, command: str, files: Sequence[Path]) -> None:

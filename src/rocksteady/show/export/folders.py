@@ -11,6 +11,9 @@ from tempfile import TemporaryDirectory
 from rocksteady import durable
 from rocksteady.errors import OutputError
 
+KILLED = r"\.(partial|rocksteady)-\w{8}"
+"""Names of the hidden folders that a run leaves which was killed while it wrote."""
+
 
 def check_folder(folder: Path | str, ours: str, *, force: bool = False) -> None:
     """Refuse, before anything is computed, a folder that could not be filled.
@@ -61,6 +64,65 @@ def check_folder(folder: Path | str, ours: str, *, force: bool = False) -> None:
     else:
         return
     raise OutputError("out", target, valid, hint)
+
+
+def check_own_folder(folder: Path | str, ours: str, kind: str, *, force: bool = False) -> None:
+    """Refuse, before anything is computed, a folder that is not wholly ours.
+
+    Parameters
+    ----------
+    folder, ours, force
+        As for `check_folder`.
+    kind
+        What the folder is of, as "an assessment".
+
+    Raises
+    ------
+    OutputError
+        As for `check_folder`; and if the folder holds anything else.
+    """
+    target = Path(folder)
+    check_folder(target, ours, force=force)
+    held = sorted(each.name for each in target.iterdir()) if target.is_dir() else []
+    foreign = [name for name in held if not re.fullmatch(f"{ours}|{KILLED}", name)]
+    if foreign:
+        raise OutputError(
+            "out",
+            target,
+            f"it holds {foreign[0]}, which is no file of {kind}",
+            "name a new or an empty folder",
+        )
+
+
+def fill_own_folder(
+    folder: Path | str, ours: str, kind: str, write: Callable[[Path], None], *, force: bool = False
+) -> list[Path]:
+    """Fill a folder that is wholly ours, and remove what an earlier answer left in it.
+
+    Parameters
+    ----------
+    folder, ours, kind, force
+        As for `check_own_folder`.
+    write
+        As for `fill_folder`.
+
+    Returns
+    -------
+    list of Path
+        What is there now.
+
+    Raises
+    ------
+    OutputError
+        As for both.
+    """
+    check_own_folder(folder, ours, kind, force=force)
+    written = fill_folder(folder, write)
+    fresh = {each.name for each in written}
+    for file in Path(folder).iterdir():  # of an earlier answer, without a counterpart in this one
+        if file.name not in fresh and re.fullmatch(ours, file.name):
+            file.unlink()
+    return written
 
 
 def fill_folder(

@@ -19,7 +19,7 @@ Floats = NDArray[np.float64]
 
 WITHIN = 10
 """Bars between the ends of the interval of 90 %."""
-MOST_BARS = 120
+LEAST_BARS, MOST_BARS = 20, 120
 AXIS = {
     "alpha_rad": r"slenderness  $\alpha$ [rad]",
     "p_rad_s": r"frequency parameter  $p$ [rad/s]",
@@ -147,5 +147,5 @@ def _edges(values: Floats, low: float, high: float) -> Floats:
     if not last > first:
         half = 0.01 * abs(first) or 0.01
         return np.array([first - half, first + half])
-    width = max((high - low) / WITHIN, (last - first) / MOST_BARS)
+    width = min(max((high - low) / WITHIN, (last - first) / MOST_BARS), (last - first) / LEAST_BARS)
     return np.linspace(first, last, int(np.ceil((last - first) / width)) + 1)

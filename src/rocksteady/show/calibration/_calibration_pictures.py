@@ -1,0 +1,128 @@
+"""Pictures of a calibration's page, each with the words for those who do not see it."""
+
+from functools import partial
+from typing import Any
+
+from rocksteady.results.numbers import number, plural
+from rocksteady.risk.calibration.calibration import Calibration
+from rocksteady.show.plots.observations.ladders import MOST, plot_ladders, rungs_of
+from rocksteady.show.plots.observations.posteriors import plot_posterior
+from rocksteady.show.plots.observations.reliability import plot_reliability
+from rocksteady.show.plots.observations.residuals import plot_residuals
+from rocksteady.show.plots.observations.scores import plot_learning, plot_temper
+from rocksteady.show.report import picture
+from rocksteady.show.style.page import Page
+
+HALF = Page(width_mm=94.0)
+"""Of two pictures beside each other."""
+ROW = 0.2
+"""Height of a row [inches]."""
+MOST_PICTURES = 4
+"""Pictures of records: the rest are in the table of predictions."""
+MOST_OBJECTS = 6
+"""Objects whose parameters are drawn."""
+
+Picture = dict[str, str]
+
+
+def pictures_of(calibration: Calibration) -> dict[str, Any]:
+    """Return the pictures of a calibration's page by their places; lists where there are more."""
+    validation = calibration.validation
+    found: dict[str, Any] = {
+        "ladders": _ladders(calibration),
+        "posteriors": _posteriors(calibration),
+    }
+    if any(each["tests"] for each in validation.reliability):
+        found["reliability"] = picture(
+            partial(_reliability, calibration), 3.7, _words_of_reliability(calibration)
+        )
+    if len(calibration.temper_scores) > 1:
+        found["temper"] = picture(
+            lambda axes: plot_temper(calibration, axes),
+            3.1,
+            f"Held-out log score over {plural(len(calibration.temper_scores), 'temper')}; "
+            f"the chosen one is {number(calibration.temper)}.",
+        )
+    if validation.learning:
+        ends = [validation.learning[place]["groups"] for place in (0, -1)]
+        found["learning"] = picture(
+            lambda axes: plot_learning(calibration, axes),
+            3.1,
+            f"Held-out accuracy after {ends[0]} to {ends[1]} groups, of the calibrated block and "
+            "of a logistic on intensity.",
+        )
+    for by in ("record", "session"):
+        rows = validation.residuals[by]
+        if len(rows) > 1:
+            found[by] = picture(
+                partial(_residuals, calibration, by),
+                1.1 + ROW * min(len(rows), 30),
+                f"Falls less those predicted, of {plural(len(rows), by)}; all are in the table.",
+            )
+    return found
+
+
+def _reliability(calibration: Calibration, axes: Any) -> None:
+    plot_reliability(calibration, axes)
+
+
+def _residuals(calibration: Calibration, by: str, axes: Any) -> None:
+    plot_residuals(calibration, axes, by=by)
+
+
+def _ladders(calibration: Calibration) -> list[Picture]:
+    """Return pictures of the records, some rows each."""
+    rungs, label = rungs_of(calibration)
+    starts = range(0, len(rungs), MOST)[:MOST_PICTURES]
+    return [
+        picture(
+            partial(_ladder, calibration, first),
+            1.2 + ROW * len(rungs[first : first + MOST]),
+            f"Outcomes over the {label} of {plural(len(rungs[first : first + MOST]), 'record')}, "
+            "with the predicted probability as shade.",
+        )
+        for first in starts
+    ]
+
+
+def _ladder(calibration: Calibration, first: int, axes: Any) -> None:
+    plot_ladders(calibration, axes, first=first)
+
+
+def _posteriors(calibration: Calibration) -> list[Picture]:
+    """Return a picture of each parameter of the first objects."""
+    names = list(calibration.posteriors)[:MOST_OBJECTS]
+    several = len(calibration.posteriors) > 1
+    return [
+        picture(
+            partial(_posterior, calibration, row["parameter"], row["object"], several),
+            3.0,
+            f"{row['parameter']} of {row['object']}: median {number(row['median'])}, 90 % from "
+            f"{number(row['low'])} to {number(row['high'])}; before, from "
+            f"{number(row['prior_low'])} to {number(row['prior_high'])}.",
+            phone=False,
+            page=HALF,
+        )
+        for row in calibration.parameters
+        if row["object"] in names
+    ]
+
+
+def _posterior(
+    calibration: Calibration, parameter: str, body: str, several: bool, axes: Any
+) -> None:
+    from rocksteady.show.style import palette
+    from rocksteady.show.style.escaping import literal
+
+    plot_posterior(calibration, axes, parameter=parameter, object=body)
+    if several:
+        axes.set_title(literal(palette.shortened(body)))
+
+
+def _words_of_reliability(calibration: Calibration) -> str:
+    """Return what the reliability plot shows."""
+    rows = [each for each in calibration.validation.reliability if each["tests"]]
+    points = ", ".join(
+        f"{number(each['observed'], 2)} at {number(each['predicted'], 2)}" for each in rows
+    )
+    return f"Share that fell at the predicted probability, held out: {points}."

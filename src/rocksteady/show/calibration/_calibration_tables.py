@@ -1,0 +1,138 @@
+"""Rows of the tables of a calibration's page, in words."""
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from rocksteady.results.numbers import number, plural
+from rocksteady.risk.calibration.calibration import Calibration
+from rocksteady.risk.calibration.held_out.scores import NAMES, WORDS, Scores
+from rocksteady.show.style.wording import NOTHING, greek, percent, span
+
+Row = dict[str, Any]
+
+LEAST_SCORE = 5e-5
+LABELS = {
+    "calibrated": "calibrated block",
+    "untempered": "the same, untempered",
+    "base rate": "base rate",
+    "logistic": "logistic on intensity",
+}
+SHORT = {
+    "accuracy": "accuracy",
+    "f1": "F1",
+    "brier": "Brier",
+    "log_score": "log score",
+    "ece": "calibration error",
+}
+"""Headings of the scores."""
+MOST_ROWS = 12
+"""Rows of the table of tests that were not expected."""
+
+
+def sentence_of(calibration: Calibration) -> str:
+    """Return the answer in one sentence: how many outcomes are called, and by less than physics."""
+    rows = calibration.validation.rows
+    mine, base = rows["calibrated"], rows["base rate"]
+    right = round(mine.accuracy[0] * mine.tests)
+    words = (
+        f"Predicted without the tests of its own group, {right} of {plural(mine.tests, 'outcome')} "
+        f"({percent(mine.accuracy[0])}) came as the calibrated block expects; the more frequent "
+        f"outcome alone is right in {percent(base.accuracy[0])}"
+    )
+    if "logistic" in rows:
+        words += f", a logistic on intensity in {percent(rows['logistic'].accuracy[0])}"
+    return f"{words}."
+
+
+def score_rows(rows: Mapping[str, Scores]) -> list[Row]:
+    """Return a row for each predictor: scores with their bands."""
+    return [
+        {
+            "name": LABELS.get(key, key),
+            "scores": [
+                {
+                    "name": WORDS[name],
+                    "short": SHORT[name],
+                    "value": number(value[0]),
+                    "band": _band(value),
+                }
+                for name, value in ((name, getattr(scores, name)) for name in NAMES)
+            ],
+        }
+        for key, scores in rows.items()
+    ]
+
+
+def _band(value: Sequence[float]) -> str:
+    """Return the interval of a score; nothing where it has none."""
+    low, high = _score(value[1]), _score(value[2])
+    return (low if low == high else f"{low} to {high}") if math.isfinite(value[1]) else ""
+
+
+def _score(value: float) -> str:
+    """Return a score; what is left of rounding is 0."""
+    return number(0.0 if abs(value) < LEAST_SCORE else value)
+
+
+def parameter_rows(calibration: Calibration) -> list[Row]:
+    """Return a row for each parameter of each object."""
+    several = len(calibration.posteriors) > 1
+    return [
+        {
+            "object": each["object"] if several else "",
+            "name": greek(each["parameter"].replace("alpha_rad", "alpha [rad]")).replace("_", " "),
+            "prior": span(each["prior_low"], each["prior_high"]),
+            "median": number(each["median"]),
+            "interval": span(each["low"], each["high"]),
+            "outline": NOTHING if each.get("outline") is None else number(each["outline"]),
+            "verdict": each["verdict"],
+            "look": {"identified": "agrees", "prior returned": "open"}.get(
+                each["verdict"], "raised"
+            ),
+        }
+        for each in calibration.parameters
+    ]
+
+
+def unexpected_rows(calibration: Calibration) -> list[Row]:
+    """Return the tests whose outcome was least expected, those of less than an even chance."""
+    predictions, tests = calibration.validation.predictions, calibration.tests.tests
+    rows = []
+    for place, test in enumerate(tests):
+        if test.fell is None or not math.isfinite(predictions.p[place]):
+            continue
+        p = float(predictions.p[place])
+        chance = p if test.fell else 1.0 - p
+        if chance < 0.5:
+            rows.append(
+                {
+                    "name": test.name,
+                    "record": test.record.name or "",
+                    "object": test.object,
+                    "gain": number(test.gain),
+                    "outcome": "fell" if test.fell else "stood",
+                    "p": number(p),
+                    "band": span(float(predictions.low[place]), float(predictions.high[place])),
+                    "error": number(float(predictions.mc_error[place]), 2),
+                    "chance": chance,
+                }
+            )
+    return sorted(rows, key=lambda row: row["chance"])
+
+
+def residual_rows(calibration: Calibration, by: str) -> list[Row]:
+    """Return a row for each record or session, the largest misfit first."""
+    rows = sorted(
+        calibration.validation.residuals[by], key=lambda each: (-abs(each["z"]), each["name"])
+    )
+    return [
+        {
+            "name": each["name"],
+            "tests": f"{each['tests']}",
+            "fell": f"{each['fell']}",
+            "expected": number(each["expected"]),
+            "z": number(each["z"], 2),
+        }
+        for each in rows
+    ]

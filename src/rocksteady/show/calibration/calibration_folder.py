@@ -1,0 +1,84 @@
+"""The folder of a calibration: page, fit, posterior, predictions and parameters."""
+
+from pathlib import Path
+
+from rocksteady.model.checks.arguments import checked
+from rocksteady.risk.calibration.calibration import Calibration
+from rocksteady.risk.calibration.stored import posterior_rows
+from rocksteady.show.calibration.calibration_report import calibration_html
+from rocksteady.show.export.files import json_text, save_csv, save_text
+from rocksteady.show.export.folders import check_own_folder, fill_own_folder
+from rocksteady.show.export.manifest import make_manifest
+
+OURS = r"report\.html|fit\.json|(posterior|predictions|parameters)\.csv"
+"""Names of the files of a calibration."""
+KIND = "a calibration"
+SCHEMA = "rocksteady/calibrate/1"
+
+
+@checked
+def write_calibration(
+    calibration: Calibration, folder: Path | str, *, command: str = "", force: bool = False
+) -> list[Path]:
+    """Write a calibration into a folder: page, fit, posterior, predictions, parameters.
+
+    Every file is written whole, in a hidden folder first: what fails leaves all as it was.
+
+    Parameters
+    ----------
+    calibration
+        From `rocksteady.calibrate`.
+    folder
+        New, empty, or with files of a calibration, which `force` replaces.
+    command
+        The command line that makes it again; default "".
+    force
+        Replace files of an earlier calibration; default False.
+
+    Returns
+    -------
+    list of Path
+        ``report.html``; ``fit.json`` with scores, parameters and hashes; ``posterior.csv`` with the
+        draws that `rocksteady.read_posterior` reads; ``predictions.csv`` with each test predicted
+        without its group; ``parameters.csv``.
+
+    Raises
+    ------
+    OutputError
+        If the folder holds anything else, or cannot be written.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> from rocksteady import Sampling, calibrate, make_synthetic_tests, write_calibration
+    >>> found = calibrate(make_synthetic_tests(), sampling=Sampling(draws=64, rounds=1))
+    >>> with TemporaryDirectory() as folder:
+    ...     [file.name for file in write_calibration(found, folder)]
+    ['fit.json', 'parameters.csv', 'posterior.csv', 'predictions.csv', 'report.html']
+    """
+
+    def write(stage: Path) -> None:
+        header, rows = posterior_rows(calibration)
+        save_csv("out", stage / "posterior.csv", header, rows)
+        for name, table in (
+            ("predictions", calibration.validation.predictions.describe().tables[0]),
+            ("parameters", calibration.describe().tables[0]),
+        ):
+            save_csv("out", stage / f"{name}.csv", table.header, table.records())
+        fit = json_text(SCHEMA, calibration.to_dict(), indent=2)
+        save_text("out", stage / "fit.json", fit + "\n")
+        page = calibration_html(calibration, make_manifest(command=command))
+        save_text("out", stage / "report.html", page)
+
+    return fill_own_folder(folder, OURS, KIND, write, force=force)
+
+
+def check_calibration_folder(folder: Path | str, *, force: bool = False) -> None:
+    """Refuse, before anything is computed, a folder that could not be filled.
+
+    Raises
+    ------
+    OutputError
+        If it holds anything but files of a calibration, or those without `force`.
+    """
+    check_own_folder(folder, OURS, KIND, force=force)

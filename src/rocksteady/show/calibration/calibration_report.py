@@ -1,0 +1,97 @@
+"""Page of a calibration, one HTML file for screen and paper."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from rocksteady.results.numbers import number, plural
+from rocksteady.risk.calibration.calibration import Calibration
+from rocksteady.show.calibration._calibration_pictures import MOST_PICTURES, pictures_of
+from rocksteady.show.calibration._calibration_tables import (
+    MOST_ROWS,
+    parameter_rows,
+    residual_rows,
+    score_rows,
+    sentence_of,
+    unexpected_rows,
+)
+from rocksteady.show.calibration._promises import GUARANTEES, NOT_PROMISED
+from rocksteady.show.export.provenance import provenance
+from rocksteady.show.plots.observations.ladders import MOST
+from rocksteady.show.report import render
+from rocksteady.show.style.wording import cleaned, greek, percent, plain_name, sentence
+
+LONGEST_TABLE = 30
+"""Rows of residuals on the page; all are in the pictures or in the predictions."""
+
+
+def calibration_html(calibration: Calibration, manifest: Mapping[str, Any]) -> str:
+    """Return the page of a calibration as the text of one HTML file.
+
+    The same calibration gives the same text: times are left out.
+
+    Parameters
+    ----------
+    calibration
+        From `rocksteady.calibrate`.
+    manifest
+        From `rocksteady.make_manifest`: versions and command.
+    """
+    tests = calibration.tests.tests
+    unexpected = unexpected_rows(calibration)
+    residuals = {by: residual_rows(calibration, by) for by in ("record", "session")}
+    names = list(calibration.posteriors)
+    heading = names[0] if len(names) == 1 else plural(len(names), "object")
+    values: dict[str, Any] = {
+        "guarantees": GUARANTEES,
+        "heading_words": heading,
+        "method": _method(calibration),
+        "not_promised": NOT_PROMISED,
+        "parameters": parameter_rows(calibration),
+        "provenance": _provenance(calibration, manifest),
+        "records_left_out": max(
+            0, len({(test.group, test.object) for test in tests}) - MOST * MOST_PICTURES
+        ),
+        "residuals": {by: rows[:LONGEST_TABLE] for by, rows in residuals.items()},
+        "running": plain_name(heading),
+        "scores": score_rows(calibration.validation.rows),
+        "sentence": sentence_of(calibration),
+        "several": len(names) > 1,
+        "unexpected": unexpected[:MOST_ROWS],
+        "unexpected_all": len(unexpected),
+        "warnings": [sentence(greek(each)) for each in dict.fromkeys(calibration.warnings)],
+    }
+    return render(
+        __package__,
+        "calibration.html.j2",
+        **cleaned(values),
+        pictures=pictures_of(calibration),
+    )
+
+
+def _method(calibration: Calibration) -> dict[str, Any]:
+    """Return the numbers of the paragraphs on the method."""
+    tests = calibration.tests.tests
+    fell = sum(test.fell is True for test in tests)
+    stood = sum(test.fell is False for test in tests)
+    effective = [each.effective_draws for each in calibration.posteriors.values()]
+    return {
+        "counts": f"{plural(len(tests), 'test')}: {fell} fell, {stood} stood",
+        "share": percent(fell / max(fell + stood, 1)),
+        "records": plural(len({id(test.record) for test in tests}), "record"),
+        "groups": plural(len({test.group for test in tests}), "group"),
+        "temper": number(calibration.temper),
+        "tempered": calibration.temper != 1.0,
+        "draws": plural(max(len(each.weights) for each in calibration.posteriors.values()), "draw"),
+        "effective": number(min(effective)),
+        "error": number(float(calibration.mc_error), 2),
+        "seed": str(calibration.sampling.seed),
+        "flips": {str(key): f"{count:,}" for key, count in calibration.flips.items()},
+    }
+
+
+def _provenance(calibration: Calibration, manifest: Mapping[str, Any]) -> dict[str, Any]:
+    """Return command, versions, and the hashes of all files that were read."""
+    made = provenance(manifest)
+    sources = {**calibration.prior.sources, **calibration.tests.sources}
+    files = [{"name": name, "sha256": digest} for name, digest in sources.items()]
+    return {**made, "files": [*made["files"], *files]}
