@@ -32,7 +32,7 @@ def pictures_of(calibration: Calibration) -> dict[str, Any]:
         "ladders": _ladders(calibration),
         "posteriors": _posteriors(calibration),
     }
-    if any(each["tests"] for each in validation.reliability):
+    if validation.reliability:
         found["reliability"] = picture(
             partial(_reliability, calibration), 3.7, _words_of_reliability(calibration)
         )
@@ -44,7 +44,7 @@ def pictures_of(calibration: Calibration) -> dict[str, Any]:
             f"the chosen one is {number(calibration.temper)}.",
         )
     if validation.learning:
-        ends = [validation.learning[place]["groups"] for place in (0, -1)]
+        ends = [f"{validation.learning[place]['groups']:.0f}" for place in (0, -1)]
         found["learning"] = picture(
             lambda axes: plot_learning(calibration, axes),
             3.1,
@@ -52,7 +52,7 @@ def pictures_of(calibration: Calibration) -> dict[str, Any]:
             "of a logistic on intensity.",
         )
     for by in ("record", "session"):
-        rows = validation.residuals[by]
+        rows = [each for each in validation.residuals if each["kind"] == by]
         if len(rows) > 1:
             found[by] = picture(
                 partial(_residuals, calibration, by),
@@ -121,8 +121,8 @@ def _posterior(
 
 def _words_of_reliability(calibration: Calibration) -> str:
     """Return what the reliability plot shows."""
-    rows = [each for each in calibration.validation.reliability if each["tests"]]
     points = ", ".join(
-        f"{number(each['observed'], 2)} at {number(each['predicted'], 2)}" for each in rows
+        f"{number(each['fell'], 2)} at {number(each['p'], 2)}"
+        for each in calibration.validation.reliability
     )
     return f"Share that fell at the predicted probability, held out: {points}."

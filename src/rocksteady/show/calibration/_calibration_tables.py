@@ -26,13 +26,24 @@ SHORT = {
     "ece": "calibration error",
 }
 """Headings of the scores."""
+VERDICTS = {
+    "identified": ("agrees", "the tests narrow it inside what was known before"),
+    "narrowed": ("open", "narrower than before, though outcomes alone identify alpha only"),
+    "prior returned": ("open", "it comes back as it was put in, and the tests say nothing of it"),
+    "bound": ("raised", "all outcomes are alike and bound it from one side, at 90 %"),
+    "at the prior's limit": (
+        "raised",
+        "the tests push it to an end of what was thought possible: widen that, or doubt the model",
+    ),
+}
+"""Look and meaning of each verdict; those that limit the answer stand out."""
 MOST_ROWS = 12
 """Rows of the table of tests that were not expected."""
 
 
 def sentence_of(calibration: Calibration) -> str:
     """Return the answer in one sentence: how many outcomes are called, and by less than physics."""
-    rows = calibration.validation.rows
+    rows = calibration.validation.scores
     mine, base = rows["calibrated"], rows["base rate"]
     right = round(mine.accuracy[0] * mine.tests)
     words = (
@@ -87,12 +98,20 @@ def parameter_rows(calibration: Calibration) -> list[Row]:
             "interval": span(each["low"], each["high"]),
             "outline": NOTHING if each.get("outline") is None else number(each["outline"]),
             "verdict": each["verdict"],
-            "look": {"identified": "agrees", "prior returned": "open"}.get(
-                each["verdict"], "raised"
-            ),
+            "look": VERDICTS[each["verdict"]][0],
+            "meaning": greek(VERDICTS[each["verdict"]][1]),
+            "bound": _bound(each),
         }
         for each in calibration.parameters
     ]
+
+
+def _bound(row: Mapping[str, Any]) -> str:
+    """Return the bound of a parameter in words; nothing where it has two sides."""
+    if row.get("bound") is None:
+        return ""
+    word = "at most" if row["bound_side"] == "upper" else "at least"
+    return f"{word} {number(row['bound'])}"
 
 
 def unexpected_rows(calibration: Calibration) -> list[Row]:
@@ -124,7 +143,8 @@ def unexpected_rows(calibration: Calibration) -> list[Row]:
 def residual_rows(calibration: Calibration, by: str) -> list[Row]:
     """Return a row for each record or session, the largest misfit first."""
     rows = sorted(
-        calibration.validation.residuals[by], key=lambda each: (-abs(each["z"]), each["name"])
+        (each for each in calibration.validation.residuals if each["kind"] == by),
+        key=lambda each: (-abs(each["z"]), each["name"]),
     )
     return [
         {

@@ -53,7 +53,7 @@ def calibration_html(calibration: Calibration, manifest: Mapping[str, Any]) -> s
         ),
         "residuals": {by: rows[:LONGEST_TABLE] for by, rows in residuals.items()},
         "running": plain_name(heading),
-        "scores": score_rows(calibration.validation.rows),
+        "scores": score_rows(calibration.validation.scores),
         "sentence": sentence_of(calibration),
         "several": len(names) > 1,
         "unexpected": unexpected[:MOST_ROWS],
@@ -85,7 +85,9 @@ def _method(calibration: Calibration) -> dict[str, Any]:
         "effective": number(min(effective)),
         "error": number(float(calibration.mc_error), 2),
         "seed": str(calibration.sampling.seed),
-        "flips": {str(key): f"{count:,}" for key, count in calibration.flips.items()},
+        "flips": [
+            f"{each['variant']}: {each['flips']} of {each['tests']}" for each in calibration.flips
+        ],
     }
 
 

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rocksteady.model.checks.arguments import checked
-from rocksteady.risk.calibration.predictions import Predictions
+from rocksteady.risk.calibration.held_out.predictions import Predictions
 from rocksteady.show.plots.observations._rows import name_rows
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of

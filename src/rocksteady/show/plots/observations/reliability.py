@@ -8,6 +8,7 @@ from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.results.numbers import number
 from rocksteady.risk.calibration.calibration import Calibration
+from rocksteady.show.plots.risk.fragility import INTERVAL, wilson
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import (
     LegendPlace,
@@ -62,34 +63,33 @@ def plot_reliability(
     >>> axes.get_ylabel()
     'share that fell'
     """
-    bins = [each for each in calibration.validation.reliability if each["tests"]]
+    bins = calibration.validation.reliability
     if not bins:
         raise InputError(
             "calibration", Words("holds out no test"), "a picture needs some", "give more groups"
         )
     axes = axes_or_new(ax)
     inks, place, size = inks_of(axes), place_of(axes, legend, "below"), line_scale(axes)
-    at, share, low, high, count = (
+    at, share, count, first, last = (
         np.array([each[key] for each in bins], dtype=np.float64)
-        for key in ("predicted", "observed", "low", "high", "tests")
+        for key in ("p", "fell", "tests", "low", "high")
     )
-    edges = np.array([(each["from"], each["to"]) for each in bins])
+    low, high = wilson(share, count)
+    middle, top = 0.5 * (first + last), TALLEST * count / count.max()
     bars = axes.bar(
-        edges.mean(axis=1),
-        TALLEST * count / count.max(),
+        middle,
+        top,
         bottom=FOOT,
-        width=0.92 * np.diff(edges, axis=1)[:, 0],
+        width=0.92 * (last - first),
         color=inks.faint,
         alpha=0.35,
         lw=0.0,
         label="number of tests",
         zorder=1.5,
     )
-    for x, top, words in zip(
-        edges.mean(axis=1), FOOT + TALLEST * count / count.max(), count.astype(int), strict=True
-    ):
+    for x, height, words in zip(middle, FOOT + top, count.astype(int), strict=True):
         axes.annotate(
-            str(words), (x, top), (0.0, 1.5), textcoords="offset points", ha="center",
+            str(words), (x, height), (0.0, 1.5), textcoords="offset points", ha="center",
             va="bottom", fontsize=text_size(axes, 7.5), color=inks.number, zorder=3.5,
         )  # fmt: skip
     (even,) = axes.plot(
@@ -99,7 +99,8 @@ def plot_reliability(
     axes.vlines(at, low, high, color=inks.lines[0], lw=1.4 * size, alpha=0.6, zorder=2.6)
     (points,) = axes.plot(
         at, share, "o", ms=5.5 * size, color=inks.lines[0], mec=inks.paper, mew=0.6,
-        label=f"share that fell, {number(90.0)}\N{NO-BREAK SPACE}% interval", zorder=3.0,
+        label=f"share that fell, {number(100.0 * INTERVAL)}\N{NO-BREAK SPACE}% interval",
+        zorder=3.0,
     )  # fmt: skip
     axes.set(
         xlim=(-0.02, 1.02),

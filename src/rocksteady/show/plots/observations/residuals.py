@@ -69,7 +69,7 @@ def plot_residuals(
     if by not in ("record", "session"):
         raise InputError("by", by, "residuals are by record or by session", "name one of the two")
     count = whole_number("most", most, at_least=1, hint="give a number of rows, as 30")
-    rows = list(calibration.validation.residuals[by])
+    rows = [each for each in calibration.validation.residuals if each["kind"] == by]
     if not rows:
         raise InputError(
             "calibration", Words(f"names no {by}"), "a picture needs one", "name it in the table"
@@ -78,8 +78,9 @@ def plot_residuals(
     axes = axes_or_new(ax)
     inks, place, size = inks_of(axes), place_of(axes, legend, "below"), line_scale(axes)
     at = np.arange(len(rows))
-    residual = np.array([each["fell"] - each["expected"] for each in rows])
-    half = 1.645 * np.array([each["deviation"] for each in rows])
+    residual = np.array([each["fell"] - each["expected"] for each in rows], dtype=np.float64)
+    over = np.array([each["z"] for each in rows])
+    half = 1.645 * np.abs(residual) / np.where(over != 0.0, np.abs(over), np.inf)
     range_ = axes.barh(
         at, 2.0 * half, left=-half, height=0.5, color=inks.faint, alpha=0.3, lw=0.0,
         label="90\N{NO-BREAK SPACE}% by chance", zorder=1.6,

@@ -1,5 +1,6 @@
 """Plots of held-out scores: over the temper, and over the number of groups learnt from."""
 
+from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -23,6 +24,10 @@ AXIS = {
     "ece": "calibration error, held out",
 }
 """Labels of scores; of the Brier and the log score and of the error small ones are good."""
+RULES = {"": "calibrated block", "logistic_": "logistic on intensity", "base_rate_": "base rate"}
+"""Entries of the legend by what keys of the learning curve begin with."""
+LEARNT = ("accuracy", "brier", "log_score")
+"""Scores that learning curves have."""
 
 
 @checked
@@ -65,7 +70,7 @@ def plot_temper(
     >>> axes.get_ylabel()
     'log score, held out'
     """
-    _check_score(score)
+    _check_score(score, AXIS)
     tried = calibration.temper_scores
     if not tried:
         raise InputError(
@@ -107,7 +112,9 @@ def plot_learning(
     score: str = "accuracy",
     legend: LegendPlace | None = None,
 ) -> "Axes":
-    """Draw a held-out score over the number of groups learnt from, beside that of a logistic.
+    """Draw a held-out score over the number of groups learnt from, beside a logistic.
+
+    Each point is the mean over random choices of the groups, scored on the tests of the others.
 
     Parameters
     ----------
@@ -116,14 +123,15 @@ def plot_learning(
     ax
         Axes to draw on; those of a new figure without.
     score
-        "accuracy" (default), "f1", "brier", "log_score" or "ece".
+        "accuracy" (default), "brier" or "log_score".
     legend
         "inside" the axes, to their "right", "below" them (default) or "none".
 
     Returns
     -------
     matplotlib.axes.Axes
-        The axes: number of groups, and the score of calibrated physics and of the logistic.
+        The axes: number of groups, and the score of the calibrated block, of a logistic on
+        intensity measures and of the base rate.
 
     Raises
     ------
@@ -139,7 +147,7 @@ def plot_learning(
     >>> axes.get_ylabel()
     'accuracy, held out'
     """
-    _check_score(score)
+    _check_score(score, LEARNT)
     curve = calibration.validation.learning
     if not curve:
         raise InputError(
@@ -149,15 +157,10 @@ def plot_learning(
     inks, place, size = inks_of(axes), place_of(axes, legend, "below"), line_scale(axes)
     at = np.array([each["groups"] for each in curve], dtype=np.float64)
     handles = []
-    for place_, (kind, words) in enumerate(
-        (("calibrated", "calibrated block"), ("logistic", "logistic on intensity"))
-    ):
-        value, low, high = np.array([getattr(each[kind], score) for each in curve]).T
-        colour = inks.lines[place_]
-        axes.fill_between(at, low, high, color=colour, alpha=0.15, lw=0.0, zorder=1.6)
+    for row, (kind, words) in enumerate(RULES.items()):
         handles += axes.plot(
-            at, value, marker="os"[place_], ms=4.0 * size, color=colour, lw=1.4 * size,
-            ls=palette.DASHES[place_], label=words, zorder=2.6,
+            at, [each[f"{kind}{score}"] for each in curve], marker="os^"[row], ms=4.0 * size,
+            color=inks.lines[row], lw=1.4 * size, ls=palette.DASHES[row], label=words, zorder=2.6,
         )  # fmt: skip
     if at.max() > 4.0 * at.min():
         axes.set_xscale("log")
@@ -167,7 +170,7 @@ def plot_learning(
     return axes
 
 
-def _check_score(score: str) -> None:
+def _check_score(score: str, known: Collection[str]) -> None:
     """Refuse a score that does not exist."""
-    if score not in AXIS:
-        raise InputError("score", score, "the scores are " + ", ".join(AXIS), "name one of them")
+    if score not in known:
+        raise InputError("score", score, "the scores are " + ", ".join(known), "name one of them")

@@ -1,0 +1,211 @@
+"""`rocksteady calibrate`: from what fell and what stood to a block that predicts."""
+
+import shlex
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rocksteady.cli.console import terminal
+from rocksteady.cli.console.outputs import (
+    announce_compilation,
+    announce_file,
+    print_json,
+    write_csv,
+    write_figure,
+)
+from rocksteady.cli.console.progress import sweeping
+from rocksteady.cli.console.refusals import FlagError
+from rocksteady.cli.flags import options
+from rocksteady.cli.flags.block_and_shaking import named_model
+from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.shaking_tests import (
+    SAMPLING,
+    TESTS,
+    SamplingFlags,
+    TableFlags,
+    flags_of,
+)
+from rocksteady.cli.flags.sweep import Executor, Workers
+from rocksteady.results.rendering import print_description
+
+if TYPE_CHECKING:
+    from rocksteady.risk.calibration.calibration import Calibration
+    from rocksteady.risk.observations.observations import Observations
+    from rocksteady.risk.observations.prior import Prior
+
+HELP = (
+    "Calibrate blocks by shaking tests: which slenderness agrees with what fell and what stood.\n\n"
+    "Draws of each object are run under the record of each test at gains about its own, and "
+    "weighted by how well they explain the outcomes. Scores are of tests that are predicted "
+    "without their group, beside the base rate and a logistic on intensity measures. --out keeps "
+    "the posterior for `rocksteady predict`, with a report. Outcomes identify alpha alone: height, "
+    "p and restitution come back about as they were put in."
+)
+EXAMPLES = (
+    "Examples:\n\n"
+    "rocksteady calibrate --tests tests.csv --records motions --out fit\n\n"
+    "rocksteady calibrate --tests tests.csv --objects blocks.csv --prior prior.toml "
+    "--groups session --draws 3000 --json\n\n"
+    "rocksteady calibrate --tests tests.csv --temper 1 --csv predictions.csv --plot fit.png\n\n"
+    "rocksteady calibrate --example --out fit"
+)
+EXAMPLE_DRAWS = 300
+"""Draws of --example, which takes some ten seconds."""
+
+PriorFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--prior",
+        metavar="FILE",
+        help="Read what is known of all objects and of errors before the tests, in TOML: \\[noise] "
+        "sigma_ln and outliers, \\[object] base, offset, restitution or housner_factor, scatter.",
+        rich_help_panel=TESTS,
+    ),
+]
+OutFolder = Annotated[
+    Path | None,
+    typer.Option(
+        "--out",
+        metavar="DIR",
+        help="Write report.html, fit.json, posterior.csv, predictions.csv and parameters.csv into "
+        "a new folder; --force replaces those of an earlier calibration.",
+        rich_help_panel=options.OUTPUT,
+    ),
+]
+CalibrationModel = Annotated[
+    str,
+    typer.Option(
+        "--model",
+        metavar="NAME",
+        help="Choose the equations of motion: nonlinear (the full equations) or linear (slender "
+        "blocks, faster, without vertical motion).",
+        rich_help_panel=SAMPLING,
+    ),
+]
+ExampleFlag = Annotated[
+    bool,
+    typer.Option(
+        "--example",
+        help=f"Calibrate by synthetic tests of a known block, with {EXAMPLE_DRAWS} draws: no file "
+        "is needed.",
+        rich_help_panel=TESTS,
+    ),
+]
+
+
+@grouped
+def calibrate(
+    context: typer.Context,
+    table: TableFlags,
+    sampled: SamplingFlags,
+    output: OutputFlags,
+    prior: PriorFile = None,
+    model: CalibrationModel = "nonlinear",
+    executor: Executor = "threads",
+    workers: Workers = None,
+    out: OutFolder = None,
+    example: ExampleFlag = False,
+) -> None:
+    """Run `rocksteady calibrate`; `HELP` is what its users read."""
+    from rocksteady.sweep.run import Run
+
+    output.check()
+    output.refuse_read([*table.files, *([] if prior is None else [prior])])
+    if out is not None:
+        from rocksteady.show.calibration.calibration_folder import check_calibration_folder
+
+        check_calibration_folder(out, force=output.force)
+    if example:
+        table, sampled = _refuse_files(table, prior), _example_draws(context, sampled)
+    sampling, exponent, folds = sampled.sampling(), sampled.exponent, sampled.folds
+    equations = named_model(model)
+    run = Run(executor=executor, workers=workers)
+    tests, known = _tests(table, example=example), _prior(prior)
+
+    announce_compilation("records.record_fates")
+    from rocksteady.risk.calibration.calibrate import calibrate as calibrated
+
+    cells = len(tests) * sampling.draws * sampling.gains
+    with sweeping("running draws", cells) as meter, flags_of({"temper": "--temper"}):
+        found = calibrated(
+            tests,
+            known,
+            sampling=sampling,
+            groups=folds,
+            temper=exponent,
+            model=equations,
+            run=replace(run, progress=meter),
+        )
+    _write(context, found, out, output)
+    description = found.describe()
+    if output.as_json:
+        print_json("calibrate", {**description.to_dict(), "synthetic": example})
+        return
+    notes = list(description.notes)
+    if example:
+        notes.insert(0, "The tests are synthetic: no object was shaken.")
+    if out is not None:
+        notes.append(f"Pictures, method, guarantees and inputs stand in {out / 'report.html'}.")
+    print_description(replace(description, notes=notes), terminal.console())
+
+
+def _refuse_files(table: TableFlags, prior: Path | None) -> TableFlags:
+    """Refuse files beside --example.
+
+    Raises
+    ------
+    FlagError
+        With the flag that names one.
+    """
+    for flag, value in {**table.given, **({} if prior is None else {"--prior": prior})}.items():
+        raise FlagError(
+            flag, value, "--example has synthetic tests and reads no file", "leave one out"
+        )
+    return table
+
+
+def _example_draws(context: typer.Context, sampled: SamplingFlags) -> SamplingFlags:
+    """Return the flags with fewer draws, unless their number was given."""
+    source = context.get_parameter_source("draws")
+    given = source is not None and source.name != "DEFAULT"
+    return sampled if given else replace(sampled, draws=EXAMPLE_DRAWS)
+
+
+def _tests(table: TableFlags, *, example: bool) -> "Observations":
+    """Return the tests of the table, or synthetic ones; remarks are printed beside the result."""
+    if example:
+        from rocksteady.risk.observations.synthetic_tests import make_synthetic_tests
+
+        return make_synthetic_tests()
+    return table.observations()
+
+
+def _prior(file: Path | None) -> "Prior | None":
+    """Return what is known before the tests."""
+    if file is None:
+        return None
+    from rocksteady.risk.observations.prior import read_prior
+
+    with flags_of({"prior": "--prior"}):
+        return read_prior(file)
+
+
+def _write(
+    context: typer.Context, found: "Calibration", out: Path | None, output: OutputFlags
+) -> None:
+    """Write the folder and the files that the flags name."""
+    if out is not None:
+        from rocksteady.show.calibration.calibration_folder import write_calibration
+
+        command = shlex.join(["rocksteady", *context.find_root().obj])
+        for file in write_calibration(found, out, command=command, force=output.force):
+            announce_file(file)
+    if output.csv is not None:
+        rows = found.validation.predictions.describe().tables[0]
+        write_csv(output.csv, rows.header, rows.records())
+    if output.plot is not None:
+        from rocksteady.show.figures.observations import calibration_figure
+
+        write_figure(output.plot, calibration_figure(found, page=output.page))

@@ -1,0 +1,222 @@
+"""Flags for tables of shaking tests, and how outcomes become draws."""
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal, cast
+
+import typer
+
+from rocksteady.cli.console.refusals import FlagError, missing
+from rocksteady.cli.flags.parsing import number
+from rocksteady.cli.flags.record_files import DtS, Units
+from rocksteady.errors import InputError
+
+if TYPE_CHECKING:
+    from rocksteady.risk.calibration.sampling import Sampling
+    from rocksteady.risk.observations.observations import Observations
+
+TESTS = "Tests"
+SAMPLING = "Calibration"
+
+Tests = Annotated[
+    Path | None,
+    typer.Option(
+        "--tests",
+        metavar="FILE",
+        help="Read a table of tests: test, record, object and outcome (fell or stood), further "
+        "gain, sigma_ln, group, session, peak_rad, sigma_rad, reversed, vertical.",
+        rich_help_panel=TESTS,
+    ),
+]
+Objects = Annotated[
+    Path | None,
+    typer.Option(
+        "--objects",
+        metavar="FILE",
+        help="Read the table of objects: sizes as 0.4, 0.38:0.42 or 0.4+-0.01; default objects.csv "
+        "beside --tests.",
+        rich_help_panel=TESTS,
+    ),
+]
+RecordsFolder = Annotated[
+    Path | None,
+    typer.Option(
+        "--records",
+        metavar="DIR",
+        help="Find the records of the table in this folder; default that of --tests.",
+        rich_help_panel=TESTS,
+    ),
+]
+Groups = Annotated[
+    str,
+    typer.Option(
+        "--groups",
+        metavar="NAME",
+        help="Hold out together the tests of one record, test, session or group.",
+        rich_help_panel=SAMPLING,
+    ),
+]
+Temper = Annotated[
+    str,
+    typer.Option(
+        "--temper",
+        metavar="auto|T",
+        help="Set the exponent of the likelihood, in (0, 1]; auto chooses it by held-out score.",
+        rich_help_panel=SAMPLING,
+    ),
+]
+Draws = Annotated[
+    int,
+    typer.Option(
+        "--draws",
+        metavar="N",
+        help="Set the number of draws of each object.",
+        rich_help_panel=SAMPLING,
+    ),
+]
+Gains = Annotated[
+    int,
+    typer.Option(
+        "--gains",
+        metavar="N",
+        help="Set the number of gains of each draw and test, over the error of its amplitude.",
+        rich_help_panel=SAMPLING,
+    ),
+]
+Rounds = Annotated[
+    int,
+    typer.Option(
+        "--rounds",
+        metavar="N",
+        help="Set the number of rounds of draws, the first of them from the prior.",
+        rich_help_panel=SAMPLING,
+    ),
+]
+Seed = Annotated[
+    int,
+    typer.Option(
+        "--seed", metavar="N", help="Set the seed of all draws.", rich_help_panel=SAMPLING
+    ),
+]
+
+
+@dataclass(frozen=True, kw_only=True)
+class TableFlags:
+    """Tables of tests and of objects, and the folder of their records."""
+
+    tests: Tests = None
+    objects: Objects = None
+    records: RecordsFolder = None
+    units: Units = None
+    dt_s: DtS = None
+
+    @property
+    def given(self) -> dict[str, object]:
+        """The flags that were given, with their values."""
+        return {
+            "--" + field.name.replace("_", "-"): getattr(self, field.name)
+            for field in fields(self)
+            if getattr(self, field.name) is not None
+        }
+
+    @property
+    def files(self) -> list[Path]:
+        """The tables that are read."""
+        return [each for each in (self.tests, self.objects) if each is not None]
+
+    def observations(self) -> "Observations":
+        """Return the tests with their objects.
+
+        Raises
+        ------
+        InputError, FlagError
+            If a file cannot be read, a line is not valid, or there is no table.
+        """
+        from rocksteady.risk.observations.read_tests import read_tests
+
+        if self.tests is None:
+            raise missing(
+                "--tests",
+                valid="outcomes come from a table of tests",
+                hint="add --tests tests.csv, or --example for synthetic ones",
+            )
+        flags = {"path": "--tests", "objects": "--objects", "records": "--records"}
+        with flags_of(flags):
+            return read_tests(
+                self.tests,
+                records=self.records,
+                objects=self.objects,
+                units=self.units,
+                dt_s=self.dt_s,
+            )
+
+
+@dataclass(frozen=True, kw_only=True)
+class SamplingFlags:
+    """Draws, gains and rounds; folds and temper."""
+
+    groups: Groups = "record"
+    temper: Temper = "auto"
+    draws: Draws = 1500
+    gains: Gains = 5
+    rounds: Rounds = 3
+    seed: Seed = 0
+
+    def sampling(self) -> "Sampling":
+        """Return how many draws are made.
+
+        Raises
+        ------
+        FlagError
+            If a number is outside its range.
+        """
+        from rocksteady.risk.calibration.sampling import Sampling
+
+        with flags_of({name: f"--{name}" for name in ("draws", "gains", "rounds", "seed")}):
+            return Sampling(draws=self.draws, gains=self.gains, rounds=self.rounds, seed=self.seed)
+
+    @property
+    def exponent(self) -> 'Literal["auto"] | float':
+        """The temper: a number, or "auto".
+
+        Raises
+        ------
+        InputError
+            If it is neither.
+        """
+        return "auto" if self.temper == "auto" else number("--temper", self.temper)
+
+    @property
+    def folds(self) -> 'Literal["record", "test", "session", "group"]':
+        """What is held out together.
+
+        Raises
+        ------
+        FlagError
+            If there is no such grouping.
+        """
+        known = ("record", "test", "session", "group")
+        if self.groups not in known:
+            raise FlagError(
+                "--groups", self.groups, "tests are grouped by " + ", ".join(known), "name one"
+            )
+        return cast("Literal['record', 'test', 'session', 'group']", self.groups)
+
+
+@contextmanager
+def flags_of(flags: Mapping[str, str]) -> Iterator[None]:
+    """Name flags in place of arguments in the errors of what is inside.
+
+    Parameters
+    ----------
+    flags
+        Flag of each argument.
+    """
+    try:
+        yield
+    except InputError as error:
+        if error.name not in flags:
+            raise
+        raise FlagError(flags[error.name], error.value, error.valid, error.hint) from None
