@@ -5,9 +5,11 @@ from typing import Any
 
 from rocksteady.results.numbers import number, plural
 from rocksteady.risk.calibration.calibration import Calibration
+from rocksteady.risk.calibration.held_out.validation import Validation
 from rocksteady.show.plots.observations.ladders import MOST, plot_ladders, rungs_of
 from rocksteady.show.plots.observations.posteriors import plot_posterior
 from rocksteady.show.plots.observations.reliability import plot_reliability
+from rocksteady.show.plots.observations.residuals import MOST as MOST_RESIDUALS
 from rocksteady.show.plots.observations.residuals import plot_residuals
 from rocksteady.show.plots.observations.scores import plot_learning, plot_temper
 from rocksteady.show.report import picture
@@ -27,43 +29,51 @@ Picture = dict[str, str]
 
 def pictures_of(calibration: Calibration) -> dict[str, Any]:
     """Return the pictures of a calibration's page by their places; lists where there are more."""
-    validation = calibration.validation
     found: dict[str, Any] = {
         "ladders": _ladders(calibration),
         "posteriors": _posteriors(calibration),
     }
-    if validation.reliability:
-        found["reliability"] = picture(
-            partial(_reliability, calibration), 3.7, _words_of_reliability(calibration)
-        )
-    if len(calibration.temper_scores) > 1:
-        found["temper"] = picture(
-            lambda axes: plot_temper(calibration, axes),
-            3.1,
-            f"Held-out log score over {plural(len(calibration.temper_scores), 'temper')}; "
-            f"the chosen one is {number(calibration.temper)}.",
-        )
-    if validation.learning:
-        ends = [f"{validation.learning[place]['groups']:.0f}" for place in (0, -1)]
+    validation = calibration.validation
+    if validation is None:
+        return found
+    found["reliability"] = picture(
+        partial(_reliability, calibration), 3.7, _words_of_reliability(validation)
+    )
+    found["temper"] = picture(
+        partial(_temper, calibration),
+        3.1,
+        f"Held-out log score over {plural(len(validation.temper_scores), 'temper')}; the chosen "
+        f"one is {number(calibration.temper)}.",
+    )
+    if len(validation.learning) > 1:
+        first, last = (validation.learning[place]["groups"] for place in (0, -1))
         found["learning"] = picture(
-            lambda axes: plot_learning(calibration, axes),
+            partial(_learning, calibration),
             3.1,
-            f"Held-out accuracy after {ends[0]} to {ends[1]} groups, of the calibrated block and "
-            "of a logistic on intensity.",
+            f"Held-out accuracy after {first} to {last} groups, of the calibrated block, of a "
+            "logistic on intensity and of the base rate.",
         )
     for by in ("record", "session"):
-        rows = [each for each in validation.residuals if each["kind"] == by]
+        rows = validation.residuals[by]
         if len(rows) > 1:
             found[by] = picture(
                 partial(_residuals, calibration, by),
-                1.1 + ROW * min(len(rows), 30),
-                f"Falls less those predicted, of {plural(len(rows), by)}; all are in the table.",
+                1.1 + ROW * min(len(rows), MOST_RESIDUALS),
+                f"Falls less those predicted, of {plural(len(rows), by)}.",
             )
     return found
 
 
 def _reliability(calibration: Calibration, axes: Any) -> None:
     plot_reliability(calibration, axes)
+
+
+def _temper(calibration: Calibration, axes: Any) -> None:
+    plot_temper(calibration, axes)
+
+
+def _learning(calibration: Calibration, axes: Any) -> None:
+    plot_learning(calibration, axes)
 
 
 def _residuals(calibration: Calibration, by: str, axes: Any) -> None:
@@ -119,10 +129,10 @@ def _posterior(
         axes.set_title(literal(palette.shortened(body)))
 
 
-def _words_of_reliability(calibration: Calibration) -> str:
+def _words_of_reliability(validation: Validation) -> str:
     """Return what the reliability plot shows."""
     points = ", ".join(
-        f"{number(each['fell'], 2)} at {number(each['p'], 2)}"
-        for each in calibration.validation.reliability
+        f"{number(each['observed'], 2)} at {number(each['predicted'], 2)}"
+        for each in validation.reliability
     )
     return f"Share that fell at the predicted probability, held out: {points}."

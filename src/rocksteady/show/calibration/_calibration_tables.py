@@ -43,7 +43,10 @@ MOST_ROWS = 12
 
 def sentence_of(calibration: Calibration) -> str:
     """Return the answer in one sentence: how many outcomes are called, and by less than physics."""
-    rows = calibration.validation.scores
+    if calibration.validation is None:
+        count = plural(len(calibration.tests), "test")
+        return f"By {count}, none of which can be held out: nothing tells how well they predict."
+    rows = calibration.validation.rows
     mine, base = rows["calibrated"], rows["base rate"]
     right = round(mine.accuracy[0] * mine.tests)
     words = (
@@ -51,9 +54,8 @@ def sentence_of(calibration: Calibration) -> str:
         f"({percent(mine.accuracy[0])}) came as the calibrated block expects; the more frequent "
         f"outcome alone is right in {percent(base.accuracy[0])}"
     )
-    if "logistic" in rows:
-        words += f", a logistic on intensity in {percent(rows['logistic'].accuracy[0])}"
-    return f"{words}."
+    logistic = percent(rows["logistic"].accuracy[0])
+    return f"{words}, a logistic on intensity in {logistic}."
 
 
 def score_rows(rows: Mapping[str, Scores]) -> list[Row]:
@@ -116,7 +118,7 @@ def _bound(row: Mapping[str, Any]) -> str:
 
 def unexpected_rows(calibration: Calibration) -> list[Row]:
     """Return the tests whose outcome was least expected, those of less than an even chance."""
-    predictions, tests = calibration.validation.predictions, calibration.tests.tests
+    predictions, tests = calibration.predictions, calibration.tests.tests
     rows = []
     for place, test in enumerate(tests):
         if test.fell is None or not math.isfinite(predictions.p[place]):
@@ -142,10 +144,8 @@ def unexpected_rows(calibration: Calibration) -> list[Row]:
 
 def residual_rows(calibration: Calibration, by: str) -> list[Row]:
     """Return a row for each record or session, the largest misfit first."""
-    rows = sorted(
-        (each for each in calibration.validation.residuals if each["kind"] == by),
-        key=lambda each: (-abs(each["z"]), each["name"]),
-    )
+    rows = [] if calibration.validation is None else calibration.validation.residuals[by]
+    rows = sorted(rows, key=lambda each: (-abs(each["z"]), each["name"]))
     return [
         {
             "name": each["name"],

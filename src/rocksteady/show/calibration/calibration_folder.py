@@ -61,7 +61,7 @@ def write_calibration(
         header, rows = posterior_rows(calibration)
         save_csv("out", stage / "posterior.csv", header, rows)
         for name, table in (
-            ("predictions", calibration.validation.predictions.describe().tables[0]),
+            ("predictions", calibration.predictions.describe().tables[0]),
             ("parameters", calibration.describe().tables[0]),
         ):
             save_csv("out", stage / f"{name}.csv", table.header, table.records())

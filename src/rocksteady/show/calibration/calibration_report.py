@@ -85,9 +85,9 @@ def _method(calibration: Calibration) -> dict[str, Any]:
         "effective": number(min(effective)),
         "error": number(float(calibration.mc_error), 2),
         "seed": str(calibration.sampling.seed),
-        "flips": [
-            f"{each['variant']}: {each['flips']} of {each['tests']}" for each in calibration.flips
-        ],
+        "flips": [f"{name}: {count:,}" for name, count in calibration.flips.items()],
+        "folds": calibration.folds,
+        "chosen": calibration.tempered_by_choice,
     }
 
 

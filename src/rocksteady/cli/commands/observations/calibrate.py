@@ -203,7 +203,7 @@ def _write(
         for file in write_calibration(found, out, command=command, force=output.force):
             announce_file(file)
     if output.csv is not None:
-        rows = found.validation.predictions.describe().tables[0]
+        rows = found.predictions.describe().tables[0]
         write_csv(output.csv, rows.header, rows.records())
     if output.plot is not None:
         from rocksteady.show.figures.observations import calibration_figure

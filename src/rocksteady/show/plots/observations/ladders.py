@@ -128,7 +128,7 @@ def plot_ladders(
 
 def rungs_of(calibration: Calibration) -> tuple[list[Rung], str]:
     """Return the rows of all records, those that fell an object least first, and the abscissa."""
-    tests, predictions = calibration.tests.tests, calibration.validation.predictions
+    tests, predictions = calibration.tests.tests, calibration.predictions
     p = np.asarray(predictions.p, dtype=np.float64)
     rows: dict[tuple[str, str], list[int]] = {}
     for place, test in enumerate(tests):

@@ -43,7 +43,7 @@ def plot_predictions(
     >>> from matplotlib.figure import Figure
     >>> from rocksteady import Sampling, calibrate, make_synthetic_tests
     >>> found = calibrate(make_synthetic_tests(), sampling=Sampling(draws=64, rounds=1))
-    >>> axes = plot_predictions(found.validation.predictions, Figure().add_subplot())
+    >>> axes = plot_predictions(found.predictions, Figure().add_subplot())
     >>> axes.get_xlabel()
     'probability of falling'
     """

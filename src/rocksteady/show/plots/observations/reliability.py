@@ -4,11 +4,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.results.numbers import number
 from rocksteady.risk.calibration.calibration import Calibration
-from rocksteady.show.plots.risk.fragility import INTERVAL, wilson
+from rocksteady.show.plots.observations._validated import checked_validation
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import (
     LegendPlace,
@@ -52,7 +50,7 @@ def plot_reliability(
     Raises
     ------
     InputError
-        If no test with an outcome was held out.
+        If no test could be held out.
 
     Examples
     --------
@@ -63,18 +61,13 @@ def plot_reliability(
     >>> axes.get_ylabel()
     'share that fell'
     """
-    bins = calibration.validation.reliability
-    if not bins:
-        raise InputError(
-            "calibration", Words("holds out no test"), "a picture needs some", "give more groups"
-        )
+    bins = checked_validation(calibration).reliability
     axes = axes_or_new(ax)
     inks, place, size = inks_of(axes), place_of(axes, legend, "below"), line_scale(axes)
-    at, share, count, first, last = (
+    at, share, low, high, count, first, last = (
         np.array([each[key] for each in bins], dtype=np.float64)
-        for key in ("p", "fell", "tests", "low", "high")
+        for key in ("predicted", "observed", "low", "high", "tests", "from", "to")
     )
-    low, high = wilson(share, count)
     middle, top = 0.5 * (first + last), TALLEST * count / count.max()
     bars = axes.bar(
         middle,
@@ -99,7 +92,7 @@ def plot_reliability(
     axes.vlines(at, low, high, color=inks.lines[0], lw=1.4 * size, alpha=0.6, zorder=2.6)
     (points,) = axes.plot(
         at, share, "o", ms=5.5 * size, color=inks.lines[0], mec=inks.paper, mew=0.6,
-        label=f"share that fell, {number(100.0 * INTERVAL)}\N{NO-BREAK SPACE}% interval",
+        label="share that fell, 90\N{NO-BREAK SPACE}% interval",
         zorder=3.0,
     )  # fmt: skip
     axes.set(

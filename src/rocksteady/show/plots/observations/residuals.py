@@ -9,6 +9,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import whole_number
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.show.plots.observations._rows import name_rows
+from rocksteady.show.plots.observations._validated import checked_validation
 from rocksteady.show.style.layout import axes_or_new
 from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
 from rocksteady.show.style.line_colours import inks_of
@@ -69,7 +70,7 @@ def plot_residuals(
     if by not in ("record", "session"):
         raise InputError("by", by, "residuals are by record or by session", "name one of the two")
     count = whole_number("most", most, at_least=1, hint="give a number of rows, as 30")
-    rows = [each for each in calibration.validation.residuals if each["kind"] == by]
+    rows = list(checked_validation(calibration).residuals[by])
     if not rows:
         raise InputError(
             "calibration", Words(f"names no {by}"), "a picture needs one", "name it in the table"
@@ -79,8 +80,7 @@ def plot_residuals(
     inks, place, size = inks_of(axes), place_of(axes, legend, "below"), line_scale(axes)
     at = np.arange(len(rows))
     residual = np.array([each["fell"] - each["expected"] for each in rows], dtype=np.float64)
-    over = np.array([each["z"] for each in rows])
-    half = 1.645 * np.abs(residual) / np.where(over != 0.0, np.abs(over), np.inf)
+    half = 1.645 * np.array([each["deviation"] for each in rows])
     range_ = axes.barh(
         at, 2.0 * half, left=-half, height=0.5, color=inks.faint, alpha=0.3, lw=0.0,
         label="90\N{NO-BREAK SPACE}% by chance", zorder=1.6,

@@ -1,6 +1,5 @@
 """Plots of held-out scores: over the temper, and over the number of groups learnt from."""
 
-from collections.abc import Collection
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -8,6 +7,7 @@ import numpy as np
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.calibration.calibration import Calibration
+from rocksteady.show.plots.observations._validated import checked_validation
 from rocksteady.show.style import palette
 from rocksteady.show.style.layout import axes_or_new, plain_ticks
 from rocksteady.show.style.legends import LegendPlace, draw_legend, line_scale, place_of
@@ -24,10 +24,12 @@ AXIS = {
     "ece": "calibration error, held out",
 }
 """Labels of scores; of the Brier and the log score and of the error small ones are good."""
-RULES = {"": "calibrated block", "logistic_": "logistic on intensity", "base_rate_": "base rate"}
-"""Entries of the legend by what keys of the learning curve begin with."""
-LEARNT = ("accuracy", "brier", "log_score")
-"""Scores that learning curves have."""
+RULES = {
+    "calibrated": "calibrated block",
+    "logistic": "logistic on intensity",
+    "base rate": "base rate",
+}
+"""Entries of the legend by the rules of a learning curve."""
 
 
 @checked
@@ -59,7 +61,7 @@ def plot_temper(
     Raises
     ------
     InputError
-        If there is no such score, or no temper was tried.
+        If there is no such score, or no test could be held out.
 
     Examples
     --------
@@ -70,12 +72,8 @@ def plot_temper(
     >>> axes.get_ylabel()
     'log score, held out'
     """
-    _check_score(score, AXIS)
-    tried = calibration.temper_scores
-    if not tried:
-        raise InputError(
-            "calibration", Words("tries no temper"), "a picture needs some", "use temper='auto'"
-        )
+    _check_score(score)
+    tried = checked_validation(calibration).temper_scores
     axes = axes_or_new(ax)
     inks, place, size = inks_of(axes), place_of(axes, legend, "below"), line_scale(axes)
     at = np.array(sorted(tried))
@@ -123,7 +121,7 @@ def plot_learning(
     ax
         Axes to draw on; those of a new figure without.
     score
-        "accuracy" (default), "brier" or "log_score".
+        "accuracy" (default), "f1", "brier", "log_score" or "ece".
     legend
         "inside" the axes, to their "right", "below" them (default) or "none".
 
@@ -147,8 +145,8 @@ def plot_learning(
     >>> axes.get_ylabel()
     'accuracy, held out'
     """
-    _check_score(score, LEARNT)
-    curve = calibration.validation.learning
+    _check_score(score)
+    curve = checked_validation(calibration).learning
     if not curve:
         raise InputError(
             "calibration", Words("has no learning curve"), "it takes several groups", "add tests"
@@ -159,7 +157,7 @@ def plot_learning(
     handles = []
     for row, (kind, words) in enumerate(RULES.items()):
         handles += axes.plot(
-            at, [each[f"{kind}{score}"] for each in curve], marker="os^"[row], ms=4.0 * size,
+            at, [getattr(each[kind], score)[0] for each in curve], marker="os^"[row], ms=4.0 * size,
             color=inks.lines[row], lw=1.4 * size, ls=palette.DASHES[row], label=words, zorder=2.6,
         )  # fmt: skip
     if at.max() > 4.0 * at.min():
@@ -170,7 +168,7 @@ def plot_learning(
     return axes
 
 
-def _check_score(score: str, known: Collection[str]) -> None:
+def _check_score(score: str) -> None:
     """Refuse a score that does not exist."""
-    if score not in known:
-        raise InputError("score", score, "the scores are " + ", ".join(known), "name one of them")
+    if score not in AXIS:
+        raise InputError("score", score, "the scores are " + ", ".join(AXIS), "name one of them")

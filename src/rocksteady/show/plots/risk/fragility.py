@@ -346,7 +346,7 @@ def _draw_points(axes: "Axes", shown: Drawn, inks: Inks, size: float) -> Any:
     at, shares, trials = _shares(shown)
     if not len(at):
         return None
-    low, high = wilson(shares, np.minimum(trials, max(shown.records, 1)))
+    low, high = _wilson(shares, np.minimum(trials, max(shown.records, 1)))
     words = f"share of runs, {100.0 * INTERVAL:g} % bar of "
     words += plural(shown.records, "record").replace(" ", NO_BREAK)
     axes.vlines(at, low, high, color=inks.faint, lw=0.9 * size, zorder=2.3)
@@ -357,7 +357,7 @@ def _draw_points(axes: "Axes", shown: Drawn, inks: Inks, size: float) -> Any:
     return points
 
 
-def wilson(shares: Floats, count: Floats) -> tuple[Floats, Floats]:
+def _wilson(shares: Floats, count: Floats) -> tuple[Floats, Floats]:
     """Return the ends of Wilson's interval of shares of so many trials."""
     from scipy.special import ndtri
 

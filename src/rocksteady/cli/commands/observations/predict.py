@@ -1,0 +1,207 @@
+"""`rocksteady predict`: the probability of falling in tests or records, from a calibration."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from rocksteady.cli.console import terminal
+from rocksteady.cli.console.outputs import (
+    announce_compilation,
+    print_json,
+    write_csv,
+    write_figure,
+)
+from rocksteady.cli.console.refusals import FlagError, both, missing
+from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
+from rocksteady.cli.flags.shaking_tests import Objects, RecordsFolder, TableFlags, Tests, flags_of
+from rocksteady.cli.flags.sweep import Executor, Workers
+from rocksteady.errors import InputError
+from rocksteady.results.rendering import print_description
+
+if TYPE_CHECKING:
+    from rocksteady.risk.calibration.stored import StoredCalibration
+    from rocksteady.risk.observations.shaking_test import ShakingTest
+
+HELP = (
+    "Predict which tests or records fell a calibrated object, with the band of its posterior.\n\n"
+    "--fit names the folder that `rocksteady calibrate --out` wrote. --tests takes a table whose "
+    "outcomes may be empty; --record takes ground-motion files, at each factor of --scale. The "
+    "records of the calibration are not needed. Predictions of tests that were calibrated by are "
+    "in predictions.csv of the folder, each without its own group."
+)
+EXAMPLES = (
+    "Examples:\n\n"
+    "rocksteady predict --fit fit --tests next.csv --csv predictions.csv\n\n"
+    "rocksteady predict --fit fit --record quake.at2 --scale log:0.5:2:9 --plot quake.png\n\n"
+    "rocksteady predict --fit fit --record east.at2 --record north.at2 --object column --json"
+)
+FIT = "Calibration"
+
+FitFolder = Annotated[
+    Path | None,
+    typer.Option(
+        "--fit",
+        metavar="DIR",
+        help="Take the posterior of this folder, which calibrate --out wrote.",
+        rich_help_panel=FIT,
+    ),
+]
+ObjectName = Annotated[
+    str | None,
+    typer.Option(
+        "--object",
+        metavar="NAME",
+        help="Choose the object that --record shakes; default the only one of the calibration.",
+        rich_help_panel=FIT,
+    ),
+]
+
+
+@grouped
+def predict(
+    recorded: RecordFlags,
+    reading: ReadingFlags,
+    output: OutputFlags,
+    fit: FitFolder = None,
+    object: ObjectName = None,  # noqa: A002 -- the name of its flag
+    tests: Tests = None,
+    objects: Objects = None,
+    records: RecordsFolder = None,
+    executor: Executor = "threads",
+    workers: Workers = None,
+) -> None:
+    """Run `rocksteady predict`; `HELP` is what its users read."""
+    from rocksteady.sweep.run import Run
+
+    output.check()
+    if fit is None:
+        raise missing(
+            "--fit",
+            valid="predictions come from a calibration",
+            hint="add --fit DIR, the folder of rocksteady calibrate --out DIR",
+        )
+    run = Run(executor=executor, workers=workers)
+    table = TableFlags(
+        tests=tests, objects=objects, records=records, units=reading.units, dt_s=reading.dt_s
+    )
+    _refuse_idle(table, recorded, reading, object)
+    output.refuse_read([*table.files, *recorded.files])
+    from rocksteady.risk.calibration.stored import read_posterior
+
+    with flags_of({"folder": "--fit"}):
+        stored = read_posterior(fit)
+    if tests is not None:
+        shaken: Sequence[ShakingTest] = table.observations().tests
+    else:
+        shaken = _tests_of(recorded, reading, _object(stored, object))
+    announce_compilation("records.record_fates")
+    with flags_of({"tests": "--tests"}):
+        found = stored.predict(shaken, run=run)
+    description = found.describe()
+    if output.csv is not None:
+        rows = description.tables[0]
+        write_csv(output.csv, rows.header, rows.records())
+    if output.plot is not None:
+        from rocksteady.show.figures.observations import predictions_figure
+
+        write_figure(output.plot, predictions_figure(found, page=output.page))
+    if output.as_json:
+        print_json("predict", description.to_dict())
+        return
+    print_description(replace(description), terminal.console())
+
+
+def _refuse_idle(
+    table: TableFlags, recorded: RecordFlags, reading: ReadingFlags, body: str | None
+) -> None:
+    """Refuse flags that have no meaning beside each other.
+
+    Raises
+    ------
+    FlagError
+        If neither tests nor records are given, or both, or a flag of one beside the other.
+    """
+    if table.tests is None and not recorded.record:
+        raise missing(
+            "--tests or --record",
+            valid="a prediction is of tests or of records",
+            hint="add --tests next.csv, or --record quake.at2",
+        )
+    if table.tests is not None and recorded.record:
+        raise both("--tests", "--record", valid="a prediction is of one of the two")
+    if table.tests is not None:
+        idle = {
+            "--object": body,
+            "--scale": recorded.scale,
+            "--pga-g": recorded.pga_g,
+            "--vertical": recorded.vertical,
+            "--reverse": recorded.reverse or None,
+            **{k: v for k, v in reading.given.items() if k not in ("--units", "--dt-s")},
+        }
+        reason, hint = "the table of --tests states it", "write it into the table"
+    else:
+        idle = {"--objects": table.objects, "--records": table.records}
+        reason, hint = "without --tests it has no meaning", "leave it out"
+    for flag, value in idle.items():
+        if value is not None:
+            raise FlagError(flag, value, reason, hint)
+
+
+def _object(stored: "StoredCalibration", name: str | None) -> str:
+    """Return the object that is shaken.
+
+    Raises
+    ------
+    FlagError
+        If there is none of that name, or it is not clear which one is meant.
+    """
+    names = list(stored.posteriors)
+    if name is None and len(names) > 1:
+        raise missing(
+            "--object",
+            valid=f"the calibration has {len(names)} objects, {', '.join(names[:6])}",
+            hint=f"add --object {names[0]}",
+        )
+    if name is not None and name not in names:
+        raise FlagError(
+            "--object", name, "the calibration has " + ", ".join(names[:6]), "name one of them"
+        )
+    return names[0] if name is None else name
+
+
+def _tests_of(recorded: RecordFlags, reading: ReadingFlags, body: str) -> "list[ShakingTest]":
+    """Return a test of an object for each record and factor.
+
+    Raises
+    ------
+    InputError, FlagError
+        If a file cannot be read, or a factor is not valid.
+    """
+    from rocksteady.risk.observations.shaking_test import ShakingTest
+
+    found: list[ShakingTest] = []
+    for one in recorded.recordings(reading):
+        level = recorded.at_pga(one)
+        vertical = recorded.vertical_recording(reading, one)
+        name = one.record.name or one.path.stem
+        for scale in recorded.scales:
+            words = name if scale == 1.0 else f"{name} x {scale:.4g}"
+            taken = sum(test.name.partition(" #")[0] == words for test in found)
+            found.append(
+                ShakingTest(
+                    name=f"{words} #{taken + 1}" if taken else words,
+                    record=level.record,
+                    object=body,
+                    gain=scale,
+                    vertical=None if vertical is None else vertical.record,
+                    reversed=recorded.reverse,
+                    group=name,
+                )
+            )
+    if not found:
+        raise InputError("--record", "", "it names no record", "give a file")
+    return found

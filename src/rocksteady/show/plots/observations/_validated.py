@@ -1,0 +1,23 @@
+"""Held-out scores that plots need."""
+
+from rocksteady.errors import InputError, Words
+from rocksteady.risk.calibration.calibration import Calibration
+from rocksteady.risk.calibration.held_out.validation import Validation
+
+
+def checked_validation(calibration: Calibration) -> Validation:
+    """Return the held-out scores of a calibration.
+
+    Raises
+    ------
+    InputError
+        If it has none.
+    """
+    if calibration.validation is None:
+        raise InputError(
+            "calibration",
+            Words("has no held-out scores"),
+            "they need outcomes of two groups or more",
+            "read its warnings",
+        )
+    return calibration.validation
