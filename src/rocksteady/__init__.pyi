@@ -131,7 +131,10 @@ from .risk.back_analysis.survey import Survey as Survey
 from .risk.calibration.calibrate import calibrate as calibrate
 from .risk.calibration.calibration import Calibration as Calibration
 from .risk.calibration.held_out.predictions import Predictions as Predictions
-from .risk.calibration.held_out.scores import Scores as Scores, score_predictions as score_predictions
+from .risk.calibration.held_out.scores import (
+    Scores as Scores,
+    score_predictions as score_predictions,
+)
 from .risk.calibration.held_out.validation import Validation as Validation
 from .risk.calibration.posterior import Posterior as Posterior
 from .risk.calibration.sampling import Sampling as Sampling

@@ -30,7 +30,7 @@ from rocksteady.cli.commands import (
     steady,
     study,
 )
-from rocksteady.cli.commands.observations import back_analyse, restitution
+from rocksteady.cli.commands.observations import back_analyse, calibrate, predict, restitution
 from rocksteady.cli.commands.risk import assess, fragility, screens
 from rocksteady.cli.console import terminal
 from rocksteady.cli.console.outputs import INCOMPLETE
@@ -74,8 +74,10 @@ COMMANDS = (
     fragility,
     assess,
     screens,
-    restitution,
+    calibrate,
+    predict,
     back_analyse,
+    restitution,
     paper,
     doctor,
 )

@@ -77,7 +77,10 @@ class Survey(Result):
             "fell": "give the outcome of each object",
             "reversed": "leave it out where the facing is unknown",
         }
-        pairs: tuple[tuple[str, tuple[object, ...]], ...] = (("fell", tuple(self.fell)), ("reversed", facing))
+        pairs: tuple[tuple[str, tuple[object, ...]], ...] = (
+            ("fell", tuple(self.fell)),
+            ("reversed", facing),
+        )
         for key, values in pairs:
             if len(values) != len(objects):
                 raise InputError(

@@ -130,9 +130,7 @@ def plot_back_analysis(
         Patch(facecolor=palette.LINK, alpha=0.55, label="half of the weight"),
         middle,
         Line2D([], [], color=inks.faint, lw=0.8, label="a record at all scales"),
-        Line2D(
-            [], [], ls="none", marker="o", ms=4.0, color=inks.number, label="scales that agree"
-        ),
+        Line2D([], [], ls="none", marker="o", ms=4.0, color=inks.number, label="scales that agree"),
     ]
     draw_legend(axes, place, handles=handles, gap=44.0)
     return axes
