@@ -29,8 +29,6 @@ def restitution_figure(fit: RestitutionFit, title: str = "", page: Page = SCREEN
         plot_restitution(fit, first, legend=page.legend)
         plot_restitution(fit, second, panel="impacts", legend=page.legend)
     return figure
-
-
 """Complete figures of observations, as the command line saves them."""
 
 from typing import TYPE_CHECKING
@@ -118,72 +116,4 @@ def restitution_figure(fit: RestitutionFit, title: str = "", page: Page = SCREEN
         first, second = figure.subplots(2, 1) if stacked else figure.subplots(1, 2)
         plot_restitution(fit, first, legend=page.legend)
         plot_restitution(fit, second, panel="impacts", legend=page.legend)
-    return figure
-
-
-"""Complete figures of calibrations and predictions, as the command line saves them."""
-
-from typing import TYPE_CHECKING
-
-from rocksteady.results.numbers import plural
-from rocksteady.risk.calibration.calibration import Calibration
-from rocksteady.risk.calibration.held_out.predictions import Predictions
-from rocksteady.show.plots.observations.ladders import plot_ladders
-from rocksteady.show.plots.observations.posteriors import plot_posterior
-from rocksteady.show.plots.observations.predictions import NAMED, plot_predictions
-from rocksteady.show.plots.observations.reliability import plot_reliability
-from rocksteady.show.style.page import SCREEN, Page
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-ROWS = 24
-"""Records of the figure of a calibration, those that take most to fell an object."""
-
-
-def calibration_figure(calibration: Calibration, title: str = "", page: Page = SCREEN) -> "Figure":
-    """Return a figure of the tests by record, with alpha and the reliability beside or below.
-
-    Parameters
-    ----------
-    calibration
-        From `rocksteady.calibrate`.
-    title
-        Above the panels; by default the numbers of tests and objects.
-    page
-        Width of the figure, and place of its legends.
-    """
-    count = plural(len(calibration.tests.tests), "test")
-    words = title or f"{count} of {plural(len(calibration.posteriors), 'object')}"
-    with page.figure(10.8, 5.6, words, stacked=2.4) as figure:
-        if page.stacks(10.8):
-            first, second, third = figure.subplots(3, 1, height_ratios=(1.5, 1.0, 1.0))
-        else:
-            grid = figure.add_gridspec(2, 2, width_ratios=(1.15, 1.0))
-            first = figure.add_subplot(grid[:, 0])
-            second, third = figure.add_subplot(grid[0, 1]), figure.add_subplot(grid[1, 1])
-        plot_posterior(calibration, second, legend=page.legend)
-        if calibration.validation is None:
-            third.remove()
-        else:
-            plot_reliability(calibration, third, legend=page.legend)
-        plot_ladders(calibration, first, most=ROWS, legend=page.legend)
-    return figure
-
-
-def predictions_figure(predictions: Predictions, title: str = "", page: Page = SCREEN) -> "Figure":
-    """Return a figure of predictions, as high as its rows need.
-
-    Parameters
-    ----------
-    predictions
-        From `rocksteady.Calibration.predict`.
-    title
-        Above the panel.
-    page
-        Width of the figure, and place of its legend.
-    """
-    rows = min(len(predictions), NAMED)
-    with page.figure(6.6, max(2.2, 1.3 + 0.2 * rows), title) as figure:
-        plot_predictions(predictions, figure.add_subplot(), legend=page.legend)
     return figure
