@@ -166,21 +166,20 @@ from .risk.hazard.failure_risk import Risk as Risk
 from .risk.hazard.failure_risk import compute_risk as compute_risk
 from .risk.hazard.hazard_curve import HazardCurve as HazardCurve
 from .risk.hazard.read_hazard import read_hazard_curves as read_hazard_curves
+from .risk.observations.fates import Scatter as Scatter
+from .risk.observations.fates import fates_on_records as fates_on_records
 from .risk.observations.object_prior import ObjectPrior as ObjectPrior
 from .risk.observations.observations import Observations as Observations
 from .risk.observations.prior import Noise as Noise
 from .risk.observations.prior import Prior as Prior
 from .risk.observations.prior import read_prior as read_prior
+from .risk.observations.read_peaks import read_peaks as read_peaks
 from .risk.observations.read_tests import read_tests as read_tests
 from .risk.observations.shaking_test import ShakingTest as ShakingTest
 from .risk.observations.spread import Spread as Spread
 from .risk.observations.synthetic_tests import (
     make_synthetic_tests as make_synthetic_tests,
 )
-from .risk.observations.fates import Scatter as Scatter
-from .risk.observations.fates import fates_on_records as fates_on_records
-from .risk.observations.shaking_test import ShakingTest as ShakingTest
-from .risk.observations.read_peaks import read_peaks as read_peaks
 from .risk.screens.demand import Demand as Demand
 from .risk.screens.screen import Screen as Screen
 from .risk.screens.screens import Screens as Screens

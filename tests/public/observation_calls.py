@@ -43,5 +43,11 @@ def observation_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         rs.read_tests: {"path": "tests.csv"},
         rs.read_prior: {"path": "prior.toml"},
         rs.write_tests: {"folder": "kept", "observations": t["observations"], "force": True},
+        rs.Scatter: {"deviation": 0.05, "draws": 2},
+        rs.fates_on_records: {
+            "blocks": t["block"],
+            "tests": t["observations"],
+            "gains": [0.8, 1.2],
+        },
         rs.make_synthetic_tests: {"truth": t["block"], "motions": [t["record"]], "gains": [0.5]},
     }

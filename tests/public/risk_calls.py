@@ -105,8 +105,6 @@ def risk_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
             "stripes": t["stripes"],
             "restitution": rs.RestitutionBand(draws=1),
         },
-        rs.Scatter: {"deviation": 0.05, "draws": 2},
-        rs.fates_on_records: {"blocks": block, "tests": [t["test"]], "gains": [0.8, 1.2]},
         rs.DamageState: {"name": "half", "peak": 0.5},
         rs.Fitting: {"states": ["uplift", 0.5], "bands": None},
         rs.compute_fragility: {
