@@ -74,19 +74,19 @@ class Observations(Result):
             raise InputError(
                 "tests", doubled[0], "two tests have this name", "give each another name"
             )
+        for name, one in self.objects.items():
+            if not isinstance(one, ObjectPrior):
+                raise InputError(
+                    f"objects[{name!r}]", one, "it must be an ObjectPrior", "give its sizes in one"
+                )
         for test in tests:
             if test.object not in self.objects:
-                close = difflib.get_close_matches(test.object, list(self.objects), n=1)
+                close = difflib.get_close_matches(test.object, map(str, self.objects), n=1)
                 raise InputError(
                     "objects",
                     Words(f"has no {test.object!r}, which test {test.name!r} shook"),
                     "each test has an object there",
                     f"did you mean {close[0]}?" if close else "add it",
-                )
-        for name, one in self.objects.items():
-            if not isinstance(one, ObjectPrior):
-                raise InputError(
-                    f"objects[{name!r}]", one, "it must be an ObjectPrior", "give its sizes in one"
                 )
         used = {test.object for test in tests}
         object.__setattr__(self, "tests", tests)
@@ -121,7 +121,7 @@ class Observations(Result):
         Parameters
         ----------
         indices
-            Places of the tests from 0, or True and False for each.
+            Places of the tests, from 0.
 
         Raises
         ------
@@ -130,15 +130,13 @@ class Observations(Result):
         """
         chosen = np.asarray(indices)
         count = len(self.tests)
-        if chosen.dtype == bool and chosen.shape == (count,):
-            chosen = np.flatnonzero(chosen)
         whole = chosen.ndim == 1 and (chosen.dtype.kind in "iu" or chosen.size == 0)
         if not whole or (chosen.size and not -count <= chosen.min() <= chosen.max() < count):
             raise InputError(
                 "indices",
                 indices,
                 f"it must be a row of whole numbers from 0 to {count - 1}",
-                "give places of tests, or True and False for each",
+                "give places of tests, as np.flatnonzero has them",
             )
         return self._with([self.tests[k] for k in chosen.tolist()])
 
