@@ -7,7 +7,7 @@ from pathlib import Path
 from rocksteady.errors import InputError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.free_rocking.release import Release
-from rocksteady.risk.observations.csv_table import Columns, read_csv_table
+from rocksteady.risk.observations.files.csv_table import Columns, read_csv_table
 
 UNITS: Mapping[str, float] = {
     "peak_rad": 1.0,
