@@ -48,7 +48,8 @@ class Proposal:
         if self.centre is None or self.root is None:
             return scores
         chi = 2.0 * gammaincinv(0.5 * FREEDOM, points[:, size])
-        return self.centre + scores @ self.root.T / np.sqrt(chi / FREEDOM)[:, np.newaxis]
+        heavier: Floats = scores @ self.root.T / np.sqrt(chi / FREEDOM)[:, np.newaxis]
+        return self.centre + heavier
 
     def log_density(self, scores: Floats) -> Floats:
         """Return ln of the density over that of the prior, a constant of both left out."""
@@ -93,6 +94,7 @@ def refine(scores: Floats, base: Floats, log_likelihood: Floats, draws: int) -> 
 
     It is fitted to the posterior at the largest temper that leaves enough effective draws.
     """
+    weights = normalised(base[:, np.newaxis])[:, 0]
     for temper in (*LADDER, 0.02, 0.01):
         weights = normalised((base + temper * log_likelihood)[:, np.newaxis])[:, 0]
         if effective(weights) >= min(LEAST_EFFECTIVE, 0.2 * len(weights)):
@@ -100,4 +102,5 @@ def refine(scores: Floats, base: Floats, log_likelihood: Floats, draws: int) -> 
     centre = weights @ scores
     apart = scores - centre
     spread = (apart.T * weights) @ apart + 1e-6 * np.eye(scores.shape[1])
-    return Proposal(draws=draws, centre=centre, root=WIDER * np.linalg.cholesky(spread))
+    root: Floats = np.asarray(WIDER * np.linalg.cholesky(spread), dtype=np.float64)
+    return Proposal(draws=draws, centre=centre, root=root)

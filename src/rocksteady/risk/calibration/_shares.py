@@ -68,7 +68,7 @@ def lend(
         Shape (draws, tests).
     """
     tests, draws, count = fell.shape
-    found = fell.mean(axis=2).T
+    found: Floats = fell.mean(axis=2).T
     lean, others = features[:, 0], features[:, 1:]
     others = others[:, others.std(axis=0) > 1e-9]
     others = (others - others.mean(axis=0)) / others.std(axis=0)

@@ -18,7 +18,8 @@ from rocksteady.risk.calibration.held_out.folds import Evidence, HeldOut
 from rocksteady.risk.calibration.held_out.predictions import Predictions, predictions_of
 from rocksteady.risk.calibration.held_out.rivals import measures_of
 from rocksteady.risk.calibration.held_out.scores import Scores
-from rocksteady.risk.calibration.held_out.validation import Trial, Validation, validate_trial
+from rocksteady.risk.calibration.held_out.learning import Trial
+from rocksteady.risk.calibration.held_out.validation import Validation, validate_trial
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampling import Sampling
 from rocksteady.risk.observations.observations import Observations

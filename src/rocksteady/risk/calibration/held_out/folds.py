@@ -14,6 +14,8 @@ LADDER = (1.0, 0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05)
 """Tempers that are compared."""
 MOST_FOLDS = 20
 """Folds of the training tests among which a temper is chosen."""
+LEAST_FOLDS = 10
+"""With fewer the error of a score is not known well enough, and the temper stays at 1."""
 MOST_WEIGHTS = 6_000_000
 """Numbers of one array of weights: held-out folds are computed in parts."""
 
@@ -162,8 +164,7 @@ def choose_tempers(
     """Return the temper for each group, chosen among the tests of the others.
 
     For a held-out group the others are dealt into at most 20 folds, and each fold is predicted
-    from the rest of them at each temper.  The best log score wins; of equal ones the largest
-    temper.
+    from the rest of them at each temper; `preferred` chooses.
 
     Returns
     -------
@@ -172,27 +173,46 @@ def choose_tempers(
     """
     groups = int(codes.max()) + 1
     folds = np.arange(groups) % min(groups, MOST_FOLDS)
-    scores = np.zeros((len(ladder), groups))
+    scores = np.zeros((len(ladder), int(folds.max()) + 1, groups))
     for each in evidence:
         scores += _nested_scores(each, codes[each.tests], folds, fell[each.tests], ladder)
-    return np.asarray(ladder)[best_of(scores)]
+    return np.array([ladder[preferred(scores[:, :, group])] for group in range(groups)])
 
 
-def best_of(scores: Floats) -> Integers:
-    """Return the row of the largest score in each column; of equal ones the first."""
-    found: Integers = np.argmax(scores >= scores.max(axis=0) - 1e-9, axis=0)
-    return found
+def preferred(scores: Floats) -> int:
+    """Return the row of the temper that log scores of folds prefer, rows from 1 downwards.
+
+    The largest temper whose score is within a standard error of the best [1]: the error is that of
+    the difference, from fold to fold.  So the likelihood stays as it is unless held-out tests say
+    clearly that it is too sure; the best score itself would often be that of a small temper by
+    chance, and its intervals too wide.  With fewer than ten folds it is 1.
+
+    Parameters
+    ----------
+    scores
+        Sums of ln(probability of what happened), shape (tempers, folds).
+
+    References
+    ----------
+    .. [1] T. Hastie, R. Tibshirani and J. Friedman, The Elements of Statistical Learning (2009),
+       7.10.
+    """
+    if scores.shape[1] < LEAST_FOLDS:
+        return 0
+    lost = scores[np.argmax(scores.sum(axis=1))] - scores
+    error = lost.std(axis=1, ddof=1) * np.sqrt(lost.shape[1])
+    return int(np.argmax(lost.sum(axis=1) <= error + 1e-9))
 
 
 def _nested_scores(
     each: Evidence, codes: Integers, folds: Integers, fell: Floats, ladder: Sequence[float]
 ) -> Floats:
-    """Return sums of the log score of other groups, shape (tempers, groups)."""
+    """Return sums of the log score of folds without a group, shape (tempers, folds, groups)."""
     groups, draws = len(folds), len(each.base)
     known = np.isfinite(fell)
     own = _sums_by(each.log_likelihood, codes, groups)
     total = each.log_likelihood.sum(axis=1)
-    scores = np.zeros((len(ladder), groups))
+    scores = np.zeros((len(ladder), int(folds.max()) + 1, groups))
     step = max(1, MOST_WEIGHTS // draws)
     for fold in np.unique(folds[codes]):
         inside = np.flatnonzero((folds[codes] == fold) & known)
@@ -214,7 +234,7 @@ def _nested_scores(
                 p = (weights.T @ each.share[:, inside])[back]
                 happened = np.where(fell[inside] > 0.0, p, 1.0 - p)
                 logs = np.log(np.maximum(happened, 1e-12))
-                scores[row, outer] += (logs * counted).sum(axis=1)
+                scores[row, fold, outer] += (logs * counted).sum(axis=1)
     return scores
 
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, percent
 from rocksteady.results.result import Result
-from rocksteady.risk.calibration.held_out._learning import Trial, best_temper, learning_curve
+from rocksteady.risk.calibration.held_out.learning import Trial, best_temper, learning_curve
 from rocksteady.risk.calibration.held_out.folds import LADDER, choose_tempers, hold_out
 from rocksteady.risk.calibration.held_out.predictions import Predictions, predictions_of
 from rocksteady.risk.calibration.held_out.rivals import out_of_group
@@ -207,7 +207,7 @@ def _reliability(p: Floats, fell: Floats) -> list[Row]:
 
 def _residuals(p: Floats, fell: Floats, tests: Sequence[ShakingTest]) -> dict[str, tuple[Row, ...]]:
     """Return observed and expected falls by record and by session."""
-    keys = {
+    keys: dict[str, list[str | None]] = {
         "record": [test.record.name or test.group or "" for test in tests],
         "session": [test.session for test in tests],
     }

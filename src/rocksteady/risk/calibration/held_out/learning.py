@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from rocksteady.risk.calibration.held_out.folds import (
     LADDER,
     Evidence,
-    best_of,
     hold_out,
     normalised,
+    preferred,
 )
 from rocksteady.risk.calibration.held_out.rivals import base_rate, logistic
 from rocksteady.risk.calibration.held_out.scores import NAMES, Scores, scores_of
@@ -51,17 +51,15 @@ class Trial:
     temper: float | None
 
 
-def log_score(p: Floats, fell: Floats) -> float:
-    """Return the sum of ln(probability of what happened) over tests with an outcome."""
-    known = np.isfinite(fell) & np.isfinite(p)
-    happened = np.where(fell[known] > 0.0, p[known], 1.0 - p[known])
-    return float(np.log(np.maximum(happened, 1e-12)).sum())
-
-
 def best_temper(evidence: Sequence[Evidence], codes: Integers, fell: Floats) -> float:
-    """Return the temper whose held-out log score is best; of equal ones the largest."""
-    scores = [log_score(hold_out(evidence, codes, temper, ends=False).p, fell) for temper in LADDER]
-    return LADDER[int(best_of(np.array(scores)[:, np.newaxis])[0])]
+    """Return the temper that the held-out log score of the groups prefers."""
+    scores = np.zeros((len(LADDER), int(codes.max()) + 1))
+    known = np.isfinite(fell)
+    for row, temper in enumerate(LADDER):
+        p = hold_out(evidence, codes, temper, ends=False).p[known]
+        happened = np.where(fell[known] > 0.0, p, 1.0 - p)
+        np.add.at(scores[row], codes[known], np.log(np.maximum(happened, 1e-12)))
+    return LADDER[preferred(scores[:, np.unique(codes[known])])]
 
 
 def learning_curve(trial: Trial, *, seed: int) -> list[dict[str, Any]]:
