@@ -135,9 +135,11 @@ from .risk.calibration.held_out.scores import (
     Scores as Scores,
     score_predictions as score_predictions,
 )
-from .risk.calibration.held_out.validation import Validation as Validation
+from .risk.calibration.held_out.validate import Validation as Validation
 from .risk.calibration.posterior import Posterior as Posterior
 from .risk.calibration.sampling import Sampling as Sampling
+from .risk.calibration.stored import StoredPosterior as StoredPosterior
+from .risk.calibration.stored import read_posterior as read_posterior
 from .risk.ensemble.levels import Stripes as Stripes
 from .risk.ensemble.restitution_band import RestitutionBand as RestitutionBand
 from .risk.ensemble.runs import run_ensemble as run_ensemble

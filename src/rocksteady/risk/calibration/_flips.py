@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from rocksteady.model.equations import Linear, Model, Nonlinear
+from rocksteady.model.equations import Model, Nonlinear
 from rocksteady.model.motions.record import Record
 from rocksteady.outcomes import Status
 from rocksteady.risk.calibration.posterior import Posterior
@@ -23,7 +23,7 @@ def count_flips(
     posteriors: Sequence[Posterior],
     tests: Sequence[ShakingTest],
     *,
-    model: Model | None,
+    model: Model,
     run: Run | None,
 ) -> dict[str, int]:
     """Return how many fates change, at the median block of each object without any error.
@@ -37,16 +37,13 @@ def count_flips(
     dict
         Number of tests whose fate changes, by the variant.
     """
-    looser = None
-    if not isinstance(model, Linear):
-        given = Nonlinear() if model is None else model
-        looser = Nonlinear(tolerance=min(LARGEST_TOLERANCE, LOOSER * given.tolerance))
-    variants: list[tuple[str, Callable[[Record], Record | None] | None, Model | None]] = [
+    variants: list[tuple[str, Callable[[Record], Record | None] | None, Model]] = [
         ("half the sampling interval", _halved, model),
         ("linear baseline removed", _levelled, model),
         (f"high-pass at {HIGH_PASS_HZ} Hz", _high_passed, model),
     ]
-    if looser is not None:
+    if isinstance(model, Nonlinear):
+        looser = Nonlinear(tolerance=min(LARGEST_TOLERANCE, LOOSER * model.tolerance))
         variants.append((f"tolerance {looser.tolerance:g}", None, looser))
     usual = _fates(posteriors, tests, model, run)
     found = {}
@@ -59,7 +56,7 @@ def count_flips(
 def _fates(
     posteriors: Sequence[Posterior],
     tests: Sequence[ShakingTest],
-    model: Model | None,
+    model: Model,
     run: Run | None,
 ) -> NDArray[np.bool_]:
     """Return which tests fall."""

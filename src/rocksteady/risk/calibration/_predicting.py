@@ -1,17 +1,22 @@
 """Predictions of tests that were not in the training, from posteriors."""
 
+import hashlib
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.errors import InputError, Words
 from rocksteady.model.equations import Model
+from rocksteady.results.numbers import number, plural
 from rocksteady.risk.calibration._draw_runs import run_draws
 from rocksteady.risk.calibration._shares import lend
 from rocksteady.risk.calibration.held_out.folds import HeldOut, predict_with
+from rocksteady.risk.calibration.held_out.predictions import Predictions, predictions_of
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampling import Sampling
+from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.shaking_test import ShakingTest
 from rocksteady.sweep.run import Run
 
@@ -22,14 +27,113 @@ STREAM = 104_729
 """Keeps the gains of predictions apart from those of the training."""
 
 
-def predict_new(
-    posteriors: Mapping[str, Posterior],
-    tests: Sequence[ShakingTest],
-    sampling: Sampling,
-    *,
-    model: Model | None,
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Source:
+    """What predictions of other tests are made of.
+
+    Attributes
+    ----------
+    posteriors
+        By object.
+    sampling
+        Gains, seed, and the Monte Carlo error that is small enough.
+    model
+        The equations of motion.
+    """
+
+    posteriors: Mapping[str, Posterior]
+    sampling: Sampling
+    model: Model
+
+
+def predict_all(
+    given: Sequence[ShakingTest],
+    trained: Mapping[str, str],
+    before: Predictions,
+    source: Source,
     run: Run | None,
-) -> HeldOut:
+) -> Predictions:
+    """Return predictions of training tests without their groups, and of others by all tests.
+
+    Parameters
+    ----------
+    given
+        The tests.
+    trained
+        Digest of each training test by its name, in the order of `before`.
+    before
+        Held-out predictions of the training tests.
+    source
+        What others are predicted from.
+    run
+        Executor and workers.
+    """
+    rows = {name: place for place, name in enumerate(before.test)}
+    places = np.array(
+        [rows[test.name] if trained.get(test.name) == digest_of(test) else -1 for test in given]
+    )
+    new = None
+    if (places < 0).any():
+        fresh = [test for test, place in zip(given, places.tolist(), strict=True) if place < 0]
+        new = _predict_new(fresh, source, run)
+    columns = {}
+    names = {"p": "p", "low": "low", "high": "high", "error": "mc_error"}
+    for key, name in (names | {"effective": "effective_draws"}).items():
+        column = np.full(len(given), np.nan)
+        column[places >= 0] = getattr(before, name)[places[places >= 0]]
+        if new is not None:
+            column[places < 0] = getattr(new, key)
+        columns[key] = column
+    return predictions_of(
+        given,
+        HeldOut(**columns),
+        [test.group or "" for test in given],
+        held_out=(places >= 0).tolist(),
+        warnings=error_warnings(columns["error"], columns["effective"], source.sampling.error),
+    )
+
+
+def error_warnings(error: Floats, effective: Floats, limit: float) -> list[str]:
+    """Return sentences on Monte Carlo errors that are too large."""
+    large = int((error > limit).sum())
+    if not large:
+        return []
+    words = (
+        f"the Monte Carlo error of {large} of {plural(len(error), 'prediction')} is above "
+        f"{limit:g}, {number(float(error.max()), 2)} at most, with {effective.min():.0f} effective "
+        "draws at least: make more draws"
+    )
+    return [words]
+
+
+def digest_of(test: ShakingTest) -> str:
+    """Return a hash (SHA-256) of all that decides a test's fate but for its outcome."""
+    found = hashlib.sha256()
+    parts = (test.object, test.gain, test.reversed, test.sigma_ln)
+    found.update(repr(parts).encode())
+    for record in (test.record, test.vertical):
+        if record is not None:
+            found.update(repr(record.dt_s).encode() + record.acceleration_m_s2.tobytes())
+    return found.hexdigest()
+
+
+def listed(tests: Observations | Sequence[ShakingTest]) -> list[ShakingTest]:
+    """Return tests as a list.
+
+    Raises
+    ------
+    InputError
+        If there is none.
+    """
+    given = list(tests.tests if isinstance(tests, Observations) else tests)
+    if not given or not all(isinstance(test, ShakingTest) for test in given):
+        raise InputError(
+            "tests", tests, "it must be Observations, or one ShakingTest or more", "give some"
+        )
+    return given
+
+
+def _predict_new(tests: Sequence[ShakingTest], source: Source, run: Run | None) -> HeldOut:
     """Return predictions of tests by all of the posterior of their objects.
 
     Raises
@@ -37,6 +141,7 @@ def predict_new(
     InputError
         If an object of a test has no posterior.
     """
+    posteriors, sampling = source.posteriors, source.sampling
     for test in tests:
         if test.object not in posteriors:
             raise InputError(
@@ -47,8 +152,8 @@ def predict_new(
             )
     keys = ("p", "low", "high", "error", "effective")
     found = {key: np.full(len(tests), np.nan) for key in keys}
-    for number, (name, posterior) in enumerate(posteriors.items()):
-        own = [place for place, test in enumerate(tests) if test.object == name]
+    for place, (name, posterior) in enumerate(posteriors.items()):
+        own = [row for row, test in enumerate(tests) if test.object == name]
         if not own:
             continue
         order = np.argsort(-posterior.weights, kind="stable")
@@ -58,10 +163,10 @@ def predict_new(
         runs = run_draws(
             posterior.space,
             values,
-            [tests[place] for place in own],
+            [tests[row] for row in own],
             gains=sampling.gains,
-            seed=(sampling.seed, number, STREAM),
-            model=model,
+            seed=(sampling.seed, place, STREAM),
+            model=source.model,
             run=run,
         )
         share = lend(runs.fell, runs.gain, runs.sigma, posterior.space.features(values))

@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 from rocksteady.errors import InputError
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
-from rocksteady.model.equations import Model
+from rocksteady.model.equations import Model, Nonlinear
 from rocksteady.risk.calibration._draw_runs import DrawRuns, log_likelihood, run_draws
 from rocksteady.risk.calibration._flips import count_flips
 from rocksteady.risk.calibration._importance import Proposal, base_weights, refine
+from rocksteady.risk.calibration._predicting import error_warnings
 from rocksteady.risk.calibration._shares import lend
 from rocksteady.risk.calibration._space import Space
 from rocksteady.risk.calibration._verdicts import LIMIT, parameters_of
@@ -21,13 +22,15 @@ from rocksteady.risk.calibration.calibration import (
     Calibration,
     Folds,
     codes_of,
-    error_warnings,
     make_trial,
     why_not,
 )
 from rocksteady.risk.calibration.held_out.folds import Evidence, hold_out, normalised
-from rocksteady.risk.calibration.held_out.predictions import predictions_of
-from rocksteady.risk.calibration.held_out.validation import temper_of, validate_trial
+from rocksteady.risk.calibration.held_out.validate import (
+    temper_of,
+    validate_trial,
+    without_scores,
+)
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampling import Sampling
 from rocksteady.risk.observations.observations import Observations
@@ -123,6 +126,7 @@ def calibrate(
     options = Sampling() if sampling is None else sampling
     known = Prior() if prior is None else prior
     chosen = _temper(temper)
+    equations = Nonlinear() if model is None else model
     objects = {name: known.object_prior(given) for name, given in tests.objects.items()}
     given = replace(tests, objects=objects)
     names, codes = codes_of(given.tests, groups)
@@ -132,7 +136,7 @@ def calibrate(
             given,
             np.array([k for k, test in enumerate(given.tests) if test.object == name]),
             codes,
-            _Plan(sampling=options, number=number, model=model, run=run),
+            _Plan(sampling=options, number=number, model=equations, run=run),
         )
         for number, (name, block) in enumerate(objects.items())
     ]
@@ -140,14 +144,10 @@ def calibrate(
     trial = make_trial(given, evidence, codes, chosen)
     reason = why_not(given.fell, codes, groups)
     power = (1.0 if chosen is None else chosen) if reason else temper_of(trial)
-    validation = None
     if reason:
-        held = hold_out(evidence, codes, power)
-        group_of = [names[code] for code in codes.tolist()]
-        predictions = predictions_of(given.tests, held, group_of, held_out=[True] * len(given))
+        validation = without_scores(trial, given.tests, names, folds=groups, reason=reason)
     else:
         validation = validate_trial(trial, given.tests, names, folds=groups, seed=options.seed)
-        predictions = validation.predictions
     posteriors = {
         name: _posterior(name, fit, power) for name, fit in zip(objects, fits, strict=True)
     }
@@ -156,24 +156,23 @@ def calibrate(
         for name, posterior in posteriors.items()
         for row in parameters_of(posterior, _prior_columns(posterior), given.of(name).fell)
     ]
-    flips = count_flips(list(posteriors.values()), given.tests, model=model, run=run)
+    flips = count_flips(list(posteriors.values()), given.tests, model=equations, run=run)
     found = Calibration(
         tests=given,
         prior=known,
         sampling=options,
-        model=model,
+        model=equations,
         folds=groups,
         temper=power,
         tempered_by_choice=chosen is None,
         posteriors=posteriors,
         parameters=tuple(rows),
         validation=validation,
-        predictions=predictions,
         flips=flips,
         warnings=(),
         evidence=evidence,
     )
-    return replace(found, warnings=_warnings(found, fits, reason))
+    return replace(found, warnings=_warnings(found, fits))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -182,7 +181,7 @@ class _Plan:
 
     sampling: Sampling
     number: int
-    model: Model | None
+    model: Model
     run: Run | None
 
 
@@ -283,11 +282,9 @@ def _temper(value: object) -> float | None:
     return in_range("temper", value, 0.0, 1.0, "(]", hint="give 1 for none, or 'auto'")
 
 
-def _warnings(found: Calibration, fits: Sequence[_Fit], reason: str) -> tuple[str, ...]:
+def _warnings(found: Calibration, fits: Sequence[_Fit]) -> tuple[str, ...]:
     """Return what limits a calibration."""
     sentences = list(found.tests.warnings)
-    if reason:
-        sentences.append(f"no held-out scores: {reason}")
     for fit, (name, posterior) in zip(fits, found.posteriors.items(), strict=True):
         rows = [row for row in found.parameters if row["object"] == name]
         for row in rows:
@@ -316,10 +313,9 @@ def _warnings(found: Calibration, fits: Sequence[_Fit], reason: str) -> tuple[st
                 f"{fit.runs.unknown:,} of {fit.runs.fell.size:,} runs of {name} have no answer, "
                 "and count as standing"
             )
-    predictions = found.predictions
+    predictions = found.validation.predictions
     sentences += error_warnings(
         predictions.mc_error, predictions.effective_draws, found.sampling.error
     )
-    if found.validation is not None:
-        sentences += found.validation.warnings
+    sentences += found.validation.warnings
     return tuple(dict.fromkeys(sentences))

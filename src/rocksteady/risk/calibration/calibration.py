@@ -12,14 +12,14 @@ from rocksteady.model.equations import Model
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, percent, plural
 from rocksteady.results.result import Result
-from rocksteady.risk.calibration._predicting import predict_new
+from rocksteady.risk.calibration._predicting import Source, digest_of, listed, predict_all
 from rocksteady.risk.calibration._verdicts import MEANINGS
-from rocksteady.risk.calibration.held_out.folds import Evidence, HeldOut
-from rocksteady.risk.calibration.held_out.predictions import Predictions, predictions_of
+from rocksteady.risk.calibration.held_out.folds import Evidence
+from rocksteady.risk.calibration.held_out.learning import Trial
+from rocksteady.risk.calibration.held_out.predictions import Predictions
 from rocksteady.risk.calibration.held_out.rivals import measures_of
 from rocksteady.risk.calibration.held_out.scores import Scores
-from rocksteady.risk.calibration.held_out.learning import Trial
-from rocksteady.risk.calibration.held_out.validation import Validation, validate_trial
+from rocksteady.risk.calibration.held_out.validate import Validation, validate_trial
 from rocksteady.risk.calibration.posterior import Posterior
 from rocksteady.risk.calibration.sampling import Sampling
 from rocksteady.risk.observations.observations import Observations
@@ -52,9 +52,7 @@ class Calibration(Result):
         `median`, `low`, `high` (90 %), `sd_ratio` (standard deviation over the prior's),
         `verdict`, and of alpha `outline`, `bound` and `bound_side`.
     validation
-        Held-out scores; None where `warnings` have the reason.
-    predictions
-        Of each test without its group.
+        Held-out scores, and predictions of each test without its group.
     flips
         How many fates of the median blocks change, by how records are processed and solved.
     warnings
@@ -66,27 +64,26 @@ class Calibration(Result):
     tests: Observations
     prior: Prior
     sampling: Sampling
-    model: Model | None
+    model: Model
     folds: Folds
     temper: float
     tempered_by_choice: bool
     posteriors: Mapping[str, Posterior]
     parameters: tuple[dict[str, Any], ...]
-    validation: Validation | None
-    predictions: Predictions
+    validation: Validation
     flips: Mapping[str, int]
     warnings: tuple[str, ...]
     evidence: tuple[Evidence, ...]
 
     @property
     def temper_scores(self) -> Mapping[float, Scores]:
-        """Held-out scores by temper; empty without a validation."""
-        return {} if self.validation is None else self.validation.temper_scores
+        """Held-out scores by temper; empty without scores."""
+        return self.validation.temper_scores
 
     @property
     def mc_error(self) -> float:
         """Largest Monte Carlo error of a held-out prediction."""
-        return float(np.max(self.predictions.mc_error))
+        return float(np.max(self.validation.predictions.mc_error))
 
     def predict(
         self, tests: Observations | Sequence[ShakingTest], *, run: Run | None = None
@@ -110,20 +107,13 @@ class Calibration(Result):
         InputError
             If there is no test, or an object of one is not calibrated.
         """
-        given = _listed(tests)
-        known = {test.name: place for place, test in enumerate(self.tests.tests)}
-        trained = [
-            known[test.name]
-            if test.name in known and _same(test, self.tests.tests[known[test.name]])
-            else -1
-            for test in given
-        ]
-        fresh = [place for place, row in enumerate(trained) if row < 0]
-        new = None
-        if fresh:
-            picked = [given[place] for place in fresh]
-            new = predict_new(self.posteriors, picked, self.sampling, model=self.model, run=run)
-        return join_predictions(given, trained, self.predictions, new, limit=self.sampling.error)
+        return predict_all(
+            listed(tests),
+            {test.name: digest_of(test) for test in self.tests.tests},
+            self.validation.predictions,
+            Source(posteriors=self.posteriors, sampling=self.sampling, model=self.model),
+            run,
+        )
 
     def validate(self, folds: Folds = "record") -> Validation:
         """Validate with other tests held out together, from the same draws.
@@ -152,7 +142,7 @@ class Calibration(Result):
         """Return scores, parameters with their verdicts, and what limits them."""
         validation = self.validation
         counts = self.tests.describe().to_dict()["counts"]
-        rows = {} if validation is None else validation.rows
+        rows = validation.rows
         best = rows.get("calibrated")
         scored = (
             "no held-out scores"
@@ -167,7 +157,8 @@ class Calibration(Result):
             Fact("counts", counts),
             Fact("folds", self.folds, "held out together"),
             Fact("temper", self.temper, "temper of the likelihood"),
-            Fact("model", "nonlinear" if self.model is None else self.model.name, "model"),
+            Fact("model", self.model.name, "model"),
+            Fact("tolerance", getattr(self.model, "tolerance", None)),
             *(
                 Fact(key, None if name not in rows else rows[name].values())
                 for key, name in (
@@ -179,6 +170,7 @@ class Calibration(Result):
             ),
             Fact("draws", self.sampling.draws, "draws"),
             Fact("gains", self.sampling.gains),
+            Fact("error", self.sampling.error),
             Fact("effective_draws", effective, "effective draws", _words(effective)),
             Fact("mc_error", self.mc_error, "largest Monte Carlo error"),
             Fact("flips", dict(self.flips), "flips", _words(self.flips)),
@@ -194,17 +186,16 @@ class Calibration(Result):
                     },
                 },
             ),
+            Fact("trained", {test.name: digest_of(test) for test in self.tests.tests}),
             Fact("hashes", {**self.tests.sources, **self.prior.sources}),
             Fact("warnings", list(self.warnings)),
         ]
-        tables = [self._table()]
-        if validation is not None:
-            of_scores, tempers, *others = validation.describe().tables
-            tables += [
-                Table("score_rows", of_scores.rows, of_scores.columns, title=of_scores.title),
-                tempers,
-                *others,
-            ]
+        of_scores, *others = validation.describe().tables
+        tables = [
+            self._table(),
+            Table("score_rows", of_scores.rows, of_scores.columns, title=of_scores.title),
+            *others,
+        ]
         notes = [*self.warnings, *self._remarks()]
         return Description(
             headline=f"calibration of {plural(len(self.posteriors), 'object')} by "
@@ -240,61 +231,6 @@ class Calibration(Result):
         if len(self.posteriors) > 1:
             found.append("Each object has its own posterior and its own errors.")
         return found
-
-
-def join_predictions(
-    given: Sequence[ShakingTest],
-    trained: Sequence[int],
-    before: Predictions,
-    new: HeldOut | None,
-    *,
-    limit: float,
-) -> Predictions:
-    """Return predictions of training tests and of others in the order in which they are given.
-
-    Parameters
-    ----------
-    given
-        The tests.
-    trained
-        Row of each in `before`, -1 of a new one.
-    before
-        Held-out predictions of the training tests.
-    new
-        Of the new ones, in their order; None without any.
-    limit
-        Monte Carlo error that is small enough.
-    """
-    columns = {}
-    places = np.array(trained)
-    names = {"p": "p", "low": "low", "high": "high", "error": "mc_error"}
-    for key, name in (names | {"effective": "effective_draws"}).items():
-        column = np.full(len(given), np.nan)
-        column[places >= 0] = getattr(before, name)[places[places >= 0]]
-        if new is not None:
-            column[places < 0] = getattr(new, key)
-        columns[key] = column
-    warnings = error_warnings(columns["error"], columns["effective"], limit)
-    return predictions_of(
-        given,
-        HeldOut(**columns),
-        [test.group or "" for test in given],
-        held_out=[place >= 0 for place in trained],
-        warnings=warnings,
-    )
-
-
-def error_warnings(error: Floats, effective: Floats, limit: float) -> list[str]:
-    """Return sentences on Monte Carlo errors that are too large."""
-    large = int((error > limit).sum())
-    if not large:
-        return []
-    words = (
-        f"the Monte Carlo error of {large} of {plural(len(error), 'prediction')} is above "
-        f"{limit:g}, {number(float(error.max()), 2)} at most, with {effective.min():.0f} effective "
-        "draws at least: make more draws"
-    )
-    return [words]
 
 
 def codes_of(tests: Sequence[ShakingTest], folds: Folds) -> tuple[list[str], Integers]:
@@ -349,32 +285,6 @@ def make_trial(
         fell=tests.fell,
         measures=measures_of(tests.tests, tests.objects),
         temper=temper,
-    )
-
-
-def _listed(tests: Observations | Sequence[ShakingTest]) -> list[ShakingTest]:
-    """Return tests as a list.
-
-    Raises
-    ------
-    InputError
-        If there is none.
-    """
-    given = list(tests.tests if isinstance(tests, Observations) else tests)
-    if not given or not all(isinstance(test, ShakingTest) for test in given):
-        raise InputError(
-            "tests", tests, "it must be Observations, or one ShakingTest or more", "give some"
-        )
-    return given
-
-
-def _same(test: ShakingTest, other: ShakingTest) -> bool:
-    """Return whether a test is one of the training, whatever its outcome."""
-    samples = (test.record.acceleration_m_s2, other.record.acceleration_m_s2)
-    return (
-        (test.object, test.gain, test.reversed) == (other.object, other.gain, other.reversed)
-        and (test.record is other.record or np.array_equal(*samples))
-        and test.record.dt_s == other.record.dt_s
     )
 
 

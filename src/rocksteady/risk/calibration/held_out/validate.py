@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, percent
 from rocksteady.results.result import Result
-from rocksteady.risk.calibration.held_out.learning import Trial, best_temper, learning_curve
 from rocksteady.risk.calibration.held_out.folds import LADDER, choose_tempers, hold_out
+from rocksteady.risk.calibration.held_out.learning import Trial, best_temper, learning_curve
 from rocksteady.risk.calibration.held_out.predictions import Predictions, predictions_of
 from rocksteady.risk.calibration.held_out.rivals import out_of_group
 from rocksteady.risk.calibration.held_out.scores import BINS, NAMES, Scores, bin_of, scores_of
@@ -32,7 +32,8 @@ class Validation(Result):
     folds
         What stays together: "group", "record", "test" or "session".
     rows
-        `Scores` of "calibrated", "untempered", "base rate" and "logistic", on the same folds.
+        `Scores` of "calibrated", "untempered", "base rate" and "logistic", on the same folds;
+        empty where tests cannot be held out, and `warnings` have the reason.
     tempers
         Temper by the name of each group, chosen among the tests of the others.
     temper_scores
@@ -86,16 +87,19 @@ class Validation(Result):
             Column("log_score", "log score", number),
             Column("ece", "ECE", number),
         )
-        best = self.rows["calibrated"]
-        low, high = best.accuracy[1:]
-        span = "" if np.isnan(low) else f" ({percent(low)} to {percent(high)})"
+        best = self.rows.get("calibrated")
+        words = "no scores"
+        if best is not None:
+            low, high = best.accuracy[1:]
+            span = "" if np.isnan(low) else f" ({percent(low)} to {percent(high)})"
+            words = f"accuracy {percent(best.accuracy[0])}{span}, "
+            words += f"Brier score {number(best.brier[0])}"
         return Description(
-            headline=f"held out by {self.folds}: accuracy {percent(best.accuracy[0])}{span}, "
-            f"Brier score {number(best.brier[0])}",
+            headline=f"held out by {self.folds}: {words}",
             facts=[
                 Fact("folds", self.folds, "held out together"),
-                Fact("groups", best.groups, "groups"),
-                Fact("tests", best.tests, "tests"),
+                Fact("groups", 0 if best is None else best.groups, "groups"),
+                Fact("tests", 0 if best is None else best.tests, "tests"),
                 Fact("warnings", list(self.warnings)),
             ],
             tables=[
@@ -162,6 +166,30 @@ def validate_trial(
         residuals=_residuals(held.p, trial.fell, tests),
         learning=tuple(learning_curve(trial, seed=seed)) if learning else (),
         warnings=tuple(warnings),
+    )
+
+
+def without_scores(
+    trial: Trial,
+    tests: Sequence[ShakingTest],
+    names: Sequence[str],
+    *,
+    folds: str,
+    reason: str,
+) -> Validation:
+    """Return predictions of tests that cannot be scored, each without its group."""
+    held = hold_out(trial.evidence, trial.codes, 1.0 if trial.temper is None else trial.temper)
+    groups = [names[code] for code in trial.codes.tolist()]
+    return Validation(
+        folds=folds,
+        rows={},
+        tempers={},
+        temper_scores={},
+        predictions=predictions_of(tests, held, groups, held_out=[True] * len(tests)),
+        reliability=(),
+        residuals={"record": (), "session": ()},
+        learning=(),
+        warnings=(f"no held-out scores: {reason}",),
     )
 
 

@@ -1,0 +1,191 @@
+"""Posteriors on disk: what `calibrate` writes and `predict` reads back, to the last bit."""
+
+import csv
+import io
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.errors import InputError
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.equations import Linear, Model, Nonlinear
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import plural
+from rocksteady.results.result import Result
+from rocksteady.risk.calibration._predicting import Source, listed, predict_all
+from rocksteady.risk.calibration._space import Space
+from rocksteady.risk.calibration.calibration import Calibration
+from rocksteady.risk.calibration.held_out.predictions import OUTCOMES, Predictions
+from rocksteady.risk.calibration.posterior import Posterior
+from rocksteady.risk.calibration.sampling import Sampling
+from rocksteady.risk.observations.files.small_files import content_of, text_of
+from rocksteady.risk.observations.object_prior import ObjectPrior
+from rocksteady.risk.observations.observations import Observations
+from rocksteady.risk.observations.prior import Noise
+from rocksteady.risk.observations.shaking_test import ShakingTest
+from rocksteady.risk.observations.spread import Spread
+from rocksteady.sweep.run import Run
+
+Floats = NDArray[np.float64]
+FILES = ("fit.json", "posterior.csv", "predictions.csv")
+WEIGHTS = ("weight", "untempered_weight", "prior_weight")
+HINT = "name the folder that calibrate --out has written"
+
+
+def posterior_rows(calibration: Calibration) -> tuple[list[str], list[list[object]]]:
+    """Return header and rows of posterior.csv: a row for each draw of each object."""
+    names = list(
+        dict.fromkeys(name for each in calibration.posteriors.values() for name in each.names)
+    )
+    rows: list[list[object]] = []
+    for name, each in calibration.posteriors.items():
+        columns = {key: each.values[:, place].tolist() for place, key in enumerate(each.names)}
+        weights = (each.weights, each.untempered_weights, each.prior_weights)
+        lists = [column.tolist() for column in weights]
+        for draw in range(len(each.values)):
+            cells = [columns[key][draw] if key in columns else "" for key in names]
+            rows.append([name, draw, *cells, *(column[draw] for column in lists)])
+    return ["object", "draw", *names, *WEIGHTS], rows
+
+
+@dataclass(frozen=True, kw_only=True, repr=False, eq=False)
+class StoredPosterior(Result):
+    """Posteriors that were read from a folder.
+
+    Attributes
+    ----------
+    posteriors
+        Weighted draws by object, without the fates of the training tests.
+    predictions
+        Of the training tests, each without its group.
+    trained
+        Hash (SHA-256) of each training test, by its name.
+    sampling, model
+        Of the calibration.
+    """
+
+    posteriors: Mapping[str, Posterior]
+    predictions: Predictions
+    trained: Mapping[str, str]
+    sampling: Sampling
+    model: Model
+
+    def predict(
+        self, tests: Observations | Sequence[ShakingTest], *, run: Run | None = None
+    ) -> Predictions:
+        """Predict tests as the calibration itself does; see `Calibration.predict`."""
+        source = Source(posteriors=self.posteriors, sampling=self.sampling, model=self.model)
+        return predict_all(listed(tests), self.trained, self.predictions, source, run)
+
+    def describe(self) -> Description:
+        """Return objects and draws."""
+        draws = {name: len(each.values) for name, each in self.posteriors.items()}
+        return Description(
+            headline=f"posterior of {plural(len(draws), 'object')} from "
+            f"{plural(len(self.trained), 'test')}",
+            facts=[
+                Fact("objects", list(draws), "objects"),
+                Fact("draws", draws),
+                Fact("tests", len(self.trained), "tests"),
+                Fact("seed", self.sampling.seed, "seed"),
+            ],
+        )
+
+
+@checked
+def read_posterior(folder: Path | str) -> StoredPosterior:
+    """Read the posteriors of a calibration from its folder.
+
+    Parameters
+    ----------
+    folder
+        With ``fit.json``, ``posterior.csv`` and ``predictions.csv``.
+
+    Returns
+    -------
+    StoredPosterior
+        It predicts as the calibration did, to the last bit.
+
+    Raises
+    ------
+    InputError
+        If a file is missing or not as it was written.
+    """
+    path = Path(folder)
+    texts = {
+        name: text_of(content_of(path / name, "folder", HINT), name, name.rpartition(".")[2])
+        for name in FILES
+    }
+    try:
+        fit = json.loads(texts["fit.json"])
+        sampling = Sampling(
+            draws=fit["draws"], gains=fit["gains"], error=fit["error"], seed=fit["seed"]
+        )
+        model: Model = (
+            Linear() if fit["model"] == "linear" else Nonlinear(tolerance=fit["tolerance"])
+        )
+        noise = Noise(**{key: Spread.parse(text) for key, text in fit["inputs"]["noise"].items()})
+        spaces = {
+            name: Space(block=ObjectPrior(name=name, **spreads), noise=noise)
+            for name, spreads in fit["inputs"]["objects"].items()
+        }
+        rows = list(csv.DictReader(io.StringIO(texts["posterior.csv"], newline="")))
+        return StoredPosterior(
+            posteriors={name: _posterior(name, space, rows) for name, space in spaces.items()},
+            predictions=_predictions(texts["predictions.csv"]),
+            trained=dict(fit["trained"]),
+            sampling=sampling,
+            model=model,
+        )
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        raise InputError(
+            "folder", folder, f"its files are not those of a calibration: {error}", HINT
+        ) from None
+
+
+def _posterior(name: str, space: Space, rows: Sequence[Mapping[str, Any]]) -> Posterior:
+    """Return the posterior of an object."""
+    own = [row for row in rows if row["object"] == name]
+    keys = (*space.names, *WEIGHTS)
+    table = np.array([[float(row[key]) for key in keys] for row in own]).reshape(
+        len(own), len(keys)
+    )
+    if not own or not np.isfinite(table).all():
+        raise ValueError(f"posterior.csv has no draws of {name}, or one is no number")
+    size = space.size
+    return Posterior(
+        object=name,
+        space=space,
+        values=np.ascontiguousarray(table[:, :size]),
+        weights=table[:, size].copy(),
+        untempered_weights=table[:, size + 1].copy(),
+        prior_weights=table[:, size + 2].copy(),
+        fates=np.empty((len(own), 0)),
+    )
+
+
+def _predictions(text: str) -> Predictions:
+    """Return the predictions of the training tests."""
+    rows = list(csv.DictReader(io.StringIO(text, newline="")))
+    outcomes = {word: fell for fell, word in OUTCOMES.items()}
+
+    def numbers(key: str) -> Floats:
+        return np.array([float(row[key]) for row in rows])
+
+    return Predictions(
+        test=tuple(row["test"] for row in rows),
+        object=tuple(row["object"] for row in rows),
+        group=tuple(row["group"] for row in rows),
+        p=numbers("p"),
+        low=numbers("low"),
+        high=numbers("high"),
+        mc_error=numbers("mc_error"),
+        effective_draws=numbers("effective_draws"),
+        held_out=(True,) * len(rows),
+        fell=tuple(outcomes[row["outcome"]] for row in rows),
+    )
