@@ -36,7 +36,7 @@ def calibration_html(calibration: Calibration, manifest: Mapping[str, Any]) -> s
     manifest
         From `rocksteady.make_manifest`: versions and command.
     """
-    tests = calibration.tests.tests
+    tests, validation = calibration.tests.tests, calibration.validation
     unexpected = unexpected_rows(calibration)
     residuals = {by: residual_rows(calibration, by) for by in ("record", "session")}
     names = list(calibration.posteriors)
@@ -53,7 +53,7 @@ def calibration_html(calibration: Calibration, manifest: Mapping[str, Any]) -> s
         ),
         "residuals": {by: rows[:LONGEST_TABLE] for by, rows in residuals.items()},
         "running": plain_name(heading),
-        "scores": score_rows(calibration.validation.scores),
+        "scores": [] if validation is None else score_rows(validation.rows),
         "sentence": sentence_of(calibration),
         "several": len(names) > 1,
         "unexpected": unexpected[:MOST_ROWS],
