@@ -1,0 +1,373 @@
+"""Least fatal kicks: the smallest impulse of the base that overturns a block from any state."""
+
+import functools
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rocksteady.dynamics.arrays import real_array
+from rocksteady.dynamics.history.lowering import side_attributes
+from rocksteady.dynamics.history.simulate import simulate
+from rocksteady.dynamics.history.start import Rest, State
+from rocksteady.dynamics.overturning._kicked import Kicked, kicked_fates, motion_after
+from rocksteady.dynamics.overturning.scan import scan
+from rocksteady.dynamics.overturning.search import (
+    CLOSEST,
+    MOST_WINDOWS,
+    keep,
+    kept_windows,
+    nothing_found,
+    outputs,
+)
+from rocksteady.dynamics.overturning.window_lists import WindowLists
+from rocksteady.errors import InputError
+from rocksteady.model.blocks.block import Block
+from rocksteady.model.blocks.dimensionless import DimensionlessBlock
+from rocksteady.model.checks.arguments import checked, checked_result
+from rocksteady.model.checks.validation import in_range, is_pair
+from rocksteady.model.equations import Linear, Model, chosen_model
+from rocksteady.model.facts import block_text, block_values, case_text
+from rocksteady.model.motions.base_motion import BaseMotion
+from rocksteady.model.motions.record import Record
+from rocksteady.model.motions.segments import Motion, Still
+from rocksteady.results.description import Column, Description, Fact, Table
+from rocksteady.results.numbers import number
+from rocksteady.sweep.cases.axes import Axis
+from rocksteady.sweep.cases.grid import Grid
+from rocksteady.sweep.evaluate import evaluate
+from rocksteady.sweep.run import Run
+
+if TYPE_CHECKING:
+    import xarray
+
+Floats = NDArray[np.float64]
+
+WITHIN = (0.0, 4.0)
+MOST_KICK = 100.0
+RESOLUTION = 0.01
+FIRST = 1e-3
+"""Part of the largest kick at which the grid begins, besides the least."""
+NONE = 1e-9
+"""Size below which a kick is none."""
+TRIES = 500
+"""Kicks, besides the grid, after which a search ends."""
+MOST_ROWS = 100
+SIGNS = (1, -1)
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
+class FatalKicks(WindowLists):
+    """All kicks that overturn a block, at one or several moments, in both directions.
+
+    A kick is a sudden change of the base velocity.  Rows are the moments, each with the positive
+    kicks and then the negative ones.
+
+    Attributes
+    ----------
+    block, model
+        What falls, and by which equations.
+    start
+        The state at pivot time 0.
+    motion
+        What shakes the base besides.
+    time_pt
+        Pivot times p t of the kicks, shape (moments,).
+    angle, velocity
+        The state of the block just before the kick, theta/alpha and d(theta/alpha)/d(p t).
+    within
+        Ends of the range of sizes, in units of alpha g/p.
+    resolution
+        The largest step of the first sizes that were tried, as a part of them.
+    low, high, impacts, side
+        Of the windows of size, shape (2 moments, windows); impacts after the kick.
+    first
+        The smallest size that overturns, shape (2 moments,); nan where none in the range does, 0
+        where the block falls without a kick.
+    left_out, left_out_width, undecided, unsettled
+        What the search has left, shape (2 moments,).
+    """
+
+    start: Rest | State
+    motion: Motion | Record | BaseMotion
+    time_pt: Floats
+    angle: Floats
+    velocity: Floats
+
+    @property
+    def unit_m_s(self) -> float:
+        """The unit of a kick, alpha g/p [m/s]; nan of a dimensionless block."""
+        if not isinstance(self.block, Block):
+            return math.nan
+        return self.block.uplift_acceleration / self.block.p
+
+    @property
+    def signed(self) -> Floats:
+        """The least fatal kick of each direction [alpha g/p], shape (moments, 2)."""
+        kicks: Floats = self.first.reshape(-1, 2) * np.array(SIGNS) + 0.0  # no -0
+        return kicks
+
+    @property
+    def least(self) -> Floats:
+        """The least fatal kick with its sign [alpha g/p], shape (moments,); nan where none."""
+        sizes = np.where(np.isnan(self.signed), math.inf, np.abs(self.signed))
+        chosen = np.argmin(sizes, axis=1)[:, np.newaxis]
+        found: Floats = np.take_along_axis(self.signed, chosen, axis=1)[:, 0]
+        return found
+
+    @property
+    def least_m_s(self) -> Floats:
+        """The least fatal kick with its sign [m/s], shape (moments,)."""
+        return self.least * self.unit_m_s
+
+    def to_dataset(self) -> "xarray.Dataset":
+        """Return the windows as an xarray Dataset over moment, direction and window."""
+        import xarray
+
+        across, every = ("moment", "direction"), ("moment", "direction", "window")
+        kick = {"units": "1", "long_name": "change of base velocity over alpha g/p"}
+        shape = len(self.time_pt), 2, self.low.shape[1]
+        values: dict[str, Any] = {
+            name: (every, getattr(self, name).reshape(shape), kick) for name in ("low", "high")
+        }
+        for name in ("impacts", "side"):
+            values[name] = (every, getattr(self, name).reshape(shape), {"units": "1"})
+        values["first"] = (across, self.first.reshape(shape[:2]), kick)
+        for name in ("left_out", "left_out_width", "undecided", "unsettled"):
+            values[name] = (across, getattr(self, name).reshape(shape[:2]), {"units": "1"})
+        values["least"] = ("moment", self.least, kick)
+        return xarray.Dataset(
+            values,
+            coords={
+                "time_pt": ("moment", self.time_pt, {"units": "1", "long_name": "p t"}),
+                "direction": list(SIGNS),
+                "window": np.arange(shape[2]),
+            },
+            attrs={
+                "model": self.model.name,
+                **side_attributes(self.block),
+                "within": list(self.within),
+                "resolution": self.resolution,
+            },
+        )
+
+    def describe(self) -> Description:
+        """Return the least kicks by moment, in m/s too where the block has a size."""
+        sized = isinstance(self.block, Block)
+        body = (
+            Fact("block", block_values(self.block), "block", block_text(self.block))
+            if isinstance(self.block, Block)
+            else Fact("", label="block", text=block_text(self.block))
+        )
+        rows = list(self._rows())
+        columns = [
+            *([Column("t_s", "s")] if sized else [Column("time_pt", "p t")]),
+            Column("angle", "theta/alpha"),
+            Column("direction", "kick", lambda value: "+" if value > 0 else "-"),
+            *([Column("first_m_s", "least m/s", _or_none)] if sized else []),
+            Column("first", "of alpha g/p", _or_none),
+            Column("windows", "windows", lambda value: str(len(value))),
+        ]
+        facts = [
+            body,
+            Fact("model", self.model.name, "model"),
+            Fact(
+                "kicks", list(self.within), "searched", f"kicks up to {self.within[1]:g} alpha g/p"
+            ),
+            Fact("resolution", self.resolution),
+            Fact("least", self._smallest, "least fatal kick", self._least_text()),
+        ]
+        notes = []
+        if unsettled := int((self.unsettled > 0).sum()):
+            notes.append(
+                f"Of {unsettled} searches the windows have no end to their number: narrow ones may "
+                "be missing."
+            )
+        headline = f"Least fatal kick: {case_text(self.block)}, {self.model.name} model"
+        return Description(headline, facts, [Table("kicks", rows, columns, most=MOST_ROWS)], notes)
+
+    @property
+    def _smallest(self) -> float:
+        """The least of all moments, with its sign [alpha g/p]; nan where none is fatal."""
+        kicks = self.least[~np.isnan(self.least)]
+        return float(kicks[np.argmin(np.abs(kicks))]) if kicks.size else math.nan
+
+    def _least_text(self) -> str:
+        """Return the least fatal kick in words."""
+        least = self._smallest
+        if math.isnan(least):
+            return "none in the range"
+        words = f"{number(least, 6)} alpha g/p"
+        if isinstance(self.block, Block):
+            words = f"{number(least * self.unit_m_s, 6)} m/s ({words})"
+        return words
+
+    def _rows(self) -> Iterator[dict[str, Any]]:
+        """Yield a row for each moment and direction."""
+        for moment, time in enumerate(self.time_pt.tolist()):
+            for place, direction in enumerate(SIGNS):
+                index = 2 * moment + place
+                row: dict[str, Any] = {
+                    "time_pt": time,
+                    "angle": float(self.angle[moment]),
+                    "velocity": float(self.velocity[moment]),
+                    "direction": direction,
+                    "first": float(self.first[index]),
+                    "windows": [list(ends) for ends in self.intervals(index)],
+                    "undecided": int(self.undecided[index]),
+                    "unsettled": int(self.unsettled[index]),
+                }
+                if isinstance(self.block, Block):
+                    row["t_s"] = time / self.block.p
+                    row["first_m_s"] = row["first"] * self.unit_m_s
+                yield row
+
+
+@checked
+def find_fatal_kick(
+    block: Block | DimensionlessBlock,
+    *,
+    start: Rest | State | None = None,
+    motion: Motion | Record | BaseMotion | None = None,
+    times_pt: ArrayLike = 0.0,
+    within: tuple[float, float] = WITHIN,
+    model: Model | None = None,
+    run: Run | None = None,
+) -> FatalKicks:
+    """Find the smallest sudden change of the base velocity that overturns a block.
+
+    The kick is added to the motion of the base at a moment, at which the block has the state that
+    it has come to by then.  All sizes are searched in both directions, since a block that falls
+    under a kick may stand under a harder one.  From rest on a still base the least is
+    `overturning_impulse`.
+
+    Parameters
+    ----------
+    block
+        The block.
+    start
+        `Rest` (default) or `State`, at pivot time 0.
+    motion
+        What shakes the base from time 0 on and comes to an end; a still base by default.
+    times_pt
+        Pivot times p t of the kick, a number or several, up to 1e6; default 0.
+    within
+        Range (low, high) of sizes in units of alpha g/p, from 0 to 100; default (0, 4).
+    model
+        `Linear()` or `Nonlinear()`; by default nonlinear for a `Block`.
+    run
+        Executor, store and progress, as for `evaluate`; a cell is a moment and a direction.
+
+    Returns
+    -------
+    FatalKicks
+        The windows of size, and the least of all.
+
+    Raises
+    ------
+    InputError, ModelError
+        If an argument is outside its range, the motion has no end, or as for `simulate`.
+
+    Examples
+    --------
+    A slender block that leans by half its slenderness, at rest for a moment.  Towards its fall it
+    needs 1/2; against it the impact takes a part away:
+
+    >>> from rocksteady import DimensionlessBlock, State, find_fatal_kick
+    >>> block = DimensionlessBlock(restitution=0.9)
+    >>> kicks = find_fatal_kick(block, start=State(angle=0.5, velocity=0.0))
+    >>> print(kicks.signed.round(6))
+    [[ 0.5      -0.696044]]
+    """
+    begun: Rest | State = Rest() if start is None else start
+    if not isinstance(begun, Rest | State) or (
+        isinstance(begun, State) and begun.phase is not None
+    ):
+        raise InputError(
+            "start", start, "it must be Rest() or a State without a phase", "give State(angle=...)"
+        )
+    shaking: Motion | Record | BaseMotion = Still() if motion is None else motion
+    chosen = chosen_model(model, block, shaking)
+    hint = "give the lowest and the highest kick over alpha g/p, as (0.0, 4.0)"
+    given: object = within
+    if not is_pair(given):
+        raise InputError("within", given, "it must be a pair", hint)
+    low = in_range("within", given[0], 0.0, MOST_KICK, "[)", hint=hint)
+    high = in_range("within", given[1], low, MOST_KICK, "(]", hint=hint)
+    times = np.atleast_1d(real_array("times_pt", times_pt))
+    if times.ndim != 1 or not times.size or not ((times >= 0.0) & (times <= 1e6)).all():
+        raise InputError("times_pt", times_pt, "they must lie in [0, 1e6]", "give pivot times p t")
+    course = simulate(block, shaking, start=begun, model=chosen)
+    if not math.isinf(course.segments[-1, 0]) or course.segments[-1, 2:6].any():
+        raise InputError("motion", motion, "it must come to an end", "give a Record or a Pulse")
+    reached = np.minimum(times, course.end_time_pt)
+    samples = course(reached)
+    resting = course.rest_time_pt
+    still = np.zeros(len(times), dtype=np.bool_) if resting is None else times >= resting
+    angle = np.where(still, 0.0, samples.angle)
+    velocity = np.where(still, 0.0, samples.velocity)
+    cells = [
+        Kicked(
+            angle=float(u),
+            velocity=float(v),
+            direction=direction,
+            table=motion_after(course.segments, float(time)),
+            sides=course.sides,
+        )
+        for time, u, v in zip(times, angle, velocity, strict=True)
+        for direction in SIGNS
+    ]
+    closest = 0.0 if isinstance(chosen, Linear) else CLOSEST
+    names = [f"{moment}{'+' if cell.direction > 0 else '-'}" for moment, cell in enumerate(cells)]
+    data = evaluate(
+        functools.partial(
+            _windows_of, low=low, high=high, closest=0.0 if isinstance(chosen, Linear) else CLOSEST
+        ),
+        Grid(axes=(Axis(name="kick", values=names, long_name="kick", items=cells),)),
+        outputs(),
+        run=run,
+        batch=1,
+    )
+    return FatalKicks(
+        block=block,
+        model=chosen,
+        start=begun,
+        motion=shaking,
+        time_pt=times,
+        angle=angle,
+        velocity=velocity,
+        within=(low, high),
+        resolution=RESOLUTION,
+        **kept_windows(data),
+    )
+
+
+def _windows_of(
+    kick: NDArray[np.object_], *, low: float, high: float, closest: float
+) -> dict[str, NDArray[Any]]:
+    """Return the windows of size of some kicks."""
+    found = nothing_found(len(kick))
+    for cell, state in enumerate(kick):
+        windows = scan(
+            functools.partial(kicked_fates, kicked=state),
+            max(low, NONE),
+            high,
+            RESOLUTION,
+            uplifts=(FIRST * high,),
+            keep=MOST_WINDOWS,
+            closest=closest,
+            most=TRIES,
+        )
+        # A block that falls under next to no kick falls without one.
+        begin = np.where(windows.low <= NONE, 0.0, windows.low)
+        keep(found, cell, windows._replace(low=begin), MOST_WINDOWS)
+    return found
+
+
+def _or_none(value: float) -> str:
+    """Return a number, or a dash for nan."""
+    return "-" if math.isnan(value) else number(value, 6)
