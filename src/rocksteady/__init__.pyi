@@ -97,6 +97,7 @@ from .model.motions.segments import Piecewise as Piecewise
 from .model.motions.segments import Segment as Segment
 from .model.motions.segments import Still as Still
 from .model.motions.synthetic import SyntheticMotion as SyntheticMotion
+from .model.motions.synthetic_suite import make_synthetic_suite as make_synthetic_suite
 from .outcomes import INFINITELY_MANY as INFINITELY_MANY
 from .outcomes import NO_START as NO_START
 from .outcomes import AttractorKind as AttractorKind
@@ -118,7 +119,6 @@ from .risk.assess.described.objects import read_object as read_object
 from .risk.assess.described.tables import read_objects as read_objects
 from .risk.assess.objects_table import ObjectsTable as ObjectsTable
 from .risk.assess.objects_table import assess_objects as assess_objects
-from .risk.assess.synthetic import make_synthetic_suite as make_synthetic_suite
 from .risk.assess.two_numbers import (
     QuickAssessment as QuickAssessment,
     assess_two_numbers as assess_two_numbers,

@@ -17,7 +17,7 @@ from rocksteady.risk.assess._remedies import Search, _friction_cap, cheapest, fi
 from rocksteady.risk.assess._sensitivity import case_of, tornado, vary
 from rocksteady.risk.assess.assessment import Assessment, assess_object
 from rocksteady.risk.assess.described.objects import EXAMPLE, ObjectFile, read_object
-from rocksteady.risk.assess.synthetic import make_synthetic_suite
+from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.hazard.failure_risk import compute_risk
 from rocksteady.risk.hazard.hazard_curve import HazardCurve

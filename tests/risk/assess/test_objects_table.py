@@ -11,7 +11,7 @@ from rocksteady.model.blocks.sides import Side
 from rocksteady.outcomes import Status
 from rocksteady.risk.assess.described.objects import ObjectFile
 from rocksteady.risk.assess.objects_table import ObjectsTable, assess_objects
-from rocksteady.risk.assess.synthetic import make_synthetic_suite
+from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.risk.assess.two_numbers import assess_two_numbers
 from rocksteady.seismic.measures.scalar import Intensity, measure_scalar
 from rocksteady.seismic.spectra.many import simulate_many

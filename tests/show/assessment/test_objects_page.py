@@ -8,7 +8,7 @@ import pytest
 from rocksteady.results.numbers import number
 from rocksteady.risk.assess.described.objects import ObjectFile
 from rocksteady.risk.assess.objects_table import ObjectsTable, assess_objects
-from rocksteady.risk.assess.synthetic import make_synthetic_suite
+from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.show.assessment.object_report import report_html
 from rocksteady.show.export.manifest import make_manifest
 from tests.show.assessment.pages import Page, check_alone

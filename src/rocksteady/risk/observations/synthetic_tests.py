@@ -1,6 +1,7 @@
 """Synthetic shaking tests of a known block, for examples and trials."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -13,12 +14,13 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range, whole_number
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.record import Record
+from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.outcomes import Status
+from rocksteady.risk.observations.fates import LARGEST_SEED, Scatter, fates_on_records
 from rocksteady.risk.observations.object_prior import ObjectPrior
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.shaking_test import LARGEST_GAIN, LARGEST_SIGMA, ShakingTest
 from rocksteady.seismic.measures.scalar import measure_scalar
-from rocksteady.seismic.spectra.many import simulate_many
 
 Floats = NDArray[np.float64]
 
@@ -29,16 +31,19 @@ HALF_WIDTH: Final = 0.3
 """Of the prior of alpha and p about the truth, relative."""
 
 NAME: Final = "synthetic block"
+WIDTH_M, HEIGHT_M, MOTIONS = 0.15, 0.6, 12
+"""Of the example."""
 MOST_TESTS: Final = 100_000
 
 
 @checked
 def make_synthetic_tests(
-    truth: Block,
-    motions: Sequence[Record],
+    truth: Block | None = None,
+    motions: Sequence[Record] | None = None,
     *,
     gains: ArrayLike | None = None,
     gain_error: float = 0.2,
+    scatter: float = 0.0,
     prior: ObjectPrior | None = None,
     model: Model | None = None,
     seed: int = 0,
@@ -51,21 +56,23 @@ def make_synthetic_tests(
     Parameters
     ----------
     truth
-        The block.
+        The block; default a rectangle of 0.15 m x 0.6 m.
     motions
-        Records with names.
+        Records with names; default ``make_synthetic_suite(12)``.
     gains
         Factors on the motions, shape (gains,), or (motions, gains) for others of each; by default
         those with p PGV/(g tan alpha) of 0.4, 0.6, 0.8 and 1.
     gain_error
         Standard deviation of z, from 0 to 3; default 0.2.
+    scatter
+        Standard deviation of the restitution from impact to impact, from 0 to 0.5; default 0.
     prior
         What is known of the block before the tests; by default alpha and p within 30 % of the
         truth, and restitution and scatter as `ObjectPrior` has them.
     model
         `Linear()` or `Nonlinear()` (default), the full equations.
     seed
-        A whole number of 0 or above; the same one gives the same tests.
+        A whole number from 0 to 2^64 - 1; the same one gives the same tests.
 
     Returns
     -------
@@ -79,35 +86,41 @@ def make_synthetic_tests(
 
     Examples
     --------
-    >>> from rocksteady import Block, make_synthetic_suite
-    >>> column = Block.rectangle(width=0.15, height=0.6)
-    >>> make_synthetic_tests(column, make_synthetic_suite(6))
+    >>> from rocksteady import make_synthetic_suite
+    >>> make_synthetic_tests(motions=make_synthetic_suite(6))
     <Observations: 24 tests of 1 object on 6 records: 9 fell, 15 stood>
     """
-    records = list(motions)
+    block = Block.rectangle(width=WIDTH_M, height=HEIGHT_M) if truth is None else truth
+    records = make_synthetic_suite(MOTIONS) if motions is None else list(motions)
     if not records:
         raise InputError("motions", [], "there must be one or more", "give a list of Record")
-    nominal = _gains(truth, records, gains)
+    nominal = _gains(block, records, gains)
     sigma = in_range("gain_error", gain_error, 0.0, LARGEST_SIGMA, "[]", hint="give 0.2")
-    first = whole_number("seed", seed, at_least=0, hint="give a seed, as 0")
+    first = whole_number("seed", seed, at_least=0, at_most=LARGEST_SEED, hint="give a seed, as 0")
     rng = np.random.default_rng(first)
-    actual = nominal * np.exp(sigma * rng.standard_normal(nominal.shape))
-    known = prior if prior is not None else _around(truth)
-    shaken = [
-        record.scaled(scale)
-        for record, scales in zip(records, actual.tolist(), strict=True)
-        for scale in scales
-    ]
-    ends = np.atleast_1d(simulate_many(truth, shaken, model=model).status.values)
-    tests = [
+    error = np.exp(sigma * rng.standard_normal(nominal.shape))
+    known = prior if prior is not None else _around(block)
+    several = nominal.shape[1]
+    unknown = [
         ShakingTest(
             name=f"test {place + 1}",
-            record=records[place // nominal.shape[1]],
+            record=records[place // several],
             object=known.name,
-            fell=bool(end == Status.OVERTURNED),
             gain=gain,
         )
-        for place, (gain, end) in enumerate(zip(nominal.ravel().tolist(), ends, strict=True))
+        for place, gain in enumerate(nominal.ravel().tolist())
+    ]
+    ends = fates_on_records(
+        block,
+        unknown,
+        gains=error.reshape(-1, 1),
+        scatter=Scatter(scatter, seed=first),
+        outputs=["status"],
+        model=model,
+    ).status.values.ravel()
+    tests = [
+        replace(test, fell=bool(end == Status.OVERTURNED))
+        for test, end in zip(unknown, ends, strict=True)
     ]
     return Observations(tests=tests, objects={known.name: known})
 

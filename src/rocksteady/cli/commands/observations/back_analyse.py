@@ -278,7 +278,7 @@ def _example(
         given["--survey"] = survey
     for flag, value in given.items():
         raise FlagError(flag, value, "--example is synthetic and reads no file", "leave one out")
-    from rocksteady.risk.assess.synthetic import make_synthetic_suite
+    from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
     from rocksteady.risk.back_analysis.synthetic_survey import make_synthetic_survey
 
     few = scan if scan.draws is not None else replace(scan, draws=4)

@@ -315,7 +315,7 @@ def _suite(
 ) -> Suite:
     """Return the motions: of --records, of the folder that the file names, or synthetic ones."""
     if file is None:
-        from rocksteady.risk.assess.synthetic import make_synthetic_suite
+        from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 
         return Suite(motions=[*make_synthetic_suite(EXAMPLE_MOTIONS)], files=[])
     named = described.given.assessment.records

@@ -184,7 +184,7 @@ def _suite(recorded: SuiteFlags, reading: ReadingFlags, *, example: bool) -> Sui
         raise FlagError(
             flag, value, "--example has synthetic motions and reads no file", "leave one out"
         )
-    from rocksteady.risk.assess.synthetic import make_synthetic_suite
+    from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 
     return Suite(motions=[*make_synthetic_suite()], files=[])
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from rocksteady.risk.assess.synthetic import make_synthetic_suite
+from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.seismic.measures.time_course import integrate_record
 
 
