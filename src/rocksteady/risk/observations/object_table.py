@@ -87,12 +87,12 @@ def object_prior_of(cells: Mapping[str, str], place: str) -> ObjectPrior:
     try:
         return ObjectPrior(name=cells["name"], **given)
     except RocksteadyError as error:
-        raise placed(error, place) from None
+        raise placed(error, place, error.name) from None
 
 
-def placed(error: RocksteadyError, place: str) -> RocksteadyError:
-    """Return an error with file and line before the name of its argument."""
-    return type(error)(f"{place}, {error.name}", error.value, error.valid, error.hint)
+def placed(error: RocksteadyError, place: str, column: str) -> RocksteadyError:
+    """Return an error with file, line and column in place of the name of its argument."""
+    return type(error)(f"{place}, {column}", error.value, error.valid, error.hint)
 
 
 def unread_remark(source: str, names: tuple[str, ...]) -> tuple[str, ...]:

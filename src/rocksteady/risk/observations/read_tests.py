@@ -139,7 +139,7 @@ def read_tests(
                 )
             )
         except RocksteadyError as error:
-            raise placed(error, place) from None
+            raise placed(error, place, "test" if error.name == "name" else error.name) from None
     return Observations(
         tests=tests,
         objects=known.objects,
