@@ -11,13 +11,13 @@ from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
+from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.outcomes import Status
 from rocksteady.risk.assess._counts import THE_DEMAND
 from rocksteady.risk.assess._remedies import Search, _friction_cap, cheapest, find_remedies
 from rocksteady.risk.assess._sensitivity import case_of, tornado, vary
 from rocksteady.risk.assess.assessment import Assessment, assess_object
 from rocksteady.risk.assess.described.objects import EXAMPLE, ObjectFile, read_object
-from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.risk.fits.two_stages import TwoStageCurve
 from rocksteady.risk.hazard.failure_risk import compute_risk
 from rocksteady.risk.hazard.hazard_curve import HazardCurve

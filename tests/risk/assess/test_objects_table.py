@@ -8,10 +8,10 @@ import pytest
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.sides import Side
+from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.outcomes import Status
 from rocksteady.risk.assess.described.objects import ObjectFile
 from rocksteady.risk.assess.objects_table import ObjectsTable, assess_objects
-from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.risk.assess.two_numbers import assess_two_numbers
 from rocksteady.seismic.measures.scalar import Intensity, measure_scalar
 from rocksteady.seismic.spectra.many import simulate_many

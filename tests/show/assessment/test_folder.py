@@ -11,9 +11,9 @@ import pytest
 
 from rocksteady import durable
 from rocksteady.errors import OutputError
+from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.risk.assess.assessment import Assessment, assess_object
 from rocksteady.risk.assess.described.objects import ObjectFile
-from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.show.assessment import folder as module
 from rocksteady.show.assessment.folder import write_assessment
 

@@ -13,10 +13,10 @@ import pytest
 
 from rocksteady.errors import OutputError
 from rocksteady.model.motions.record import Record
+from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.results.numbers import number
 from rocksteady.risk.assess.assessment import Assessment, assess_object
 from rocksteady.risk.assess.described.objects import ObjectFile
-from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.risk.hazard.hazard_curve import HazardCurve
 from rocksteady.show.assessment.object_report import report_html, write_report
 from rocksteady.show.export.manifest import make_manifest

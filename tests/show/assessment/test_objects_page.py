@@ -5,10 +5,10 @@ from typing import Any
 
 import pytest
 
+from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.results.numbers import number
 from rocksteady.risk.assess.described.objects import ObjectFile
 from rocksteady.risk.assess.objects_table import ObjectsTable, assess_objects
-from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
 from rocksteady.show.assessment.object_report import report_html
 from rocksteady.show.export.manifest import make_manifest
 from tests.show.assessment.pages import Page, check_alone
