@@ -10,6 +10,9 @@ LENT = 10.0
 """Runs that the fitted share counts for beside the runs of a draw."""
 NODES = 7
 """Of the quadrature over the gain."""
+BETWEEN = 0.5
+"""Part of the standard deviation that is integrated about each node, in closed form: between the
+nodes of a steep curve alone the integral is a staircase."""
 RIDGE = 0.05
 """Precision of the prior of each coefficient; columns have a standard deviation of about 1."""
 STEPS = 25
@@ -42,7 +45,8 @@ def lend(
     a likelihood of hundreds of such shares would pick the luckiest draw: of 200 synthetic tests it
     leaves 10 effective draws of 1500, and 160 with what is lent.  A logistic curve is fitted to the
     runs of each test, over ln(gain/tan alpha) and the other properties of the block, and integrated
-    over the gain.  The estimate is
+    over the gain: by Gauss's nodes, and about each of them by the logistic curve of a normal odds
+    [1].  The estimate is
 
         Q = (k + m E)/(K + m),
 
@@ -66,6 +70,10 @@ def lend(
     -------
     ndarray
         Shape (draws, tests).
+
+    References
+    ----------
+    .. [1] D. J. C. MacKay, Neural Computation 4, 720-736 (1992), eq 10.
     """
     tests, draws, count = fell.shape
     found: Floats = fell.mean(axis=2).T
@@ -78,7 +86,7 @@ def lend(
     row = np.arange(draws)[:, np.newaxis]
     wide = np.repeat(others, picked, axis=0).T
     nodes, weights = np.polynomial.hermite_e.hermegauss(NODES)
-    weights /= weights.sum()
+    nodes, weights = np.sqrt(1.0 - BETWEEN**2) * nodes, weights / weights.sum()
     for test in range(tests):
         if lent == 0.0 or (fell[test] == fell[test, 0, 0]).all():
             continue
@@ -91,6 +99,8 @@ def lend(
         constant, slope = at[0] + others @ at[3 : 3 + size], at[1] + others @ at[3 + size :]
         y = (sigma[test][:, np.newaxis] * nodes - lean[:, np.newaxis] - middle) / width
         odds = constant[:, np.newaxis] + slope[:, np.newaxis] * y + 0.5 * at[2] * (y * y - 1.0)
+        steep = (slope[:, np.newaxis] + at[2] * y) * (BETWEEN * sigma[test] / width)[:, np.newaxis]
+        odds /= np.sqrt(1.0 + 0.125 * np.pi * steep * steep)
         fitted = (1.0 / (1.0 + np.exp(-np.clip(odds, -MOST_LOG_ODDS, MOST_LOG_ODDS)))) @ weights
         found[:, test] = (count * found[:, test] + lent * fitted) / (count + lent)
     return found

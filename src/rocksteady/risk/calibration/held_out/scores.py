@@ -107,7 +107,7 @@ def score_predictions(
     probabilities
         Of a fall, shape (tests,).
     fell
-        Outcomes, 1 or True of a test that fell, shape (tests,).
+        Outcomes, 1 of a test that fell and 0 of one that stood, shape (tests,).
     groups
         Group of each test; by default each is its own.
     replicates
@@ -128,7 +128,7 @@ def score_predictions(
     Examples
     --------
     >>> from rocksteady import score_predictions
-    >>> found = score_predictions([0.9, 0.2, 0.6], [True, False, False], replicates=0)
+    >>> found = score_predictions([0.9, 0.2, 0.6], [1, 0, 0], replicates=0)
     >>> print(f"{found.accuracy[0]:.3f} {found.brier[0]:.3f}")
     0.667 0.137
     """
@@ -139,7 +139,7 @@ def score_predictions(
     if not ((p >= 0.0) & (p <= 1.0)).all():
         raise InputError("probabilities", probabilities, "all must lie in [0, 1]", hint)
     if not np.isin(y, (0, 1)).all():
-        raise InputError("fell", fell, "each must be True or False, 1 or 0", hint)
+        raise InputError("fell", fell, "each must be 1 or 0", hint)
     hint = "give a whole number, as 1000"
     count = whole_number("replicates", replicates, at_least=0, at_most=100_000, hint=hint)
     start = whole_number("seed", seed, at_least=0, hint=hint)

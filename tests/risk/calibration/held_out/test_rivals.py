@@ -1,0 +1,75 @@
+"""The logistic curve against statsmodels, base rates by hand, measures against their own module."""
+
+import math
+
+import numpy as np
+import pytest
+import statsmodels.api as sm
+
+from rocksteady import ObjectPrior, ShakingTest, measure_intensity
+from rocksteady.risk.calibration.held_out import rivals
+from tests.risk.calibration.trials import make_records
+
+
+def test_without_a_ridge_the_curve_is_that_of_statsmodels(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(rivals, "RIDGE", 0.0)
+    rng = np.random.default_rng(1)
+    measures = rng.normal(size=(150, 3)) * [1.0, 5.0, 0.1] + [0.0, 30.0, 1.0]
+    fell = (rng.random(150) < 1 / (1 + np.exp(-measures[:, 0]))).astype(float)
+    centre, scale, at = rivals.fit_logistic(measures, fell)
+    design = sm.add_constant((measures - centre) / scale)
+    extra = np.zeros((2, 4))
+    extra[:, 0] = 1.0
+    model = sm.GLM(
+        np.append(fell, [1.0, 0.0]),
+        np.vstack([design, extra]),
+        family=sm.families.Binomial(),
+        freq_weights=np.append(np.ones(150), [0.1, 0.1]),
+    )
+    assert at == pytest.approx(model.fit(tol=1e-12).params, abs=1e-6)
+
+
+def test_ridge_maximises_the_penalised_likelihood() -> None:
+    rng = np.random.default_rng(2)
+    measures = rng.normal(size=(30, 2))
+    fell = (measures[:, 0] > 0).astype(float)  # separated: without a ridge the slope is infinite
+    centre, scale, at = rivals.fit_logistic(measures, fell)
+    design = np.column_stack([np.ones(30), (measures - centre) / scale])
+
+    def penalised(b: np.ndarray) -> float:
+        odds = design @ b
+        ends = 0.1 * (np.logaddexp(0, -b[0]) + np.logaddexp(0, b[0]))
+        own = (np.logaddexp(0, odds) - fell * odds).sum()
+        return float(own + ends + 0.5 * rivals.RIDGE * (b[1:] ** 2).sum())
+
+    best = penalised(at)
+    for step in 1e-3 * rng.normal(size=(50, 3)):
+        assert penalised(at + step) > best
+
+
+def test_base_rate_is_of_the_object_and_of_the_training() -> None:
+    fell = np.array([1.0, 0.0, 1.0, 1.0, np.nan, 0.0])
+    objects = np.array([0, 0, 0, 1, 1, 1])
+    train = np.array([True, True, False, True, True, True])
+    found = rivals.base_rate(fell, objects, train)
+    assert found.tolist() == [0.5, 0.5, 0.5, 0.5, 0.5, 0.5]
+    assert rivals.base_rate(fell, objects, ~train)[:3].tolist() == [2 / 3] * 3
+
+
+def test_measures_are_those_of_the_record_and_the_outline() -> None:
+    record = make_records(1)[0]
+    column = ObjectPrior(name="column", width_m=0.2, height_m=0.8, base="0.6:1.0")
+    test = ShakingTest(name="t", record=record, object="column", gain=1.7)
+    row = rivals.measures_of([test], {"column": column})[0]
+    found = measure_intensity(record)
+    uplift = 9.80665 * 0.25
+    assert row[0] == pytest.approx(math.log(1.7 * found.pga_m_s2 / uplift))
+    assert row[2:] == pytest.approx(np.log([found.pgv_per_pga_s, found.significant_5_95_s]))
+    p = column.block([0.8, 0.5 * (0.85 + 1.1), 0.05]).p
+    assert row[1] == pytest.approx(math.log(1.7 * p * found.pgv_m_s / uplift), abs=1e-6)
+
+
+def test_outcomes_of_one_kind_have_a_curve() -> None:
+    measures = np.random.default_rng(3).normal(size=(12, 4))
+    found = rivals.logistic(measures, np.ones(12), np.ones(12, dtype=bool))
+    assert ((found > 0.9) & (found < 1.0)).all()

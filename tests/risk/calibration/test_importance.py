@@ -1,0 +1,62 @@
+"""Densities of rounds against SciPy, and weights against moments that are known."""
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from rocksteady.risk.calibration._importance import FREEDOM, Proposal, base_weights, refine
+from rocksteady.risk.calibration.held_out.folds import effective, normalised
+
+CENTRE, ROOT = np.array([0.5, -1.0, 0.2]), np.array([[0.6, 0, 0], [0.2, 0.9, 0], [0.0, 0.3, 0.4]])
+
+
+def test_density_of_a_refined_round_is_that_of_scipy() -> None:
+    proposal = Proposal(draws=64, centre=CENTRE, root=ROOT)
+    at = np.random.default_rng(1).normal(size=(20, 3))
+    own = stats.multivariate_t(CENTRE, ROOT @ ROOT.T, df=FREEDOM).logpdf(at)
+    prior = stats.norm.logpdf(at).sum(axis=1)
+    apart = proposal.log_density(at) - (own - prior)
+    assert apart == pytest.approx(np.zeros(20), abs=1e-9)
+
+
+def test_draws_of_a_refined_round_come_from_its_density() -> None:
+    draws = Proposal(draws=4096, centre=CENTRE, root=ROOT).sample(3, (1, 2))
+    assert np.median(draws, axis=0) == pytest.approx(CENTRE, abs=0.03)
+    score = (draws[:, 0] - CENTRE[0]) / ROOT[0, 0]
+    assert stats.kstest(score, stats.t(FREEDOM).cdf).pvalue > 0.01
+
+
+def test_weighted_draws_of_all_rounds_have_the_moments_of_the_prior() -> None:
+    proposals = [Proposal(draws=1024), Proposal(draws=1024, centre=CENTRE, root=ROOT)]
+    scores = np.concatenate([each.sample(3, (3, k)) for k, each in enumerate(proposals)])
+    base = base_weights(scores, proposals)
+    weights = normalised(base[:, None])[:, 0]
+    assert np.exp(base).max() <= 2.0 + 1e-12  # all draws over those of the prior
+    assert np.exp(base).mean() == pytest.approx(1.0, abs=0.03)
+    assert weights @ scores == pytest.approx(np.zeros(3), abs=0.06)
+    assert weights @ scores**2 == pytest.approx(np.ones(3), abs=0.1)
+
+
+def test_a_refined_round_makes_draws_effective() -> None:
+    """A likelihood of one narrow direction: standard deviation .05 about 1.2."""
+    first = Proposal(draws=512)
+    scores = first.sample(3, (4, 0))
+
+    def likelihood(at: np.ndarray) -> np.ndarray:
+        return -0.5 * ((at[:, 0] - 1.2) / 0.05) ** 2
+
+    second = refine(scores, base_weights(scores, [first]), likelihood(scores), 512)
+    both = np.concatenate([scores, second.sample(3, (4, 1))])
+    base = base_weights(both, [first, second])
+    before = effective(normalised(likelihood(scores)[:, None])[:, 0])
+    after = normalised((base + likelihood(both))[:, None])[:, 0]
+    assert effective(after) > 5.0 * before
+    precision = 1.0 + 1.0 / 0.05**2
+    assert after @ both[:, 0] == pytest.approx(1.2 / 0.05**2 / precision, abs=0.01)
+
+
+def test_an_object_without_free_numbers_has_draws_of_equal_weight() -> None:
+    proposal = Proposal(draws=16)
+    scores = proposal.sample(0, (0,))
+    assert scores.shape == (16, 0)
+    assert base_weights(scores, [proposal]).tolist() == [0.0] * 16
