@@ -40,7 +40,7 @@ def test_predictions_without_a_group_are_those_of_a_grid(
     load, fell, codes = problem
     rng = np.random.default_rng(5)
     # The prior is uniform in [.15, .35]; the draws come from a triangle there.
-    alpha = rng.triangular(0.15, 0.24, 0.35, size=200_000)
+    alpha = rng.triangular(0.15, 0.24, 0.35, size=40_000)
     density = stats.triang.pdf(alpha, 0.45, 0.15, 0.2)
     held = hold_out([toy(alpha, load, fell, -np.log(density))], codes, temper)
     grid = np.linspace(0.15, 0.35, 4001)
@@ -49,7 +49,7 @@ def test_predictions_without_a_group_are_those_of_a_grid(
         others = codes != codes[test]
         weight = np.exp(temper * share.log_likelihood[:, others].sum(axis=1))
         expected = (weight * share.share[:, test]).sum() / weight.sum()
-        assert held.p[test] == pytest.approx(expected, abs=0.004)
+        assert held.p[test] == pytest.approx(expected, abs=0.008)
         below = np.cumsum(weight) / weight.sum()
         ends = share.share[[np.searchsorted(below, 0.95), np.searchsorted(below, 0.05)], test]
         assert [held.low[test], held.high[test]] == pytest.approx(ends.tolist(), abs=0.02)

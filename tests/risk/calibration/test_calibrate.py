@@ -1,0 +1,224 @@
+"""Calibrations of synthetic tests, and of tests that say little or nothing."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import pytest
+
+from rocksteady import (
+    Linear,
+    Noise,
+    Nonlinear,
+    ObjectPrior,
+    Observations,
+    Prior,
+    Run,
+    Sampling,
+    ShakingTest,
+    Spread,
+    calibrate,
+)
+from rocksteady.errors import InputError
+from rocksteady.risk.calibration.calibration import Calibration
+from tests.risk.calibration.trials import CASES, Case, coverage, make_records, make_tests
+
+FEW = Sampling(draws=90, gains=3)
+LINEAR = Linear()
+
+
+def shaken(
+    fell: Sequence[bool | None], *, gain: float = 1.0, block: ObjectPrior | None = None
+) -> Observations:
+    """Return a test on each of some motions."""
+    given = ObjectPrior(name="block", alpha_rad="0.17:0.33", p_rad_s="3:5")
+    tests = [
+        ShakingTest(name=record.name or "", record=record, object="block", fell=own, gain=gain)
+        for record, own in zip(make_records(len(fell)), fell, strict=True)
+    ]
+    return Observations(tests=tests, objects={"block": given if block is None else block})
+
+
+def row_of(found: Calibration, name: str) -> dict[str, object]:
+    return next(row for row in found.parameters if row["parameter"] == name)
+
+
+@pytest.fixture(scope="module")
+def tests() -> Observations:
+    return make_tests(Case("40 tests"), 3)[0]
+
+
+@pytest.fixture(scope="module")
+def found(tests: Observations) -> Calibration:
+    return calibrate(tests, sampling=FEW, model=LINEAR)
+
+
+def test_outcomes_move_alpha_towards_the_truth_and_leave_the_rest(found: Calibration) -> None:
+    truth = make_tests(Case("40 tests"), 3)[1]
+    alpha = row_of(found, "alpha_rad")
+    prior_width = float(str(alpha["prior_high"])) - float(str(alpha["prior_low"]))
+    width = float(str(alpha["high"])) - float(str(alpha["low"]))
+    assert width < 0.75 * prior_width
+    assert abs(float(str(alpha["median"])) - truth) < 0.5 * prior_width
+    assert row_of(found, "housner_factor")["verdict"] == "prior returned"
+    assert all(
+        row["verdict"] != "identified"
+        for row in found.parameters
+        if "alpha" not in row["parameter"]
+    )
+
+
+def test_held_out_scores_beat_the_base_rate(found: Calibration) -> None:
+    rows = found.validation.rows
+    assert set(rows) == {"calibrated", "untempered", "base rate", "logistic"}
+    assert rows["calibrated"].brier[0] < rows["base rate"].brier[0]
+    assert found.validation.predictions.held_out == (True,) * 40
+    assert [row["groups"] for row in found.validation.learning] == [1, 2, 4, 8]
+    assert set(found.flips) == {
+        "half the sampling interval", "linear baseline removed", "high-pass at 0.1 Hz"
+    }  # fmt: skip
+
+
+def test_the_same_seed_gives_the_same_bits_with_any_workers(
+    tests: Observations, found: Calibration
+) -> None:
+    again = calibrate(tests, sampling=FEW, model=LINEAR, run=Run(executor="serial"))
+    assert again.to_dict() == found.to_dict()
+    other = calibrate(tests, sampling=replace(FEW, seed=1), model=LINEAR)
+    assert other.validation.predictions.p.tolist() != found.validation.predictions.p.tolist()
+
+
+def test_a_training_test_is_predicted_without_its_group(tests: Observations) -> None:
+    """Other outcomes of a group, in one round at a fixed temper: the same predictions of it."""
+    once = Sampling(draws=60, gains=3, rounds=1)
+    changed = [
+        replace(test, fell=not test.fell) if test.group == tests.tests[0].group else test
+        for test in tests.tests
+    ]
+    first = calibrate(tests, sampling=once, model=LINEAR, temper=1.0)
+    second = calibrate(replace(tests, tests=changed), sampling=once, model=LINEAR, temper=1.0)
+    own = tests.groups == tests.tests[0].group
+    p, q = first.validation.predictions.p, second.validation.predictions.p
+    assert p[own] == pytest.approx(q[own], abs=1e-12)
+    assert p[~own].tolist() != q[~own].tolist()
+
+
+def test_predict_holds_training_tests_out_and_others_not(found: Calibration) -> None:
+    known, new = found.tests.tests[5], replace(found.tests.tests[5], name="new", gain=0.01)
+    row = found.predict([new, known])
+    assert row.held_out == (False, True)
+    assert row.p[1] == found.validation.predictions.p[5]
+    assert row.p[0] == pytest.approx(0.5 * 0.03, abs=0.01)  # nothing lifts: outliers alone
+    assert row.low[0] <= row.p[0] <= row.high[0]
+    assert row.mc_error[0] < 0.01
+    # The outcome of a test changes nothing, and neither do outcomes of new ones.
+    other = found.predict([replace(known, fell=not known.fell)])
+    assert (other.held_out, other.p[0]) == ((True,), row.p[1])
+
+
+@pytest.mark.parametrize(("fell", "side", "gain"), [(True, "upper", 0.8), (False, "lower", 1.2)])
+def test_outcomes_of_one_kind_give_a_bound(fell: bool, side: str, gain: float) -> None:
+    found = calibrate(shaken([fell] * 12, gain=gain), sampling=FEW, model=LINEAR)
+    row = row_of(found, "alpha_rad")
+    assert (row["verdict"], row["bound_side"]) == ("bound", side)
+    assert not any(each["verdict"] == "identified" for each in found.parameters)
+    values, weights = found.posteriors["block"].of("alpha_rad"), found.posteriors["block"].weights
+    beyond = values > row["bound"] if fell else values < row["bound"]
+    assert weights[beyond].sum() <= 0.1
+    assert any("bound of alpha" in sentence for sentence in found.warnings)
+
+
+def test_unknown_outcomes_return_the_prior() -> None:
+    found = calibrate(shaken([None] * 3), sampling=FEW, model=LINEAR)
+    assert {row["verdict"] for row in found.parameters} == {"prior returned"}
+    assert found.validation.rows == {}
+    assert any("no test has an outcome" in sentence for sentence in found.warnings)
+    assert len(found.validation.predictions) == 3
+
+
+def test_one_test_alone_is_predicted_by_the_prior() -> None:
+    found = calibrate(shaken([True]), sampling=FEW, model=LINEAR)
+    assert any("of one group" in sentence for sentence in found.warnings)
+    before = calibrate(shaken([None]), sampling=FEW, model=LINEAR)
+    assert found.validation.predictions.p[0] == pytest.approx(
+        before.validation.predictions.p[0], abs=0.1
+    )
+
+
+def test_tests_that_lift_nothing_say_nothing() -> None:
+    found = calibrate(shaken([False] * 4, gain=1e-3), sampling=FEW, model=LINEAR)
+    assert any("says anything" in sentence for sentence in found.warnings)
+    row = row_of(found, "alpha_rad")
+    assert row["verdict"] == "bound"
+    assert row["bound"] == pytest.approx(0.17 + 0.1 * 0.16, abs=0.01)  # the prior's own 10 %
+
+
+def test_an_object_that_is_known_exactly_is_calibrated() -> None:
+    block = ObjectPrior(name="block", alpha_rad=0.25, p_rad_s=4.0, housner_factor=1.0, scatter=0.0)
+    noise = Noise(sigma_ln=Spread.exactly(0.2), outliers=Spread.exactly(0.02))
+    prior = Prior(noise=noise)
+    found = calibrate(shaken([True, False, True], block=block), prior, sampling=FEW, model=LINEAR)
+    posterior = found.posteriors["block"]
+    assert posterior.names == ()
+    assert posterior.effective_draws == pytest.approx(len(posterior.weights))
+    assert ((found.validation.predictions.p > 0.0) & (found.validation.predictions.p < 1.0)).all()
+
+
+def test_objects_have_posteriors_of_their_own(tests: Observations) -> None:
+    half = [
+        replace(test, object="other") if place % 2 else test
+        for place, test in enumerate(tests.tests)
+    ]
+    other = ObjectPrior(name="other", alpha_rad="0.1:0.2", p_rad_s=4.0)
+    both = Observations(tests=half, objects={**tests.objects, "other": other})
+    found = calibrate(both, sampling=FEW, model=LINEAR)
+    assert list(found.posteriors) == ["block", "other"]
+    assert found.posteriors["other"].of("alpha_rad").max() <= 0.2
+    assert any("own posterior" in note for note in found.describe().notes)
+
+
+def test_other_folds_and_refusals(found: Calibration) -> None:
+    by_test = found.validate("test")
+    assert by_test.rows["calibrated"].groups == 40
+    with pytest.raises(InputError, match="session"):
+        found.validate("session")
+    with pytest.raises(InputError, match="temper"):
+        calibrate(found.tests, temper=0.0)
+    with pytest.raises(InputError, match="tests"):
+        found.predict([])
+    stranger = replace(found.tests.tests[0], object="stranger", name="new")
+    with pytest.raises(InputError, match="stranger"):
+        found.predict([stranger])
+
+
+def test_a_measured_peak_narrows_alpha() -> None:
+    """A block that rocked to a known angle, in a test without an amplitude error."""
+    record = make_records(1)[0]
+    given = ObjectPrior(
+        name="block", alpha_rad="0.17:0.33", p_rad_s=4.0, housner_factor=1.0, scatter=0.0
+    )
+    tests = [
+        ShakingTest(
+            name="t", record=record, object="block", fell=False, gain=0.6, sigma_ln=0.0, **peak
+        )
+        for peak in ({}, {"peak_rad": 0.02, "sigma_rad": 0.003})
+    ]
+    widths = []
+    for test in tests:
+        shaken_once = Observations(tests=[test], objects={"block": given})
+        found = calibrate(shaken_once, sampling=Sampling(draws=300, gains=1), model=LINEAR)
+        low, high = found.posteriors["block"].interval("alpha_rad")[1:]
+        widths.append(high - low)
+    assert widths[1] < 0.85 * widths[0]
+
+
+def test_full_equations_count_flips_of_their_tolerance() -> None:
+    found = calibrate(shaken([True, False]), sampling=Sampling(draws=30, gains=1, rounds=1))
+    assert isinstance(found.model, Nonlinear)
+    assert "tolerance 1e-08" in found.flips
+
+
+@pytest.mark.slow
+def test_intervals_of_alpha_cover_at_their_rate() -> None:
+    """Forty tests, gain error .2: 60 trials, whose share has a standard error of .04."""
+    case = next(case for case in CASES if case.sigma == "0.2")
+    assert 0.8 <= coverage(case, 60, sampling=Sampling(draws=450))["covered"] <= 0.99
