@@ -43,19 +43,13 @@ class Levels:
 
     @classmethod
     def between(cls, low: float, high: float, count: int, noise: Noise) -> "Levels":
-        """Return the levels between two limits."""
+        """Return a number of levels for two limits."""
         ends = np.log([low, high])
-        step = (ends[1] - ends[0]) / (count - 1)
-        beyond = int(np.ceil(REACH * noise.sigma_ln.high / step))
+        beyond = REACH * noise.sigma_ln.high
         return cls(
             nodes=np.linspace(ends[0], ends[1], FINER * (count - 1) + 1),
-            simulated=ends[0] + step * np.arange(-beyond, count + beyond),
+            simulated=np.linspace(ends[0] - beyond, ends[1] + beyond, count),
         )
-
-    @property
-    def step(self) -> float:
-        """Distance of two nodes."""
-        return float(self.nodes[1] - self.nodes[0])
 
 
 def chances(shares: Floats, levels: Levels, noise: Noise) -> Floats:

@@ -17,6 +17,8 @@ ALONG = 0.1
 ACROSS = 0.6
 """Of that across records: over the spread of ln(ratio) times records^(-1/5), Silverman's power."""
 NARROWEST = 0.05
+FINENESS = 8
+"""Cells in a width of a kernel."""
 RATIOS = 64
 """Ratios of the grid."""
 
@@ -75,6 +77,22 @@ class Plane:
         smooth = weights @ along
         return np.asarray(np.swapaxes(smooth, -1, -2) @ across)
 
+    def local_mean(self, values: Floats) -> Floats:
+        """Return the mean of values over records of like ratio, at each cell of the grid.
+
+        Parameters
+        ----------
+        values
+            Of records and nodes, shape (records, nodes).
+
+        Returns
+        -------
+        numpy.ndarray
+            Shape (nodes, ratios).
+        """
+        near = _kernel(self.ordinates, self.ratios[:, 1], float(self.across[1]))
+        return np.asarray((near @ values).T)
+
     def distribution(self, weights: Floats, measure: int, at: Floats) -> Floats:
         """Return the probability that a measure is below some values.
 
@@ -104,11 +122,20 @@ class Plane:
     def quantiles(self, weights: Floats, measure: int, shares: Floats) -> Floats:
         """Return values of a measure, shape (shares,), below which shares of weights lie."""
         width = float(np.hypot(ALONG, self.across[measure]))
-        ratios = self.ratios[:, measure]
-        ends = self.nodes[0] + ratios.min() - 4 * width, self.nodes[-1] + ratios.max() + 4 * width
-        values = np.linspace(*ends, 801)
-        below = self.distribution(weights[np.newaxis], measure, values[np.newaxis])[0]
-        return np.asarray(np.exp(np.interp(shares, below, values)))
+        points = self.nodes + self.ratios[:, measure, np.newaxis]
+        step, reach = width / FINENESS, 4 * FINENESS
+        count = int(np.ceil((points.max() - points.min()) / step)) + 1 + 2 * reach
+        values = points.min() + step * (np.arange(count) - reach)
+        at = (points - values[0]) / step
+        left = at.astype(np.int64)
+        counted = np.zeros(count + 1)
+        np.add.at(counted, left, weights * (1.0 - (at - left)))
+        np.add.at(counted, left + 1, weights * (at - left))
+        kernel = np.exp(-0.5 * (np.arange(-reach, reach + 1) / FINENESS) ** 2)
+        density = np.convolve(counted[:count], kernel / kernel.sum(), mode="same")
+        # Half of a cell lies below its middle.
+        below = np.cumsum(density) - 0.5 * density
+        return np.asarray(np.exp(np.interp(shares, below / density.sum(), values)))
 
 
 def mass_above(masses: Floats, level: Floats) -> Floats:
@@ -125,10 +152,10 @@ def mass_above(masses: Floats, level: Floats) -> Floats:
     return np.asarray(np.where(likelier, masses, 0.0).sum(axis=(1, 2)))
 
 
-def level_of(masses: Floats, share: float) -> float:
-    """Return the probability of the least likely cell of the smallest region with a share."""
-    ordered = np.sort(masses.ravel())[::-1]
-    place = int(np.searchsorted(np.cumsum(ordered), share))
+def level_of(values: Floats, share: float) -> float:
+    """Return the value of the least likely cell of the smallest region with a share of the sum."""
+    ordered = np.sort(values.ravel())[::-1]
+    place = int(np.searchsorted(np.cumsum(ordered), share * ordered.sum()))
     return float(ordered[min(place, len(ordered) - 1)])
 
 

@@ -97,12 +97,11 @@ class Pools:
 
 def draw_objects(survey: Survey, model: Model, *, count: int, seed: int) -> Pools:
     """Return the draws of all objects: points that fill the prior evenly, shifted by the seed."""
-    assert survey.reversed is not None
     each: list[Pool] = []
     other: list[int] = []
     turned: list[Pool] = []
     bodies = []
-    for place, (prior, facing) in enumerate(zip(survey.objects, survey.reversed, strict=True)):
+    for place, (prior, facing) in enumerate(zip(survey.objects, survey.facings, strict=True)):
         values = prior.draw(_shares(prior, place, count, seed))
         blocks = prior.blocks(values)
         sides = np.stack([sides_in_si(block, model) for block in blocks])
@@ -113,10 +112,7 @@ def draw_objects(survey: Survey, model: Model, *, count: int, seed: int) -> Pool
             gravity=blocks[0].gravity,
         )
         bodies += blocks
-        if all(block.symmetric for block in blocks):
-            each.append(pool)
-            other.append(-1)
-        elif facing is None:
+        if facing is None:
             both = pool.sides.copy()
             both[1::2] = both[1::2, ::-1]
             each.append(Pool(sides=both, gravity=pool.gravity))

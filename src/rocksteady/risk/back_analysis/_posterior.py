@@ -66,18 +66,19 @@ def analyse(survey: Survey, tried: Tried, noise: Noise, scan: Scan) -> BackAnaly
     chance = chances(shares, tried.levels, noise)
     logs = log_likelihoods(outcomes, chance)
     bound = _bound(survey)
-    held = _held_out(logs[0], chance, plane, scan)
+    held = _held_out(logs[0], chance, plane, scan, bound)
     weights = tempered(logs, held.temper)[0]
-    masses = plane.masses(weights[np.newaxis])[0]
-    ends = _ends(plane, weights, logs[0], held, bound)
-    medians = _medians(plane, weights)
+    if bound == "interval":
+        density = plane.masses(weights[np.newaxis])[0] / plane.cell
+        threshold = level_of(density, held.share)
+    else:
+        density, threshold = plane.local_mean(np.exp(logs[0]).mean(axis=0)), 1.0 - CONFIDENCE
+    medians, lows, highs = _values(plane, logs, held, bound)
     halved = [
-        _medians(
-            plane,
-            tempered(log_likelihoods(outcomes, chances(half, tried.levels, noise)), held.temper)[0],
-        )
+        _values(plane, log_likelihoods(outcomes, chances(half, tried.levels, noise)), held, bound)
         for half in tried.shares
     ]
+    middle = {"interval": 0, "lower bound": 1, "upper bound": 2}[bound]
     result = BackAnalysis(
         survey=survey,
         measures=tried.measures,
@@ -85,9 +86,9 @@ def analyse(survey: Survey, tried: Tried, noise: Noise, scan: Scan) -> BackAnaly
         values_at_one=tried.at_one,
         first_values=np.exp(plane.nodes),
         weights=weights,
-        density=masses / plane.cell,
+        density=density,
         ratios=np.exp(plane.ordinates),
-        threshold=level_of(masses, held.share) / plane.cell,
+        threshold=threshold,
         confidence=CONFIDENCE,
         share=held.share,
         plain_coverage=held.plain_coverage,
@@ -96,10 +97,10 @@ def analyse(survey: Survey, tried: Tried, noise: Noise, scan: Scan) -> BackAnaly
         temper_scores=held.scores,
         bound=bound,
         medians=medians,
-        lows=np.array([low for low, _ in ends]),
-        highs=np.array([high for _, high in ends]),
+        lows=lows,
+        highs=highs,
         # Each half has half of the draws: the mean of both is off by half their difference.
-        mc_errors=0.5 * np.abs(np.log(halved[0] / halved[1])),
+        mc_errors=0.5 * np.abs(np.log(halved[0][middle] / halved[1][middle])),
         effective_records=float(1.0 / (weights.sum(axis=1) ** 2).sum()),
         draws=tried.draws,
         runs=int(tried.draws * tried.shares[0].size),
@@ -115,9 +116,9 @@ def _bound(survey: Survey) -> Bound:
     return "interval" if any(survey.fell) else "upper bound"
 
 
-def _held_out(logs: Floats, chance: Floats, plane: Plane, scan: Scan) -> HeldOut:
+def _held_out(logs: Floats, chance: Floats, plane: Plane, scan: Scan, bound: Bound) -> HeldOut:
     """Return temper and probabilities of regions, checked or as they are given."""
-    if scan.trials:
+    if scan.trials and bound == "interval":
         return hold_out(
             logs,
             chance,
@@ -127,9 +128,8 @@ def _held_out(logs: Floats, chance: Floats, plane: Plane, scan: Scan) -> HeldOut
             seed=scan.seed,
             confidence=CONFIDENCE,
         )
-    assert scan.temper != "auto"
     return HeldOut(
-        temper=scan.temper,
+        temper=1.0 if scan.temper == "auto" else scan.temper,
         scores={},
         share=CONFIDENCE,
         plain_coverage=float("nan"),
@@ -138,27 +138,27 @@ def _held_out(logs: Floats, chance: Floats, plane: Plane, scan: Scan) -> HeldOut
     )
 
 
-def _ends(
-    plane: Plane, weights: Floats, logs: Floats, held: HeldOut, bound: Bound
-) -> list[tuple[float, float]]:
-    """Return the ends of the interval of each measure; NaN for an open one.
+def _values(
+    plane: Plane, logs: Floats, held: HeldOut, bound: Bound
+) -> tuple[Floats, Floats, Floats]:
+    """Return medians and ends of the intervals of all measures; NaN for what is open.
 
     Where outcomes are of one kind the posterior reaches to a limit, and so would its interval.  But
     then the survey is the most extreme one there is: its chance itself, the mean over records, is
     the probability of what has been seen or more, and ends where it falls below 1 - confidence.
     """
-    nan = float("nan")
     count = plane.ratios.shape[1]
+    ends = np.full((3, count), np.nan)
     if bound == "interval":
-        found = []
-        for measure in range(count):
-            half = 0.5 * held.tails[measure]
-            low, high = plane.quantiles(weights, measure, np.array([0.5 - half, 0.5 + half]))
-            found.append((float(low), float(high)))
-        return found
-    seen = np.exp(logs).mean(axis=0)
-    ends = [_extreme(plane, seen, k, bound) for k in range(count)]
-    return [(nan, end) if bound == "upper bound" else (end, nan) for end in ends]
+        weights = tempered(logs, held.temper)[0]
+        for measure, tail in enumerate(held.tails.tolist()):
+            shares = np.array([0.5, 0.5 - 0.5 * tail, 0.5 + 0.5 * tail])
+            ends[:, measure] = plane.quantiles(weights, measure, shares)
+    else:
+        seen = np.exp(logs[0]).mean(axis=0)
+        row = 1 if bound == "lower bound" else 2
+        ends[row] = [_extreme(plane, seen, measure, bound) for measure in range(count)]
+    return ends[0], ends[1], ends[2]
 
 
 def _extreme(plane: Plane, seen: Floats, measure: int, bound: Bound) -> float:
@@ -188,10 +188,3 @@ def _extreme(plane: Plane, seen: Floats, measure: int, bound: Bound) -> float:
     place = likely[-1] if bound == "upper bound" else likely[0]
     inside = 0 < place < len(values) - 1
     return float(np.exp(values[place])) if inside else float("nan")
-
-
-def _medians(plane: Plane, weights: Floats) -> Floats:
-    """Return the median of each measure."""
-    middle = np.array([0.5])
-    count = plane.ratios.shape[1]
-    return np.array([plane.quantiles(weights, k, middle)[0] for k in range(count)])

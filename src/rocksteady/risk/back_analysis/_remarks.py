@@ -21,11 +21,14 @@ def remarks_on(found: BackAnalysis) -> tuple[str, ...]:
     first, second = found.measures[:2]
     if found.bound == "upper bound":
         said.append(
-            "Nothing fell: there is no lower bound, and the upper one is as wide as the limits and "
-            "the suite make it."
+            "Nothing fell: there is no lower bound, and above the upper one nothing falls with a "
+            "chance below 0.1, the mean over the suite."
         )
     if found.bound == "lower bound":
-        said.append("Everything fell: there is no upper bound.")
+        said.append(
+            "Everything fell: there is no upper bound, and below the lower one everything falls "
+            "with a chance below 0.1, the mean over the suite."
+        )
     if len(found.records) < FEW_RECORDS:
         said.append(
             f"{plural(len(found.records), 'record')}: fewer than {FEW_RECORDS} show little of how "
@@ -40,8 +43,8 @@ def remarks_on(found: BackAnalysis) -> tuple[str, ...]:
     at_nodes = found.weights.sum(axis=0)
     ends = max(1, len(at_nodes) // 20)
     for where, value, mass, used in (
-        ("lower", low, at_nodes[:ends].sum(), found.bound != "upper bound"),
-        ("upper", high, at_nodes[-ends:].sum(), found.bound != "lower bound"),
+        ("lower", low, at_nodes[:ends].sum(), found.bound == "interval"),
+        ("upper", high, at_nodes[-ends:].sum(), found.bound == "interval"),
     ):
         if used and mass > NEAR_LIMIT:
             said.append(
@@ -57,11 +60,11 @@ def remarks_on(found: BackAnalysis) -> tuple[str, ...]:
                 f"Records of the {word} {second.label}/{first.label} carry more than half of the "
                 "result: the suite may lack shakings that agree better."
             )
-    worst = float(np.max(found.mc_errors))
+    worst = float(np.max(np.nan_to_num(found.mc_errors)))
     if worst > ERROR:
         said.append(
-            f"The Monte Carlo error of a median is {number(100.0 * worst)} %: use more draws."
+            f"The Monte Carlo error of the result is {number(100.0 * worst)} %: use more draws."
         )
-    if not found.held_out_surveys:
+    if found.bound == "interval" and not found.held_out_surveys:
         said.append("No record was left out: what the region covers was not checked.")
     return tuple(said)

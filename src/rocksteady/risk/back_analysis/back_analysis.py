@@ -12,6 +12,7 @@ from rocksteady.model.checks.arguments import checked_result
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
+from rocksteady.risk.back_analysis._density import level_of
 from rocksteady.risk.back_analysis.survey import Survey
 from rocksteady.seismic.measures.scalar import Intensity
 
@@ -50,11 +51,13 @@ class BackAnalysis(Result):
     weights
         Posterior probability of each record at each value, tempered, shape (records, nodes).
     density
-        Of the logarithms of the first two measures, smoothed, shape (nodes, ratios).
+        Of the logarithms of the first two measures, smoothed, shape (nodes, ratios).  Where
+        outcomes are of one kind it is no density: the chance of the survey, the mean over records
+        of like ratio.
     ratios
         Second measure over the first on the grid of `density`, shape (ratios,).
     threshold
-        Density on the edge of the region.
+        Density, or chance, on the edge of the region.
     confidence
         Share of shakings that the region covers where they are in no suite.
     share
@@ -71,10 +74,10 @@ class BackAnalysis(Result):
     bound
         "interval", "lower bound" where all fell, or "upper bound" where nothing fell.
     medians, lows, highs
-        Of each measure the posterior median, and the ends of its interval; NaN where outcomes of
-        one kind leave an end open.
+        Of each measure the posterior median, and the ends of its interval; NaN of what outcomes of
+        one kind leave open.  A bound is where the chance of the survey is 1 - confidence.
     mc_errors
-        Monte Carlo error of ln(median), from two halves of the draws.
+        Monte Carlo error of ln(median), or of that of the bound, from two halves of the draws.
     effective_records
         1 over the sum of squared weights of records.
     runs, seconds
@@ -119,20 +122,18 @@ class BackAnalysis(Result):
         """Whether each cell of `density` is in the region, shape (nodes, ratios)."""
         return np.asarray(self.density >= self.threshold)
 
-    def threshold_of(self, share: float) -> float:
-        """Return the density on the edge of the smallest region with a share of the posterior.
+    @property
+    def inner_threshold(self) -> float:
+        """Density on the edge of the smallest region with half of the posterior.
 
-        Parameters
-        ----------
-        share
-            Of the posterior probability, in (0, 1).
+        Where outcomes are of one kind it is a chance of the survey of 0.5.
         """
-        ordered = np.sort(self.density.ravel())[::-1]
-        place = int(np.searchsorted(np.cumsum(ordered), share * ordered.sum()))
-        return float(ordered[min(place, len(ordered) - 1)])
+        return level_of(self.density, 0.5) if self.bound == "interval" else 0.5
 
     def density_at(self, first: float, second: float) -> float:
-        """Return the density at values of the first two measures; 0 outside the grid.
+        """Return the density, or the chance, at values of the first two measures.
+
+        Outside the grid a density is 0, and a chance that of the nearest cell.
 
         Parameters
         ----------
@@ -142,8 +143,11 @@ class BackAnalysis(Result):
         from scipy.interpolate import RegularGridInterpolator
 
         grid = np.log(self.first_values), np.log(self.ratios)
+        at = np.log([first, second / first])
+        if self.bound != "interval":
+            at = np.clip(at, [each[0] for each in grid], [each[-1] for each in grid])
         found = RegularGridInterpolator(grid, self.density, bounds_error=False, fill_value=0.0)
-        return float(found([[np.log(first), np.log(second / first)]])[0])
+        return float(found(at[np.newaxis])[0])
 
     def contains(self, first: float, second: float) -> bool:
         """Return whether values of the first two measures lie in the region.
@@ -166,7 +170,7 @@ class BackAnalysis(Result):
             {
                 "measure": measure.key,
                 "label": str(measure),
-                "median": float(self.medians[place]),
+                "median": _or_none(self.medians[place]),
                 "low": _or_none(self.lows[place]),
                 "high": _or_none(self.highs[place]),
                 "mc_error": _or_none(self.mc_errors[place]),
@@ -206,13 +210,13 @@ class BackAnalysis(Result):
         fell, percent = sum(self.survey.fell), f"{number(100.0 * self.confidence)} %"
         columns = (
             Column("label", "measure", left=True),
-            Column("median", "median"),
+            Column("median", "median", _or_open),
             Column("low", "low", _or_open),
             Column("high", "high", _or_open),
-            Column("mc_error", "error of ln(median)", _or_open),
+            Column("mc_error", "error of ln", _or_open),
         )
         coverage = (
-            "not checked"
+            "not checked by records that are left out"
             if self.held_out_surveys == 0
             else f"{number(self.confidence)} of {self.held_out_surveys} simulated surveys under "
             f"records that are left out, at a posterior probability of {number(self.share)}"
@@ -263,14 +267,16 @@ class BackAnalysis(Result):
         """Return the interval of the first two measures in words."""
         parts = []
         for place, measure in enumerate(self.measures[:2]):
-            low, high = number(float(self.lows[place])), number(float(self.highs[place]))
+            low, high = float(self.lows[place]), float(self.highs[place])
             unit = f" {measure.unit}" if measure.unit else ""
-            words = {
-                "interval": f"{low} to {high}{unit}",
-                "lower bound": "without a bound" if low == "nan" else f"at least {low}{unit}",
-                "upper bound": "without a bound" if high == "nan" else f"likely below {high}{unit}",
-            }
-            parts.append(f"{measure.label} {words[self.bound]}")
+            words = f"{number(low)} to {number(high)}{unit}"
+            if self.bound == "lower bound":
+                words = "without a bound" if np.isnan(low) else f"at least {number(low)}{unit}"
+            if self.bound == "upper bound":
+                words = (
+                    "without a bound" if np.isnan(high) else f"likely below {number(high)}{unit}"
+                )
+            parts.append(f"{measure.label} {words}")
         return ", ".join(parts)
 
 

@@ -110,6 +110,15 @@ class Survey(Result):
         """1 of each object that fell, 0 of one that stood, shape (objects,)."""
         return np.array(self.fell, dtype=np.float64)
 
+    @property
+    def facings(self) -> tuple[bool | None, ...]:
+        """Whether each object is reversed; None where that is unknown or makes no difference."""
+        assert self.reversed is not None
+        return tuple(
+            None if facing is None or _symmetric(each) else facing
+            for each, facing in zip(self.objects, self.reversed, strict=True)
+        )
+
     def describe(self) -> Description:
         """Return how many objects fell, and a row for each."""
         assert self.reversed is not None
@@ -137,3 +146,9 @@ class Survey(Result):
             ],
             tables=[Table("rows", rows, columns)],
         )
+
+
+def _symmetric(given: ObjectPrior) -> bool:
+    """Return whether both sides of an object are alike, whatever it is within its prior."""
+    shares = np.repeat([[0.3], [0.8]], len(given.parameters), axis=1)
+    return all(block.symmetric for block in given.blocks(given.draw(shares)))

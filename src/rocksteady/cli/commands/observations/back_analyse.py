@@ -188,7 +188,8 @@ def back_analyse(
     announce_compilation("records.record_fates")
     from rocksteady.risk.back_analysis.back_analyse import back_analyse as analysed
 
-    cells = len(motions) * scan.levels * len(objects) * scan.draws_of(len(objects))
+    pools = len(objects) + sum(facing is not None for facing in objects.facings)
+    cells = len(motions) * scan.levels * pools * scan.draws_of(len(objects))
     try:
         with sweeping("running objects", cells) as meter:
             found = analysed(
@@ -293,7 +294,6 @@ def _write(found: "BackAnalysis", output: OutputFlags) -> None:
     if output.plot is not None:
         from rocksteady.show.plots.observations.back_analysis import plot_back_analysis
 
-        title = found.describe().headline
-        with output.page.figure(6.6, 5.0, title) as figure:
+        with output.page.figure(6.6, 5.0, "") as figure:
             plot_back_analysis(found, figure.add_subplot(), legend=output.page.legend)
         write_figure(output.plot, figure)

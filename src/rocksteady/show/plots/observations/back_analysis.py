@@ -18,8 +18,6 @@ if TYPE_CHECKING:
 
 PLAIN = 1e-3
 """Weight of a record below which its line is faint alone."""
-HALF = 0.5
-"""Posterior probability of the inner region."""
 
 
 @checked
@@ -71,7 +69,7 @@ def plot_back_analysis(
     lines = first[:, np.newaxis] * (found.values_at_one[:, 1] / found.values_at_one[:, 0])
     axes.plot(first, lines, color=inks.faint, lw=0.5, alpha=0.55, zorder=1.0)
     top = float(found.density.max())
-    inner = found.threshold_of(HALF)
+    inner = found.inner_threshold
     edges = sorted({min(found.threshold, 0.999 * top), min(inner, 0.9995 * top)})
     filled = axes.contourf(
         across,
@@ -99,6 +97,7 @@ def plot_back_analysis(
         lw=0.0,
         zorder=2.5,
     )
+    certain = found.bound == "interval"
     (middle,) = axes.plot(
         found.medians[:1],
         found.medians[1:2],
@@ -126,9 +125,17 @@ def plot_back_analysis(
     plain_ticks(axes)
     percent = number(100.0 * found.confidence)
     handles = [
-        Patch(facecolor=palette.SYMMETRIC, alpha=0.55, label=f"region of {percent} %"),
-        Patch(facecolor=palette.LINK, alpha=0.55, label="half of the weight"),
-        middle,
+        Patch(
+            facecolor=palette.SYMMETRIC,
+            alpha=0.55,
+            label=f"region of {percent} %" if certain else "chance above 0.1",
+        ),
+        Patch(
+            facecolor=palette.LINK,
+            alpha=0.55,
+            label="half of the weight" if certain else "chance above 0.5",
+        ),
+        *([middle] if certain else []),
         Line2D([], [], color=inks.faint, lw=0.8, label="a record at all scales"),
         Line2D([], [], ls="none", marker="o", ms=4.0, color=inks.number, label="scales that agree"),
     ]
