@@ -16,8 +16,6 @@ from rocksteady.risk.back_analysis._density import Plane, mass_above, tempered
 Floats = NDArray[np.float64]
 
 TEMPERS = (1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12, 0.08, 0.05)
-SEARCH = 0.3
-"""Temper of the scales under which surveys are simulated: wider than most posteriors."""
 BATCH = 64
 """Simulated surveys that are analysed at once."""
 
@@ -116,12 +114,15 @@ def hold_out(
 
 
 def _truths(log_likelihood: Floats, trials: int, random: np.random.Generator) -> NDArray[np.int64]:
-    """Return sign, record and node of each simulated survey, shape (surveys, 3)."""
+    """Return sign, record and node of each simulated survey, shape (surveys, 3).
+
+    The scale of each record is drawn from its own posterior, without a temper.
+    """
     signs, records, nodes = log_likelihood.shape
     found = []
     for record in range(records):
         logs = log_likelihood[:, record].ravel()
-        weights = np.exp(SEARCH * (logs - logs.max()))
+        weights = np.exp(logs - logs.max())
         flat = random.choice(signs * nodes, size=trials, p=weights / weights.sum())
         found += [(place // nodes, record, place % nodes) for place in flat.tolist()]
     return np.array(found, dtype=np.int64)
