@@ -1,6 +1,7 @@
 """`back_analyse` with blocks and records: mirror images, workers, limits and refusals."""
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -105,7 +106,7 @@ def test_all_objects_the_other_way_round_are_the_shaking_with_the_other_sign() -
     fell = [True, False, False]
     fixed = Scan(levels=8, draws=2, temper=0.7, trials=0)
     results = [
-        back_analyse(Survey(objects=leaning, fell=fell, reversed=facing), RECORDS, scan=FEW)
+        back_analyse(Survey(objects=leaning, fell=fell, reversed=facing), RECORDS, scan=fixed)
         for facing in ([False] * 3, [True] * 3, [False, True, False], None)
     ]
     same, turned, mixed, unknown = (result.weights for result in results)
@@ -143,7 +144,7 @@ def test_vertical_motion_takes_part(found: BackAnalysis) -> None:
 
 
 def test_what_is_not_valid_is_refused_in_one_line() -> None:
-    cases = [
+    cases: list[tuple[Callable[[], object], str]] = [
         (lambda: back_analyse(SURVEY, RECORDS[:3]), "left out in turn"),
         (lambda: back_analyse(SURVEY, RECORDS, measures=["pga_g"]), "two or more"),
         (lambda: back_analyse(SURVEY, RECORDS, measures=["pga_g", "pga_g"]), "two or more"),

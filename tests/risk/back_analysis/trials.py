@@ -7,6 +7,8 @@ outcome is simulated.  The runs of the analysis are shared by all trials.
 """
 
 import argparse
+import math
+import sys
 import time
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -37,6 +39,8 @@ Floats = NDArray[np.float64]
 
 GAIN_ERROR = 0.2
 NOISE = Noise(sigma_ln=Spread.between(0.1, 0.3))
+LIMITS = (0.08, 3.5)
+"""Of PGA [g]: of the truth, and of the analysis."""
 MEASURES = (Intensity("pga_g"), Intensity("pgv_m_s"))
 
 
@@ -50,13 +54,24 @@ class Trial:
     found: BackAnalysis
 
     @property
+    def mixed(self) -> bool:
+        """Whether some objects fell and some stood."""
+        return self.found.bound == "interval"
+
+    def held(self, measure: int) -> bool:
+        """Return whether the interval of a measure holds the truth; an open end does."""
+        truth = (self.pga_g, self.pgv_m_s)[measure]
+        low, high = float(self.found.lows[measure]), float(self.found.highs[measure])
+        return not (truth < low or truth > high)
+
+    @property
     def covered(self) -> bool:
         """Whether the truth lies in the region."""
         return self.found.contains(self.pga_g, self.pgv_m_s)
 
 
 def cemetery(count: int, seed: int = 0) -> list[ObjectPrior]:
-    """Return objects of 0.5 to 2.2 m and height over width of 2.2 to 7, measured to some per cent."""
+    """Return objects of 0.5 to 2.2 m, 2.2 to 7 times as high as wide, measured to some per cent."""
     random = np.random.default_rng(seed)
     heights = np.exp(random.uniform(np.log(0.5), np.log(2.2), count))
     widths = heights / np.exp(random.uniform(np.log(2.2), np.log(7.0), count))
@@ -79,7 +94,7 @@ def try_all(
     survey = Survey(objects=objects, fell=[False] * len(objects))
     grounds = [GroundShaking(record=record) for record in records]
     at_one = np.array([[measure_scalar(record, each) for each in MEASURES] for record in records])
-    spans = Levels.between(0.08, 3.5, levels, NOISE)
+    spans = Levels.between(*LIMITS, levels, NOISE)
     begun = time.perf_counter()
     shares = fall_shares(
         draw_objects(survey, model, count=POOL, seed=1),
@@ -113,7 +128,7 @@ def run_trial(
     """Return one cemetery of some of the objects, analysed without its record."""
     random = np.random.default_rng([2026, number, count])
     record = int(random.integers(len(records)))
-    pga = float(np.exp(random.uniform(np.log(0.15), np.log(1.5))))
+    pga = float(np.exp(random.uniform(*np.log(LIMITS))))
     chosen = np.sort(random.choice(len(objects), count, replace=False))
     fell = _outcomes([objects[k] for k in chosen], records[record], pga, random)
     others = np.arange(len(records)) != record
@@ -141,10 +156,15 @@ def _outcomes(
         key = np.array([random.integers(2**50)])
         sides.append(scattered_sides(own, each.scatter_of(values), key)[0])
     gains = np.exp(GAIN_ERROR * random.standard_normal(len(objects)))
-    shaking = np.empty(len(objects), dtype=object)
-    shaking[:] = [GroundShaking(record=record)] * len(objects)
     scale = pga * gains / measure_scalar(record, "pga_g")
-    found = shaken_fates(shaking=shaking, scale=scale, sides=np.stack(sides), gravity=gravity)
+    found = shaken_fates(
+        [GroundShaking(record=record)],
+        ground=np.zeros(len(objects), dtype=np.int64),
+        scale=scale,
+        sides=np.stack(sides),
+        gravity=np.full(len(objects), gravity),
+        peaks=False,
+    )
     return [status == int(Status.OVERTURNED) for status in found.status.tolist()]
 
 
@@ -153,6 +173,31 @@ def suite_of(name: str) -> list[Record]:
     if name == "synthetic":
         return list(make_synthetic_suite(24))
     return [read_record(path) for path in sorted((FOLDER / "suite_at2").glob("*.AT2"))]
+
+
+def report(done: list[Trial], count: int) -> str:
+    """Return how often truths were covered, in words."""
+    mixed = [each for each in done if each.mixed]
+    others = [each for each in done if not each.mixed]
+    within = [np.mean([each.held(k) for each in mixed]) for k in range(2)]
+    bounds = [each.held(k) for each in others for k in range(2)]
+    tempers = [each.found.temper for each in mixed]
+    shares = [each.found.share for each in mixed]
+    ratio = np.mean([math.log(each.found.highs[1] / each.found.lows[1]) for each in mixed])
+    return (
+        f"{count} objects, {len(mixed)} surveys: the truth lies in the region in "
+        f"{np.mean([each.covered for each in mixed]):.3f}, in the interval of PGA in "
+        f"{within[0]:.3f}, of PGV in {within[1]:.3f}, which is a factor of {math.exp(ratio):.2f} "
+        f"wide; median temper {np.median(tempers):g}, share {np.median(shares):.2f}; "
+        f"{len(others)} more with outcomes of one kind, whose bounds hold in "
+        f"{np.mean(bounds) if bounds else math.nan:.3f}"
+    )
+
+
+def say(text: str) -> None:
+    """Write a line at once."""
+    sys.stdout.write(f"{text}\n")
+    sys.stdout.flush()
 
 
 def main() -> None:
@@ -175,36 +220,15 @@ def main() -> None:
         draws=given.draws,
         run=Run(store=given.store),
     )
-    print(f"{tried.draws * tried.shares[0].size:,} runs in {tried.seconds:.0f} s", flush=True)
+    say(f"{tried.draws * tried.shares[0].size:,} runs in {tried.seconds:.0f} s")
     for count in counts:
         begun = time.perf_counter()
-        done = [
-            run_trial(objects, records, tried, count=count, number=number)
-            for number in range(given.trials)
-        ]
-        covered = np.array([each.covered for each in done])
-        tempers = np.array([each.found.temper for each in done])
-        shares = np.array([each.found.share for each in done])
-        within = [
-            np.mean(
-                [
-                    each.found.lows[k] <= truth <= each.found.highs[k]
-                    for each in done
-                    if each.found.bound == "interval"
-                    for truth in [(each.pga_g, each.pgv_m_s)[k]]
-                ]
-            )
-            for k in range(2)
-        ]
-        mixed = np.array([each.found.bound == "interval" for each in done])
-        print(
-            f"{count} objects, {given.trials} trials: the truth lies in the region in "
-            f"{covered.mean():.3f} ({covered[mixed].mean():.3f} of {mixed.sum()} where some fell "
-            f"and some stood); in the intervals of PGA {within[0]:.3f}, of PGV {within[1]:.3f}; "
-            f"median temper {np.median(tempers):g}, share {np.median(shares):.2f}; "
-            f"{time.perf_counter() - begun:.0f} s",
-            flush=True,
-        )
+        done: list[Trial] = []
+        number = 0
+        while sum(each.mixed for each in done) < given.trials:
+            done.append(run_trial(objects, records, tried, count=count, number=number))
+            number += 1
+        say(f"{report(done, count)}; {time.perf_counter() - begun:.0f} s")
 
 
 if __name__ == "__main__":

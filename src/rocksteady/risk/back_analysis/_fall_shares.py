@@ -23,6 +23,7 @@ from rocksteady.seismic.spectra.batch import (
     scattered_sides,
     shaken_fates,
     sides_in_si,
+    told_apart,
 )
 from rocksteady.seismic.spectra.grounds import check_grounds
 from rocksteady.sweep.cases.axes import Axis
@@ -232,14 +233,15 @@ def _fates(
         ((at + 5 * scaled.number) * draws + int(one)) % len(each.sides)
         for scaled, at, each, one in cells
     ]
-    shaking = np.empty(len(ground), dtype=object)
-    shaking[:] = [scaled.ground for scaled in ground]
     at = level.astype(np.int64)
+    records, numbers = told_apart(ground)
     found = shaken_fates(
-        shaking=shaking,
-        scale=np.array([each.factors[k] for each, k in zip(ground, at.tolist(), strict=True)]),
+        [scaled.ground for scaled in records],
+        ground=numbers,
+        scale=np.stack([scaled.factors for scaled in records])[numbers, at],
         sides=np.stack([each.sides[k] for each, k in zip(pool, places, strict=True)]),
-        gravity=pool[0].gravity,
+        gravity=np.array([each.gravity for each in pool]),
+        peaks=False,
     )
     return {"fell": (found.status == int(Status.OVERTURNED)).astype(np.int8)}
 

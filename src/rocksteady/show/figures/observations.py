@@ -3,9 +3,11 @@
 from typing import TYPE_CHECKING
 
 from rocksteady.results.numbers import plural
+from rocksteady.risk.back_analysis.back_analysis import BackAnalysis
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.risk.calibration.held_out.predictions import Predictions
 from rocksteady.risk.free_rocking.restitution_fit import RestitutionFit
+from rocksteady.show.plots.observations.back_analysis import plot_back_analysis
 from rocksteady.show.plots.observations.ladders import plot_ladders
 from rocksteady.show.plots.observations.posteriors import plot_posterior
 from rocksteady.show.plots.observations.predictions import NAMED, plot_predictions
@@ -47,6 +49,23 @@ def calibration_figure(calibration: Calibration, title: str = "", page: Page = S
         else:
             plot_reliability(calibration, third, legend=page.legend)
         plot_ladders(calibration, first, most=ROWS, legend=page.legend)
+    return figure
+
+
+def back_analysis_figure(found: BackAnalysis, title: str = "", page: Page = SCREEN) -> "Figure":
+    """Return a figure of the shakings that agree with a survey.
+
+    Parameters
+    ----------
+    found
+        From `rocksteady.back_analyse`.
+    title
+        Above the panel.
+    page
+        Width of the figure, and place of its legend.
+    """
+    with page.figure(6.6, 5.0, title) as figure:
+        plot_back_analysis(found, figure.add_subplot(), legend=page.legend)
     return figure
 
 

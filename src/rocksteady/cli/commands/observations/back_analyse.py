@@ -292,8 +292,6 @@ def _write(found: "BackAnalysis", output: OutputFlags) -> None:
         first, second = (measure.key for measure in found.measures[:2])
         write_csv(output.csv, (first, second, "density", "in_region"), found.grid_rows())
     if output.plot is not None:
-        from rocksteady.show.plots.observations.back_analysis import plot_back_analysis
+        from rocksteady.show.figures.observations import back_analysis_figure
 
-        with output.page.figure(6.6, 5.0, "") as figure:
-            plot_back_analysis(found, figure.add_subplot(), legend=output.page.legend)
-        write_figure(output.plot, figure)
+        write_figure(output.plot, back_analysis_figure(found, page=output.page))
