@@ -16,6 +16,8 @@ from rocksteady.risk.back_analysis._density import Plane, mass_above, tempered
 Floats = NDArray[np.float64]
 
 TEMPERS = (1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12, 0.08, 0.05)
+AGAIN = 50
+"""Draws of a survey, of which one is to have outcomes of both kinds."""
 BATCH = 64
 """Simulated surveys that are analysed at once."""
 
@@ -78,11 +80,10 @@ def hold_out(
         Share of truths that a region must cover.
     """
     random = np.random.default_rng([seed, 23])
-    truths = _truths(log_likelihood, trials, random)
-    sign, record, node = truths.T
+    truths, fell = _surveys(log_likelihood, chance, trials, random)
+    _, record, node = truths.T
     each = np.arange(len(truths))
-    fell = random.random((len(truths), len(chance))) < chance[:, sign, record, node].T
-    simulated = log_likelihoods(fell.astype(np.float64), chance)
+    simulated = log_likelihoods(fell, chance)
     simulated[each, :, record] = -np.inf
     ordinate = np.abs(plane.ordinates - plane.ratios[record, 1][:, np.newaxis]).argmin(axis=1)
     scores: dict[float, float] = {}
@@ -113,19 +114,40 @@ def hold_out(
     )
 
 
-def _truths(log_likelihood: Floats, trials: int, random: np.random.Generator) -> NDArray[np.int64]:
-    """Return sign, record and node of each simulated survey, shape (surveys, 3).
+def _surveys(
+    log_likelihood: Floats, chance: Floats, trials: int, random: np.random.Generator
+) -> tuple[NDArray[np.int64], Floats]:
+    """Return truths and simulated surveys.
 
-    The scale of each record is drawn from its own posterior, without a temper.
+    The scale of each record is drawn from its own posterior, without a temper.  As in the real
+    survey some objects fall and some stand: others are drawn again, truth and survey, and at last
+    left out.
+
+    Returns
+    -------
+    tuple of numpy.ndarray
+        Sign, record and node of each, shape (surveys, 3), and the outcomes, (surveys, objects).
     """
-    signs, records, nodes = log_likelihood.shape
-    found = []
-    for record in range(records):
-        logs = log_likelihood[:, record].ravel()
-        weights = np.exp(logs - logs.max())
-        flat = random.choice(signs * nodes, size=trials, p=weights / weights.sum())
-        found += [(place // nodes, record, place % nodes) for place in flat.tolist()]
-    return np.array(found, dtype=np.int64)
+    _, records, nodes = log_likelihood.shape
+    weights = np.exp(log_likelihood - log_likelihood.max(axis=(0, 2), keepdims=True))
+    sums = np.cumsum(weights.transpose(1, 0, 2).reshape(records, -1), axis=1)
+    record = np.repeat(np.arange(records), trials)
+    truths = np.zeros((len(record), 3), dtype=np.int64)
+    fell = np.zeros((len(record), len(chance)))
+    lacking = np.arange(len(record))
+    for _ in range(AGAIN):
+        at = record[lacking]
+        share = random.random(len(at)) * sums[at, -1]
+        place = np.minimum((sums[at] <= share[:, np.newaxis]).sum(axis=1), sums.shape[1] - 1)
+        truths[lacking] = np.stack([place // nodes, at, place % nodes], axis=1)
+        uniform = random.random((len(at), len(chance)))
+        fell[lacking] = uniform < chance[:, place // nodes, at, place % nodes].T
+        count = fell[lacking].sum(axis=1)
+        lacking = lacking[(count == 0) | (count == len(chance))]
+        if not len(lacking):
+            break
+    good = np.setdiff1d(np.arange(len(record)), lacking)
+    return truths[good], fell[good]
 
 
 def _covering(shares: Floats, confidence: float) -> float:
