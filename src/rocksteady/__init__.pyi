@@ -47,6 +47,8 @@ from .dynamics.orbits.search import find_orbits as find_orbits
 from .dynamics.overturning.free_rocking import equivalent_damping as equivalent_damping
 from .dynamics.overturning.free_rocking import free_rocking_peaks as free_rocking_peaks
 from .dynamics.overturning.free_rocking import free_rocking_period as free_rocking_period
+from .dynamics.overturning.kicks import FatalKicks as FatalKicks
+from .dynamics.overturning.kicks import find_fatal_kick as find_fatal_kick
 from .dynamics.overturning.thresholds import overturning_impulse as overturning_impulse
 from .dynamics.overturning.thresholds import overturning_threshold as overturning_threshold
 from .dynamics.overturning.window_lists import OverturningWindow as OverturningWindow
@@ -201,6 +203,10 @@ from .seismic.measures.time_course import IntegratedRecord as IntegratedRecord
 from .seismic.measures.time_course import Peak as Peak
 from .seismic.measures.time_course import integrate_record as integrate_record
 from .seismic.spectra.many import simulate_many as simulate_many
+from .seismic.spectra.overturning_scales import OverturningScales as OverturningScales
+from .seismic.spectra.overturning_scales import (
+    find_overturning_scales as find_overturning_scales,
+)
 from .seismic.spectra.rocking import compute_rocking_spectrum as compute_rocking_spectrum
 from .seismic.spectra.suite import summarise_spectra as summarise_spectra
 from .show.assessment.folder import write_assessment as write_assessment
@@ -231,6 +237,10 @@ from .show.plots.orbits import plot_multipliers as plot_multipliers
 from .show.plots.orbits import plot_section as plot_section
 from .show.plots.overturning import plot_free_rocking as plot_free_rocking
 from .show.plots.overturning import plot_overturning as plot_overturning
+from .show.plots.overturning_scales import plot_fatal_kicks as plot_fatal_kicks
+from .show.plots.overturning_scales import (
+    plot_overturning_scales as plot_overturning_scales,
+)
 from .show.plots.records import plot_husid as plot_husid
 from .show.plots.records import plot_integrated_record as plot_integrated_record
 from .show.plots.records import plot_response_spectra as plot_response_spectra

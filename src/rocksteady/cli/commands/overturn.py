@@ -1,9 +1,9 @@
 """`rocksteady overturn`: all amplitudes at which a pulse overturns a block, by frequency."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -25,22 +25,33 @@ from rocksteady.cli.flags.block_and_shaking import (
     ShakingFlags,
     equations_for,
 )
+from rocksteady.cli.flags.ensemble import SuiteFlags
 from rocksteady.cli.flags.groups import OutputFlags, grouped
-from rocksteady.cli.flags.parsing import number
+from rocksteady.cli.flags.parsing import axis, number
+from rocksteady.cli.flags.record_files import ReadingFlags, RecordFlags
 from rocksteady.cli.flags.sweep import SweepFlags
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.validation import LARGEST
+from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.segments import Harmonic, Still
 from rocksteady.results.rendering import print_description
+
+if TYPE_CHECKING:
+    from rocksteady.dynamics.overturning.kicks import FatalKicks
+    from rocksteady.model.motions.record import Record
+    from rocksteady.seismic.spectra.overturning_scales import OverturningScales
+    from rocksteady.sweep.run import Run
 
 HELP = (
     "The amplitudes at which a pulse overturns a block at rest, over the pulse's frequency.\n\n"
     "What overturns a block is no interval: it may fall after an impact, stand under a stronger "
     "pulse and fall without an impact under a still stronger one. Each window has its number of "
     "impacts; its ends are found to rounding, in the linear model or (--model nonlinear) with the "
-    "full equations. Exit code 3 where an amplitude is undecided."
+    "full equations. With --record or --records it is the factor of a record that is searched; "
+    "with --kick the least sudden change of the base velocity that overturns the block. Exit code "
+    "3 where an amplitude is undecided."
 )
 EXAMPLES = (
     "Examples:\n\n"
@@ -49,7 +60,9 @@ EXAMPLES = (
     "rocksteady overturn --pulse one-sine --width-m 0.5 --height-m 2 --accel-g 2 "
     "--freq-hz 1:4:13\n\n"
     "rocksteady overturn --block zhang-makris-2001 --pulse one-sine -W 2:8:25 --model nonlinear\n\n"
-    "rocksteady overturn --pulse ricker -W 3 -r 0.9 --json"
+    "rocksteady overturn --pulse ricker -W 3 -r 0.9 --json\n\n"
+    "rocksteady overturn --record station.at2 --width-m 0.6 --height-m 1.8 --scales 0.2:3\n\n"
+    "rocksteady overturn --kick --start 0.5,0 --width-m 0.6 --height-m 1.8"
 )
 
 RangeA = Annotated[
@@ -101,11 +114,30 @@ PhaseFlag = Annotated[
         rich_help_panel=options.MOTION,
     ),
 ]
-Reverse = Annotated[
+Scales = Annotated[
+    str | None,
+    typer.Option(
+        "--scales",
+        metavar="LOW:HIGH",
+        help="Range of the factors of --record or --records that is searched; default 0.1:10.",
+        rich_help_panel=options.MOTION,
+    ),
+]
+KickFlag = Annotated[
     bool,
     typer.Option(
-        "--reverse",
-        help="Change the sign of the pulse: it lifts the block about the other edge first.",
+        "--kick",
+        help="Find the least sudden change of the base velocity that overturns the block, from "
+        "--start, on a still base or added to --record at --at-s.",
+        rich_help_panel=options.MOTION,
+    ),
+]
+AtS = Annotated[
+    str | None,
+    typer.Option(
+        "--at-s",
+        metavar="T",
+        help="Moment of the --kick \\[s]: a number or an axis, start:stop:count; default 0.",
         rich_help_panel=options.MOTION,
     ),
 ]
@@ -128,17 +160,47 @@ def overturn(
     block: BlockFlags,
     sweep: SweepFlags,
     output: OutputFlags,
+    recorded: RecordFlags,
+    suite: SuiteFlags,
+    reading: ReadingFlags,
     amplitude: RangeA = None,
     frequency_ratio: RatioAxis = None,
     accel_g: RangeG = None,
     freq_hz: HertzAxis = None,
     phase: PhaseFlag = None,
-    reverse: Reverse = False,
     resolution: Resolution = None,
+    scales: Scales = None,
+    kick: KickFlag = False,
+    start: options.Start = "rest",
+    at_s: AtS = None,
     model: options.Model = None,
 ) -> None:
     """Run `rocksteady overturn`; `HELP` is what its users read."""
     sweep.check(output)
+    arguments = context.find_root().obj
+    shaken = bool(recorded.record or suite.records)
+    output.refuse_read([*recorded.files, *(suite.records or [])])
+    own: dict[str, object] = {
+        "--pulse": pulse.pulse,
+        "-A": amplitude,
+        "-W": frequency_ratio,
+        "--accel-g": accel_g,
+    }
+    own |= {"--freq-hz": freq_hz, "--phase": phase}
+    of_kicks = {"--start": None if start == "rest" else start, "--at-s": at_s}
+    if kick:
+        _refuse("--kick", {**own, "--scales": scales, "--resolution": resolution})
+        _find_kick(arguments, recorded, suite, reading, block, sweep, output, start, at_s, model)
+        return
+    _refuse("a search without --kick", of_kicks)
+    if shaken:
+        _refuse("--record", {**own, "--scale": recorded.scale, "--pga-g": recorded.pga_g})
+        _find_scales(
+            arguments, recorded, suite, reading, block, sweep, output, scales, resolution, model
+        )
+        return
+    _refuse("a search without --record", {"--scales": scales})
+    recorded.given(reading, pulse=pulse.given)
     body = block.described()
     equations = equations_for(model, body, Still())
     if not pulse.given:
@@ -151,7 +213,7 @@ def overturn(
     size = ShakingFlags(amplitude="1", frequency_ratio=frequency_ratio, freq_hz=freq_hz)
     ratios = sorted(set(size.of(body)[1]))
     unit = Harmonic(amplitude=1.0, frequency_ratio=ratios[0])
-    shape = pulse.of(unit, phase=phase, reverse=reverse)
+    shape = pulse.of(unit, phase=phase, reverse=recorded.reverse)
     within = _range(body, amplitude, accel_g)
     if output.plot is not None and len(ratios) < 2:
         raise FlagError(
@@ -166,7 +228,7 @@ def overturn(
     from rocksteady.dynamics.overturning.windows import RESOLUTION, find_overturning_windows
 
     with (
-        _as_typed(accel_g),
+        _as_typed(within="--amplitude/-A" if accel_g is None else "--accel-g"),
         sweep.resumable(context.find_root().obj),
         sweeping("searching frequencies", len(ratios)) as meter,
     ):
@@ -198,16 +260,189 @@ def overturn(
         raise typer.Exit(INCOMPLETE)
 
 
+def _refuse(what: str, idle: Mapping[str, object]) -> None:
+    """Refuse flags that have no meaning beside another.
+
+    Raises
+    ------
+    FlagError
+        If one of them is given.
+    """
+    for flag, value in idle.items():
+        if value is not None:
+            raise FlagError(flag, value, f"it has no meaning for {what}", "leave it out")
+
+
+def _find_scales(
+    arguments: list[str],
+    recorded: RecordFlags,
+    suite: SuiteFlags,
+    reading: ReadingFlags,
+    block: BlockFlags,
+    sweep: SweepFlags,
+    output: OutputFlags,
+    scales: str | None,
+    resolution: float | None,
+    model: str | None,
+) -> None:
+    """Search the scales of records, and print or write what is found."""
+    from rocksteady.seismic.spectra.overturning_scales import (
+        RESOLUTION,
+        WITHIN,
+        find_overturning_scales,
+    )
+
+    body, motions = _motions(recorded, suite, reading, block)
+    equations = equations_for(model, body, motions[0])
+    within = WITHIN if scales is None else _two_ends("--scales", scales)
+    run = sweep.run(force=output.force)
+    announce_compilation("pulses.pulse_fates")
+    with (
+        _as_typed(within="--scales"),
+        sweep.resumable(arguments),
+        sweeping("searching records", len(motions)) as meter,
+    ):
+        found = find_overturning_scales(
+            body,
+            motions,
+            within=within,
+            resolution=RESOLUTION if resolution is None else resolution,
+            model=equations,
+            run=replace(run, progress=meter),
+        )
+    _leave(found, sweep, output, run, meter.seconds)
+
+
+def _find_kick(
+    arguments: list[str],
+    recorded: RecordFlags,
+    suite: SuiteFlags,
+    reading: ReadingFlags,
+    block: BlockFlags,
+    sweep: SweepFlags,
+    output: OutputFlags,
+    start: str,
+    at_s: str | None,
+    model: str | None,
+) -> None:
+    """Search the kicks, and print or write what is found."""
+    from rocksteady.cli.flags.start import state_from
+    from rocksteady.dynamics.history.start import Rest
+    from rocksteady.dynamics.overturning.kicks import find_fatal_kick
+
+    if suite.records:
+        raise FlagError(
+            "--records", suite.records[0], "a kick is added to one motion", "give --record FILE"
+        )
+    motion: BaseMotion | Still = Still()
+    body: Block | DimensionlessBlock
+    if recorded.given(reading):
+        horizontal = recorded.recording(reading)
+        vertical = recorded.vertical_recording(reading, horizontal)
+        up = None if vertical is None else recorded.scaled(vertical.record)
+        motion, body = BaseMotion(horizontal.record, up), recorded.block(block)
+    else:
+        body = block.described()
+    times = [0.0] if at_s is None else axis("--at-s", at_s)
+    rate = 1.0
+    if isinstance(body, Block):
+        rate = body.p
+    elif at_s is not None:
+        raise FlagError("--at-s", at_s, "seconds need a block with a p", "describe a block")
+    if output.plot is not None and len(times) < 2:
+        raise FlagError(
+            "--plot",
+            output.plot,
+            "kicks are drawn over two moments or more",
+            "give --at-s as an axis, as 0:20:81, or leave --plot out",
+        )
+    run = sweep.run(force=output.force)
+    announce_compilation("march.march")
+    with (
+        _as_typed(times_pt="--at-s"),
+        sweep.resumable(arguments),
+        sweeping("searching kicks", 2 * len(times)) as meter,
+    ):
+        found = find_fatal_kick(
+            body,
+            start=Rest() if start == "rest" else state_from(start, None),
+            motion=motion,
+            times_pt=[time * rate for time in times],
+            model=equations_for(model, body, motion),
+            run=replace(run, progress=meter),
+        )
+    _leave(found, sweep, output, run, meter.seconds)
+
+
+def _motions(
+    recorded: RecordFlags, suite: SuiteFlags, reading: ReadingFlags, block: BlockFlags
+) -> "tuple[Block, list[Record | BaseMotion]]":
+    """Return the block and the motions of --record or --records."""
+    motions: list[Record | BaseMotion]
+    if suite.records:
+        _refuse("--records", {"--record": recorded.record, "--vertical": recorded.vertical})
+        body = block.described()
+        if not isinstance(body, Block):
+            raise missing("--width-m", valid="a record needs a block", hint="describe a block")
+        motions = suite.suite(reading).motions
+    else:
+        _refuse("--record", {"--pair": suite.pair or None})
+        recorded.given(reading)
+        body = recorded.block(block)
+        found = recorded.recordings(reading)
+        if recorded.vertical is not None and len(found) > 1:
+            raise FlagError(
+                "--vertical", recorded.vertical, "it belongs to one --record", "give one record"
+            )
+        motions = [one.record for one in found]
+        vertical = recorded.vertical_recording(reading, found[0])
+        if vertical is not None:
+            motions = [BaseMotion(found[0].record, vertical.record)]
+    return body, [motion.reversed() for motion in motions] if recorded.reverse else motions
+
+
+def _leave(
+    found: "OverturningScales | FatalKicks",
+    sweep: SweepFlags,
+    output: OutputFlags,
+    run: "Run",
+    seconds: float,
+) -> None:
+    """Write and print what was found.
+
+    Raises
+    ------
+    Exit
+        With code 3 where a fate could not be decided.
+    """
+    description = found.describe()
+    if output.csv is not None:
+        frame = found.to_dataframe()
+        write_csv(output.csv, list(frame), frame.itertuples(index=False, name=None))
+    if sweep.netcdf is not None:
+        write_netcdf(sweep.netcdf, found.to_dataset())
+    if output.plot is not None:
+        from rocksteady.show.figures.single import fatal_figure
+
+        write_figure(output.plot, fatal_figure(found, description.headline, output.page))
+    if output.as_json:
+        store = run.place and str(run.place.path)
+        print_json("overturn", {**description.to_dict(), "seconds": seconds, "store": store})
+    else:
+        print_description(description, terminal.console(wrap=True))
+    if found.undecided.any():
+        raise typer.Exit(INCOMPLETE)
+
+
 @contextmanager
-def _as_typed(accel_g: str | None) -> Iterator[None]:
-    """Name in errors about the range of amplitudes the flag that gave it."""
+def _as_typed(**flags: str) -> Iterator[None]:
+    """Name in errors about an argument the flag that gave it."""
     try:
         yield
     except InputError as error:
-        if error.name != "within":
+        if error.name not in flags:
             raise
-        flag = "--amplitude/-A" if accel_g is None else "--accel-g"
-        raise InputError(flag, error.value, error.valid, error.hint) from error
+        raise InputError(flags[error.name], error.value, error.valid, error.hint) from error
 
 
 def _range(
@@ -236,6 +471,14 @@ def _range(
     unit = body.uplift_acceleration / body.gravity
     low, high = _ends("--accel-g", accel_g, lowest * unit)
     return low / unit, min(high / unit, LARGEST)
+
+
+def _two_ends(flag: str, text: str) -> tuple[float, float]:
+    """Return the ends of ``low:high``."""
+    ends = [number(flag, part) for part in text.split(":")]
+    if len(ends) != 2 or not 0.0 < ends[0] < ends[1]:
+        raise InputError(flag, text, "it must be a range above 0", "write low:high, as 0.1:10")
+    return ends[0], ends[1]
 
 
 def _ends(flag: str, text: str, lowest: float) -> tuple[float, float]:

@@ -68,14 +68,17 @@ def motion_after(table: Floats, time: float) -> Floats:
     return np.ascontiguousarray(rest)
 
 
-def kicked_fates(size: Floats, *, kicked: Kicked) -> Fates:
-    """Return the fates of a block after kicks of some sizes, in units of alpha g/p."""
+def kicked_fates(size: Floats, *, kicked: Kicked, impacts: int = 0) -> Fates:
+    """Return the fates of a block after kicks of some sizes, in units of alpha g/p.
+
+    `impacts` are added to those after the kick.
+    """
     each = [_fate(kicked, value) for value in size.tolist()]
-    falls, decided, impacts, side, during, margin = zip(*each, strict=True)
+    falls, decided, bounces, side, during, margin = zip(*each, strict=True)
     return Fates(
         np.array(falls, dtype=np.bool_),
         np.array(decided, dtype=np.bool_),
-        np.array(impacts, dtype=np.int64),
+        np.array(bounces, dtype=np.int64) + impacts,
         np.array(side, dtype=np.int64),
         np.array(during, dtype=np.int64),
         np.minimum(np.array(margin), 1e200),

@@ -14,7 +14,7 @@ from rocksteady.dynamics.history.lowering import side_attributes
 from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.history.start import Rest, State
 from rocksteady.dynamics.overturning._kicked import Kicked, kicked_fates, motion_after
-from rocksteady.dynamics.overturning.scan import scan
+from rocksteady.dynamics.overturning.scan import MANY, Found, scan
 from rocksteady.dynamics.overturning.search import (
     CLOSEST,
     MOST_WINDOWS,
@@ -56,6 +56,10 @@ NONE = 1e-9
 TRIES = 500
 """Kicks, besides the grid, after which a search ends."""
 MOST_ROWS = 100
+BELOW = 1.0 - 1e-9
+"""Part of the least kick up to which a search is repeated,"""
+CLOSER = 0.2
+"""with steps that are so many times as large."""
 SIGNS = (1, -1)
 
 
@@ -293,7 +297,7 @@ def find_fatal_kick(
     shaking: Motion | Record | BaseMotion = Still() if motion is None else motion
     chosen = chosen_model(model, block, shaking)
     hint = "give the lowest and the highest kick over alpha g/p, as (0.0, 4.0)"
-    given: object = within
+    given = within
     if not is_pair(given):
         raise InputError("within", given, "it must be a pair", hint)
     low = in_range("within", given[0], 0.0, MOST_KICK, "[)", hint=hint)
@@ -324,9 +328,7 @@ def find_fatal_kick(
     closest = 0.0 if isinstance(chosen, Linear) else CLOSEST
     names = [f"{moment}{'+' if cell.direction > 0 else '-'}" for moment, cell in enumerate(cells)]
     data = evaluate(
-        functools.partial(
-            _windows_of, low=low, high=high, closest=0.0 if isinstance(chosen, Linear) else CLOSEST
-        ),
+        functools.partial(_windows_of, low=low, high=high, closest=closest),
         Grid(axes=(Axis(name="kick", values=names, long_name="kick", items=cells),)),
         outputs(),
         run=run,
@@ -352,8 +354,11 @@ def _windows_of(
     """Return the windows of size of some kicks."""
     found = nothing_found(len(kick))
     for cell, state in enumerate(kick):
+        # Under a motion the impacts are many, and make no windows of their own.
+        many = MANY if len(state.table) else 0
+        fates = functools.partial(kicked_fates, kicked=state, impacts=many)
         windows = scan(
-            functools.partial(kicked_fates, kicked=state),
+            fates,
             max(low, NONE),
             high,
             RESOLUTION,
@@ -362,9 +367,32 @@ def _windows_of(
             closest=closest,
             most=TRIES,
         )
+        # Once more and closer below the least: that is what the search is for.
+        below = float(windows.low[0]) * BELOW if many and windows.low.size else 0.0
+        if below > max(low, NONE):
+            less = scan(
+                fates,
+                max(low, NONE),
+                below,
+                CLOSER * RESOLUTION,
+                uplifts=(FIRST * high,),
+                keep=MOST_WINDOWS,
+                closest=closest,
+                most=TRIES,
+            )
+            windows = Found(
+                np.concatenate([less.low, windows.low]),
+                np.concatenate([less.high, windows.high]),
+                np.concatenate([less.impacts, windows.impacts]),
+                np.concatenate([less.side, windows.side]),
+                less.undecided + windows.undecided,
+                less.tried + windows.tried,
+                less.unsettled + windows.unsettled,
+            )
         # A block that falls under next to no kick falls without one.
         begin = np.where(windows.low <= NONE, 0.0, windows.low)
-        keep(found, cell, windows._replace(low=begin), MOST_WINDOWS)
+        windows = windows._replace(low=begin, impacts=windows.impacts - many)
+        keep(found, cell, windows, MOST_WINDOWS)
     return found
 
 

@@ -11,17 +11,20 @@ from rocksteady.dynamics.basins.erosion import Erosion, IntegrityDrop
 from rocksteady.dynamics.continuation.diagram import BifurcationDiagram
 from rocksteady.dynamics.history.trajectory import Trajectory
 from rocksteady.dynamics.orbits.orbit import Orbit
+from rocksteady.dynamics.overturning.kicks import FatalKicks
 from rocksteady.dynamics.overturning.windows import OverturningWindows
 from rocksteady.dynamics.steady.regions import RegionMap
 from rocksteady.dynamics.steady.response import ResponseCurve
 from rocksteady.dynamics.steady.states import SteadyOrbit
 from rocksteady.seismic.measures.response_spectrum import ResponseSpectrum
 from rocksteady.seismic.measures.time_course import IntegratedRecord
+from rocksteady.seismic.spectra.overturning_scales import OverturningScales
 from rocksteady.show.plots.basins import plot_basins, plot_erosion, plot_safe_basin
 from rocksteady.show.plots.bifurcations import plot_bifurcations
 from rocksteady.show.plots.motion import plot_base, plot_phase_portrait, plot_trajectory
 from rocksteady.show.plots.orbits import plot_multipliers, plot_section
 from rocksteady.show.plots.overturning import plot_overturning
+from rocksteady.show.plots.overturning_scales import plot_fatal_kicks, plot_overturning_scales
 from rocksteady.show.plots.records import (
     Quantity,
     plot_husid,
@@ -257,6 +260,20 @@ def overturning_figure(
     """Return a figure of an overturning spectrum."""
     with page.figure(8.0, 4.6, title) as figure:
         plot_overturning(windows, figure.add_subplot(), legend=page.legend)
+    return figure
+
+
+def fatal_figure(
+    found: OverturningScales | FatalKicks, title: str = "", page: Page = SCREEN
+) -> "Figure":
+    """Return a figure of the scales of records, or of the kicks, that overturn a block."""
+    height = 2.0 + 0.3 * len(found.names) if isinstance(found, OverturningScales) else 3.8
+    with page.figure(8.0, height, title) as figure:
+        axes = figure.add_subplot()
+        if isinstance(found, OverturningScales):
+            plot_overturning_scales(found, axes, legend=page.legend)
+        else:
+            plot_fatal_kicks(found, axes, legend=page.legend)
     return figure
 
 
