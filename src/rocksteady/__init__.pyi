@@ -211,6 +211,7 @@ from .seismic.spectra.rocking import compute_rocking_spectrum as compute_rocking
 from .seismic.spectra.suite import summarise_spectra as summarise_spectra
 from .show.assessment.folder import write_assessment as write_assessment
 from .show.assessment.object_report import write_report as write_report
+from .show.calibration.calibration_folder import write_calibration as write_calibration
 from .show.export.components import LossComponent as LossComponent
 from .show.export.components import LossState as LossState
 from .show.export.dataset import export as export
@@ -232,7 +233,14 @@ from .show.plots.motion import plot_base as plot_base
 from .show.plots.motion import plot_phase_portrait as plot_phase_portrait
 from .show.plots.motion import plot_trajectory as plot_trajectory
 from .show.plots.observations.back_analysis import plot_back_analysis as plot_back_analysis
+from .show.plots.observations.ladders import plot_ladders as plot_ladders
+from .show.plots.observations.posteriors import plot_posterior as plot_posterior
+from .show.plots.observations.predictions import plot_predictions as plot_predictions
+from .show.plots.observations.reliability import plot_reliability as plot_reliability
+from .show.plots.observations.residuals import plot_residuals as plot_residuals
 from .show.plots.observations.restitution import plot_restitution as plot_restitution
+from .show.plots.observations.scores import plot_learning as plot_learning
+from .show.plots.observations.scores import plot_temper as plot_temper
 from .show.plots.orbits import plot_multipliers as plot_multipliers
 from .show.plots.orbits import plot_section as plot_section
 from .show.plots.overturning import plot_free_rocking as plot_free_rocking

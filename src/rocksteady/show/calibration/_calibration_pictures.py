@@ -5,7 +5,8 @@ from typing import Any
 
 from rocksteady.results.numbers import number, plural
 from rocksteady.risk.calibration.calibration import Calibration
-from rocksteady.risk.calibration.held_out.validation import Validation
+from rocksteady.risk.calibration.held_out.validate import Validation
+from rocksteady.show.calibration._calibration_tables import ordered
 from rocksteady.show.plots.observations.ladders import MOST, plot_ladders, rungs_of
 from rocksteady.show.plots.observations.posteriors import plot_posterior
 from rocksteady.show.plots.observations.reliability import plot_reliability
@@ -34,7 +35,7 @@ def pictures_of(calibration: Calibration) -> dict[str, Any]:
         "posteriors": _posteriors(calibration),
     }
     validation = calibration.validation
-    if validation is None:
+    if not validation.rows:
         return found
     found["reliability"] = picture(
         partial(_reliability, calibration), 3.7, _words_of_reliability(validation)
@@ -113,7 +114,7 @@ def _posteriors(calibration: Calibration) -> list[Picture]:
             phone=False,
             page=HALF,
         )
-        for row in calibration.parameters
+        for row in ordered(calibration.parameters)
         if row["object"] in names
     ]
 

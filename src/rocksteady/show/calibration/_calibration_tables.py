@@ -1,6 +1,7 @@
 """Rows of the tables of a calibration's page, in words."""
 
 import math
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -26,6 +27,15 @@ SHORT = {
     "ece": "calibration error",
 }
 """Headings of the scores."""
+PARAMETERS = {
+    "alpha_rad": "α [rad]",
+    "p_rad_s": "p [rad/s]",
+    "housner_factor": "restitution over that of Housner",
+    "sigma_ln": "amplitude error σ",
+    "outliers": "outliers ε",
+    "scatter": "scatter of restitution",
+    "base": "base over outline",
+}
 VERDICTS = {
     "identified": ("agrees", "the tests narrow it inside what was known before"),
     "narrowed": ("open", "narrower than before, though outcomes alone identify alpha only"),
@@ -43,7 +53,7 @@ MOST_ROWS = 12
 
 def sentence_of(calibration: Calibration) -> str:
     """Return the answer in one sentence: how many outcomes are called, and by less than physics."""
-    if calibration.validation is None:
+    if not calibration.validation.rows:
         count = plural(len(calibration.tests), "test")
         return f"By {count}, none of which can be held out: nothing tells how well they predict."
     rows = calibration.validation.rows
@@ -94,7 +104,7 @@ def parameter_rows(calibration: Calibration) -> list[Row]:
     return [
         {
             "object": each["object"] if several else "",
-            "name": greek(each["parameter"].replace("alpha_rad", "alpha [rad]")).replace("_", " "),
+            "name": parameter_words(each["parameter"]),
             "prior": span(each["prior_low"], each["prior_high"]),
             "median": number(each["median"]),
             "interval": span(each["low"], each["high"]),
@@ -104,8 +114,29 @@ def parameter_rows(calibration: Calibration) -> list[Row]:
             "meaning": greek(VERDICTS[each["verdict"]][1]),
             "bound": _bound(each),
         }
-        for each in calibration.parameters
+        for each in ordered(calibration.parameters)
     ]
+
+
+def ordered(rows: Sequence[Row]) -> list[Row]:
+    """Return the rows of parameters, of each object alpha first."""
+    names = list(dict.fromkeys(each["object"] for each in rows))
+    return sorted(
+        rows, key=lambda each: (names.index(each["object"]), each["parameter"] != "alpha_rad")
+    )
+
+
+def parameter_words(name: str) -> str:
+    """Return the name of a parameter in words, with its unit.
+
+    Examples
+    --------
+    >>> parameter_words("alpha_rad"), parameter_words("width_m")
+    ('α [rad]', 'width [m]')
+    """
+    if name in PARAMETERS:
+        return PARAMETERS[name]
+    return re.sub(r" m$", " [m]", name.replace("_", " "))
 
 
 def _bound(row: Mapping[str, Any]) -> str:
@@ -118,7 +149,7 @@ def _bound(row: Mapping[str, Any]) -> str:
 
 def unexpected_rows(calibration: Calibration) -> list[Row]:
     """Return the tests whose outcome was least expected, those of less than an even chance."""
-    predictions, tests = calibration.predictions, calibration.tests.tests
+    predictions, tests = calibration.validation.predictions, calibration.tests.tests
     rows = []
     for place, test in enumerate(tests):
         if test.fell is None or not math.isfinite(predictions.p[place]):
@@ -144,8 +175,8 @@ def unexpected_rows(calibration: Calibration) -> list[Row]:
 
 def residual_rows(calibration: Calibration, by: str) -> list[Row]:
     """Return a row for each record or session, the largest misfit first."""
-    rows = [] if calibration.validation is None else calibration.validation.residuals[by]
-    rows = sorted(rows, key=lambda each: (-abs(each["z"]), each["name"]))
+    found = calibration.validation.residuals.get(by, ())
+    rows = sorted(found, key=lambda each: (-abs(each["z"]), each["name"]))
     return [
         {
             "name": each["name"],

@@ -50,8 +50,12 @@ def write_calibration(
     Examples
     --------
     >>> from tempfile import TemporaryDirectory
-    >>> from rocksteady import Sampling, calibrate, make_synthetic_tests, write_calibration
-    >>> found = calibrate(make_synthetic_tests(), sampling=Sampling(draws=64, rounds=1))
+    >>> from rocksteady import Block, Linear, Sampling, calibrate, write_calibration
+    >>> from rocksteady import make_synthetic_suite, make_synthetic_tests
+    >>> column = Block.rectangle(width=0.15, height=0.6)
+    >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
+    >>> few = Sampling(draws=60, gains=2, rounds=1)
+    >>> found = calibrate(tests, sampling=few, model=Linear())
     >>> with TemporaryDirectory() as folder:
     ...     [file.name for file in write_calibration(found, folder)]
     ['fit.json', 'parameters.csv', 'posterior.csv', 'predictions.csv', 'report.html']
@@ -61,7 +65,7 @@ def write_calibration(
         header, rows = posterior_rows(calibration)
         save_csv("out", stage / "posterior.csv", header, rows)
         for name, table in (
-            ("predictions", calibration.predictions.describe().tables[0]),
+            ("predictions", calibration.validation.predictions.describe().tables[0]),
             ("parameters", calibration.describe().tables[0]),
         ):
             save_csv("out", stage / f"{name}.csv", table.header, table.records())

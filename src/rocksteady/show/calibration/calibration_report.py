@@ -53,7 +53,7 @@ def calibration_html(calibration: Calibration, manifest: Mapping[str, Any]) -> s
         ),
         "residuals": {by: rows[:LONGEST_TABLE] for by, rows in residuals.items()},
         "running": plain_name(heading),
-        "scores": [] if validation is None else score_rows(validation.rows),
+        "scores": score_rows(validation.rows),
         "sentence": sentence_of(calibration),
         "several": len(names) > 1,
         "unexpected": unexpected[:MOST_ROWS],

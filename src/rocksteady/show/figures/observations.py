@@ -44,7 +44,7 @@ def calibration_figure(calibration: Calibration, title: str = "", page: Page = S
             first = figure.add_subplot(grid[:, 0])
             second, third = figure.add_subplot(grid[0, 1]), figure.add_subplot(grid[1, 1])
         plot_posterior(calibration, second, legend=page.legend)
-        if calibration.validation is None:
+        if not calibration.validation.rows:
             third.remove()
         else:
             plot_reliability(calibration, third, legend=page.legend)

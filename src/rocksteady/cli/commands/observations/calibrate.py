@@ -53,6 +53,9 @@ EXAMPLES = (
 )
 EXAMPLE_DRAWS = 300
 """Draws of --example, which takes some ten seconds."""
+EXAMPLE_MOTIONS = 10
+EXAMPLE_SIZE = (0.15, 0.6)
+"""Width and height of the block of --example [m]."""
 
 PriorFile = Annotated[
     Path | None,
@@ -176,9 +179,13 @@ def _example_draws(context: typer.Context, sampled: SamplingFlags) -> SamplingFl
 def _tests(table: TableFlags, *, example: bool) -> "Observations":
     """Return the tests of the table, or synthetic ones; remarks are printed beside the result."""
     if example:
+        from rocksteady.model.blocks.block import Block
+        from rocksteady.risk.assess.synthetic import make_synthetic_suite
         from rocksteady.risk.observations.synthetic_tests import make_synthetic_tests
 
-        return make_synthetic_tests()
+        width, height = EXAMPLE_SIZE
+        column = Block.rectangle(width=width, height=height)
+        return make_synthetic_tests(column, make_synthetic_suite(EXAMPLE_MOTIONS))
     return table.observations()
 
 
@@ -203,7 +210,7 @@ def _write(
         for file in write_calibration(found, out, command=command, force=output.force):
             announce_file(file)
     if output.csv is not None:
-        rows = found.predictions.describe().tables[0]
+        rows = found.validation.predictions.describe().tables[0]
         write_csv(output.csv, rows.header, rows.records())
     if output.plot is not None:
         from rocksteady.show.figures.observations import calibration_figure

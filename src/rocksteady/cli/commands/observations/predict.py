@@ -1,7 +1,6 @@
 """`rocksteady predict`: the probability of falling in tests or records, from a calibration."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -23,7 +22,7 @@ from rocksteady.errors import InputError
 from rocksteady.results.rendering import print_description
 
 if TYPE_CHECKING:
-    from rocksteady.risk.calibration.stored import StoredCalibration
+    from rocksteady.risk.calibration.stored import StoredPosterior
     from rocksteady.risk.observations.shaking_test import ShakingTest
 
 HELP = (
@@ -112,7 +111,7 @@ def predict(
     if output.as_json:
         print_json("predict", description.to_dict())
         return
-    print_description(replace(description), terminal.console())
+    print_description(description, terminal.console())
 
 
 def _refuse_idle(
@@ -151,7 +150,7 @@ def _refuse_idle(
             raise FlagError(flag, value, reason, hint)
 
 
-def _object(stored: "StoredCalibration", name: str | None) -> str:
+def _object(stored: "StoredPosterior", name: str | None) -> str:
     """Return the object that is shaken.
 
     Raises

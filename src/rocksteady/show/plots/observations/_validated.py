@@ -2,7 +2,7 @@
 
 from rocksteady.errors import InputError, Words
 from rocksteady.risk.calibration.calibration import Calibration
-from rocksteady.risk.calibration.held_out.validation import Validation
+from rocksteady.risk.calibration.held_out.validate import Validation
 
 
 def checked_validation(calibration: Calibration) -> Validation:
@@ -13,7 +13,7 @@ def checked_validation(calibration: Calibration) -> Validation:
     InputError
         If it has none.
     """
-    if calibration.validation is None:
+    if not calibration.validation.rows:
         raise InputError(
             "calibration",
             Words("has no held-out scores"),

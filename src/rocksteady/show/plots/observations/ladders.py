@@ -97,8 +97,12 @@ def plot_ladders(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import Sampling, calibrate, make_synthetic_tests
-    >>> found = calibrate(make_synthetic_tests(), sampling=Sampling(draws=64, rounds=1))
+    >>> from rocksteady import Block, Linear, Sampling, calibrate
+    >>> from rocksteady import make_synthetic_suite, make_synthetic_tests
+    >>> column = Block.rectangle(width=0.15, height=0.6)
+    >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
+    >>> few = Sampling(draws=60, gains=2, rounds=1)
+    >>> found = calibrate(tests, sampling=few, model=Linear())
     >>> axes = plot_ladders(found, Figure().add_subplot())
     >>> axes.get_xscale()
     'log'
@@ -128,7 +132,7 @@ def plot_ladders(
 
 def rungs_of(calibration: Calibration) -> tuple[list[Rung], str]:
     """Return the rows of all records, those that fell an object least first, and the abscissa."""
-    tests, predictions = calibration.tests.tests, calibration.predictions
+    tests, predictions = calibration.tests.tests, calibration.validation.predictions
     p = np.asarray(predictions.p, dtype=np.float64)
     rows: dict[tuple[str, str], list[int]] = {}
     for place, test in enumerate(tests):
@@ -185,7 +189,8 @@ def _shade(p: float, inks: Inks) -> str:
 
     full, paper = to_rgb(inks.sweeps[1]), to_rgb(inks.paper)
     part = 0.9 * p
-    return to_hex([part * f + (1.0 - part) * w for f, w in zip(full, paper, strict=True)])
+    red, green, blue = (part * f + (1.0 - part) * w for f, w in zip(full, paper, strict=True))
+    return to_hex((red, green, blue))
 
 
 def _draw_marks(axes: "Axes", rungs: Sequence[Rung], inks: Inks, size: float) -> list[Any]:

@@ -61,8 +61,12 @@ def plot_residuals(
     Examples
     --------
     >>> from matplotlib.figure import Figure
-    >>> from rocksteady import Sampling, calibrate, make_synthetic_tests
-    >>> found = calibrate(make_synthetic_tests(), sampling=Sampling(draws=64, rounds=1))
+    >>> from rocksteady import Block, Linear, Sampling, calibrate
+    >>> from rocksteady import make_synthetic_suite, make_synthetic_tests
+    >>> column = Block.rectangle(width=0.15, height=0.6)
+    >>> tests = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
+    >>> few = Sampling(draws=60, gains=2, rounds=1)
+    >>> found = calibrate(tests, sampling=few, model=Linear())
     >>> axes = plot_residuals(found, Figure().add_subplot())
     >>> axes.get_xlabel()
     'falls less those predicted'
