@@ -7,7 +7,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.risk.fits._likelihood import Family, family_of, log_likelihood_of, maximise
-from rocksteady.risk.fits._observations import Counts
 from rocksteady.risk.fits._status import (
     FITTED,
     NEVER,
@@ -15,6 +14,7 @@ from rocksteady.risk.fits._status import (
     SEPARATED,
     kinds_of,
 )
+from rocksteady.risk.fits._trial_counts import Counts
 
 Floats = NDArray[np.float64]
 LARGEST_LOG = 690.0

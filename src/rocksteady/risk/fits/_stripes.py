@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from rocksteady.results.description import Column, Table
 from rocksteady.results.numbers import number
-from rocksteady.risk.fits._observations import Counts
+from rocksteady.risk.fits._trial_counts import Counts
 from rocksteady.risk.fits._values import plain
 
 Floats = NDArray[np.float64]

@@ -16,9 +16,9 @@ from rocksteady.risk.fits._banding import FEW_RECORDS, Spread, spread_of
 from rocksteady.risk.fits._goodness import goodness_of
 from rocksteady.risk.fits._likelihood import family_of
 from rocksteady.risk.fits._maximum import Maximum, maximum_of
-from rocksteady.risk.fits._observations import counts_of, values_of
 from rocksteady.risk.fits._status import ALWAYS, FITTED, NEVER, NOT_RISING, SEPARATED
 from rocksteady.risk.fits._stripes import Row, compare_stripes, stripe_table
+from rocksteady.risk.fits._trial_counts import counts_of, values_of
 from rocksteady.risk.fits._values import (
     intensities,
     listed,

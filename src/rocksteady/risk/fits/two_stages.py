@@ -15,9 +15,9 @@ from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
 from rocksteady.risk.fits._banding import Spread, spread_of
 from rocksteady.risk.fits._maximum import Maximum, maximum_of
-from rocksteady.risk.fits._observations import SAME_LEVEL, counts_of, same_length, values_of
 from rocksteady.risk.fits._status import ALWAYS, FITTED, SEPARATED
 from rocksteady.risk.fits._stripes import Row, compare_stripes, stripe_table
+from rocksteady.risk.fits._trial_counts import SAME_LEVEL, counts_of, same_length, values_of
 from rocksteady.risk.fits._values import (
     intensities,
     listed,

@@ -13,8 +13,8 @@ from rocksteady.results.description import Description, Fact
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
 from rocksteady.risk.fits._likelihood import family_of, log_likelihood_of, maximise
-from rocksteady.risk.fits._observations import counts_of, values_of
 from rocksteady.risk.fits._status import ALWAYS, FITTED, NEVER, SEPARATED
+from rocksteady.risk.fits._trial_counts import counts_of, values_of
 from rocksteady.risk.fits._values import intensities, plain
 
 Floats = NDArray[np.float64]

@@ -14,7 +14,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import plural
 from rocksteady.results.result import Result
-from rocksteady.risk.observations._remarks import remarks_on
+from rocksteady.risk.observations._doubts import doubts_on
 from rocksteady.risk.observations.object_prior import DEFAULTS, ObjectPrior
 from rocksteady.risk.observations.shaking_test import ShakingTest
 
@@ -113,7 +113,7 @@ class Observations(Result):
     @cached_property
     def warnings(self) -> tuple[str, ...]:
         """Sentences on what is unusual in the tests and in how they were read."""
-        return tuple(dict.fromkeys((*self.remarks, *remarks_on(self.tests, self.objects))))
+        return tuple(dict.fromkeys((*self.remarks, *doubts_on(self.tests, self.objects))))
 
     def subset(self, indices: ArrayLike) -> "Observations":
         """Return some of the tests, with their objects.

@@ -17,7 +17,7 @@ COARSE = 0.1
 """Interval times p, above which the form of a pulse is lost between samples."""
 
 
-def remarks_on(tests: Sequence[ShakingTest], objects: Mapping[str, ObjectPrior]) -> tuple[str, ...]:
+def doubts_on(tests: Sequence[ShakingTest], objects: Mapping[str, ObjectPrior]) -> tuple[str, ...]:
     """Return sentences on what is unusual."""
     return (*_gains(tests), *_moving(tests), *_coarse(tests, objects))
 
