@@ -180,7 +180,7 @@ def _tests(table: TableFlags, *, example: bool) -> "Observations":
     """Return the tests of the table, or synthetic ones; remarks are printed beside the result."""
     if example:
         from rocksteady.model.blocks.block import Block
-        from rocksteady.risk.assess.synthetic import make_synthetic_suite
+        from rocksteady.model.motions.synthetic_suite import make_synthetic_suite
         from rocksteady.risk.observations.synthetic_tests import make_synthetic_tests
 
         width, height = EXAMPLE_SIZE
