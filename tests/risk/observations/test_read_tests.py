@@ -125,6 +125,13 @@ def test_records_and_objects_may_lie_elsewhere(folder: Path, tmp_path: Path) -> 
     assert sorted(shaken.sources) == ["shock.csv", "tests.csv", "things.csv"]
 
 
+def test_a_folder_of_records_beside_the_table_is_found(folder: Path) -> None:
+    (folder / "records").mkdir()
+    (folder / "shock.csv").rename(folder / "records" / "shock.csv")
+    (test,) = read(folder, f"{HEAD}\n1,shock,column,fell\n").tests
+    assert test.record.name == "shock"
+
+
 def test_units_and_interval_of_files_that_do_not_state_them(folder: Path) -> None:
     (folder / "bare.txt").write_text("0\n0.2\n-0.2\n0\n", "utf-8")
     text = f"{HEAD}\n1,bare,column,fell\n"

@@ -45,7 +45,7 @@ RecordsFolder = Annotated[
     typer.Option(
         "--records",
         metavar="DIR",
-        help="Find the records of the table in this folder; default that of --tests.",
+        help="Folder of the records; default records/ beside --tests, or its own folder.",
         rich_help_panel=TESTS,
     ),
 ]

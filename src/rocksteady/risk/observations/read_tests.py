@@ -69,7 +69,7 @@ def read_tests(
         ``sigma_rad``, ``reversed`` (yes or no), ``channel`` of the record's file, ``vertical`` (a
         file) and ``vertical_channel``, as for `ShakingTest`.
     records
-        Folder of the records; default the folder of the table.
+        Folder of the records; default ``records`` beside the table, or else the table's own folder.
     objects
         Table of objects, whose columns are the keys of `ObjectPrior`; a cell holds a number,
         ``low:high`` or ``mean+-sd``.  Default ``objects.csv`` beside the table of tests.
@@ -106,7 +106,10 @@ def read_tests(
     hint = "name a table of tests in CSV, with test, record, object and outcome"
     table = read_csv_table(file, _TABLE, name="tests", hint=hint)
     known = read_object_table(Path(objects) if objects is not None else file.parent / "objects.csv")
-    folder = Path(records) if records is not None else file.parent
+    beside = file.parent / "records"
+    folder = beside if beside.is_dir() else file.parent
+    if records is not None:
+        folder = Path(records)
     if not folder.is_dir():
         raise InputError("records", folder, "it must be a folder", "name the folder of the records")
     files = RecordFiles(folder, units, dt_s)
