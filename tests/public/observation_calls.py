@@ -10,6 +10,8 @@ from tests.public.things import fields
 def observation_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
     """Return the arguments of each call by its function, from things of `tests.public.things`."""
     one, spread = t["object prior"], t["spread"]
+    calibration = t["calibration"]
+    few = rs.Sampling(draws=30, gains=1, rounds=1)
     row = [0.11, 0.8, 1.0, 0.05]
     Path("tests.csv").write_text("test,record,object,outcome\n1,made,vase,fell\n", encoding="utf-8")
     Path("prior.toml").write_text("[noise]\noutliers = 0.02\n", encoding="utf-8")
@@ -50,4 +52,18 @@ def observation_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
             "gains": [0.8, 1.2],
         },
         rs.make_synthetic_tests: {"truth": t["block"], "motions": [t["record"]], "gains": [0.5]},
+        rs.Sampling: fields(few),
+        rs.calibrate: {"tests": t["observations"], "sampling": few, "model": rs.Linear()},
+        calibration.predict: {"tests": t["observations"]},
+        calibration.validate: {"folds": "test"},
+        calibration.describe: {},
+        t["validation"].describe: {},
+        t["predictions"].describe: {},
+        t["posterior"].describe: {},
+        t["posterior"].of: {"name": "alpha_rad"},
+        t["posterior"].interval: {"name": "alpha_rad"},
+        t["posterior"].median_values: {},
+        t["scores"].describe: {},
+        t["scores"].values: {},
+        rs.score_predictions: {"probabilities": [0.3, 0.8], "fell": [0, 1]},
     }

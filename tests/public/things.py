@@ -82,6 +82,10 @@ def things() -> dict[str, Any]:
     )
     demand = rs.Demand(pga_g=0.5, pgv_m_s=0.6)
     screens = rs.screen_block(block, demand)
+    observations = rs.Observations(tests=tests, objects={"vase": vase})
+    calibration = rs.calibrate(
+        observations, sampling=rs.Sampling(draws=30, gains=1, rounds=1), groups="test"
+    )
     return {
         "stripes": stripes,
         "fitting": fitting,
@@ -160,7 +164,12 @@ def things() -> dict[str, Any]:
         "object prior": vase,
         "prior": rs.Prior(),
         "shaking test": tests[0],
-        "observations": rs.Observations(tests=tests, objects={"vase": vase}),
+        "observations": observations,
+        "calibration": calibration,
+        "validation": calibration.validation,
+        "predictions": calibration.validation.predictions,
+        "posterior": calibration.posteriors["vase"],
+        "scores": calibration.validation.rows["calibrated"],
         "installation": rs.check_installation(),
     }
 

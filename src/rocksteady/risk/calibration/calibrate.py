@@ -99,28 +99,12 @@ def calibrate(
 
     Examples
     --------
-    >>> import numpy as np
-    >>> from rocksteady import Linear, ObjectPrior, Observations, Record, Sampling, ShakingTest
-    >>> from rocksteady import calibrate
-    >>> column = ObjectPrior(name="column", width_m=0.15, height_m=0.6, base="0.7:1.0")
-    >>> t = 0.02 * np.arange(50)
-    >>> records = [
-    ...     Record(acceleration_m_s2=np.sin(f * t), dt_s=0.02, name=f"{f}") for f in (6, 8, 10)
-    ... ]
-    >>> tests = [
-    ...     ShakingTest(
-    ...         name=f"{record.name}, {gain}",
-    ...         record=record,
-    ...         object="column",
-    ...         fell=gain * 6.0 > 2.0 * float(record.name),
-    ...         gain=gain,
-    ...     )
-    ...     for record in records
-    ...     for gain in (2.0, 3.0, 4.0)
-    ... ]
-    >>> shaken = Observations(tests=tests, objects={"column": column})
-    >>> found = calibrate(shaken, sampling=Sampling(draws=60, rounds=2), model=Linear())
-    >>> [row["verdict"] for row in found.parameters if row["parameter"] == "p_rad_s"]
+    >>> from rocksteady import Block, Linear, Sampling, calibrate, make_synthetic_suite
+    >>> from rocksteady import make_synthetic_tests
+    >>> column = Block.rectangle(width=0.3, height=1.2)
+    >>> tests = make_synthetic_tests(column, make_synthetic_suite(3))
+    >>> found = calibrate(tests, sampling=Sampling(draws=60, gains=2), model=Linear())
+    >>> [row["verdict"] for row in found.parameters if row["parameter"] == "scatter"]
     ['prior returned']
     """
     options = Sampling() if sampling is None else sampling

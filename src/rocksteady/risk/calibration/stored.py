@@ -115,6 +115,20 @@ def read_posterior(folder: Path | str) -> StoredPosterior:
     ------
     InputError
         If a file is missing or not as it was written.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> from rocksteady import Block, Linear, Sampling, calibrate, make_synthetic_suite
+    >>> from rocksteady import make_synthetic_tests, read_posterior, write_calibration
+    >>> column = Block.rectangle(width=0.3, height=1.2)
+    >>> tests = make_synthetic_tests(column, make_synthetic_suite(2))
+    >>> found = calibrate(tests, sampling=Sampling(draws=30, rounds=1, gains=1), model=Linear())
+    >>> with TemporaryDirectory() as folder:
+    ...     files = write_calibration(found, folder)
+    ...     stored = read_posterior(folder)
+    >>> bool((stored.predict(tests).p == found.predict(tests).p).all())
+    True
     """
     path = Path(folder)
     texts = {
