@@ -147,6 +147,8 @@ def things() -> dict[str, Any]:
         "windows": rs.find_overturning_windows(
             bare, "half-sine", [3.0, 3.5], within=(3.0, 4.0), resolution=0.1
         ),
+        "scales": rs.find_overturning_scales(block, record, within=(1.0, 1.2), resolution=0.1),
+        "kicks": rs.find_fatal_kick(block, times_pt=[0.0, 1.0]),
         "attractor": rs.find_attractor(bare, shaking, max_cycles=50),
         "state": rs.ImpactState(side=1, phase=0.5, speed=0.3),
         "map_of_return": rs.ReturnMap(bare, shaking),

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.history.lowering import segment_table
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.dynamics.overturning.scan import scan
-from rocksteady.dynamics.overturning.search import (
+from rocksteady.dynamics.overturning.window_cells import (
     CLOSEST,
     MOST_WINDOWS,
     follow,

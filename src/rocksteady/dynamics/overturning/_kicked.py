@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.history.base_motion import segment_starts
 from rocksteady.dynamics.history.lowering import ceilings, samples_alike
 from rocksteady.dynamics.overturning.scan import Fates
-from rocksteady.dynamics.overturning.search import FLIGHT_LIMIT, REST_VELOCITY
+from rocksteady.dynamics.overturning.window_cells import FLIGHT_LIMIT, REST_VELOCITY
 from rocksteady.kernels.batch._still_base import fate_on_still_base
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import segment_start

@@ -15,7 +15,7 @@ from rocksteady.dynamics.history.simulate import simulate
 from rocksteady.dynamics.history.start import Rest, State
 from rocksteady.dynamics.overturning._kicked import Kicked, kicked_fates, motion_after
 from rocksteady.dynamics.overturning.scan import MANY, Found, scan
-from rocksteady.dynamics.overturning.search import (
+from rocksteady.dynamics.overturning.window_cells import (
     CLOSEST,
     MOST_WINDOWS,
     keep,

@@ -12,8 +12,8 @@ from rocksteady.dynamics.history.lowering import side_attributes
 from rocksteady.dynamics.history.nonlinear_tables import sides_of
 from rocksteady.dynamics.orbits.return_map import bare_block
 from rocksteady.dynamics.overturning._cases import BATCH, load_kernel, windows_at
-from rocksteady.dynamics.overturning.search import kept_windows, outputs, uplifts_of
 from rocksteady.dynamics.overturning.thresholds import THRESHOLDS
+from rocksteady.dynamics.overturning.window_cells import kept_windows, outputs, uplifts_of
 from rocksteady.dynamics.overturning.window_lists import WindowLists
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block

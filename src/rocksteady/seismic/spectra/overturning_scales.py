@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from rocksteady.dynamics.history.lowering import segment_table, side_attributes
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
 from rocksteady.dynamics.overturning.scan import MANY, MOST, scan
-from rocksteady.dynamics.overturning.search import (
+from rocksteady.dynamics.overturning.window_cells import (
     CLOSEST,
     follow,
     keep,

@@ -1,0 +1,172 @@
+"""Least fatal kicks: closed forms on a still base, time histories, symmetry, bad input."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from rocksteady import (
+    Block,
+    DimensionlessBlock,
+    Harmonic,
+    InputError,
+    Linear,
+    Nonlinear,
+    Piecewise,
+    Pulse,
+    Run,
+    Segment,
+    State,
+    Status,
+    find_fatal_kick,
+    join_motions,
+    overturning_impulse,
+    simulate,
+)
+from rocksteady.model.equations import Model
+from rocksteady.model.motions.base_motion import BaseMotion
+from tests.seismic.grounds import ground
+
+BLOCK = Block.rectangle(width=0.4, height=1.6, restitution=0.85)
+LEANING = Block.asymmetric(left=0.25, right=0.35, height=1.6, restitution=(0.9, 0.8))
+BARE = DimensionlessBlock(restitution=0.9)
+
+
+@pytest.mark.parametrize("model", [Linear(), Nonlinear()], ids=lambda model: model.name)
+def test_from_rest_it_is_the_overturning_impulse(model: Model) -> None:
+    kicks = find_fatal_kick(BLOCK, model=model)
+    expected = overturning_impulse(BLOCK, model=model)
+    assert kicks.signed[0] * kicks.unit_m_s == pytest.approx([expected, -expected], rel=1e-11)
+    assert kicks.least_m_s[0] == pytest.approx(expected, rel=1e-11)
+
+
+@pytest.mark.parametrize(("u", "v"), [(0.5, 0.0), (0.2, 0.3), (0.9, -0.3), (0.05, -0.8)])
+def test_the_linear_closed_forms_on_a_still_base(u: float, v: float) -> None:
+    kicks = find_fatal_kick(BARE, start=State(angle=u, velocity=v))
+    # On its side the block passes the top with v + k > 1 - u; thrown back it lands with the speed
+    # of (v - k)^2 + u (2 - u), and leaves with 0.9 of it, which is to be above 1.
+    onwards = 1.0 - u - v
+    back = v + math.sqrt(1.0 / 0.9**2 - u * (2.0 - u))
+    assert kicks.signed[0] == pytest.approx([onwards, -back], rel=1e-11)
+    mirrored = find_fatal_kick(BARE, start=State(angle=-u, velocity=-v))
+    assert mirrored.signed[0] == pytest.approx([back, -onwards], rel=1e-11)
+
+
+@pytest.mark.parametrize("u", [0.1, 0.5, 0.9])
+def test_the_nonlinear_one_is_the_barrier_of_energy(u: float) -> None:
+    alpha = BLOCK.alpha
+    kicks = find_fatal_kick(BLOCK, start=State(angle=u, velocity=0.0))
+    # A jump dV of the base turns the block by dV p^2 cos(alpha (1 - u))/(alpha g).
+    speed = 2.0 * math.sin(0.5 * alpha * (1.0 - u)) / alpha
+    share = math.cos(alpha * (1.0 - u))
+    assert kicks.signed[0, 0] == pytest.approx(speed / share, rel=1e-11)
+
+
+def test_a_block_beyond_its_balance_falls_without_a_kick() -> None:
+    kicks = find_fatal_kick(BARE, start=State(angle=1.2, velocity=0.0))
+    assert kicks.first.tolist() == [0.0, 0.0]
+    assert kicks.at(0)[0].side == 1
+    # A kick back that is hard enough saves it, until it falls on the other side.
+    assert len(kicks.intervals(1)) == 2
+
+
+@pytest.mark.parametrize("block", [BLOCK, LEANING], ids=["symmetric", "two sides"])
+@pytest.mark.parametrize("model", [Linear(), Nonlinear()], ids=lambda model: model.name)
+def test_a_kick_during_a_motion_is_an_impulse_of_it(block: Block, model: Model) -> None:
+    pulse = Pulse(shape="one-sine", amplitude=1.6, frequency_ratio=4.0)
+    when = 0.9
+    kicks = find_fatal_kick(block, motion=pulse, times_pt=when, model=model)
+    turned = pulse.segments()[0]
+    assert turned.duration > when
+    for place, sign in enumerate((1.0, -1.0)):
+        least = kicks.first[place]
+        for factor, falls in ((1.0 - 1e-8, False), (1.0 + 1e-8, True)):
+            before = replace(turned, duration=when)
+            after = replace(
+                turned,
+                duration=turned.duration - when,
+                phase=turned.phase + turned.frequency * when,
+                jump=sign * least * factor,
+            )
+            run = simulate(block, Piecewise(pieces=(before, after)), model=model)
+            assert (run.status is Status.OVERTURNED) is falls
+
+
+def test_kicks_during_a_record_agree_with_time_histories() -> None:
+    record = ground(1).scaled(0.7)
+    times = np.array([0.3, 1.0]) * BLOCK.p
+    kicks = find_fatal_kick(BLOCK, motion=record, times_pt=times, model=Linear())
+    samples = record.acceleration_m_s2 / BLOCK.uplift_acceleration
+    step = record.dt_s * BLOCK.p
+    course = simulate(BLOCK, record, model=Linear())
+    checked = 0
+    for moment, time in enumerate(times.tolist()):
+        first = round(time / step)
+        if abs(first * step - time) > 1e-9:
+            continue
+        at = course(time)
+        rest = tuple(
+            Segment(duration=step, constant=float(a), slope=float(b - a) / step)
+            for a, b in zip(samples[first:-1], samples[first + 1 :], strict=True)
+        )
+        for size in np.linspace(0.05, 3.9, 40).tolist():
+            for place, sign in enumerate((1.0, -1.0)):
+                begun = State(angle=float(at.angle), velocity=float(at.velocity) + sign * size)
+                run = simulate(BLOCK, Piecewise(pieces=rest), start=begun, model=Linear())
+                inside = any(
+                    low <= size <= high for low, high in kicks.intervals(2 * moment + place)
+                )
+                assert (run.status is Status.OVERTURNED) is inside
+                checked += 1
+    assert checked >= 80
+
+
+def test_after_the_motion_a_block_at_rest_needs_the_impulse() -> None:
+    record = ground(1).scaled(0.3)
+    kicks = find_fatal_kick(BLOCK, motion=record, times_pt=100.0)
+    assert kicks.least_m_s[0] == pytest.approx(overturning_impulse(BLOCK), rel=1e-11)
+
+
+def test_the_vertical_component_counts_and_workers_do_not() -> None:
+    record = ground(2).scaled(0.5)
+    lifted = BaseMotion(record, record.scaled(0.4))
+    plain, one, two = (
+        find_fatal_kick(BLOCK, motion=motion, times_pt=[0.5, 1.0], run=run)
+        for motion, run in (
+            (record, None),
+            (lifted, Run(executor="serial")),
+            (lifted, Run(workers=2)),
+        )
+    )
+    assert not np.array_equal(plain.first, one.first)
+    np.testing.assert_array_equal(one.first, two.first)
+
+
+def test_a_motion_and_its_delay_have_the_same_kicks() -> None:
+    pulse = Pulse(shape="half-sine", amplitude=1.4, frequency_ratio=3.0)
+    delayed = join_motions([Piecewise(pieces=(Segment(duration=0.5),)), pulse])
+    here, later = (
+        find_fatal_kick(BARE, motion=motion, times_pt=time)
+        for motion, time in ((pulse, 0.3), (delayed, 0.8))
+    )
+    np.testing.assert_allclose(here.first, later.first, rtol=1e-9)
+
+
+def test_what_is_refused() -> None:
+    with pytest.raises(InputError, match="end"):
+        find_fatal_kick(BARE, motion=Harmonic(amplitude=1.0, frequency_ratio=2.0))
+    with pytest.raises(InputError, match="times_pt"):
+        find_fatal_kick(BARE, times_pt=-1.0)
+    with pytest.raises(InputError, match="within"):
+        find_fatal_kick(BARE, within=(2.0, 1.0))
+    with pytest.raises(InputError, match="start"):
+        find_fatal_kick(BARE, start=State(angle=0.1, velocity=0.0, phase=1.0))
+
+
+def test_it_is_described_in_m_s() -> None:
+    kicks = find_fatal_kick(BLOCK, times_pt=[0.0, 1.0])
+    rows = kicks.to_dataframe()
+    assert rows["first_m_s"].tolist() == pytest.approx([overturning_impulse(BLOCK)] * 4)
+    data = kicks.to_dataset()
+    assert data["least"].values == pytest.approx(kicks.least)
