@@ -4,6 +4,7 @@ from functools import partial
 from typing import Any
 
 from rocksteady.results.numbers import number, plural
+from rocksteady.results.rendering import printable
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.risk.calibration.held_out.validate import Validation
 from rocksteady.show.calibration._calibration_tables import ordered
@@ -108,7 +109,7 @@ def _posteriors(calibration: Calibration) -> list[Picture]:
         picture(
             partial(_posterior, calibration, row["parameter"], row["object"], several),
             3.0,
-            f"{row['parameter']} of {row['object']}: median {number(row['median'])}, 90 % from "
+            f"{row['parameter']} of {printable(row['object'])}: median {number(row['median'])}, 90 % from "
             f"{number(row['low'])} to {number(row['high'])}; before, from "
             f"{number(row['prior_low'])} to {number(row['prior_high'])}.",
             phone=False,

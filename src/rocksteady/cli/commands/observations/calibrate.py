@@ -51,9 +51,9 @@ EXAMPLES = (
     "rocksteady calibrate --tests tests.csv --temper 1 --csv predictions.csv --plot fit.png\n\n"
     "rocksteady calibrate --example --out fit"
 )
-EXAMPLE_DRAWS = 300
+EXAMPLE_DRAWS = 240
 """Draws of --example, which takes some ten seconds."""
-EXAMPLE_MOTIONS = 10
+EXAMPLE_MOTIONS = 8
 EXAMPLE_SIZE = (0.15, 0.6)
 """Width and height of the block of --example [m]."""
 

@@ -1,0 +1,72 @@
+"""Calibrations by synthetic tests, small and quick to compute."""
+
+from dataclasses import replace
+from functools import cache
+
+from rocksteady import (
+    Block,
+    Calibration,
+    Linear,
+    Observations,
+    Sampling,
+    calibrate,
+    make_synthetic_suite,
+    make_synthetic_tests,
+)
+
+HOSTILE = '<script>alert(1)</script> $x$ & "co"\u202e'
+
+
+@cache
+def observations() -> Observations:
+    """Tests of one block on six records at four gains, in two sessions."""
+    made = make_synthetic_tests(
+        Block.rectangle(width=0.15, height=0.6), make_synthetic_suite(6), model=Linear()
+    )
+    tests = [replace(test, session=f"day {1 + place % 2}") for place, test in enumerate(made.tests)]
+    return replace(made, tests=tests, sources={"tests.csv": "ab" * 32})
+
+
+def few(tests: Observations) -> Calibration:
+    """Calibrate with few draws of the linear model."""
+    sampling = Sampling(draws=120, gains=2, rounds=2)
+    return calibrate(tests, sampling=sampling, groups="record", model=Linear())
+
+
+@cache
+def calibrated() -> Calibration:
+    """Return a calibration with all that a page shows."""
+    return few(observations())
+
+
+@cache
+def hostile() -> Calibration:
+    """Return one whose names are markup, mathematics and marks of direction."""
+    made = observations()
+    known = next(iter(made.objects.values()))
+    tests = [
+        replace(
+            test,
+            name=f"{HOSTILE} {place}",
+            object=HOSTILE,
+            record=replace(test.record, name=f"{HOSTILE} {test.record.name}"),
+            group=f"{HOSTILE} {test.group}",
+            session=f"{HOSTILE} {test.session}",
+        )
+        for place, test in enumerate(made.tests)
+    ]
+    return few(
+        Observations(
+            tests=tests,
+            objects={HOSTILE: replace(known, name=HOSTILE)},
+            sources={f"{HOSTILE}.csv": "cd" * 32},
+        )
+    )
+
+
+@cache
+def unscored() -> Calibration:
+    """Return one of a single record: nothing can be held out."""
+    made = observations()
+    first = made.tests[0].record
+    return few(made.subset([place for place, t in enumerate(made.tests) if t.record is first]))

@@ -1,0 +1,118 @@
+"""The page of a calibration: every section, the numbers of the result, and no name as markup."""
+
+import json
+import re
+from functools import cache
+from typing import Any
+
+import pytest
+
+from rocksteady import Calibration
+from rocksteady.results.numbers import number
+from rocksteady.show.calibration.calibration_report import calibration_html
+from rocksteady.show.export.manifest import make_manifest
+from tests.show.assessment.pages import Page, check_alone
+from tests.show.calibrated import HOSTILE, calibrated, hostile, unscored
+
+SECTIONS = [
+    "What to mind",
+    "What the tests say of the block",
+    "Tests by record",
+    "Outcomes that were not expected",
+    "Residuals",
+    "Temper",
+    "Learning",
+    "Method",
+    "What is guaranteed",
+    "What is not promised",
+    "Inputs",
+]
+
+
+@cache
+def page(kind: str) -> str:
+    made: dict[str, Calibration] = {
+        "usual": calibrated(), "hostile": hostile(), "unscored": unscored()
+    }  # fmt: skip
+    return calibration_html(made[kind], make_manifest(command="rocksteady calibrate --tests x"))
+
+
+def test_every_section_and_picture_is_there() -> None:
+    read = Page(page("usual"))
+    headings = [re.sub(r"^\d+", "", text) for level, text in read.headings if level == 2]
+    assert headings[1:] == SECTIONS, "the first is that of the contents"
+    check_alone(read)
+    words = " ".join(each["alt"] for each in read.of("img"))
+    parameters = len(calibrated().parameters)
+    # reliability, ladder, temper, learning, residuals by record and by session
+    assert len(read.of("img")) == 6 + parameters
+    for start in ("Share that fell", "Outcomes over the gain", "alpha_rad of", "Held-out log"):
+        assert start in words
+
+
+def test_numbers_are_those_of_the_result() -> None:
+    found, text = calibrated(), Page(page("usual")).text
+    scores = found.validation.rows
+    for name in ("accuracy", "f1", "brier", "log_score"):
+        for rule in ("calibrated", "base rate", "logistic"):
+            assert number(getattr(scores[rule], name)[0]) in text
+    right = round(scores["calibrated"].accuracy[0] * len(found.tests))
+    assert f"{right} of {len(found.tests)} outcomes" in text
+    alpha = next(each for each in found.parameters if each["parameter"] == "alpha_rad")
+    row = (
+        f"α [rad]{number(alpha['prior_low'])} to {number(alpha['prior_high'])}"
+        f"{number(alpha['median'])}{number(alpha['low'])} to {number(alpha['high'])}"
+        f"{number(alpha['outline'])}{alpha['verdict']}"
+    )
+    assert row in text
+    missed = [
+        test.name
+        for test, p in zip(found.tests.tests, found.validation.predictions.p, strict=True)
+        if (p if test.fell else 1.0 - p) < 0.5
+    ]
+    assert missed
+    assert f"{len(missed)} outcome" in text
+    assert sum(name in text for name in missed) == min(len(missed), 12)
+    for count in found.flips.values():
+        assert f": {count}" in text
+    assert "abab" in text
+    assert "rocksteady calibrate --tests x" in text
+
+
+def test_no_name_is_markup() -> None:
+    whole = page("hostile")
+    assert "<script>" not in whole
+    read = Page(whole)
+    check_alone(read)
+    assert "\u202e" not in whole
+    assert HOSTILE.removesuffix("\u202e") in read.text
+    assert r"\u202e" in read.text
+
+
+def test_without_scores_the_page_says_so() -> None:
+    read = Page(page("unscored"))
+    check_alone(read)
+    assert "none of which can be held out" in read.text
+    assert "No held-out scores: all tests with an outcome are of one record" in read.text
+    headings = [text for level, text in read.headings if level == 2]
+    assert not any(name in "".join(headings) for name in ("Residuals", "Temper", "Learning"))
+
+
+def test_the_page_is_the_same_twice() -> None:
+    assert page("unscored") == calibration_html(
+        unscored(), make_manifest(command="rocksteady calibrate --tests x")
+    )
+
+
+@pytest.mark.parametrize("promise", ["only alpha is identified", "0.42 g", "is Bayesian", "0.09"])
+def test_what_is_not_promised_stands_on_every_page(promise: str) -> None:
+    text = Page(page("unscored")).text.replace("α", "alpha")
+    assert promise in text
+
+
+def test_nothing_of_the_page_is_left_to_guess() -> None:
+    values: Any = json.loads(json.dumps(calibrated().to_dict(), default=str))
+    assert set(values) >= {
+        "inputs", "hashes", "seed", "temper", "scores", "untempered", "base_rate", "logistic",
+        "parameters", "effective_draws", "mc_error", "warnings",
+    }  # fmt: skip

@@ -1,0 +1,48 @@
+"""Posteriors: areas of one, the interval of the table, the outline of the ruler."""
+
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import StepPatch
+
+from rocksteady import InputError, plot_posterior
+from tests.show.calibrated import calibrated
+
+
+def drawn(parameter: str = "alpha_rad") -> Axes:
+    return plot_posterior(calibrated(), Figure().add_subplot(), parameter=parameter)
+
+
+def test_both_densities_have_the_area_of_one_and_the_mean_of_their_draws() -> None:
+    (posterior,) = calibrated().posteriors.values()
+    steps = {
+        each.get_label(): each.get_data() for each in drawn().patches if isinstance(each, StepPatch)
+    }
+    values = posterior.of("alpha_rad")
+    for label, weights in (
+        ("after the tests", posterior.weights),
+        ("before them", posterior.prior_weights),
+    ):
+        heights, edges, _ = steps[label]
+        width = np.diff(edges)
+        assert (heights * width).sum() == pytest.approx(1.0)
+        mean = (heights * width * 0.5 * (edges[1:] + edges[:-1])).sum()
+        assert mean == pytest.approx(weights @ values, abs=width.max())
+
+
+def test_the_interval_and_the_outline_are_those_of_the_table() -> None:
+    row = next(each for each in calibrated().parameters if each["parameter"] == "alpha_rad")
+    lines = {str(each.get_label()): np.asarray(each.get_xdata()) for each in drawn().lines}
+    interval = next(x for label, x in lines.items() if label.startswith("90"))
+    assert interval.tolist() == [row["low"], row["high"]]
+    assert lines["the outline's"].tolist() == [row["outline"]] * 2
+    labels = [str(each.get_label()) for each in drawn("p_rad_s").lines]
+    assert "the outline's" not in labels
+
+
+def test_what_is_not_there_is_refused() -> None:
+    with pytest.raises(InputError, match="parameter = 'alfa' is not valid: the parameters are"):
+        drawn("alfa")
+    with pytest.raises(InputError, match="object = 'vase' is not valid: the objects are"):
+        plot_posterior(calibrated(), Figure().add_subplot(), object="vase")

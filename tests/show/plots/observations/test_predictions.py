@@ -1,0 +1,40 @@
+"""Predictions: a row for each test, in the order of its probability."""
+
+from dataclasses import replace
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from rocksteady import plot_predictions
+from tests.show.calibrated import calibrated
+
+
+def test_rows_are_in_the_order_of_their_probability() -> None:
+    found = calibrated().validation.predictions
+    unknown = replace(found, fell=(None, *found.fell[1:]))
+    axes = plot_predictions(unknown, Figure().add_subplot())
+    order = np.argsort(found.p, kind="stable")
+    names = [text.get_text() for text in axes.get_yticklabels()]
+    assert names == [found.test[place] for place in order]
+    drawn = {
+        int(y): float(x)
+        for line in axes.lines
+        if str(line.get_label()) in ("fell", "stood", "predicted")
+        for x, y in zip(line.get_xdata(), line.get_ydata(), strict=True)
+    }
+    assert [drawn[row] for row in range(len(order))] == found.p[order].tolist()
+    (one,) = (line for line in axes.lines if line.get_label() == "predicted")
+    assert np.asarray(one.get_xdata()).tolist() == [found.p[0]]
+
+
+def test_many_tests_have_no_names() -> None:
+    found = calibrated().validation.predictions
+    twice = replace(
+        found,
+        **{key: tuple(getattr(found, key)) * 2 for key in ("test", "object", "group")},
+        **{key: tuple(getattr(found, key)) * 2 for key in ("held_out", "fell")},
+        **{key: np.tile(getattr(found, key), 2) for key in ("p", "low", "high")},
+        **{key: np.tile(getattr(found, key), 2) for key in ("mc_error", "effective_draws")},
+    )
+    axes = plot_predictions(twice, Figure().add_subplot())
+    assert axes.get_ylabel() == "tests in the order of their probability"
