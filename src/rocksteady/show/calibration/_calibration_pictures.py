@@ -109,8 +109,8 @@ def _posteriors(calibration: Calibration) -> list[Picture]:
         picture(
             partial(_posterior, calibration, row["parameter"], row["object"], several),
             3.0,
-            f"{row['parameter']} of {printable(row['object'])}: median {number(row['median'])}, 90 % from "
-            f"{number(row['low'])} to {number(row['high'])}; before, from "
+            f"{row['parameter']} of {printable(row['object'])}: median {number(row['median'])}, "
+            f"90 % from {number(row['low'])} to {number(row['high'])}; before, from "
             f"{number(row['prior_low'])} to {number(row['prior_high'])}.",
             phone=False,
             page=HALF,

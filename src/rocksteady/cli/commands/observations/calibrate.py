@@ -51,6 +51,8 @@ EXAMPLES = (
     "rocksteady calibrate --tests tests.csv --temper 1 --csv predictions.csv --plot fit.png\n\n"
     "rocksteady calibrate --example --out fit"
 )
+ARGUMENTS = {"folds": "--groups", "groups": "--groups", "model": "--model", "temper": "--temper"}
+"""Flags of arguments of `rocksteady.calibrate`."""
 EXAMPLE_DRAWS = 240
 """Draws of --example, which takes some ten seconds."""
 EXAMPLE_MOTIONS = 8
@@ -131,7 +133,7 @@ def calibrate(
     from rocksteady.risk.calibration.calibrate import calibrate as calibrated
 
     cells = len(tests) * sampling.draws * sampling.gains
-    with sweeping("running draws", cells) as meter, flags_of({"temper": "--temper"}):
+    with sweeping("running draws", cells) as meter, flags_of(ARGUMENTS):
         found = calibrated(
             tests,
             known,

@@ -1,0 +1,116 @@
+"""`rocksteady calibrate`: its contract, its folder, its refusals."""
+
+import csv
+import json
+from pathlib import Path
+
+import pytest
+
+from rocksteady import Block, Linear, make_synthetic_suite, make_synthetic_tests, write_tests
+from tests.cli.program import refused, rocksteady
+from tests.descriptions import fits
+
+FEW = "--draws 60 --gains 2 --rounds 1 --model linear"
+
+
+@pytest.fixture(scope="module", name="table")
+def _table(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("shaken") / "tests"
+    column = Block.rectangle(width=0.15, height=0.6)
+    made = make_synthetic_tests(column, make_synthetic_suite(4), model=Linear())
+    return write_tests(folder, made)
+
+
+def test_json_has_the_scores_and_one_object(table: Path) -> None:
+    ran = rocksteady(f"calibrate {FEW} --json --tests", table)
+    assert (ran.code, ran.json["schema"]) == (0, "rocksteady/calibrate/1")
+    values = ran.json
+    assert 0.0 <= values["scores"]["brier"]["value"] <= 1.0
+    assert values["tests"] == 16
+    assert values["draws"] == 60
+    assert values["model"] == "linear"
+    assert values["folds"] == "record"
+    assert values["synthetic"] is False
+    assert set(values["hashes"]) >= {"tests.csv", "objects.csv"}
+    assert {row["parameter"] for row in values["parameters"]} >= {"alpha_rad", "restitution"}
+
+
+def test_the_folder_predicts_without_the_records(table: Path, tmp_path: Path) -> None:
+    out, rows = tmp_path / "fit", tmp_path / "rows.csv"
+    ran = rocksteady(f"calibrate {FEW} --temper 1 --tests", table, "--out", out, "--csv", rows)
+    assert ran.code == 0
+    assert fits(ran.out)
+    assert "report.html" in ran.err
+    assert json.loads((out / "fit.json").read_text(encoding="utf-8"))["temper"] == 1.0
+    assert rows.read_bytes() == (out / "predictions.csv").read_bytes()
+    command = f"rocksteady calibrate {FEW} --temper 1 --tests"
+    assert command in (out / "report.html").read_text(encoding="utf-8")
+
+    record = next(table.parent.glob("synthetic*"))
+    found = rocksteady("predict --json --fit", out, "--record", record, "--scale", "0.2:20:2")
+    assert (found.code, found.json["schema"]) == (0, "rocksteady/predict/1")
+    weak, strong = found.json["predictions"]
+    assert weak["p"] < 0.5 < strong["p"]
+    assert not weak["held_out"]
+
+    again = tmp_path / "again.csv"
+    assert rocksteady("predict --fit", out, "--tests", table, "--csv", again).code == 0
+    with again.open(encoding="utf-8", newline="") as stream:
+        held = list(csv.DictReader(stream))
+    with rows.open(encoding="utf-8", newline="") as stream:
+        before = list(csv.DictReader(stream))
+    assert [row["p"] for row in held] == [row["p"] for row in before]
+    assert all(row["held_out"] == "True" for row in held)
+
+    line = refused(f"calibrate {FEW} --tests", table, "--out", out)
+    assert "it holds fit.json" in line
+    line = refused("predict --fit", out, "--record", record, "--object", "vase")
+    assert "--object = 'vase'" in line
+
+
+def test_sessions_that_the_table_does_not_have_are_refused(table: Path) -> None:
+    line = refused(f"calibrate {FEW} --groups session --tests", table)
+    assert "--groups = 'session'" in line
+    assert "has no session" in line
+
+
+def test_the_example_needs_no_file() -> None:
+    ran = rocksteady(f"calibrate --example {FEW}")
+    assert ran.code == 0
+    assert "The tests are synthetic" in ran.out
+    assert "alpha_rad" in ran.out
+
+
+@pytest.mark.parametrize(
+    ("flags", "words"),
+    [
+        ("calibrate", ["--tests is not given", "--example"]),
+        ("calibrate --tests none.csv", ["none.csv"]),
+        ("calibrate --example --tests x.csv", ["--tests", "reads no file"]),
+        ("calibrate --example --records x", ["--records", "reads no file"]),
+        ("calibrate --example --prior x.toml", ["--prior", "reads no file"]),
+        ("calibrate --example --draws 5", ["--draws = 5"]),
+        ("calibrate --example --gains 0", ["--gains = 0"]),
+        ("calibrate --example --rounds 0", ["--rounds = 0"]),
+        ("calibrate --example --seed -1", ["--seed = -1"]),
+        ("calibrate --example --groups day", ["--groups = 'day'", "record, test, session"]),
+        ("calibrate --example --temper 2", ["--temper = 2"]),
+        ("calibrate --example --temper hot", ["--temper = 'hot'"]),
+        ("calibrate --example --model quadratic", ["--model = 'quadratic'"]),
+        ("calibrate --example --workers 0", ["--workers = 0"]),
+        ("calibrate --example --plot x.doc", ["--plot", ".png, .svg, .pdf"]),
+        ("calibrate --draws 60 --draws 70", ["--draws is given more than once"]),
+        ("predict", ["--fit is not given"]),
+        ("predict --fit none", ["--tests or --record is not given"]),
+        ("predict --fit none --tests a.csv --record b.at2", ["--tests and --record"]),
+        ("predict --fit none --tests a.csv --scale 2", ["--scale = '2'"]),
+        ("predict --fit none --tests a.csv --object vase", ["--object = 'vase'"]),
+        ("predict --fit none --record b.at2 --records x", ["--records", "without --tests"]),
+        ("predict --fit none --tests a.csv", ["--fit"]),
+    ],
+)
+def test_what_makes_no_sense_is_refused_by_the_name_of_its_flag(
+    flags: str, words: list[str]
+) -> None:
+    line = refused(flags)
+    assert all(word in line for word in words), line
