@@ -15,6 +15,7 @@ BAD_INPUT = [
     ("-A 2 -W 4 -r -0.8", ["--restitution/-r", "-0.8", "(0, 1]"]),
     ("-A 2 -W 4 -r nan", ["--restitution/-r", "nan", "(0, 1]"]),
     ("-A 2 -W 4 -r bouncy", ["--restitution/-r", "'bouncy'", "housner"]),
+    ("-A 2 -W 4 -r housner*0.9", ["--restitution/-r", "'housner*0.9'", "block"]),
     ("-A 2 -W 4 -r housner", ["--restitution/-r", "'housner'", "block"]),
     ("-A 2 -W 4", ["--restitution/-r", "not given", "-r 0.8"]),
     ("-A 2 -r 0.8", ["--frequency-ratio/-W and --freq-hz", "neither given"]),

@@ -60,7 +60,7 @@ VALID = {
     "W": ("4", "2", "1.9:2:3", "0.3", "60"),
     "G": ("0.4", "2", "0.1:0.5:3", "9.81"),
     "F": ("1", "2", "0.5:2:3"),
-    "R": ("0.8", "0.9,0.8", "housner", "1", "0.5:0.9:3", "1e-3"),
+    "R": ("0.8", "0.9,0.8", "housner", "housner*0.9", "1", "0.5:0.9:3", "1e-3"),
     "M": ("0.4", "2", "0.3:0.5:2", "10"),
     "RAD": ("0.2", "0", "0.1:0.3:2", "3"),
     "P": ("2", "1:3:2"),
@@ -146,6 +146,7 @@ USUAL = {
         [*BLOCK, "--spectrum", "spectrum.txt", "--damping", "0.05"],
         [*BLOCK, "--record", "a.at2"],
     ],
+    "restitution": [[*BLOCK, "--peaks", "peaks.csv"]],
     "assess": [[*BLOCK, "--pga-g", "0.3", "--pgv-m-s", "0.4"]],
     "paper": [["--only", "10", "--out", "out"]],
     "study atlas": [["-A", "1:3:3", "-W", "2:6:3", "-n", "1", "--out", "out"]],
@@ -187,6 +188,7 @@ def fill(folder: Path) -> None:
     (folder / "empty.txt").touch()
     (folder / "bytes.bin").write_bytes(bytes(range(256)))
     (folder / "table.csv").write_text("t,acc\n0,1\n.1,2\n.2,1\n")
+    (folder / "peaks.csv").write_text("peak_rad\n.1\n.08\n.07\n.06\n")
     (folder / "spectrum.txt").write_text("0 0.3\n0.1 0.8\n1 0.3\n4 0.02\n")
     (folder / "there.csv").write_text("precious")
     (folder / "folder").mkdir()

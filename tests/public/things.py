@@ -51,6 +51,7 @@ def things() -> dict[str, Any]:
         measure="pgv_m_s", levels=np.array([0.1, 0.5, 1.0]), rates=np.array([1e-2, 1e-4, 1e-5])
     )
     Path("hazard.csv").write_text("PGA [g],annual rate\n0.1,0.01\n1,0.0001\n", encoding="utf-8")
+    Path("peaks.csv").write_text("peak_rad\n0.2\n0.16\n0.13\n", encoding="utf-8")
     Path("objects.csv").write_text("name,width_m,height_m\nvase,0.1,0.5\n", encoding="utf-8")
     Path("object.toml").write_text(
         "name = 'vase'\n[geometry]\nwidth_m = 0.1\nheight_m = 0.5\n", encoding="utf-8"
@@ -158,6 +159,7 @@ def things() -> dict[str, Any]:
         "branch test": rs.reject_branches((0.4, 0.5), [hazard], 10_000.0),
         "boundaries": rs.region_boundaries(4.0, 0.8),
         "fragility_curve": rs.fit_curve([0.2, 0.4, 0.8], [1, 9, 14], [15, 15, 15]),
+        "restitution_fit": rs.fit_restitution([0.2, 0.16, 0.13, 0.11, 0.1, 0.09], block),
         "two_stages": rs.fit_two_stages([0.2, 0.4, 0.8], [0, 15, 15], [0, 9, 14], [15, 15, 15]),
         "vector_fit": rs.fit_vector([[0.2, 0.3], [0.4, 0.2], [0.8, 0.9]], [1, 6, 14], [15] * 3),
         "loss state": falls,

@@ -111,7 +111,7 @@ def test_a_restitution_is_a_number_a_pair_or_housners() -> None:
         ("0.8,0.9,0.7", "two of them, 'housner', or a factor"),
         ("housner*0.9", "follows from a block's slenderness"),
         ("housner*-1", "must be a finite number above 0"),
-        ("housner0.9", r"write it as -r housner\*0.9"),
+        ("housner0.9", r"write it as -r 'housner\*0.9'"),
         ("Housner", "two of them, 'housner', or a factor"),
     ],
 )

@@ -375,7 +375,7 @@ def _end(text: str, whole: str | None) -> Restitution:
             "restitution",
             whole,
             "a band has two ends, numbers in (0, 1] or factors of Housner's value",
-            "write it as -r 0.85:0.95, or -r housner*0.95:housner",
+            "write it as -r 0.85:0.95, or -r 'housner*0.95:housner'",
         ) from None
 
 

@@ -18,7 +18,7 @@ from rocksteady.dynamics.parameters import AXES, SIZES, shaking_of
 from rocksteady.errors import InputError, ModelError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.blocks.housner_forms import Housner, form_of_text
+from rocksteady.model.blocks.housner_forms import Housner, form_of_text, form_text
 from rocksteady.model.facts import harmonic_values
 from rocksteady.model.motions.segments import Harmonic
 
@@ -204,7 +204,11 @@ class MapCase:
             moving |= {"negative_restitution"}
         if moving & {"velocity", "angle"}:
             values["start"] = None
-        return values | dict.fromkeys(moving & values.keys())
+        values |= dict.fromkeys(moving & values.keys())
+        form = self.fixed.get("restitution")
+        if isinstance(form, tuple):  # no number for all cells
+            values["restitution"] = form_text(form[1])
+        return values
 
     @property
     def cells(self) -> int:

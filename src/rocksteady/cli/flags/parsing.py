@@ -130,7 +130,7 @@ def restitution_from(text: str | None, *, default: Restitution | None) -> Restit
             "restitution",
             text,
             VALID_TEXT.replace("],", "], two of them,"),
-            f"write it as -r housner*{near.group()}"
+            f"write it as -r 'housner*{near.group()}'"
             if near
             else "write it as -r 0.8 or -r 0.8,0.9",
         ) from None

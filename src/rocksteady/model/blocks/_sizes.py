@@ -3,9 +3,9 @@
 import warnings
 from collections.abc import Mapping
 
-from rocksteady.errors import ModelError, Words
+from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.elementary.arrays import cos, sin, tan
-from rocksteady.model.blocks.sides import length_value, p_value
+from rocksteady.model.blocks.sides import housner_ratio, length_value, p_value
 
 TALLEST = 200.0
 """Of the standing towers and obelisks none is taller [m]."""
@@ -113,3 +113,24 @@ def lengths_of(
     if gyration is not None:
         k = length_value("gyration", gyration, hint="give sqrt(I_c/M) in metres")
     return b1, b2, h, k
+
+
+def refuse_stocky(width: float, height: float, alpha: float) -> None:
+    """Refuse a rectangle that has no Housner's restitution.
+
+    Not left to the check of alpha, which the caller has not given.
+
+    Raises
+    ------
+    InputError
+        If that is not positive.
+    """
+    ratio = housner_ratio(alpha)
+    if ratio <= 0.0:
+        raise InputError(
+            "width",
+            width,
+            f"with a height of {height:.6g} m Housner's restitution is {ratio:.4g}, and rocking "
+            "needs one above 0",
+            "give a measured restitution in (0, 1], or a more slender block",
+        )

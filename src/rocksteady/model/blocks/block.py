@@ -11,7 +11,6 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-from rocksteady.errors import InputError
 from rocksteady.kernels.elementary.arrays import atan2, cos, hypot, sin, tan
 from rocksteady.model.blocks._measures import description_of
 from rocksteady.model.blocks._sizes import (
@@ -20,9 +19,10 @@ from rocksteady.model.blocks._sizes import (
     lengths_of,
     question_millimetres,
     radius_of_p,
+    refuse_stocky,
 )
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
-from rocksteady.model.blocks.housner_forms import housner_factor, restitution_of
+from rocksteady.model.blocks.housner_forms import housner_factor, noted, restitution_of
 from rocksteady.model.blocks.sides import (
     Restitution,
     Restitutions,
@@ -30,12 +30,11 @@ from rocksteady.model.blocks.sides import (
     alpha_value,
     check_one_body,
     gravity_value,
-    housner_pair,
-    housner_ratio,
     housner_restitution,
     length_value,
     p_value,
     radius_value,
+    ratios_of,
     restitution_pair,
     restitution_value,
     sides_of_body,
@@ -76,8 +75,7 @@ class Block(Result):
     gravity
         Acceleration of gravity [m/s^2].
     housner_factor
-        Factor of Housner's restitution that was given; None (default) where none was.  It is kept
-        for descriptions; blocks that move alike are equal.
+        Factor of Housner's restitution that was given, for descriptions; none by default.
 
     Raises
     ------
@@ -137,15 +135,8 @@ class Block(Result):
         h = length_value("height", height, hint="give the full height in metres")
         question_millimetres({"width": b, "height": h}, height=h)
         alpha = atan2(b, h)
-        if housner_factor(restitution) is not None and housner_ratio(alpha) <= 0.0:
-            # Not left to the check of alpha, which the caller has not given.
-            raise InputError(
-                "width",
-                width,
-                f"with a height of {h:.6g} m Housner's restitution is "
-                f"{housner_ratio(alpha):.4g}, and rocking needs one above 0",
-                "give a measured restitution in (0, 1], or a more slender block",
-            )
+        if housner_factor(restitution) is not None:
+            refuse_stocky(b, h, alpha)
         return cls._homogeneous(alpha, 0.5 * hypot(b, h), restitution, gravity)
 
     @classmethod
@@ -384,7 +375,7 @@ class Block(Result):
             restitution=restitution,
             gravity=g,
         )
-        return cls(positive=one, negative=other, gravity=g, housner_factor=_noted(restitution))
+        return cls(positive=one, negative=other, gravity=g, housner_factor=noted(restitution))
 
     @classmethod
     def _homogeneous(
@@ -415,15 +406,14 @@ class Block(Result):
     ) -> "Block":
         """Return the block whose sides are both made of these."""
         angle = alpha_value(alpha)
-        factor, ratio = housner_factor(restitution), restitution
-        if factor is not None:
-            ratio = restitution_of(
-                factor, housner_restitution(angle, p=p, radius=radius, gravity=gravity)
-            )
-        side = Side(alpha=angle, radius=radius, p=p, restitution=restitution_value(ratio))
-        return cls(
-            positive=side, negative=side, gravity=gravity, housner_factor=_noted(restitution)
-        )
+        factor = housner_factor(restitution)
+        if factor is None:
+            ratio = restitution_value(restitution)
+        else:
+            whole = housner_restitution(angle, p=p, radius=radius, gravity=gravity)
+            ratio = restitution_of(factor, whole)
+        side = Side(alpha=angle, radius=radius, p=p, restitution=ratio)
+        return cls(positive=side, negative=side, gravity=gravity, housner_factor=noted(restitution))
 
     @property
     def alpha(self) -> float:
@@ -482,18 +472,10 @@ class Block(Result):
         InputError
             If one lies outside (0, 1].
         """
-        factor = housner_factor(restitution)
-        if factor is None:
-            first, second = restitution_pair(restitution)
-        else:
-            pair = housner_pair(self.positive, self.negative, self.gravity)
-            first, second = (restitution_value(restitution_of(factor, ratio)) for ratio in pair)
-        return replace(
-            self,
-            housner_factor=_noted(restitution),
-            positive=replace(self.positive, restitution=first),
-            negative=replace(self.negative, restitution=second),
-        )
+        first, second = ratios_of(restitution, self.positive, self.negative, self.gravity)
+        one = replace(self.positive, restitution=first)
+        other = replace(self.negative, restitution=second)
+        return replace(self, positive=one, negative=other, housner_factor=noted(restitution))
 
     def dimensionless(self) -> DimensionlessBlock:
         """Return what the equation of motion sees of the block in its own units.
@@ -516,9 +498,3 @@ class Block(Result):
     def describe(self) -> Description:
         """Return its size, slenderness and rates, for people and under the names of JSON."""
         return description_of(self.positive, self.negative, self.gravity, self.housner_factor)
-
-
-def _noted(restitution: Restitutions) -> float | None:
-    """Return the factor of Housner's value that a description shows; None of 1."""
-    factor = housner_factor(restitution)
-    return None if factor == 1.0 else factor

@@ -35,6 +35,12 @@ def housner_factor(value: object) -> float | None:
     return positive("restitution", factors[0], hint=hint) if factors else 1.0
 
 
+def noted(restitution: object) -> float | None:
+    """Return the factor of Housner's value that a description shows; None of 1."""
+    factor = housner_factor(restitution)
+    return None if factor == 1.0 else factor
+
+
 def restitution_of(factor: float, ratio: float) -> float:
     """Return a factor of Housner's value.
 

@@ -301,6 +301,23 @@ def housner_pair(positive: Side, negative: Side, gravity: float) -> tuple[float,
     return impact_ratio(alphas, radii, gyration), impact_ratio(alphas[::-1], radii[::-1], gyration)
 
 
+def ratios_of(
+    restitution: Restitutions, positive: Side, negative: Side, gravity: float
+) -> tuple[float, float]:
+    """Return the restitutions of both impacts of a body, given in any form.
+
+    Raises
+    ------
+    InputError
+        If it is none, or above 1.
+    """
+    factor = housner_factor(restitution)
+    if factor is None:
+        return restitution_pair(restitution)
+    first, second = housner_pair(positive, negative, gravity)
+    return restitution_of(factor, first), restitution_of(factor, second)
+
+
 def impact_pair(value: Restitutions) -> tuple[float, float] | None:
     """Return a pair of numbers, one for each impact; None where both impacts have one form."""
     if isinstance(value, tuple) and housner_factor(value) is None:

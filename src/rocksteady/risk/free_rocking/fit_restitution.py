@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,10 +14,9 @@ from rocksteady.model.blocks.sides import housner_pair
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Linear, Model, Nonlinear, chosen_model
 from rocksteady.results.numbers import number, plural
-from rocksteady.risk.free_rocking._likelihood import Estimate, Steps, estimate, solved
+from rocksteady.risk.free_rocking._steps import Estimate, Steps, errors_of, estimate, solved
 from rocksteady.risk.free_rocking.release import Release
 from rocksteady.risk.free_rocking.restitution_fit import (
-    CONFIDENCE,
     Impact,
     RestitutionFit,
     impacts_until,
@@ -28,11 +27,13 @@ from rocksteady.risk.free_rocking.restitution_fit import (
 
 Floats = NDArray[np.float64]
 
-LOST = 10.0
+LOST = 6.0
 """Peaks below so many standard deviations of the measuring error are left out."""
 FEWEST_FOR_ERROR = 8
 """Steps below which the measuring error is not estimated."""
 FEWEST_FOR_TREND = 4
+ROUNDS = 2
+"""Of the errors of ln(v) at expected peaks."""
 CLEAR = 2.0
 """Standard errors from which on a trend, or a growing peak, is remarked on."""
 FAR = 0.05
@@ -61,8 +62,12 @@ def fit_restitution(
     theta)`` in ln(v), which enters the step before it and the step after it with opposite signs:
     that is what tells it apart from the scatter.  Factors are the generalised least squares for the
     covariance of the steps, tau, and sigma where it is not given, those of largest restricted
-    likelihood [1]_.  Intervals are Student's, that of the scatter is by the profile of the
-    likelihood.
+    likelihood [1]_; sigma (d ln v/d theta) is that of the peaks which all steps let expect.
+    Standard errors and intervals of the factors are those of the mixture over all scatters, with
+    the restricted likelihood as weight; the interval of the scatter is by the profile of the
+    likelihood.  Of 200 made-up releases of 20 impacts with e = .95, a scatter of 0, .01 and .03,
+    and a measuring error of .8, 1.7 and .8 % of the first peak, intervals of 90 % held e in 1.00,
+    .94 and .90, and the scatter in .98, .94 and .90.
 
     Parameters
     ----------
@@ -101,7 +106,7 @@ def fit_restitution(
     >>> print(f"{fit.restitution[0]:.6f}, {fit.factor[0]:.4f} of Housner's")
     0.950000, 0.9643 of Housner's
     >>> fit.to_small, fit.to_small_housner
-    (27, 94)
+    (26, 89)
     """
     releases = _releases(peaks)
     equations = Nonlinear() if model is None else chosen_model(model, block)
@@ -125,13 +130,18 @@ def fit_restitution(
     known = given or len(rows) < FEWEST_FOR_ERROR
     error = 1.0 if given else 0.0
     found = estimate(steps, error=error if known else None)
+    for _ in range(ROUNDS):
+        # A peak that was measured too large has too small an error of ln(v): of true peaks none.
+        rows = _at_expected_peaks(rows, errors_of(steps, found), block, equations)
+        steps = _steps(rows, base, apart=apart)
+        found = estimate(steps, error=error if known else None)
     if not given and found.error == 0.0 and not known:
         known = True
     places = (0, 1) if apart else (0, 0)
     factors = tuple(math.exp(found.factor[place]) for place in places)
-    errors = tuple(math.sqrt(found.covariance[place, place]) for place in places)
+    errors = tuple(float(found.deviation[place]) for place in places)
+    low, high = (np.exp(found.interval[list(places), end]) * base for end in (0, 1))
     ratios = factors[0] * base[0], factors[1] * base[1]
-    reach = _student(free)
     mean = math.sqrt(ratios[0] * ratios[1])
     impacts = _impacts(rows, found)
     trend = _trend(rows, impacts, steps, found)
@@ -146,8 +156,8 @@ def fit_restitution(
         releases=releases,
         restitution=ratios,
         standard_error=(ratios[0] * errors[0], ratios[1] * errors[1]),
-        low=(ratios[0] * math.exp(-reach * errors[0]), ratios[1] * math.exp(-reach * errors[1])),
-        high=(ratios[0] * math.exp(reach * errors[0]), ratios[1] * math.exp(reach * errors[1])),
+        low=(float(low[0]), float(low[1])),
+        high=(float(high[0]), float(high[1])),
         housner=pair if sound else None,
         factor=(factors[0], factors[1]) if sound else None,
         factor_error=(factors[0] * errors[0], factors[1] * errors[1]) if sound else None,
@@ -177,12 +187,12 @@ class _Row:
     ----------
     release, number
         Name, and number of the peak after it.
-    side, impacts
-        Side that it leaves, and number of impacts.
-    peaks, spread
-        Peaks before and after [rad], and the standard deviation of ln(v) of either.
-    change
-        Of ln(v).
+    sides, impacts
+        Sides that it leaves and reaches, and number of impacts.
+    peaks, sigma
+        Peaks before and after, and their measuring errors [rad]; 1 where they are not known.
+    logs, spread
+        ln(v) of either, and its standard deviation.
     amplitude
         Peak before it over alpha.
     follows
@@ -191,13 +201,24 @@ class _Row:
 
     release: str
     number: int
-    side: int
+    sides: tuple[int, int]
     impacts: float
     peaks: tuple[float, float]
+    sigma: tuple[float, float]
+    logs: tuple[float, float]
     spread: tuple[float, float]
-    change: float
     amplitude: float
     follows: bool
+
+    @property
+    def side(self) -> int:
+        """Side that it leaves."""
+        return self.sides[0]
+
+    @property
+    def change(self) -> float:
+        """Change of ln(v)."""
+        return self.logs[1] - self.logs[0]
 
 
 def _releases(peaks: object) -> tuple[Release, ...]:
@@ -236,11 +257,12 @@ def _rows(releases: Sequence[Release], block: Block, model: Model) -> tuple[list
             _Row(
                 release=release.name,
                 number=k + 1,
-                side=int(sides[k]),
+                sides=(int(sides[k]), int(sides[k + 1])),
                 impacts=2.0 if sides[k] == sides[k + 1] else 1.0,
                 peaks=(float(peaks[k]), float(peaks[k + 1])),
+                sigma=(float(sigma[k]), float(sigma[k + 1])),
+                logs=(float(logs[k]), float(logs[k + 1])),
                 spread=(float(spread[k]), float(spread[k + 1])),
-                change=float(logs[k + 1] - logs[k]),
                 amplitude=float(peaks[k] / alphas[k]),
                 follows=k > 0,
             )
@@ -254,6 +276,25 @@ def _rows(releases: Sequence[Release], block: Block, model: Model) -> tuple[list
             "release the block from a larger angle, or measure angles more closely",
         )
     return rows, left_out
+
+
+def _at_expected_peaks(
+    rows: Sequence[_Row], errors: tuple[Floats, Floats], block: Block, model: Model
+) -> list[_Row]:
+    """Return the steps with errors of ln(v) that are those of the expected peaks."""
+    spread = np.empty((len(rows), 2))
+    for end in (0, 1):
+        sides = np.array([row.sides[end] for row in rows])
+        speeds = np.exp(np.array([row.logs[end] for row in rows]) - errors[end])
+        sigma = np.array([row.sigma[end] for row in rows])
+        for side in (1, -1):
+            here = sides == side
+            peaks = peaks_at(speeds[here], side, block, model)
+            spread[here, end] = sigma[here] * np.abs(slopes(peaks, sides[here], block, model))
+    return [
+        replace(row, spread=(one, two))
+        for row, (one, two) in zip(rows, spread.tolist(), strict=True)
+    ]
 
 
 def _steps(rows: Sequence[_Row], base: tuple[float, float], *, apart: bool) -> Steps:
@@ -349,13 +390,6 @@ def _quarters(peaks: Floats, sides: NDArray[np.int64], block: Block, model: Mode
         alpha = None if isinstance(model, Linear) else side.alpha
         found[here] = free_rocking_period(ratio, alpha=alpha) / (4.0 * side.p)
     return found
-
-
-def _student(free: int) -> float:
-    """Return half the width of an interval in standard errors."""
-    from scipy.special import stdtrit
-
-    return float(stdtrit(free, 0.5 + 0.5 * CONFIDENCE)) if free > 0 else math.inf
 
 
 def _warnings(fit: RestitutionFit, *, short: bool) -> tuple[str, ...]:

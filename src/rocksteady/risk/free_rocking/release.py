@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -71,7 +72,10 @@ class Release:
         hint = "give abs(theta) of each half cycle in radians: 1 degree is 0.01745"
         for peak in peaks.tolist():
             in_range("peaks_rad", peak, 0.0, 0.5 * math.pi, "()", hint=hint)
-        values = {"peaks_rad": peaks, "sides": self._sides(peaks.size)}
+        values: dict[str, NDArray[Any]] = {
+            "peaks_rad": peaks.copy(),
+            "sides": self._sides(peaks.size),
+        }
         if self.sigma_rad is not None:
             sigma = real_array("sigma_rad", self.sigma_rad)
             hint = "give the standard deviation of the measured angles in radians"
@@ -88,9 +92,9 @@ class Release:
                     "each peak comes after the one before it",
                     "give the time of each peak in seconds",
                 )
-        for key, value in values.items():
-            value.flags.writeable = False
-            object.__setattr__(self, key, value)
+        for key, array in values.items():
+            array.flags.writeable = False
+            object.__setattr__(self, key, array)
 
     def _sides(self, count: int) -> NDArray[np.int64]:
         """Return the side of each peak."""
@@ -103,8 +107,8 @@ class Release:
         return self._fitting("sides", sides, count)
 
     def _fitting(
-        self, key: str, values: NDArray[np.generic], count: int, *, or_one: bool = False
-    ) -> NDArray[np.generic]:
+        self, key: str, values: NDArray[Any], count: int, *, or_one: bool = False
+    ) -> NDArray[Any]:
         """Return one value for each peak."""
         if or_one and values.ndim == 0:
             values = np.full(count, values.item())

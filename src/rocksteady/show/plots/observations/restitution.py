@@ -73,7 +73,7 @@ def plot_restitution(
         _draw_peaks(fit, axes, inks)
     else:
         _draw_impacts(fit, axes, inks)
-    draw_legend(axes, place, corner="upper right" if panel == "peaks" else "lower right")
+    draw_legend(axes, place, corner="lower left" if panel == "peaks" else "lower right")
     return axes
 
 
@@ -112,6 +112,7 @@ def _draw_peaks(fit: RestitutionFit, axes: "Axes", inks: Inks) -> None:
     low = min(float(np.min(np.asarray(each.peaks_rad))) for each in fit.releases) / alpha
     axes.set(xlabel="impacts", ylabel=r"peak $\theta/\alpha$", yscale="log", ylim=(0.7 * low, None))
     axes.set_xlim(left=-0.02 * max(count[-1], 1))
+    axes.locator_params(axis="x", integer=True)
     plain_ticks(axes)
 
 

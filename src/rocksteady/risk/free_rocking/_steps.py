@@ -1,8 +1,8 @@
 """Restricted likelihood of logarithms of velocities: impacts that scatter, peaks that err."""
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -16,7 +16,12 @@ ROUNDING = 1e-14
 FALL = 1.3528
 """Fall of the log-likelihood at the ends of an interval of 90 %: half of chi-square's 2.7055."""
 
+SHARE = 0.95
+"""Probability below the upper end of such an interval."""
+
 STEPS = 12
+POINTS = 40
+"""Scatters that an interval of the factors is spread over."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -52,8 +57,10 @@ class Estimate:
 
     Attributes
     ----------
-    factor, covariance
-        Shapes (kinds,) and (kinds, kinds).
+    factor, deviation
+        Shape (kinds,); the standard deviation knows that the scatter is an estimate.
+    interval
+        Of 90 %, shape (kinds, 2).
     scatter, scatter_interval
         Standard deviation of ln(e) from impact to impact, and its interval of 90 %.
     error
@@ -63,7 +70,8 @@ class Estimate:
     """
 
     factor: Floats
-    covariance: Floats
+    deviation: Floats
+    interval: Floats
     scatter: float
     scatter_interval: tuple[float, float]
     error: float
@@ -100,8 +108,54 @@ def estimate(steps: Steps, *, error: float | None) -> Estimate:
     scatters = _trials(spread)
     values = [fit(each)[0] for each in scatters]
     least, best = _refined(lambda each: fit(each)[0], scatters, values)
-    ends = tuple(_crossing(lambda each: fit(each)[0], best, least, sign) for sign in (-1, 1))
-    return _of(steps, best, fit(best)[1], (ends[0], ends[1]))
+    low, high = (_crossing(lambda each: fit(each)[0], best, least, sign) for sign in (-1, 1))
+    found = _of(steps, best, fit(best)[1], (low, high))
+    return _spread_out(found, steps, fit, least, spread) if free >= 2 else found
+
+
+def _spread_out(
+    found: Estimate,
+    steps: Steps,
+    fit: Callable[[float], tuple[float, float]],
+    least: float,
+    spread: float,
+) -> Estimate:
+    """Return the estimate with errors that know how little is known of the scatter.
+
+    Given the scatter the factors are normal; the mixture of these has the restricted likelihood as
+    its weight, over scatters that are all as likely before.
+    """
+    from scipy.optimize import brentq
+    from scipy.special import ndtr
+
+    top = max(found.scatter, spread)
+    while fit(top)[0] - least < 20.0 and top < 1e3 * spread:
+        top *= 1.5
+    scatters = np.concatenate([[0.0], np.geomspace(0.02 * spread, top, POINTS)])
+    fits = [fit(each) for each in scatters.tolist()]
+    weights = np.exp(-0.5 * (np.array([each for each, _ in fits]) - least))
+    gaps = np.diff(scatters)
+    weights *= 0.5 * (np.append(gaps, 0.0) + np.insert(gaps, 0, 0.0))
+    weights /= weights.sum()
+    pairs = [
+        solved(steps, at, error) for at, (_, error) in zip(scatters.tolist(), fits, strict=True)
+    ]
+    factors = np.array([factor for factor, _ in pairs])
+    deviations = np.sqrt([np.diag(covariance) for _, covariance in pairs])
+    whole = np.sqrt(weights @ (deviations**2 + (factors - found.factor) ** 2))
+    ends = np.empty((len(whole), 2))
+    for kind, width in enumerate(whole.tolist()):
+        middle, each = factors[:, kind], deviations[:, kind]
+        for end, share in enumerate((1.0 - SHARE, SHARE)):
+
+            def short(
+                at: float, share: float = share, m: Floats = middle, d: Floats = each
+            ) -> float:
+                return float(weights @ ndtr((at - m) / d)) - share
+
+            centre, reach = float(found.factor[kind]), 10.0 * width
+            ends[kind, end] = brentq(short, centre - reach, centre + reach)
+    return replace(found, deviation=whole, interval=ends)
 
 
 def _trials(scale: float) -> list[float]:
@@ -142,8 +196,25 @@ def _crossing(deviance: Callable[[float], float], best: float, least: float, sig
     return float(brentq(fall, best, end, rtol=1e-4)) if end < 1e3 else math.inf
 
 
-def _whitened(steps: Steps, scatter: float, error: float) -> tuple[Floats, Floats, Floats]:
-    """Return the diagonal of the covariance's root, and steps and design in units of it.
+def errors_of(steps: Steps, found: Estimate) -> tuple[Floats, Floats]:
+    """Return the expected errors of ln(v) before and after each step, given all steps."""
+    root, shares, change, design = _whitened(steps, found.scatter, found.error)
+    pull = change - design @ found.factor
+    for place in range(len(pull) - 1, -1, -1):  # the other half of the solution
+        if place + 1 < len(pull):
+            pull[place] -= shares[place + 1] * pull[place + 1]
+        pull[place] /= root[place]
+    earlier = np.where(steps.follows, np.concatenate([[0.0], pull[:-1]]), 0.0)
+    goes_on = np.concatenate([steps.follows[1:], [False]])
+    later = np.where(goes_on, np.concatenate([pull[1:], [0.0]]), 0.0)
+    before, after = (found.error * steps.before) ** 2, (found.error * steps.after) ** 2
+    return before * (earlier - pull), after * (pull - later)
+
+
+def _whitened(
+    steps: Steps, scatter: float, error: float
+) -> tuple[Floats, Sequence[float], Floats, Floats]:
+    """Return the covariance's root, its diagonal and what is beside, and what is in units of it.
 
     The covariance of the steps has one line beside its diagonal, so that its root has too.
     """
@@ -165,12 +236,12 @@ def _whitened(steps: Steps, scatter: float, error: float) -> tuple[Floats, Float
         if share:
             joined[place] -= share * joined[place - 1]
         joined[place] /= root[place]
-    return root, joined[:, 0], joined[:, 1:]
+    return root, factors, joined[:, 0], joined[:, 1:]
 
 
 def _deviance(steps: Steps, scatter: float, error: float) -> float:
     """Return minus twice the restricted log-likelihood, but for a constant."""
-    root, change, design = _whitened(steps, scatter, error)
+    root, _, change, design = _whitened(steps, scatter, error)
     information = design.T @ design
     factor = np.linalg.solve(information, design.T @ change)
     left = change - design @ factor
@@ -179,14 +250,19 @@ def _deviance(steps: Steps, scatter: float, error: float) -> float:
 
 def solved(steps: Steps, scatter: float, error: float) -> tuple[Floats, Floats]:
     """Return the factors of generalised least squares, and their covariance."""
-    _, change, design = _whitened(steps, scatter, error)
-    covariance = np.linalg.inv(design.T @ design)
+    _, _, change, design = _whitened(steps, scatter, error)
+    covariance: Floats = np.asarray(np.linalg.inv(design.T @ design), dtype=np.float64)
     return covariance @ (design.T @ change), covariance
 
 
 def _of(steps: Steps, scatter: float, error: float, interval: tuple[float, float]) -> Estimate:
     """Return the estimate of a scatter and a measuring error."""
+    from scipy.special import stdtrit
+
     factor, covariance = solved(steps, scatter, error)
+    free = len(steps.change) - len(factor)
+    reach = float(stdtrit(free, SHARE)) if free > 0 else math.inf
+    errors = np.sqrt(np.diag(covariance))
     deviation = np.sqrt(
         scatter * scatter * steps.impacts
         + (error * steps.before) ** 2
@@ -195,7 +271,8 @@ def _of(steps: Steps, scatter: float, error: float, interval: tuple[float, float
     )
     return Estimate(
         factor=factor,
-        covariance=covariance,
+        deviation=errors,
+        interval=factor[:, np.newaxis] + np.outer(errors, [-reach, reach]),
         scatter=scatter,
         scatter_interval=interval,
         error=error,

@@ -1,0 +1,237 @@
+"""Restitution from peaks: exact decays, motions that are simulated, noise, scatter, refusals."""
+
+import itertools
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from rocksteady import (
+    Block,
+    Harmonic,
+    InputError,
+    Linear,
+    Nonlinear,
+    Release,
+    State,
+    fit_restitution,
+    free_rocking_peaks,
+    free_rocking_period,
+    simulate,
+)
+from rocksteady.model.equations import Model
+from tests.risk.free_rocking.decays import decay
+
+Floats = NDArray[np.float64]
+
+BLOCK = Block.rectangle(width=0.05, height=0.5)
+UNLIKE = Block.asymmetric(left=0.15, right=0.25, height=1.2, restitution=(0.87, 0.93))
+
+
+@pytest.mark.parametrize("linear", [False, True])
+@pytest.mark.parametrize("e", [0.6, 0.95, 0.999])
+def test_closed_form_peaks_give_their_restitution_back(e: float, *, linear: bool) -> None:
+    alpha = None if linear else BLOCK.alpha
+    peaks = BLOCK.alpha * free_rocking_peaks(0.7, e, 15, alpha=alpha)
+    fit = fit_restitution(peaks, BLOCK, model=Linear() if linear else None)
+    assert fit.restitution == pytest.approx((e, e), abs=1e-10)
+    assert fit.factor == pytest.approx((e / 0.98514851485,) * 2, rel=1e-9)
+    assert fit.scatter < 1e-10
+    assert fit.warnings == ()
+    expected = 1 + int(np.argmax(free_rocking_peaks(0.7, e, 5000, alpha=alpha)[1:] <= 0.05 * 0.7))
+    assert fit.to_small == expected
+
+
+def _turning_points(block: Block, model: Model, impacts: int) -> tuple[Floats, Floats]:
+    """Return times [s] and angles [rad] at which a simulated free rocking turns."""
+    still = Harmonic(amplitude=0.0, frequency_ratio=1.0)
+    run = simulate(block, still, start=State(angle=0.6, velocity=0.0), model=model, cycles=20)
+    times, angles = [0.0], [0.6]
+    for begin, end in itertools.pairwise(run.impacts.pt[:impacts].tolist()):
+        span, found = (begin, end), (0.0, 0.0)
+        for _ in range(4):
+            at = np.linspace(*span, 401)
+            angle = np.abs(run(at).angle)
+            top = int(np.argmax(angle))
+            span, found = (at[max(top - 1, 0)], at[min(top + 1, 400)]), (at[top], angle[top])
+        times.append(float(found[0]))
+        angles.append(float(found[1]))
+    return np.array(times) / block.p, block.alpha * np.array(angles)
+
+
+@pytest.mark.parametrize(("model", "close"), [(Linear(), 1e-10), (Nonlinear(), 1e-8)])
+@pytest.mark.parametrize("block", [BLOCK.with_restitution(0.93), UNLIKE])
+def test_a_simulated_motion_shows_the_restitution_of_its_block(
+    block: Block, model: Model, close: float
+) -> None:
+    times, peaks = _turning_points(block, model, 9)
+    fit = fit_restitution(Release(peaks_rad=peaks, times_s=times), block, model=model)
+    own = block.positive.restitution, block.negative.restitution
+    assert fit.restitution == pytest.approx(own, abs=close)
+    assert fit.half_periods == pytest.approx(1.0, abs=1e-5)
+    second = Release(peaks_rad=peaks[::2], times_s=times[::2], sides=1)
+    # One factor for both sides, which the times hardly feel.
+    assert fit_restitution(second, block, model=model).half_periods == pytest.approx(1.0, abs=0.01)
+
+
+def test_unlike_sides_have_their_own_energy_and_their_own_restitution() -> None:
+    ratios = np.tile([0.87, 0.93], 6)
+    peaks = decay(UNLIKE, 0.5 * UNLIKE.alpha, ratios)
+    fit = fit_restitution(peaks, UNLIKE)
+    assert fit.restitution == pytest.approx((0.87, 0.93), abs=1e-10)
+    assert [each.side for each in fit.impacts[:3]] == [1, -1, 1]
+    # One factor on both of Housner's values, whichever peaks are there.
+    housner = np.array(fit.housner)
+    shared = decay(UNLIKE, 0.5 * UNLIKE.alpha, np.tile(0.97 * housner, 6))
+    every = fit_restitution(shared, UNLIKE, each_side=False)
+    second = fit_restitution(Release(peaks_rad=shared[::2], sides=1), UNLIKE)
+    for found in (every, second):
+        assert found.restitution == pytest.approx(tuple(0.97 * housner), abs=1e-10)
+        assert found.factor == pytest.approx((0.97, 0.97), abs=1e-10)
+    assert second.impacts[0].side == 0
+
+
+def test_peaks_of_one_side_are_two_impacts_apart() -> None:
+    peaks = BLOCK.alpha * free_rocking_peaks(0.7, 0.95, 16, alpha=BLOCK.alpha)
+    one_side = Release(peaks_rad=peaks[::2], sides=-1)
+    assert fit_restitution(one_side, BLOCK).restitution[0] == pytest.approx(0.95, abs=1e-10)
+    # A peak that was missed leaves two of one side in a row.
+    sides = np.delete(np.resize([1, -1], 17), 4).tolist()
+    missed = Release(peaks_rad=np.delete(peaks, 4), sides=sides)
+    assert fit_restitution(missed, BLOCK).restitution[0] == pytest.approx(0.95, abs=1e-10)
+
+
+def _drawn(rng: np.random.Generator, tau: float, sigma: float, impacts: int = 20) -> Release:
+    ratios = 0.95 * np.exp(tau * rng.standard_normal(impacts))
+    peaks = decay(BLOCK, 0.6 * BLOCK.alpha, ratios)
+    noisy = np.abs(peaks + sigma * rng.standard_normal(peaks.size))
+    return Release(peaks_rad=noisy, sigma_rad=sigma)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("tau", "sigma"), [(0.0, 3e-4), (0.03, 3e-4), (0.01, 6e-4)])
+def test_intervals_of_nine_in_ten_hold_restitution_and_scatter(tau: float, sigma: float) -> None:
+    rng = np.random.default_rng(7)
+    fits = [fit_restitution(_drawn(rng, tau, sigma), BLOCK) for _ in range(200)]
+    held = np.mean([fit.low[0] <= 0.95 <= fit.high[0] for fit in fits])
+    # Three standard deviations of 200 trials at 0.9; without any scatter intervals are too wide.
+    assert 0.836 <= held <= (1.0 if tau == 0.0 else 0.965)
+    true = 0.95 * tau
+    scatters = np.mean([fit.scatter_low <= true <= fit.scatter_high for fit in fits])
+    assert scatters >= 0.836
+    mean = np.mean([fit.restitution[0] for fit in fits])
+    assert mean == pytest.approx(0.95, abs=5e-4)
+    if tau == 0.03:
+        assert np.mean([fit.scatter for fit in fits]) == pytest.approx(true, rel=0.1)
+
+
+def test_scatter_and_measuring_error_are_told_apart() -> None:
+    rng = np.random.default_rng(11)
+    bare = [_drawn(rng, 0.03, 4e-4, 24) for _ in range(6)]
+    releases = [Release(peaks_rad=each.peaks_rad) for each in bare]
+    fit = fit_restitution(releases, BLOCK)
+    assert fit.sigma_estimated
+    assert fit.sigma_rad == pytest.approx(4e-4, rel=0.5)
+    assert fit.scatter_low < 0.95 * 0.03 < fit.scatter_high
+    assert fit.scatter == pytest.approx(0.95 * 0.03, rel=0.25)
+    known = fit_restitution(bare, BLOCK)
+    assert known.restitution == pytest.approx(fit.restitution, abs=2e-3)
+
+
+def test_what_is_lost_in_the_noise_is_left_out_and_said() -> None:
+    peaks = BLOCK.alpha * free_rocking_peaks(0.6, 0.95, 30, alpha=BLOCK.alpha)
+    fit = fit_restitution(Release(peaks_rad=peaks, sigma_rad=1e-3), BLOCK)
+    lost = int((peaks < 6e-3).sum())
+    assert lost > 5
+    assert fit.left_out == lost
+    assert len(fit.impacts) == 30 - lost
+    assert f"{lost} peaks left out" in fit.warnings[0]
+    assert fit.restitution[0] == pytest.approx(0.95, abs=1e-10)
+
+
+def test_a_peak_that_grows_is_named() -> None:
+    peaks = BLOCK.alpha * free_rocking_peaks(0.6, 0.95, 9, alpha=BLOCK.alpha)
+    peaks[5] = 1.05 * peaks[4]
+    fit = fit_restitution(Release(peaks_rad=peaks, sigma_rad=1e-5, name="third"), BLOCK)
+    assert "grow over impact 5 of third, more than the measuring error" in fit.warnings[0]
+    noisy = fit_restitution(Release(peaks_rad=peaks, sigma_rad=1e-3, name="third"), BLOCK)
+    assert "within the measuring error" in noisy.warnings[0]
+
+
+def test_a_restitution_that_falls_with_the_amplitude_is_a_trend() -> None:
+    peaks = [0.6]
+    for _ in range(20):
+        e = 0.96 - 0.1 * peaks[-1]
+        peaks.append(float(free_rocking_peaks(peaks[-1], e, 1, alpha=BLOCK.alpha)[1]))
+    fit = fit_restitution(BLOCK.alpha * np.array(peaks), BLOCK)
+    assert fit.trend == pytest.approx(-0.1, rel=0.05)
+    assert any("changes with the amplitude" in each for each in fit.warnings)
+
+
+def test_half_periods_tell_a_block_that_is_another() -> None:
+    narrow = Block.rectangle(width=0.04, height=0.5)
+    ratio = free_rocking_peaks(0.6, 0.95, 10, alpha=narrow.alpha)
+    quarters = free_rocking_period(ratio, alpha=narrow.alpha) / (4.0 * narrow.p)
+    times = np.concatenate([[0.0], np.cumsum(quarters[:-1] + quarters[1:])])
+    release = Release(peaks_rad=narrow.alpha * ratio, times_s=times)
+    own = fit_restitution(release, narrow)
+    assert own.half_periods == pytest.approx(1.0, abs=1e-12)
+    assert own.warnings == ()
+    other = fit_restitution(release, BLOCK)
+    assert other.half_periods is not None
+    assert other.half_periods > 1.1
+    assert any("does not agree with its outline" in each for each in other.warnings)
+
+
+def test_a_block_too_stocky_for_housner_has_a_restitution_and_no_factor() -> None:
+    stocky = Block.from_p(alpha=1.1, p=2.0, restitution=0.5)
+    peaks = stocky.alpha * free_rocking_peaks(0.4, 0.5, 6, alpha=stocky.alpha)
+    fit = fit_restitution(peaks, stocky)
+    assert fit.restitution[0] == pytest.approx(0.5, abs=1e-10)
+    assert (fit.housner, fit.factor, fit.to_small_housner) == (None, None, None)
+    assert "so stocky a block" in fit.summary()
+
+
+@pytest.mark.parametrize(
+    ("peaks", "words"),
+    [
+        ([0.05], "needs the peaks before and after it"),
+        ([0.11, 0.05], "peak 1 of release is above alpha, 0.0996687 rad"),
+        ([0.05, -0.04], r"must lie in \(0"),
+        ([0.05, float("nan")], r"must lie in \(0|finite"),
+        (
+            Release(peaks_rad=[0.05, 0.04], sigma_rad=0.02),
+            "2 peaks are lost in the measuring error",
+        ),
+        ([[0.05, 0.04]], "needs the peaks before and after it"),
+    ],
+)
+def test_what_shows_no_impact_is_refused(peaks: Any, words: str) -> None:
+    with pytest.raises(InputError, match=words) as refused:
+        fit_restitution(peaks, BLOCK)
+    assert "\n" not in str(refused.value)
+
+
+def test_two_peaks_give_a_value_and_no_error() -> None:
+    peaks = BLOCK.alpha * free_rocking_peaks(0.6, 0.95, 1, alpha=BLOCK.alpha)
+    fit = fit_restitution(peaks, BLOCK)
+    assert fit.restitution[0] == pytest.approx(0.95, abs=1e-10)
+    assert (fit.low[0], fit.high[0]) == (0.0, np.inf)
+    assert "cannot be estimated" in fit.warnings[0]
+
+
+@pytest.mark.parametrize(
+    ("wrong", "words"),
+    [
+        ({"sides": [1, -1]}, "there are 3 peaks"),
+        ({"sides": [1, 0, 1]}, "must be 1 or -1"),
+        ({"times_s": [0.0, 0.2, 0.2]}, "do not rise"),
+        ({"sigma_rad": -1e-3}, r"must lie in \[0"),
+        ({"sigma_rad": [1e-3, 1e-3]}, "there are 3 peaks"),
+        ({"name": " "}, "must be a text"),
+    ],
+)
+def test_what_is_no_release_is_refused(wrong: dict[str, Any], words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        Release(**{"peaks_rad": [0.05, 0.04, 0.03], **wrong})
