@@ -73,7 +73,7 @@ def lend(
 
     References
     ----------
-    .. [1] D. J. C. MacKay, Neural Computation 4, 720-736 (1992), eq 10.
+    .. [1] D. J. C. MacKay, Neural Computation 4, 720-736 (1992).
     """
     tests, draws, count = fell.shape
     found: Floats = fell.mean(axis=2).T
@@ -91,7 +91,9 @@ def lend(
         if lent == 0.0 or (fell[test] == fell[test, 0, 0]).all():
             continue
         load = gain[test] - lean[:, np.newaxis]
-        middle, width = float(load.mean()), max(float(load.std()), 1e-9)
+        middle, width = float(load.mean()), float(load.std())
+        if width < 1e-6:  # one gain of one block
+            width = 1.0
         x = ((load[row, column] - middle) / width).ravel()
         design = np.vstack([np.ones_like(x), x, 0.5 * (x * x - 1.0), wide, x * wide])
         at = _logistic(design, fell[test, row, column].ravel())

@@ -90,6 +90,8 @@ class Calibration(Result):
     ) -> Predictions:
         """Predict tests: a training test without its group, any other by all tests.
 
+        Probabilities include the amplitude error of the test, or the prior's, and outliers.
+
         Parameters
         ----------
         tests

@@ -113,7 +113,9 @@ def test_nested_scores_are_those_of_brute_force() -> None:
                 scores[row, place] = np.log(np.where(fell > 0, p, 1 - p)[held]).sum()
         lost = scores[scores.sum(axis=1).argmax()] - scores
         error = lost.std(axis=1, ddof=1) * np.sqrt(11)
-        assert tempers[group] == LADDER[int(np.argmax(lost.sum(axis=1) <= error + 1e-9))]
+        row = int(np.argmax(lost.sum(axis=1) <= error + 1e-9))
+        clearly = lost[0].sum() > 2.0 * error[0]
+        assert tempers[group] == (LADDER[row] if clearly else 1.0)
 
 
 def test_a_temper_below_one_takes_a_clear_gain() -> None:

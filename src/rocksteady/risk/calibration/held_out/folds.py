@@ -182,10 +182,10 @@ def choose_tempers(
 def preferred(scores: Floats) -> int:
     """Return the row of the temper that log scores of folds prefer, rows from 1 downwards.
 
-    The largest temper whose score is within a standard error of the best [1]: the error is that of
-    the difference, from fold to fold.  So the likelihood stays as it is unless held-out tests say
-    clearly that it is too sure; the best score itself would often be that of a small temper by
-    chance, and its intervals too wide.  With fewer than ten folds it is 1.
+    It is 1 unless the best temper is better by twice the standard error of the difference, from
+    fold to fold; then it is the largest that is within a standard error of the best [1].  The best
+    score itself would often be that of a small temper by chance, and its intervals too wide.  With
+    fewer than ten folds it is 1.
 
     Parameters
     ----------
@@ -201,6 +201,8 @@ def preferred(scores: Floats) -> int:
         return 0
     lost = scores[np.argmax(scores.sum(axis=1))] - scores
     error = lost.std(axis=1, ddof=1) * np.sqrt(lost.shape[1])
+    if lost[0].sum() <= 2.0 * error[0] + 1e-9:
+        return 0
     return int(np.argmax(lost.sum(axis=1) <= error + 1e-9))
 
 

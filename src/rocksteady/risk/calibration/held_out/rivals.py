@@ -76,8 +76,8 @@ def base_rate(fell: Floats, objects: Integers, train: Bools) -> Floats:
 def fit_logistic(measures: Floats, fell: Floats) -> tuple[Floats, Floats, Floats]:
     """Return centre, scale and coefficients of a logistic curve with a ridge on its slopes.
 
-    Measures are taken in standard deviations, and each slope has a normal prior of scale 2.5
-    [1]; the constant has none but for a tenth of a trial of each kind, so that outcomes of one
+    Measures are taken in standard deviations, and each slope has a normal prior of scale 2.5, near
+    the Cauchy density of [1]; the constant has none but for a tenth of a trial of each kind, so that outcomes of one
     kind have a fit.
 
     References

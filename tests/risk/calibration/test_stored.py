@@ -1,0 +1,55 @@
+"""Posteriors on disk: read back, they predict to the last bit."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rocksteady import (
+    Calibration,
+    Linear,
+    Sampling,
+    calibrate,
+    read_posterior,
+    write_calibration,
+)
+from rocksteady.errors import InputError
+from tests.risk.calibration.trials import Case, make_records, make_tests
+
+
+@pytest.fixture(scope="module")
+def found() -> Calibration:
+    tests, _ = make_tests(Case("20 tests", tests=20), 1)
+    return calibrate(tests, sampling=Sampling(draws=60, gains=3, rounds=2), model=Linear())
+
+
+def test_a_stored_posterior_predicts_to_the_last_bit(found: Calibration, tmp_path: Path) -> None:
+    write_calibration(found, tmp_path)
+    stored = read_posterior(tmp_path)
+    record = make_records(1, seed=9)[0]
+    new = replace(found.tests.tests[0], name="new", record=record, group=None)
+    tests = [new, found.tests.tests[3], found.tests.tests[7]]
+    first, second = found.predict(tests), stored.predict(tests)
+    assert first.held_out == second.held_out == (False, True, True)
+    assert first.rows == second.rows
+    for name, each in found.posteriors.items():
+        assert np.array_equal(stored.posteriors[name].values, each.values)
+        assert np.array_equal(stored.posteriors[name].weights, each.weights)
+
+
+def test_a_training_test_that_was_changed_is_a_new_one(found: Calibration, tmp_path: Path) -> None:
+    write_calibration(found, tmp_path)
+    changed = replace(found.tests.tests[3], gain=found.tests.tests[3].gain * 1.01)
+    assert read_posterior(tmp_path).predict([changed]).held_out == (False,)
+
+
+@pytest.mark.parametrize("name", ["fit.json", "posterior.csv", "predictions.csv"])
+def test_a_damaged_folder_is_refused(found: Calibration, tmp_path: Path, name: str) -> None:
+    write_calibration(found, tmp_path)
+    (tmp_path / name).write_text("{}", encoding="utf-8")
+    with pytest.raises(InputError, match="folder"):
+        read_posterior(tmp_path).predict(found.tests)
+    (tmp_path / name).unlink()
+    with pytest.raises(InputError, match="folder"):
+        read_posterior(tmp_path)
