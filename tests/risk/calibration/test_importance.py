@@ -13,7 +13,7 @@ CENTRE, ROOT = np.array([0.5, -1.0, 0.2]), np.array([[0.6, 0, 0], [0.2, 0.9, 0],
 def test_density_of_a_refined_round_is_that_of_scipy() -> None:
     proposal = Proposal(draws=64, centre=CENTRE, root=ROOT)
     at = np.random.default_rng(1).normal(size=(20, 3))
-    own = stats.multivariate_t(CENTRE, ROOT @ ROOT.T, df=FREEDOM).logpdf(at)
+    own = stats.multivariate_t(CENTRE, ROOT @ ROOT.T, df=int(FREEDOM)).logpdf(at)
     prior = stats.norm.logpdf(at).sum(axis=1)
     apart = proposal.log_density(at) - (own - prior)
     assert apart == pytest.approx(np.zeros(20), abs=1e-9)
