@@ -45,6 +45,8 @@ class Calibration(Result):
         What was held out together.
     temper
         Exponent of the likelihood, 1 for none.
+    tempered_by_choice
+        Whether held-out tests have chosen it.
     posteriors
         Weighted draws by object; each object has its own.
     parameters

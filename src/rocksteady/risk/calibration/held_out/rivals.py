@@ -77,8 +77,8 @@ def fit_logistic(measures: Floats, fell: Floats) -> tuple[Floats, Floats, Floats
     """Return centre, scale and coefficients of a logistic curve with a ridge on its slopes.
 
     Measures are taken in standard deviations, and each slope has a normal prior of scale 2.5, near
-    the Cauchy density of [1]; the constant has none but for a tenth of a trial of each kind, so that outcomes of one
-    kind have a fit.
+    the Cauchy density of [1].  The constant has none but for a tenth of a trial of each kind, so
+    that outcomes of one kind have a fit.
 
     References
     ----------
