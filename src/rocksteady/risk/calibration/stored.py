@@ -149,9 +149,12 @@ def read_posterior(folder: Path | str) -> StoredPosterior:
             for name, spreads in fit["inputs"]["objects"].items()
         }
         rows = list(csv.DictReader(io.StringIO(texts["posterior.csv"], newline="")))
+        predictions = _predictions(texts["predictions.csv"])
+        if list(predictions.test) != list(fit["trained"]):
+            raise ValueError("predictions.csv has other tests than fit.json")
         return StoredPosterior(
             posteriors={name: _posterior(name, space, rows) for name, space in spaces.items()},
-            predictions=_predictions(texts["predictions.csv"]),
+            predictions=predictions,
             trained=dict(fit["trained"]),
             sampling=sampling,
             model=model,
