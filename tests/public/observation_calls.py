@@ -12,8 +12,12 @@ def observation_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
     one, spread = t["object prior"], t["spread"]
     calibration = t["calibration"]
     few = rs.Sampling(draws=30, gains=1, rounds=1)
+    found = t["back analysis"]
     row = [0.11, 0.8, 1.0, 0.05]
     Path("tests.csv").write_text("test,record,object,outcome\n1,made,vase,fell\n", encoding="utf-8")
+    Path("cemetery.csv").write_text(
+        "name,width_m,height_m,outcome\nvase,0.1,0.5,fell\n", encoding="utf-8"
+    )
     Path("prior.toml").write_text("[noise]\noutliers = 0.02\n", encoding="utf-8")
     return {
         rs.Spread: fields(spread),
@@ -66,4 +70,21 @@ def observation_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         t["scores"].describe: {},
         t["scores"].values: {},
         rs.score_predictions: {"probabilities": [0.3, 0.8], "fell": [0, 1]},
+        rs.Survey: fields(t["survey"]),
+        t["survey"].describe: {},
+        rs.Scan: {"limits": (0.05, 2.0), "levels": 10, "draws": 4, "seed": 1},
+        rs.Scan().draws_of: {"objects": 20},
+        rs.read_survey: {"path": "cemetery.csv"},
+        rs.back_analyse: {
+            "survey": t["survey"],
+            "motions": [t["record"]],
+            "scan": rs.Scan(levels=4, draws=2, temper=0.5, trials=0),
+        },
+        found.describe: {},
+        found.contains: {"first": 0.3, "second": 0.4},
+        found.density_at: {"first": 0.3, "second": 0.4},
+        found.rows: {},
+        found.record_rows: {},
+        found.grid_rows: {},
+        rs.plot_back_analysis: {"found": found},
     }

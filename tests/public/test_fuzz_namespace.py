@@ -41,6 +41,7 @@ HOLD_NAN = {
     "Flights", "Impacts", "Stretch", "Orbit", "Erosion", "Basins", "OverturningWindows", "Peak",
     "OverturningWindow", "IntegratedRecord", "SteadyOrbit", "Trajectory", "AttractorSweep",
     "Neighbour", "Neighbours", "FragilityCurve", "TwoStageCurve", "VectorFit", "Risk", "BranchTest",
+    "BackAnalysis",
 }  # fmt: skip
 """Results: NaN in one says that there is no such value, and their constructors let it pass."""
 

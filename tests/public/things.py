@@ -62,6 +62,9 @@ def things() -> dict[str, Any]:
         rs.ShakingTest(name=f"test {k}", record=record, object="vase", fell=k > 0, gain=0.5 + k)
         for k in range(2)
     ]
+    survey = rs.Survey(
+        objects=[vase, rs.ObjectPrior(name="urn", width_m=0.2, height_m=0.5)], fell=[True, False]
+    )
     falls = rs.LossState(name="overturned", median=0.4, beta=0.5)
     sliding = rs.ObjectFile(
         values={**described.values, "friction": 0.1, "demand": {"pga_g": 0.5, "pgv_m_s": 0.5}}
@@ -88,6 +91,10 @@ def things() -> dict[str, Any]:
         observations, sampling=rs.Sampling(draws=30, gains=1, rounds=1), groups="test"
     )
     return {
+        "survey": survey,
+        "back analysis": rs.back_analyse(
+            survey, [record, other], scan=rs.Scan(levels=6, draws=2, temper=0.5, trials=0)
+        ),
         "stripes": stripes,
         "fitting": fitting,
         "fragility": fragility,

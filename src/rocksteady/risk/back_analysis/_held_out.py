@@ -81,6 +81,8 @@ def hold_out(
     """
     random = np.random.default_rng([seed, 23])
     truths, fell = _surveys(log_likelihood, chance, trials, random)
+    if not len(truths):
+        return unchecked(temper, confidence, plane.ratios.shape[1])
     _, record, node = truths.T
     each = np.arange(len(truths))
     simulated = log_likelihoods(fell, chance)
@@ -111,6 +113,28 @@ def hold_out(
         plain_coverage=float((above[best] <= confidence).mean()),
         tails=np.array([_covering(each, confidence) for each in off]),
         surveys=len(truths),
+    )
+
+
+def unchecked(temper: float | Literal["auto"], confidence: float, measures: int) -> HeldOut:
+    """Return what is taken where no record is left out.
+
+    Parameters
+    ----------
+    temper
+        Exponent of the likelihood; "auto" is 1.
+    confidence
+        Posterior probability of the region.
+    measures
+        Their number.
+    """
+    return HeldOut(
+        temper=1.0 if temper == "auto" else temper,
+        scores={},
+        share=confidence,
+        plain_coverage=float("nan"),
+        tails=np.full(measures, confidence),
+        surveys=0,
     )
 
 

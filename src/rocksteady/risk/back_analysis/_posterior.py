@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from rocksteady.risk.back_analysis._chances import Levels, chances, log_likelihoods
 from rocksteady.risk.back_analysis._density import Plane, level_of, tempered
-from rocksteady.risk.back_analysis._held_out import HeldOut, hold_out
+from rocksteady.risk.back_analysis._held_out import HeldOut, hold_out, unchecked
 from rocksteady.risk.back_analysis._remarks import remarks_on
 from rocksteady.risk.back_analysis.back_analysis import BackAnalysis, Bound
 from rocksteady.risk.back_analysis.scan import Scan
@@ -128,14 +128,7 @@ def _held_out(logs: Floats, chance: Floats, plane: Plane, scan: Scan, bound: Bou
             seed=scan.seed,
             confidence=CONFIDENCE,
         )
-    return HeldOut(
-        temper=1.0 if scan.temper == "auto" else scan.temper,
-        scores={},
-        share=CONFIDENCE,
-        plain_coverage=float("nan"),
-        tails=np.full(plane.ratios.shape[1], CONFIDENCE),
-        surveys=0,
-    )
+    return unchecked(scan.temper, CONFIDENCE, plane.ratios.shape[1])
 
 
 def _values(
