@@ -4,8 +4,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady import Intensity, ObjectPrior, Survey
+from rocksteady.risk.back_analysis._analysis import Tried
 from rocksteady.risk.back_analysis._chances import Levels
-from rocksteady.risk.back_analysis._posterior import Tried
 from rocksteady.risk.observations.prior import Noise
 from rocksteady.risk.observations.spread import Spread
 

@@ -17,9 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady import Nonlinear, Record, Run, Status, make_synthetic_suite, read_record
+from rocksteady.risk.back_analysis._analysis import Tried, analyse
 from rocksteady.risk.back_analysis._chances import Levels
 from rocksteady.risk.back_analysis._fall_shares import POOL, draw_objects, fall_shares
-from rocksteady.risk.back_analysis._posterior import Tried, analyse
 from rocksteady.risk.back_analysis.back_analysis import BackAnalysis
 from rocksteady.risk.back_analysis.scan import Scan
 from rocksteady.risk.back_analysis.survey import Survey

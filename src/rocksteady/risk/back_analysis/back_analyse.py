@@ -12,6 +12,7 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.equations import Model
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.model.motions.record import Record
+from rocksteady.risk.back_analysis._analysis import Tried, analyse
 from rocksteady.risk.back_analysis._chances import Levels
 from rocksteady.risk.back_analysis._fall_shares import (
     POOL,
@@ -20,7 +21,6 @@ from rocksteady.risk.back_analysis._fall_shares import (
     fall_shares,
     model_of,
 )
-from rocksteady.risk.back_analysis._posterior import Tried, analyse
 from rocksteady.risk.back_analysis.back_analysis import BackAnalysis
 from rocksteady.risk.back_analysis.scan import Scan
 from rocksteady.risk.back_analysis.survey import Survey

@@ -6,8 +6,8 @@ import pytest
 from matplotlib.figure import Figure
 
 from rocksteady import BackAnalysis, Scan, plot_back_analysis
-from rocksteady.risk.back_analysis._posterior import analyse
-from tests.risk.back_analysis.test_posterior import AT_ONE, ERRORS, FELL, THRESHOLDS
+from rocksteady.risk.back_analysis._analysis import analyse
+from tests.risk.back_analysis.test_analysis import AT_ONE, ERRORS, FELL, THRESHOLDS
 from tests.risk.back_analysis.toys import toy_survey, toy_tried
 
 

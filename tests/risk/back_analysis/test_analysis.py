@@ -7,7 +7,7 @@ import pytest
 from scipy.special import ndtr
 
 from rocksteady import Scan
-from rocksteady.risk.back_analysis._posterior import analyse
+from rocksteady.risk.back_analysis._analysis import analyse
 from tests.risk.back_analysis.toys import noise, toy_survey, toy_tried
 
 RATIOS = np.exp(np.linspace(-0.6, 0.9, 12))
