@@ -40,7 +40,7 @@ def make_synthetic_survey(count: int = 12, *, seed: int = 0) -> Survey:
     Examples
     --------
     >>> make_synthetic_survey()
-    <Survey: 12 objects: 5 fell, 7 stood>
+    <Survey: 12 objects: 7 fell, 5 stood>
     """
     number = whole_number("count", count, at_least=2, at_most=10_000, hint="give 12")
     first = whole_number("seed", seed, at_least=0, hint="give a seed, as 0")
