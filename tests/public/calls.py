@@ -194,6 +194,15 @@ def calls() -> dict[str, Call]:
             checks=(),
         ).describe: {},
         t["windows"].at: {"index": 0},
+        t["scales"].at: {"index": 0},
+        t["scales"].describe: {},
+        t["scales"].falls: {"index": 0, "scale": 1.1},
+        t["scales"].intervals: {"index": 0},
+        t["scales"].to_dataset: {},
+        t["kicks"].at: {"index": 0},
+        t["kicks"].describe: {},
+        t["kicks"].intervals: {"index": 0},
+        t["kicks"].to_dataset: {},
         t["windows"].describe: {},
         t["course"].to_dataframe: {},
         t["windows"].intervals: {"index": 0},
@@ -426,7 +435,9 @@ def public_callables() -> set[str]:
         found.add(label_of(thing))
         if inspect.isclass(thing) and not issubclass(thing, tuple):
             # A base class of a private module is a part of the class.
-            bases = [base for base in thing.__mro__[1:] if "._" in base.__module__]
+            # So is what results with windows share.
+            shared = ("._", "window_lists")
+            bases = [b for b in thing.__mro__[1:] if any(part in b.__module__ for part in shared)]
             members = {method: vars(base)[method] for base in bases for method in vars(base)}
             for method, member in (members | dict(vars(thing))).items():
                 routine = isinstance(member, classmethod | staticmethod) or inspect.isfunction(

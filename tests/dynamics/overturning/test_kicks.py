@@ -20,7 +20,6 @@ from rocksteady import (
     State,
     Status,
     find_fatal_kick,
-    join_motions,
     overturning_impulse,
     simulate,
 )
@@ -145,7 +144,7 @@ def test_the_vertical_component_counts_and_workers_do_not() -> None:
 
 def test_a_motion_and_its_delay_have_the_same_kicks() -> None:
     pulse = Pulse(shape="half-sine", amplitude=1.4, frequency_ratio=3.0)
-    delayed = join_motions([Piecewise(pieces=(Segment(duration=0.5),)), pulse])
+    delayed = Piecewise(pieces=(Segment(duration=0.5), *pulse.segments()))
     here, later = (
         find_fatal_kick(BARE, motion=motion, times_pt=time)
         for motion, time in ((pulse, 0.3), (delayed, 0.8))

@@ -286,15 +286,11 @@ def _find_scales(
     model: str | None,
 ) -> None:
     """Search the scales of records, and print or write what is found."""
-    from rocksteady.seismic.spectra.overturning_scales import (
-        RESOLUTION,
-        WITHIN,
-        find_overturning_scales,
-    )
+    from rocksteady.seismic.spectra.overturning_scales import RESOLUTION, find_overturning_scales
 
     body, motions = _motions(recorded, suite, reading, block)
     equations = equations_for(model, body, motions[0])
-    within = WITHIN if scales is None else _two_ends("--scales", scales)
+    within = None if scales is None else _two_ends("--scales", scales)
     run = sweep.run(force=output.force)
     announce_compilation("pulses.pulse_fates")
     with (

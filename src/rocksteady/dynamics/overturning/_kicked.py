@@ -1,6 +1,5 @@
 """Fates of a block after kicks of many sizes, from a state, under what is left of a motion."""
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,18 +7,15 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.base_motion import segment_starts
 from rocksteady.dynamics.history.lowering import ceilings, samples_alike
+from rocksteady.dynamics.history.simulate import ELASTIC_TIME, LONGEST_REST
 from rocksteady.dynamics.overturning.scan import Fates
 from rocksteady.dynamics.overturning.window_cells import FLIGHT_LIMIT, REST_VELOCITY
-from rocksteady.kernels.batch._still_base import fate_on_still_base
 from rocksteady.kernels.core import tables as columns
 from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.march.march import march
 from rocksteady.kernels.nonlinear.drive import jump_share
 
 Floats = NDArray[np.float64]
-
-LOST = 1.0
-"""Margin of a block that is lost before the motion ends."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -34,6 +30,8 @@ class Kicked:
         +1 or -1, the sign of the kick.
     table
         The motion from then on, without the still base after it; no row where it has ended.
+    still
+        The still base after it.
     sides
         Of the block.
     """
@@ -42,6 +40,7 @@ class Kicked:
     velocity: float
     direction: int
     table: Floats
+    still: Floats
     sides: Floats
 
 
@@ -71,6 +70,8 @@ def motion_after(table: Floats, time: float) -> Floats:
 def kicked_fates(size: Floats, *, kicked: Kicked, impacts: int = 0) -> Fates:
     """Return the fates of a block after kicks of some sizes, in units of alpha g/p.
 
+    Their margin is 1 or -1: borders are found by halving.
+
     `impacts` are added to those after the kick.
     """
     each = [_fate(kicked, value) for value in size.tolist()]
@@ -81,13 +82,13 @@ def kicked_fates(size: Floats, *, kicked: Kicked, impacts: int = 0) -> Fates:
         np.array(bounces, dtype=np.int64) + impacts,
         np.array(side, dtype=np.int64),
         np.array(during, dtype=np.int64),
-        np.minimum(np.array(margin), 1e200),
+        np.array(margin),
     )
 
 
 def _fate(kicked: Kicked, size: float) -> tuple[bool, bool, int, int, int, float]:
     """Return the fields of `Fates` after one kick."""
-    sides, table = kicked.sides, kicked.table
+    sides = kicked.sides
     jump = kicked.direction * size
     leaning = kicked.angle or kicked.velocity + jump
     row = 0 if leaning > 0.0 else 1
@@ -98,45 +99,29 @@ def _fate(kicked: Kicked, size: float) -> tuple[bool, bool, int, int, int, float
     velocity = kicked.velocity + turned
     standing = kicked.angle == 0.0 and velocity == 0.0
     side = 0 if standing else 1 if (kicked.angle or velocity) > 0.0 else -1
-    half, phase = (0, 0.0) if not len(table) else segment_start(table, 0)
-    end = columns.March(side, kicked.angle, velocity, 0, half, phase, 0, 0)
-    if len(table):
-        code, end = march(
+    begin = columns.March(side, kicked.angle, velocity, 0, 0, 0.0, 0, 0)
+    status, during = columns.ROCKING, 1 + side
+    for table in (kicked.table, kicked.still):
+        if not len(table):
+            continue
+        half, phase = segment_start(table, 0)
+        begin = begin._replace(segment=0, half_cycles=half, phase=phase, flights=0)
+        afterwards = ELASTIC_TIME if (sides[:, columns.RESTITUTION] == 1.0).all() else LONGEST_REST
+        status, begin = march(
             table,
             sides,
-            end,
+            begin,
             0,
-            0.0,
+            afterwards,
             REST_VELOCITY,
             len(table) + FLIGHT_LIMIT,
             np.zeros((0, columns.ROW_COLUMNS)),
             np.zeros(0),
         )
-        during = 3 * end.impacts + 1 + end.side
-        if code == columns.OVERTURNED:
-            return True, True, end.impacts, end.side, during, LOST
-        if code not in (columns.AT_REST, columns.ROCKING):
-            return False, False, end.impacts, 0, during, -1.0
-    during = 3 * end.impacts + 1 + end.side
-    if end.side == 0:
-        return False, True, end.impacts, 0, during, -1.0
-    row = 0 if end.side > 0 else 1
-    lean, unit = (
-        float(sides[row, columns.LEAN]),
-        float(sides[row, columns.LEAN] * sides[row, columns.RATE]),
-    )
-    after = fate_on_still_base(
-        sides, end.side, end.side * end.angle / lean, end.side * end.velocity / unit
-    )
-    falls = bool(after.margin > 0.0)
-    margin = float(after.margin)
-    if math.isnan(margin):
-        return False, False, end.impacts, 0, during, -1.0
-    return (
-        falls,
-        True,
-        end.impacts + (after.impacts if falls else 0),
-        after.side if falls else 0,
-        during,
-        margin,
-    )
+        if table is kicked.table:
+            during = 3 * begin.impacts + 1 + begin.side
+        if status == columns.OVERTURNED:
+            return True, True, begin.impacts, begin.side, during, 1.0
+        if status not in (columns.AT_REST, columns.ROCKING):
+            return False, False, begin.impacts, 0, during, -1.0
+    return False, True, begin.impacts, 0, during, -1.0

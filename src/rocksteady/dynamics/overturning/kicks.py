@@ -168,13 +168,17 @@ class FatalKicks(WindowLists):
             else Fact("", label="block", text=block_text(self.block))
         )
         rows = list(self._rows())
+        listed = [
+            {**row, "windows": [list(ends) for ends in self.intervals(index)]}
+            for index, row in enumerate(rows)
+        ]
         columns = [
             *([Column("t_s", "s")] if sized else [Column("time_pt", "p t")]),
             Column("angle", "theta/alpha"),
             Column("direction", "kick", lambda value: "+" if value > 0 else "-"),
             *([Column("first_m_s", "least m/s", _or_none)] if sized else []),
             Column("first", "of alpha g/p", _or_none),
-            Column("windows", "windows", lambda value: str(len(value))),
+            Column("windows", "windows"),
         ]
         facts = [
             body,
@@ -192,7 +196,12 @@ class FatalKicks(WindowLists):
                 "be missing."
             )
         headline = f"Least fatal kick: {case_text(self.block)}, {self.model.name} model"
-        return Description(headline, facts, [Table("kicks", rows, columns, most=MOST_ROWS)], notes)
+        return Description(
+            headline,
+            facts,
+            [Table("", rows, columns, most=MOST_ROWS), Table("kicks", listed)],
+            notes,
+        )
 
     @property
     def _smallest(self) -> float:
@@ -221,7 +230,7 @@ class FatalKicks(WindowLists):
                     "velocity": float(self.velocity[moment]),
                     "direction": direction,
                     "first": float(self.first[index]),
-                    "windows": [list(ends) for ends in self.intervals(index)],
+                    "windows": len(self.intervals(index)),
                     "undecided": int(self.undecided[index]),
                     "unsettled": int(self.unsettled[index]),
                 }
@@ -238,7 +247,7 @@ def find_fatal_kick(
     start: Rest | State | None = None,
     motion: Motion | Record | BaseMotion | None = None,
     times_pt: ArrayLike = 0.0,
-    within: tuple[float, float] = WITHIN,
+    within: tuple[float, float] | None = None,
     model: Model | None = None,
     run: Run | None = None,
 ) -> FatalKicks:
@@ -285,7 +294,7 @@ def find_fatal_kick(
     >>> block = DimensionlessBlock(restitution=0.9)
     >>> kicks = find_fatal_kick(block, start=State(angle=0.5, velocity=0.0))
     >>> print(kicks.signed.round(6))
-    [[ 0.5      -0.696044]]
+    [[ 0.5      -0.696109]]
     """
     begun: Rest | State = Rest() if start is None else start
     if not isinstance(begun, Rest | State) or (
@@ -297,7 +306,7 @@ def find_fatal_kick(
     shaking: Motion | Record | BaseMotion = Still() if motion is None else motion
     chosen = chosen_model(model, block, shaking)
     hint = "give the lowest and the highest kick over alpha g/p, as (0.0, 4.0)"
-    given = within
+    given = WITHIN if within is None else within
     if not is_pair(given):
         raise InputError("within", given, "it must be a pair", hint)
     low = in_range("within", given[0], 0.0, MOST_KICK, "[)", hint=hint)
@@ -320,6 +329,7 @@ def find_fatal_kick(
             velocity=float(v),
             direction=direction,
             table=motion_after(course.segments, float(time)),
+            still=course.segments[-1:],
             sides=course.sides,
         )
         for time, u, v in zip(times, angle, velocity, strict=True)

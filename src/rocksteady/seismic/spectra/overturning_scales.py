@@ -279,7 +279,7 @@ def find_overturning_scales(
     block: Block,
     motions: Record | BaseMotion | Sequence[Record | BaseMotion],
     *,
-    within: tuple[float, float] = WITHIN,
+    within: tuple[float, float] | None = None,
     resolution: float = RESOLUTION,
     model: Model | None = None,
     run: Run | None = None,
@@ -326,14 +326,14 @@ def find_overturning_scales(
     >>> shock = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.3)
     >>> scales = find_overturning_scales(block, shock, within=(0.5, 2.0))
     >>> [(round(low, 4), round(high, 4)) for low, high in scales.intervals(0)]
-    []
+    [(0.9388, 2.0)]
     """
     if not isinstance(block, Block):
         raise InputError("block", block, "a record needs a block with sizes", "give a Block")
     grounds = grounds_of(motions)
     names = names_of(ground.record for ground in grounds)
     chosen = chosen_model(model, block, grounds[0].record)
-    low, high = _range(within)
+    low, high = _range(WITHIN if within is None else within)
     step = in_range("resolution", resolution, 1e-6, 0.1, "[]", hint="give a part, as 0.002")
     check_grounds(grounds, [high] * len(grounds), [block], chosen)
     axis = Axis(name="record", values=names, long_name="record", items=grounds)
