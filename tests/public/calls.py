@@ -341,6 +341,8 @@ def calls() -> dict[str, Call]:
         rs.summarise_spectra: {"spectra": t["suite"]},
         rs.symmetry_breaking_amplitude: {"frequency_ratio": 4.0, "restitution": 0.8},
         rs.symmetry_breaking_frequency: {"amplitude": 2.0, "restitution": 0.8},
+        rs.FatalKicks: fields(t["kicks"]),
+        rs.OverturningScales: fields(t["scales"]),
         rs.BasinAttractor: fields(t["basins"].attractors[0]),
         rs.OverturningWindow: {"low": 1.0, "high": 2.0, "impacts": 1, "side": 1, "endless": False},
         rs.IntegrityDrop: {

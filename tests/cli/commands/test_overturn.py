@@ -7,7 +7,14 @@ from pathlib import Path
 import pytest
 import xarray
 
-from rocksteady import Block, DimensionlessBlock, find_overturning_windows
+from rocksteady import (
+    Block,
+    DimensionlessBlock,
+    Record,
+    find_overturning_scales,
+    find_overturning_windows,
+    overturning_impulse,
+)
 from rocksteady.cli.commands import overturn
 from tests.cli.program import refused, rocksteady
 
@@ -143,7 +150,7 @@ def test_what_is_refused_says_so_in_one_line(command: str, words: str) -> None:
 def test_the_examples_in_the_help_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     examples = re.findall(r"^rocksteady (.*)$", overturn.EXAMPLES, flags=re.MULTILINE)
-    assert len(examples) == 5
+    assert len(examples) == 6
     for example in examples:
         # Fewer frequencies show the same.
         assert rocksteady(re.sub(r":200\b|:25\b", ":10", example)).code == 0, example
@@ -160,3 +167,52 @@ def test_a_reversed_pulse_is_the_same_pulse_for_the_mirrored_block() -> None:
     for ends, like in zip(row["intervals_g"], mirrored["intervals_g"], strict=True):
         assert ends == pytest.approx(like, rel=1e-9)
     assert [mode["side"] for mode in row["modes"]] == [-mode["side"] for mode in mirrored["modes"]]
+
+
+WAVE = "0,0\n0.3,4\n0.6,-4\n0.9,0\n"
+BODY = "--width-m 0.4 --height-m 1.6"
+
+
+def test_the_scales_of_a_record_keep_the_contract(tmp_path: Path) -> None:
+    file, table, picture = tmp_path / "wave.csv", tmp_path / "w.csv", tmp_path / "w.png"
+    file.write_text("t (s),acc (m/s2)\n" + WAVE, encoding="utf-8")
+    ran = rocksteady(
+        f"overturn --record {file} {BODY} --scales 0.5:2 --csv {table} --plot {picture} --json"
+    )
+    assert ran.code == 0
+    block = Block.rectangle(width=0.4, height=1.6)
+    record = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.3)
+    found = find_overturning_scales(block, record, within=(0.5, 2.0))
+    (row,) = ran.json["windows"]
+    assert row["intervals"] == [list(ends) for ends in found.intervals(0)]
+    assert row["intervals_g"][0][0] == pytest.approx(row["first"] * 4.0 / 9.80665)
+    assert ran.json["scales"] == [0.5, 2.0]
+    with table.open(encoding="utf-8", newline="") as rows:
+        assert float(next(csv.DictReader(rows))["low"]) == row["first"]
+    assert picture.stat().st_size > 5000
+
+
+def test_a_kick_keeps_the_contract(tmp_path: Path) -> None:
+    picture = tmp_path / "k.png"
+    ran = rocksteady(f"overturn --kick {BODY} --at-s 0:1:2 --plot {picture} --json")
+    assert ran.code == 0
+    block = Block.rectangle(width=0.4, height=1.6)
+    assert [row["first_m_s"] for row in ran.json["kicks"]] == pytest.approx(
+        [overturning_impulse(block)] * 4
+    )
+    assert picture.stat().st_size > 5000
+
+
+@pytest.mark.parametrize(
+    ("flags", "word"),
+    [
+        ("--scales 1:2 --pulse one-sine -W 2 -r 0.9", "--scales"),
+        ("--kick -r 0.9 -W 2", "--frequency-ratio"),
+        ("--pulse one-sine -W 2 -r 0.9 --start 0.1,0", "--start"),
+        ("--kick -r 0.9 --at-s 1", "--at-s"),
+    ],
+)
+def test_flags_of_another_search_are_refused(flags: str, word: str) -> None:
+    ran = rocksteady(f"overturn {flags}")
+    assert ran.code == 2
+    assert word.split("--")[1][:5] in ran.err or "-W" in ran.err

@@ -61,7 +61,6 @@ EXAMPLES = (
     "--freq-hz 1:4:13\n\n"
     "rocksteady overturn --block zhang-makris-2001 --pulse one-sine -W 2:8:25 --model nonlinear\n\n"
     "rocksteady overturn --pulse ricker -W 3 -r 0.9 --json\n\n"
-    "rocksteady overturn --record station.at2 --width-m 0.6 --height-m 1.8 --scales 0.2:3\n\n"
     "rocksteady overturn --kick --start 0.5,0 --width-m 0.6 --height-m 1.8"
 )
 

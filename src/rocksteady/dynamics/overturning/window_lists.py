@@ -62,7 +62,7 @@ class WindowLists(Result):
     undecided: Integers
     unsettled: Integers
 
-    def _row_of(self, index: int) -> int:
+    def _row_of(self, index: int | str) -> int:
         """Return a row by its number, counted from the end where that is below 0."""
         return index_value(index, len(self.first), "row")
 
@@ -71,7 +71,7 @@ class WindowLists(Result):
         """Ends of the range that was searched, shape (rows,)."""
         return np.full(len(self.first), self.within[1])
 
-    def at(self, index: int) -> tuple[OverturningWindow, ...]:
+    def at(self, index: int | str) -> tuple[OverturningWindow, ...]:
         """Return the windows of one row, in ascending order."""
         row = self._row_of(index)
         end = self._ends[row]
@@ -84,7 +84,7 @@ class WindowLists(Result):
             if side != 0
         )
 
-    def intervals(self, index: int) -> list[tuple[float, float]]:
+    def intervals(self, index: int | str) -> list[tuple[float, float]]:
         """Return where the block overturns in one row, in whatever way."""
         found: list[tuple[float, float]] = []
         for window in self.at(index):

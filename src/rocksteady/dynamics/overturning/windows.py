@@ -93,7 +93,7 @@ class OverturningWindows(WindowLists):
     pulse: Pulse
     frequency_ratio: Floats
 
-    def _row_of(self, index: int) -> int:
+    def _row_of(self, index: int | str) -> int:
         """Return a frequency by its number."""
         return index_value(index, len(self.frequency_ratio), "frequency ratio")
 
