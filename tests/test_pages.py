@@ -8,9 +8,11 @@ import math
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -97,7 +99,9 @@ def cells(line: str) -> int:
 
 
 def shortened(line: str) -> str:
-    """Return a command line with a few values on each of its axes."""
+    """Return a command line with a few values on each of its axes, and few draws."""
+    if line.startswith("calibrate"):
+        line += " --draws 30 --gains 2 --rounds 1 --model linear"
     return AXIS.sub(lambda axis: axis[1] + str(min(FEW, int(axis[2]))), line)
 
 
@@ -122,7 +126,30 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         (suite / f"{number}.AT2").write_text(text, encoding="ascii")
     np.savetxt(tmp_path / "column.txt", 9.80665 * swelling)
     (tmp_path / "peaks.csv").write_text("peak_rad\n0.06\n0.05\n0.043\n0.038\n", encoding="ascii")
+    (tmp_path / "objects.csv").write_text("name,width_m,height_m\ncolumn,0.4,1.6\n", "utf-8")
+    rows = ["test,record,object,outcome,gain,session"]
+    for number, outcome in ((1, "fell"), (2, "stood"), (3, "stood")):
+        rows += [f"{number},{number},column,{outcome},1,{number}"]
+    for name in ("tests.csv", "next.csv"):
+        (tmp_path / name).write_text("\n".join(rows) + "\n", "utf-8")
     return tmp_path
+
+
+@pytest.fixture(scope="session", name="fit")
+def _fit(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the folder of a calibration."""
+    column = rs.Block.rectangle(width=0.15, height=0.6)
+    made = rs.make_synthetic_tests(column, rs.make_synthetic_suite(2), model=rs.Linear())
+    given = {"column": replace(next(iter(made.objects.values())), name="column")}
+    tests = [replace(test, object="column") for test in made.tests]
+    found = rs.calibrate(
+        replace(made, tests=tests, objects=given),
+        sampling=rs.Sampling(draws=30, gains=2, rounds=1),
+        model=rs.Linear(),
+    )
+    folder = tmp_path_factory.mktemp("calibrated") / "fit"
+    rs.write_calibration(found, folder)
+    return folder
 
 
 def run_line(line: str) -> None:
@@ -141,7 +168,11 @@ def run_line(line: str) -> None:
 
 @pytest.mark.usefixtures("folder")
 @pytest.mark.parametrize("line", [line for line in TYPED if not LONG.search(line)])
-def test_a_command_line_runs_with_a_few_values_on_its_axes(line: str) -> None:
+def test_a_command_line_runs_with_a_few_values_on_its_axes(
+    line: str, request: pytest.FixtureRequest
+) -> None:
+    if "--fit fit" in line:
+        shutil.copytree(request.getfixturevalue("fit"), "fit")
     run_line(shortened(line))
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from rocksteady import Calibration, OutputError, read_posterior, write_calibration
-from rocksteady.show.calibration import calibration_report
+from rocksteady.show.calibration import _calibration_report
 from tests.show.calibrated import calibrated, unscored
 
 PICTURES: dict[str, Any] = {"ladders": [], "posteriors": []}
@@ -19,7 +19,7 @@ FILES = ["fit.json", "parameters.csv", "posterior.csv", "predictions.csv", "repo
 @pytest.fixture(name="plain")
 def _plain(monkeypatch: pytest.MonkeyPatch) -> None:
     """Leave pictures out, which take most of the time."""
-    monkeypatch.setattr(calibration_report, "pictures_of", lambda _: PICTURES)
+    monkeypatch.setattr(_calibration_report, "pictures_of", lambda _: PICTURES)
 
 
 def names(folder: Path) -> list[str]:

@@ -9,7 +9,7 @@ import pytest
 
 from rocksteady import Calibration
 from rocksteady.results.numbers import number
-from rocksteady.show.calibration.calibration_report import calibration_html
+from rocksteady.show.calibration._calibration_report import calibration_html
 from rocksteady.show.export.manifest import make_manifest
 from tests.show.assessment.pages import Page, check_alone
 from tests.show.calibrated import HOSTILE, calibrated, hostile, unscored

@@ -5,7 +5,7 @@ from pathlib import Path
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.risk.calibration.stored import posterior_rows
-from rocksteady.show.calibration.calibration_report import calibration_html
+from rocksteady.show.calibration._calibration_report import calibration_html
 from rocksteady.show.export.files import json_text, save_csv, save_text
 from rocksteady.show.export.folders import check_own_folder, fill_own_folder
 from rocksteady.show.export.manifest import make_manifest
