@@ -4,6 +4,7 @@ import csv
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 import xarray
 
@@ -181,7 +182,7 @@ def test_the_scales_of_a_record_keep_the_contract(tmp_path: Path) -> None:
     )
     assert ran.code == 0
     block = Block.rectangle(width=0.4, height=1.6)
-    record = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.3)
+    record = Record(acceleration_m_s2=np.array([0.0, 4.0, -4.0, 0.0]), dt_s=0.3)
     found = find_overturning_scales(block, record, within=(0.5, 2.0))
     (row,) = ran.json["windows"]
     assert row["intervals"] == [list(ends) for ends in found.intervals(0)]

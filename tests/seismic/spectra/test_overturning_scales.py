@@ -25,7 +25,7 @@ from tests.seismic.grounds import ground
 
 BLOCK = Block.rectangle(width=0.4, height=1.6, restitution=0.85)
 LEANING = Block.asymmetric(left=0.25, right=0.35, height=1.6, restitution=(0.9, 0.8))
-SHOCK = Record(acceleration_m_s2=[0.0, 4.0, -4.0, 0.0], dt_s=0.3, name="shock")
+SHOCK = Record(acceleration_m_s2=np.array([0.0, 4.0, -4.0, 0.0]), dt_s=0.3, name="shock")
 RECORD = Record(
     acceleration_m_s2=ground(1).acceleration_m_s2, dt_s=3.0 * ground(1).dt_s, name="slow"
 )

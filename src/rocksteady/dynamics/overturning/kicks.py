@@ -297,9 +297,8 @@ def find_fatal_kick(
     [[ 0.5      -0.696109]]
     """
     begun: Rest | State = Rest() if start is None else start
-    if not isinstance(begun, Rest | State) or (
-        isinstance(begun, State) and begun.phase is not None
-    ):
+    checked_start: object = begun
+    if not isinstance(checked_start, Rest | State) or getattr(checked_start, "phase", None):
         raise InputError(
             "start", start, "it must be Rest() or a State without a phase", "give State(angle=...)"
         )
