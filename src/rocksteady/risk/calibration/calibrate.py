@@ -13,11 +13,11 @@ from rocksteady.model.checks.validation import in_range
 from rocksteady.model.equations import Model, Nonlinear
 from rocksteady.risk.calibration._draw_runs import DrawRuns, log_likelihood, run_draws
 from rocksteady.risk.calibration._flips import count_flips
+from rocksteady.risk.calibration._identified import LIMIT, parameters_of
 from rocksteady.risk.calibration._importance import Proposal, base_weights, refine
 from rocksteady.risk.calibration._predicting import error_warnings
 from rocksteady.risk.calibration._shares import lend
 from rocksteady.risk.calibration._space import Space
-from rocksteady.risk.calibration._verdicts import LIMIT, parameters_of
 from rocksteady.risk.calibration.calibration import (
     Calibration,
     Folds,

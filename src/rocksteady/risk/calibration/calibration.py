@@ -12,8 +12,8 @@ from rocksteady.model.equations import Model
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, percent, plural
 from rocksteady.results.result import Result
+from rocksteady.risk.calibration._identified import MEANINGS
 from rocksteady.risk.calibration._predicting import Source, digest_of, listed, predict_all
-from rocksteady.risk.calibration._verdicts import MEANINGS
 from rocksteady.risk.calibration.held_out.folds import Evidence
 from rocksteady.risk.calibration.held_out.learning import Trial
 from rocksteady.risk.calibration.held_out.predictions import Predictions

@@ -26,7 +26,7 @@ def _gains(tests: Sequence[ShakingTest]) -> list[str]:
     scaled = [test for test in tests if not 1.0 / LARGE_GAIN <= test.gain <= LARGE_GAIN]
     if not scaled:
         return []
-    worst = max(scaled, key=lambda test: abs(np.log(test.gain)))
+    worst = max(scaled, key=lambda test: max(test.gain, 1.0 / test.gain))
     words = (
         f"{plural(len(scaled), 'test')} scale a record by more than 10 or by less than 1/10, "
         f"{worst.name} by {number(worst.gain)}: check the units of the record."

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError
+from rocksteady.kernels.elementary.arrays import log
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import finite, in_range, positive
 
@@ -209,9 +210,9 @@ class Spread:
         if self.fixed:
             return np.where(inside, 0.0, -np.inf)
         if self.mean is None or self.sd is None:
-            return np.where(inside, -math.log(self.high - self.low), -np.inf)
+            return np.where(inside, -log(self.high - self.low), -np.inf)
         score = (at - self.mean) / self.sd
-        constant = math.log(self._mass()[1] * self.sd * math.sqrt(2.0 * math.pi))
+        constant = log(self._mass()[1] * self.sd * math.sqrt(2.0 * math.pi))
         return np.where(inside, -0.5 * score * score - constant, -np.inf)
 
     def _mass(self) -> tuple[float, float]:

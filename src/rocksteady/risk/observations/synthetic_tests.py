@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
 from rocksteady.errors import InputError, Words
+from rocksteady.kernels.elementary.arrays import exp
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range, whole_number
@@ -98,7 +99,7 @@ def make_synthetic_tests(
     sigma = in_range("gain_error", gain_error, 0.0, LARGEST_SIGMA, "[]", hint="give 0.2")
     first = whole_number("seed", seed, at_least=0, at_most=LARGEST_SEED, hint="give a seed, as 0")
     rng = np.random.default_rng(first)
-    error = np.exp(sigma * rng.standard_normal(nominal.shape))
+    error = exp(sigma * rng.standard_normal(nominal.shape))
     known = prior if prior is not None else _around(block)
     several = nominal.shape[1]
     unknown = [
