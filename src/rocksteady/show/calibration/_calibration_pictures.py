@@ -7,7 +7,7 @@ from rocksteady.results.numbers import number, plural
 from rocksteady.results.rendering import printable
 from rocksteady.risk.calibration.calibration import Calibration
 from rocksteady.risk.calibration.held_out.validate import Validation
-from rocksteady.show.calibration._calibration_tables import ordered
+from rocksteady.show.calibration._calibration_tables import FIRST, ordered
 from rocksteady.show.plots.observations.ladders import MOST, plot_ladders, rungs_of
 from rocksteady.show.plots.observations.posteriors import plot_posterior
 from rocksteady.show.plots.observations.reliability import plot_reliability
@@ -102,7 +102,7 @@ def _ladder(calibration: Calibration, first: int, axes: Any) -> None:
 
 
 def _posteriors(calibration: Calibration) -> list[Picture]:
-    """Return a picture of each parameter of the first objects."""
+    """Return a picture of each parameter, or of the alpha of the first objects."""
     names = list(calibration.posteriors)[:MOST_OBJECTS]
     several = len(calibration.posteriors) > 1
     return [
@@ -116,7 +116,7 @@ def _posteriors(calibration: Calibration) -> list[Picture]:
             page=HALF,
         )
         for row in ordered(calibration.parameters)
-        if row["object"] in names
+        if row["object"] in names and (not several or row["parameter"] == FIRST)
     ]
 
 

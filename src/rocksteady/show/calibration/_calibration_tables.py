@@ -27,6 +27,8 @@ SHORT = {
     "ece": "calibration error",
 }
 """Headings of the scores."""
+FIRST = "alpha_rad"
+"""Parameter that stands on top of an object's."""
 PARAMETERS = {
     "alpha_rad": "α [rad]",
     "p_rad_s": "p [rad/s]",
@@ -101,9 +103,10 @@ def _score(value: float) -> str:
 def parameter_rows(calibration: Calibration) -> list[Row]:
     """Return a row for each parameter of each object."""
     several = len(calibration.posteriors) > 1
+    rows = ordered(calibration.parameters)
     return [
         {
-            "object": each["object"] if several else "",
+            "object": each["object"] if several and each["parameter"] == FIRST else "",
             "name": parameter_words(each["parameter"]),
             "prior": span(each["prior_low"], each["prior_high"]),
             "median": number(each["median"]),
@@ -114,16 +117,14 @@ def parameter_rows(calibration: Calibration) -> list[Row]:
             "meaning": greek(VERDICTS[each["verdict"]][1]),
             "bound": _bound(each),
         }
-        for each in ordered(calibration.parameters)
+        for each in rows
     ]
 
 
 def ordered(rows: Sequence[Row]) -> list[Row]:
     """Return the rows of parameters, of each object alpha first."""
     names = list(dict.fromkeys(each["object"] for each in rows))
-    return sorted(
-        rows, key=lambda each: (names.index(each["object"]), each["parameter"] != "alpha_rad")
-    )
+    return sorted(rows, key=lambda each: (names.index(each["object"]), each["parameter"] != FIRST))
 
 
 def parameter_words(name: str) -> str:

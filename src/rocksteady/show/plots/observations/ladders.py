@@ -1,5 +1,6 @@
 """Plots of tests by record: at which gain what fell, and what was predicted of it."""
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -37,7 +38,7 @@ class Rung:
     Attributes
     ----------
     name
-        Of the record, and of the object where there are several.
+        Of the record, and of the object where it shook several.
     at
         Gains, or peak accelerations [g], shape (tests,).
     p
@@ -145,13 +146,13 @@ def rungs_of(calibration: Calibration) -> tuple[list[Rung], str]:
     else:
         peaks = [test.record.peak_acceleration_m_s2 for test in tests]
         at, label = gains * np.array(peaks) / STANDARD_GRAVITY, "peak acceleration [g]"
-    several = len({test.object for test in tests}) > 1
+    counts = Counter(record for record, _ in rows)
     rungs = []
     for (record, body), places in rows.items():
         order = np.array(places)[np.argsort(at[places], kind="stable")]
         rungs.append(
             Rung(
-                name=f"{record}, {body}" if several else record,
+                name=f"{record}, {body}" if counts[record] > 1 else record,
                 at=at[order],
                 p=p[order],
                 fell=np.array([bool(tests[place].fell) for place in order]),
