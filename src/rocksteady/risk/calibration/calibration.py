@@ -27,6 +27,8 @@ from rocksteady.risk.observations.prior import Prior
 from rocksteady.risk.observations.shaking_test import ShakingTest
 from rocksteady.sweep.run import Run
 
+LONGEST_NAME = 20
+"""Letters of an object in a table of parameters."""
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Folds = Literal["group", "record", "test", "session"]
@@ -210,12 +212,15 @@ class Calibration(Result):
         )
 
     def _table(self) -> Table:
-        several = len(self.posteriors) > 1
-        columns = [
-            *([Column("object", "object", left=True)] if several else []),
-            Column("parameter", "parameter", left=True),
+        before = (
             Column("prior_low", "prior 5 %", number),
             Column("prior_high", "prior 95 %", number),
+        )
+        names = (Column("object", "object", _shortened, left=True),)
+        columns = [
+            *(names if len(self.posteriors) > 1 else ()),
+            Column("parameter", "parameter", left=True),
+            *(() if len(self.posteriors) > 1 else before),  # 80 columns have no room for both
             Column("median", "median", number),
             Column("low", "5 %", number),
             Column("high", "95 %", number),
@@ -294,3 +299,8 @@ def make_trial(
 
 def _words(values: Mapping[str, float]) -> str:
     return ", ".join(f"{name} {number(float(value))}" for name, value in values.items())
+
+
+def _shortened(name: str) -> str:
+    """Return a name that leaves room for numbers beside it."""
+    return name if len(name) <= LONGEST_NAME else f"{name[: LONGEST_NAME - 1]}…"
