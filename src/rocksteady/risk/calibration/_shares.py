@@ -6,7 +6,7 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
-LENT = 10.0
+LENT = 30.0
 """Runs that the fitted share counts for beside the runs of a draw."""
 NODES = 7
 """Of the quadrature over the gain."""
@@ -43,7 +43,7 @@ def lend(
 
     The runs of a draw are few, so that the share of them that fell is noise to a good part, and
     a likelihood of hundreds of such shares would pick the luckiest draw: of 200 synthetic tests it
-    leaves 10 effective draws of 1500, and 160 with what is lent.  A logistic curve is fitted to the
+    leaves about 10 effective draws of 1500, and some 400 with what is lent.  A logistic curve is fitted to the
     runs of each test, over ln(gain/tan alpha) and the other properties of the block, and integrated
     over the gain: by Gauss's nodes, and about each of them by the logistic curve of a normal odds
     [1].  The estimate is
@@ -64,7 +64,7 @@ def lend(
     features
         ln tan alpha, then others, shape (draws, features).
     lent
-        m, default 10.
+        m, default 30.
 
     Returns
     -------
