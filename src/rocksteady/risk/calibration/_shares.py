@@ -43,10 +43,10 @@ def lend(
 
     The runs of a draw are few, so that the share of them that fell is noise to a good part, and
     a likelihood of hundreds of such shares would pick the luckiest draw: of 200 synthetic tests it
-    leaves about 10 effective draws of 1500, and some 400 with what is lent.  A logistic curve is fitted to the
-    runs of each test, over ln(gain/tan alpha) and the other properties of the block, and integrated
-    over the gain: by Gauss's nodes, and about each of them by the logistic curve of a normal odds
-    [1].  The estimate is
+    leaves about 10 effective draws of 1500, and some 400 with what is lent.  A logistic curve is
+    fitted to the runs of each test, over ln(gain/tan alpha) and the other properties of the block,
+    and integrated over the gain: by Gauss's nodes, and about each of them by the logistic curve of
+    a normal odds [1].  The estimate is
 
         Q = (k + m E)/(K + m),
 
