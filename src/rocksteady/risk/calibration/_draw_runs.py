@@ -27,7 +27,8 @@ class DrawRuns:
     fell
         Shape (tests, draws, gains).
     peak_rad
-        Largest angle of each run, of alpha of the side that lifts first, same shape.
+        Largest angle of each run, of alpha of the side that lifts first, same shape; nan where no
+        test has a measured one.
     gain
         ln of the gain over that of the test, same shape.
     sigma
@@ -72,16 +73,20 @@ def run_draws(
     scatter = None
     if (deviation > 0.0).any():
         scatter = Scatter(deviation=deviation, draws=1, seed=int(rng.integers(2**31)))
+    measured = any(test.peak_rad is not None for test in tests)
     found = fates_on_records(
         space.block.blocks(block_values),
         tests,
         gains=np.exp(gain),
         scatter=scatter,
+        outputs=("status", "peak_angle") if measured else ("status",),
         model=model,
         run=run,
     )
     status = found["status"].transpose("test", "block", "gain", "draw").values[..., 0]
-    peaks = found["peak_angle"].transpose("test", "block", "gain", "draw").values[..., 0]
+    peaks = np.full(status.shape, np.nan)  # without a measured peak none is asked for
+    if measured:
+        peaks = found["peak_angle"].transpose("test", "block", "gain", "draw").values[..., 0]
     unknown = np.isin(status, (Status.LOST_CONTACT, Status.UNDECIDED, Status.ROCKING))
     alpha = space.derived(values)["alpha_rad"]
     return DrawRuns(

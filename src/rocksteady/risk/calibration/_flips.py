@@ -65,7 +65,9 @@ def _fates(
         own = [place for place, test in enumerate(tests) if test.object == posterior.object]
         values = posterior.space.block_values(posterior.median_values()[np.newaxis])
         block = posterior.space.block.block(values[0])
-        found = fates_on_records(block, [tests[place] for place in own], model=model, run=run)
+        found = fates_on_records(
+            block, [tests[place] for place in own], outputs=("status",), model=model, run=run
+        )
         fell[own] = (found["status"].values == Status.OVERTURNED).reshape(len(own))
     return fell
 

@@ -125,7 +125,8 @@ def calibrate(
     if example:
         table, sampled = _refuse_files(table, prior), _example_draws(context, sampled)
     sampling, exponent, folds = sampled.sampling(), sampled.exponent, sampled.folds
-    equations = named_model(model)
+    # The default of calibrate has a tolerance of its own.
+    equations = None if model == "nonlinear" else named_model(model)
     run = Run(executor=executor, workers=workers)
     tests, known = _tests(table, example=example), _prior(prior)
 
