@@ -133,7 +133,8 @@ def calibrate(
     announce_compilation("records.record_fates")
     from rocksteady.risk.calibration.calibrate import calibrate as calibrated
 
-    cells = len(tests) * sampling.draws * sampling.gains
+    checks = 3 if equations.name == "linear" else 4  # what `Calibration.flips` counts
+    cells = len(tests) * (sampling.draws * sampling.gains + checks)
     with sweeping("running draws", cells) as meter, flags_of(ARGUMENTS):
         found = calibrated(
             tests,

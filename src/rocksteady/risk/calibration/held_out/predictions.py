@@ -14,6 +14,8 @@ from rocksteady.risk.calibration.held_out.folds import HeldOut
 from rocksteady.risk.observations.shaking_test import ShakingTest
 
 Floats = NDArray[np.float64]
+LONGEST_NAME = 30
+"""Letters of a test in a table."""
 OUTCOMES: Mapping[bool | None, str] = {True: "fell", False: "stood", None: "unknown"}
 
 
@@ -80,13 +82,13 @@ class Predictions(Result):
     def describe(self) -> Description:
         """Return a row for each test."""
         columns = (
-            Column("test", "test", left=True),
+            Column("test", "test", _shortened, left=True),
             Column("p", "p", number),
             Column("low", "5 %", number),
             Column("high", "95 %", number),
             Column("mc_error", "MC error", number),
-            Column("held_out", "held out"),
-            Column("outcome", "outcome", left=True),
+            *([Column("held_out", "held out")] if any(self.held_out) else []),
+            *([Column("outcome", "outcome", left=True)] if set(self.fell) - {None} else []),
         )
         likely = int((self.p >= 0.5).sum())
         return Description(
@@ -123,3 +125,9 @@ def predictions_of(
         fell=tuple(test.fell for test in tests),
         warnings=tuple(warnings),
     )
+
+
+def _shortened(name: str) -> str:
+    """Return a name that leaves room for numbers beside it; its middle is left out."""
+    half = LONGEST_NAME // 2
+    return name if len(name) <= LONGEST_NAME else f"{name[:half]}…{name[1 - half :]}"
