@@ -337,7 +337,9 @@ def _draw_layer(axes: Any, layer: Layer, top: float, tall: float) -> None:
     for user, used in sorted(reduced(layer.rooms, layer.edges)):
         between = [passing(user, used, k) for k in range(level[used] + 1, level[user])]
         stops = [corner[name] for name in (used, *between, user)]
-        shift = 0.25 + 0.2 * spots(layer)[used][1]  # arrows from other rows turn elsewhere
+        column, row = spots(layer)[used]
+        rows = sum(other == column for other, _ in spots(layer).values())
+        shift = (1 + row) / (1 + rows)  # arrows from other rows turn elsewhere
         places = (used, *between, user)
         xs, ys = [stops[0][0] + box[used]], [stops[0][1]]
         for (here, there), ((x, y), (next_x, next_y)) in zip(

@@ -88,7 +88,7 @@ def things() -> dict[str, Any]:
     screens = rs.screen_block(block, demand)
     observations = rs.Observations(tests=tests, objects={"vase": vase})
     calibration = rs.calibrate(
-        observations, sampling=rs.Sampling(draws=30, gains=1, rounds=1), groups="test"
+        observations, sampling=rs.Sampling(draws=30, gains=1, rounds=1), folds="test"
     )
     return {
         "survey": survey,

@@ -30,7 +30,7 @@ def observations() -> Observations:
 def few(tests: Observations) -> Calibration:
     """Calibrate with few draws of the linear model."""
     sampling = Sampling(draws=120, gains=2, rounds=2)
-    return calibrate(tests, sampling=sampling, groups="record", model=Linear())
+    return calibrate(tests, sampling=sampling, model=Linear())
 
 
 @cache

@@ -49,10 +49,10 @@ RecordsFolder = Annotated[
         rich_help_panel=TESTS,
     ),
 ]
-Groups = Annotated[
+FoldsChoice = Annotated[
     str,
     typer.Option(
-        "--groups",
+        "--folds",
         metavar="NAME",
         help="Hold out together the tests of one record, test, session or group.",
         rich_help_panel=SAMPLING,
@@ -157,7 +157,7 @@ class TableFlags:
 class SamplingFlags:
     """Draws, gains and rounds; folds and temper."""
 
-    groups: Groups = "record"
+    fold: FoldsChoice = "group"
     temper: Temper = "auto"
     draws: Draws = 1500
     gains: Gains = 5
@@ -198,11 +198,11 @@ class SamplingFlags:
             If there is no such grouping.
         """
         known = ("record", "test", "session", "group")
-        if self.groups not in known:
+        if self.fold not in known:
             raise FlagError(
-                "--groups", self.groups, "tests are grouped by " + ", ".join(known), "name one"
+                "--folds", self.fold, "tests are grouped by " + ", ".join(known), "name one"
             )
-        return cast("Literal['record', 'test', 'session', 'group']", self.groups)
+        return cast("Literal['record', 'test', 'session', 'group']", self.fold)
 
 
 @contextmanager

@@ -11,7 +11,7 @@ from rocksteady.errors import InputError, Words
 from rocksteady.model.equations import Model
 from rocksteady.results.numbers import number, plural
 from rocksteady.risk.calibration._draw_runs import run_draws
-from rocksteady.risk.calibration._shares import lend
+from rocksteady.risk.calibration._shares import pooled_shares
 from rocksteady.risk.calibration.held_out.folds import HeldOut, predict_with
 from rocksteady.risk.calibration.held_out.predictions import Predictions, predictions_of
 from rocksteady.risk.calibration.posterior import Posterior
@@ -169,7 +169,7 @@ def _predict_new(tests: Sequence[ShakingTest], source: Source, run: Run | None) 
             model=source.model,
             run=run,
         )
-        share = lend(runs.fell, runs.gain, runs.sigma, posterior.space.features(values))
+        share = pooled_shares(runs.fell, runs.gain, runs.sigma, posterior.space.features(values))
         outliers = posterior.space.outliers(values)[:, np.newaxis]
         share = (1.0 - outliers) * share + 0.5 * outliers
         for key, column in predict_with((weights / weights.sum())[:, np.newaxis], share).items():

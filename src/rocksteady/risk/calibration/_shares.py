@@ -1,4 +1,4 @@
-"""Probabilities of a fall from few runs each: gains in strata, and what neighbours lend."""
+"""Probabilities of a fall from few runs each: gains in strata, and shrinkage to a fitted curve."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -6,8 +6,6 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
-LENT = 30.0
-"""Runs that the fitted share counts for beside the runs of a draw."""
 NODES = 7
 """Of the quadrature over the gain."""
 BETWEEN = 0.5
@@ -36,22 +34,22 @@ def normal_strata(draws: int, tests: int, count: int, rng: np.random.Generator) 
     return found
 
 
-def lend(
-    fell: Bools, gain: Floats, sigma: Floats, features: Floats, *, lent: float = LENT
-) -> Floats:
-    """Return the probability of a fall at each draw, with what the runs of all draws say.
+def pooled_shares(fell: Bools, gain: Floats, sigma: Floats, features: Floats) -> Floats:
+    """Return the probability of a fall at each draw, shrunk to a curve fitted to all draws.
 
     The runs of a draw are few, so that the share of them that fell is noise to a good part, and
     a likelihood of hundreds of such shares would pick the luckiest draw: of 200 synthetic tests it
-    leaves about 10 effective draws of 1500, and some 400 with what is lent.  A logistic curve is
-    fitted to the runs of each test, over ln(gain/tan alpha) and the other properties of the block,
-    and integrated over the gain: by Gauss's nodes, and about each of them by the logistic curve of
-    a normal odds [1].  The estimate is
+    leaves about 10 effective draws of 1500.  A logistic curve is fitted to the runs of each test,
+    over ln(gain/tan alpha) and the other properties of the block, and integrated over the gain: by
+    Gauss's nodes, and about each of them by the logistic curve of a normal odds [1].  The estimate
+    is
 
-        Q = (k + m E)/(K + m),
+        Q = (1 - w) k/K + w E,    w = min(1, V/S),
 
-    k falls of K runs, E the fitted probability, m its worth in runs: a beta prior about E in place
-    of one about 1/2, as (k + a)/(K + 2 a) has.
+    with k falls of K runs, E the fitted probability, S the mean square of k/K - E over the draws,
+    and V the part of S that the sampling of the gains explains: f (1 - f)/K^2, f the fraction of
+    K E, since one gain lies in each stratum.  So w is the weight of least square error [2]: where
+    the curve misses what the runs show, the runs count.
 
     Parameters
     ----------
@@ -63,8 +61,6 @@ def lend(
         Standard deviation of it, shape (tests, draws).
     features
         ln tan alpha, then others, shape (draws, features).
-    lent
-        m, default 30.
 
     Returns
     -------
@@ -74,6 +70,7 @@ def lend(
     References
     ----------
     .. [1] D. J. C. MacKay, Neural Computation 4, 720-736 (1992).
+    .. [2] B. Efron and C. Morris, J. Am. Stat. Assoc. 70, 311-319 (1975).
     """
     tests, draws, count = fell.shape
     found: Floats = fell.mean(axis=2).T
@@ -88,7 +85,7 @@ def lend(
     nodes, weights = np.polynomial.hermite_e.hermegauss(NODES)
     nodes, weights = np.sqrt(1.0 - BETWEEN**2) * nodes, weights / weights.sum()
     for test in range(tests):
-        if lent == 0.0 or (fell[test] == fell[test, 0, 0]).all():
+        if (fell[test] == fell[test, 0, 0]).all():
             continue
         load = gain[test] - lean[:, np.newaxis]
         middle, width = float(load.mean()), float(load.std())
@@ -104,7 +101,12 @@ def lend(
         steep = (slope[:, np.newaxis] + at[2] * y) * (BETWEEN * sigma[test] / width)[:, np.newaxis]
         odds /= np.sqrt(1.0 + 0.125 * np.pi * steep * steep)
         fitted = (1.0 / (1.0 + np.exp(-np.clip(odds, -MOST_LOG_ODDS, MOST_LOG_ODDS)))) @ weights
-        found[:, test] = (count * found[:, test] + lent * fitted) / (count + lent)
+        strata = count if sigma[test].any() else 1  # without an error of the gain all runs are one
+        part = (strata * fitted) % 1.0
+        explained = float((part * (1.0 - part)).mean()) / strata**2
+        apart = float(np.square(found[:, test] - fitted).mean())
+        weight = min(1.0, explained / apart) if apart > 0.0 else 1.0
+        found[:, test] += weight * (fitted - found[:, test])
     return found
 
 

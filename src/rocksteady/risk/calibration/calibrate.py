@@ -16,7 +16,7 @@ from rocksteady.risk.calibration._flips import count_flips
 from rocksteady.risk.calibration._identified import LIMIT, parameters_of
 from rocksteady.risk.calibration._importance import Proposal, base_weights, refine
 from rocksteady.risk.calibration._predicting import error_warnings
-from rocksteady.risk.calibration._shares import lend
+from rocksteady.risk.calibration._shares import pooled_shares
 from rocksteady.risk.calibration._space import Space
 from rocksteady.risk.calibration.calibration import (
     Calibration,
@@ -53,7 +53,7 @@ def calibrate(
     prior: Prior | None = None,
     *,
     sampling: Sampling | None = None,
-    groups: Folds = "group",
+    folds: Folds = "group",
     temper: float | Literal["auto"] = "auto",
     model: Model | None = None,
     run: Run | None = None,
@@ -76,7 +76,7 @@ def calibrate(
         What is known of all objects and of the errors; default `Prior()`.
     sampling
         Draws, gains, rounds and seed; default `Sampling()`.
-    groups
+    folds
         What is held out together: "group" (default; the record's name where tests have none of
         their own), "record", "test" or "session".
     temper
@@ -120,7 +120,7 @@ def calibrate(
         run.in_memory("the draws of a round follow from the round before")
     objects = {name: known.object_prior(given) for name, given in tests.objects.items()}
     given = replace(tests, objects=objects)
-    names, codes = codes_of(given.tests, groups)
+    names, codes = codes_of(given.tests, folds)
     fits = [
         _fit(
             Space(block=block, noise=known.noise),
@@ -133,12 +133,12 @@ def calibrate(
     ]
     evidence = tuple(fit.evidence for fit in fits)
     trial = make_trial(given, evidence, codes, chosen)
-    reason = why_not(given.fell, codes, groups)
+    reason = why_not(given.fell, codes, folds)
     power = (1.0 if chosen is None else chosen) if reason else temper_of(trial)
     if reason:
-        validation = without_scores(trial, given.tests, names, folds=groups, reason=reason)
+        validation = without_scores(trial, given.tests, names, folds=folds, reason=reason)
     else:
-        validation = validate_trial(trial, given.tests, names, folds=groups, seed=options.seed)
+        validation = validate_trial(trial, given.tests, names, folds=folds, seed=options.seed)
     posteriors = {
         name: _posterior(name, fit, power) for name, fit in zip(objects, fits, strict=True)
     }
@@ -153,7 +153,7 @@ def calibrate(
         prior=known,
         sampling=options,
         model=equations,
-        folds=groups,
+        folds=folds,
         temper=power,
         tempered_by_choice=chosen is None,
         posteriors=posteriors,
@@ -215,7 +215,7 @@ def _fit(space: Space, tests: Observations, own: Integers, codes: Integers, plan
         )
         runs = more if runs is None else runs.beside(more)
         values = space.values_of(scores)
-        share = lend(runs.fell, runs.gain, runs.sigma, space.features(values))
+        share = pooled_shares(runs.fell, runs.gain, runs.sigma, space.features(values))
         outliers = space.outliers(values)
         likelihood = log_likelihood(picked, runs, share, outliers, outline)
         if space.size == 0:  # all draws are one block: what differs is noise

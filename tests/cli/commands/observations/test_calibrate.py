@@ -69,8 +69,8 @@ def test_the_folder_predicts_without_the_records(table: Path, tmp_path: Path) ->
 
 
 def test_sessions_that_the_table_does_not_have_are_refused(table: Path) -> None:
-    line = refused(f"calibrate {FEW} --groups session --tests", table)
-    assert "--groups = 'session'" in line
+    line = refused(f"calibrate {FEW} --folds session --tests", table)
+    assert "--folds = 'session'" in line
     assert "has no session" in line
 
 
@@ -93,7 +93,7 @@ def test_the_example_needs_no_file() -> None:
         ("calibrate --example --gains 0", ["--gains = 0"]),
         ("calibrate --example --rounds 0", ["--rounds = 0"]),
         ("calibrate --example --seed -1", ["--seed = -1"]),
-        ("calibrate --example --groups day", ["--groups = 'day'", "record, test, session"]),
+        ("calibrate --example --folds day", ["--folds = 'day'", "record, test, session"]),
         ("calibrate --example --temper 2", ["--temper = 2"]),
         ("calibrate --example --temper hot", ["--temper = 'hot'"]),
         ("calibrate --example --model quadratic", ["--model = 'quadratic'"]),

@@ -1,6 +1,7 @@
 """Predictions: a row for each test, in the order of its probability."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -17,10 +18,10 @@ def test_rows_are_in_the_order_of_their_probability() -> None:
     names = [text.get_text() for text in axes.get_yticklabels()]
     assert names == [found.test[place] for place in order]
     drawn = {
-        int(y): float(x)
+        int(y): x
         for line in axes.lines
         if str(line.get_label()) in ("fell", "stood", "predicted")
-        for x, y in zip(line.get_xdata(), line.get_ydata(), strict=True)
+        for x, y in np.column_stack(line.get_data()).tolist()
     }
     assert [drawn[row] for row in range(len(order))] == found.p[order].tolist()
     (one,) = (line for line in axes.lines if line.get_label() == "predicted")
@@ -29,12 +30,11 @@ def test_rows_are_in_the_order_of_their_probability() -> None:
 
 def test_many_tests_have_no_names() -> None:
     found = calibrated().validation.predictions
-    twice = replace(
-        found,
-        **{key: tuple(getattr(found, key)) * 2 for key in ("test", "object", "group")},
-        **{key: tuple(getattr(found, key)) * 2 for key in ("held_out", "fell")},
-        **{key: np.tile(getattr(found, key), 2) for key in ("p", "low", "high")},
-        **{key: np.tile(getattr(found, key), 2) for key in ("mc_error", "effective_draws")},
-    )
+    double: dict[str, Any] = {
+        key: np.tile(value, 2) if isinstance(value, np.ndarray) else tuple(value) * 2
+        for key, value in vars(found).items()
+        if key != "warnings"
+    }
+    twice = replace(found, **double)
     axes = plot_predictions(twice, Figure().add_subplot())
     assert axes.get_ylabel() == "tests in the order of their probability"

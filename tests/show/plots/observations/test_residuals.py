@@ -11,10 +11,10 @@ from tests.show.calibrated import calibrated
 
 def points(axes: Axes) -> dict[int, float]:
     return {
-        round(float(y)): float(x)
+        round(y): x
         for line in axes.lines
         if line.get_marker() == "o"
-        for x, y in zip(line.get_xdata(), line.get_ydata(), strict=True)
+        for x, y in np.column_stack(line.get_data()).tolist()
     }
 
 

@@ -47,11 +47,11 @@ EXAMPLES = (
     "Examples:\n\n"
     "rocksteady calibrate --tests tests.csv --records motions --out fit\n\n"
     "rocksteady calibrate --tests tests.csv --objects blocks.csv --prior prior.toml "
-    "--groups session --draws 3000 --json\n\n"
+    "--folds session --draws 3000 --json\n\n"
     "rocksteady calibrate --tests tests.csv --temper 1 --csv predictions.csv --plot fit.png\n\n"
     "rocksteady calibrate --example --out fit"
 )
-ARGUMENTS = {"folds": "--groups", "groups": "--groups", "model": "--model", "temper": "--temper"}
+ARGUMENTS = {"folds": "--folds", "model": "--model", "temper": "--temper"}
 """Flags of arguments of `rocksteady.calibrate`."""
 EXAMPLE_DRAWS = 240
 """Draws of --example, which takes some ten seconds."""
@@ -133,14 +133,14 @@ def calibrate(
     announce_compilation("records.record_fates")
     from rocksteady.risk.calibration.calibrate import calibrate as calibrated
 
-    checks = 3 if equations.name == "linear" else 4  # what `Calibration.flips` counts
+    checks = 3 if model == "linear" else 4  # what `Calibration.flips` counts
     cells = len(tests) * (sampling.draws * sampling.gains + checks)
     with sweeping("running draws", cells) as meter, flags_of(ARGUMENTS):
         found = calibrated(
             tests,
             known,
             sampling=sampling,
-            groups=folds,
+            folds=folds,
             temper=exponent,
             model=equations,
             run=replace(run, progress=meter),
