@@ -53,3 +53,32 @@ def test_a_damaged_folder_is_refused(found: Calibration, tmp_path: Path, name: s
     (tmp_path / name).unlink()
     with pytest.raises(InputError, match="folder"):
         read_posterior(tmp_path)
+
+
+@pytest.mark.parametrize("name", ["posterior.csv", "predictions.csv"])
+def test_a_table_that_was_cut_or_edited_is_refused(
+    found: Calibration, tmp_path: Path, name: str
+) -> None:
+    write_calibration(found, tmp_path)
+    whole = (tmp_path / name).read_bytes()
+    lines = whole.splitlines(keepends=True)
+    for content in (b"".join(lines[:-1]), whole.replace(b"0.", b"0.1", 1)):
+        assert content != whole
+        (tmp_path / name).write_bytes(content)
+        with pytest.raises(InputError, match=f"{name} is not the file that was written"):
+            read_posterior(tmp_path)
+    (tmp_path / name).write_bytes(whole)
+    read_posterior(tmp_path)
+
+
+@pytest.mark.parametrize(
+    "text", ["[" * 100_000, '{"draws": 1e400}', "[]", "null", '"fit"', '{"seed": 0}']
+)
+def test_a_fit_that_is_none_is_refused_in_one_line(
+    found: Calibration, tmp_path: Path, text: str
+) -> None:
+    write_calibration(found, tmp_path)
+    (tmp_path / "fit.json").write_text(text, "utf-8")
+    with pytest.raises(InputError, match="are not those of a calibration: [^;]") as refusal:
+        read_posterior(tmp_path)
+    assert "\n" not in str(refusal.value)

@@ -338,7 +338,7 @@ def test_objects_have_as_many_blocks_each() -> None:
 
 
 def test_the_linear_model_has_no_vertical_motion() -> None:
-    with pytest.raises(ModelError, match="vertical"):
+    with pytest.raises(ModelError, match="test 'lifted' has vertical motion"):
         fates_on_records(COLUMN, LIFTED, model=Linear())
 
 

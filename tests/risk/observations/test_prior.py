@@ -44,7 +44,7 @@ def test_an_empty_file_is_the_default_prior(tmp_path: Path) -> None:
     ("text", "line"),
     [
         ("[nois]\n", "prior.toml: nois is unknown: the tables are [noise] and [object]"),
-        ("noise = 3\n", "prior.toml: noise is unknown"),
+        ("noise = 3\n", "prior.toml: noise is no table"),
         ("[noise]\nsigma = 0.1\n", "[noise] sigma is unknown: the keys of [noise] are sigma_ln"),
         ("[object]\nbas = 0.1\n", "did you mean base?"),
         ("[object]\nbase = true\n", "prior.toml: [object] base = True is not valid"),
@@ -53,7 +53,7 @@ def test_an_empty_file_is_the_default_prior(tmp_path: Path) -> None:
         ("[object]\nbase = 1.2\n", "prior.toml: base = 1.2 is not valid: it must lie in [0.05, 1]"),
         ("[noise]\noutliers = 0.6\n", "prior.toml: outliers = 0.6 is not valid"),
         ("[noise]\nsigma_ln = -0.1\n", "prior.toml: sigma_ln = -0.1 is not valid"),
-        ("[object]\nrestitution = 0.9\nhousner_factor = 1\n", "leave one out"),
+        ("[object]\nrestitution = 0.9\nhousner_factor = 1\n", "prior.toml: [object] = "),
         ("[object]\nbase = .6\n", "it is not TOML"),
         ("[object]\nbase = " + "9" * 5000, "its numbers are long beyond reason"),
         (b"\xff", "byte 1 is not UTF-8, as TOML must be"),

@@ -210,6 +210,57 @@ def test_a_fault_of_the_objects_is_one_line(objects: str, line: str, folder: Pat
     assert line in refusal(folder, f"{HEAD}\n{ROW}\n")
 
 
+@pytest.mark.parametrize(
+    ("column", "meant"),
+    [
+        ("gian", "gain"),
+        ("gain [%]", "gain"),
+        ("gain_percent", "gain"),
+        ("Peak (deg)", "peak_rad"),
+        ("peak_deg", "peak_rad"),
+        ("sigma", "sigma_ln"),
+    ],
+)
+def test_a_column_that_means_one_is_not_left_out(column: str, meant: str, folder: Path) -> None:
+    line = refusal(folder, f"{HEAD},{column}\n{ROW},0.5\n")
+    assert f"did you mean {meant}?" in line
+
+
+def test_a_column_of_notes_is_left_out(folder: Path) -> None:
+    names = "record_note,test date,photo,again"
+    shaken = read(folder, f"{HEAD},{names}\n{ROW},a,b,c,d\n")
+    assert shaken.remarks == (
+        "tests.csv: columns record_note, test date, photo, again are not read.",
+    )
+
+
+def test_not_fell_is_not_taken_for_fell(folder: Path) -> None:
+    line = refusal(folder, f"{HEAD}\n1,shock,column,not fell\n")
+    assert "did you mean" not in line
+    assert "write fell or stood" in line
+
+
+def test_a_measured_factor_of_the_restitution_has_its_column(folder: Path) -> None:
+    objects = "name,width_m,height_m,restitution\ncolumn,0.15,0.6,housner*0.965\n"
+    (folder / "objects.csv").write_text(objects, "utf-8")
+    assert "as housner_factor" in refusal(folder, f"{HEAD}\n{ROW}\n")
+
+
+def test_a_channel_of_no_vertical_motion_is_refused(folder: Path) -> None:
+    line = refusal(folder, f"{HEAD},vertical,vertical_channel\n{ROW},,2\n")
+    assert "line 2, vertical_channel = '2'" in line
+
+
+def test_an_angle_beyond_the_slenderness_is_remarked_on(folder: Path) -> None:
+    def remarks(angle: str) -> bool:
+        shaken = read(folder, f"{HEAD},peak_rad,sigma_rad\n1,shock,column,stood,{angle},0.01\n")
+        return any("check the unit of peak_rad" in each for each in shaken.warnings)
+
+    assert remarks("1.2")
+    assert remarks("0.25")  # alpha is atan(0.15/0.6), 0.245
+    assert not remarks("0.24")
+
+
 def test_files_that_are_none_are_refused(folder: Path) -> None:
     text = f"{HEAD}\n{ROW}\n"
     assert "objects = " in refusal(folder, text, objects=folder)

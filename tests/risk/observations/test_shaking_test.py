@@ -45,6 +45,8 @@ def test_tests_of_a_record_stay_together_unless_they_have_another_group() -> Non
         ({"gain": -1.0}, InputError, "reversed changes the sign"),
         ({"gain": math.nan}, InputError, "gain = nan"),
         ({"gain": 1e7}, InputError, "gain = 10000000.0"),
+        ({"gain": 5e-324}, InputError, "gain = 5e-324"),
+        ({"peak_rad": 0.1, "sigma_rad": 1e-300}, InputError, "sigma_rad = 1e-300"),
         ({"sigma_ln": -0.1}, InputError, "sigma_ln = -0.1"),
         ({"peak_rad": 0.1}, ModelError, "sigma_rad is missing beside peak_rad"),
         ({"sigma_rad": 0.1}, ModelError, "peak_rad is missing beside sigma_rad"),

@@ -287,8 +287,8 @@ def _warnings(found: Calibration, fits: Sequence[_Fit]) -> tuple[str, ...]:
             if row["bound_side"] is not None:
                 outcome = "fell" if row["bound_side"] == "upper" else "stood"
                 sentences.append(
-                    f"all tests of {name} {outcome}: {row['bound']:.4g} rad is {row['bound_side']} "
-                    "bound of alpha at 90 %, and no estimate"
+                    f"all tests of {name} {outcome}: {row['bound']:.4g} rad is the "
+                    f"{row['bound_side']} bound of alpha at 90 %, and no estimate"
                 )
         if posterior.effective_draws < 50.0:
             sentences.append(

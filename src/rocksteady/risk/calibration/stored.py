@@ -1,6 +1,7 @@
 """Posteriors on disk: what `calibrate` writes and `predict` reads back, to the last bit."""
 
 import csv
+import hashlib
 import io
 import json
 from collections.abc import Mapping, Sequence
@@ -32,7 +33,8 @@ from rocksteady.risk.observations.spread import Spread
 from rocksteady.sweep.run import Run
 
 Floats = NDArray[np.float64]
-FILES = ("fit.json", "posterior.csv", "predictions.csv")
+TABLES = ("posterior.csv", "predictions.csv")
+FILES = ("fit.json", *TABLES)
 WEIGHTS = ("weight", "untempered_weight", "prior_weight")
 HINT = "name the folder that calibrate --out has written"
 
@@ -131,9 +133,9 @@ def read_posterior(folder: Path | str) -> StoredPosterior:
     True
     """
     path = Path(folder)
+    contents = {name: content_of(path / name, "folder", HINT) for name in FILES}
     texts = {
-        name: text_of(content_of(path / name, "folder", HINT), name, name.rpartition(".")[2])
-        for name in FILES
+        name: text_of(content, name, name.rpartition(".")[2]) for name, content in contents.items()
     }
     try:
         fit = json.loads(texts["fit.json"])
@@ -148,6 +150,7 @@ def read_posterior(folder: Path | str) -> StoredPosterior:
             name: Space(block=ObjectPrior(name=name, **spreads), noise=noise)
             for name, spreads in fit["inputs"]["objects"].items()
         }
+        _refuse_changed(contents, fit["files"])
         rows = list(csv.DictReader(io.StringIO(texts["posterior.csv"], newline="")))
         predictions = _predictions(texts["predictions.csv"])
         if list(predictions.test) != list(fit["trained"]):
@@ -159,10 +162,22 @@ def read_posterior(folder: Path | str) -> StoredPosterior:
             sampling=sampling,
             model=model,
         )
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
-        raise InputError(
-            "folder", folder, f"its files are not those of a calibration: {error}", HINT
-        ) from None
+    except KeyError as error:
+        why = f"{error} is missing"
+    except (TypeError, ValueError, AttributeError, OverflowError, RecursionError) as error:
+        why = str(error)
+    raise InputError("folder", folder, f"its files are not those of a calibration: {why}", HINT)
+
+
+def _refuse_changed(contents: Mapping[str, bytes], hashes: Mapping[str, str]) -> None:
+    """Refuse tables that are not those which were written beside fit.json.
+
+    A table cut at the end of a line, or of another calibration, would be read without a fault.
+    """
+    for name in TABLES:
+        if hashlib.sha256(contents[name]).hexdigest() != hashes[name]:
+            message = f"{name} is not the file that was written with fit.json"
+            raise ValueError(message)
 
 
 def _posterior(name: str, space: Space, rows: Sequence[Mapping[str, Any]]) -> Posterior:

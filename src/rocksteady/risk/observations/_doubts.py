@@ -19,7 +19,12 @@ COARSE = 0.1
 
 def doubts_on(tests: Sequence[ShakingTest], objects: Mapping[str, ObjectPrior]) -> tuple[str, ...]:
     """Return sentences on what is unusual."""
-    return (*_gains(tests), *_moving(tests), *_coarse(tests, objects))
+    return (
+        *_gains(tests),
+        *_peaks(tests, objects),
+        *_moving(tests),
+        *_coarse(tests, objects),
+    )
 
 
 def _gains(tests: Sequence[ShakingTest]) -> list[str]:
@@ -30,6 +35,21 @@ def _gains(tests: Sequence[ShakingTest]) -> list[str]:
     words = (
         f"{plural(len(scaled), 'test')} scale a record by more than 10 or by less than 1/10, "
         f"{worst.name} by {number(worst.gain)}: check the units of the record."
+    )
+    return [words]
+
+
+def _peaks(tests: Sequence[ShakingTest], objects: Mapping[str, ObjectPrior]) -> list[str]:
+    """Return a sentence on angles beyond the slenderness, at which no object stands."""
+    most = {name: one.outline_alpha_rad for name, one in objects.items()}
+    beyond = [each for each in tests if (each.peak_rad or 0.0) > most[each.object]]
+    if not beyond:
+        return []
+    first = beyond[0]
+    words = (
+        f"{plural(len(beyond), 'test')} that stood reached more than the slenderness of the "
+        f"object, {first.name} {number(first.peak_rad or 0.0)} rad of "
+        f"{number(most[first.object])}: check the unit of peak_rad, and the size."
     )
     return [words]
 

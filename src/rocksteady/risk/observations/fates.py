@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rocksteady.dynamics.arrays import real_array
-from rocksteady.errors import InputError, Words
+from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import LARGEST, in_range, whole_number
-from rocksteady.model.equations import Model, chosen_model
+from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.risk.observations._fate_cells import Shaken, fates_of_cells, streams_of
 from rocksteady.risk.observations.observations import Observations
 from rocksteady.risk.observations.shaking_test import ShakingTest
@@ -160,6 +160,8 @@ def fates_on_records(
     factors = _factors(1.0 if gains is None else gains, shaking, count)
     every = [block for several in bodies.values() for block in several]
     equations = chosen_model(model, every[0], shaking[0].record)
+    if isinstance(equations, Linear):
+        _refuse_vertical(shaking)
     grounds, ground = _grounds(shaking)
     extremes = (
         max(every, key=lambda block: block.p),
@@ -284,6 +286,24 @@ def _factors(gains: ArrayLike, tests: Sequence[ShakingTest], blocks: int) -> Flo
             hint = "give a factor, as 1.1; a test that is reversed says so itself"
             in_range("gains", beyond[0].item(), 1.0 / LARGEST, LARGEST, "[]", hint=hint)
     return factors
+
+
+def _refuse_vertical(tests: Sequence[ShakingTest]) -> None:
+    """Refuse tests with vertical motion in the linear model.
+
+    Raises
+    ------
+    ModelError
+        With the name of the first.
+    """
+    for test in tests:
+        if test.vertical is not None:
+            raise ModelError(
+                f"test {test.name!r:.60}",
+                Words("has vertical motion"),
+                "the linear equations of motion have no term for it",
+                "take the nonlinear model, or leave the vertical motion out",
+            )
 
 
 def _grounds(tests: Sequence[ShakingTest]) -> tuple[list[GroundShaking], NDArray[np.int64]]:

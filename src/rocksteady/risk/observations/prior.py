@@ -176,7 +176,7 @@ def read_prior(path: Path | str) -> Prior:
         if table not in known or not isinstance(content_of_table, dict):
             raise InputError(
                 f"{file.name}: {table}",
-                Words("is unknown"),
+                Words("is no table" if table in known else "is unknown"),
                 "the tables are [noise] and [object]",
                 "write keys below one of the two",
             )
@@ -196,9 +196,8 @@ def read_prior(path: Path | str) -> Prior:
         noise = Noise(**tables["noise"])
         return Prior(noise=noise, defaults=tables["object"], sources=sources)
     except InputError as error:
-        raise InputError(
-            f"{file.name}: {error.name}", error.value, error.valid, error.hint
-        ) from None
+        place = "[object]" if error.name == "defaults" else error.name
+        raise InputError(f"{file.name}: {place}", error.value, error.valid, error.hint) from None
 
 
 def _listed() -> str:

@@ -7,7 +7,12 @@ from typing import Any, Final
 
 from rocksteady.errors import InputError, RocksteadyError, Words
 from rocksteady.model.checks.arguments import checked
-from rocksteady.risk.observations.files.csv_table import Columns, read_csv_table, refuse_doubled
+from rocksteady.risk.observations.files.csv_table import (
+    NEAR,
+    Columns,
+    read_csv_table,
+    refuse_doubled,
+)
 from rocksteady.risk.observations.files.record_files import Channel, RecordFiles
 from rocksteady.risk.observations.object_table import placed, read_object_table, unread_remark
 from rocksteady.risk.observations.observations import Observations
@@ -127,6 +132,13 @@ def read_tests(
         if cells.get("vertical"):
             channel = cells.get("vertical_channel", "")
             vertical = files.channel(cells["vertical"], channel, place, "vertical")
+        elif cells.get("vertical_channel"):
+            raise InputError(
+                f"{place}, vertical_channel",
+                cells["vertical_channel"],
+                "it is the channel of a file of vertical motion, and vertical is empty",
+                "name the file in the column vertical, or leave the cell empty",
+            )
         rows.append((place, _values(cells, place), record, vertical))
     if coded:
         remarks.append(f"{table.source}: an outcome 1 is read as fell, and 0 as stood.")
@@ -156,7 +168,12 @@ def _values(cells: Mapping[str, str], place: str) -> dict[str, Any]:
     values: dict[str, Any] = {
         "name": cells["test"],
         "object": cells["object"],
-        "fell": _word(cells["outcome"], OUTCOMES, f"{place}, outcome", "leave the cell empty"),
+        "fell": _word(
+            cells["outcome"],
+            OUTCOMES,
+            f"{place}, outcome",
+            "write fell or stood, or leave the cell empty",
+        ),
         "reversed": _word(cells.get("reversed", ""), _YES, f"{place}, reversed", "write yes or no"),
     }
     for key in ("group", "session"):
@@ -173,7 +190,7 @@ def _word(cell: str, known: Mapping[str, Any], name: str, otherwise: str) -> Any
     word = cell.lower()
     if word not in known:
         words = [each for each in known if each]
-        near = difflib.get_close_matches(word, words, n=1)
+        near = difflib.get_close_matches(word, words, n=1, cutoff=0.7)  # "not fell" is not fell
         hint = f"did you mean {near[0]}?" if near else otherwise
         raise InputError(name, cell, f"it must be one of {', '.join(words)}, or empty", hint)
     return known[word]

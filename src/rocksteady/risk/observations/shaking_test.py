@@ -8,8 +8,11 @@ from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
 from rocksteady.model.motions.record import Record
 
-LARGEST_GAIN = 1e6
+SMALLEST_GAIN, LARGEST_GAIN = 1e-6, 1e6
 """Of a test: a record in wrong units is hardly further off."""
+
+SMALLEST_ERROR = 1e-9
+"""Of a measured angle [rad]: no instrument is as good, and densities stay finite."""
 
 LARGEST_SIGMA = 3.0
 """Of an amplitude error: the gain is then known to a factor of 20 either way."""
@@ -51,8 +54,8 @@ class ShakingTest:
     ------
     InputError
         If a name is empty, a record has no name and the test no group, the gain is not in
-        (0, 1e6], the amplitude error not in [0, 3], the angle not in [0, pi/2) or its error not in
-        (0, pi/2).
+        [1e-6, 1e6], the amplitude error not in [0, 3], the angle not in [0, pi/2) or its error not
+        in [1e-9, pi/2).
     ModelError
         If a peak is given without its error, an error without its peak, or either of a test that
         did not stand.
@@ -86,7 +89,7 @@ class ShakingTest:
         if self.group is None:
             object.__setattr__(self, "group", self._name_of_record())
         hint = "give the factor on the record, as 0.8; reversed changes the sign"
-        self._set("gain", in_range("gain", self.gain, 0.0, LARGEST_GAIN, "(]", hint=hint))
+        self._set("gain", in_range("gain", self.gain, SMALLEST_GAIN, LARGEST_GAIN, "[]", hint=hint))
         if self.sigma_ln is not None:
             hint = "give the standard deviation of ln(gain), as 0.1, or leave it out"
             self._set(
@@ -144,7 +147,8 @@ class ShakingTest:
             )
         hint, most = "give the angle in radians: 1 degree is 0.01745", 0.5 * math.pi
         self._set("peak_rad", in_range("peak_rad", self.peak_rad, 0.0, most, "[)", hint=hint))
-        self._set("sigma_rad", in_range("sigma_rad", self.sigma_rad, 0.0, most, "()", hint=hint))
+        error = in_range("sigma_rad", self.sigma_rad, SMALLEST_ERROR, most, "[)", hint=hint)
+        self._set("sigma_rad", error)
 
     def _set(self, key: str, value: float) -> None:
         object.__setattr__(self, key, value)

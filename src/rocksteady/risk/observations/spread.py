@@ -119,9 +119,11 @@ class Spread:
         given: object = text
         parts = parts_of(given) if isinstance(given, str) else None
         if parts is None:
-            comma = "write a point for a decimal comma" if "," in str(given) else "leave units out"
+            hint = "write a point for a decimal comma" if "," in str(given) else "leave units out"
+            if str(given).strip().lower().startswith("housner"):
+                hint = "give a factor of Housner's value as housner_factor, 1 for the value itself"
             valid = "it must be a number, a range as 0.3:0.5, or mean and deviation as 0.4+-0.05"
-            raise InputError(name, text, valid, comma)
+            raise InputError(name, text, valid, hint)
         numbers, sign = parts
         for number in numbers:
             in_range(name, number, -1e50, 1e50, "[]", hint="give numbers of usual size")

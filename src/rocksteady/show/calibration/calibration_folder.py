@@ -1,10 +1,11 @@
 """The folder of a calibration: page, fit, posterior, predictions and parameters."""
 
+import hashlib
 from pathlib import Path
 
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.calibration.calibration import Calibration
-from rocksteady.risk.calibration.stored import posterior_rows
+from rocksteady.risk.calibration.stored import TABLES, posterior_rows
 from rocksteady.show.calibration._calibration_report import calibration_html
 from rocksteady.show.export.files import json_text, save_csv, save_text
 from rocksteady.show.export.folders import check_own_folder, fill_own_folder
@@ -69,7 +70,8 @@ def write_calibration(
             ("parameters", calibration.describe().tables[0]),
         ):
             save_csv("out", stage / f"{name}.csv", table.header, table.records())
-        fit = json_text(SCHEMA, calibration.to_dict(), indent=2)
+        hashes = {name: hashlib.sha256((stage / name).read_bytes()).hexdigest() for name in TABLES}
+        fit = json_text(SCHEMA, {**calibration.to_dict(), "files": hashes}, indent=2)
         save_text("out", stage / "fit.json", fit + "\n")
         page = calibration_html(calibration, make_manifest(command=command))
         save_text("out", stage / "report.html", page)

@@ -4,6 +4,7 @@ import csv
 import difflib
 import hashlib
 import io
+import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -169,15 +170,29 @@ def _header(names: Sequence[str], place: str, columns: Columns) -> list[str]:
             continue
         if name in columns.refused:
             raise InputError(here, name, *columns.refused[name])
-        near = difflib.get_close_matches(name.lower(), columns.known, n=1, cutoff=NEAR)
+        near = _meant(name, columns.known, names)
         if not name or near:
             raise InputError(
                 here,
                 name,
                 "columns that are read are " + ", ".join(columns.known),
-                f"did you mean {near[0]}? else give it another name" if near else "give it a name",
+                f"did you mean {near}? else give it another name" if near else "give it a name",
             )
     for name, (valid, hint) in columns.needed.items():
         if name not in names:
             raise InputError(place, Words(f"has no column {name}"), valid, hint)
     return list(names)
+
+
+def _meant(name: str, known: Collection[str], names: Sequence[str]) -> str | None:
+    """Return the column that a name which is not read seems to mean; None if it seems to mean none.
+
+    Besides names that look alike, those with the letters of a column in another order, and those
+    that begin with the quantity of a column which the table does not have: "gain [%]", "peak_deg".
+    """
+    word = name.lower()
+    near = difflib.get_close_matches(word, known, n=1, cutoff=NEAR)
+    quantity = re.split(r"[^a-z0-9]", word, maxsplit=1)[0]
+    near += [each for each in known if sorted(each) == sorted(word)]
+    near += [each for each in known if each not in names and each.partition("_")[0] == quantity]
+    return near[0] if word and near else None
