@@ -79,6 +79,6 @@ def test_a_fit_that_is_none_is_refused_in_one_line(
 ) -> None:
     write_calibration(found, tmp_path)
     (tmp_path / "fit.json").write_text(text, "utf-8")
-    with pytest.raises(InputError, match="are not those of a calibration: [^;]") as refusal:
+    with pytest.raises(InputError, match=r"are not those of a calibration: [^;]") as refusal:
         read_posterior(tmp_path)
     assert "\n" not in str(refusal.value)

@@ -1,6 +1,7 @@
 """Tables of tests: what is read, and the line of each fault, for any bytes that a file holds."""
 
 import hashlib
+import os
 import random
 from pathlib import Path
 
@@ -227,10 +228,10 @@ def test_a_column_that_means_one_is_not_left_out(column: str, meant: str, folder
 
 
 def test_a_column_of_notes_is_left_out(folder: Path) -> None:
-    names = "record_note,test date,photo,again"
+    names = "record_note,test date,photo,remark"
     shaken = read(folder, f"{HEAD},{names}\n{ROW},a,b,c,d\n")
     assert shaken.remarks == (
-        "tests.csv: columns record_note, test date, photo, again are not read.",
+        "tests.csv: columns record_note, test date, photo, remark are not read.",
     )
 
 
@@ -268,6 +269,9 @@ def test_files_that_are_none_are_refused(folder: Path) -> None:
     assert "it must be a folder" in refusal(folder, text, records=folder / "shock.csv")
     with pytest.raises(RocksteadyError, match="tests = "):
         read_tests(folder)
+    os.mkfifo(folder / "pipe")
+    for name in (folder / "pipe", Path("/dev/zero"), Path("/dev/null")):
+        assert "a pipe or a device, and no file" in refusal(folder, text, objects=name)
     (folder / "shock.AT2").write_text(SHOCK, "utf-8")
     assert "shock.AT2, shock.csv have this name" in refusal(folder, text)
     assert "it must be" in refusal(folder, text.replace("shock", "shock.csv"), units="furlongs")

@@ -8,7 +8,6 @@ from typing import Any, Final
 from rocksteady.errors import InputError, RocksteadyError, Words
 from rocksteady.model.checks.arguments import checked
 from rocksteady.risk.observations.files.csv_table import (
-    NEAR,
     Columns,
     read_csv_table,
     refuse_doubled,

@@ -25,6 +25,9 @@ def content_of(file: Path, name: str, hint: str) -> bytes:
         If it cannot be read, or is none of a person's making.
     """
     try:
+        if file.is_fifo() or file.is_char_device() or file.is_block_device() or file.is_socket():
+            # A pipe may never end, and the zeros of a device do not.
+            raise InputError(name, file, "it is a pipe or a device, and no file", hint)
         if file.stat().st_size > MOST_BYTES:
             raise InputError(name, file, "it is larger than 100 MB", hint)
         return file.read_bytes()
