@@ -112,6 +112,8 @@ def test_a_restitution_is_a_number_a_pair_or_housners() -> None:
         ("housner*0.9", "follows from a block's slenderness"),
         ("housner*-1", "must be a finite number above 0"),
         ("housner0.9", r"write it as -r 'housner\*0.9'"),
+        ("housner/2", "write it as -r 0.8 or"),
+        ("housner*0,9", "write it as -r 0.8 or"),
         ("Housner", "two of them, 'housner', or a factor"),
     ],
 )

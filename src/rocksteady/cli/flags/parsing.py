@@ -125,14 +125,12 @@ def restitution_from(text: str | None, *, default: Restitution | None) -> Restit
     try:
         return (decimal(first), decimal(second)) if comma else decimal(text)
     except ValueError:
-        near = re.search(r"[0-9]*\.?[0-9]+$", text) if text[:1] in "hH" else None
+        near = re.fullmatch(r"[hH][a-zA-Z]*[\s*]*([0-9]*\.?[0-9]+)", text)
         raise InputError(
             "restitution",
             text,
             VALID_TEXT.replace("],", "], two of them,"),
-            f"write it as -r 'housner*{near.group()}'"
-            if near
-            else "write it as -r 0.8 or -r 0.8,0.9",
+            f"write it as -r 'housner*{near[1]}'" if near else "write it as -r 0.8 or -r 0.8,0.9",
         ) from None
 
 

@@ -123,8 +123,19 @@ class TableFlags:
 
     @property
     def files(self) -> list[Path]:
-        """The tables that are read."""
-        return [each for each in (self.tests, self.objects) if each is not None]
+        """The tables that are read, that of objects too where no flag names it."""
+        if self.tests is None:
+            return [] if self.objects is None else [self.objects]
+        return [self.tests, self.objects or self.tests.parent / "objects.csv"]
+
+    def record_files(self, found: "Observations") -> list[Path]:
+        """Return the files of the records that were read."""
+        if self.tests is None:
+            return []
+        beside = self.tests.parent / "records"
+        folder = self.records or (beside if beside.is_dir() else self.tests.parent)
+        tables = {file.name for file in self.files}
+        return [folder / name for name in found.sources if name not in tables]
 
     def observations(self) -> "Observations":
         """Return the tests with their objects.
@@ -142,7 +153,7 @@ class TableFlags:
                 valid="outcomes come from a table of tests",
                 hint="add --tests tests.csv, or --example for synthetic ones",
             )
-        flags = {"path": "--tests", "objects": "--objects", "records": "--records"}
+        flags = {"tests": "--tests", "objects": "--objects", "records": "--records"}
         with flags_of(flags):
             return read_tests(
                 self.tests,
@@ -183,10 +194,10 @@ class SamplingFlags:
 
         Raises
         ------
-        InputError
+        FlagError
             If it is neither.
         """
-        return "auto" if self.temper == "auto" else number("--temper", self.temper)
+        return temper_of(self.temper)
 
     @property
     def folds(self) -> 'Literal["record", "test", "session", "group"]':
@@ -203,6 +214,24 @@ class SamplingFlags:
                 "--folds", self.fold, "tests are grouped by " + ", ".join(known), "name one"
             )
         return cast("Literal['record', 'test', 'session', 'group']", self.fold)
+
+
+def temper_of(text: str) -> 'Literal["auto"] | float':
+    """Return the temper of a flag: a number, or "auto".
+
+    Raises
+    ------
+    FlagError
+        If it is neither.
+    """
+    if text == "auto":
+        return "auto"
+    try:
+        return number("--temper", text)
+    except InputError:
+        raise FlagError(
+            "--temper", text, "it must be auto or a number in (0, 1]", "write auto, or 0.3"
+        ) from None
 
 
 @contextmanager

@@ -232,10 +232,14 @@ def _whitened(
         factors.append(factor)
         factor = math.sqrt(max(value - factor * factor, ROUNDING**2))
         root[place] = factor
+    # Lists: a row has two or three numbers, on which array operations take ten times as long.
+    rows, roots = joined.tolist(), root.tolist()
     for place, share in enumerate(factors):
+        row = rows[place]
         if share:
-            joined[place] -= share * joined[place - 1]
-        joined[place] /= root[place]
+            row = [value - share * last for value, last in zip(row, rows[place - 1], strict=True)]
+        rows[place] = [value / roots[place] for value in row]
+    joined = np.array(rows)
     return root, factors, joined[:, 0], joined[:, 1:]
 
 

@@ -71,6 +71,7 @@ def test_what_is_not_valid_is_refused_before_anything_runs(place: Path, tmp_path
     assert "--limits" in refused(f"{FEW} {survey} {suite} --limits 2:1")
     assert "--temper" in refused(f"{FEW} {survey} {suite} --temper 1.5")
     assert "--temper" in refused(f"{FEW} {survey} {suite} --temper hot")
+    assert "--survey = " in refused(f"{FEW} --survey {tmp_path / 'none.csv'} {suite}")
     assert "--draws" in refused(f"{FEW.replace('draws 2', 'draws 0')} {survey} {suite}")
     assert "--measure" in refused(f"{FEW} {survey} {suite} --measure pga_g")
     assert "--measure" in refused(f"{FEW} {survey} {suite} --measure pgx")
@@ -89,6 +90,7 @@ def test_few_records_are_refused_with_their_flag(place: Path) -> None:
     one = place / "suite" / "G1090.AT2"
     words = refused(f"{FEW} --survey {place / 'cemetery.csv'} --records {one}")
     assert words.startswith("rocksteady: --records = ")
+    assert words.endswith("give more records, or --temper 0.3 --trials 0")
     ran = rocksteady(
         f"{FEW} --json --temper 0.5 --survey {place / 'cemetery.csv'} --records {one}".replace(
             "--trials 1", "--trials 0"

@@ -85,7 +85,7 @@ def test_the_example_needs_no_file() -> None:
     ("flags", "words"),
     [
         ("calibrate", ["--tests is not given", "--example"]),
-        ("calibrate --tests none.csv", ["none.csv"]),
+        ("calibrate --tests none.csv", ["--tests = ", "none.csv"]),
         ("calibrate --example --tests x.csv", ["--tests", "reads no file"]),
         ("calibrate --example --records x", ["--records", "reads no file"]),
         ("calibrate --example --prior x.toml", ["--prior", "reads no file"]),
@@ -95,7 +95,7 @@ def test_the_example_needs_no_file() -> None:
         ("calibrate --example --seed -1", ["--seed = -1"]),
         ("calibrate --example --folds day", ["--folds = 'day'", "record, test, session"]),
         ("calibrate --example --temper 2", ["--temper = 2"]),
-        ("calibrate --example --temper hot", ["--temper = 'hot'"]),
+        ("calibrate --example --temper hot", ["--temper = 'hot'", "auto"]),
         ("calibrate --example --model quadratic", ["--model = 'quadratic'"]),
         ("calibrate --example --workers 0", ["--workers = 0"]),
         ("calibrate --example --plot x.doc", ["--plot", ".png, .svg, .pdf"]),
@@ -114,3 +114,13 @@ def test_what_makes_no_sense_is_refused_by_the_name_of_its_flag(
 ) -> None:
     line = refused(flags)
     assert all(word in line for word in words), line
+
+
+def test_no_file_that_is_read_is_written_over(table: Path) -> None:
+    record = next(table.parent.glob("synthetic*"))
+    for file in (table, table.parent / "objects.csv", record):
+        before = file.read_bytes()
+        ran = rocksteady(f"calibrate {FEW} --force --tests", table, "--csv", file)
+        assert ran.code == 2
+        assert "the command reads this file" in ran.err
+        assert file.read_bytes() == before

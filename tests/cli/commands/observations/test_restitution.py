@@ -60,7 +60,7 @@ def test_text_table_and_picture_are_written(peaks: Path, tmp_path: Path) -> None
         (("--peaks", "none.csv", *SIZE), "none.csv"),
         (("--peaks", "peaks.csv", *SIZE, "--csv", "peaks.csv", "--force"), "reads this file"),
         (("--peaks", "peaks.csv", *SIZE, "--model", "cubic"), "two equations of motion"),
-        (("--peaks", "peaks.csv", "--width-m", "0.01", "--height-m", "0.5"), "is above alpha"),
+        (("--peaks", "peaks.csv", "--width-m", "0.01", "--height-m", "0.5"), "--peaks = 0"),
     ],
 )
 @pytest.mark.usefixtures("peaks")

@@ -19,6 +19,7 @@ from rocksteady.cli.flags.ensemble import SuiteFlags, intensity_of
 from rocksteady.cli.flags.groups import OutputFlags, grouped
 from rocksteady.cli.flags.parsing import number
 from rocksteady.cli.flags.record_files import ReadingFlags
+from rocksteady.cli.flags.shaking_tests import flags_of, temper_of
 from rocksteady.cli.flags.sweep import Executor, Workers
 from rocksteady.errors import InputError
 from rocksteady.results.rendering import print_description
@@ -202,7 +203,8 @@ def back_analyse(
             )
     except InputError as error:
         flag = {"measures": "--measure", "motions": "--records"}.get(error.name, error.name)
-        raise FlagError(flag, error.value, error.valid, error.hint) from None
+        hint = error.hint.replace("Scan(temper=0.3, trials=0)", "--temper 0.3 --trials 0")
+        raise FlagError(flag, error.value, error.valid, hint) from None
     description = found.describe()
     _write(found, output)
     if output.as_json:
@@ -232,7 +234,8 @@ def _survey(path: Path | None) -> "Survey":
         )
     from rocksteady.risk.back_analysis.read_survey import read_survey
 
-    return read_survey(path)
+    with flags_of({"survey": "--survey"}):
+        return read_survey(path)
 
 
 def _prior(path: Path | None) -> "Prior | None":
@@ -241,7 +244,8 @@ def _prior(path: Path | None) -> "Prior | None":
         return None
     from rocksteady.risk.observations.prior import read_prior
 
-    return read_prior(path)
+    with flags_of({"prior": "--prior"}):
+        return read_prior(path)
 
 
 def _limits(text: str | None) -> tuple[float, float] | None:
@@ -258,7 +262,7 @@ def _scan(*, temper: str, **options: object) -> "Scan":
     """Return the scan, whose errors name the flags."""
     from rocksteady.risk.back_analysis.scan import Scan
 
-    exponent = temper if temper == "auto" else number("--temper", temper)
+    exponent = temper_of(temper)
     try:
         return Scan(temper=exponent, **options)  # type: ignore[arg-type]
     except InputError as error:

@@ -129,6 +129,7 @@ def calibrate(
     equations = None if model == "nonlinear" else named_model(model)
     run = Run(executor=executor, workers=workers)
     tests, known = _tests(table, example=example), _prior(prior)
+    output.refuse_read(table.record_files(tests))
 
     announce_compilation("records.record_fates")
     from rocksteady.risk.calibration.calibrate import calibrate as calibrated

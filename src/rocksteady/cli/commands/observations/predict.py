@@ -94,7 +94,9 @@ def predict(
     with flags_of({"folder": "--fit"}):
         stored = read_posterior(fit)
     if tests is not None:
-        shaken: Sequence[ShakingTest] = table.observations().tests
+        observed = table.observations()
+        output.refuse_read(table.record_files(observed))
+        shaken: Sequence[ShakingTest] = observed.tests
     else:
         shaken = _tests_of(recorded, reading, _object(stored, object))
     announce_compilation("records.record_fates")

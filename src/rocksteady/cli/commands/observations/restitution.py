@@ -12,6 +12,7 @@ from rocksteady.cli.flags import options
 from rocksteady.cli.flags.block_and_shaking import BlockFlags, named_model
 from rocksteady.cli.flags.demand import sized_block
 from rocksteady.cli.flags.groups import OutputFlags, grouped
+from rocksteady.cli.flags.shaking_tests import flags_of
 from rocksteady.results.rendering import print_description
 
 HELP = (
@@ -79,9 +80,10 @@ def restitution(
     from rocksteady.risk.free_rocking.fit_restitution import fit_restitution
     from rocksteady.risk.observations.read_peaks import read_peaks
 
-    releases = read_peaks(peaks)
     equations = None if model is None else named_model(model, None)
-    found = fit_restitution(releases, body, each_side=each_side, model=equations)
+    with flags_of({"peaks": "--peaks", "peaks_rad": "--peaks"}):
+        releases = read_peaks(peaks)
+        found = fit_restitution(releases, body, each_side=each_side, model=equations)
     description = found.describe()
     if output.csv is not None:
         rows = [vars(each) for each in found.impacts]
