@@ -118,7 +118,7 @@ Scales = Annotated[
     typer.Option(
         "--scales",
         metavar="LOW:HIGH",
-        help="Range of the factors of --record or --records that is searched; default 0.1:10.",
+        help="Set the limits of the factor of --record or --records; default 0.1:10.",
         rich_help_panel=options.MOTION,
     ),
 ]
@@ -139,7 +139,7 @@ AtS = Annotated[
     typer.Option(
         "--at-s",
         metavar="T",
-        help="Moment of the --kick \\[s]: a number or an axis, start:stop:count; default 0.",
+        help="Set the time of the --kick \\[s]: a number or an axis, start:stop:count; default 0.",
         rich_help_panel=options.MOTION,
     ),
 ]

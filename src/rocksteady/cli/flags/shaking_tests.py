@@ -26,7 +26,8 @@ Tests = Annotated[
         "--tests",
         metavar="FILE",
         help="Read a table of tests: test, record, object and outcome (fell or stood), further "
-        "gain, sigma_ln, group, session, peak_rad, sigma_rad, reversed, vertical.",
+        "gain, sigma_ln, group, session, peak_rad, sigma_rad, reversed, channel, vertical, "
+        "vertical_channel.",
         rich_help_panel=TESTS,
     ),
 ]

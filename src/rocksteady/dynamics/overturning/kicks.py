@@ -192,8 +192,8 @@ class FatalKicks(WindowLists):
         notes = []
         if unsettled := int((self.unsettled > 0).sum()):
             notes.append(
-                f"Of {unsettled} searches the windows have no end to their number: narrow ones may "
-                "be missing."
+                f"Ever narrower windows remain in {unsettled} of {self.unsettled.size} searches: "
+                "some may be missing."
             )
         headline = f"Least fatal kick: {case_text(self.block)}, {self.model.name} model"
         return Description(

@@ -35,7 +35,7 @@ _TABLE: Final = Columns(
 
 @checked
 def read_survey(path: Path | str) -> Survey:
-    r"""Read which objects of one place fell in a shaking, and which stood.
+    r"""Read a survey of fallen and standing objects from a CSV table.
 
     Parameters
     ----------

@@ -19,7 +19,7 @@ MOST_OBJECTS = 10_000
 @checked
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Survey(Result):
-    """Objects of one place that one unknown shaking met, each with its outcome.
+    """Objects of one place, each with its outcome in one shaking.
 
     Parameters
     ----------

@@ -58,7 +58,7 @@ def calibrate(
     model: Model | None = None,
     run: Run | None = None,
 ) -> Calibration:
-    """Calibrate objects by which tests they fell in.
+    """Calibrate objects by the shaking tests in which they fell or stood.
 
     A test falls with the probability (1 - eps) Q + eps/2: Q is the share of gains
     exp(sigma_ln z), z standard normal, at which a run of the block falls, and eps the share of

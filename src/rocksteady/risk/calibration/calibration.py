@@ -37,7 +37,7 @@ FOLDS: tuple[Folds, ...] = ("group", "record", "test", "session")
 
 @dataclass(frozen=True, kw_only=True, repr=False, eq=False)
 class Calibration(Result):
-    """What tests say of their objects, from `rocksteady.calibrate`.
+    """Posteriors, verdicts and held-out scores, from `rocksteady.calibrate`.
 
     Attributes
     ----------

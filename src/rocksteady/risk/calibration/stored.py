@@ -57,7 +57,7 @@ def posterior_rows(calibration: Calibration) -> tuple[list[str], list[list[objec
 
 @dataclass(frozen=True, kw_only=True, repr=False, eq=False)
 class StoredPosterior(Result):
-    """Posteriors that were read from a folder.
+    """Posteriors of a calibration, from its folder.
 
     Attributes
     ----------

@@ -48,7 +48,7 @@ def fit_restitution(
     each_side: bool | None = None,
     model: Model | None = None,
 ) -> RestitutionFit:
-    r"""Estimate the restitution that measured peaks of free rocking show.
+    r"""Estimate the restitution from measured peaks of free rocking.
 
     On a still base a block falls from a peak theta on side i with the energy ``cos(alpha_i -
     theta) - cos(alpha_i)`` (linear model: ``theta (alpha_i - theta/2)``), so that it meets the

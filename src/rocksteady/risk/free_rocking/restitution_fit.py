@@ -59,7 +59,7 @@ class Impact:
 @checked_result
 @dataclass(frozen=True, kw_only=True, repr=False, eq=False)
 class RestitutionFit(Result):
-    """Restitution that peaks of free rocking show, from `rocksteady.fit_restitution`.
+    """Restitution of measured free rocking, from `rocksteady.fit_restitution`.
 
     Pairs are of the impact that ends positive rotation and of the other; equal where one factor of
     Housner's value was fitted to both.  All intervals have a confidence of 90 %.
@@ -204,7 +204,7 @@ class RestitutionFit(Result):
             sigma = f"sd {number(1e3 * self.sigma_rad)} mrad{estimated}"
         facts.append(Fact("sigma_rad", self.sigma_rad, "measuring error", sigma))
         if self.trend is not None and self.trend_error is not None:
-            words_of = f"{number(self.trend, 2)} ± {number(self.trend_error, 2)} a theta/alpha of 1"
+            words_of = f"{number(self.trend, 2)} ± {number(self.trend_error, 2)} per theta/alpha"
             facts.append(Fact("trend", self.trend, "trend", words_of))
             facts.append(Fact("trend_error", self.trend_error))
         if self.half_periods is not None:

@@ -74,7 +74,7 @@ _WAYS: Final = "; ".join(" and ".join(form) for form in _FORMS)
 @checked
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class ObjectPrior(Result):
-    """What is known of an object before the tests, each number with its spread.
+    """Prior of an object: size, base, restitution and scatter.
 
     A number, a text as ``"0.3:0.5"`` (uniform) or ``"0.4+-0.05"`` (normal, cut off at what is
     possible), or a `Spread`.  The size is given in one of three ways: the outline, angle and

@@ -24,7 +24,7 @@ Floats = NDArray[np.float64]
 @checked
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Observations(Result):
-    """Shaking tests, and what is known of their objects before them.
+    """Shaking tests and the priors of their objects.
 
     Parameters
     ----------

@@ -31,7 +31,7 @@ _NOISE: Final[Mapping[str, tuple[float, str]]] = {
 @checked
 @dataclass(frozen=True, kw_only=True)
 class Noise:
-    """What is known of the errors of tests.
+    """Priors of the amplitude error and of the share of outliers.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ class Noise:
 @checked
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Prior(Result):
-    """What is known before the tests of all objects alike, and of the errors of tests.
+    """Priors of all objects alike and of the errors of tests.
 
     Parameters
     ----------
@@ -138,7 +138,7 @@ class Prior(Result):
 
 @checked
 def read_prior(path: Path | str) -> Prior:
-    r"""Read what is known before the tests from a TOML file.
+    r"""Read priors of objects and errors from a TOML file.
 
     Parameters
     ----------

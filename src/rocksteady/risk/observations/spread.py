@@ -25,7 +25,7 @@ _LONGEST: Final = 200
 @checked
 @dataclass(frozen=True, kw_only=True)
 class Spread:
-    """What is known of a number before a test.
+    """Distribution of a number before the tests.
 
     A value (`exactly`), a uniform density between two bounds (`between`), or a normal density that
     is cut off at bounds (`around`).

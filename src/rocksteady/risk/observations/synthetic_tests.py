@@ -49,7 +49,7 @@ def make_synthetic_tests(
     model: Model | None = None,
     seed: int = 0,
 ) -> Observations:
-    """Make shaking tests of a known block, whose gains are not quite those of the table.
+    """Make shaking tests of a known block, with errors in their gains.
 
     Each motion shakes the block at each gain times exp(z), z normal, and the table of tests has the
     gain without z: what `calibrate` is to see through.

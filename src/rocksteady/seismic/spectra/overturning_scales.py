@@ -215,8 +215,8 @@ class OverturningScales(WindowLists):
             )
         if unsettled := int((self.unsettled > 0).sum()):
             notes.append(
-                f"The windows of {plural(unsettled, 'record')} have no end to their number: those "
-                f"narrower than some {0.1 * self.resolution:.0e} of the scale may be missing."
+                f"Ever narrower windows remain in {plural(unsettled, 'record')}: those narrower "
+                f"than some {0.1 * self.resolution:.0e} of the scale may be missing."
             )
         if short := int((self.top < self.within[1]).sum()):
             notes.append(

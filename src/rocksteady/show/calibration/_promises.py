@@ -4,7 +4,7 @@ from typing import Final
 
 GUARANTEES: Final = (
     "The same inputs and the same seed give the same numbers, with any number of workers.",
-    "Every fate is that of a complete run; none is interpolated between gains or records.",
+    "Every fate is that of a complete run: no fate and no record is interpolated.",
     (
         "A test is predicted without its own group: neither the posterior, nor the temper, nor the "
         "logistic beside it has seen that group."

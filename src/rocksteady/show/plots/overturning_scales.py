@@ -97,7 +97,7 @@ def plot_overturning_scales(
 def plot_fatal_kicks(
     kicks: FatalKicks, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
 ) -> "Axes":
-    """Draw the least kick that overturns a block, over the moment of the kick.
+    """Draw the least kick that overturns a block, over its time.
 
     The nearer a curve comes to 0, the nearer the block is to its fall at that moment.
 

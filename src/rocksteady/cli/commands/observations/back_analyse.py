@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from rocksteady.risk.observations.prior import Prior
 
 HELP = (
-    "Back-analysis: which PGA and PGV agree with what fell and what stood in one shaking.\n\n"
+    "Find the PGA and PGV that agree with what fell and what stood in one shaking.\n\n"
     "Draws of each object are run under every record at every scale. The region of 90 % is tried "
     "on records that are left out in turn, as the true shaking is in no suite; the temper of the "
     "likelihood and the probability of the region follow from that. Where everything fell there "

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from rocksteady.risk.observations.prior import Prior
 
 HELP = (
-    "Calibrate blocks by shaking tests: which slenderness agrees with what fell and what stood.\n\n"
+    "Calibrate objects by the shaking tests in which they fell or stood.\n\n"
     "Draws of each object are run under the record of each test at gains about its own, and "
     "weighted by how well they explain the outcomes. Scores are of tests that are predicted "
     "without their group, beside the base rate and a logistic on intensity measures. --out keeps "

@@ -26,11 +26,11 @@ if TYPE_CHECKING:
     from rocksteady.risk.observations.shaking_test import ShakingTest
 
 HELP = (
-    "Predict which tests or records fell a calibrated object, with the band of its posterior.\n\n"
+    "Predict the probability that a calibrated object falls, with its 90 % interval.\n\n"
     "--fit names the folder that `rocksteady calibrate --out` wrote. --tests takes a table whose "
     "outcomes may be empty; --record takes ground-motion files, at each factor of --scale. The "
-    "records of the calibration are not needed. Predictions of tests that were calibrated by are "
-    "in predictions.csv of the folder, each without its own group."
+    "records of the calibration are not needed. The folder's predictions.csv has the tests of the "
+    "calibration, each predicted without its own group."
 )
 EXAMPLES = (
     "Examples:\n\n"

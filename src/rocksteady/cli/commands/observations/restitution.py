@@ -16,9 +16,8 @@ from rocksteady.cli.flags.shaking_tests import flags_of
 from rocksteady.results.rendering import print_description
 
 HELP = (
-    "Restitution from the peaks of measured free rocking: its value for each impact, with standard "
-    "error, beside Housner's, and its scatter from impact to impact, told apart from the measuring "
-    "error.\n\n"
+    "Fit the restitution to the peaks of measured free rocking, beside Housner's value.\n\n"
+    "The scatter from impact to impact is separated from the measuring error.\n\n"
     "--peaks names a CSV table with a column peak_rad, peak_deg or peak_mrad and a line for each "
     "half cycle; further columns: sigma_rad (measuring error), test (several releases), side (+ or "
     "-) and t_s (time, for a check of the block's size)."

@@ -21,7 +21,7 @@ OUTCOMES: Mapping[bool | None, str] = {True: "fell", False: "stood", None: "unkn
 
 @dataclass(frozen=True, kw_only=True, repr=False, eq=False)
 class Predictions(Result):
-    """Probabilities that tests fall.
+    """Probabilities of a fall in tests.
 
     Attributes
     ----------

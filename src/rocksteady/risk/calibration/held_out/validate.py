@@ -25,7 +25,7 @@ ROWS = ("calibrated", "untempered", "base rate", "logistic")
 
 @dataclass(frozen=True, kw_only=True, repr=False, eq=False)
 class Validation(Result):
-    """Held-out scores of a calibration, and of what it has to beat.
+    """Held-out scores of a calibration and of simpler rules.
 
     Attributes
     ----------

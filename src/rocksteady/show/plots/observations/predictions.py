@@ -22,7 +22,7 @@ NAMED = 40
 def plot_predictions(
     predictions: Predictions, ax: "Axes | None" = None, *, legend: LegendPlace | None = None
 ) -> "Axes":
-    """Draw the probability that each test falls, the surest at the ends, with its band.
+    """Draw the probability that each test falls, with its interval of 90 %.
 
     Parameters
     ----------

@@ -114,7 +114,7 @@ def plot_learning(
     score: str = "accuracy",
     legend: LegendPlace | None = None,
 ) -> "Axes":
-    """Draw a held-out score over the number of groups learnt from, beside a logistic.
+    """Draw a held-out score over the number of training groups.
 
     Each point is the mean over random choices of the groups, scored on the tests of the others.
 
