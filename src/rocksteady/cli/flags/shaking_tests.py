@@ -173,7 +173,7 @@ class SamplingFlags:
     temper: Temper = "auto"
     draws: Draws = 1500
     gains: Gains = 5
-    rounds: Rounds = 3
+    rounds: Rounds = 6
     seed: Seed = 0
 
     def sampling(self) -> "Sampling":

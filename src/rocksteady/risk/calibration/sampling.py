@@ -24,7 +24,7 @@ class Sampling:
         Gains that each draw and test is run at, default 5.  They are quantiles of the amplitude
         error in equal strata, shifted at random for each draw and test.
     rounds
-        Default 3: the first draws from the prior, each other from the posterior before it.  Rounds
+        Default 6: the first draws from the prior, each other from the posterior before it.  Rounds
         are left out once the error of every prediction is below `error`.
     error
         Monte Carlo error of a prediction that is small enough, default 0.01.
@@ -34,18 +34,18 @@ class Sampling:
     Raises
     ------
     InputError
-        If a number is outside its range, or there are more rounds than a tenth of the draws.
+        If a number is outside its range, or there are more rounds than a fifth of the draws.
 
     Examples
     --------
     >>> from rocksteady import Sampling
     >>> Sampling(draws=300).per_round
-    [100, 100, 100]
+    [50, 50, 50, 50, 50, 50]
     """
 
     draws: int = 1500
     gains: int = 5
-    rounds: int = 3
+    rounds: int = 6
     error: float = 0.01
     seed: int = 0
 
@@ -55,8 +55,8 @@ class Sampling:
         whole_number("draws", self.draws, at_least=LEAST_DRAWS, at_most=MOST_DRAWS, hint=hint)
         hint = "give a whole number, as 5"
         whole_number("gains", self.gains, at_least=1, at_most=MOST_GAINS, hint=hint)
-        hint = "give a whole number, as 3, and at least ten draws for each"
-        whole_number("rounds", self.rounds, at_least=1, at_most=self.draws // 10, hint=hint)
+        hint = "give a whole number, as 3, and at least five draws for each"
+        whole_number("rounds", self.rounds, at_least=1, at_most=self.draws // 5, hint=hint)
         whole_number("seed", self.seed, at_least=0, hint="give a whole number, as 0")
         hint = "give a probability, as 0.01"
         object.__setattr__(self, "error", in_range("error", self.error, 0.0, 1.0, "(]", hint=hint))
