@@ -211,11 +211,16 @@ def test_a_kick_keeps_the_contract(tmp_path: Path) -> None:
         ("--kick -r 0.9 -W 2", "--frequency-ratio"),
         ("--pulse one-sine -W 2 -r 0.9 --start 0.1,0", "--start"),
         ("--kick -r 0.9 --at-s 1", "--at-s"),
-        (f"--kick {BODY} --at-s -1", "--at-s = '-1'"),
-        (f"--kick {BODY} --at-s 0:1e9:3", "--at-s = '0:1e9:3'"),
     ],
 )
 def test_flags_of_another_search_are_refused(flags: str, word: str) -> None:
     ran = rocksteady(f"overturn {flags}")
     assert ran.code == 2
     assert word.split("--")[1][:5] in ran.err or "-W" in ran.err
+
+
+@pytest.mark.parametrize("text", ["-1", "0:1e9:3", "nan"])
+def test_a_moment_of_no_record_is_refused_as_it_was_given(text: str) -> None:
+    ran = rocksteady(f"overturn --kick {BODY} --at-s {text}")
+    assert ran.code == 2
+    assert f"--at-s = '{text}'" in ran.err
