@@ -7,6 +7,7 @@ import pytest
 from scipy.special import ndtr
 
 from rocksteady import Scan
+from rocksteady.errors import InputError
 from rocksteady.risk.back_analysis._analysis import analyse
 from tests.risk.back_analysis.toys import noise, toy_survey, toy_tried
 
@@ -83,6 +84,9 @@ def test_measures_in_the_other_order_give_the_same_region_but_for_its_grid() -> 
     assert found.contains(first, first * found.ratios[place[1]])
     assert not found.contains(0.021, 0.02)
     assert not found.contains(100.0, 100.0)
+    for first, second in ((0.0, 1.0), (1.0, -1.0), (np.nan, 1.0), (1.0, 10**400)):
+        with pytest.raises(InputError, match="1e-09"):
+            found.contains(first, second)
 
 
 def test_where_nothing_fell_there_is_no_lower_bound() -> None:

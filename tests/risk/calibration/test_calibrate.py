@@ -4,7 +4,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import pytest
+from numpy.typing import NDArray
+from scipy.special import ndtri
 
 from rocksteady import (
     Linear,
@@ -17,7 +20,9 @@ from rocksteady import (
     Sampling,
     ShakingTest,
     Spread,
+    Status,
     calibrate,
+    fates_on_records,
 )
 from rocksteady.errors import InputError
 from rocksteady.risk.calibration.calibration import Calibration
@@ -128,6 +133,57 @@ def test_outcomes_of_one_kind_give_a_bound(fell: bool, side: str, gain: float) -
     assert any("bound of alpha" in sentence for sentence in found.warnings)
 
 
+ALONE = ObjectPrior(
+    name="block", alpha_rad="0.17:0.33", p_rad_s=4.0, housner_factor=1.0, scatter=0.0
+)
+EXACT = Prior(noise=Noise(sigma_ln=Spread.exactly(0.2), outliers=Spread.exactly(0.03)))
+
+
+def on_a_grid(tests: Observations) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return 100 alphas, and the probability of a fall of each test there, by 40 gains."""
+    alphas = 0.17 + 0.16 * (np.arange(100) + 0.5) / 100
+    found = fates_on_records(
+        ALONE.blocks(alphas[:, np.newaxis]),
+        tests,
+        gains=np.exp(0.2 * ndtri((np.arange(40) + 0.5) / 40)),
+        outputs=("status",),
+        model=LINEAR,
+    )
+    fell = found["status"].transpose("block", "test", "gain", "draw").values == Status.OVERTURNED
+    return alphas, 0.97 * fell[..., 0].mean(axis=2) + 0.015
+
+
+def test_posterior_and_predictions_are_those_of_a_dense_grid() -> None:
+    """Alpha alone is unknown: its quantiles, and each prediction without its group, by sums."""
+    tests = replace(make_tests(Case("16 tests", tests=16), 4)[0], objects={"block": ALONE})
+    alphas, p = on_a_grid(tests)
+    logs = np.where(tests.fell > 0.0, np.log(p), np.log(1.0 - p))
+    found = calibrate(tests, EXACT, sampling=Sampling(draws=450), model=LINEAR, temper=1.0)
+    weights = np.exp(logs.sum(axis=1))
+    ends = np.interp([0.5, 0.05, 0.95], np.cumsum(weights) / weights.sum(), alphas + 0.0008)
+    assert found.posteriors["block"].interval("alpha_rad") == pytest.approx(ends, abs=0.01)
+    for place, group in enumerate(tests.groups):
+        weights = np.exp(logs[:, tests.groups != group].sum(axis=1))
+        exact = float(weights @ p[:, place] / weights.sum())
+        assert found.validation.predictions.p[place] == pytest.approx(exact, abs=0.08)
+    assert found.validation.predictions.p.std() > 0.1
+
+
+@pytest.mark.parametrize(("fell", "gain", "share"), [(True, 0.8, 0.9), (False, 1.2, 0.1)])
+def test_the_bound_of_outcomes_of_one_kind_is_that_of_a_grid(
+    fell: bool, gain: float, share: float
+) -> None:
+    tests = shaken([fell] * 8, gain=gain, block=ALONE)
+    alphas, p = on_a_grid(tests)
+    weights = np.prod(p if fell else 1.0 - p, axis=1)
+    exact = float(np.interp(share, np.cumsum(weights) / weights.sum(), alphas + 0.0008))
+    found = calibrate(tests, EXACT, sampling=Sampling(draws=450), model=LINEAR, temper=1.0)
+    bound = row_of(found, "alpha_rad")["bound"]
+    assert bound == pytest.approx(exact, abs=0.008)
+    prior = 0.17 + 0.16 * share
+    assert abs(prior - exact) > 0.01
+
+
 def test_unknown_outcomes_return_the_prior() -> None:
     found = calibrate(shaken([None] * 3), sampling=FEW, model=LINEAR)
     assert {row["verdict"] for row in found.parameters} == {"prior returned"}
@@ -184,8 +240,12 @@ def test_other_folds_and_refusals(found: Calibration) -> None:
         found.validate("session")
     with pytest.raises(InputError, match="temper"):
         calibrate(found.tests, temper=0.0)
-    with pytest.raises(InputError, match="tests"):
-        found.predict([])
+    for none in ([], 3.0, np.array(1.0)):
+        with pytest.raises(InputError, match="tests"):
+            found.predict(none)  # type: ignore[arg-type]
+    for wrong in ("beta", 1.0, {"alpha_rad"}):
+        with pytest.raises(InputError, match=r"there are .*alpha_rad"):
+            found.posteriors["block"].interval(wrong)  # type: ignore[arg-type]
     stranger = replace(found.tests.tests[0], object="stranger", name="new")
     with pytest.raises(InputError, match="stranger"):
         found.predict([stranger])

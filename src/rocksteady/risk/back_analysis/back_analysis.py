@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rocksteady.model.checks.arguments import checked_result
+from rocksteady.model.checks.validation import in_range
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number, plural
 from rocksteady.results.result import Result
@@ -139,9 +140,17 @@ class BackAnalysis(Result):
         ----------
         first, second
             In the units of the measures.
+
+        Raises
+        ------
+        InputError
+            If one lies outside 1e-9 to 1e9.
         """
         from scipy.interpolate import RegularGridInterpolator
 
+        hint = "give a value in the unit of the measure"
+        first = in_range("first", first, 1e-9, 1e9, "[]", hint=hint)
+        second = in_range("second", second, 1e-9, 1e9, "[]", hint=hint)
         grid = np.log(self.first_values), np.log(self.ratios)
         at = np.log([first, second / first])
         if self.bound != "interval":
@@ -156,6 +165,11 @@ class BackAnalysis(Result):
         ----------
         first, second
             In the units of the measures.
+
+        Raises
+        ------
+        InputError
+            If one lies outside 1e-9 to 1e9.
         """
         return self.density_at(first, second) >= self.threshold
 

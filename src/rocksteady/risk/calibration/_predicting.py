@@ -125,7 +125,8 @@ def listed(tests: Observations | Sequence[ShakingTest]) -> list[ShakingTest]:
     InputError
         If there is none.
     """
-    given = list(tests.tests if isinstance(tests, Observations) else tests)
+    rows = tests.tests if isinstance(tests, Observations) else tests
+    given = list(rows) if isinstance(rows, Sequence) else []
     if not given or not all(isinstance(test, ShakingTest) for test in given):
         raise InputError(
             "tests", tests, "it must be Observations, or one ShakingTest or more", "give some"

@@ -6,6 +6,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from rocksteady.errors import InputError
 from rocksteady.results.description import Column, Description, Fact, Table
 from rocksteady.results.numbers import number
 from rocksteady.results.result import Result
@@ -67,13 +68,28 @@ class Posterior(Result):
         return found | self.space.derived(self.values)
 
     def of(self, name: str) -> Floats:
-        """Return the draws of a parameter, or of a derived number, by its name."""
-        return self.columns[name]
+        """Return the draws of a parameter, or of a derived number, by its name.
+
+        Raises
+        ------
+        InputError
+            If there is none of that name.
+        """
+        columns = self.columns
+        if not isinstance(name, str) or name not in columns:
+            raise InputError("name", name, f"there are {', '.join(columns)}", "give one of them")
+        return columns[name]
 
     def interval(self, name: str, *, untempered: bool = False) -> tuple[float, float, float]:
-        """Return the median, the 5 % and the 95 % quantile of a number by its name."""
+        """Return the median, the 5 % and the 95 % quantile of a number by its name.
+
+        Raises
+        ------
+        InputError
+            If there is none of that name.
+        """
         weights = self.untempered_weights if untempered else self.weights
-        column = self.columns[name][:, np.newaxis]
+        column = self.of(name)[:, np.newaxis]
         median, low, high = weighted_quantiles(column, weights[:, np.newaxis], ENDS)[:, 0]
         return float(median), float(low), float(high)
 

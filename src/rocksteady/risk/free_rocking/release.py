@@ -101,7 +101,7 @@ class Release:
         given = self.sides
         if given is None:
             return np.where(np.arange(count) % 2 == 0, 1, -1)
-        if isinstance(given, int):
+        if not isinstance(given, list | tuple | np.ndarray) or np.ndim(given) == 0:
             return np.full(count, side_value(given, name="sides"))
         sides = np.array([side_value(side, name="sides") for side in given])
         return self._fitting("sides", sides, count)
