@@ -102,6 +102,8 @@ def shortened(line: str) -> str:
     """Return a command line with a few values on each of its axes, and few draws."""
     if line.startswith("calibrate"):
         line += " --draws 30 --gains 2 --rounds 1 --model linear"
+    if line.startswith("back-analyse --survey"):
+        line = re.sub(r" --draws \d+", "", line) + " --draws 2 --levels 8 --trials 8"
     return AXIS.sub(lambda axis: axis[1] + str(min(FEW, int(axis[2]))), line)
 
 
@@ -120,7 +122,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         (tmp_path / name).write_text(header + "\n".join(rows) + "\n", encoding="ascii")
     suite = tmp_path / "suite"
     suite.mkdir()
-    for number in range(1, 4):
+    for number in range(1, 5):
         scaled = [" ".join(f"{float(x) / number: .7E}" for x in row.split()) for row in rows]
         text = header + "\n".join(scaled) + "\n"
         (suite / f"{number}.AT2").write_text(text, encoding="ascii")
@@ -130,6 +132,10 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     rows = ["test,record,object,outcome,gain,session"]
     for number, outcome in ((1, "fell"), (2, "stood"), (3, "stood")):
         rows += [f"{number},{number},column,{outcome},1,{number}"]
+    (tmp_path / "cemetery.csv").write_text(
+        "name,outcome,width_m,height_m\na,fell,0.12,0.9\nb,stood,0.5,0.9\n", "utf-8"
+    )
+    (tmp_path / "prior.toml").write_text("[noise]\nsigma_ln = 0.2\n", "utf-8")
     for name in ("tests.csv", "next.csv"):
         (tmp_path / name).write_text("\n".join(rows) + "\n", "utf-8")
     return tmp_path

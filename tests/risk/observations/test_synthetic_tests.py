@@ -86,7 +86,9 @@ def test_a_prior_may_be_given_and_unlike_sides_have_one() -> None:
 def test_scatter_changes_some_outcomes() -> None:
     gains = np.linspace(0.6, 1.8, 25)
     steady, loose = (
-        make_synthetic_tests(COLUMN, SUITE, gains=gains, gain_error=0.0, scatter=scatter).fell
+        make_synthetic_tests(
+            COLUMN, SUITE, gains=gains, gain_error=0.0, restitution_scatter=scatter
+        ).fell
         for scatter in (0.0, 0.1)
     )
     assert 0.0 < np.mean(steady != loose) < 0.5

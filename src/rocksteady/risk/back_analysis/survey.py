@@ -30,7 +30,7 @@ class Survey(Result):
     reversed
         Whether the object faces the other way, so that the shaking acts with the other sign: True,
         False, or None where its facing is unknown; by default None of all.  It matters for objects
-        with unlike sides alone.
+        with two different sides alone.
     sources
         Hash (SHA-256) of each file that they come from, by name; default none.
 

@@ -44,7 +44,7 @@ def make_synthetic_tests(
     *,
     gains: ArrayLike | None = None,
     gain_error: float = 0.2,
-    scatter: float = 0.0,
+    restitution_scatter: float = 0.0,
     prior: ObjectPrior | None = None,
     model: Model | None = None,
     seed: int = 0,
@@ -65,7 +65,7 @@ def make_synthetic_tests(
         those with p PGV/(g tan alpha) of 0.4, 0.6, 0.8 and 1.
     gain_error
         Standard deviation of z, from 0 to 3; default 0.2.
-    scatter
+    restitution_scatter
         Standard deviation of the restitution from impact to impact, from 0 to 0.5; default 0.
     prior
         What is known of the block before the tests; by default alpha and p within 30 % of the
@@ -115,7 +115,7 @@ def make_synthetic_tests(
         block,
         unknown,
         gains=error.reshape(-1, 1),
-        scatter=Scatter(scatter, seed=first),
+        scatter=Scatter(restitution_scatter, seed=first),
         outputs=["status"],
         model=model,
     ).status.values.ravel()

@@ -24,7 +24,7 @@ SCHEMA = "rocksteady/run/1"
 
 @checked
 def make_manifest(
-    motions: Sequence[Record | BaseMotion] = (),
+    motions: Sequence[Record | BaseMotion] | None = None,
     *,
     files: Sequence[Path | str] = (),
     ensemble: "xarray.Dataset | None" = None,
@@ -84,7 +84,7 @@ def make_manifest(
         kept = {key: ensemble.attrs.get(key) for key in ("model", "measure", "seed", "scatter")}
         values["ensemble"] = kept | {"cells": int(ensemble["status"].size)}
         sentences += json.loads(ensemble.attrs.get("warnings", "[]"))
-    values["records"] = [_of_motion(motion) for motion in motions]
+    values["records"] = [_of_motion(motion) for motion in motions or ()]
     values["files"] = [_of_file(Path(file)) for file in files]
     values["warnings"] = list(dict.fromkeys(sentences))
     return values
