@@ -227,6 +227,7 @@ def test_two_peaks_give_a_value_and_no_error() -> None:
         ({"sides": [1, -1]}, "there are 3 peaks"),
         ({"sides": [1, 0, 1]}, "must be 1 or -1"),
         ({"sides": 0.5}, "must be 1 or -1"),
+        ({"name": 3.0}, "a text that is not empty"),
         ({"times_s": [0.0, 0.2, 0.2]}, "do not rise"),
         ({"sigma_rad": -1e-3}, r"must lie in \[0"),
         ({"sigma_rad": [1e-3, 1e-3]}, "there are 3 peaks"),

@@ -95,4 +95,5 @@ class Scan:
 
     def draws_of(self, objects: int) -> int:
         """Return the number of draws of each of some objects at each scale."""
+        objects = whole_number("objects", objects, at_least=1, hint="give how many there are")
         return self.draws or min(64, max(8, -(-320 // objects)))
