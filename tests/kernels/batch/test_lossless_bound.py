@@ -13,6 +13,8 @@ from rocksteady.kernels.batch._still_base import fate_on_still_base
 from rocksteady.kernels.core.clock import segment_start
 from rocksteady.kernels.core.tables import (
     LEAN,
+    LIFT,
+    LIFT_CEILING,
     NONLINEAR_SEGMENT_COLUMNS,
     RATE,
     ROCKING,
@@ -111,3 +113,12 @@ def test_nothing_is_proved_in_flight_of_unlike_sides_or_before_a_jump() -> None:
     assert largest_margin(segments, unlike, March(0, 0.0, 0.0, 0, 0, 0.1, 0, 0)) == math.inf
     kicked = table(Piece(duration=1.0), Piece(duration=1.0, jump=0.1))
     assert largest_margin(kicked, sides, March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0)) == math.inf
+
+
+def test_nothing_is_proved_while_the_base_moves_vertically() -> None:
+    segments, sides = case("triangles", Nonlinear(), 1.01, 1.0)
+    begin = March(0, 0.0, 0.0, 0, 0, 0.0, 0, 0)
+    assert largest_margin(segments, sides, begin) < 0.0
+    # A base that falls at half of g takes half the weight: such a block does not stand.
+    segments[:, LIFT], segments[:, LIFT_CEILING] = -0.5, 0.5
+    assert largest_margin(segments, sides, begin) == math.inf

@@ -104,6 +104,7 @@ def scan(
     rough: Callable[[Floats], Fates] | None = None,
     closest: float = 0.0,
     most: int = MOST,
+    numbered: bool = True,
 ) -> Found:
     """Return every window between two amplitudes.
 
@@ -127,18 +128,21 @@ def scan(
         Part of an amplitude to which borders are wanted; 0 (default) for rounding.
     most
         Amplitudes, besides the grid, after which doubtful intervals are left as they are.
+    numbered
+        Whether a fall after many impacts is doubtful by itself.  Under a record all falls are such:
+        without (False), intervals are doubtful where the impacts of their ends differ.
     """
     amplitude = first_grid(low, high, step, uplifts)
     looked = follow if rough is None else rough
     fates, left = looked(amplitude), most
-    doubtful = np.flatnonzero(_doubtful(amplitude, fates))
+    doubtful = np.flatnonzero(_doubtful(amplitude, fates, numbered))
     while doubtful.size and left:
         width = np.diff(amplitude)[doubtful] / amplitude[doubtful + 1]
         where = np.sort(doubtful[np.argsort(-width, kind="stable")[:left]])
         middles = 0.5 * (amplitude[where] + amplitude[where + 1])
         amplitude, fates = _with(looked, amplitude, fates, middles)
         left -= len(where)
-        doubtful = np.flatnonzero(_doubtful(amplitude, fates))
+        doubtful = np.flatnonzero(_doubtful(amplitude, fates, numbered))
     if rough is not None:
         amplitude = amplitude[_kept(amplitude, fates)]
         fates = follow(amplitude)
@@ -165,7 +169,7 @@ def first_grid(low: float, high: float, step: float, uplifts: Sequence[float] = 
     return np.unique(np.clip(np.concatenate(parts), low, high))
 
 
-def _doubtful(amplitude: Floats, fates: Fates) -> NDArray[np.bool_]:
+def _doubtful(amplitude: Floats, fates: Fates, numbered: bool) -> NDArray[np.bool_]:
     """Return which intervals are to be halved, shape (amplitudes - 1,)."""
     margin = np.where(fates.overturns, -fates.margin, fates.margin)  # its distance from zero, < 0
     lifted = fates.overturns | (margin > -1.0)  # -1 is that of a block at rest
@@ -187,7 +191,10 @@ def _doubtful(amplitude: Floats, fates: Fates) -> NDArray[np.bool_]:
     doubtful: NDArray[np.bool_] = (
         ((high[:-1] | high[1:]) & finest)
         | ((_differ(fates, during=True) | _steep(width, margin) | hump[:-1] | hump[1:]) & fine)
-        | ((_many(fates) | (np.diff(fates.during) != 0)) & (width > COARSE * amplitude[1:]))
+        | (
+            ((np.diff(fates.during) != 0) | (numbered & _many(fates)))
+            & (width > COARSE * amplitude[1:])
+        )
     )
     return doubtful
 

@@ -10,7 +10,6 @@ from rocksteady.kernels.batch.pulses import pulse_fates
 from rocksteady.kernels.core.tables import (
     ALPHA,
     LEAN,
-    LEFT_OUT,
     LIFT,
     NONLINEAR_SEGMENT_COLUMNS,
     is_nonlinear,
@@ -129,14 +128,14 @@ def follow(amplitude: Floats, *, table: Floats, sides: Floats, ratio: float = 1.
     status, impacts, side, during = (np.empty(len(size), dtype=np.int64) for _ in range(4))
     margin = np.empty(len(size))
     lifted = has_vertical(table)
-    scaled, own = (table.copy(), _unproved(sides)) if lifted else (table, sides)
+    scaled = table.copy() if lifted else table
     # One motion does for all amplitudes, but for its vertical component, which counts in g.
     for part in (slice(k, k + 1) for k in range(len(size))) if lifted else (slice(None),):
         if lifted:
             np.multiply(table[:, LIFT:], size[part], out=scaled[:, LIFT:])
         pulse_fates(
             scaled,
-            own,
+            sides,
             size[part],
             np.full(len(size[part]), ratio),
             REST_VELOCITY,
@@ -160,14 +159,3 @@ def follow(amplitude: Floats, *, table: Floats, sides: Floats, ratio: float = 1.
 def has_vertical(table: Floats) -> bool:
     """Return whether the base moves vertically."""
     return table.shape[1] == NONLINEAR_SEGMENT_COLUMNS and bool(table[:, LIFT:].any())
-
-
-def _unproved(sides: Floats) -> Floats:
-    """Return sides of which `kernels.batch._lossless_bound` proves nothing, as they are unlike.
-
-    It knows of no vertical motion.  They differ in what a step may leave out, by a last digit; the
-    march reads that of the first side alone.
-    """
-    own = sides.copy()
-    own[1, LEFT_OUT] = np.nextafter(own[1, LEFT_OUT], 1.0)
-    return own

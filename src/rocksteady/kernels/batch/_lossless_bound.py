@@ -34,6 +34,8 @@ from rocksteady.kernels.core.tables import (
     FREQUENCY,
     JUMP,
     LEAN,
+    LIFT,
+    LIFT_CEILING,
     PHASE,
     RATE,
     SLOPE,
@@ -85,11 +87,14 @@ def largest_margin(segments: Floats, sides: Floats, state: March) -> float:
     segments
         Table of a pulse, without the still base after it.
     sides
-        Of a block, shape (2, 3) or (2, 5); nothing is proved of one whose sides differ.
+        Of a block, shape (2, 3) or (2, 5); nothing is proved of one whose sides differ, nor while
+        the base has a vertical motion to come: H knows of none.
     state
         Just after an impact, from which on the block is not followed.
     """
     if state.angle != 0.0 or not (sides[0] == sides[1]).all():
+        return math.inf
+    if segments.shape[1] > LIFT and segments[state.segment, LIFT_CEILING] != 0.0:
         return math.inf
     lean, rate = sides[0, LEAN], sides[0, RATE]
     weight, cosine, sine = 1.0, 1.0, 0.0

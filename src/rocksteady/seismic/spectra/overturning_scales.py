@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from rocksteady.dynamics.history.lowering import segment_table, side_attributes
 from rocksteady.dynamics.history.nonlinear_tables import nonlinear_segment_table, sides_of
-from rocksteady.dynamics.overturning.scan import MANY, MOST, scan
+from rocksteady.dynamics.overturning.scan import MANY, scan
 from rocksteady.dynamics.overturning.window_cells import (
     CLOSEST,
     follow,
@@ -49,10 +49,12 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 WITHIN = (0.1, 10.0)
-RESOLUTION = 2e-3
+RESOLUTION = 5e-4
 SMALLEST, LARGEST_SCALE = 1e-3, 1e3
 """Ends beyond which no range of scales goes."""
-KEPT = 128
+MOST = 30_000
+"""Scales, besides the grid, after which a search at that resolution ends."""
+KEPT = 256
 """Windows that are kept of a record; of more the widest."""
 MOST_ROWS = 100
 """Windows that a summary shows."""
@@ -97,7 +99,7 @@ class OverturningScales(WindowLists):
     pga_g, pgv_m_s
         PGA [g] and PGV [m/s] of the horizontal component at scale 1, shape (records,).
     left_out, left_out_width
-        How many windows there are beyond the widest 128, and how wide they are together.
+        How many windows there are beyond the widest 256, and how wide they are together.
     undecided
         Scales that were tried and whose fate could not be decided; they count as safe.
     unsettled
@@ -302,8 +304,8 @@ def find_overturning_scales(
     within
         Range (low, high) of scales, from 0.001 to 1000; default (0.1, 10).
     resolution
-        Largest step of the first scales, as a part of them (default 0.002).  The scales that may be
-        tried besides grow with 1/resolution: 10 000 at the default.
+        Largest step of the first scales, as a part of them (default 0.0005).  The scales that may
+        be tried besides grow with 1/resolution: 30 000 at the default.
     model
         `Nonlinear()` (default) or `Linear()`.
     run
@@ -402,6 +404,7 @@ def _windows_of(
             keep=KEPT,
             closest=0.0 if isinstance(model, Linear) else CLOSEST,
             most=round(MOST * max(1.0, RESOLUTION / resolution)),
+            numbered=False,
         )
         keep(found, cell, windows._replace(impacts=windows.impacts - MANY), KEPT)
         found["share"][cell] = log(windows.high / windows.low).sum() / log(end / low)

@@ -149,7 +149,7 @@ def plot_fatal_kicks(
         )
     axes.set(
         xlabel=palette.LABELS["seconds" if sized else "pivot_time"],
-        ylabel="least fatal kick [m/s]" if sized else r"least fatal kick  [$\\alpha g/p$]",
+        ylabel="least fatal kick [m/s]" if sized else r"least fatal kick  [$\alpha g/p$]",
         xlim=(float(kicks.time_pt.min()) / rate, float(kicks.time_pt.max()) / rate),
         ylim=(0.0, None),
     )
