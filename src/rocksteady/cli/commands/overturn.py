@@ -146,7 +146,7 @@ Resolution = Annotated[
         "--resolution",
         metavar="PART",
         help="Largest step of the first amplitudes that are tried, as a part of them, default "
-        "0.002. In doubtful places it becomes much smaller by itself.",
+        "0.002, of a record 0.0005. In doubtful places it becomes much smaller by itself.",
         rich_help_panel=options.MOTION,
     ),
 ]
