@@ -28,7 +28,7 @@ from rocksteady.errors import InputError
 from rocksteady.risk.calibration.calibration import Calibration
 from tests.risk.calibration.trials import CASES, Case, coverage, make_records, make_tests
 
-FEW = Sampling(draws=90, gains=3)
+FEW = Sampling(draws=90, gains=3, rounds=3)
 LINEAR = Linear()
 
 
@@ -240,9 +240,10 @@ def test_other_folds_and_refusals(found: Calibration) -> None:
         found.validate("session")
     with pytest.raises(InputError, match="temper"):
         calibrate(found.tests, temper=0.0)
-    for none in ([], 3.0, np.array(1.0)):
+    nothing: tuple[Any, ...] = ([], 3.0, np.array(1.0))
+    for none in nothing:
         with pytest.raises(InputError, match="tests"):
-            found.predict(none)  # type: ignore[arg-type]
+            found.predict(none)
     for wrong in ("beta", 1.0, {"alpha_rad"}):
         with pytest.raises(InputError, match=r"there are .*alpha_rad"):
             found.posteriors["block"].interval(wrong)  # type: ignore[arg-type]
@@ -271,7 +272,7 @@ def test_a_measured_peak_narrows_alpha() -> None:
 def test_full_equations_count_flips_of_their_tolerance() -> None:
     found = calibrate(shaken([True, False]), sampling=Sampling(draws=30, gains=1, rounds=1))
     assert isinstance(found.model, Nonlinear)
-    assert "tolerance 1e-08" in found.flips
+    assert "tolerance 1e-06" in found.flips
 
 
 @pytest.mark.slow

@@ -93,7 +93,7 @@ def test_without_scores_the_page_says_so() -> None:
     read = Page(page("unscored"))
     check_alone(read)
     assert "none of which can be held out" in read.text
-    assert "No held-out scores: all tests with an outcome are of one record" in read.text
+    assert "No held-out scores: all tests with an outcome are of one group" in read.text
     headings = [text for level, text in read.headings if level == 2]
     assert not any(name in "".join(headings) for name in ("Residuals", "Temper", "Learning"))
 

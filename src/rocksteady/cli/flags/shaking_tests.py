@@ -87,11 +87,11 @@ Gains = Annotated[
     ),
 ]
 Rounds = Annotated[
-    int,
+    int | None,
     typer.Option(
         "--rounds",
         metavar="N",
-        help="Set the number of rounds of draws, the first of them from the prior.",
+        help="Set the number of rounds of draws; default one for every 100 draws, 6 at most.",
         rich_help_panel=SAMPLING,
     ),
 ]
@@ -173,7 +173,7 @@ class SamplingFlags:
     temper: Temper = "auto"
     draws: Draws = 1500
     gains: Gains = 5
-    rounds: Rounds = 6
+    rounds: Rounds = None
     seed: Seed = 0
 
     def sampling(self) -> "Sampling":

@@ -126,7 +126,7 @@ def listed(tests: Observations | Sequence[ShakingTest]) -> list[ShakingTest]:
         If there is none.
     """
     rows = tests.tests if isinstance(tests, Observations) else tests
-    given = list(rows) if isinstance(rows, Sequence) else []
+    given = list(rows) if isinstance(rows, Sequence) else []  # type: ignore[redundant-expr]
     if not given or not all(isinstance(test, ShakingTest) for test in given):
         raise InputError(
             "tests", tests, "it must be Observations, or one ShakingTest or more", "give some"

@@ -250,7 +250,7 @@ def codes_of(tests: Sequence[ShakingTest], folds: Folds) -> tuple[list[str], Int
     InputError
         If it is none of the four, or a test has no session.
     """
-    if not isinstance(folds, str) or folds not in FOLDS:
+    if not isinstance(folds, str) or folds not in FOLDS:  # type: ignore[redundant-expr]
         raise InputError("folds", folds, f"it must be one of {', '.join(FOLDS)}", "give one")
     names = []
     for test in tests:

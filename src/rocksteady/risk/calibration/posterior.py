@@ -76,7 +76,7 @@ class Posterior(Result):
             If there is none of that name.
         """
         columns = self.columns
-        if not isinstance(name, str) or name not in columns:
+        if not isinstance(name, str) or name not in columns:  # type: ignore[redundant-expr]
             raise InputError("name", name, f"there are {', '.join(columns)}", "give one of them")
         return columns[name]
 

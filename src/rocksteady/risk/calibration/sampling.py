@@ -9,6 +9,9 @@ from rocksteady.model.checks.validation import in_range, whole_number
 LEAST_DRAWS: Final = 30
 MOST_DRAWS: Final = 100_000
 MOST_GAINS: Final = 1000
+MOST_ROUNDS: Final = 6
+EACH: Final = 100
+"""Draws of a round, by default at least: fewer say too little of the posterior for the next."""
 
 
 @checked
@@ -24,8 +27,9 @@ class Sampling:
         Gains that each draw and test is run at, default 5.  They are quantiles of the amplitude
         error in equal strata, shifted at random for each draw and test.
     rounds
-        Default 6: the first draws from the prior, each other from the posterior before it.  Rounds
-        are left out once the error of every prediction is below `error`.
+        The first draws from the prior, each other from the posterior before it; default one for
+        every 100 draws, 6 at most.  Rounds are left out once the error of every prediction is below
+        `error`.
     error
         Monte Carlo error of a prediction that is small enough, default 0.01.
     seed
@@ -40,12 +44,12 @@ class Sampling:
     --------
     >>> from rocksteady import Sampling
     >>> Sampling(draws=300).per_round
-    [50, 50, 50, 50, 50, 50]
+    [100, 100, 100]
     """
 
     draws: int = 1500
     gains: int = 5
-    rounds: int = 6
+    rounds: int | None = None
     error: float = 0.01
     seed: int = 0
 
@@ -56,6 +60,8 @@ class Sampling:
         hint = "give a whole number, as 5"
         whole_number("gains", self.gains, at_least=1, at_most=MOST_GAINS, hint=hint)
         hint = "give a whole number, as 3, and at least five draws for each"
+        if self.rounds is None:
+            object.__setattr__(self, "rounds", min(MOST_ROUNDS, max(1, self.draws // EACH)))
         whole_number("rounds", self.rounds, at_least=1, at_most=self.draws // 5, hint=hint)
         whole_number("seed", self.seed, at_least=0, hint="give a whole number, as 0")
         hint = "give a probability, as 0.01"
@@ -64,5 +70,6 @@ class Sampling:
     @property
     def per_round(self) -> list[int]:
         """Draws of each round."""
+        assert self.rounds is not None
         share, rest = divmod(self.draws, self.rounds)
         return [share + (place < rest) for place in range(self.rounds)]

@@ -59,7 +59,7 @@ class Release:
 
     def __post_init__(self) -> None:
         """Validate."""
-        if not isinstance(self.name, str) or not self.name.strip():
+        if not isinstance(self.name, str) or not self.name.strip():  # type: ignore[redundant-expr]
             raise InputError("name", self.name, "it must be a text that is not empty", "give one")
         peaks = real_array("peaks_rad", self.peaks_rad)
         if peaks.ndim != 1 or not 2 <= peaks.size <= MOST_PEAKS:

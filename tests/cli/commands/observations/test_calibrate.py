@@ -29,7 +29,7 @@ def test_json_has_the_scores_and_one_object(table: Path) -> None:
     assert values["tests"] == 16
     assert values["draws"] == 60
     assert values["model"] == "linear"
-    assert values["folds"] == "record"
+    assert values["folds"] == "group"
     assert values["synthetic"] is False
     assert set(values["hashes"]) >= {"tests.csv", "objects.csv"}
     assert {row["parameter"] for row in values["parameters"]} >= {"alpha_rad", "restitution"}
