@@ -13,6 +13,7 @@ def observation_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
     calibration = t["calibration"]
     few = rs.Sampling(draws=30, gains=1, rounds=1)
     found = t["back analysis"]
+    stored = rs.read_posterior(t["calibrated"])
     row = [0.11, 0.8, 1.0, 0.05]
     Path("tests.csv").write_text("test,record,object,outcome\n1,made,vase,fell\n", encoding="utf-8")
     Path("cemetery.csv").write_text(
@@ -58,6 +59,16 @@ def observation_calls(t: dict[str, Any]) -> dict[Any, dict[str, Any]]:
         rs.make_synthetic_tests: {"truth": t["block"], "motions": [t["record"]], "gains": [0.5]},
         rs.Sampling: fields(few),
         rs.calibrate: {"tests": t["observations"], "sampling": few, "model": rs.Linear()},
+        rs.Calibration: fields(calibration),
+        rs.Validation: fields(t["validation"]),
+        rs.Predictions: fields(t["predictions"]),
+        rs.Posterior: fields(t["posterior"]),
+        rs.Scores: fields(t["scores"]),
+        rs.BackAnalysis: fields(found),
+        rs.read_posterior: {"folder": t["calibrated"]},
+        rs.StoredPosterior: fields(stored),
+        stored.describe: {},
+        stored.predict: {"tests": t["observations"]},
         calibration.predict: {"tests": t["observations"]},
         calibration.validate: {"folds": "test"},
         calibration.describe: {},

@@ -90,8 +90,11 @@ def things() -> dict[str, Any]:
     calibration = rs.calibrate(
         observations, sampling=rs.Sampling(draws=30, gains=1, rounds=1), folds="test"
     )
+    if not Path("calibrated").exists():
+        rs.write_calibration(calibration, "calibrated")
     return {
         "survey": survey,
+        "calibrated": "calibrated",
         "back analysis": rs.back_analyse(
             survey, [record, other], scan=rs.Scan(levels=6, draws=2, temper=0.5, trials=0)
         ),

@@ -224,7 +224,7 @@ def overturn(
     run = sweep.run(force=output.force)
 
     announce_compilation("pulses.pulse_fates")
-    from rocksteady.dynamics.overturning.windows import RESOLUTION, find_overturning_windows
+    from rocksteady.dynamics.overturning.windows import find_overturning_windows
 
     with (
         _as_typed(within="--amplitude/-A" if accel_g is None else "--accel-g"),
@@ -236,7 +236,7 @@ def overturn(
             shape,
             ratios,
             within=within,
-            resolution=RESOLUTION if resolution is None else resolution,
+            resolution=resolution,
             model=equations,
             run=replace(run, progress=meter),
         )
@@ -285,7 +285,7 @@ def _find_scales(
     model: str | None,
 ) -> None:
     """Search the scales of records, and print or write what is found."""
-    from rocksteady.seismic.spectra.overturning_scales import RESOLUTION, find_overturning_scales
+    from rocksteady.seismic.spectra.overturning_scales import find_overturning_scales
 
     body, motions = _motions(recorded, suite, reading, block)
     equations = equations_for(model, body, motions[0])
@@ -301,7 +301,7 @@ def _find_scales(
             body,
             motions,
             within=within,
-            resolution=RESOLUTION if resolution is None else resolution,
+            resolution=resolution,
             model=equations,
             run=replace(run, progress=meter),
         )

@@ -260,7 +260,7 @@ def find_overturning_windows(
     frequency_ratios: ArrayLike,
     *,
     within: tuple[float, float] | None = None,
-    resolution: float = RESOLUTION,
+    resolution: float | None = None,
     model: Model | None = None,
     run: Run | None = None,
 ) -> OverturningWindows:
@@ -328,7 +328,8 @@ def find_overturning_windows(
     usual = min(*uplifts, 1.0), min(max(TOP, UPLIFTS * max(uplifts)), HIGHEST)
     low, high = range_of(usual if within is None else within)
     hint = "give a part of the amplitude, as 0.002"
-    step = in_range("resolution", resolution, 1e-6, 0.1, "[]", hint=hint)
+    part = RESOLUTION if resolution is None else resolution
+    step = in_range("resolution", part, 1e-6, 0.1, "[]", hint=hint)
     load_kernel(body, chosen, unit)
     data = evaluate(
         functools.partial(

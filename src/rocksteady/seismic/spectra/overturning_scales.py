@@ -27,7 +27,7 @@ from rocksteady.kernels.core.tables import CEILING, LIFT, LIFT_SLOPE
 from rocksteady.kernels.elementary.arrays import log
 from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
 from rocksteady.model.checks.arguments import checked, checked_result
-from rocksteady.model.checks.validation import in_range, index_value, is_pair
+from rocksteady.model.checks.validation import LARGEST, in_range, index_value, is_pair
 from rocksteady.model.equations import Linear, Model, chosen_model
 from rocksteady.model.facts import block_text, block_values, case_text
 from rocksteady.model.motions.base_motion import BaseMotion
@@ -125,7 +125,9 @@ class OverturningScales(WindowLists):
 
     def falls(self, index: int, scale: float) -> bool:
         """Return whether a scale lies in one of the windows of a record."""
-        return any(low <= scale <= high for low, high in self.intervals(index))
+        hint = "give a factor of the accelerations, as 1.5"
+        factor = in_range("scale", scale, 0.0, LARGEST, "[]", hint=hint)
+        return any(low <= factor <= high for low, high in self.intervals(index))
 
     def to_dataset(self) -> "xarray.Dataset":
         """Return the windows as an xarray Dataset over record and window."""
@@ -282,7 +284,7 @@ def find_overturning_scales(
     motions: Record | BaseMotion | Sequence[Record | BaseMotion],
     *,
     within: tuple[float, float] | None = None,
-    resolution: float = RESOLUTION,
+    resolution: float | None = None,
     model: Model | None = None,
     run: Run | None = None,
 ) -> OverturningScales:
@@ -336,7 +338,8 @@ def find_overturning_scales(
     names = names_of(ground.record for ground in grounds)
     chosen = chosen_model(model, block, grounds[0].record)
     low, high = _range(WITHIN if within is None else within)
-    step = in_range("resolution", resolution, 1e-6, 0.1, "[]", hint="give a part, as 0.002")
+    part = RESOLUTION if resolution is None else resolution
+    step = in_range("resolution", part, 1e-6, 0.1, "[]", hint="give a part, as 0.002")
     check_grounds(grounds, [high] * len(grounds), [block], chosen)
     axis = Axis(name="record", values=names, long_name="record", items=grounds)
     follow(np.empty(0), table=_table(block, chosen, grounds[0]), sides=sides_of(block, chosen))

@@ -187,7 +187,7 @@ def test_the_example_says_that_its_motions_are_synthetic() -> None:
         ("--levels x", "--levels = 'x'"),
         ("--scale 1:2:3 --levels 1", "--scale and --levels are both given"),
         ("-r 0.9:0.8", "--restitution = 0.9"),
-        ("-r 0.9:x", "a band has two numbers"),
+        ("-r 0.9:x", "a band has two ends"),
         ("-r 0.9 --draws 3", "without --scatter"),
         ("--draws 0", "--draws = 0"),
         ("--scatter 2", "--scatter = 2"),
