@@ -69,9 +69,9 @@ class Case:
         base = self.block
         if isinstance(base, DimensionlessBlock):
             unlike = ("negative_restitution", "alpha_ratio", "p_ratio")
+            ratios: dict[str, Any] = {name: cell[name] for name in unlike if name in cell}
             return DimensionlessBlock(
-                restitution=cell.get("restitution", base.restitution),
-                **{name: cell[name] for name in unlike if name in cell},
+                restitution=cell.get("restitution", base.restitution), **ratios
             )
         kept = base.restitution
         if self.housner:

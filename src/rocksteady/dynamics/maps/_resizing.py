@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -118,7 +118,8 @@ def block_of(
         assert not isinstance(restitution, str | tuple)  # without sizes it is a number
         moved = block.with_restitution(restitution)
     if isinstance(moved, DimensionlessBlock):
-        return replace(moved, **{name: given[name] for name in ASYMMETRY if name in given})
+        unlike: dict[str, Any] = {name: given[name] for name in ASYMMETRY if name in given}
+        return replace(moved, **unlike)
     return moved
 
 

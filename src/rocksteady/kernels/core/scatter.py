@@ -11,7 +11,14 @@ anything but `WORD`.
 """
 
 from rocksteady.kernels.core._quantile import normal_quantile
-from rocksteady.kernels.core.tables import KEY, RESTITUTION, SCATTER, SCATTERED_SIDE_COLUMNS, Floats
+from rocksteady.kernels.core.tables import (
+    KEY,
+    RESTITUTION,
+    SCATTER,
+    SCATTERED_SIDE_COLUMNS,
+    Floats,
+    free_side,
+)
 from rocksteady.kernels.core.typed import whole
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
@@ -40,7 +47,7 @@ def is_scattered(sides: Floats) -> bool:
 @inlined
 def largest_draw(sides: Floats, row: int) -> float:
     """Return the largest restitution that an impact on a side may have."""
-    mean: float = sides[row, RESTITUTION]
+    mean: float = abs(sides[row, RESTITUTION])
     if is_scattered(sides) and sides[row, SCATTER] > 0.0:
         return 0.5 * (1.0 + mean)
     return mean
@@ -48,21 +55,25 @@ def largest_draw(sides: Floats, row: int) -> float:
 
 @inlined
 def largest_restitution(sides: Floats) -> float:
-    """Return the largest restitution that any impact may have."""
+    """Return the largest restitution that any impact may have; a wall's without its sign."""
+    free = free_side(sides)
+    if free != 0:
+        return largest_draw(sides, 0 if free > 0 else 1)
     return max(largest_draw(sides, 0), largest_draw(sides, 1))
 
 
 @compiled
 def restitution_of(sides: Floats, row: int, impact: int) -> float:
     """Return the restitution of an impact on a side that scatters; impacts count from 1 on."""
-    mean, deviation = sides[row, RESTITUTION], sides[row, SCATTER]
+    mean, deviation = abs(sides[row, RESTITUTION]), sides[row, SCATTER]
+    sign = -1.0 if sides[row, RESTITUTION] <= 0.0 else 1.0
     if deviation > 0.0:
         key, top = int(sides[row, KEY]), largest_draw(sides, row)
         for attempt in range(ATTEMPTS):
             value: float = mean + deviation * normal_quantile(uniform(key, impact, attempt))
             if 0.0 < value <= top:
-                return value
-    return float(mean)
+                return sign * value
+    return sign * float(mean)
 
 
 @compiled

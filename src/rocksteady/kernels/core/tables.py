@@ -41,7 +41,9 @@ SAFELY = 1.0 - 1e-9
 """Part of its uplift value up to which no sample lifts a block, rounding included."""
 
 # Columns of the side table; row 0 is the positive side, row 1 the negative one.
-RESTITUTION = 0  # of the impact that ends a flight on this side
+RESTITUTION = 0  # velocity after over that before the impact that ends a flight on this side
+# Of a block that rocks on one side alone, against a wall behind it, minus the wall's restitution,
+# which may be 0: the side that it stays on.  The other side's row is never read for a flight.
 LEAN = 1  # this side's alpha over the reference alpha
 RATE = 2  # this side's p over the reference p
 SIDE_COLUMNS = 3
@@ -165,6 +167,14 @@ def kept_passage(peaks: Floats) -> March:
         0,
         0,
     )
+
+
+@inlined
+def free_side(sides: Floats2) -> int:
+    """Return the one side on which a block against a wall rocks, or 0 of a block that has two."""
+    if sides[0, RESTITUTION] <= 0.0:
+        return 1
+    return -1 if sides[1, RESTITUTION] <= 0.0 else 0
 
 
 @inlined

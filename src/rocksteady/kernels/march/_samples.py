@@ -24,6 +24,7 @@ that of an end plus h times that, the angle likewise.  Only where these bounds s
 far, and a changes sign or v falls through zero, is there an extremum to be found.
 """
 
+import math
 from typing import NamedTuple
 
 from rocksteady.kernels.core.forcing import make_forcing
@@ -42,6 +43,7 @@ from rocksteady.kernels.core.tables import (
     Floats,
     March,
     end_of_run,
+    free_side,
     keep_passage,
     write_row,
 )
@@ -194,6 +196,11 @@ def rest_through(
         The segment at whose start it stops, and the flights and rests so far.
     """
     above, below = sides[0, LEAN], -sides[1, LEAN]
+    free = free_side(sides)
+    if free > 0:
+        below = -math.inf
+    elif free < 0:
+        above = math.inf
     duration = segments[segment, DURATION]
     record = len(rows) > 0
     stop = min(end_of_run(segments, segment), segment + limit - flights)

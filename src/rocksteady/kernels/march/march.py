@@ -54,6 +54,7 @@ from rocksteady.kernels.core.tables import (
     Floats,
     March,
     end_of_run,
+    free_side,
     is_nonlinear,
     keep_passage,
     write_row,
@@ -239,7 +240,7 @@ def _march(
     segment, half, phase = start.segment, start.half_cycles, start.phase
     impacts, flights = start.impacts, start.flights
     record, watch, keeps = len(rows) > 0, len(peaks) > 0, len(peaks) >= PASSAGE_COLUMNS
-    scattered = is_scattered(sides)
+    scattered, free = is_scattered(sides), free_side(sides)
     last = len(segments) - 1
     since, contact_lost = 0.0, math.inf  # nonlinear model: time on the segment, and to its loss
 
@@ -333,6 +334,8 @@ def _march(
             segment += 1
             half, phase = segment_start(segments, segment)
             velocity = segments[segment, JUMP]
+            if velocity * free < 0.0:  # a wall holds it
+                velocity = 0.0
             if velocity != 0.0:
                 side = 1 if velocity > 0.0 else -1
                 rate = sides[0 if side > 0 else 1, RATE]
@@ -343,6 +346,8 @@ def _march(
 
         # 2. A flight, in the units of its side.
         row = 0 if side > 0 else 1
+        next_side = -side if free == 0 else side  # after an impact
+        next_row = 0 if next_side > 0 else 1
         lean, rate = sides[row, LEAN], sides[row, RATE]
         forcing = positive if side > 0 else negative
         seen_phase, seen_half = side_phase(half, phase, side, frequency)
@@ -354,7 +359,7 @@ def _march(
         if bounced:
             bounced = False
             if nonlinear:
-                there_phase, _ = side_phase(half, phase, -side, frequency)
+                there_phase, _ = side_phase(half, phase, next_side, frequency)
                 dies_out = abs(velocity) < STILL * lean * rate or bounces_end(
                     segments,
                     segment,
@@ -370,14 +375,15 @@ def _march(
                 dies_out = chatter_ends(
                     largest_restitution(sides),
                     abs(velocity) / (lean * rate),
-                    abs(velocity) / (sides[1 - row, LEAN] * sides[1 - row, RATE]),
+                    abs(velocity) / (sides[next_row, LEAN] * sides[next_row, RATE]),
                     rate,
-                    sides[1 - row, RATE],
+                    sides[next_row, RATE],
                     span,
                     forcing,
-                    negative if side > 0 else positive,
+                    positive if next_side > 0 else negative,
                     seen_phase,
                     sine,
+                    next_side != side,
                 )
             if dies_out:
                 velocity = 0.0
@@ -440,6 +446,7 @@ def _march(
 
         if zero.event == FOUND:
             # 3. Impact: the velocity is multiplied by the restitution (eq 9), the pivot changes.
+            # A wall's restitution is negative: the block turns back about the pivot that it has.
             impacts += 1
             guess = zero.time
             if frequency == 0.0:
@@ -447,13 +454,15 @@ def _march(
             else:
                 turned, phase = side_clock(zero.phase, seen_half)
                 half += turned - seen_half + 2 * zero.cycle
-                sine, cosine, turned_side = -zero.sine, -zero.cosine, True
+                sine, cosine, turned_side = zero.sine, zero.cosine, True
+                if free == 0:
+                    sine, cosine = -sine, -cosine
             restitution = sides[row, RESTITUTION]
             if scattered:
                 restitution = restitution_of(sides, row, impacts)
             velocity = restitution * side * zero.velocity * lean * rate
             angle = 0.0
-            side = -side
+            side = next_side
             bounced = abs(velocity) <= rest_velocity
             continue
 
@@ -483,6 +492,10 @@ def _march(
         velocity += jump
         if angle == 0.0:  # the velocity alone says where it goes
             side = int(np.sign(velocity))
+            if side * free < 0:  # into the wall
+                impacts += 1
+                side = free
+                velocity *= sides[0 if free > 0 else 1, RESTITUTION]
         if abs(angle) > beyond and velocity * side >= 0.0:
             # Nothing that is still to come can bring it back.
             return OVERTURNED, March(side, angle, velocity, segment, half, phase, impacts, flights)

@@ -31,7 +31,7 @@ from rocksteady.kernels.core.forcing import (
     starts_positive,
     steepest_forcing,
 )
-from rocksteady.kernels.core.tables import RATE, Floats
+from rocksteady.kernels.core.tables import RATE, Floats, free_side
 from rocksteady.kernels.core.typed import FALSE, MINUS_ONE, ONE
 from rocksteady.kernels.machine_code.compilation import compiled, inlined
 
@@ -68,13 +68,21 @@ def next_uplift(
     frequency: float,
     span: float,
 ) -> tuple[int, float]:
-    """Return the side that lifts first and when; side 0 and `span` where none lifts before that."""
+    """Return the side that lifts first and when; side 0 and `span` where none lifts before that.
+
+    A block against a wall lifts to its free side alone.
+    """
     if span <= 0.0:
         return 0, 0.0
     plus_phase, _ = side_phase(half, phase, ONE, frequency)
     minus_phase, _ = side_phase(half, phase, MINUS_ONE, frequency)
     plus = uplift_time(positive, plus_phase, span * sides[0, RATE]) / sides[0, RATE]
     minus = uplift_time(negative, minus_phase, span * sides[1, RATE]) / sides[1, RATE]
+    free = free_side(sides)
+    if free > 0:
+        minus = math.inf
+    elif free < 0:
+        plus = math.inf
     if min(plus, minus) >= span:
         return 0, span
     return (1, plus) if plus <= minus else (-1, minus)
@@ -92,17 +100,20 @@ def chatter_ends(
     forcing_there: Forcing,
     seen_phase: float,
     sine: float,
+    crosses: bool,
 ) -> bool:
     """Return whether the bounces that start now are proved to die out within `span`.
 
     `seen_phase` and its `sine` are those of the forcing seen from the side of the first bounce.
+    Where an impact does not change the side, `crosses` is false and `there` is `here`.
     """
     if speed_here < STILL:
         return True
     # Most impacts are decided here.  The bound needs shaking below uplift and, with the pull of
     # now in place of the least one to come, bounces that shrink.
     pull_here = -(forcing_here.constant + forcing_here.amplitude * sine)
-    pull_there = -(forcing_there.constant - forcing_there.amplitude * sine)
+    sine_there = -sine if crosses else sine
+    pull_there = -(forcing_there.constant + forcing_there.amplitude * sine_there)
     if pull_here <= speed_here or pull_there <= speed_there:
         return False
     shrunk = restitution * restitution
@@ -113,7 +124,9 @@ def chatter_ends(
         or shrunk * (pull_there * pull_there + drift_there) >= pull_there * pull_there
     ):
         return False
-    phase_there = seen_phase + math.pi if seen_phase < HALF_PI else seen_phase - math.pi
+    phase_there = seen_phase
+    if crosses:
+        phase_there += math.pi if seen_phase < HALF_PI else -math.pi
     return settles(
         restitution,
         span,

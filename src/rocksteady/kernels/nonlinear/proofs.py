@@ -30,6 +30,7 @@ from rocksteady.kernels.core.tables import (
     LIFT_CEILING,
     RATE,
     Floats,
+    free_side,
 )
 from rocksteady.kernels.elementary.circular import sin, sincos_near
 from rocksteady.kernels.elementary.inverse import atan2
@@ -88,11 +89,12 @@ def bounces_end(
     speed
         |d(theta/alpha)/ds| with which the first bounce begins.
     phase_here, phase_there
-        Phase of the sinusoid seen from the side of the first bounce, and from the other.
+        Phase of the sinusoid seen from the side of the first bounce, and from that of the second.
     span
         Time in which they have to end.
     """
     row = 0 if side > 0 else 1
+    there = row if free_side(sides) != 0 else 1 - row
     return bounces_settle(
         largest_restitution(sides),
         span,
@@ -100,10 +102,10 @@ def bounces_end(
         phase_here,
         speed / (sides[row, LEAN] * sides[row, RATE]),
         sides[row, RATE],
-        side_drive(segments, index, sides, -side, elapsed),
+        side_drive(segments, index, sides, 1 if there == 0 else -1, elapsed),
         phase_there,
-        speed / (sides[1 - row, LEAN] * sides[1 - row, RATE]),
-        sides[1 - row, RATE],
+        speed / (sides[there, LEAN] * sides[there, RATE]),
+        sides[there, RATE],
     )
 
 

@@ -7,6 +7,8 @@ the peaks so far are not surpassed within.  All else is left to the search of
 or one of low slenderness, the series takes its place.
 """
 
+import math
+
 from rocksteady.kernels.core.tables import (
     ALPHA,
     CEILING,
@@ -27,6 +29,7 @@ from rocksteady.kernels.core.tables import (
     Floats,
     March,
     end_of_run,
+    free_side,
     keep_passage,
     write_row,
 )
@@ -179,6 +182,11 @@ def rest_through(
         The segment at whose start it stops, and the flights and rests so far.
     """
     above, below = uplift_at(sides, ZERO), -uplift_at(sides, ONE)
+    free = free_side(sides)
+    if free > 0:
+        below = -math.inf
+    elif free < 0:
+        above = math.inf
     duration = segments[segment, DURATION]
     record = len(rows) > 0
     stop = min(end_of_run(segments, segment), segment + limit - flights)

@@ -18,6 +18,7 @@ from rocksteady.kernels.core.tables import (
     UNDECIDED,
     Floats,
     March,
+    free_side,
 )
 from rocksteady.kernels.core.typed import ONE, ZERO
 from rocksteady.kernels.machine_code.compilation import allocating, compiled
@@ -134,7 +135,12 @@ def nonlinear_lane_fates(
                     state = March(side, angle[cell], velocity[cell], 0, half, start_phase, 0, 0)
                     # On a still base energy proves an overturning, which only the march looks at.
                     slowest = min(sides[cell, 0, RATE], sides[cell, 1, RATE])
-                    alone = frequency_ratio[cell] > FASTEST * slowest or amplitude[cell] == 0.0
+                    # A block against a wall keeps its side, which no lane does.
+                    alone = (
+                        frequency_ratio[cell] > FASTEST * slowest
+                        or amplitude[cell] == 0.0
+                        or free_side(sides[cell]) != 0
+                    )
                     if side == 0 or alone:
                         harmonic_segment(
                             segments, amplitude[cell], frequency_ratio[cell], phase[cell]

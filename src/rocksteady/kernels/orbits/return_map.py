@@ -24,6 +24,7 @@ from rocksteady.kernels.core.tables import (
     NO_RETURN,
     RATE,
     RESTITUTION,
+    free_side,
     is_nonlinear,
 )
 from rocksteady.kernels.core.typed import MINUS_ONE, ONE, TRUE
@@ -68,7 +69,8 @@ class System(NamedTuple):
     positive: Forcing
     negative: Forcing
     frequency: float  # Omega, in reference time
-    restitution: tuple[float, float]  # of the positive and the negative side
+    restitution: tuple[float, float]  # of the positive and the negative side; of a wall negative
+    free: int  # the one side of a block against a wall, or 0
     lean: tuple[float, float]
     rate: tuple[float, float]
     # Of the nonlinear model; 0 in the linear one.
@@ -126,6 +128,7 @@ def make_system(amplitude: float, frequency: float, sides: Floats2) -> System:
         negative,
         frequency,
         (sides[0, RESTITUTION], sides[1, RESTITUTION]),
+        free_side(sides),
         (sides[0, LEAN], sides[1, LEAN]),
         (sides[0, RATE], sides[1, RATE]),
         (alpha_here, alpha_there),
@@ -166,6 +169,12 @@ def like_sides(system: System) -> bool:
         and system.rate[0] == system.rate[1]
         and system.alpha[0] == system.alpha[1]
     )
+
+
+@inlined
+def next_side(system: System, side: int) -> int:
+    """Return the side to which an impact sends the block."""
+    return -side if system.free == 0 else side
 
 
 @compiled
@@ -281,17 +290,17 @@ def passage_of(
     turned, landed = side_clock(zero.phase, seen_half)
     half = half_cycles + turned - seen_half + 2 * zero.cycle
     landing = abs(zero.velocity) * unit
-    after = Section(-side, half, landed, restitution * landing)
+    after = Section(next_side(system, side), half, landed, abs(restitution) * landing)
     # Fast shaking moves the block little: a speed counts against what a period's work can give.
     if landing <= GRAZING_SPEED * min(1.0, (1.0 + forcing.amplitude) / forcing.frequency):
         return Passage(GRAZE, after, zero.time / rate, landing, Jacobian(0.0, 0.0, 0.0, 0.0))
     if system.left_out > 0.0:
         j11, j12, j21, j22 = landing_derivative(
-            drive_of(system, row), restitution, flight.phase, zero, derivative
+            drive_of(system, row), abs(restitution), flight.phase, zero, derivative
         )
     else:
         j11, j12, j21, j22 = landing_jacobian(
-            forcing, restitution, flight, zero.time, zero.velocity, zero.sine, zero.cosine
+            forcing, abs(restitution), flight, zero.time, zero.velocity, zero.sine, zero.cosine
         )
     return Passage(
         IMPACT, after, zero.time / rate, landing, Jacobian(j11, j12 / unit, j21 * unit, j22)
@@ -305,13 +314,17 @@ def comes_to_rest(system: System, state: Section, sine: float) -> bool:
     `sine` is that of the phase of the forcing, seen from the side of the state.
     """
     row = 0 if state.side > 0 else 1
-    other = 1 - row
-    forcing, opposite = forcing_of(system, state.side), forcing_of(system, -state.side)
+    across_side = next_side(system, state.side)
+    other = 0 if across_side > 0 else 1
+    forcing, opposite = forcing_of(system, state.side), forcing_of(system, across_side)
+    largest = abs(system.restitution[row])
+    if system.free == 0:
+        largest = max(largest, system.restitution[other])
     seen, _ = side_phase(state.half_cycles, state.phase, state.side, system.frequency)
     if system.left_out > 0.0:
-        across, _ = side_phase(state.half_cycles, state.phase, -state.side, system.frequency)
+        across, _ = side_phase(state.half_cycles, state.phase, across_side, system.frequency)
         return bounces_settle(
-            max(system.restitution[0], system.restitution[1]),
+            largest,
             ENDLESS,
             drive_of(system, row),
             seen,
@@ -323,7 +336,7 @@ def comes_to_rest(system: System, state: Section, sine: float) -> bool:
             system.rate[other],
         )
     return chatter_ends(
-        max(system.restitution[0], system.restitution[1]),
+        largest,
         state.speed / (system.lean[row] * system.rate[row]),
         state.speed / (system.lean[other] * system.rate[other]),
         system.rate[row],
@@ -333,6 +346,7 @@ def comes_to_rest(system: System, state: Section, sine: float) -> bool:
         opposite,
         seen,
         sine,
+        across_side != state.side,
     )
 
 
@@ -344,6 +358,10 @@ def uplift_after(system: System, half_cycles: int, phase: float) -> Passage:
     minus_phase, _ = side_phase(half_cycles, phase, MINUS_ONE, system.frequency)
     plus = uplift_time(system.positive, plus_phase, math.inf) / system.rate[0]
     minus = uplift_time(system.negative, minus_phase, math.inf) / system.rate[1]
+    if system.free > 0:
+        minus = math.inf
+    elif system.free < 0:
+        plus = math.inf
     wait = min(plus, minus)
     if wait == math.inf:
         return Passage(STAY, Section(0, half_cycles, phase, 0.0), math.inf, 0.0, nothing)
@@ -385,11 +403,13 @@ def highest_after(system: System, state: Section, passage: Passage) -> tuple[flo
     if bounce.kind != IMPACT:
         return 0.0, 0.0
     here = highest_of(system, state, bounce.time)
-    row = 1 - row
     state = bounce.state
+    row = 0 if state.side > 0 else 1
     flight, forcing = flight_from(system, state), forcing_of(system, state.side)
     bounce = passage_of(system, row, state.half_cycles, state.phase, flight, forcing, -1.0)
-    return here, highest_of(system, state, bounce.time) if bounce.kind == IMPACT else 0.0
+    if system.free != 0 or bounce.kind != IMPACT:
+        return here, 0.0
+    return here, highest_of(system, state, bounce.time)
 
 
 @compiled

@@ -32,12 +32,15 @@ from rocksteady.model.blocks.sides import (
     gravity_value,
     housner_restitution,
     length_value,
+    one_restitution,
     p_value,
     radius_value,
     ratios_of,
     restitution_pair,
     restitution_value,
     sides_of_body,
+    wall_ratio,
+    wall_restitution_value,
 )
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import positive
@@ -76,6 +79,9 @@ class Block(Result):
         Acceleration of gravity [m/s^2].
     housner_factor
         Factor of Housner's restitution that was given, for descriptions; none by default.
+    wall_restitution
+        Of a block against a wall (`against_wall`), which rocks on its positive side alone, the
+        restitution of its impacts on the wall, in [0, 1]; None (default) of a block without.
 
     Raises
     ------
@@ -98,9 +104,13 @@ class Block(Result):
     negative: Side
     gravity: float = STANDARD_GRAVITY
     housner_factor: float | None = field(default=None, compare=False)
+    wall_restitution: float | None = None
 
     def __post_init__(self) -> None:
         """Validate."""
+        if self.wall_restitution is not None:
+            wall = wall_restitution_value(self.wall_restitution, name="wall_restitution")
+            object.__setattr__(self, "wall_restitution", wall)
         object.__setattr__(self, "gravity", gravity_value(self.gravity))
         check_one_body(self.positive, self.negative, self.gravity)
 
@@ -432,8 +442,18 @@ class Block(Result):
 
     @property
     def restitution(self) -> float:
-        """Ratio of angular velocities after and before an impact that ends positive rotation."""
+        """Ratio of angular velocities after and before an impact that ends positive rotation.
+
+        Of a block against a wall, that of the wall.
+        """
+        if self.wall_restitution is not None:
+            return self.wall_restitution
         return self.positive.restitution
+
+    @property
+    def one_sided(self) -> bool:
+        """Whether a wall stops it at angle 0, so that it rocks on its positive side alone."""
+        return self.wall_restitution is not None
 
     @property
     def width(self) -> float:
@@ -447,12 +467,14 @@ class Block(Result):
 
     @property
     def symmetric(self) -> bool:
-        """Whether its two sides are equal."""
-        return self.positive == self.negative
+        """Whether its two sides are equal; a block against a wall has one."""
+        return self.positive == self.negative and not self.one_sided
 
     @property
     def lossless(self) -> bool:
         """Whether no impact takes anything from the velocity: restitution 1 on both sides."""
+        if self.one_sided:
+            return self.restitution == 1.0
         return self.positive.restitution == self.negative.restitution == 1.0
 
     @property
@@ -464,6 +486,34 @@ class Block(Result):
         """
         return self.positive.alpha * self.gravity
 
+    def against_wall(self, restitution: Restitution = "housner") -> "Block":
+        """Return the block against a wall, which it leaves on its positive side alone.
+
+        Parameters
+        ----------
+        restitution
+            Ratio of the angular velocities after and before an impact on the wall, in [0, 1]; 0 for
+            a block that stays on the wall; "housner" (default) for that which conserves angular
+            momentum on base, wall and base (`wall_ratio`), ("housner", 0.9) for a factor of that.
+
+        Raises
+        ------
+        InputError
+            If a restitution lies outside [0, 1], or the block is too stocky for "housner".
+
+        Examples
+        --------
+        >>> facade = Block.rectangle(width=0.3, height=3.0).against_wall()
+        >>> print(f"{facade.restitution:.4f}")
+        0.4708
+        """
+        factor = housner_factor(restitution)
+        if factor is None:
+            ratio = wall_restitution_value(restitution)
+        else:
+            ratio = restitution_of(factor, wall_ratio(self.positive, self.gravity))
+        return replace(self, wall_restitution=ratio, housner_factor=noted(restitution))
+
     def with_restitution(self, restitution: Restitutions) -> "Block":
         """Return the block with other restitutions, as the constructors take them.
 
@@ -472,6 +522,8 @@ class Block(Result):
         InputError
             If one lies outside (0, 1].
         """
+        if self.one_sided:
+            return self.against_wall(one_restitution(restitution))
         first, second = ratios_of(restitution, self.positive, self.negative, self.gravity)
         one = replace(self.positive, restitution=first)
         other = replace(self.negative, restitution=second)
@@ -487,6 +539,8 @@ class Block(Result):
         InputError
             If one side's alpha or p is more than a hundred times the other's.
         """
+        if self.one_sided:
+            return DimensionlessBlock(restitution=self.restitution, one_sided=True)
         one, other = self.positive, self.negative
         return DimensionlessBlock(
             restitution=one.restitution,

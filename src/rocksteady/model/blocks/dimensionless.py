@@ -2,7 +2,8 @@
 
 from dataclasses import dataclass, replace
 
-from rocksteady.model.blocks.sides import restitution_value
+from rocksteady.errors import ModelError
+from rocksteady.model.blocks.sides import restitution_value, wall_restitution_value
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import in_range
 from rocksteady.results.description import Description, Fact
@@ -33,6 +34,10 @@ class DimensionlessBlock(Result):
     alpha_ratio, p_ratio
         The negative side's alpha and p over the positive side's, from 0.01 to 100; 1 (default) of a
         symmetric block.
+    one_sided
+        Whether a wall behind the block stops it at angle 0, so that it rocks to the positive side
+        alone; False by default.  `restitution` is then that of the wall, in [0, 1], and the block
+        has no other side.
 
     Raises
     ------
@@ -51,9 +56,14 @@ class DimensionlessBlock(Result):
     negative_restitution: float | None = None
     alpha_ratio: float = 1.0
     p_ratio: float = 1.0
+    one_sided: bool = False
 
     def __post_init__(self) -> None:
         """Validate."""
+        if self.one_sided:
+            object.__setattr__(self, "restitution", wall_restitution_value(self.restitution))
+            self._refuse_another_side()
+            return
         object.__setattr__(self, "restitution", restitution_value(self.restitution))
         if self.negative_restitution is not None:
             other = restitution_value(self.negative_restitution, name="negative_restitution")
@@ -72,12 +82,26 @@ class DimensionlessBlock(Result):
             )
             object.__setattr__(self, name, ratio)
 
+    def _refuse_another_side(self) -> None:
+        """Refuse numbers of a side that a block against a wall does not have."""
+        for name, plain in (("negative_restitution", None), ("alpha_ratio", 1), ("p_ratio", 1)):
+            if getattr(self, name) != plain:
+                raise ModelError(
+                    name,
+                    getattr(self, name),
+                    "a block against a wall rocks on its positive side alone",
+                    "leave it out, or leave out one_sided",
+                )
+
     @property
     def sides(self) -> tuple[SideRow, SideRow]:
         """(restitution, alpha ratio, p ratio) of the positive and of the negative side.
 
-        The ratios refer to the positive side.
+        The ratios refer to the positive side.  A wall's restitution is negative, as the ratio of
+        velocities is; the row of the wall's side has 1 in all places.
         """
+        if self.one_sided:
+            return (-self.restitution, 1.0, 1.0), (1.0, 1.0, 1.0)
         other = self.restitution if self.negative_restitution is None else self.negative_restitution
         return (self.restitution, 1.0, 1.0), (other, self.alpha_ratio, self.p_ratio)
 
@@ -89,7 +113,7 @@ class DimensionlessBlock(Result):
     @property
     def lossless(self) -> bool:
         """Whether no impact takes anything from the velocity: restitution 1 on both sides."""
-        return self.sides[0][0] == self.sides[1][0] == 1.0
+        return abs(self.sides[0][0]) == self.sides[1][0] == 1.0
 
     def with_restitution(self, restitution: float) -> "DimensionlessBlock":
         """Return the block with another restitution, the same of both impacts."""
@@ -101,6 +125,16 @@ class DimensionlessBlock(Result):
 
     def describe(self) -> Description:
         """Return its restitution, and the ratios of its sides where they differ."""
+        if self.one_sided:
+            facts = [
+                Fact("restitution", self.restitution, "restitution of the wall"),
+                Fact("one_sided", True, "one-sided"),
+            ]
+            return Description(
+                headline=f"dimensionless block against a wall, restitution "
+                f"{number(self.restitution)}",
+                facts=facts,
+            )
         first, other = self.sides
         ratios = " and ".join(dict.fromkeys((number(first[0]), number(other[0]))))
         facts = [Fact("restitution", first[0], "restitution", ratios)]

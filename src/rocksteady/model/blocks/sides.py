@@ -40,6 +40,18 @@ def restitution_value(value: object, *, name: str = "restitution") -> float:
     return in_range(name, value, 0.0, 1.0, "(]", hint=hint)
 
 
+def wall_restitution_value(value: object, *, name: str = "restitution") -> float:
+    """Return the restitution of a wall in [0, 1]; 0 of a wall off which a block does not rebound.
+
+    Raises
+    ------
+    InputError
+        If `value` is not a number in [0, 1].
+    """
+    hint = "give the ratio of the angular velocities after and before the impact on the wall"
+    return in_range(name, value, 0.0, 1.0, "[]", hint=hint)
+
+
 @checked
 @dataclass(frozen=True, kw_only=True)
 class Side:
@@ -279,6 +291,36 @@ def housner_restitution(
     return ratio
 
 
+def wall_ratio(side: Side, gravity: float) -> float:
+    """Return the restitution of a block against a wall by conservation of angular momentum.
+
+    A block that falls back strikes its base, the wall and its base again, each about the edge that
+    is struck::
+
+        (1 - 2 k sin^2 alpha)^2 |1 - 2 k cos^2 alpha|,    k = p^2 R/g
+
+    with k = 3/4 of a rectangle (Sorrentino, Kunnath, Monti and Scalora 2008).  It tends to 1/2 of a
+    slender rectangle.
+
+    Raises
+    ------
+    InputError
+        If the block is so stocky that the wall does not turn it back.
+    """
+    share = side.p * side.p * side.radius / gravity
+    sine, cosine = float(sin(side.alpha)), float(cos(side.alpha))
+    wall = 2.0 * share * cosine * cosine - 1.0
+    if wall < 0.0:
+        raise InputError(
+            "restitution",
+            "housner",
+            f"a block of alpha = {side.alpha:.4g} rad is not turned back by a wall",
+            "give the restitution as a number in [0, 1]",
+        )
+    base = 1.0 - 2.0 * share * sine * sine
+    return base * base * wall
+
+
 def housner_ratio(
     alpha: float, *, p: float = 1.0, radius: float = 0.75, gravity: float = 1.0
 ) -> float:
@@ -331,6 +373,24 @@ def impact_ratio(alphas: tuple[float, ...], radii: tuple[float, ...], gyration: 
     # R1 R2 cos(alpha1 + alpha2) is the height squared less the product of the two distances.
     shared = radii[0] * radii[1] * cos(alphas[0] + alphas[1])
     return (square + shared) / (square + radii[1] * radii[1])
+
+
+def one_restitution(value: Restitutions) -> Restitution:
+    """Return the one restitution of a block against a wall.
+
+    Raises
+    ------
+    ModelError
+        If two numbers are given.
+    """
+    if isinstance(value, tuple) and not isinstance(value[0], str):
+        raise ModelError(
+            "restitution",
+            value,
+            "a block against a wall has one restitution",
+            "give one number in [0, 1]",
+        )
+    return value
 
 
 def restitution_pair(value: object) -> tuple[float, float]:

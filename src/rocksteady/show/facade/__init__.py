@@ -1,0 +1,1 @@
+"""Checks of a facade on paper and on disk, in English and Italian."""

@@ -1,0 +1,1 @@
+"""Where linear, nonlinear static and dynamic checks of a facade disagree."""
