@@ -18,6 +18,7 @@ from rocksteady.model.equations import Linear, Nonlinear
 
 BARE = DimensionlessBlock(restitution=0.8)
 SIZED = Block.rectangle(width=0.4, height=1.2)
+AGAINST_WALL = DimensionlessBlock(restitution=0.0, one_sided=True)
 LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
 
 
@@ -51,6 +52,16 @@ LEANING = Block.asymmetric(left=0.15, right=0.25, height=1.2)
             Block.asymmetric(
                 left=0.15, right=0.25, height=1.2, gyration=0.5, restitution=(0.8, 0.9)
             ),
+        ),
+        ({"restitution": "0", "one_sided": True}, AGAINST_WALL),
+        ({"width_m": "0.4", "height_m": "1.2", "one_sided": True}, SIZED.against_wall()),
+        (
+            {"width_m": "3", "height_m": "1", "restitution": "0", "one_sided": True},
+            Block.rectangle(width=3.0, height=1.0, restitution=1.0).against_wall(0.0),
+        ),
+        (
+            {"block": "statue-on-plinth", "restitution": "housner*0.9", "one_sided": True},
+            named_block("statue-on-plinth").against_wall(("housner", 0.9)),
         ),
         ({"block": "tso-wong-1989"}, named_block("tso-wong-1989")),
         (

@@ -19,6 +19,7 @@ from rocksteady.model.blocks.sides import (
     Restitution,
     impact_pair,
     length_value,
+    one_restitution,
     restitution_pair,
 )
 from rocksteady.model.checks.validation import LARGEST, in_range, non_negative
@@ -199,6 +200,7 @@ class BlockFlags:
     """A block, or its restitution alone."""
 
     restitution: options.Restitution = None
+    one_sided: options.OneSided = None
     block: options.NamedBlock = None
     width_m: options.WidthM = None
     height_m: options.HeightM = None
@@ -227,6 +229,8 @@ class BlockFlags:
         ModelError
             If the flags describe a block in two ways, or half of one.
         """
+        if self.one_sided:
+            return self._against_wall()
         gravity = STANDARD_GRAVITY if self.gravity_m_s2 is None else self.gravity_m_s2
         given = [FLAG_OF_ARGUMENT[name] for name in (*self.sizes, *self.asymmetric)]
         given += self._moved
@@ -254,6 +258,30 @@ class BlockFlags:
                 hint="give one of these pairs, or the three",
             )
         return block if pair is None else block.with_restitution(pair)
+
+    def _against_wall(self) -> Block | DimensionlessBlock:
+        """Return the block against a wall, of which the restitution is that."""
+        # Impacts on the base alone do not occur, and need no restitution.
+        free = replace(self, one_sided=None, restitution="1").described()
+        sized = isinstance(free, Block)
+        ratio = one_restitution(
+            restitution_from(self.restitution, default="housner" if sized else None)
+        )
+        if isinstance(free, Block):
+            return free.against_wall(ratio)
+        assert isinstance(ratio, float)  # without a size no other form is taken
+        return DimensionlessBlock(restitution=ratio, one_sided=True)
+
+    def refuse_one_sided(self, valid: str, hint: str = "leave it out") -> None:
+        """Refuse a block against a wall where there is no meaning in it.
+
+        Raises
+        ------
+        FlagError
+            If --one-sided is given.
+        """
+        if self.one_sided:
+            raise FlagError(finding="--one-sided is given", valid=valid, hint=hint)
 
     def _sized(self, ratio: Restitution, gravity: float) -> Block | None:
         """Return the block of the sizes that are given; None where they are not those of one."""
@@ -316,6 +344,12 @@ class BlockFlags:
 
     def refuse_sides(self, valid: str, hint: str) -> FlagError:
         """Return the error of a block whose sides differ, with the flags that make them differ."""
+        if self.one_sided:
+            return FlagError(
+                finding="--one-sided makes a block that rocks to one side alone",
+                valid=valid,
+                hint=hint,
+            )
         flags_given = "--left-m and --right-m" if self.asymmetric else "--restitution/-r"
         flags_given = "--offset-m" if self.offset_m else flags_given
         return FlagError(
@@ -356,8 +390,10 @@ class BlockFlags:
         if self.restitution is None or ":" not in self.restitution:
             return []
         values = axis("restitution", self.restitution)
+        bounds = "[]" if self.one_sided else "(]"
         for end in (values[0], values[-1]):
-            in_range("restitution", end, 0.0, 1.0, hint="give an axis inside (0, 1]")
+            hint = f"give an axis inside {bounds[0]}0, 1]"
+            in_range("restitution", end, 0.0, 1.0, bounds, hint=hint)
         return values
 
     def at_first(self) -> "BlockFlags":

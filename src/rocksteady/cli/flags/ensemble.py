@@ -14,7 +14,7 @@ from rocksteady.cli.flags.record_files import ReadingFlags
 from rocksteady.errors import InputError
 from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.housner_forms import form_of_text
-from rocksteady.model.blocks.sides import Restitution
+from rocksteady.model.blocks.sides import Restitution, one_restitution
 from rocksteady.model.motions.base_motion import BaseMotion
 from rocksteady.results.rendering import printable
 
@@ -381,7 +381,7 @@ def _end(text: str, whole: str | None) -> Restitution:
 
 def _body(block: BlockFlags, default: Block | None) -> Block:
     """Return the block of flags; the default where none describes one."""
-    if replace(block, restitution=None, gravity_m_s2=None).given:
+    if replace(block, restitution=None, one_sided=None, gravity_m_s2=None).given:
         body = block.described()
         assert isinstance(body, Block)
         return body
@@ -392,4 +392,6 @@ def _body(block: BlockFlags, default: Block | None) -> Block:
             hint="describe it, as --width-m 0.32 --height-m 1.8",
         )
     ratio = restitution_from(block.restitution, default="housner")
+    if block.one_sided:
+        return default.against_wall(one_restitution(ratio))
     return default if ratio == "housner" else default.with_restitution(ratio)

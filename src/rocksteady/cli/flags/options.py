@@ -29,6 +29,8 @@ FLAG_OF_ARGUMENT = {
     "alpha_ratio": "--left-m/--right-m/--offset-m",
     "p_ratio": "--left-m/--right-m/--offset-m",
     "negative_restitution": "--restitution/-r",
+    "one_sided": "--one-sided",
+    "wall_restitution": "--restitution/-r",
     "acceleration_m_s2": "--accel-g/--accel-m-s2",
     "frequency_hz": "--freq-hz",
     "phase": "--phase",
@@ -191,6 +193,16 @@ Restitution = Annotated[
         help="Set the ratio of angular velocities after and before an impact, in (0, 1], "
         "'housner' (default for a block) or a measured factor of it, as 'housner*0.965'; two with "
         "a comma, as 0.8,0.9, for the impact that ends positive rotation and for the other.",
+        rich_help_panel=BLOCK,
+    ),
+]
+OneSided = Annotated[
+    bool | None,
+    typer.Option(
+        "--one-sided",
+        help="Stand the block against a wall: it rocks to the positive side alone, and "
+        "--restitution, in \\[0, 1], is then that of the wall ('housner', the default of a block: "
+        "angular momentum on base, wall and base).",
         rich_help_panel=BLOCK,
     ),
 ]

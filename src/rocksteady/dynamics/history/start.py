@@ -13,10 +13,11 @@ from rocksteady.dynamics.steady.states import (
     refuse_asymmetric,
     validated_branch,
 )
-from rocksteady.errors import InputError, ModelError
+from rocksteady.errors import InputError, ModelError, Words
 from rocksteady.kernels.core.clock import clock
 from rocksteady.kernels.core.tables import March
 from rocksteady.kernels.nonlinear.drive import jump_share
+from rocksteady.model.blocks.block import Block
 from rocksteady.model.blocks.dimensionless import DimensionlessBlock
 from rocksteady.model.checks.arguments import checked
 from rocksteady.model.checks.validation import (
@@ -213,6 +214,34 @@ def validated_start(start: object) -> Start:
     return start
 
 
+def refuse_behind_wall(
+    block: Block | DimensionlessBlock, angle: float, velocity: float, *, name: str = "start"
+) -> None:
+    """Refuse a state in which a block against a wall would be in it, or move into it.
+
+    Parameters
+    ----------
+    block
+        Any; one without a wall has every state.
+    angle, velocity
+        The state: u and du/d(pt), or any others of their signs.
+    name
+        The argument that is refused.
+
+    Raises
+    ------
+    ModelError
+        If the angle is below 0, or 0 with a velocity below 0.
+    """
+    if block.one_sided and (angle < 0.0 or (angle == 0.0 and velocity < 0.0)):
+        raise ModelError(
+            name,
+            Words(f"has angle {angle:g} and velocity {velocity:g}"),
+            "a block against a wall rocks on its positive side alone",
+            "give an angle above 0, or angle 0 with a velocity from 0 on",
+        )
+
+
 def initial_march(
     start: Start,
     block: DimensionlessBlock,
@@ -237,8 +266,8 @@ def initial_march(
     InputError
         If it is no start.
     ModelError
-        If a start that decides on the phase has no harmonic shaking, or there is no admissible
-        steady state.
+        If a start that decides on the phase has no harmonic shaking, there is no admissible steady
+        state, or the start of a block against a wall lies behind it.
     """
     start = validated_start(start)
     if isinstance(start, Steady):
@@ -253,6 +282,8 @@ def initial_march(
             )
         motion = replace(motion, phase=start.phase)
         state = State(angle=0.0, velocity=start.side * start.speed)
+        # At an uplift there is no velocity, but a side.
+        refuse_behind_wall(block, 0.0, state.velocity or float(start.side))
     elif isinstance(start, State):
         state = start
         if start.phase is not None:
@@ -266,6 +297,7 @@ def initial_march(
             motion = replace(motion, phase=start.phase)
     else:
         state = State(angle=0.0, velocity=0.0)
+    refuse_behind_wall(block, state.angle, state.velocity)
     half, phase, velocity = 0, 0.0, state.velocity
     # The march reads clock and jump of the later segments itself; a record has neither.
     for first in () if isinstance(motion, Record) else segments_of(motion)[:1]:
@@ -278,6 +310,8 @@ def initial_march(
         velocity += jump
         if first.frequency:
             half, phase = clock(first.phase)
+    if block.one_sided and state.angle == 0.0 and velocity < 0.0:  # thrown against the wall
+        velocity = -block.restitution * velocity if state.velocity > 0.0 else 0.0
     standing = state.angle == 0.0 and velocity == 0.0
     leans = 0 if standing else (1 if (state.angle or velocity) > 0.0 else -1)
     return motion, March(leans, state.angle, velocity, 0, half, phase, 0, 0)
@@ -296,6 +330,13 @@ def _steady_state(
             start,
             "a steady state needs harmonic shaking",
             "give a Harmonic motion, or start from a State",
+        )
+    if block.one_sided:
+        raise ModelError(
+            "start",
+            Words("is a steady state"),
+            "its second half mirrors the first, and a block against a wall has one side",
+            "start at rest or from a State; `find_orbits` finds its periodic motions",
         )
     refuse_asymmetric(block, "start", "a steady state to start on")
     a, w, r = motion.amplitude, motion.frequency_ratio, block.restitution

@@ -111,6 +111,9 @@ class Block(Result):
         if self.wall_restitution is not None:
             wall = wall_restitution_value(self.wall_restitution, name="wall_restitution")
             object.__setattr__(self, "wall_restitution", wall)
+            for name in ("positive", "negative"):  # no impact on the base alone ends a rotation
+                side = replace(getattr(self, name), restitution=1.0)
+                object.__setattr__(self, name, side)
         object.__setattr__(self, "gravity", gravity_value(self.gravity))
         check_one_body(self.positive, self.negative, self.gravity)
 
@@ -488,6 +491,8 @@ class Block(Result):
 
     def against_wall(self, restitution: Restitution = "housner") -> "Block":
         """Return the block against a wall, which it leaves on its positive side alone.
+
+        Its `restitution` is that of the wall; what its sides had no longer counts and becomes 1.
 
         Parameters
         ----------
