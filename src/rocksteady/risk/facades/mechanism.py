@@ -1,0 +1,230 @@
+"""Overturning mechanism of a facade: collapse multiplier, capacity curve, equivalent block."""
+
+import math
+from dataclasses import dataclass
+
+from rocksteady.errors import InputError
+from rocksteady.kernels.elementary.arrays import atan2
+from rocksteady.model.blocks.block import STANDARD_GRAVITY, Block
+from rocksteady.model.blocks.sides import Restitution
+from rocksteady.model.checks.arguments import checked_result
+from rocksteady.model.checks.validation import finite, in_range, positive
+from rocksteady.results.description import Description, Fact
+from rocksteady.results.numbers import angle, length, number, quantity
+from rocksteady.results.result import Result
+
+SHARE_SLV, SHARE_SLC = 0.4, 0.6
+"""Ultimate displacements d_SLV and d_SLC as shares of d0 (Circolare 2019 n. 7, C8.7.1.2.1)."""
+FACTOR_SLV, FACTOR_SLC = 1.68, 1.56
+"""Factors of the secant periods T_SLV and T_SLC (formulas C8.7.1.10 and C8.7.1.11)."""
+
+
+@checked_result
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Mechanism(Result):
+    """Overturning of a facade about a horizontal hinge, from `rocksteady.Facade.mechanism`.
+
+    Weights P move with the facade; masses Q push it horizontally without weighing on it.  With x
+    inwards from the outer face, z above the hinge at x_h, ties T and thrusts H::
+
+        M = sum P (x - x_h) + sum T z - sum H z        K = sum P z
+        D = sum (P + Q) z      S = sum (P + Q) z^2     I = sum (P + Q) r^2 (of Q: z^2 alone)
+
+    Parameters
+    ----------
+    name
+        Name of the facade.
+    stabilising_kn_m
+        M, moment about the hinge that holds the facade [kN m].
+    weight_moment_kn_m
+        K, weights times heights [kN m].
+    push_moment_kn_m
+        D, weights and pushing masses times heights [kN m].
+    push_kn
+        Sum of weights and pushing masses [kN].
+    second_moment_kn_m2
+        S, weights and pushing masses times squared heights [kN m^2].
+    inertia_kn_m2
+        I, moment of inertia about the hinge times gravity [kN m^2].
+    compactness
+        Weight times squared distance of its centre from the hinge, over I: 3/4 of a rectangle.
+    confidence_factor
+        FC, which divides the strength.
+    one_sided
+        Whether what stands behind stops the facade.
+    restitution
+        Of the impacts on what stands behind, or of two-sided rocking; "housner" or a number.
+
+    Examples
+    --------
+    >>> from rocksteady import Facade
+    >>> wall = Facade(name="wall", thickness_m=0.3, height_m=3.0, confidence_factor=1.0)
+    >>> found = wall.mechanism
+    >>> print(f"{found.a0_g:.6f} g, {found.d0_m:.3f} m, {found.t_slv_s:.6f} s")
+    0.133333 g, 0.200 m, 1.685384 s
+    """
+
+    name: str
+    stabilising_kn_m: float
+    weight_moment_kn_m: float
+    push_moment_kn_m: float
+    push_kn: float
+    second_moment_kn_m2: float
+    inertia_kn_m2: float
+    compactness: float
+    confidence_factor: float
+    one_sided: bool
+    restitution: Restitution = "housner"
+
+    @property
+    def alpha0(self) -> float:
+        """Collapse multiplier alpha_0 = M/D (C8.7.1.1)."""
+        return self.stabilising_kn_m / self.push_moment_kn_m
+
+    @property
+    def theta0_rad(self) -> float:
+        """Rotation without restoring moment, atan(M/K) [rad]."""
+        return float(atan2(self.stabilising_kn_m, self.weight_moment_kn_m))
+
+    @property
+    def e_star(self) -> float:
+        """Share of the mass that takes part, e* = D^2/(sum(P + Q) S) (C8.7.1.5)."""
+        push = self.push_moment_kn_m
+        return push * push / (self.push_kn * self.second_moment_kn_m2)
+
+    @property
+    def mass_kg(self) -> float:
+        """Mass that takes part, D^2/(g S) [kg]."""
+        push = self.push_moment_kn_m
+        return 1e3 * push * push / (STANDARD_GRAVITY * self.second_moment_kn_m2)
+
+    @property
+    def a0_g(self) -> float:
+        """Acceleration that activates the mechanism, alpha_0/(e* FC) [g] (C8.7.1.3)."""
+        return self.alpha0 / (self.e_star * self.confidence_factor)
+
+    @property
+    def uplift_g(self) -> float:
+        """Base acceleration that lifts the equivalent block, alpha_0/FC [g]."""
+        return self.alpha0 / self.confidence_factor
+
+    @property
+    def arm_m(self) -> float:
+        """Height of the displacement d, S/D [m]: 2/3 of the height of a rectangle."""
+        return self.second_moment_kn_m2 / self.push_moment_kn_m
+
+    @property
+    def d0_m(self) -> float:
+        """Displacement without restoring moment, tan(theta0) S/D [m]: 2 t/3 of a rectangle."""
+        return self.stabilising_kn_m / self.weight_moment_kn_m * self.arm_m
+
+    @property
+    def d_slv_m(self) -> float:
+        """Ultimate displacement of SLV, 0.4 d0 [m]."""
+        return SHARE_SLV * self.d0_m
+
+    @property
+    def d_slc_m(self) -> float:
+        """Ultimate displacement of SLC, 0.6 d0 [m]."""
+        return SHARE_SLC * self.d0_m
+
+    @property
+    def t_slv_s(self) -> float:
+        """Secant period of SLV [s] (C8.7.1.10)."""
+        return self.period_s(SHARE_SLV, FACTOR_SLV)
+
+    @property
+    def t_slc_s(self) -> float:
+        """Secant period of SLC [s] (C8.7.1.11)."""
+        return self.period_s(SHARE_SLC, FACTOR_SLC)
+
+    @property
+    def p_rad_s(self) -> float:
+        """Frequency parameter of the equivalent block, sqrt(g sqrt(M^2 + K^2)/(I FC)) [rad/s]."""
+        moment = math.hypot(self.stabilising_kn_m, self.weight_moment_kn_m)
+        return math.sqrt(STANDARD_GRAVITY * moment / (self.inertia_kn_m2 * self.confidence_factor))
+
+    @property
+    def base_factor(self) -> float:
+        """Factor of the base acceleration of the equivalent block, (D/K) FC."""
+        return self.push_moment_kn_m / self.weight_moment_kn_m * self.confidence_factor
+
+    def capacity_g(self, displacement_m: float) -> float:
+        """Return the capacity a(d) = a0 (1 - d/d0) [g], below 0 beyond d0.
+
+        Raises
+        ------
+        InputError
+            If the displacement is no finite number.
+        """
+        hint = "give the displacement in metres"
+        return self.a0_g * (1.0 - finite("displacement_m", displacement_m, hint=hint) / self.d0_m)
+
+    def period_s(self, share: float, factor: float) -> float:
+        """Return a secant period, factor pi sqrt(d/a(d)) [s], at a share of d0 in (0, 1).
+
+        Raises
+        ------
+        InputError
+            If the share lies outside (0, 1), or the factor is not positive.
+        """
+        part = in_range("share", share, 0.0, 1.0, "()", hint="give d/d0, as 0.4")
+        times = positive("factor", factor, hint="give the factor of pi, as 1.68")
+        distance = part * self.d0_m
+        return times * math.pi * math.sqrt(distance / (STANDARD_GRAVITY * self.capacity_g(distance)))
+
+    def block(self) -> Block:
+        """Return the equivalent block: alpha = theta0, p of the mechanism with FC.
+
+        The base acceleration of a run is `base_factor` times that of the ground; a rotation theta
+        is the displacement d0 theta/theta0.  Exact where all masses are in line with the hinge and
+        no tie, thrust or pushing mass acts, else to the order of theta^2.
+
+        Raises
+        ------
+        InputError
+            If the facade is too stocky for a restitution "housner".
+        """
+        alpha, rate = self.theta0_rad, self.p_rad_s
+        radius = self.compactness * STANDARD_GRAVITY / (rate * rate)
+        try:
+            made = Block.general(
+                mass=1.0,
+                inertia=radius * radius / self.compactness,
+                radius=radius,
+                alpha=alpha,
+                restitution="housner" if self.one_sided else self.restitution,
+            )
+            return made.against_wall(self.restitution) if self.one_sided else made
+        except InputError as error:
+            raise InputError(
+                "restitution",
+                self.restitution,
+                f"{self.name} has theta0 = {math.degrees(alpha):.3g} degrees: {error.valid}",
+                "give the restitution as a number, or check the ties",
+            ) from None
+
+    def describe(self) -> Description:
+        """Return what the formulas of the circular give, and the equivalent block."""
+        facts = [
+            Fact("name", self.name, "facade"),
+            Fact("alpha0", self.alpha0, "alpha_0 (1)", number(self.alpha0)),
+            Fact("e_star", self.e_star, "e* (5)", number(self.e_star)),
+            Fact("mass_kg", self.mass_kg, "mass that takes part", quantity(self.mass_kg, "kg")),
+            Fact("confidence_factor", self.confidence_factor, "confidence factor FC"),
+            Fact("a0_g", self.a0_g, "a0 (3)", quantity(self.a0_g, "g")),
+            Fact("d0_m", self.d0_m, "d0", length(self.d0_m)),
+            Fact("d_slv_m", self.d_slv_m, "d_SLV = 0.4 d0", length(self.d_slv_m)),
+            Fact("d_slc_m", self.d_slc_m, "d_SLC = 0.6 d0", length(self.d_slc_m)),
+            Fact("t_slv_s", self.t_slv_s, "T_SLV (10)", quantity(self.t_slv_s, "s")),
+            Fact("t_slc_s", self.t_slc_s, "T_SLC (11)", quantity(self.t_slc_s, "s")),
+            Fact("theta0_rad", self.theta0_rad, "theta0 = alpha", angle(self.theta0_rad)),
+            Fact("p_rad_s", self.p_rad_s, "p with FC", quantity(self.p_rad_s, "rad/s")),
+            Fact("base_factor", self.base_factor, "factor of the base acceleration"),
+            Fact("uplift_g", self.uplift_g, "block lifts at", quantity(self.uplift_g, "g")),
+        ]
+        return Description(
+            headline=f"{self.name}: a0 {quantity(self.a0_g, 'g')}, d0 {length(self.d0_m)}, "
+            f"T_SLV {quantity(self.t_slv_s, 's')}",
+            facts=facts,
+        )
