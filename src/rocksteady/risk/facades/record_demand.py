@@ -1,0 +1,137 @@
+"""Demand of records on a facade: the displacement spectra of a suite, for the static checks."""
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rocksteady.errors import InputError, Words
+from rocksteady.model.blocks.block import STANDARD_GRAVITY
+from rocksteady.model.checks.arguments import checked
+from rocksteady.model.checks.validation import in_range
+from rocksteady.model.motions.record import Record
+from rocksteady.seismic.measures.response_spectrum import (
+    LONGEST_S,
+    SHORTEST,
+    compute_response_spectrum,
+)
+
+Floats = NDArray[np.float64]
+
+FEWEST = 7
+"""Records from which on a mean counts (NTC 2018, 7.3.5)."""
+COARSE, FINE = 32, 9
+"""Periods of the search for the largest ordinate: evenly spaced, then between its neighbours."""
+
+
+@checked
+@dataclass(frozen=True, kw_only=True)
+class RecordDemand:
+    """Displacements and accelerations that records demand of a facade, means over the records.
+
+    Parameters
+    ----------
+    records
+        Horizontal records as they shake the wall's base, 7 or more; scaled ones for a limit state.
+
+    Raises
+    ------
+    InputError
+        If there are fewer than 7.
+
+    Examples
+    --------
+    >>> from rocksteady import RecordDemand, make_synthetic_suite
+    >>> demand = RecordDemand(records=make_synthetic_suite(7))
+    >>> print(f"{demand.sa_g(0.0, 0.05):.3f}")
+    0.355
+    """
+
+    records: tuple[Record, ...]
+    _kept: dict[tuple[float, float], Floats] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
+
+    def __post_init__(self) -> None:
+        """Validate."""
+        object.__setattr__(self, "records", tuple(self.records))
+        if len(self.records) < FEWEST:
+            raise InputError(
+                "records",
+                Words(f"are {len(self.records)}"),
+                f"a mean over records needs {FEWEST} or more",
+                "give more records, or a spectrum",
+            )
+
+    def displacement_m(self, period_s: float, damping: float) -> float:
+        """Return the mean over the records of the largest S_D [m] up to a period.
+
+        The circular has it from T0 on, which the transcription does not define: it is taken from 0,
+        on the safe side.
+
+        Parameters
+        ----------
+        period_s
+            The end of the range of periods [s], above 0.
+        damping
+            1 being critical, in [0, 1): 0.08 of the SLV, 0.10 of the SLC.
+
+        Raises
+        ------
+        InputError
+            If a number is outside its range.
+        """
+        return float(np.mean(self.displacements_m(period_s, damping)))
+
+    def displacements_m(self, period_s: float, damping: float) -> Floats:
+        """Return the largest S_D [m] of each record up to a period, shape (records,).
+
+        Parameters and errors are those of `displacement_m`.
+        """
+        hint = "give a period in seconds, as 1.9"
+        end = in_range("period_s", period_s, 0.0, LONGEST_S, "(]", hint=hint)
+        if (end, damping) not in self._kept:
+            self._kept[end, damping] = np.array(
+                [_largest(record, end, damping) for record in self.records]
+            )
+        return self._kept[end, damping].copy()
+
+    def sa_g(self, period_s: float, damping: float) -> float:
+        """Return the mean over the records of the pseudo-acceleration [g]; the PGA at period 0.
+
+        Parameters
+        ----------
+        period_s
+            T [s], 0 or above.
+        damping
+            1 being critical, in [0, 1).
+
+        Raises
+        ------
+        InputError
+            If a number is outside its range.
+        """
+        hint = "give a period in seconds, as 0.5"
+        period = in_range("period_s", period_s, 0.0, LONGEST_S, "[]", hint=hint)
+        found = [_pseudo_acceleration(record, period, damping) for record in self.records]
+        return float(np.mean(found)) / STANDARD_GRAVITY
+
+
+def _largest(record: Record, end: float, damping: float) -> float:
+    """Return the largest S_D of a record at periods up to one."""
+    low = min(max(end / COARSE, SHORTEST * record.dt_s), end)
+    coarse = np.linspace(low, end, COARSE)
+    found = compute_response_spectrum(record, coarse, damping=damping).displacement_m
+    top = int(np.argmax(found))
+    between = np.linspace(coarse[max(top - 1, 0)], coarse[min(top + 1, COARSE - 1)], FINE)
+    fine = compute_response_spectrum(record, between, damping=damping).displacement_m
+    return float(max(found[top], fine.max()))
+
+
+def _pseudo_acceleration(record: Record, period: float, damping: float) -> float:
+    """Return the pseudo-acceleration of a record [m/s^2]."""
+    if period < SHORTEST * record.dt_s:
+        return record.peak_acceleration_m_s2
+    found = compute_response_spectrum(record, [period], damping=damping)
+    return float(found.displacement_m[0]) * (2.0 * math.pi / period) ** 2
